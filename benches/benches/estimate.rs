@@ -58,7 +58,7 @@ fn taken_over_estimated(name: &str, make: &(dyn Fn() -> LoadedCase + Sync)) -> f
             .execute()
             .unwrap();
         let taken = seconds(clock) - begin;
-        let estimated = estimate(&case, &KeptFields::Highest).unwrap();
+        let estimated = estimate([&case], &KeptFields::Highest).unwrap();
         println!("{name}: {taken:.2} s, estimated {:.2} s", estimated.seconds);
         taken / estimated.seconds
     })

@@ -3,7 +3,6 @@
 use std::fs;
 
 use asperity::Error;
-use asperity::case::gear_train::{self, is_train};
 use asperity::case::{self, Source};
 use asperity_cli::fuzzing::arguments;
 use asperity_tests::markdown::{blocks, pages, prose, root, shell_words, without_code};
@@ -57,10 +56,7 @@ fn wrong(text: &str) -> Vec<String> {
         true => Source::new("block.toml", &format!("{text}\n[mesh.part]\n")).unwrap_or(source),
         false => source,
     };
-    match is_train(&source) {
-        true => faults(&gear_train::check(source, folder, &[]).errors),
-        false => faults(&case::check(source, folder, &[]).errors),
-    }
+    faults(&case::check(source, folder, &[]).errors)
 }
 
 /// Whether a TOML block is a case or a part of one.

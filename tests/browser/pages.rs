@@ -5,10 +5,10 @@ use std::sync::OnceLock;
 
 use asperity::Run;
 use asperity::case::{CaseInput, Formulation, LoadedCase, load_with};
-use asperity::gear_train::run_train;
 use asperity::pipeline::KeptFields;
 use asperity::result::Outcome;
-use asperity_report::{Fields, write_folder, write_train};
+use asperity::train;
+use asperity_report::{Fields, write_folder};
 use asperity_studies::ridges::add_ridges;
 use asperity_tests::planetary_set;
 
@@ -114,9 +114,9 @@ fn reports(bench: &Bench) -> Vec<Page> {
             page(&format!("report, {name}"), &folder.join("report.html"))
         })
         .collect();
-    let set = run_train(&planetary_set(), &KeptFields::All, true, &|_, _| {}).unwrap();
+    let set = train::run(&planetary_set(), Some(&KeptFields::All), true, &|_, _| {}).unwrap();
     let folder = bench.path("set");
-    write_train(&set, &folder, &Fields::Page).unwrap();
+    write_folder(&set, &folder, &Fields::Page).unwrap();
     for (name, file) in [("set", "report.html"), ("mesh", "planet_ring/report.html")] {
         pages.push(page(&format!("planetary, {name}"), &folder.join(file)));
     }

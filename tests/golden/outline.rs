@@ -8,9 +8,9 @@ use std::fmt::Write;
 
 use asperity::Run;
 use asperity::case::{CaseInput, LoadedCase, load_with};
-use asperity::gear_train::run_train;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{film, survey};
+use asperity::train;
 use asperity::uncertainty::difference;
 use asperity_tests::planetary_set;
 use serde_json::Value;
@@ -272,12 +272,12 @@ fn the_difference_of_two_finishes_is_what_it_was() {
 #[test]
 fn a_planetary_set_gives_what_it_gave() {
     let loaded = planetary_set();
-    let outcome = run_train(&loaded, &KeptFields::Highest, true, &|_, _| {}).unwrap();
+    let outcome = train::run(&loaded, Some(&KeptFields::Highest), true, &|_, _| {}).unwrap();
     let [first, second] = &outcome.meshes[..] else {
         panic!("two meshes");
     };
     let value = serde_json::json!({
-        "set": outcome.result,
+        "set": outcome.whole,
         "sun_and_planet": first.result,
         "planet_and_ring": second.result,
     });

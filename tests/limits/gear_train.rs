@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use asperity::case::gear_train::{LoadedTrain, load_set};
-use asperity::case::{Source, TrainPartKind, from_text};
+use asperity::case::{PartKind, Source, Train, from_text};
 use asperity::core::quantity::{AngularSpeed, Force};
 use asperity::efficiency::rolling_bearing::RollingBearing;
-use asperity::gear_train::{MeshRow, TrainResult, run_train};
 use asperity::pipeline::KeptFields;
+use asperity::train::{self, MeshRow, Whole};
 use asperity::{Error, Run, RunResult};
 use asperity_ehl_regime::FilmLaw;
 use asperity_tests::planetary_set;
@@ -42,11 +41,11 @@ fn profiles() -> std::path::PathBuf {
     std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/profiles")
 }
 
-fn train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> LoadedTrain {
+fn train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> Train {
     try_train_of(gears, keys).unwrap()
 }
 
-fn try_train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> Result<LoadedTrain, Error> {
+fn try_train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> Result<Train, Error> {
     let meshes: String = (gears.iter().enumerate())
         .map(|(k, gears)| {
             let next = k + 1;
@@ -60,13 +59,13 @@ fn try_train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> Result<LoadedTrain, 
     let keys: Vec<(String, String)> = (keys.iter())
         .map(|(key, value)| ((*key).to_owned(), (*value).to_owned()))
         .collect();
-    load_set(source, &profiles(), &keys, None)
+    Train::load_set(source, &profiles(), &keys, &|_| {})
 }
 
-fn run(train: &LoadedTrain, band: bool) -> TrainResult {
-    run_train(train, &KeptFields::Highest, band, &|_, _| {})
+fn run(train: &Train, band: bool) -> Whole {
+    train::run(train, Some(&KeptFields::Highest), band, &|_, _| {})
         .unwrap()
-        .result
+        .whole
 }
 
 /// A single mesh as a case of its own, in the text of a case file.
@@ -113,7 +112,7 @@ fn a_user_defined_law_is_the_named_law_in_every_mesh_of_a_train() {
 }
 
 /// The sum of all powers into the train is its loss, and the power out is by torque and speed of its shaft.
-fn assert_balanced(result: &TrainResult) {
+fn assert_balanced(result: &Whole) {
     let powers = result
         .shafts
         .iter()
@@ -278,17 +277,17 @@ fn a_balance_without_equilibrium_is_refused_and_one_without_a_start() {
             "train.input = \"s0\"\nmesh.m = {{ shafts = [\"s0\", \"s1\"], gears = {} }}\n{COMMON}[surface]{FLANKS}",
             GEARS[0]
         );
-        load_set(
+        Train::load_set(
             Source::from_bytes("train.toml", text.as_bytes()).unwrap(),
             &profiles(),
             &keys,
-            None,
+            &|_| {},
         )
     };
     let insulated =
         r#"{ ambient = "25 °C", oil_to_housing = "2 W/K", housing_to_ambient = "1 W/K" }"#;
     let train = source(insulated, &[("operation.oil_temperature", "80 °C"), BULK]).unwrap();
-    let error = run_train(&train, &KeptFields::Highest, false, &|_, _| {}).unwrap_err();
+    let error = train::run(&train, Some(&KeptFields::Highest), false, &|_, _| {}).unwrap_err();
     assert_eq!(error.code(), "E311", "{error}");
     let error = source(insulated, &[]).unwrap_err();
     assert!(
@@ -368,7 +367,10 @@ fn a_planetary_set_is_the_sum_of_its_meshes_at_relative_speeds() {
         ("model.offsets", "2"),
     ];
     let keys = keys.map(|(key, value)| (key.to_owned(), value.to_owned()));
-    let train = run(&load_set(source, &profiles(), &keys, None).unwrap(), false);
+    let train = run(
+        &Train::load_set(source, &profiles(), &keys, &|_| {}).unwrap(),
+        false,
+    );
     assert_eq!(train.loss_w, result.loss_w);
     assert_eq!(train.sets["p"], report);
 }
@@ -385,9 +387,9 @@ fn numbers(text: &str) -> [f64; 3] {
 
 #[test]
 fn losses_are_said_with_the_digits_of_their_band() {
-    let mut result = run_train(&planetary_set(), &KeptFields::All, true, &|_, _| {})
+    let mut result = train::run(&planetary_set(), Some(&KeptFields::All), true, &|_, _| {})
         .unwrap()
-        .result;
+        .whole;
     let drawn = result.loss_distribution.unwrap();
     let [low, high] = drawn.quantiles_w;
     let [loss, efficiency] = result.with_bands();
@@ -638,9 +640,9 @@ fn tables_of_idle_gears_and_clutches_and_jets_take_their_power_from_their_shafts
     assert!((warm.heat.unwrap().heat_w / into - 1.0).abs() < 1e-12);
     // A table that ends before the speed, one that is none, and parts without a place.
     let short = written("short.csv", "speed_rpm,loss_torque_nm\n0,0.1\n1000,0.5\n");
-    let error = run_train(
+    let error = train::run(
         &train_of(GEARS, &[("gearbox", &stated(&short))]),
-        &KeptFields::Highest,
+        Some(&KeptFields::Highest),
         false,
         &|_, _| {},
     );
@@ -683,7 +685,7 @@ fn bearings_of_planets_carry_the_forces_of_sun_and_ring_and_take_their_power_fro
             "train.input = \"s0\"\nmesh.m1 = {{ shafts = [\"s0\", \"s1\"], gears = {first} }}\n{set}\ngearbox = {stated}\n{COMMON}[surface]{FLANKS}"
         );
         let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
-        load_set(source, &profiles(), &[], None)
+        Train::load_set(source, &profiles(), &[], &|_| {})
     };
     let loaded = train(&bearing(", planet_mass = \"0.4 kg\", per_planet = 2")).unwrap();
     let result = run(&loaded, false);
@@ -695,7 +697,7 @@ fn bearings_of_planets_carry_the_forces_of_sun_and_ring_and_take_their_power_fro
     let tangential = torque * (1.0 + 75.0 / 27.0) / 3.0 / distance;
     let outwards = 0.4 * distance * report.carrier_rad_per_s.powi(2);
     let load = [0.5 * tangential.hypot(outwards), 0.0].map(Force::from_si);
-    let TrainPartKind::PlanetBearing {
+    let PartKind::PlanetBearing {
         bearing: rolling, ..
     } = loaded.gearbox.as_ref().unwrap().parts[0].kind
     else {
@@ -753,10 +755,10 @@ fn messages_about_the_bulk_temperature_of_a_mesh_name_its_key() {
     );
 }
 
-fn train_gearbox_bearing(train: &LoadedTrain) -> RollingBearing {
+fn train_gearbox_bearing(train: &Train) -> RollingBearing {
     let parts = &train.gearbox.as_ref().unwrap().parts;
     let bearing = parts.iter().find_map(|part| match part.kind {
-        TrainPartKind::Bearing { bearing, .. } => Some(bearing),
+        PartKind::Bearing { bearing, .. } => Some(bearing),
         _ => None,
     });
     bearing.unwrap()

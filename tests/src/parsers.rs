@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use asperity::case::{self, LoadedCase, Source, gear_train};
+use asperity::case::{self, LoadedCase, Source};
 use asperity::message::explain;
 use asperity::result::RunResult;
 use asperity_core::quantity::{
@@ -96,10 +96,10 @@ pub fn planetary_case(text: &str) -> bool {
     let names_files = source
         .key_paths()
         .any(|key| key.ends_with("file") || key.ends_with("xu_coefficients"));
-    if !gear_train::is_train(&source) || names_files {
+    if names_files {
         return false;
     }
-    let found = gear_train::check(source, "".as_ref(), &[]);
+    let found = case::check(source, "".as_ref(), &[]);
     assert_eq!(found.case.is_some(), found.errors.is_empty());
     for error in &found.errors {
         assert!(explain(error.code()).is_some(), "{error}");

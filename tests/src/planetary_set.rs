@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::case::gear_train::{LoadedTrain, load};
+use asperity::case::Train;
 
 const SET: &str = r#"
 title = "small set"
@@ -31,7 +31,7 @@ depths = 0
 ///
 /// # Panics
 /// When it is refused.
-pub fn planetary_set() -> LoadedTrain {
+pub fn planetary_set() -> Train {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("set.toml");
     std::fs::write(&file, SET).unwrap();
@@ -39,5 +39,5 @@ pub fn planetary_set() -> LoadedTrain {
         let profiles = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/profiles");
         std::fs::copy(profiles.join(flank), folder.path().join(flank)).unwrap();
     }
-    load(&file).unwrap().unwrap()
+    Train::load(&file).unwrap()
 }

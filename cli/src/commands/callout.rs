@@ -26,7 +26,7 @@ pub fn callout(args: &CalloutArgs, common: &Common) -> Result<(), Failure> {
     let [pairs, offsets] = settings.work();
     let mut pair = loaded.first_pair();
     pair.case.model.offsets = offsets;
-    check_work(&args.work, &pair, &KeptFields::Highest, pairs)?;
+    check_work(&args.work, [&pair], &KeptFields::Highest, pairs)?;
     let (name, title) = (result_name(&args.case), &loaded.case.title);
     let folder = study::folder::<CallOut>(args.output.as_deref(), &name, "callout", title)?;
     progress.begin("lots");

@@ -1,12 +1,10 @@
 //! `asperity check`: checks of a case without running it.
 
 use asperity::Error;
-use asperity::case::gear_train::{self, LoadedTrain};
-use asperity::case::{self, DefaultUsed, LoadedCase};
+use asperity::case::{self, DefaultUsed, LoadedCase, Train};
 use asperity::message::Warning;
-use asperity::pipeline;
 use asperity::pipeline::{KeptFields, chooses_offsets};
-use asperity_studies::estimate::{Estimate, estimate, estimate_of_train, measured};
+use asperity_studies::estimate::{Estimate, estimate, measured};
 use serde_json::{Value, json};
 
 use super::{keys, source};
@@ -22,16 +20,8 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
     let reading = Progress::of(common.quiet, READING);
     let (source, folder) = source(&args.case)?;
     let name = source.name().to_owned();
-    let (errors, valid) = match gear_train::is_train(&source) {
-        true => {
-            let findings = gear_train::check(source, folder, &keys(&args.set));
-            (findings.errors, findings.case.map(of_train))
-        }
-        false => {
-            let findings = case::check(source, folder, &keys(&args.set));
-            (findings.errors, findings.case.map(of_pair))
-        }
-    };
+    let findings = case::check(source, folder, &keys(&args.set));
+    let (errors, valid) = (findings.errors, findings.case.map(valid_case));
     let shown = errors.iter().take(MOST_ERRORS);
     let mut failures: Vec<Failure> = shown.map(Failure::of).collect();
     let not_shown = errors.len() - failures.len();
@@ -107,27 +97,13 @@ fn counted(count: usize, one: &str, several: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { several })
 }
 
-fn of_pair(loaded: LoadedCase) -> Result<ValidCase, Error> {
-    let found = pipeline::check(&loaded)?;
-    Ok(ValidCase {
-        work: measured(&loaded, &KeptFields::Highest)
-            .or_else(|_| estimate(&loaded, &KeptFields::Highest))?,
-        traced: traced(&loaded).into_iter().collect(),
-        may_need_more: chooses_offsets(&loaded),
-        warnings: [loaded.warnings, found].concat(),
-        defaults: loaded.case.defaults,
-    })
-}
-
-fn of_train(train: LoadedTrain) -> Result<ValidCase, Error> {
-    let cases = || train.meshes().map(|mesh| &mesh.case);
-    let warnings = asperity::gear_train::check(&train)?;
+fn valid_case(train: Train) -> Result<ValidCase, Error> {
+    let warnings = asperity::train::check(&train)?;
     let fields = KeptFields::Highest;
-    let work = estimate_of_train(&train, &fields, measured)
-        .or_else(|_| estimate_of_train(&train, &fields, estimate))?;
-    let may_need_more = cases().any(chooses_offsets);
+    let work = measured(train.cases(), &fields).or_else(|_| estimate(train.cases(), &fields))?;
+    let may_need_more = train.cases().any(chooses_offsets);
     Ok(ValidCase {
-        traced: cases().filter_map(traced).collect(),
+        traced: train.cases().filter_map(traced).collect(),
         may_need_more,
         warnings,
         defaults: train.defaults,

@@ -5,7 +5,7 @@ use asperity::pipeline::KeptFields;
 use asperity_studies::compare::{self, Comparison};
 
 use super::finish::{self, check_names};
-use super::work::check_work_of_train;
+use super::work::check_work;
 use super::{result_name, study};
 use crate::args::{Common, CompareArgs};
 use crate::failure::Failure;
@@ -33,7 +33,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     }
     if let Some(first) = finishes.first() {
         let kept = KeptFields::Highest;
-        check_work_of_train(&args.work, &first.case, &kept, finishes.len())?;
+        check_work(&args.work, first.case.cases(), &kept, finishes.len())?;
     }
     let title = finishes.first().map_or("", |first| &first.case.title);
     let name = result_name(&args.case);

@@ -24,7 +24,11 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
         set.map_err(|error| Failure::of(&error))?;
     }
     let temperature = temperature(args, &map)?;
-    let trace = read_cycle(&args.trace, args.columns.as_deref(), map.input.vehicle())?;
+    let trace = read_cycle(
+        &args.trace,
+        args.columns.as_deref(),
+        map.input.vehicle.as_ref(),
+    )?;
     let name = stem(&args.trace);
     let energies = cycle::evaluate(&map, temperature, (&trace, &name), args.allow_outside);
     let energies = energies.map_err(|error| refused(args, &error))?;

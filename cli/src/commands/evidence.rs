@@ -5,8 +5,8 @@ use std::time::Instant;
 use asperity::pipeline::KeptFields;
 use asperity_calibration::evidence::{Effort, EvidenceTable};
 
-use super::work::check_work_of_train;
-use super::{load_changed_train, result_name, source, study};
+use super::work::check_work;
+use super::{load_train, result_name, study};
 use crate::args::{Common, EvidenceArgs};
 use crate::failure::Failure;
 
@@ -14,10 +14,9 @@ use crate::failure::Failure;
 pub fn evidence(args: &EvidenceArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let efforts = efforts(&args.hours)?;
-    let (text, folder) = source(&args.case)?;
-    let loaded = load_changed_train(text, folder, &args.set, &|_| {})?;
+    let loaded = load_train(&args.case, &args.set, None)?;
     // The run, and changes of the constants of the oil.
-    check_work_of_train(&args.work, &loaded, &KeptFields::Highest, 2)?;
+    check_work(&args.work, loaded.cases(), &KeptFields::Highest, 2)?;
     let (name, title) = (result_name(&args.case), &loaded.title);
     let output = args.output.as_deref();
     let folder = study::folder::<EvidenceTable>(output, &name, "evidence", title)?;

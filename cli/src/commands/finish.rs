@@ -4,11 +4,11 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use asperity::case::CaseInput;
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity_storage::regular_file;
 use asperity_studies::compare::Finish;
 
-use super::{load_changed_train, source};
+use super::{load_text, source};
 use crate::args::{FinishArg, SetArgs};
 use crate::failure::Failure;
 
@@ -34,7 +34,7 @@ pub fn finishes(
     set: &SetArgs,
     stated: &[FinishArg],
     change: &dyn Fn(&mut CaseInput),
-) -> Result<Vec<Finish<LoadedTrain>>, Failure> {
+) -> Result<Vec<Finish<Train>>, Failure> {
     check_names(stated)?;
     // Read once for all finishes, since standard input can be read only once.
     let (text, folder) = source(case)?;
@@ -54,7 +54,7 @@ pub fn finishes(
             }
             change(input);
         };
-        let train = load_changed_train(text.clone(), folder, set, &of_all)?;
+        let train = load_text(text.clone(), folder, set, &of_all)?;
         let is_of =
             |stated: &str, stage: Option<&str>, mesh: &str| stated == mesh || Some(stated) == stage;
         let named = || {
@@ -74,7 +74,7 @@ pub fn finishes(
                 .any(|(stage, mesh)| is_of(stated, stage, &mesh.name))
         };
         if let Some((mesh, _)) = named().find(|(mesh, _)| !all(mesh)) {
-            let known = match train.pair() {
+            let known = match train.only() {
                 Some(_) => "the case has a single mesh".to_owned(),
                 None => format!("there is no mesh \"{mesh}\", only {}", train.names()),
             };

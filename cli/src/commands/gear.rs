@@ -4,9 +4,8 @@ use std::fmt::Write as _;
 
 use asperity::case::LoadedCase;
 use asperity::result::gear_report::{GearReport, gear_report};
-use serde_json::json;
 
-use super::{AnyCase, load_any};
+use super::{load_train, of_meshes};
 use crate::args::{CaseArgs, Common};
 use crate::failure::Failure;
 use crate::output::print;
@@ -16,22 +15,14 @@ pub fn gear(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
     let report = |loaded: &LoadedCase| {
         gear_report(&loaded.case).map_err(|error| Failure::about(&args.case, &error))
     };
-    match load_any(&args.case, &args.set, args.formulation)? {
-        AnyCase::Pair(pair) => {
-            let report = report(&pair)?;
-            print(common, || &report, || text(&report))
-        }
-        AnyCase::Train(train) => {
-            let reports = train.meshes().map(|mesh| report(&mesh.case));
-            let reports = reports.collect::<Result<Vec<_>, Failure>>()?;
-            let texts = || reports.iter().map(text).collect::<Vec<_>>();
-            print(
-                common,
-                || json!({ "title": train.title, "meshes": reports }),
-                || texts().join("\n"),
-            )
-        }
-    }
+    let train = load_train(&args.case, &args.set, args.formulation)?;
+    let reports = train.cases().map(report);
+    let reports = reports.collect::<Result<Vec<_>, Failure>>()?;
+    print(
+        common,
+        || of_meshes(&train, &reports),
+        || reports.iter().map(text).collect::<Vec<_>>().join("\n"),
+    )
 }
 
 fn text(report: &GearReport) -> String {

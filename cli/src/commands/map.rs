@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::message::explain;
 use asperity::pipeline::KeptFields;
 use asperity_studies::compare::Finish;
@@ -13,8 +13,8 @@ use asperity_studies::map::{self, Axes, AxisError, Map, MapExtras};
 
 use super::cycle::{read_cycle, table_in};
 use super::finish::{self, check_names};
-use super::work::check_work_of_train;
-use super::{load_changed_train, result_name, source, stem, study};
+use super::work::check_work;
+use super::{load_train, result_name, stem, study};
 use crate::args::{Common, ExportArg, MapArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
@@ -35,7 +35,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     }
     let axes = axes(args, &first.case)?;
     let cycle = match &args.cycle {
-        Some(file) => Some(read_cycle(file, None, first.case.input.vehicle())?),
+        Some(file) => Some(read_cycle(file, None, first.case.input.vehicle.as_ref())?),
         None => None,
     };
     if args.export.contains(&ExportArg::Fastsim) && cycle.is_none() {
@@ -50,12 +50,17 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let (name, title) = (result_name(&args.case), &first.case.title);
     let folder = study::folder::<Map>(args.output.as_deref(), &name, "map", title)?;
     let added = args.add_loss.as_deref().map(added_loss).transpose()?;
-    let torques = match first.case.train.passes_losses {
+    let torques = match first.case.shafting.passes_losses {
         true => 2 * axes.torque_nm.len(),
         false => axes.torque_nm.len().div_ceil(2),
     };
     let torques = torques * finishes.len();
-    check_work_of_train(&args.work, &first.case, &KeptFields::Highest, torques)?;
+    check_work(
+        &args.work,
+        first.case.cases(),
+        &KeptFields::Highest,
+        torques,
+    )?;
     progress.begin("points");
     let watch = |done, total| progress.at(done, total);
     let map = map::map(&finishes, &axes, args.band.points(), &watch)
@@ -116,19 +121,17 @@ fn name_of_value(format: ExportArg) -> String {
 }
 
 /// The case with the traces of each finish, or with its own traces.
-fn finishes(args: &MapArgs) -> Result<Vec<Finish<LoadedTrain>>, Failure> {
+fn finishes(args: &MapArgs) -> Result<Vec<Finish<Train>>, Failure> {
     if !args.finishes.is_empty() {
         return finish::finishes(&args.case, &args.set, &args.finishes, &|_| {});
     }
-    let (text, folder) = source(&args.case)?;
-    let case = load_changed_train(text, folder, &args.set, &|_| {})?;
+    let case = load_train(&args.case, &args.set, None)?;
     let name = stem(&args.case).to_string_lossy().into_owned();
     Ok(vec![Finish { name, case }])
 }
 
-fn axes(args: &MapArgs, case: &LoadedTrain) -> Result<Axes, Failure> {
-    let of = |option: &str, text: &Option<String>, default: fn(&LoadedTrain) -> Vec<f64>| match text
-    {
+fn axes(args: &MapArgs, case: &Train) -> Result<Axes, Failure> {
+    let of = |option: &str, text: &Option<String>, default: fn(&Train) -> Vec<f64>| match text {
         None => Ok(default(case)),
         Some(text) => map::axis(text).map_err(|error| refused(option, &error)),
     };

@@ -40,8 +40,10 @@ use std::ffi::{OsStr, OsString};
 use std::io::Read as _;
 use std::path::Path;
 
-use asperity::case::gear_train::{self, LoadedTrain};
-use asperity::case::{self, CaseInput, Formulation, LoadedCase, PathPoint, Source};
+use asperity::case::{self, Formulation, LoadedCase, PathPoint, Source, Train};
+
+use serde::Serialize;
+use serde_json::json;
 
 use crate::args::{FormulationArg, SetArgs};
 use crate::failure::Failure;
@@ -76,62 +78,55 @@ fn keys(set: &SetArgs) -> Vec<(String, String)> {
         .collect()
 }
 
-/// Reads a case with its traces, with keys set and further changes.
-fn load_changed(
+/// Reads the case in a text, or its mesh `--mesh`, with keys set and a change of every mesh.
+fn load_text(
+    text: Source,
+    folder: &Path,
+    set: &SetArgs,
+    change: case::Change<'_>,
+) -> Result<Train, Failure> {
+    let train = Train::load_set(text, folder, &keys(set), change);
+    let loaded = match &set.mesh {
+        None => train,
+        Some(mesh) => train.and_then(|train| train.of_mesh(mesh)),
+    };
+    loaded.map_err(|error| Failure::of(&error))
+}
+
+/// Reads a case with its traces.
+fn load_train(
     path: &Path,
     set: &SetArgs,
-    change: &dyn Fn(&mut CaseInput),
-) -> Result<LoadedCase, Failure> {
-    let (source, folder) = source(path)?;
-    load_pair(source, folder, set, change)
+    formulation: Option<FormulationArg>,
+) -> Result<Train, Failure> {
+    let formulation = formulation.map(self::formulation);
+    let (text, folder) = source(path)?;
+    load_text(text, folder, set, &|input| {
+        if formulation.is_some() {
+            input.formulation = formulation;
+        }
+    })
 }
 
-/// Reads the case of a single mesh, or the mesh `--mesh` of a gear train, with keys set and a change.
-fn load_pair(
-    source: Source,
-    folder: &Path,
+/// Reads the case of a single mesh with its traces.
+fn load_case(
+    path: &Path,
     set: &SetArgs,
-    change: &dyn Fn(&mut CaseInput),
+    formulation: Option<FormulationArg>,
 ) -> Result<LoadedCase, Failure> {
-    let failed = |error: asperity::Error| Failure::of(&error);
-    let name = source.name().to_owned();
-    let refused = |rest: String| Failure::new("E205", format!("{name}: {rest}"));
-    if !gear_train::is_train(&source) {
-        return match &set.mesh {
-            None => case::load_set(source, folder, &keys(set), change).map_err(failed),
-            Some(_) => Err(refused("has a single mesh; leave --mesh out".to_owned())),
-        };
-    }
-    let train = gear_train::load_set(source, folder, &keys(set), None).map_err(failed)?;
-    let Some(mesh) = &set.mesh else {
-        let meshes = train.names();
-        return Err(refused(format!(
-            "has several meshes: {meshes}; this command takes one of them"
-        ))
-        .advising("Name it with --mesh; run, check, gear, regime, map, compare, sweep, sensitivity and evidence take all meshes."));
-    };
-    match train.mesh(mesh) {
-        Some(mesh) => mesh.case.with(|input| change(input)).map_err(failed),
-        None => Err(refused(format!(
-            "has no mesh \"{mesh}\", only {}",
-            train.names()
-        ))),
-    }
+    let train = load_train(path, set, formulation)?;
+    let only = train.only_mesh().cloned();
+    only.map_err(|error| {
+        Failure::of(&error).advising("Name it with --mesh; run, check, gear, regime, map, compare, sweep, sensitivity and evidence take all meshes.")
+    })
 }
 
-/// Reads a case of either kind as a gear train, or its mesh `--mesh`, with keys set and a change of every mesh.
-fn load_changed_train(
-    source: Source,
-    folder: &Path,
-    set: &SetArgs,
-    change: &dyn Fn(&mut CaseInput),
-) -> Result<LoadedTrain, Failure> {
-    if set.mesh.is_some() || !gear_train::is_train(&source) {
-        return load_pair(source, folder, set, change).map(LoadedTrain::from);
+/// The value of the only mesh, or the title of the train and the values of all meshes, as JSON.
+fn of_meshes<V: Serialize>(train: &Train, values: &[V]) -> serde_json::Value {
+    match (train.only(), values) {
+        (Some(_), [only]) => json!(only),
+        _ => json!({ "title": train.title, "meshes": values }),
     }
-    let train = gear_train::load_set(source, folder, &keys(set), None);
-    let changed = train.and_then(|train| train.with(change));
-    changed.map_err(|error| Failure::of(&error))
 }
 
 /// Refuses the folder that the user did not name if it holds the result of a case with another title, `older`.
@@ -170,54 +165,6 @@ fn result_name(path: &Path) -> OsString {
         }
         _ => name.to_owned(),
     }
-}
-
-/// Reads a case with its traces.
-fn load_case(
-    path: &Path,
-    set: &SetArgs,
-    formulation: Option<FormulationArg>,
-) -> Result<LoadedCase, Failure> {
-    let formulation = formulation.map(self::formulation);
-    load_changed(path, set, &|input| {
-        if formulation.is_some() {
-            input.formulation = formulation;
-        }
-    })
-}
-
-/// Case of either kind.
-pub enum AnyCase {
-    /// Pair of gears.
-    Pair(Box<LoadedCase>),
-    /// Several meshes: a gear train or a planetary set.
-    Train(Box<LoadedTrain>),
-}
-
-/// Reads a case of either kind with its traces.
-fn load_any(
-    path: &Path,
-    set: &SetArgs,
-    formulation: Option<FormulationArg>,
-) -> Result<AnyCase, Failure> {
-    let formulation = formulation.map(self::formulation);
-    let (source, folder) = source(path)?;
-    let change = |input: &mut CaseInput| {
-        if formulation.is_some() {
-            input.formulation = formulation;
-        }
-    };
-    if set.mesh.is_some() {
-        let mesh = load_pair(source, folder, set, &change)?;
-        return Ok(AnyCase::Pair(Box::new(mesh)));
-    }
-    let loaded = match gear_train::is_train(&source) {
-        true => gear_train::load_set(source, folder, &keys(set), formulation)
-            .map(|train| AnyCase::Train(Box::new(train))),
-        false => case::load_set(source, folder, &keys(set), &change)
-            .map(|pair| AnyCase::Pair(Box::new(pair))),
-    };
-    loaded.map_err(|error| Failure::of(&error))
 }
 
 /// Formulation of the model that was requested.

@@ -1,12 +1,11 @@
 //! `asperity regime`: film thickness, load share and regime along the path, without friction.
 
 use asperity::case::LoadedCase;
-use asperity::case::gear_train::LoadedMesh;
 use asperity::pipeline::{RegimeRow, survey};
 use asperity::result::Regime;
 use serde_json::json;
 
-use super::{AnyCase, load_any};
+use super::{load_train, of_meshes};
 use crate::args::{CaseArgs, Common};
 use crate::failure::Failure;
 use crate::output::print;
@@ -15,29 +14,24 @@ use crate::output::print;
 pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
     let rows =
         |loaded: &LoadedCase| survey(loaded).map_err(|error| Failure::about(&args.case, &error));
-    match load_any(&args.case, &args.set, args.formulation)? {
-        AnyCase::Pair(pair) => {
-            let rows = rows(&pair)?;
-            print(common, || &rows, || table(&rows))
-        }
-        AnyCase::Train(train) => {
-            let of_mesh = |mesh: &LoadedMesh| Ok((mesh.case.case.title.clone(), rows(&mesh.case)?));
-            let of_meshes = train
-                .meshes()
-                .map(of_mesh)
-                .collect::<Result<Vec<_>, Failure>>()?;
-            let meshes = || of_meshes.iter();
-            let values = || meshes().map(|(title, rows)| json!({ "title": title, "rows": rows }));
-            let tables = meshes().map(|(title, rows)| {
-                format!("{}\n{}", asperity_storage::one_line(title), table(rows))
-            });
-            print(
-                common,
-                || json!({ "title": train.title, "meshes": values().collect::<Vec<_>>() }),
-                || tables.collect::<Vec<_>>().join("\n"),
-            )
-        }
-    }
+    let train = load_train(&args.case, &args.set, args.formulation)?;
+    let of_mesh = |case: &LoadedCase| Ok((case.case.title.clone(), rows(case)?));
+    let found = train.cases().map(of_mesh);
+    let found = found.collect::<Result<Vec<_>, Failure>>()?;
+    let is_only = train.only().is_some();
+    let value = |(title, rows): &(String, Vec<RegimeRow>)| match is_only {
+        true => json!(rows),
+        false => json!({ "title": title, "rows": rows }),
+    };
+    let text = |(title, rows): &(String, Vec<RegimeRow>)| match is_only {
+        true => table(rows),
+        false => format!("{}\n{}", asperity_storage::one_line(title), table(rows)),
+    };
+    print(
+        common,
+        || of_meshes(&train, &found.iter().map(value).collect::<Vec<_>>()),
+        || found.iter().map(text).collect::<Vec<_>>().join("\n"),
+    )
 }
 
 fn table(rows: &[RegimeRow]) -> String {

@@ -20,7 +20,7 @@ pub(super) const GRADIENTS: &str = "gradients";
 pub fn ridges(args: &RidgesArgs, common: &Common) -> Result<(), Failure> {
     let progress = Progress::of(common.quiet, READING);
     let loaded = load_case(&args.case, &args.set, None)?;
-    check_work(&args.work, &loaded, &KeptFields::Highest, RUNS)?;
+    check_work(&args.work, [&loaded], &KeptFields::Highest, RUNS)?;
     let (name, title) = (result_name(&args.case), &loaded.case.title);
     let folder = study::folder::<RidgeStudy>(args.output.as_deref(), &name, "ridges", title)?;
     progress.begin(GRADIENTS);

@@ -2,18 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::gear_train::LoadedTrain;
+use asperity::Error;
 use asperity::result::RunResult;
-use asperity::{Error, Run};
-use asperity_calibration::evidence::{execute, execute_train};
-use asperity_report::{self as report, Fields, ReportError};
+use asperity_calibration::evidence::execute;
+use asperity_report::{self as report, Fields, Results};
 use asperity_studies::ridges::add_ridges;
 
 use super::bibtex::bibtex;
 use super::check::defaults;
 use super::ridges::{GRADIENTS, RUNS};
-use super::work::{check_work, check_work_of_train};
-use super::{AnyCase, load_any, refuse_other, result_name};
+use super::work::check_work;
+use super::{load_train, refuse_other, result_name};
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
 use crate::output::{
@@ -32,23 +31,21 @@ fn runs(args: &RunArgs) -> usize {
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let fields = fields(args)?;
     let progress = Progress::of(common.quiet, READING);
-    let loaded = match load_any(&args.case, &args.set, args.formulation)? {
-        AnyCase::Pair(loaded) => loaded,
-        AnyCase::Train(train) => return run_meshes(&train, args, common, &fields, progress),
-    };
-    check_work(&args.work, &loaded, &fields.kept(), runs(args))?;
-    let target = Target::of(args, &loaded.case.title, report::check_place)?;
+    let train = load_train(&args.case, &args.set, args.formulation)?;
+    let kept = fields.kept();
+    check_work(&args.work, train.cases(), &kept, runs(args))?;
+    let target = Target::of(args, &train.title)?;
     let folder = target.as_ref().map(|target| &*target.folder);
     progress.begin(POSITIONS);
     let at = |done, total| progress.at(done, total);
-    let kept = fields.kept();
-    let run = Run::new(&loaded).fields(&kept);
-    let outcome = execute(&loaded, run.band(!args.no_band).progress(&at));
+    let outcome = execute(&train, &kept, !args.no_band, &at);
     let mut outcome = outcome.map_err(|error| failed(&error, args, folder))?;
     if args.ridges {
         progress.begin(GRADIENTS);
-        add_ridges(&mut outcome.result, &loaded, &at)
-            .map_err(|error| Failure::about(&args.case, &error))?;
+        for (mesh, case) in outcome.meshes.iter_mut().zip(outcome.settled.cases()) {
+            add_ridges(&mut mesh.result, case, &at)
+                .map_err(|error| Failure::about(&args.case, &error))?;
+        }
     }
     if let Some(folder) = folder {
         progress.begin(WRITING);
@@ -59,69 +56,20 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     }
     drop(progress);
     if common.json {
-        return print_json(&outcome.result);
-    }
-    if args.cite {
-        return print_text(common, &bibtex([&outcome.result].into_iter()));
-    }
-    let result = &outcome.result;
-    let count = result.warnings.len();
-    let text = details(result, args) + &last_lines(target.as_ref(), &result.title, args, count);
-    print_verdict(common, &text, &report::headline(&outcome.result))
-}
-
-/// Runs all meshes of a gear train.
-fn run_meshes(
-    train: &LoadedTrain,
-    args: &RunArgs,
-    common: &Common,
-    fields: &Fields,
-    progress: Progress,
-) -> Result<(), Failure> {
-    check_work_of_train(&args.work, train, &fields.kept(), runs(args))?;
-    let target = Target::of(args, &train.title, report::check_train_place)?;
-    let folder = target.as_ref().map(|target| &*target.folder);
-    progress.begin(POSITIONS);
-    let at = |done, total| progress.at(done, total);
-    let outcome = execute_train(train, &fields.kept(), !args.no_band, &at);
-    let mut outcome = outcome.map_err(|error| failed(&error, args, folder))?;
-    if args.ridges {
-        progress.begin(GRADIENTS);
-        for (mesh, case) in outcome.meshes.iter_mut().zip(outcome.settled.meshes()) {
-            add_ridges(&mut mesh.result, &case.case, &at)
-                .map_err(|error| Failure::about(&args.case, &error))?;
-        }
-    }
-    if let Some(folder) = folder {
-        progress.begin(WRITING);
-        report::write_train(&outcome, folder, fields)?;
-        if args.load_map {
-            report::write_load_points_of_train(&outcome, folder)?;
-        }
-    }
-    drop(progress);
-    if common.json {
-        return print_json(&outcome.result);
+        return print_json(&outcome);
     }
     let runs = || outcome.meshes.iter().map(|mesh| &mesh.result);
     if args.cite {
         return print_text(common, &bibtex(runs()));
     }
-    let mut text = match args.notes || args.models || args.laws || args.explain_defaults {
-        true => {
-            let runs = runs().map(|run| format!("\n{}", details(run, args)));
-            report::tables_of_train(&outcome.result) + &runs.collect::<String>()
-        }
-        false => report::brief_of_train(&outcome),
+    let results = Results::from(&outcome);
+    let text = match args.notes || args.models || args.laws || args.explain_defaults {
+        true => results.with_each(&|result| details(result, args)),
+        false => results.brief(columns()),
     };
     let count = runs().map(|run| run.warnings.len()).sum();
-    text.push_str(&last_lines(
-        target.as_ref(),
-        &outcome.result.title,
-        args,
-        count,
-    ));
-    print_text(common, &text)
+    let text = text + &last_lines(target.as_ref(), &train.title, args, count);
+    print_verdict(common, &text, &results.headline())
 }
 
 /// The summary of a run, with what `args` request in addition.
@@ -204,11 +152,7 @@ struct Target {
 impl Target {
     /// The folder of `args` for a case with `title`, checked before the run; `None` without output. A folder that the user
     /// did not name is refused if it holds the result of a case with another title.
-    fn of(
-        args: &RunArgs,
-        title: &str,
-        check: fn(&Path) -> Result<(), ReportError>,
-    ) -> Result<Option<Self>, Failure> {
+    fn of(args: &RunArgs, title: &str) -> Result<Option<Self>, Failure> {
         if args.no_output {
             return Ok(None);
         }
@@ -216,7 +160,7 @@ impl Target {
             Some(folder) => folder.clone(),
             None => Path::new("results").join(result_name(&args.case)),
         };
-        check(&folder)?;
+        report::check_place(&folder)?;
         let older = report::title_of(&folder);
         if let (Some(older), None) = (&older, &args.output) {
             refuse_other(&folder, title, older)?;

@@ -1,35 +1,21 @@
 //! Limits of the estimated time and memory.
 
 use asperity::case::LoadedCase;
-use asperity::case::gear_train::LoadedTrain;
 use asperity::pipeline::KeptFields;
-use asperity_studies::estimate::{Estimate, estimate, estimate_of_train};
+use asperity_studies::estimate::{Estimate, estimate};
 
 use crate::args::WorkArgs;
 use crate::failure::Failure;
 
-/// Rejects `runs` runs of a case with an estimated time or memory above the limits.
-pub fn check_work(
+/// Rejects `runs` runs of `meshes` with an estimated time or memory above the limits.
+pub fn check_work<'a>(
     limits: &WorkArgs,
-    loaded: &LoadedCase,
+    meshes: impl IntoIterator<Item = &'a LoadedCase>,
     fields: &KeptFields,
     runs: usize,
 ) -> Result<(), Failure> {
     // A case without an estimate has no result either; the run reports the error.
-    match estimate(loaded, fields) {
-        Ok(estimate) => check(limits, &estimate, runs),
-        Err(_) => Ok(()),
-    }
-}
-
-/// Rejects `runs` runs of a gear train with an estimated time or memory above the limits.
-pub fn check_work_of_train(
-    limits: &WorkArgs,
-    train: &LoadedTrain,
-    fields: &KeptFields,
-    runs: usize,
-) -> Result<(), Failure> {
-    match estimate_of_train(train, fields, estimate) {
+    match estimate(meshes, fields) {
         Ok(estimate) => check(limits, &estimate, runs),
         Err(_) => Ok(()),
     }

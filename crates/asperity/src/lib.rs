@@ -7,7 +7,7 @@
 //! | [`Run`], [`losses`] | a run of a case with its interval, or its losses only |
 //! | [`result`] | the numbers of a run, as values and as JSON |
 //! | [`laws`] | user-defined laws of film, friction and load distribution |
-//! | [`gear_train`] | several meshes, shafts, bearings and seals with one loss |
+//! | [`train`] | several meshes, shafts, bearings and seals with one loss |
 //! | [`gear`], [`roughness`], [`contact`], [`oil`], [`ehl`], ... | the physics crates, which work without this one |
 //!
 //! A run is pure, data in and data out. A case passes through plain values:
@@ -51,7 +51,7 @@ mod assembly;
 pub mod contacts;
 #[doc(hidden)]
 pub mod equations;
-pub mod gear_train;
+pub mod gearbox;
 pub mod lubrication;
 pub mod mesh;
 #[doc(hidden)]
@@ -66,10 +66,7 @@ pub mod reference_solution;
 pub mod result;
 mod run;
 mod sampling;
-#[doc(hidden)]
-pub mod train_gearbox;
-#[doc(hidden)]
-pub mod train_heat;
+pub mod train;
 pub mod uncertainty;
 
 pub use asperity_case::{

@@ -4,11 +4,11 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::{CaseInput, LoadedCase, gear_train, load};
-use asperity::gear_train::run_train;
+use asperity::case::{CaseInput, LoadedCase, Train, load};
 use asperity::pipeline::KeptFields;
 use asperity::result::gear_report::gear_report;
 use asperity::result::{Losses, RunResult};
+use asperity::train;
 
 fn fixtures() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
@@ -267,9 +267,9 @@ fn a_planetary_set_is_the_run_of_its_two_meshes() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("set.toml");
     std::fs::write(&file, SET).unwrap();
-    let set = gear_train::load(&file).unwrap().unwrap();
-    let outcome = run_train(&set, &KeptFields::All, false, &|_, _| {}).unwrap();
-    let result = &outcome.result;
+    let set = Train::load(&file).unwrap();
+    let outcome = train::run(&set, Some(&KeptFields::All), false, &|_, _| {}).unwrap();
+    let result = &outcome.whole;
     let [sun, ring] = &result.meshes[..] else {
         panic!("{} meshes", result.meshes.len())
     };
@@ -291,10 +291,15 @@ fn a_planetary_set_is_the_run_of_its_two_meshes() {
         1e-12,
     );
     assert!(result.efficiency > sun.efficiency * ring.efficiency);
+    let pair = Train::load(&fixtures().join("cases/fzg-c.toml")).unwrap();
+    assert!(pair.only().is_some() && set.only().is_none());
+    // What takes one mesh does not take the set.
+    let error = load(&file, None).unwrap_err();
+    assert_eq!(error.code(), "E205");
     assert!(
-        gear_train::load(&fixtures().join("cases/fzg-c.toml"))
-            .unwrap()
-            .is_none()
+        error
+            .to_string()
+            .contains("has several meshes: \"sun and planet\"")
     );
 }
 
@@ -304,7 +309,7 @@ fn a_planetary_set_that_does_not_fit_is_refused_with_its_reason() {
     let refusal = |from: &str, to: &str| {
         let file = folder.path().join("set.toml");
         std::fs::write(&file, SET.replace(from, to)).unwrap();
-        gear_train::load(&file).unwrap_err()
+        Train::load(&file).unwrap_err()
     };
     let error = refusal("planets = 3", "planets = 12");
     assert!(
@@ -322,7 +327,7 @@ fn a_mesh_of_a_planetary_set_names_the_keys_of_the_set_also_after_a_change() {
     let file = folder.path().join("set.toml");
     let rough = r#"sun = { rq = "30 um" }"#;
     std::fs::write(&file, SET.replace(r#"sun = { rq = "0.3 um" }"#, rough)).unwrap();
-    let set = gear_train::load(&file).unwrap().unwrap();
+    let set = Train::load(&file).unwrap();
     let mesh = &set.mesh("sun and planet").unwrap().case;
     let changed = mesh.with(|input| input.model.offsets = Some(2)).unwrap();
     for case in [mesh, &changed] {

@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use asperity::case::{CaseInput, LoadedCase, gear_train, load, range_of, schema};
+use asperity::case::{CaseInput, LoadedCase, load, range_of, schema, schema_of_named_meshes};
 use serde_json::{Value, json};
 
 /// Paths of the keys below `node` that take numbers, with or without unit; an entry of a list has the path of the list.
@@ -59,7 +59,7 @@ fn numbers_of(schema: &Value) -> BTreeSet<String> {
 
 #[test]
 fn every_number_of_a_case_and_of_a_gear_train_has_a_usual_range_within_its_possible_one() {
-    let [pair, train] = [schema(), gear_train::schema()].map(|schema| numbers_of(&schema));
+    let [pair, train] = [schema(), schema_of_named_meshes()].map(|schema| numbers_of(&schema));
     assert!(pair.contains("vehicle.rolling_resistance") && pair.contains("surface.coast.wheel.ra"));
     assert!(train.contains("mesh.first.planetary.sun.tip_relief.amount"));
     let keys: BTreeSet<String> = pair.into_iter().chain(train).collect();

@@ -3,13 +3,13 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use asperity::case::gear_train::LoadedTrain;
-use asperity::gear_train::{TrainOutcome, run_train};
+use asperity::case::train::Train;
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::EvidenceRow;
-use asperity::result::{Outcome, with_interval};
+use asperity::result::with_interval;
+use asperity::train::{self, Outcomes};
 use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_band};
-use asperity::{Contacts, LoadedCase, Run};
+use asperity::{Contacts, LoadedCase};
 use asperity_report::html::page;
 use asperity_report::{ReportError, StudyResult, tables, wrapped};
 use maud::html;
@@ -103,7 +103,7 @@ impl EvidenceTable {
     ///
     /// # Errors
     /// When the case has no loss or no interval.
-    pub fn of(train: &LoadedTrain, efforts: &[Effort]) -> Result<Option<Self>, OilError> {
+    pub fn of(train: &Train, efforts: &[Effort]) -> Result<Option<Self>, OilError> {
         if !train.meshes().all(|mesh| has_band(&mesh.case)) {
             return Ok(None);
         }
@@ -113,11 +113,11 @@ impl EvidenceTable {
                 source: Box::new(source),
             })
         };
-        let outcome = run_train(train, &KeptFields::Highest, true, &|_, _| {}).map_err(named)?;
-        let (Some(loss), Some((rows, no_curves))) = (
-            outcome.result.loss_distribution,
-            rows_of_train(&outcome, efforts)?,
-        ) else {
+        let outcome =
+            train::run(train, Some(&KeptFields::Highest), true, &|_, _| {}).map_err(named)?;
+        let (Some(loss), Some((rows, no_curves))) =
+            (outcome.whole.loss_distribution, rows_of(&outcome, efforts)?)
+        else {
             return Ok(None);
         };
         let operation =
@@ -125,10 +125,7 @@ impl EvidenceTable {
         Ok(Some(Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
             title: train.title.clone(),
-            power_in_w: match &outcome.meshes[..] {
-                [only] => only.result.summary.power_in_w,
-                _ => outcome.result.meshes_power_in_w(),
-            },
+            power_in_w: outcome.whole.meshes_power_in_w(),
             loss,
             no_curves,
             is_temperature_drawn: train.meshes().any(|mesh| operation(&mesh.case)),
@@ -137,26 +134,26 @@ impl EvidenceTable {
     }
 }
 
-/// Runs a gear train as [`run_train`]; if its loss has an interval, its result has the measurements that would narrow it, with
+/// Runs a case as [`train::run`]; if its loss has an interval, its result has the measurements that would narrow it, with
 /// their usual hours.
 ///
 /// # Errors
-/// As [`run_train`].
-pub fn execute_train(
-    train: &LoadedTrain,
+/// As [`train::run`].
+pub fn execute(
+    train: &Train,
     kept: &KeptFields,
     band: bool,
     progress: Progress<'_>,
-) -> Result<TrainOutcome, asperity::Error> {
-    let mut outcome = run_train(train, kept, band, progress)?;
+) -> Result<Outcomes, asperity::Error> {
+    let mut outcome = train::run(train, Some(kept), band, progress)?;
     // Curves without a plan, as of an oil with one viscosity, leave the other rows.
-    let rows = rows_of_train(&outcome, &Effort::usual()).ok().flatten();
-    outcome.result.evidence = rows.map(|(rows, _)| rows).unwrap_or_default();
+    let rows = rows_of(&outcome, &Effort::usual()).ok().flatten();
+    outcome.put_evidence(rows.map(|(rows, _)| rows).unwrap_or_default());
     Ok(outcome)
 }
 
-/// Rows of a gear train, and why none is of traction curves; `None` without draws.
-fn rows_of_train(outcome: &TrainOutcome, efforts: &[Effort]) -> Result<Option<Rows>, OilError> {
+/// Rows of a run, and why none is of traction curves; `None` without draws.
+fn rows_of(outcome: &Outcomes, efforts: &[Effort]) -> Result<Option<Rows>, OilError> {
     let Some(drawn) = &outcome.drawn else {
         return Ok(None);
     };
@@ -167,30 +164,9 @@ fn rows_of_train(outcome: &TrainOutcome, efforts: &[Effort]) -> Result<Option<Ro
     let drawn: Vec<MeshDraws<'_>> = of_meshes
         .map(|((predictive, count), flanks)| (predictive, count, flanks))
         .collect();
-    let loss = outcome.result.loss_distribution;
+    let loss = outcome.whole.loss_distribution;
     loss.map(|loss| rows(&cases, &drawn, loss, efforts))
         .transpose()
-}
-
-/// Executes the run of `case`; if it has an interval, its result has the measurements that would narrow it, with their usual
-/// hours.
-///
-/// # Errors
-/// As [`Run::execute`].
-pub fn execute(case: &LoadedCase, run: Run<'_>) -> Result<Outcome, asperity::Error> {
-    let (mut outcome, drawn, contacts) = run.draw_with_contacts()?;
-    if let Some((drawn, found)) = drawn.zip(outcome.result.uncertainty.as_mut()) {
-        // Curves without a plan, as of an oil with one viscosity, leave the other rows.
-        let loss = drawn.quantiles();
-        let rows = rows(
-            &[(case, &contacts)],
-            &[(&drawn, 1, 0)],
-            loss,
-            &Effort::usual(),
-        );
-        found.evidence = rows.map(|(rows, _)| rows).unwrap_or_default();
-    }
-    Ok(outcome)
 }
 
 /// Rows, and why none is of traction curves.

@@ -22,7 +22,7 @@ const TOLERANCE: f64 = 1e-9;
 
 /// Two gears in mesh on a carrier: a pair, or sun and ring of a planetary set.
 #[derive(Debug, Clone, PartialEq)]
-pub struct TrainStage {
+pub struct Stage {
     /// Shafts of the first and the second gear, by their place in [`GearTrain::shafts`].
     pub gears: [usize; 2],
     /// Shaft of the carrier; `None` for the housing.
@@ -33,7 +33,7 @@ pub struct TrainStage {
 
 /// A shaft of a gear train.
 #[derive(Debug, Clone, PartialEq)]
-pub struct TrainShaft {
+pub struct Shaft {
     /// Name, for errors.
     pub name: String,
     /// Stated speed, zero if the shaft is held; `None` if it follows from the stages.
@@ -48,14 +48,14 @@ pub struct TrainShaft {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct GearTrain {
     /// The shafts.
-    pub shafts: Vec<TrainShaft>,
+    pub shafts: Vec<Shaft>,
     /// The stages.
-    pub stages: Vec<TrainStage>,
+    pub stages: Vec<Stage>,
 }
 
 /// Torques of a gear train.
 #[derive(Debug, Clone, PartialEq)]
-pub struct TrainTorques {
+pub struct Torques {
     /// Torque into the train at each shaft.
     pub shafts: Vec<Torque>,
     /// Torques of the shafts of first gear, second gear and carrier on each stage.
@@ -72,8 +72,8 @@ impl GearTrain {
     ///
     /// ```
     /// use asperity_core::quantity::{AngularSpeed, Power, Torque};
-    /// use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
-    /// let shaft = |name: &str, speed: Option<f64>, torque: Option<f64>| TrainShaft {
+    /// use asperity_gear::gear_train::{GearTrain, Shaft, Stage};
+    /// let shaft = |name: &str, speed: Option<f64>, torque: Option<f64>| Shaft {
     ///     name: name.to_owned(),
     ///     speed: speed.map(AngularSpeed::from_si),
     ///     torque: torque.map(Torque::from_si),
@@ -84,7 +84,7 @@ impl GearTrain {
     ///     shafts: vec![
     ///         shaft("sun", Some(300.0), Some(100.0)), shaft("ring", Some(0.0), None), shaft("carrier", None, None),
     ///     ],
-    ///     stages: vec![TrainStage { gears: [0, 1], carrier: Some(2), teeth: [27.0, 75.0] }],
+    ///     stages: vec![Stage { gears: [0, 1], carrier: Some(2), teeth: [27.0, 75.0] }],
     /// };
     /// let speeds = set.speeds()?;
     /// assert!((speeds[2].si() - 300.0 * 27.0 / 102.0).abs() < 1e-12);
@@ -137,11 +137,7 @@ impl GearTrain {
     ///
     /// # Errors
     /// When a torque does not follow from the stated ones, or contradicts them.
-    pub fn torques(
-        &self,
-        speeds: &[AngularSpeed],
-        losses: &[Power],
-    ) -> Result<TrainTorques, GearError> {
+    pub fn torques(&self, speeds: &[AngularSpeed], losses: &[Power]) -> Result<Torques, GearError> {
         cite!("Train-2");
         let mut stages: Vec<Option<[f64; 3]>> = vec![None; self.stages.len()];
         for _ in 0..self.stages.len() {
@@ -184,7 +180,7 @@ impl GearTrain {
             torques.push(shaft.torque.unwrap_or(Torque::from_si(torque)));
         }
         let stages = stages.into_iter().flatten();
-        Ok(TrainTorques {
+        Ok(Torques {
             shafts: torques,
             stages: stages.map(|torques| torques.map(Torque::from_si)).collect(),
         })
@@ -221,7 +217,7 @@ impl GearTrain {
     }
 }
 
-impl TrainStage {
+impl Stage {
     fn shafts(&self) -> [Option<usize>; 3] {
         let [first, second] = self.gears;
         [Some(first), Some(second), self.carrier]
@@ -268,8 +264,8 @@ impl TrainStage {
 mod tests {
     use super::*;
 
-    fn shaft(name: &str, speed: Option<f64>, torque: Option<f64>) -> TrainShaft {
-        TrainShaft {
+    fn shaft(name: &str, speed: Option<f64>, torque: Option<f64>) -> Shaft {
+        Shaft {
             name: name.to_owned(),
             speed: speed.map(AngularSpeed::from_si),
             torque: torque.map(Torque::from_si),
@@ -277,8 +273,8 @@ mod tests {
         }
     }
 
-    fn pair(gears: [usize; 2], teeth: [f64; 2]) -> TrainStage {
-        TrainStage {
+    fn pair(gears: [usize; 2], teeth: [f64; 2]) -> Stage {
+        Stage {
             gears,
             carrier: None,
             teeth,
@@ -308,7 +304,7 @@ mod tests {
             stages: vec![
                 pair([0, 1], [20.0, 31.0]),
                 pair([1, 2], [31.0, 40.0]),
-                TrainStage {
+                Stage {
                     gears: [4, 3],
                     carrier: Some(2),
                     teeth: [27.0, 75.0],

@@ -2,7 +2,6 @@
 
 use asperity::core::number;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use asperity::LoadedCase;
 use asperity::case::{self, CalibratedName};
@@ -39,11 +38,11 @@ pub fn calibrate(
 ) -> PyResult<Calibration> {
     let held = hold.iter().map(|key| named("hold", key));
     let held = held.collect::<Result<Vec<CalibratedName>, Failure>>()?;
-    let beside = beside.map(|case| case.pair().cloned()).transpose()?;
+    let beside = beside.map(|case| case.only().cloned()).transpose()?;
     let given = cases
         .into_iter()
-        .map(|(name, case)| Ok((name, Arc::clone(case.pair()?))));
-    let given = given.collect::<Result<Vec<(String, Arc<LoadedCase>)>, Failure>>()?;
+        .map(|(name, case)| Ok((name, case.only()?.clone())));
+    let given = given.collect::<Result<Vec<(String, LoadedCase)>, Failure>>()?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let text = match text {
             Some(text) => text,
@@ -58,7 +57,7 @@ pub fn calibrate(
                     .map(|(_, case)| case),
             };
             match (held, wanted) {
-                (Some(case), _) => Ok(case.as_ref().clone()),
+                (Some(case), _) => Ok(case.clone()),
                 (None, Some(file)) => Ok(case::load(&folder.join(file), None)?),
                 (None, None) => {
                     let file = name.clone();
@@ -112,7 +111,7 @@ pub fn design(
 ) -> PyResult<Study> {
     let held = hold.iter().map(|key| named("hold", key));
     let held = held.collect::<Result<Vec<CalibratedName>, Failure>>()?;
-    let case = case.pair()?;
+    let case = case.only()?;
     let stated: StatedLimits = failure::asked(limits)?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let usual = Limits::usual(

@@ -5,24 +5,22 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity::Run;
-use asperity::case::gear_train::{self, LoadedMesh, LoadedTrain};
 use asperity::case::{
-    self, Content, FileContents, Formulation, LoadedCase, Source, from_contents, load_holding,
-    open_source,
+    self, Content, FileContents, Formulation, LoadedCase, Source, Train, open_source,
 };
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
-use asperity::message::Warning;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{self, RegimeRow};
 use asperity::quantity::Length;
 use asperity::result::gear_report;
-use asperity_calibration::evidence::{execute, execute_train};
+use asperity::train;
+use asperity_calibration::evidence::execute;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
 
-use crate::choices::{Detail, LawOf, named};
+use crate::choices::{Detail, named};
 use crate::contact::found;
 use crate::failure::{self, Failure};
 use crate::outcome::{Found, Outcome};
@@ -39,31 +37,14 @@ fn profiles(traces: &Traces<'_>) -> Vec<(PathBuf, Profile)> {
         .collect()
 }
 
-/// A gear train or planetary set with the text that it is made from, which is read again with other keys.
-#[derive(Clone)]
-pub struct Train {
-    loaded: Arc<LoadedTrain>,
-    source: Source,
-    folder: PathBuf,
-    keys: Vec<(String, String)>,
-    formulation: Option<Formulation>,
-    laws: Vec<(LawOf, Arc<PythonLaw>)>,
-    /// Files in memory, of a case from its content.
-    held: FileContents,
-}
-
 /// A case as content, which is pickled.
 #[derive(FromPyObject, IntoPyObject)]
 #[pyo3(from_item_all)]
 struct CaseContent {
     /// Path of the case file as the user gave it.
     name: String,
-    /// Text with every key of a pair of gears, or the text of a gear train.
+    /// Text with every key.
     text: String,
-    /// Keys of a gear train set past its text; `None` for a pair of gears.
-    keys: Option<Vec<(String, String)>>,
-    /// Formulation of a gear train, over that of its text.
-    formulation: Option<String>,
     /// Absolute folder that names of files are relative to.
     folder: PathBuf,
     /// Every file that was read.
@@ -91,37 +72,26 @@ impl CaseContent {
     }
 }
 
-/// A case of either kind.
-#[derive(Clone)]
-enum Kind {
-    Pair(Arc<LoadedCase>),
-    Train(Box<Train>),
-}
-
 /// A case, checked, with its traces.
 #[pyclass(frozen, module = "asperity._asperity")]
 #[derive(Clone)]
-pub struct Case {
-    kind: Kind,
-}
+pub struct Case(Arc<Train>);
 
 /// JSON schema of a case file with the tables `kind`: `gears`, or `planetary` and `mesh` of a gear train.
 #[pyfunction]
 pub fn schema(kind: &str) -> PyResult<String> {
     let schema = match kind {
-        "planetary" | "mesh" => gear_train::schema(),
+        "planetary" | "mesh" => case::schema_of_named_meshes(),
         _ => case::schema(),
     };
     Ok(failure::json(&schema)?)
 }
 
-fn formulation_of(name: Option<&str>) -> Result<Option<Formulation>, Failure> {
-    name.map(|name| named("formulation", name)).transpose()
-}
-
-fn name_of(formulation: Formulation) -> String {
-    let name = json!(formulation);
-    name.as_str().unwrap_or_default().to_owned()
+/// The key of the formulation, if one is given.
+fn formulation_key(name: Option<&str>) -> Result<Option<(String, String)>, Failure> {
+    let Some(name) = name else { return Ok(None) };
+    named::<Formulation>("formulation", name)?;
+    Ok(Some(("formulation".to_owned(), name.to_owned())))
 }
 
 /// Film and regime of a mesh.
@@ -131,107 +101,29 @@ struct MeshRegime {
     rows: Vec<RegimeRow>,
 }
 
-fn traces_of_train() -> Failure {
-    let message =
-        "a case of several meshes takes its traces from files; write them with Profile.write";
-    Failure::new("E205", message)
-}
-
-impl Train {
-    /// The train read again, files in memory before those in `folder`.
-    fn read(self, folder: Option<&Path>) -> Result<Self, Failure> {
-        let loaded = gear_train::load_holding(
-            self.source.clone(),
-            folder,
-            self.held.clone(),
-            &self.keys,
-            self.formulation,
-        )?;
-        Ok(Self {
-            loaded: loaded.in_folder(&self.folder).into(),
-            ..self
-        })
-    }
-}
-
-/// Warnings of all meshes.
-fn of_meshes(train: &Train) -> Vec<&Warning> {
-    let each = train.loaded.meshes();
-    each.flat_map(|mesh| &mesh.case.warnings).collect()
-}
-
 impl Case {
     fn of(
         source: Source,
         folder: &Path,
         traces: &[(PathBuf, Profile)],
-        keys: Vec<(String, String)>,
-        formulation: Option<Formulation>,
+        keys: &[(String, String)],
     ) -> Result<Self, Failure> {
-        if gear_train::is_train(&source) {
-            if !traces.is_empty() {
-                return Err(traces_of_train());
-            }
-            let loaded = gear_train::load_set(source.clone(), folder, &keys, formulation)?;
-            let train = Train {
-                loaded: loaded.into(),
-                source,
-                folder: folder.to_owned(),
-                keys,
-                formulation,
-                laws: Vec::new(),
-                held: FileContents::new(),
-            };
-            return Ok(Self {
-                kind: Kind::Train(train.into()),
-            });
-        }
-        let loaded = load_holding(source, folder, traces, &keys, &|input| {
-            if formulation.is_some() {
-                input.formulation = formulation;
-            }
-        })?;
-        Ok(Self {
-            kind: Kind::Pair(loaded.into()),
-        })
+        let held = traces.iter().map(|(name, profile)| {
+            let content = Content::Heights(profile.clone().into());
+            (name.clone(), content)
+        });
+        let loaded = Train::load_holding(source, Some(folder), held.collect(), keys, &|_| {})?;
+        Ok(Self(loaded.into()))
     }
 
-    /// The case with a law in Python, in each of its meshes.
-    fn with(&self, law_of: LawOf, law: &Arc<PythonLaw>) -> Self {
-        let kind = match &self.kind {
-            Kind::Pair(loaded) => {
-                let mut loaded = loaded.as_ref().clone();
-                loaded.case = law.applied(loaded.case, law_of);
-                Kind::Pair(loaded.into())
-            }
-            Kind::Train(train) => {
-                let mut train = train.clone();
-                let loaded = train.loaded.as_ref().clone();
-                train.loaded = loaded.with_laws(&|case| law.applied(case, law_of)).into();
-                train.laws.push((law_of, Arc::clone(law)));
-                Kind::Train(train)
-            }
-        };
-        Self { kind }
+    /// The case.
+    pub fn train(&self) -> &Train {
+        &self.0
     }
 
-    /// The case as a gear train, also of a single mesh.
-    pub fn train(&self) -> LoadedTrain {
-        match &self.kind {
-            Kind::Pair(loaded) => LoadedTrain::from(loaded.as_ref().clone()),
-            Kind::Train(train) => train.loaded.as_ref().clone(),
-        }
-    }
-
-    /// The case, where it is one of two gears.
-    pub fn pair(&self) -> Result<&Arc<LoadedCase>, Failure> {
-        match &self.kind {
-            Kind::Pair(loaded) => Ok(loaded),
-            Kind::Train(_) => {
-                let message = "the case has several meshes; this takes a pair of gears";
-                Err(Failure::new("E205", message))
-            }
-        }
+    /// The case of its only mesh.
+    pub fn only(&self) -> Result<&LoadedCase, Failure> {
+        Ok(self.0.only_mesh()?)
     }
 }
 
@@ -245,11 +137,12 @@ impl Case {
         keys: Vec<(String, String)>,
         formulation: Option<&str>,
     ) -> PyResult<Self> {
-        let formulation = formulation_of(formulation)?;
+        let mut keys = keys;
+        keys.extend(formulation_key(formulation)?);
         alone(py, || {
             let source = open_source(&path)?;
             let folder = path.parent().unwrap_or(Path::new("."));
-            Self::of(source, folder, &[], keys, formulation)
+            Self::of(source, folder, &[], &keys)
         })
     }
 
@@ -263,22 +156,20 @@ impl Case {
         traces: Traces<'_>,
         formulation: Option<&str>,
     ) -> PyResult<Self> {
-        let formulation = formulation_of(formulation)?;
+        let keys: Vec<_> = formulation_key(formulation)?.into_iter().collect();
         let held = profiles(&traces);
         alone(py, || {
             let source = Source::new(name, text).map_err(asperity::Error::from)?;
-            Self::of(source, &folder, &held, Vec::new(), formulation)
+            Self::of(source, &folder, &held, &keys)
         })
     }
 
     /// The content of the case without its laws in Python.
     fn content(&self, py: Python<'_>) -> PyResult<CaseContent> {
         alone(py, || {
-            let (contents, folder) = match &self.kind {
-                Kind::Pair(loaded) => (loaded.contents()?, loaded.folder()),
-                Kind::Train(train) => (train.loaded.contents()?, Some(train.folder.as_path())),
-            };
-            let folder = folder.unwrap_or(Path::new(""));
+            let contents = self.0.contents()?;
+            let first = self.0.cases().next();
+            let folder = first.and_then(LoadedCase::folder).unwrap_or(Path::new(""));
             let folder = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
             let (mut files, mut traces) = (Vec::new(), Vec::new());
             for (name, content) in contents {
@@ -295,25 +186,12 @@ impl Case {
                     }
                 }
             }
-            Ok(match &self.kind {
-                Kind::Pair(loaded) => CaseContent {
-                    name: loaded.name().to_owned(),
-                    text: loaded.case.input.to_toml()?,
-                    keys: None,
-                    formulation: None,
-                    folder,
-                    files,
-                    traces,
-                },
-                Kind::Train(train) => CaseContent {
-                    name: train.source.name().to_owned(),
-                    text: train.source.text().to_owned(),
-                    keys: Some(train.keys.clone()),
-                    formulation: train.formulation.map(name_of),
-                    folder,
-                    files,
-                    traces,
-                },
+            Ok(CaseContent {
+                name: first.map_or("", LoadedCase::name).to_owned(),
+                text: self.0.input.to_toml()?,
+                folder,
+                files,
+                traces,
             })
         })
     }
@@ -321,43 +199,18 @@ impl Case {
     /// The case of a content.
     #[staticmethod]
     fn from_content(py: Python<'_>, content: CaseContent) -> PyResult<Self> {
-        let formulation = formulation_of(content.formulation.as_deref())?;
         alone(py, || {
             let held = CaseContent::contents(content.files, content.traces)?;
-            let kind = match content.keys {
-                None => {
-                    let loaded = from_contents(&content.name, &content.text, held)?;
-                    Kind::Pair(loaded.in_folder(&content.folder).into())
-                }
-                Some(keys) => {
-                    let source =
-                        Source::new(&content.name, &content.text).map_err(asperity::Error::from)?;
-                    let loaded = gear_train::load_holding(
-                        source.clone(),
-                        None,
-                        held.clone(),
-                        &keys,
-                        formulation,
-                    )?;
-                    Kind::Train(Box::new(Train {
-                        loaded: loaded.in_folder(&content.folder).into(),
-                        source,
-                        folder: content.folder,
-                        keys,
-                        formulation,
-                        laws: Vec::new(),
-                        held,
-                    }))
-                }
-            };
-            Ok(Self { kind })
+            let loaded = Train::from_contents(&content.name, &content.text, held)?;
+            Ok(Self(loaded.in_folder(&content.folder).into()))
         })
     }
 
     /// SHA-256 of everything that the result follows from, without laws in Python.
     #[getter]
     fn fingerprint(&self) -> String {
-        self.train()
+        let train = Train::clone(&self.0);
+        train
             .with_laws(&|mut case| {
                 case.laws = Default::default();
                 case
@@ -373,49 +226,16 @@ impl Case {
         traces: Traces<'_>,
     ) -> PyResult<Self> {
         let held = profiles(&traces);
-        alone(py, || match &self.kind {
-            Kind::Pair(loaded) => {
-                let mut input = loaded.case.input.clone();
-                for (key, value) in &keys {
-                    match value {
-                        Some(value) => input.set(key, value)?,
-                        None => input.unset(key)?,
-                    }
+        alone(py, || {
+            let mut input = self.0.input.clone();
+            for (key, value) in &keys {
+                match value {
+                    Some(value) => input.set(key, value)?,
+                    None => input.unset(key)?,
                 }
-                let changed = loaded.holding(&held).with(|now| *now = input)?;
-                Ok(Self {
-                    kind: Kind::Pair(changed.into()),
-                })
             }
-            Kind::Train(train) => {
-                let mut all = train.keys.clone();
-                for (key, value) in keys {
-                    let value = value.ok_or_else(|| {
-                        Failure::new(
-                            "E205",
-                            format!(
-                                "{key}: a key of a case with several meshes cannot be taken away"
-                            ),
-                        )
-                    })?;
-                    all.retain(|(before, _)| *before != key);
-                    all.push((key, value));
-                }
-                if !held.is_empty() {
-                    return Err(traces_of_train());
-                }
-                let changed = Train {
-                    keys: all,
-                    laws: Vec::new(),
-                    ..train.as_ref().clone()
-                };
-                let changed = changed.read(Some(&train.folder))?;
-                let changed = Self {
-                    kind: Kind::Train(changed.into()),
-                };
-                let laws = train.laws.iter();
-                Ok(laws.fold(changed, |case, (kind, law)| case.with(*kind, law)))
-            }
+            let changed = Train::clone(&self.0).holding(&held).with_input(input)?;
+            Ok(Self(changed.into()))
         })
     }
 
@@ -429,7 +249,7 @@ impl Case {
         offsets: Option<usize>,
     ) -> PyResult<Self> {
         let held = profiles(&traces);
-        let loaded = self.pair()?;
+        let loaded = self.only()?;
         alone(py, || {
             let changed = loaded.holding(&held).with(|input| {
                 input.surface.put_traces(&pinion, wheel.as_deref());
@@ -437,90 +257,64 @@ impl Case {
                     input.model.offsets = offsets;
                 }
             })?;
-            Ok(Self {
-                kind: Kind::Pair(changed.into()),
-            })
+            Ok(Self(Arc::new(changed.into())))
         })
     }
 
     /// The case with a law in Python, called `name`, that takes a dictionary of arrays and returns another.
     fn with_law(&self, law: &str, name: String, exponent: f64, call: Py<PyAny>) -> PyResult<Self> {
         let law_of = named("law", law)?;
-        Ok(self.with(law_of, &Arc::new(PythonLaw::new(name, exponent, call))))
+        let law = Arc::new(PythonLaw::new(name, exponent, call));
+        let train = Train::clone(&self.0);
+        Ok(Self(
+            train.with_laws(&|case| law.applied(case, law_of)).into(),
+        ))
     }
 
     /// The case of a mesh of a gear train or planetary set, at its torque and speed.
     fn mesh(&self, name: &str) -> PyResult<Self> {
-        let found = match &self.kind {
-            Kind::Pair(_) => None,
-            Kind::Train(train) => train.loaded.mesh(name),
-        };
-        let mesh = found.ok_or_else(|| {
-            Failure::new(
-                "E205",
-                format!("the case has no mesh {name:?}; meshes names them"),
-            )
-        })?;
-        Ok(Self {
-            kind: Kind::Pair(mesh.case.clone().into()),
-        })
+        Ok(Self(Arc::new(self.0.of_mesh(name).map_err(Failure::from)?)))
     }
 
     /// Names of the meshes of a gear train or planetary set; empty for a pair of gears.
     #[getter]
     fn meshes(&self) -> Vec<String> {
-        match &self.kind {
-            Kind::Pair(_) => Vec::new(),
-            Kind::Train(train) => train
-                .loaded
-                .meshes()
-                .map(|mesh| mesh.name.clone())
-                .collect(),
-        }
+        let meshes = self.0.meshes().map(|mesh| mesh.name.clone());
+        meshes.filter(|name| !name.is_empty()).collect()
     }
 
     /// Table of the gears: `gears`, `planetary`, or `mesh` of a gear train.
     #[getter]
     fn gears_table(&self) -> &'static str {
-        match &self.kind {
-            Kind::Pair(_) => "gears",
-            Kind::Train(train) if train.loaded.only_set().is_some() => "planetary",
-            Kind::Train(_) => "mesh",
+        match (self.0.only(), self.0.only_set()) {
+            (Some(_), _) => "gears",
+            (None, Some(_)) => "planetary",
+            (None, None) => "mesh",
         }
     }
 
     /// Title, inputs, defaults and warnings as JSON.
     #[getter]
     fn about(&self) -> PyResult<String> {
-        let about = match &self.kind {
-            Kind::Pair(loaded) => json!({
-                "title": loaded.case.title,
-                "inputs": loaded.case.input,
-                "defaults": loaded.case.defaults,
-                "warnings": loaded.warnings,
-            }),
-            Kind::Train(train) => json!({
-                "title": train.loaded.title,
-                "inputs": train.loaded.input,
-                "defaults": train.loaded.defaults,
-                "warnings": of_meshes(train),
-            }),
-        };
+        let inputs = self.0.input.store(serde_json::value::Serializer);
+        let about = json!({
+            "title": self.0.title,
+            "inputs": inputs.map_err(|error| Failure::new("E501", error.to_string()))?,
+            "defaults": self.0.defaults,
+            "warnings": self.0.all_warnings(),
+        });
         Ok(failure::json(&about)?)
     }
 
     /// Warnings about the files as JSON.
     #[getter]
     fn warnings(&self) -> PyResult<String> {
-        Ok(match &self.kind {
-            Kind::Pair(loaded) => failure::json(&loaded.warnings)?,
-            Kind::Train(train) => failure::json(&of_meshes(train))?,
-        })
+        Ok(failure::json(&self.0.all_warnings())?)
     }
 
     /// The case as the text of a case file.
     fn to_toml(&self) -> PyResult<String> {
-        Ok(self.pair()?.case.input.to_toml().map_err(Failure::from)?)
+        Ok(self.0.input.to_toml().map_err(Failure::from)?)
     }
 
     /// Runs the case.
@@ -540,31 +334,16 @@ impl Case {
         let band = band.unwrap_or(detail == Detail::Fields);
         in_parallel(py, threads, progress.as_ref(), |told| {
             let shown = |done, total| told.tell(done, total);
-            let found = match (&self.kind, detail) {
-                (Kind::Train(train), Detail::Fields) => {
-                    let train = &train.loaded;
-                    Found::Train(execute_train(train, &KeptFields::All, band, &shown)?.into())
-                }
-                (Kind::Train(_), _) => {
-                    let message = "a case of several meshes is run only with detail = \"fields\"";
-                    return Err(Failure::new("E205", message));
-                }
-                (Kind::Pair(loaded), Detail::Losses) => {
+            let found = match detail {
+                Detail::Losses => {
+                    let loaded = self.only()?;
                     let program = concat!("asperity ", env!("CARGO_PKG_VERSION"));
                     let losses = Run::new(loaded).progress(&shown).losses()?;
                     Found::Losses(program, loaded.case.title.clone(), losses.into())
                 }
-                (Kind::Pair(loaded), Detail::Contacts) => Found::Whole(
-                    Run::new(loaded)
-                        .band(band)
-                        .progress(&shown)
-                        .without_pictures()
-                        .execute()?
-                        .into(),
-                ),
-                (Kind::Pair(loaded), Detail::Fields) => {
-                    let run = Run::new(loaded).band(band).progress(&shown);
-                    Found::Whole(execute(loaded, run)?.into())
+                Detail::Contacts => Found::Run(train::run(&self.0, None, band, &shown)?.into()),
+                Detail::Fields => {
+                    Found::Run(execute(&self.0, &KeptFields::All, band, &shown)?.into())
                 }
             };
             Ok(Outcome(Arc::new(found)))
@@ -580,24 +359,18 @@ impl Case {
                     rows: pipeline::survey(mesh)?,
                 })
             };
-            let meshes = match &self.kind {
-                Kind::Pair(loaded) => vec![rows(loaded)?],
-                Kind::Train(train) => {
-                    let of_mesh = |mesh: &LoadedMesh| rows(&mesh.case);
-                    train
-                        .loaded
-                        .meshes()
-                        .map(of_mesh)
-                        .collect::<Result<_, _>>()?
-                }
-            };
+            let meshes = self
+                .0
+                .cases()
+                .map(rows)
+                .collect::<Result<Vec<_>, Failure>>()?;
             failure::json(&meshes)
         })
     }
 
     /// Pressure across films from thin to thick at a place of the path, as JSON.
     fn film(&self, py: Python<'_>, position: Option<f64>) -> PyResult<String> {
-        let loaded = self.pair()?;
+        let loaded = self.only()?;
         alone(py, || {
             failure::json(&pipeline::film(loaded, on_the_path(position)?)?)
         })
@@ -605,7 +378,7 @@ impl Case {
 
     /// Geometry, stiffness and loss factors of the gears as JSON.
     fn gear(&self, py: Python<'_>) -> PyResult<String> {
-        let loaded = self.pair()?;
+        let loaded = self.only()?;
         alone(py, || {
             failure::json(&gear_report::gear_report(&loaded.case)?)
         })
@@ -617,7 +390,7 @@ impl Case {
         py: Python<'py>,
         position: Option<f64>,
     ) -> PyResult<(String, Bound<'py, PyDict>)> {
-        let loaded = self.pair()?;
+        let loaded = self.only()?;
         let dry = alone(py, || {
             let place = on_the_path(position)?.unwrap_or(loaded.case.model.position);
             Ok(dry_contact(loaded, place)?)

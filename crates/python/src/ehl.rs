@@ -7,7 +7,7 @@ use asperity::ehl::several_records::{mean_of, record_several};
 use asperity::lubrication::{HIGHEST_PRESSURE, shares};
 use asperity::quantity::Pressure;
 use asperity::reference_solution::{
-    ReferenceContact, ReferenceSettings, Inlet, record_json, record_warnings,
+    Inlet, ReferenceContact, ReferenceSettings, record_json, record_warnings,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -41,7 +41,7 @@ pub fn ehl<'py>(
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
     let asked: Asked = failure::asked(asked)?;
-    let loaded = case.pair()?;
+    let loaded = case.only()?;
     let (numbers, record) = in_parallel(py, threads, progress.as_ref(), |told| {
         let place = on_the_path(asked.position)?.unwrap_or(loaded.case.model.position);
         let settings = ReferenceSettings {

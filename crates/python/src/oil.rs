@@ -34,7 +34,7 @@ impl Oil<'_> {
         match self {
             Self::Name(name) => Ok((OilBase::of_library(name)?, None)),
             Self::Case(case) => {
-                let case = case.pair()?.as_ref().clone();
+                let case = case.only()?.clone();
                 Ok((OilBase::of_case(&case.case, constants)?, Some(case)))
             }
         }
@@ -162,7 +162,7 @@ pub fn oil_plan(
 ) -> PyResult<Study> {
     let (oil, own) = oil.base(ConstantsOf::Family)?;
     let case = match case {
-        Some(case) => Some(case.pair()?.as_ref().clone()),
+        Some(case) => Some(case.only()?.clone()),
         None => own,
     };
     let (zero, errors) = errors(errors_of)?;

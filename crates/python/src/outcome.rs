@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::gear_train::TrainOutcome;
-use asperity::result::{Losses, Outcome as Whole, PositionFields};
-use asperity_report::{Fields, write_folder, write_train};
+use asperity::result::{Losses, Outcome as OfMesh, PositionFields};
+use asperity::train::Outcomes;
+use asperity_report::{Fields, write_folder};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -17,10 +17,10 @@ use crate::work::alone;
 pub enum Found {
     /// Losses alone, with program and title.
     Losses(&'static str, String, Box<Losses>),
-    /// A pair of gears.
-    Whole(Box<Whole>),
-    /// A gear train or planetary set.
-    Train(Box<TrainOutcome>),
+    /// A mesh of a run.
+    Mesh(Box<OfMesh>),
+    /// A run.
+    Run(Box<Outcomes>),
 }
 
 /// Losses with what they are of.
@@ -37,14 +37,23 @@ struct Titled<'a> {
 pub struct Outcome(pub Arc<Found>);
 
 impl Outcome {
-    fn fields_of(&self) -> Result<&[PositionFields], Failure> {
+    /// The outcome of the only mesh.
+    fn only(&self) -> Option<&OfMesh> {
         match self.0.as_ref() {
-            Found::Whole(outcome) => Ok(&outcome.fields),
-            _ => Err(Failure::new(
+            Found::Losses(..) => None,
+            Found::Mesh(mesh) => Some(mesh),
+            Found::Run(run) => run.only(),
+        }
+    }
+
+    fn fields_of(&self) -> Result<&[PositionFields], Failure> {
+        let none = || {
+            Failure::new(
                 "E402",
                 "this result holds no fields; run with detail = \"fields\"",
-            )),
-        }
+            )
+        };
+        Ok(&self.only().ok_or_else(none)?.fields)
     }
 }
 
@@ -61,11 +70,11 @@ impl Outcome {
                 };
                 Ok((failure::json(&titled)?, failure::json(&losses.offsets)?))
             }
-            Found::Whole(outcome) => Ok((
-                failure::json(&outcome.result)?,
-                failure::json(&outcome.offsets)?,
-            )),
-            Found::Train(outcome) => Ok((failure::json(&outcome.result)?, "[]".to_owned())),
+            Found::Mesh(mesh) => Ok((failure::json(&mesh.result)?, failure::json(&mesh.offsets)?)),
+            Found::Run(run) => {
+                let offsets = run.only().map_or(&[][..], |only| &only.offsets);
+                Ok((failure::json(run)?, failure::json(&offsets)?))
+            }
         })
     }
 
@@ -118,23 +127,23 @@ impl Outcome {
 
     /// Outcomes of all meshes of a gear train.
     fn meshes(&self) -> PyResult<Vec<Self>> {
-        match self.0.as_ref() {
-            Found::Train(outcome) => {
-                let each = outcome.meshes.iter();
-                Ok(each
-                    .map(|mesh| Self(Arc::new(Found::Whole(mesh.clone().into()))))
-                    .collect())
-            }
-            _ => Ok(Vec::new()),
+        let Found::Run(run) = self.0.as_ref() else {
+            return Ok(Vec::new());
+        };
+        if run.only().is_some() {
+            return Ok(Vec::new());
         }
+        let meshes = run.meshes.iter().cloned();
+        let of_mesh = |mesh: OfMesh| Self(Arc::new(Found::Mesh(mesh.into())));
+        Ok(meshes.map(of_mesh).collect())
     }
 
     /// Writes the result folder, with all fields or those that its page shows.
     fn write(&self, py: Python<'_>, folder: PathBuf, fields: bool) -> PyResult<()> {
         let fields = if fields { Fields::All } else { Fields::Page };
         alone(py, || match self.0.as_ref() {
-            Found::Whole(outcome) => Ok(write_folder(outcome, &folder, &fields)?),
-            Found::Train(outcome) => Ok(write_train(outcome, &folder, &fields)?),
+            Found::Mesh(mesh) => Ok(write_folder(&**mesh, &folder, &fields)?),
+            Found::Run(run) => Ok(write_folder(&**run, &folder, &fields)?),
             Found::Losses(..) => {
                 let message = "losses alone have no result folder; run with detail = \"fields\"";
                 Err(Failure::new("E402", message))

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::Train;
 use asperity::core::quantity::Power;
-use asperity_report::StudyResult;
 use asperity::profile_io::read::read_table;
+use asperity_report::StudyResult;
 use asperity_studies::callout::{self as limits, CallOutError, CallOutSettings};
 use asperity_studies::compare::{self as comparing, Finish};
 use asperity_studies::cycle::{self as driving, EnergyError};
@@ -26,10 +26,10 @@ use crate::work::{alone, in_parallel};
 
 type Named<'py> = Vec<(String, PyRef<'py, Case>)>;
 
-fn finishes(named: Named<'_>) -> Vec<Finish<LoadedTrain>> {
+fn finishes(named: Named<'_>) -> Vec<Finish<Train>> {
     let finish = |(name, case): (String, PyRef<'_, Case>)| Finish {
         name,
-        case: case.train(),
+        case: case.train().clone(),
     };
     named.into_iter().map(finish).collect()
 }
@@ -65,7 +65,7 @@ pub fn sensitivity(
     let train = case.train();
     in_parallel(py, threads, progress.as_ref(), |told| {
         let shown = |done, total| told.tell(done, total);
-        Study::of(changing::sensitivity_of_train(&train, &shown)?)
+        Study::of(changing::sensitivity(train, &shown)?)
     })
 }
 
@@ -77,7 +77,7 @@ pub fn ridges(
     threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Study> {
-    let case = case.pair()?;
+    let case = case.only()?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let shown = |done, total| told.tell(done, total);
         Study::of(dearest::ridges(case, &shown)?)
@@ -111,7 +111,7 @@ pub fn callout(
         lots,
         seed,
     };
-    let case = case.pair()?;
+    let case = case.only()?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let shown = |done, total| told.tell(done, total);
         let found = limits::callout(case, &settings, &shown).map_err(|error| match error {
@@ -183,8 +183,9 @@ pub fn cycle(
         }
         let file = Path::new(&name);
         let table = table.map_or_else(|| text(file), Ok)?;
-        let trace = driving::cycle(&table, map.input.vehicle());
-        let trace = trace.map_err(|error| Failure::new(error.code(), error.to_string()).about(&name))?;
+        let trace = driving::cycle(&table, map.input.vehicle.as_ref());
+        let trace =
+            trace.map_err(|error| Failure::new(error.code(), error.to_string()).about(&name))?;
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
         let found = driving::evaluate(&map, temperature, (&trace, &stem), allow_outside);
         let found = found.map_err(|error| match error {
@@ -310,17 +311,16 @@ impl Map {
                 }
                 None => None,
             };
-            let cycle =
-                match &drive {
-                    Some(file) => {
-                        let found = driving::cycle(&text(file)?, self.0.input.vehicle());
-                        let name = file.display().to_string();
-                        Some(found.map_err(|error| {
-                            Failure::new(error.code(), error.to_string()).about(&name)
-                        })?)
-                    }
-                    None => None,
-                };
+            let cycle = match &drive {
+                Some(file) => {
+                    let found = driving::cycle(&text(file)?, self.0.input.vehicle.as_ref());
+                    let name = file.display().to_string();
+                    Some(found.map_err(|error| {
+                        Failure::new(error.code(), error.to_string()).about(&name)
+                    })?)
+                }
+                None => None,
+            };
             let with = With {
                 added: added.as_ref(),
                 cycle: cycle.as_ref(),

@@ -24,7 +24,7 @@ impl Cases {
     /// Those of a case with the other keys of a study in JSON.
     #[staticmethod]
     fn of(py: Python<'_>, case: &Case, study: &str, folder: PathBuf) -> PyResult<Self> {
-        let loaded = case.train();
+        let loaded = case.train().clone();
         alone(py, || {
             Ok(Self(Listed::of(Study::of_case(loaded, study, &folder)?)?))
         })

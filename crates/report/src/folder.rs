@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use asperity::UnsolvedContact;
 use asperity::pipeline::KeptFields;
 use asperity::result::{Outcome, RunResult};
-use asperity_storage::{check_finite, check_folder, replace_folder, save, whole_file, write_among};
+use asperity_storage::{check_finite, save, whole_file, write_among};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -26,9 +26,6 @@ pub(crate) const TRAIN_MARK: &str = "train.json";
 pub const PAGE: &str = "report.html";
 /// Thinned tables of the page.
 const PAGE_TABLES: &str = "page.json";
-/// Kind of the folder in messages.
-const KIND: &str = "result";
-
 /// Largest table in bytes that is read back.
 const LARGEST: u64 = 1_000_000_000;
 
@@ -68,15 +65,6 @@ impl Fields {
     }
 }
 
-/// Checks that a result may be written as folder `target`: `target` does not exist, is empty, or holds an unchanged
-/// older result, which is replaced as a whole.
-///
-/// # Errors
-/// When `target` holds something else.
-pub fn check_place(target: &Path) -> Result<(), ReportError> {
-    Ok(check_folder(target, KIND)?)
-}
-
 /// Title of the result in folder `target`; `None` if there is none, or no title can be read.
 pub fn title_of(target: &Path) -> Option<String> {
     let mut marks = [MARK, PLANETARY_MARK, TRAIN_MARK].iter();
@@ -90,19 +78,6 @@ pub(crate) fn title_in(file: &Path) -> Option<String> {
         title: String,
     }
     Some(read_json::<Titled>(file).ok()?.title)
-}
-
-/// Writes `outcome` as folder `target`: `result.json`, `path.csv`, `load.csv`, tables of losses, friction laws and
-/// offsets, and `report.html` with the thinned tables it is drawn from; with `fields` also `load_map.csv`, tables of
-/// the flanks, `convergence.csv`, and a folder `position_NN` for each position. An older result is replaced; anything
-/// else is left unchanged and is an error.
-///
-/// # Errors
-/// When a file cannot be written, a position of `fields` does not exist, a number is not finite, or `target`
-/// holds something else.
-pub fn write_folder(outcome: &Outcome, target: &Path, fields: &Fields) -> Result<(), ReportError> {
-    check_fields(outcome, fields)?;
-    replace_folder(target, KIND, |folder| fill(outcome, folder, fields))
 }
 
 /// Checks that `outcome` holds the fields to write.
@@ -120,14 +95,6 @@ pub(crate) fn check_fields(outcome: &Outcome, fields: &Fields) -> Result<(), Rep
         }
     }
     Ok(())
-}
-
-/// Adds all points of the load map of `outcome` to its result folder, as `map.csv`.
-///
-/// # Errors
-/// When a file cannot be written.
-pub fn write_load_points(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
-    Ok(write_among(folder, &[load_points(outcome)?])?)
 }
 
 /// Name and content of the table of all points of the load map.
@@ -162,14 +129,11 @@ pub(crate) fn fill(outcome: &Outcome, folder: &Path, fields: &Fields) -> Result<
     Ok(())
 }
 
-/// Name and content of a file of a result.
-pub type FileText = (&'static str, Vec<u8>);
+/// Name and content of a file.
+pub(crate) type FileText = (&'static str, Vec<u8>);
 
-/// The files of [`write_folder`] without fields, in memory.
-///
-/// # Errors
-/// When a number is not finite.
-pub fn texts(outcome: &Outcome) -> Result<Vec<FileText>, ReportError> {
+/// The files of the folder of a mesh without fields, in memory.
+pub(crate) fn texts_of_mesh(outcome: &Outcome) -> Result<Vec<FileText>, ReportError> {
     texts_of(outcome, &PageTables::of(outcome, None)?)
 }
 

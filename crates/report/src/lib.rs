@@ -14,12 +14,12 @@
 pub mod chart;
 mod error;
 mod folder;
-mod gear_train;
 pub mod html;
 pub mod library;
 mod page_tables;
 mod printed;
 pub mod profile_json;
+mod results;
 pub mod ridges;
 mod study;
 mod summary;
@@ -27,19 +27,17 @@ pub mod tables;
 mod thin;
 mod tiles;
 pub mod units;
+mod whole;
 mod wrap;
 
 pub use error::ReportError;
 pub use folder::{
-    Fields, FileText, PAGE, check_place, make_folder, parse_result, read_result, redraw, texts,
-    title_of, write_bytes, write_folder, write_json, write_load_points, write_text, write_unsolved,
-};
-pub use gear_train::{
-    brief_of_train, check_train_place, summary_of_train, tables_of_train, texts_of_train,
-    tiles_of_train, write_load_points_of_train, write_train,
+    Fields, PAGE, make_folder, parse_result, read_result, redraw, title_of, write_bytes,
+    write_json, write_text, write_unsolved,
 };
 pub use page_tables::PageTables;
 pub use printed::{stated, stated_parts};
+pub use results::{Results, check_place, texts, write_folder, write_load_points};
 pub use study::StudyResult;
 pub use summary::{
     besides_the_mesh, brief, headline, models, published_laws, summary, summary_within,

@@ -7,7 +7,6 @@
 
 use std::time::Instant;
 
-use asperity::case::gear_train::LoadedTrain;
 use asperity::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use asperity::flanks::Texture;
 use asperity::mesh::Mesh;
@@ -92,35 +91,36 @@ const BYTES_OF_A_TABLE: f64 = 5.0;
 /// Bytes per number.
 const BYTES: f64 = 8.0;
 
-/// Estimates the run of `loaded` on the threads of the pool with the stored fields `kept`.
+/// Estimates the run of `meshes`, one after the other, on the threads of the pool with the stored fields `kept`.
 ///
 /// # Errors
-/// When a position of the mesh has no smooth contact.
-pub fn estimate(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Error> {
-    Ok(Work::of(loaded)?.estimate(loaded, kept, 1.0))
-}
-
-/// Estimates the run of all meshes of a gear train, each by `estimate`: [`estimate()`] or [`measured`].
-///
-/// # Errors
-/// As `estimate`.
-pub fn estimate_of_train(
-    loaded: &LoadedTrain,
+/// When a position of a mesh has no smooth contact.
+pub fn estimate<'a>(
+    meshes: impl IntoIterator<Item = &'a LoadedCase>,
     kept: &KeptFields,
-    estimate: fn(&LoadedCase, &KeptFields) -> Result<Estimate, Error>,
 ) -> Result<Estimate, Error> {
-    let mut meshes = loaded.meshes();
+    let mut meshes = meshes.into_iter();
     meshes.try_fold(Estimate::default(), |sum, mesh| {
-        Ok(sum.and(estimate(&mesh.case, kept)?))
+        Ok(sum.and(Work::of(mesh)?.estimate(mesh, kept, 1.0)))
     })
 }
 
-/// Estimates the run of `loaded` with the measured time of a few of its contacts on one thread. Records of mixed
+/// Estimates the run of `meshes` with the measured time of a few contacts of each on one thread. Records of mixed
 /// lubrication, running-in and bulk temperatures are not computed.
 ///
 /// # Errors
 /// As [`estimate`], and when one of these contacts has no solution.
-pub fn measured(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Error> {
+pub fn measured<'a>(
+    meshes: impl IntoIterator<Item = &'a LoadedCase>,
+    kept: &KeptFields,
+) -> Result<Estimate, Error> {
+    let mut meshes = meshes.into_iter();
+    meshes.try_fold(Estimate::default(), |sum, mesh| {
+        Ok(sum.and(measured_mesh(mesh, kept)?))
+    })
+}
+
+fn measured_mesh(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Error> {
     let work = Work::of(loaded)?;
     let Ok(single_thread) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else {
         return Ok(work.estimate(loaded, kept, 1.0));

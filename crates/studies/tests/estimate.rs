@@ -25,7 +25,7 @@ fn with(keys: &[(&str, &str)]) -> LoadedCase {
 /// The estimate on one thread, whatever the machine has.
 fn alone(case: &LoadedCase) -> Estimate {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-    pool.unwrap().install(|| estimate(case, &KEPT).unwrap())
+    pool.unwrap().install(|| estimate([case], &KEPT).unwrap())
 }
 
 #[test]
@@ -75,8 +75,8 @@ fn a_measured_estimate_computes_no_records() {
         ("model.load_share", "ehl"),
         ("model.ehl", r#"{ cache = "off" }"#),
     ]);
-    let found = measured(&case, &KEPT).unwrap();
+    let found = measured([&case], &KEPT).unwrap();
     // Solving a contact or a record would have changed the time.
-    assert_eq!(found, estimate(&case, &KEPT).unwrap());
+    assert_eq!(found, estimate([&case], &KEPT).unwrap());
     assert!(found.seconds > 1.0, "{found:?}");
 }

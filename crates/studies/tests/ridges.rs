@@ -22,7 +22,7 @@ fn the_octaves_add_up_to_the_change_that_the_sensitivity_finds() {
     };
     let case = case::load_with(file, &few).unwrap();
     let by_log_height = ridges(&case, &|_, _| {}).unwrap().found.by_log_height_w;
-    let changes = sensitivity(&case, &|_, _| {}).unwrap().rows;
+    let changes = sensitivity(&case.into(), &|_, _| {}).unwrap().rows;
     let of_heights = |to: &str| {
         let row = (changes.iter()).find(|row| row.what.starts_with("heights") && row.to == to);
         row.and_then(|row| row.effect).unwrap().difference_w

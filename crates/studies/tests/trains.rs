@@ -5,9 +5,9 @@
 use std::path::Path;
 
 use asperity::case::Source;
-use asperity::case::gear_train::{LoadedTrain, load_set};
-use asperity::gear_train::{TrainResult, run_train};
+use asperity::case::Train;
 use asperity::pipeline::KeptFields;
+use asperity::train::{self, Whole};
 use asperity::uncertainty::Verdict;
 use asperity_report::StudyResult as _;
 use asperity_storage::whole_text;
@@ -38,18 +38,18 @@ surface = { pinion.file = "ground_pinion.csv", wheel = { file = "ground_wheel.cs
 model = { positions = 4, offsets = 1, depths = 0 }
 "#;
 
-fn train(text: &str, keys: &[(&str, &str)]) -> LoadedTrain {
+fn train(text: &str, keys: &[(&str, &str)]) -> Train {
     let text = format!("{text}{COMMON}");
     let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
     let keys = keys
         .iter()
         .map(|(key, value)| ((*key).to_owned(), (*value).to_owned()));
     let folder = Path::new("../../fixtures/profiles");
-    load_set(source, folder, &keys.collect::<Vec<_>>(), None).unwrap()
+    Train::load_set(source, folder, &keys.collect::<Vec<_>>(), &|_| {}).unwrap()
 }
 
 /// With a band at one temperature, for time.
-fn map_of(case: LoadedTrain, torques: &[f64], band: MapBand) -> Map {
+fn map_of(case: Train, torques: &[f64], band: MapBand) -> Map {
     let temperatures: &[f64] = match band {
         MapBand::None => &[60.0, 90.0],
         _ => &[90.0],
@@ -67,9 +67,9 @@ fn at(map: &Map, torque: f64) -> &Point {
     points.find(is_there).unwrap()
 }
 
-fn run(case: &LoadedTrain, band: bool) -> TrainResult {
-    let found = run_train(case, &KeptFields::Highest, band, &|_, _| {});
-    found.unwrap().result
+fn run(case: &Train, band: bool) -> Whole {
+    let found = train::run(case, Some(&KeptFields::Highest), band, &|_, _| {});
+    found.unwrap().whole
 }
 
 #[test]
@@ -160,7 +160,7 @@ fn a_set_whose_ring_turns_has_the_loss_and_the_efficiency_of_its_run() {
 }
 
 /// The train with other flanks of the mesh `on`, or of all meshes.
-fn superfinished(case: &LoadedTrain, on: Option<&str>) -> Finish<LoadedTrain> {
+fn superfinished(case: &Train, on: Option<&str>) -> Finish<Train> {
     let file = |name: &str| Path::new(name).to_owned();
     let (pinion, wheel) = (file("superfinished.csv"), file("superfinished_wheel.csv"));
     let changed = case.with_each(&|_, mesh, input| {
@@ -436,7 +436,7 @@ fn a_cycle_on_the_map_of_a_train_loses_its_loss_times_the_time() {
     // A vehicle is a table of the train, too.
     let driven = cycle(
         "time_s,speed_km_h\n0,0\n10,20\n20,20\n",
-        found.input.vehicle(),
+        found.input.vehicle.as_ref(),
     )
     .unwrap();
     assert!(

@@ -7,11 +7,10 @@ use std::fs;
 use std::path::PathBuf;
 
 use asperity::Run;
-use asperity::case;
-use asperity::case::gear_train;
-use asperity::gear_train::run_train;
+use asperity::case::{self, Train};
 use asperity::pipeline::KeptFields;
-use asperity_report::{summary_of_train, texts, texts_of_train};
+use asperity::train;
+use asperity_report::{COLUMNS, Results, texts};
 use asperity_web::{Files, gearbox_stage, keys, library, run, versus};
 
 fn fixtures() -> PathBuf {
@@ -51,10 +50,9 @@ fn the_files_of_a_run_are_those_of_the_library_on_the_files_on_disk() {
         .progress(&told())
         .execute()
         .unwrap();
-    let files = texts(&outcome).unwrap().into_iter();
-    let files: Vec<(String, Vec<u8>)> = files.map(|(name, text)| (name.to_owned(), text)).collect();
-    assert_eq!(found.files, files);
-    assert_eq!(found.pair(), Some(&outcome.result));
+    assert_eq!(found.files, texts(&outcome).unwrap());
+    let only = found.outcome.only().unwrap();
+    assert_eq!(only.result, outcome.result);
     assert!(
         found
             .summary()
@@ -197,7 +195,7 @@ fn a_gear_train_runs_on_files_in_memory_as_on_disk() {
     let (_, mut files) = small();
     files.hold("idle.csv", IDLE.to_vec());
     let found = run("train.toml", TRAIN, &files, &told()).unwrap();
-    assert!(found.pair().is_none());
+    assert!(found.outcome.only().is_none());
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("train");
     fs::create_dir_all(&folder).unwrap();
     for name in ["ground_pinion.csv", "ground_wheel.csv"] {
@@ -205,12 +203,10 @@ fn a_gear_train_runs_on_files_in_memory_as_on_disk() {
     }
     fs::write(folder.join("idle.csv"), IDLE).unwrap();
     fs::write(folder.join("train.toml"), TRAIN).unwrap();
-    let train = gear_train::load(&folder.join("train.toml"))
-        .unwrap()
-        .unwrap();
-    let outcome = run_train(&train, &KeptFields::Highest, true, &told()).unwrap();
-    assert_eq!(found.outcome.result, outcome.result);
-    assert_eq!(found.summary(), summary_of_train(&outcome));
+    let train = Train::load(&folder.join("train.toml")).unwrap();
+    let outcome = train::run(&train, Some(&KeptFields::Highest), true, &told()).unwrap();
+    assert_eq!(found.outcome.whole, outcome.whole);
+    assert_eq!(found.summary(), Results::from(&outcome).summary(COLUMNS));
     // Each mesh names its case by the place of the file.
     let names = |files: &[(String, Vec<u8>)]| {
         files
@@ -218,7 +214,7 @@ fn a_gear_train_runs_on_files_in_memory_as_on_disk() {
             .map(|(name, _)| name.clone())
             .collect::<Vec<_>>()
     };
-    let of_disk = texts_of_train(&outcome).unwrap();
+    let of_disk = texts(&outcome).unwrap();
     assert_eq!(names(&found.files), names(&of_disk));
     assert_eq!(found.files[..4], of_disk[..4]);
     for name in [

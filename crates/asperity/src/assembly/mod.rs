@@ -28,13 +28,13 @@ use asperity_gear::EdgeContactNote;
 use self::deformation_losses::of_all_offsets;
 use self::published_laws::published_laws;
 use crate::contacts::running_in::RanIn;
+use crate::gearbox;
 use crate::lubrication::{
     ContactNumbers, LubricatedPosition, LubricatedWindow, rolling, rolling_surfaces,
 };
 use crate::pictures::Picture;
 use crate::records::{PathRecords, PlacedRecord};
 use crate::result::film_constants::film_constants;
-use crate::result::gearbox;
 use crate::result::{
     FlankRecord, GearboxReport, LoadReport, Losses, OffsetRow, Outcome, PairSampling, PointRow,
     PositionRow, RecordRow, Regime, RunInFlanks, RunResult, RunningIn, SCHEMA_VERSION, Scope,
@@ -263,7 +263,7 @@ impl Solved<'_> {
     fn with_gearbox(&self) -> Result<(Summary, Option<GearboxReport>), PositionError> {
         let mut summary = self.summary()?;
         let mesh = Power::from_si(summary.loss_w);
-        let gearbox = gearbox::report(&self.loaded.case, mesh)?;
+        let gearbox = gearbox::report_of_mesh(&self.loaded.case, mesh)?;
         if let Some(found) = &gearbox {
             summary.scope = Scope::Gearbox;
             summary.gearbox_efficiency = Some(found.efficiency);

@@ -11,11 +11,12 @@ use asperity_ehl::PlasticCeiling;
 use asperity_gear::{EdgeContactNote, Gear, LoadMapEvidence, StiffnessSource};
 
 use super::micropitting::outside_of_scope;
+use crate::gearbox::parts_of_mesh;
 use crate::lubrication::{FormulaFilm, LubricatedPosition, LubricatedWindow, NOTED_DEVIATION};
 use crate::mesh::Mesh;
 use crate::pictures::Picture;
 use crate::reference_solution::{LARGEST_ROUGHNESS, elastic_above_flow};
-use crate::result::gearbox::{GearboxPart, parts_of_case};
+use crate::result::gearbox::GearboxPart;
 use crate::result::{FullFilmRow, RecordRow, Regime, Summary};
 use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::case::{Case, Formulation, LoadedCase};
@@ -87,7 +88,7 @@ pub(crate) fn of_case(
     one_tooth(loaded, &mut found);
     values_alone(loaded, &mut found)?;
     short_traces(loaded, at(), &mut found);
-    gearbox(&parts_of_case(&loaded.case)?, &mut found);
+    gearbox(&parts_of_mesh(&loaded.case)?, &mut found);
     micropitting(loaded, &mut found);
     found.extend(far_lay(loaded, None)?);
     no_sliding(loaded, at(), &mut found);

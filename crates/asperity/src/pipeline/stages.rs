@@ -64,7 +64,7 @@ pub fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
 fn placed_mesh(loaded: &LoadedCase, contacts: Option<&Contacts>) -> Result<Mesh, PositionError> {
     let case = &loaded.case;
     // A table that does not reach the operating point is reported before the work.
-    crate::result::gearbox::parts_of_case(case)?;
+    crate::gearbox::parts_of_mesh(case)?;
     let mesh = match contacts.and_then(|contacts| contacts.load_map(case)) {
         Some(map) => Mesh::under(&MeshInputs::of(case), case.speed, map.clone())?,
         None => Mesh::of(case)?,

@@ -215,6 +215,24 @@ pub enum CaseError {
         /// The reason.
         source: LossTableError,
     },
+    /// Several meshes for what takes one of them.
+    #[error("{file}: has several meshes: {meshes}; this takes one of them")]
+    SeveralMeshes {
+        /// Name of the case.
+        file: String,
+        /// Names of the meshes.
+        meshes: String,
+    },
+    /// No mesh of this name.
+    #[error("{file}: {}", no_mesh(name, meshes.as_deref()))]
+    NoMesh {
+        /// Name of the case.
+        file: String,
+        /// The name.
+        name: String,
+        /// Names of the meshes; `None` if the only mesh has no name.
+        meshes: Option<String>,
+    },
     /// A profile that cannot be read.
     #[error("{source}{}", named(place, None))]
     Profile {
@@ -286,6 +304,13 @@ fn no_traces(folder: Option<&str>) -> String {
     }
 }
 
+fn no_mesh(name: &str, meshes: Option<&str>) -> String {
+    match meshes {
+        Some(meshes) => format!("has no mesh \"{name}\", only {meshes}"),
+        None => format!("has a single mesh; leave its name, \"{name}\", out"),
+    }
+}
+
 /// The end of a message about an unknown name, with the most similar known name.
 pub fn did_you_mean(nearest: Option<&str>) -> String {
     nearest
@@ -302,7 +327,7 @@ impl CaseError {
             Self::Encoding { .. } | Self::Syntax { .. } => "E202",
             Self::UnknownKey { .. } => "E203",
             Self::Value { .. } => "E204",
-            Self::Conflict { .. } => "E205",
+            Self::Conflict { .. } | Self::SeveralMeshes { .. } | Self::NoMesh { .. } => "E205",
             Self::Gears { .. } => "E206",
             Self::Lubricant {
                 source: LubricantError::ImplausiblePressureViscosity { .. },
@@ -381,6 +406,8 @@ impl CaseError {
             Self::Open { .. }
             | Self::Folder { .. }
             | Self::FileChanged { .. }
+            | Self::SeveralMeshes { .. }
+            | Self::NoMesh { .. }
             | Self::Steels { .. }
             | Self::Preparation { .. } => None,
         }

@@ -20,44 +20,56 @@ table! {
     /// a grid; linear in between, nothing beyond.
     #[serde(skip_serializing_if = "Option::is_none")]
     loss_table: Option<PathBuf>;
-    /// Radial shaft seals, each a table `[[gearbox.seals]]` with `shaft` (`pinion` or `wheel`), `diameter` of the
-    /// shaft and, if wanted, `name`.
+    /// Radial shaft seals, each a table `[[gearbox.seals]]` with `shaft` (`pinion` or `wheel`, in a gear train its name),
+    /// `diameter` of the shaft and, if wanted, `name`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     seals: Vec<SealInput> => table;
     /// Rolling bearings, each a table `[[gearbox.bearings]]` with `shaft`, `kind` (`deep-groove-ball`,
     /// `cylindrical-roller` or `tapered-roller`), `bore`, `outside_diameter`, `radial` and `axial` load, and the
     /// constants of SKF's form from the bearing's catalogue: `r1`, `r2`, `s1`, `s2`, `k_z`, `k_rs`, `mu_bl`,
     /// `mu_ehl`; ball bearings need `static_rating`, tapered rollers `axial_factor`. Loads grow with
-    /// the torque where `at_torque` says at which they were stated, and are constant otherwise. `name` if wanted.
+    /// the torque where `at_torque` says at which they were stated, and are constant otherwise. `name` if wanted. In a gear
+    /// train two on a shaft, each with its place `at` along the shaft: their loads follow from the teeth by statics, with
+    /// `at`, `angle` and `hand` of each mesh on the shaft, and the bearing with `locating = true` carries the axial force. The
+    /// bearings of the planets of a set have the shaft `NAME planet` (`planet` in a case `[planetary]`), no place, and, if
+    /// wanted, `planet_mass` and `per_planet`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     bearings: Vec<BearingInput> => table;
     /// Oil jet onto the mesh: `{ flow = "2.5 l/min", speed = "20 m/s" }`.
     #[serde(skip_serializing_if = "Option::is_none")]
     jet: Option<JetInput> => table;
+    /// Oil jets onto pairs of gears of a gear train, each a table `[[gearbox.jets]]` with the name of its `mesh`, `flow`, `speed`
+    /// and, if wanted, `name`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    jets: Vec<MeshJetInput> => table;
+    /// Measured losses of a gear train, as of gears that run idle and of clutches, each a table `[[gearbox.tables]]` with the
+    /// name of its `shaft`, `file` and, if wanted, `name`; a clutch names its other shaft `against` which it turns.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    tables: Vec<TableInput>;
 }
 
 table! {
     /// A radial shaft seal.
-    SealInput<S = Shaft>;
+    SealInput;
 
     /// Name, shown with its loss; default `seal 1`, counted.
     #[serde(skip_serializing_if = "Option::is_none")]
     name: Option<String>;
     /// Shaft that it runs on: `pinion` or `wheel`, in a gear train its name.
-    shaft: S;
+    shaft: String;
     /// Diameter of the shaft under the lip.
     diameter: Length = "mm" usual [3.0, 1000.0] possible [0.5, 10_000.0];
 }
 
 table! {
     /// A rolling bearing with its load.
-    BearingInput<S = Shaft>;
+    BearingInput;
 
     /// Name, shown with its loss; default `bearing 1`, counted.
     #[serde(skip_serializing_if = "Option::is_none")]
     name: Option<String>;
     /// Shaft that it carries: `pinion` or `wheel`, in a gear train its name.
-    shaft: S;
+    shaft: String;
     /// Shape of its rolling bodies.
     kind: BearingKind;
     /// Bore d.
@@ -124,7 +136,7 @@ table! {
     }
 }
 
-impl<S> BearingInput<S> {
+impl BearingInput {
     /// A force over the square of the bore \[N/mm²\]; catalogues rate balls at up to 25 N/mm², rollers at up to 90.
     fn over_bore(&self, force: Option<Force>) -> Vec<f64> {
         let square = 1e6 * self.bore.si() * self.bore.si();
@@ -174,17 +186,6 @@ table! {
     flow: VolumeFlow = "l/min" usual [0.01, 500.0] possible [1e-5, 50_000.0];
     /// Speed of the jet at the nozzle.
     speed: Speed = "m/s" usual [0.1, 150.0] possible [1e-3, 1000.0];
-}
-
-/// Shaft of a part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum Shaft {
-    /// That of the pinion.
-    Pinion,
-    /// That of the wheel.
-    Wheel,
 }
 
 impl BearingKind {

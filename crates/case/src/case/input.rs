@@ -1,8 +1,12 @@
 //! The case file as the user writes it: every key optional that has a default.
 //!
+//! A case states its gears as `gears`, the only mesh, which has no name, as the meshes `mesh.NAME` on named shafts, or as one set
+//! `planetary`. The case of each mesh has the same structure, with `gears`.
+//!
 //! Quantities are text with a unit. The same structure is read from TOML and JSON, and printed as
 //! a JSON schema by [`schema`].
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use asperity_core::hardness::Hardness;
@@ -28,11 +32,14 @@ use super::gearbox_input::GearboxInput;
 use super::micropitting_input::MicropittingInput;
 use super::model::{Formulation, ModelInput};
 use super::one_or_two::OneOrTwo;
+use super::planetary::PlanetaryInput;
 use super::rows::{OPEN, ratio, table};
 use super::trace_list::TraceList;
+use super::train_heat_input::HeatInput;
+use super::train_input::{MeshInput, ShaftsInput};
 
 table! {
-    /// A case: gears, steel, oil, operation, two measured flanks, and the model to use.
+    /// A case: gears, steel, oil, operation, measured flanks, and the model to use.
     #[derive(Default)]
     CaseInput;
 
@@ -41,16 +48,31 @@ table! {
     /// Reading of the model: `corrected` (default) or `paper`.
     formulation: Option<Formulation>;
     /// The gear pair.
+    #[serde(default, skip_serializing_if = "is_unstated")]
     gears: GearsInput => table;
-    /// Steel of the pinion, and of the wheel unless `material.wheel` is given.
+    /// Input and output shaft of the meshes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    train: Option<ShaftsInput>;
+    /// The meshes by their names, each a table `[mesh.NAME]`.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    mesh: BTreeMap<String, MeshInput> => table;
+    /// The set of a case that is a single planetary set, in place of `train` and `mesh`; its shafts are `sun`, `ring` and
+    /// `carrier`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    planetary: Option<PlanetaryInput> => table;
+    /// Steel of the pinion, and of the wheel unless `material.wheel` is given; of all meshes that have no own.
     #[serde(default)]
     material: MaterialInput => table;
     /// Operating conditions: torque, speed, temperature.
     operation: OperationInput => table;
     /// The oil.
     lubricant: LubricantInput => table;
-    /// The measured flanks and their preparation.
+    /// The measured flanks and their preparation; of all meshes that have no own.
+    #[serde(default)]
     surface: SurfaceInput => table;
+    /// Heat balance, from which the temperature of the oil follows; `operation.oil_temperature` is then its start.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    heat: Option<HeatInput> => table;
     /// Choices of the model.
     #[serde(default)]
     model: ModelInput => table;
@@ -77,6 +99,16 @@ table! {
         "gearbox.bearings.at_torque": "torque of the loads over operation.torque", CaseInput::torques_of_bearings,
             "" usual [0.02, 200.0] possible OPEN;
     }
+}
+
+/// Whether no key of a table is stated.
+pub(super) fn is_unstated<T: Default + PartialEq>(table: &T) -> bool {
+    *table == T::default()
+}
+
+/// The table, if a key of it is stated.
+pub(super) fn stated<T: Default + PartialEq + Clone>(table: &T) -> Option<T> {
+    (!is_unstated(table)).then(|| table.clone())
 }
 
 impl CaseInput {
@@ -199,11 +231,20 @@ table! {
     #[derive(Default)]
     MaterialInput;
 
-    /// The pinion; also the wheel unless given.
+    /// The pinion; also the wheel unless given, and the sun if the steel is that of all meshes.
     #[serde(default)]
     pinion: BodyInput => table;
     /// Steel of the wheel, where it differs.
     wheel: Option<BodyInput> => table;
+    /// The sun; also planets and ring unless given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sun: Option<BodyInput>;
+    /// The planets, where they differ.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    planet: Option<BodyInput>;
+    /// The ring, where it differs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ring: Option<BodyInput>;
 }
 
 table! {
@@ -365,10 +406,20 @@ table! {
     #[derive(Default)]
     SurfaceInput;
 
-    /// Trace of the pinion's flank.
+    /// Trace of the pinion's flank; of the sun's, if the flanks are those of all meshes.
+    #[serde(default, skip_serializing_if = "is_unstated")]
     pinion: FlankInput => table;
     /// Trace of the wheel's flank; default: the pinion's trace, mirrored.
     wheel: Option<FlankInput> => table;
+    /// Trace of the sun's flank.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sun: Option<FlankInput>;
+    /// Trace of a planet's flank, for both of its meshes; default: the sun's trace, mirrored.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    planet: Option<FlankInput>;
+    /// Trace of the ring's flank; default: the planet's trace, mirrored.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ring: Option<FlankInput>;
     /// Finish of flanks without a file: `ground` or `superfinished`; default by Ra, `ground` above 0.15 um and
     /// `superfinished` below 0.08 um, half of the surrogates each between.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -4,7 +4,7 @@ use super::input::CaseInput;
 use super::ranges::{range_in_pair, row_of};
 use super::rows::{KeyPath, Limits, Ranged};
 use super::source::is_within;
-use super::train_input::{MESH, TrainCaseInput};
+use super::train_input::MESH;
 
 /// Tables of a gear train, each with the table of a pair of gears whose rows it has.
 const ROWS_OF: [(&str, &str); 11] = [
@@ -42,7 +42,7 @@ pub fn range_of(key: &str) -> Option<Limits> {
         Some(_) => format!("mesh.{MESH}.{key}"),
         None => key.to_owned(),
     };
-    let of_train = row_of::<TrainCaseInput>(&|row| is_within(&own, row));
+    let of_train = row_of::<CaseInput>(&|row| is_within(&own, row));
     of_train.or_else(|| range_in_pair(shared.as_deref().unwrap_or(key)))
 }
 

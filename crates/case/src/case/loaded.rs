@@ -15,7 +15,7 @@ use super::files::{Content, FileContents, FileSums, Files, Reader, XU_COEFFICIEN
 use super::flank_form::shortest_form;
 use super::flank_pairs::common_multiple;
 use super::flanks::{Flanks, flanks};
-use super::gearbox::gearbox;
+use super::gearbox::MeshPlace;
 use super::gears::check_load;
 use super::input::CaseInput;
 use super::law_names::{FullFilmName, LoadShareName};
@@ -26,6 +26,7 @@ use super::plausibility::{
 };
 use super::resolve::{Case, resolve_checked};
 use super::section::Section;
+use super::shafting::Shafting;
 use super::source::{MeshKeys, Source};
 use super::surrogates::solves_contact;
 use super::text::oil_file;
@@ -192,7 +193,7 @@ impl LoadedCase {
     pub fn with(&self, change: impl FnOnce(&mut CaseInput)) -> Result<Self, Error> {
         let mut input = self.case.input.clone();
         change(&mut input);
-        self.changed_to(input, None)
+        Ok(self.changed_to(input, None)?)
     }
 
     /// The case on its first pair of traces, where several teeth or surrogates are in contact.
@@ -244,18 +245,13 @@ impl LoadedCase {
         &self,
         mut input: CaseInput,
         mesh: Option<&Arc<MeshKeys>>,
-    ) -> Result<Self, Error> {
+    ) -> Result<Self, CaseError> {
         keep_oil(&self.case.input, &mut input);
         let source = match mesh.or(self.mesh.as_ref()) {
             Some(mesh) => self.source().of_mesh(mesh),
             None => self.source(),
         };
-        Ok(complete(
-            input,
-            &source,
-            Arc::clone(&self.files),
-            Some(self),
-        )?)
+        complete(input, &source, Arc::clone(&self.files), Some(self))
     }
 
     /// Source of changes of the whole text: its lines hold the earlier values.
@@ -337,7 +333,9 @@ pub(super) fn complete(
         }
         (_, Some(stated)) => {
             let reader = Reader::of(&files);
-            let parts = gearbox(stated, source, &reader)?;
+            let train = Shafting::of_pair(&case).shafts;
+            let places = vec![MeshPlace::default()];
+            let parts = stated.gearbox(places, &train, (source, &reader))?;
             (Some(parts), reader.into_sums().into())
         }
         (_, None) => (None, Arc::default()),

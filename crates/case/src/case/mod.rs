@@ -11,9 +11,8 @@
 //! | a value | [`LoadedCase::try_from`] a [`CaseInput`] |
 //! | another case | [`LoadedCase::with`], [`LoadedCase::with_key`] |
 //!
-//! [`gear_train`] reads cases of several meshes.
+//! [`Train`] is a case of any number of meshes, [`LoadedCase`] that of one.
 
-mod any_input;
 mod assumed_relief;
 mod builder;
 mod bulk;
@@ -31,7 +30,6 @@ mod flank_sample;
 mod flank_trace;
 mod flanks;
 mod gear_input;
-pub mod gear_train;
 mod gearbox;
 mod gearbox_input;
 mod gears;
@@ -41,7 +39,6 @@ mod law_names;
 mod lay;
 mod load_inputs;
 mod loaded;
-mod loaded_train;
 mod micropitting_input;
 mod model;
 mod nearest_name;
@@ -56,6 +53,7 @@ mod ranges;
 mod resolve;
 mod rows;
 mod section;
+mod shafting;
 mod source;
 mod steel;
 mod surrogates;
@@ -64,13 +62,11 @@ mod text;
 mod trace;
 mod trace_filters;
 mod trace_list;
-mod train_flow;
-mod train_gearbox;
+pub mod train;
 mod train_heat_input;
 mod train_input;
 mod train_parts;
 
-pub use any_input::AnyInput;
 pub use assumed_relief::AssumedRelief;
 pub use builder::CaseBuilder;
 pub use bulk::{BulkModel, BulkReport, FoundBulk};
@@ -85,9 +81,9 @@ pub use flank_place::{FlankPlaceInput, TraceStart};
 pub use gear_input::{
     EndReliefInput, GearFlankInput, NoRelief, ReliefInput, ReliefSource, TipRelief,
 };
-pub use gearbox::{Gearbox, Part, PartKind};
+pub use gearbox::{BearingLoads, Gearbox, Hand, MeshPlace, Part, PartKind};
 pub use gearbox_input::{
-    BearingInput, BearingKind, GearboxInput, JetInput, MeshJetInput, SealInput, Shaft, TableInput,
+    BearingInput, BearingKind, GearboxInput, JetInput, MeshJetInput, SealInput, TableInput,
 };
 pub use gears::gear_pair;
 pub use input::{
@@ -110,16 +106,14 @@ pub use path_point::{NamedPoint, PathPoint};
 pub use place::Place;
 pub use resolve::{Case, resolve};
 pub use rows::Limits;
+pub use shafting::{Flow, MeshLoad, Shafting, StageKind};
 pub use source::Source;
 pub use steel::STEEL_FLOW_PRESSURE;
 #[cfg(feature = "case-files")]
 pub use text::{
-    Findings, Resolver, check, from_contents, from_text, load, load_holding, load_set, load_with,
-    markdown, open_source, schema,
+    Change, Findings, Resolver, check, from_contents, from_text, load, load_holding, load_set,
+    load_with, markdown, open_source, schema, schema_of_named_meshes,
 };
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};
-pub use train_flow::{MeshLoad, StageKind, Train, TrainFlow};
-pub use train_gearbox::{
-    Hand, MeshPlace, TrainGearbox, TrainGearboxInput, TrainPart, TrainPartKind,
-};
+pub use train::Train;

@@ -22,8 +22,8 @@ pub(super) fn missing_key(_: &str, key: &str) -> String {
     format!("missing key \"{key}\"")
 }
 
-/// Whether a case of a gear train has the key: the keys of every mesh are listed here.
-pub(super) fn is_key_of_train(_: &str) -> bool {
+/// Whether a case whose meshes have names has the key: the keys of every mesh are listed here.
+pub(super) fn is_key_of_named_meshes(_: &str) -> bool {
     true
 }
 

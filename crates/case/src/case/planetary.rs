@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
-use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
+use asperity_gear::gear_train::{GearTrain, Shaft, Stage};
 use asperity_gear::planetary::{PlanetarySet, PlanetarySetInput};
 use serde::{Deserialize, Serialize};
 
@@ -16,8 +16,8 @@ use super::gear_input::GearFlankInput;
 use super::input::{BodyInput, CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput};
 use super::one_or_two::OneOrTwo;
 use super::rows::limits;
+use super::shafting::StageKind;
 use super::source::{MeshKeys, Source};
-use super::train_flow::StageKind;
 use super::train_parts::{MeshParts, StageParts, conflict, refused};
 
 /// Sun, planets and ring. Three values belong to sun, planet and ring.
@@ -75,7 +75,7 @@ pub(super) fn shafts(
     operation: &OperationInput,
     teeth: [f64; 2],
 ) -> GearTrain {
-    let shaft = |name: &str, speed, torque| TrainShaft {
+    let shaft = |name: &str, speed, torque| Shaft {
         name: name.to_owned(),
         speed,
         torque,
@@ -87,7 +87,7 @@ pub(super) fn shafts(
             shaft("ring", Some(set.ring_speed.unwrap_or(HELD)), None),
             shaft("carrier", None, None),
         ],
-        stages: vec![TrainStage {
+        stages: vec![Stage {
             gears: [0, 1],
             carrier: Some(2),
             teeth,
@@ -258,6 +258,7 @@ fn mesh_case(input: &SetOfCase<'_>, mesh: &Mesh) -> CaseInput {
             pinion: steel(i),
             // The steel of the sun by default, which may differ from the planet's.
             wheel: Some(steel(j)),
+            ..MaterialInput::default()
         },
         ..input.common.clone()
     };

@@ -333,6 +333,9 @@ fn preparation(
         outliers,
         pinion: _,
         wheel: _,
+        sun: _,
+        planet: _,
+        ring: _,
         finish: _,
         coast: _,
     } = &input.surface;

@@ -43,7 +43,8 @@ pub(super) fn steels(
     defaults: &mut Defaults,
 ) -> Result<Steels, CaseError> {
     let mut notes = Vec::new();
-    let MaterialInput { pinion, wheel } = &input.material;
+    // The other bodies are those of named meshes.
+    let MaterialInput { pinion, wheel, .. } = &input.material;
     let of_pinion = Section::of(source, "material.pinion");
     let pinion = body(pinion, of_pinion, defaults, &mut notes)?;
     let wheel = match wheel {

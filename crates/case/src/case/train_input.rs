@@ -1,111 +1,63 @@
 //! Keys of a gear train, and the case of each mesh that they state.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::Arc;
 
 use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
-use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
-use asperity_oil::LubricantInput;
-use asperity_roughness::form::Form;
-use asperity_roughness::gaussian_filter::Ends;
+use asperity_gear::gear_train::{GearTrain, Shaft, Stage};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::bulk_input::BulkInput;
-use super::calibration::CalibrationInput;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::Reader;
-use super::finish::FinishName;
+use super::gearbox::{Hand, MeshPlace};
 use super::input::{
-    BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
-    OperationInput, SurfaceInput, VehicleInput,
+    CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput, SurfaceInput, is_unstated,
+    stated,
 };
-use super::model::{Formulation, ModelInput};
 use super::planetary::{self, PlanetaryInput, SetOfCase};
 use super::ranges::{Judged, refuse_impossible, unusual};
 use super::rows::{Judge, KeyPath, Ranged, limits};
 use super::section::domain;
+use super::shafting::StageKind;
 use super::source::{MeshKeys, Source};
-use super::train_flow::StageKind;
-use super::train_gearbox::{Hand, MeshPlace, TrainGearboxInput, train_gearbox};
 use super::train_heat_input::HeatInput;
 use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, mesh_folder, refused};
 use crate::message::Warning;
 
-/// A case of several meshes as the user writes it, on named shafts or of a single planetary set. Torque and speed of the
-/// operation are those of the input shaft, or of the sun.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct TrainCaseInput {
-    /// Title of the case, shown in every output.
-    pub title: Option<String>,
-    /// Reading of the model: `corrected` (default) or `paper`.
-    pub formulation: Option<Formulation>,
-    /// Input and output shaft of the meshes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub train: Option<TrainInput>,
-    /// The meshes by their names, each a table `[mesh.NAME]`.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub mesh: BTreeMap<String, MeshInput>,
-    /// The set of a case that is a single planetary set, in place of `train` and `mesh`; its shafts are `sun`, `ring` and
-    /// `carrier`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub planetary: Option<PlanetaryInput>,
-    /// Steel of all meshes that have no own.
-    #[serde(default)]
-    pub material: TrainMaterialInput,
-    /// Torque and speed of the input shaft, temperature.
-    pub operation: OperationInput,
-    /// The oil.
-    pub lubricant: LubricantInput,
-    /// Flanks of all meshes that have no own, and the preparation of their traces.
-    #[serde(default)]
-    pub surface: TrainSurfaceInput,
-    /// Heat balance, from which the temperature of the oil follows; `operation.oil_temperature` is then its start.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub heat: Option<HeatInput>,
-    /// Losses besides the meshes; only the losses stated here are added.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub gearbox: Option<TrainGearboxInput>,
-    /// Choices of the model, for all meshes.
-    #[serde(default)]
-    pub model: ModelInput,
-    /// Parameters calibrated on a rig, for all meshes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub calibration: Option<CalibrationInput>,
-    /// Ranges of the default axes of `asperity map`; a run ignores them.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub map: Option<MapInput>,
-    /// The vehicle of a cycle stated by its speed, for `asperity cycle`; a run ignores it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub vehicle: Option<VehicleInput>,
-}
-
 /// Name of a mesh in the paths of rows.
 pub(super) const MESH: &str = "NAME";
 
-impl Judged for TrainCaseInput {}
+/// The tables of a case with named meshes that are not of a single mesh: what a mesh has is judged with its case.
+pub(super) struct OfAllMeshes<'a>(pub &'a CaseInput);
 
-/// The tables that are not of a single mesh: what a mesh has is judged with its case.
-impl Ranged for TrainCaseInput {
+impl Judged for OfAllMeshes<'_> {}
+
+impl Ranged for OfAllMeshes<'_> {
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
-        let set = stated.map(|case| &case.planetary);
+        let case = stated.map(|of| of.0);
+        let set = case.map(|case| &case.planetary);
         Ranged::visit(set, at.below(planetary::TABLE), judge);
-        let meshes = at.below("mesh");
-        match stated {
-            None => MeshInput::visit(None, meshes.below(MESH), judge),
-            Some(case) => {
-                for (name, mesh) in &case.mesh {
-                    MeshInput::visit(Some(mesh), meshes.below(name), judge);
-                }
-            }
+        Ranged::visit(case.map(|case| &case.mesh), at.below("mesh"), judge);
+        Ranged::visit(case.map(|case| &case.heat), at.below("heat"), judge);
+        Ranged::visit(case.map(|case| &case.gearbox), at.below("gearbox"), judge);
+        Ranged::visit(case.map(|case| &case.map), at.below("map"), judge);
+        Ranged::visit(case.map(|case| &case.vehicle), at.below("vehicle"), judge);
+    }
+}
+
+/// Meshes by their names.
+impl Ranged for BTreeMap<String, MeshInput> {
+    fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
+        let Some(meshes) = stated else {
+            return MeshInput::visit(None, at.below(MESH), judge);
+        };
+        for (name, mesh) in meshes {
+            MeshInput::visit(Some(mesh), at.below(name), judge);
         }
-        Ranged::visit(stated.map(|case| &case.heat), at.below("heat"), judge);
-        Ranged::visit(stated.map(|case| &case.gearbox), at.below("gearbox"), judge);
-        Ranged::visit(stated.map(|case| &case.map), at.below("map"), judge);
-        Ranged::visit(stated.map(|case| &case.vehicle), at.below("vehicle"), judge);
     }
 }
 
@@ -120,7 +72,7 @@ limits! {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub struct TrainInput {
+pub struct ShaftsInput {
     /// Shaft with torque and speed of the operation.
     pub input: String,
     /// Shaft at which the power leaves; default: the only other end of the train.
@@ -175,93 +127,61 @@ pub struct MeshInput {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bulk: Option<BulkInput>,
     /// Steel of this mesh.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub material: TrainMaterialInput,
+    #[serde(default, skip_serializing_if = "is_unstated")]
+    pub material: MaterialInput,
     /// Flanks of this mesh, and the preparation of their traces.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub surface: TrainSurfaceInput,
+    #[serde(default, skip_serializing_if = "is_unstated")]
+    pub surface: SurfaceInput,
 }
 
-fn is_default<T: Default + PartialEq>(value: &T) -> bool {
-    *value == T::default()
-}
+impl CaseInput {
+    /// Tables that describe gears with names.
+    pub(super) const NAMED: [&'static str; 2] = ["mesh", planetary::TABLE];
 
-/// Steel of pinion and wheel, or of sun, planets and ring.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct TrainMaterialInput {
-    /// The pinion; also the wheel unless given, and the sun if the steel is that of all meshes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub pinion: Option<BodyInput>,
-    /// The wheel, where it differs.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub wheel: Option<BodyInput>,
-    /// The sun; also planets and ring unless given.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub sun: Option<BodyInput>,
-    /// The planets, where they differ.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub planet: Option<BodyInput>,
-    /// The ring, where it differs.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ring: Option<BodyInput>,
-}
+    /// Whether the meshes have names: they are stated as `mesh.NAME` or `planetary`.
+    #[must_use]
+    pub fn names_meshes(&self) -> bool {
+        !self.mesh.is_empty() || self.planetary.is_some()
+    }
 
-/// Flanks of pinion and wheel, or of sun, planets and ring, and the preparation of their traces.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct TrainSurfaceInput {
-    /// Trace of the pinion's flank; of the sun's, if the flanks are those of all meshes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub pinion: Option<FlankInput>,
-    /// Trace of the wheel's flank; default: the pinion's trace, mirrored.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub wheel: Option<FlankInput>,
-    /// Trace of the sun's flank.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub sun: Option<FlankInput>,
-    /// Trace of a planet's flank, for both of its meshes; default: the sun's trace, mirrored.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub planet: Option<FlankInput>,
-    /// Trace of the ring's flank; default: the planet's trace, mirrored.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ring: Option<FlankInput>,
-    /// Finish of flanks without a file; default by Ra.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub finish: Option<FinishName>,
-    /// Form removed from each trace; default `level` (a straight line).
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub form: Option<Form>,
-    /// Cut-off λc; default as the file states, else 0.25 mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub cutoff: Option<Length>,
-    /// Cut-off λs; default as the file states, else 2.5 um.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub noise_cutoff: Option<Length>,
-    /// Treatment of the ends of a trace in filtering; default `cut`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ends: Option<Ends>,
-    /// Robust standard deviations from the running median beyond which spikes are replaced; default none.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub outliers: Option<f64>,
-    /// Flanks of a pair at a negative torque, if they differ.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub coast: Option<CoastInput>,
-}
+    /// Tables of losses of the gearbox of a case with named meshes.
+    pub(super) fn own_tables(&self) -> impl Iterator<Item = &Path> {
+        let gearbox = self.gearbox.as_ref().filter(|_| self.names_meshes());
+        let tables = gearbox.into_iter().flat_map(|gearbox| &gearbox.tables);
+        tables.map(|table| table.file.as_path())
+    }
 
-impl TrainCaseInput {
-    /// Tables that describe the gears.
-    pub(super) const TABLES: [&'static str; 2] = ["mesh", planetary::TABLE];
+    /// Largest torque and speed of the default axes of a map.
+    #[must_use]
+    pub fn map_limits(&self) -> (Torque, AngularSpeed) {
+        let map = self.map.unwrap_or_default();
+        (
+            map.torque_max.unwrap_or(self.operation.torque),
+            map.speed_max.unwrap_or(self.operation.speed),
+        )
+    }
 
-    /// The train and the case of each mesh.
+    /// The case of each mesh; with its keys where meshes have names.
+    pub(super) fn of_meshes(
+        &self,
+        source: &Source,
+        files: Reader<'_>,
+    ) -> Result<Vec<(Self, Option<Arc<MeshKeys>>)>, CaseError> {
+        if !self.names_meshes() {
+            return Ok(vec![(self.clone(), None)]);
+        }
+        let parts = self.parts(source, files)?;
+        let meshes = parts.stages.into_iter().flat_map(|stage| stage.meshes);
+        Ok(meshes.map(|mesh| (mesh.case, Some(mesh.keys))).collect())
+    }
+
+    /// The train and the case of each mesh, where meshes have names.
     pub(super) fn parts(
         &self,
         source: &Source,
         files: Reader<'_>,
     ) -> Result<TrainParts, CaseError> {
-        refuse_impossible(self, source)?;
+        refuse_impossible(&OfAllMeshes(self), source)?;
         let (shafts, stages) = match &self.planetary {
             Some(set) => self.single_set(set, source)?,
             None => self.on_shafts(source)?,
@@ -271,10 +191,9 @@ impl TrainCaseInput {
         let places = stages.iter().map(|stage| self.place_of(stage));
         let places: Vec<MeshPlace> = places.collect();
         let gearbox = self.gearbox.as_ref();
-        let gearbox =
-            gearbox.map(|stated| train_gearbox(stated, places, &shafts, (source, &files)));
+        let gearbox = gearbox.map(|stated| stated.gearbox(places, &shafts, (source, &files)));
         let gearbox = gearbox.transpose()?;
-        let [meshes, set] = Self::TABLES;
+        let [meshes, set] = Self::NAMED;
         let table = if self.planetary.is_some() {
             set
         } else {
@@ -284,7 +203,7 @@ impl TrainCaseInput {
             .map_err(refused(source, table))?;
         parts.heat = self.checked_heat(source)?;
         parts.gearbox = gearbox;
-        parts.warnings = unusual(self, source);
+        parts.warnings = unusual(&OfAllMeshes(self), source);
         parts
             .warnings
             .extend(parts.stages.iter().filter_map(uneven_planets));
@@ -306,7 +225,7 @@ impl TrainCaseInput {
             let rule = "is of a gear train, this case is a single planetary set: make it a mesh, mesh.NAME.planetary";
             return Err(conflict(source, key.to_owned(), rule));
         }
-        let stage = self.set(None, &MeshInput::default(), set, source)?;
+        let stage = self.planetary_stage(None, &MeshInput::default(), set, source)?;
         let shafts = planetary::shafts(set, &self.operation, stage.teeth);
         Ok((shafts, vec![stage]))
     }
@@ -403,7 +322,7 @@ impl TrainCaseInput {
         for shaft in &shafts {
             let is_input = *shaft == input;
             let zero = Torque::from_si(0.0);
-            train.shafts.push(TrainShaft {
+            train.shafts.push(Shaft {
                 name: (*shaft).to_owned(),
                 speed: match is_held(shaft) {
                     true => Some(AngularSpeed::from_si(0.0)),
@@ -437,7 +356,7 @@ impl TrainCaseInput {
                 [sun, carrier] if matches!(stage.kind, StageKind::Planetary { .. }) => {
                     let set = self.mesh[*name].planetary.as_ref();
                     let ring_speed = set.and_then(|set| set.ring_speed);
-                    train.shafts.push(TrainShaft {
+                    train.shafts.push(Shaft {
                         name: format!("{name} ring"),
                         speed: Some(ring_speed.unwrap_or(AngularSpeed::from_si(0.0))),
                         torque: None,
@@ -448,7 +367,7 @@ impl TrainCaseInput {
                 [pinion, wheel] => ([pinion, wheel], None),
                 _ => continue,
             };
-            train.stages.push(TrainStage {
+            train.stages.push(Stage {
                 gears,
                 carrier,
                 teeth: stage.teeth,
@@ -475,8 +394,8 @@ impl TrainCaseInput {
                 let rule = "must name the shafts of pinion and wheel, or of sun, carrier and, if it turns, ring";
                 Err(conflict(source, format!("mesh.{name}.shafts"), rule))
             }
-            (Some(gears), None) => self.pair(name, mesh, gears, source),
-            (None, Some(set)) => self.set(Some(name), mesh, set, source),
+            (Some(gears), None) => self.pair_stage(name, mesh, gears, source),
+            (None, Some(set)) => self.planetary_stage(Some(name), mesh, set, source),
             _ => {
                 let rule = "must have one of the tables gears and planetary";
                 Err(conflict(source, format!("mesh.{name}"), rule))
@@ -484,7 +403,7 @@ impl TrainCaseInput {
         }
     }
 
-    fn pair(
+    fn pair_stage(
         &self,
         name: &str,
         mesh: &MeshInput,
@@ -492,8 +411,8 @@ impl TrainCaseInput {
         source: &Source,
     ) -> Result<StageParts, CaseError> {
         let (own, shared) = (&mesh.surface, &self.surface);
-        let has_own = own.pinion.is_some();
-        let Some(pinion) = own.pinion.clone().or_else(|| shared.pinion.clone()) else {
+        let has_own = !is_unstated(&own.pinion);
+        let Some(pinion) = stated(&own.pinion).or_else(|| stated(&shared.pinion)) else {
             return Err(self.no_flank(Some(name), mesh, "pinion", source));
         };
         let of_all = |flank: &Option<FlankInput>| flank.clone().filter(|_| !has_own);
@@ -504,7 +423,7 @@ impl TrainCaseInput {
             tables: [("gears".to_owned(), format!("mesh.{name}.gears"))]
                 .into_iter()
                 .chain(own_bulk(name, mesh))
-                .chain(own_tables(name, mesh))
+                .chain(keys_of_own(name, mesh))
                 .collect(),
         };
         Ok(StageParts {
@@ -517,11 +436,11 @@ impl TrainCaseInput {
                 case: CaseInput {
                     gears: gears.clone(),
                     material: MaterialInput {
-                        pinion: (steel.pinion.clone())
-                            .or_else(|| steels.pinion.clone())
-                            .unwrap_or_default(),
-                        wheel: (steel.wheel.clone())
-                            .or_else(|| steels.wheel.clone().filter(|_| steel.pinion.is_none())),
+                        pinion: stated(&steel.pinion).unwrap_or_else(|| steels.pinion.clone()),
+                        wheel: (steel.wheel.clone()).or_else(|| {
+                            steels.wheel.clone().filter(|_| is_unstated(&steel.pinion))
+                        }),
+                        ..MaterialInput::default()
                     },
                     surface: SurfaceInput {
                         wheel: own.wheel.clone().or_else(|| of_all(&shared.wheel)),
@@ -538,7 +457,7 @@ impl TrainCaseInput {
         })
     }
 
-    fn set(
+    fn planetary_stage(
         &self,
         name: Option<&str>,
         mesh: &MeshInput,
@@ -546,7 +465,7 @@ impl TrainCaseInput {
         source: &Source,
     ) -> Result<StageParts, CaseError> {
         let (own, shared) = (&mesh.surface, &self.surface);
-        let of_all = shared.sun.clone().or_else(|| shared.pinion.clone());
+        let of_all = shared.sun.clone().or_else(|| stated(&shared.pinion));
         let Some(sun) = own.sun.clone().or(of_all) else {
             return Err(self.no_flank(name, mesh, "sun", source));
         };
@@ -557,7 +476,7 @@ impl TrainCaseInput {
             steels: [
                 (steel.sun.clone())
                     .or_else(|| steels.sun.clone())
-                    .or_else(|| steels.pinion.clone()),
+                    .or_else(|| stated(&steels.pinion)),
                 steel.planet.clone().or_else(|| steels.planet.clone()),
                 steel.ring.clone().or_else(|| steels.ring.clone()),
             ],
@@ -580,7 +499,7 @@ impl TrainCaseInput {
                 rule,
             ));
         }
-        let own_tables = own_tables(name, mesh);
+        let own_tables = keys_of_own(name, mesh);
         let in_train = |key: &str| {
             let own = own_tables
                 .iter()
@@ -681,6 +600,18 @@ fn uneven_planets(stage: &StageParts) -> Option<Warning> {
     (!set.can_be_equally_spaced()).then(|| Warning::new("W204", text()))
 }
 
+/// Steel or flanks without the keys that are not stated.
+pub(super) fn without_nulls(mut table: Value) -> Value {
+    if let Some(keys) = table.as_object_mut() {
+        let is_empty = |body: &Value| {
+            let keys = body.as_object();
+            keys.is_some_and(|keys| keys.values().all(Value::is_null))
+        };
+        keys.retain(|key, value| !value.is_null() && (key != "pinion" || !is_empty(value)));
+    }
+    table
+}
+
 /// Key of the bulk temperature that mesh `name` states itself, with its key in the train.
 fn own_bulk(name: &str, mesh: &MeshInput) -> Option<(String, String)> {
     let keys = || ("operation.bulk".to_owned(), format!("mesh.{name}.bulk"));
@@ -688,10 +619,10 @@ fn own_bulk(name: &str, mesh: &MeshInput) -> Option<(String, String)> {
 }
 
 /// Keys of steel and flanks that mesh `name` states itself, with their keys in the train.
-fn own_tables(name: &str, mesh: &MeshInput) -> Vec<(String, String)> {
+fn keys_of_own(name: &str, mesh: &MeshInput) -> Vec<(String, String)> {
     let keys = |table: &str, stated: Option<Value>| -> Vec<_> {
-        let stated = stated.iter().filter_map(Value::as_object).flatten();
-        let stated = stated.filter(|(_, value)| !value.is_null());
+        let stated = stated.map(without_nulls).unwrap_or_default();
+        let stated = stated.as_object().into_iter().flatten();
         let key = |(key, _)| {
             (
                 format!("{table}.{key}"),

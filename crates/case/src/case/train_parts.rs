@@ -9,22 +9,22 @@ use asperity_gear::gear_train::GearTrain;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::FileSums;
+use super::gearbox::Gearbox;
 use super::input::CaseInput;
 use super::resolve::title_by_gears;
+use super::shafting::{Shafting, StageKind};
 use super::source::{MeshKeys, Source};
-use super::train_flow::{StageKind, Train};
-use super::train_gearbox::TrainGearbox;
 use super::train_heat_input::HeatInput;
 use crate::message::Warning;
 
 /// A gear train with the inputs of its meshes, before their traces are read.
 pub(super) struct TrainParts {
     pub heat: Option<HeatInput>,
-    pub gearbox: Option<TrainGearbox>,
+    pub gearbox: Option<Gearbox>,
     /// Sums of the tables of the gearbox.
     pub sums: FileSums,
     pub title: String,
-    pub train: Train,
+    pub train: Shafting,
     pub stages: Vec<StageParts>,
     /// Warnings about the train as a whole.
     pub warnings: Vec<Warning>,
@@ -50,7 +50,7 @@ pub(super) struct MeshParts {
 /// Result folder of a mesh: its name as one word, `sun_planet` of "sun and planet". Those of a train differ.
 ///
 /// ```
-/// use asperity_case::case::gear_train::mesh_folder;
+/// use asperity_case::case::train::mesh_folder;
 /// assert_eq!(mesh_folder("second, sun and planet"), "second_sun_planet");
 /// ```
 #[must_use]
@@ -66,7 +66,7 @@ impl TrainParts {
         passes_losses: bool,
         stages: Vec<StageParts>,
     ) -> Result<Self, GearError> {
-        let train = Train {
+        let train = Shafting {
             shafts,
             kinds: stages.iter().map(|stage| stage.kind.clone()).collect(),
             passes_losses,

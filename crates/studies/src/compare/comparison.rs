@@ -1,13 +1,13 @@
 //! Comparison of several finishes on one case.
 
 use asperity::case::LoadedCase;
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::flanks::Surfaces;
-use asperity::gear_train::{MeshRow, TrainOutcome, run_train};
 use asperity::message::outside_codes;
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::Uncertainty;
 use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Scope};
+use asperity::train::{self, MeshRow, Outcomes};
 use asperity::uncertainty::{DrawnMesh, PairedDifference, Quantiles, difference_of_meshes};
 use asperity::{Error, PositionError};
 use asperity_core::unique;
@@ -174,14 +174,14 @@ pub struct Correlation {
 ///
 /// # Errors
 /// When a finish has no solution.
-pub fn compare<C: Clone + Into<LoadedTrain>>(
+pub fn compare<C: Clone + Into<Train>>(
     finishes: &[Finish<C>],
     progress: Progress<'_>,
 ) -> Result<Comparison, Error> {
-    let run = |case: &LoadedTrain| run_train(case, &KeptFields::Highest, true, &|_, _| {});
+    let run = |case: &Train| train::run(case, Some(&KeptFields::Highest), true, &|_, _| {});
     let mut runs = Vec::with_capacity(finishes.len());
     for finish in finishes {
-        let case: LoadedTrain = finish.case.clone().into();
+        let case: Train = finish.case.clone().into();
         let outcome = run(&case)?;
         runs.push((finish.name.as_str(), case, outcome));
         progress(runs.len(), finishes.len());
@@ -222,7 +222,7 @@ pub(crate) fn files(case: &LoadedCase) -> Vec<[String; 2]> {
 }
 
 /// A case with its run.
-pub type CaseRun<'a> = (&'a LoadedTrain, &'a TrainOutcome);
+pub type CaseRun<'a> = (&'a Train, &'a Outcomes);
 
 /// The drawn meshes of two runs, whose flanks are numbered together; `None` without draws.
 #[must_use]
@@ -249,7 +249,7 @@ fn finish_result(
     let difference = compared
         .as_ref()
         .map(|[first, own]| difference_of_meshes(first, own));
-    let result = &outcome.result;
+    let result = &outcome.whole;
     let mut finish = FinishResult {
         name: name.to_owned(),
         files: unique(case.meshes().flat_map(|mesh| files(&mesh.case))),
@@ -268,10 +268,7 @@ fn finish_result(
         offsets: Vec::new(),
         pair: None,
     };
-    let Some((loaded, [run])) = case
-        .pair()
-        .zip(<&[Outcome; 1]>::try_from(&outcome.meshes[..]).ok())
-    else {
+    let Some((loaded, run)) = case.only().zip(outcome.only()) else {
         let meshes = result.meshes.iter().zip(&outcome.meshes).enumerate();
         finish.meshes = meshes
             .map(|(k, (row, run))| {
@@ -319,8 +316,8 @@ fn finish_result(
 }
 
 /// Loss of all meshes with their flanks run in \[W\]; `None` unless every mesh was run in.
-fn run_in_loss(outcome: &TrainOutcome) -> Option<f64> {
-    let meshes = outcome.result.meshes.iter().zip(&outcome.meshes);
+fn run_in_loss(outcome: &Outcomes) -> Option<f64> {
+    let meshes = outcome.whole.meshes.iter().zip(&outcome.meshes);
     let of_mesh = |(row, run): (&MeshRow, &Outcome)| {
         let run_in = run.result.run_in.as_ref()?;
         Some(f64::from(row.count) * run_in.summary.loss_w)
@@ -329,7 +326,7 @@ fn run_in_loss(outcome: &TrainOutcome) -> Option<f64> {
 }
 
 /// Distinct warnings of all meshes, with the name of the mesh unless they apply to all.
-fn warnings(outcome: &TrainOutcome) -> Vec<String> {
+fn warnings(outcome: &Outcomes) -> Vec<String> {
     let of = |run: &Outcome| {
         run.result
             .warnings
@@ -338,7 +335,7 @@ fn warnings(outcome: &TrainOutcome) -> Vec<String> {
             .collect()
     };
     let all: Vec<Vec<String>> = outcome.meshes.iter().map(of).collect();
-    let texts = outcome.result.meshes.iter().zip(&all);
+    let texts = outcome.whole.meshes.iter().zip(&all);
     unique(texts.flat_map(|(row, warnings)| {
         warnings.iter().map(
             |warning| match all.iter().all(|other| other.contains(warning)) {

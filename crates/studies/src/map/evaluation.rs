@@ -3,16 +3,15 @@
 use std::collections::BTreeMap;
 
 use asperity::Reversed;
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::case::{Formulation, LoadedCase, MeshLoad};
 use asperity::flanks::LEAST_POINTS_PER_HALF_WIDTH;
 use asperity::flanks::Texture;
+use asperity::gearbox;
 use asperity::mesh::Mesh;
 use asperity::mesh::Resolution;
 use asperity::pipeline::{contacts_beside, losses, losses_with};
 use asperity::result::Losses;
-use asperity::result::gearbox::{self, OperatingPoint};
-use asperity::train_gearbox;
 use asperity::uncertainty::{Predictive, predictive};
 use asperity::{Contacts, Error, PositionError};
 use asperity_core::numerics::distinct;
@@ -80,7 +79,7 @@ pub(super) fn at_torque(case: &LoadedCase, torque: Torque) -> Result<LoadedCase,
 
 /// Evaluates all speeds and temperatures at one torque of the input shaft, by temperature, with draws at the nodes.
 pub(super) fn evaluate(
-    train: &LoadedTrain,
+    train: &Train,
     torque: Torque,
     (speeds, temperatures): (&[f64], &[f64]),
     is_node: &(dyn Fn(f64, f64) -> bool + Sync),
@@ -105,7 +104,7 @@ pub(super) fn evaluate(
             losses.map_err(|error| code(&error))
         })
         .collect();
-    match train.train.passes_losses {
+    match train.shafting.passes_losses {
         true => prepared.with_passed_losses(train, torque, &nodes, evaluated),
         false => evaluated,
     }
@@ -121,7 +120,7 @@ struct Prepared {
 }
 
 impl Prepared {
-    fn of(train: &LoadedTrain, torque: Torque, speeds: &[f64]) -> Result<Self, Error> {
+    fn of(train: &Train, torque: Torque, speeds: &[f64]) -> Result<Self, Error> {
         let loads = speeds.iter().map(|speed| {
             let speed = speed_of(*speed);
             loads(train, MeshLoad { torque, speed }, &[])
@@ -174,7 +173,7 @@ impl Prepared {
     /// linear between both torques, with which the torques of each point are iterated. Draws remain at the first torque.
     fn with_passed_losses(
         &self,
-        train: &LoadedTrain,
+        train: &Train,
         torque: Torque,
         nodes: &[(usize, f64, f64)],
         evaluated: Vec<Result<Evaluated, String>>,
@@ -207,7 +206,7 @@ impl Prepared {
     /// has without losses.
     fn farthest(
         &self,
-        train: &LoadedTrain,
+        train: &Train,
         torque: Torque,
         nodes: &[(usize, f64, f64)],
         evaluated: &[Result<Evaluated, String>],
@@ -262,11 +261,7 @@ impl Prepared {
 const LARGEST_CHANGE: f64 = 0.5;
 
 /// Loads of all meshes that the losses of a point leave.
-fn left(
-    train: &LoadedTrain,
-    torque: Torque,
-    evaluated: &Evaluated,
-) -> Result<Vec<MeshLoad>, Error> {
+fn left(train: &Train, torque: Torque, evaluated: &Evaluated) -> Result<Vec<MeshLoad>, Error> {
     let losses: Vec<Power> = evaluated.meshes.iter().map(EvaluatedMesh::loss).collect();
     let speed = AngularSpeed::from_si(evaluated.omega);
     loads(train, MeshLoad { torque, speed }, &train.by_stage(&losses))
@@ -274,7 +269,7 @@ fn left(
 
 /// Iterates the torques of a point, each mesh between the torque without losses and its farthest.
 fn settle(
-    train: &LoadedTrain,
+    train: &Train,
     torque: Torque,
     (loads, farthest): (&[MeshLoad], &[BTreeMap<u64, Lowered>]),
     evaluated: &mut Evaluated,
@@ -318,8 +313,8 @@ fn settle(
 type Lowered = (f64, LoadedCase, Option<Contacts>);
 
 /// Loads of all meshes at an operating point of the input shaft, with the loss of one mesh of each kind in each stage.
-fn loads(train: &LoadedTrain, at: MeshLoad, losses: &[Vec<Power>]) -> Result<Vec<MeshLoad>, Error> {
-    let flow = train.train.at(at).flow(losses);
+fn loads(train: &Train, at: MeshLoad, losses: &[Vec<Power>]) -> Result<Vec<MeshLoad>, Error> {
+    let flow = train.shafting.at(at).flow(losses);
     let flow = flow.map_err(|error| Error::Whole(Box::new(PositionError::Gear(error))))?;
     Ok(flow.loads.into_iter().flatten().collect())
 }
@@ -359,42 +354,27 @@ pub(super) fn torque_of(torque_nm: f64) -> Torque {
 /// Losses of the gearbox besides the meshes at every node, with the losses of the meshes there, which load the bearings if the
 /// train passes them on; `None` if the case states none.
 pub(super) fn gearbox_of(
-    train: &LoadedTrain,
+    train: &Train,
     axes: &Axes,
     of_meshes: &[MeshPart],
 ) -> Result<Option<MapGearbox>, Error> {
-    let of_pair = train.pair().map(|pair| &pair.case);
-    let names: Vec<String> = match (
-        of_pair.and_then(|case| case.gearbox.as_ref()),
-        &train.gearbox,
-    ) {
-        (Some(gearbox), _) => gearbox.parts.iter().map(|part| part.name.clone()).collect(),
-        (_, Some(gearbox)) => gearbox.parts.iter().map(|part| part.name.clone()).collect(),
-        (None, None) => return Ok(None),
+    let Some(stated) = &train.gearbox else {
+        return Ok(None);
     };
+    let names = stated.parts.iter().map(|part| part.name.clone()).collect();
     let mut loss_torque_nm = Vec::with_capacity(axes.points());
     for &temperature in &axes.temperature_c {
         for &torque in &axes.torque_nm {
             for &speed in &axes.speed_rpm {
                 let (torque, temperature) = (torque_of(torque), temperature_of(temperature));
                 let speed = speed_of(computed_speed(speed));
-                let at = OperatingPoint {
-                    torque,
-                    speed,
-                    temperature,
-                };
                 let lost = |mesh: &MeshPart| {
                     let all = mesh.loss_torque_nm[loss_torque_nm.len()].unwrap_or(0.0) * speed.si();
                     Power::from_si(all / f64::from(mesh.count))
                 };
                 let losses = train.by_stage(&of_meshes.iter().map(lost).collect::<Vec<_>>());
-                let parts = match of_pair {
-                    Some(case) => gearbox::parts(case, &at),
-                    None => {
-                        let at = MeshLoad { torque, speed };
-                        train_gearbox::parts(train, at, temperature, &losses)
-                    }
-                };
+                let at = MeshLoad { torque, speed };
+                let parts = gearbox::parts(train, at, temperature, &losses);
                 let parts = parts.map_err(|error| Error::Whole(Box::new(error)))?;
                 let loss: f64 = parts.iter().map(|part| part.loss_w).sum();
                 loss_torque_nm.push(loss / speed.si());
@@ -476,7 +456,6 @@ mod tests {
     use std::path::Path;
 
     use asperity::case::Source;
-    use asperity::case::gear_train::load_set;
 
     use super::*;
 
@@ -505,7 +484,7 @@ mod tests {
         );
         let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
         let folder = Path::new("../../fixtures/profiles");
-        let train = load_set(source, folder, &[], None).unwrap();
+        let train = Train::load_set(source, folder, &[], &|_| {}).unwrap();
         let prepared = Prepared::of(&train, Torque::from_si(80.0), &[1500.0]).unwrap();
         prepared.at((0, 1500.0), 90.0, false).unwrap();
         let meshes = prepared.meshes.iter().flat_map(BTreeMap::values);

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::balance::{self, Unbalanced, sum};
 use asperity::case::MeshLoad;
-use asperity::case::gear_train::{LoadedMesh, LoadedTrain};
+use asperity::case::train::{LoadedMesh, Train};
 use asperity::core::cancel::checkpoint;
 use asperity::fingerprint::Fingerprint;
 use asperity::flanks::Surfaces;
@@ -34,7 +34,7 @@ const SCHEMA_VERSION: u32 = 1;
 ///
 /// # Errors
 /// When there is no finish, or none of its points has a result.
-pub fn map<C: Clone + Into<LoadedTrain>>(
+pub fn map<C: Clone + Into<Train>>(
     finishes: &[Finish<C>],
     axes: &Axes,
     band: MapBand,
@@ -44,7 +44,7 @@ pub fn map<C: Clone + Into<LoadedTrain>>(
         name: finish.name.clone(),
         case: finish.case.clone().into(),
     });
-    let finishes: &[Finish<LoadedTrain>] = &trains.collect::<Vec<_>>();
+    let finishes: &[Finish<Train>] = &trains.collect::<Vec<_>>();
     let Some(Finish { case, .. }) = finishes.first() else {
         return Err(Error::Whole(Box::new(PositionError::NoProfile)));
     };
@@ -71,14 +71,14 @@ pub fn map<C: Clone + Into<LoadedTrain>>(
             && pairs.all(|(own, first)| own.has_flanks_of(first));
         maps.push(map);
     }
-    if let (Some(first), true) = (maps.first(), case.train.passes_losses) {
+    if let (Some(first), true) = (maps.first(), case.shafting.passes_losses) {
         gearbox = gearbox_of(case, axes, &first.meshes)?;
     }
     Ok(Map {
         schema_version: SCHEMA_VERSION,
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title: case.title.clone(),
-        scope: match case.pair() {
+        scope: match case.only() {
             Some(_) => "mesh".to_owned(),
             None => "meshes".to_owned(),
         },
@@ -93,8 +93,8 @@ pub fn map<C: Clone + Into<LoadedTrain>>(
 }
 
 /// Torque at the pinion of `mesh` over the torque of the input shaft, in the sign of the flanks.
-fn torque_ratio(train: &LoadedTrain, mesh: &LoadedMesh) -> f64 {
-    mesh.case.case.torque.si() / train.train.operation().torque.si()
+fn torque_ratio(train: &Train, mesh: &LoadedMesh) -> f64 {
+    mesh.case.case.torque.si() / train.shafting.operation().torque.si()
 }
 
 /// The torques of the input shaft at which a finish is computed \[N m\].
@@ -109,7 +109,7 @@ struct Sides {
 }
 
 impl Sides {
-    fn of(train: &LoadedTrain, axes: &Axes) -> Result<Self, Error> {
+    fn of(train: &Train, axes: &Axes) -> Result<Self, Error> {
         let has_coast = |mesh: &LoadedMesh| mesh.case.case.input.surface.coast.is_some();
         let has_coast = train.meshes().any(has_coast);
         // The mesh whose traces resolve least is decisive.
@@ -125,7 +125,7 @@ impl Sides {
             true => resolved(-1.0)?,
             false => drive,
         };
-        let differ = has_coast || train.train.passes_losses;
+        let differ = has_coast || train.shafting.passes_losses;
         let from = [drive, coast];
         let mut torques = [Vec::new(), Vec::new()];
         for &torque in &axes.torque_nm {
@@ -151,7 +151,7 @@ impl Sides {
 type Computed = BTreeMap<(usize, u64), Vec<Result<Evaluated, String>>>;
 
 fn of_finish(
-    finish: &Finish<LoadedTrain>,
+    finish: &Finish<Train>,
     sides: &Sides,
     (axes, speeds): (&Axes, &[f64]),
     band: MapBand,
@@ -213,7 +213,7 @@ fn of_finish(
         has_flanks_of_first: false,
         resolved_from_nm: sides.from,
         draws: draws(train, &computed, drawn, sides.differ, (axes, speeds)),
-        meshes: match train.pair() {
+        meshes: match train.only() {
             Some(_) => Vec::new(),
             None => of_meshes(train, &parts),
         },
@@ -225,7 +225,7 @@ fn of_finish(
 }
 
 /// Loss torques of each mesh at all points.
-fn of_meshes(train: &LoadedTrain, parts: &[Option<Vec<f64>>]) -> Vec<MeshPart> {
+fn of_meshes(train: &Train, parts: &[Option<Vec<f64>>]) -> Vec<MeshPart> {
     let meshes = train.meshes().zip(train.counts()).enumerate();
     let part = |(k, (mesh, count)): (usize, (&LoadedMesh, u32))| MeshPart {
         name: mesh.name.clone(),
@@ -237,7 +237,7 @@ fn of_meshes(train: &LoadedTrain, parts: &[Option<Vec<f64>>]) -> Vec<MeshPart> {
 
 /// Draws at the nodes of every side, mesh by mesh; none if a node has no result or the case no draws.
 fn draws(
-    train: &LoadedTrain,
+    train: &Train,
     computed: &Computed,
     nodes: [Nodes; 2],
     sides_differ: bool,
@@ -298,7 +298,7 @@ fn add_quantiles(map: &mut FinishMap) {
 
 /// A point with the loss torque of each mesh at the input shaft \[N m\].
 fn point(
-    train: &LoadedTrain,
+    train: &Train,
     computed: &Computed,
     sides: &Sides,
     speeds: &[f64],
@@ -350,7 +350,7 @@ fn point(
     };
     let of_meshes: Vec<Numbers> = evaluated.meshes.iter().map(of_mesh).collect();
     let found = match &of_meshes[..] {
-        [only] if train.pair().is_some() => Ok((*only, pinion_w(only, evaluated.omega, torque_nm))),
+        [only] if train.only().is_some() => Ok((*only, pinion_w(only, evaluated.omega, torque_nm))),
         _ => together(train, &of_meshes, evaluated.omega, torque_nm),
     };
     let checked = found.and_then(|(numbers, power_in_w)| {
@@ -369,11 +369,11 @@ fn point(
 }
 
 /// Inputs out of range in the meshes, with the name of the mesh in a train.
-fn outside(train: &LoadedTrain, evaluated: &Evaluated) -> Vec<String> {
+fn outside(train: &Train, evaluated: &Evaluated) -> Vec<String> {
     let meshes = train.meshes().zip(&evaluated.meshes);
     let of_mesh = |(mesh, evaluated): (&LoadedMesh, &EvaluatedMesh)| {
         let marks = evaluated.losses.outside.iter();
-        match train.pair() {
+        match train.only() {
             Some(_) => marks.cloned().collect::<Vec<String>>(),
             None => marks
                 .map(|mark| format!("{mark} ({})", mesh.name))
@@ -394,7 +394,7 @@ fn pinion_w(n: &Numbers, omega: f64, torque_nm: f64) -> f64 {
 
 /// Sums over all meshes of a train, and the power into the train \[W\]. Deviations add up as for independent flanks.
 fn together(
-    train: &LoadedTrain,
+    train: &Train,
     of_meshes: &[Numbers],
     omega: f64,
     torque_nm: f64,
@@ -415,7 +415,7 @@ fn together(
                 speed: AngularSpeed::from_si(omega),
             };
             train
-                .train
+                .shafting
                 .at(load)
                 .power_in(&train.by_stage(&losses))?
                 .si()
@@ -591,7 +591,7 @@ mod tests {
 
     /// Code of the point at `torque_nm` and 3000 1/min whose losses at 40 N m have a fault.
     fn code(
-        train: &LoadedTrain,
+        train: &Train,
         whole: &Evaluated,
         torque_nm: f64,
         fault: fn(&mut EvaluatedMesh),
@@ -620,7 +620,7 @@ mod tests {
         });
         let places: (&[f64], &[f64]) = (&[3000.0], &[90.0]);
         let torque = torque_of(40.0);
-        let train = LoadedTrain::from(case.unwrap());
+        let train = Train::from(case.unwrap());
         let mut found = evaluate(&train, torque, places, &|_, _| false, &|| ());
         let whole = found.remove(0).unwrap();
         // As computed, with the wheel driving, and below the smallest torque that the traces resolve.

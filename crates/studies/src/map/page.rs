@@ -241,7 +241,7 @@ fn field(map: &Map, finish: &FinishMap, temperature: usize, of: &dyn Fn(&Point) 
 
 /// Marks that also apply at the operating point of the case, and so to the full map.
 fn usual<'a>(map: &Map, finish: &'a FinishMap) -> Vec<&'a str> {
-    let operation = map.input.operation();
+    let operation = &map.input.operation;
     let speed = operation.speed.si() * 30.0 / std::f64::consts::PI;
     let temperature = operation.stated_temperature().unwrap_or_default();
     let nearest = [operation.torque.si(), speed, temperature.celsius()];

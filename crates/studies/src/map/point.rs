@@ -1,6 +1,6 @@
 //! Data of a map.
 
-use asperity::case::{AnyInput, DefaultUsed};
+use asperity::case::{CaseInput, DefaultUsed};
 use asperity::result::Regime;
 use serde::{Deserialize, Serialize};
 
@@ -35,7 +35,11 @@ pub struct Map {
     /// Warnings with their points.
     pub warnings: Vec<MapWarning>,
     /// The case as read; each finish has its own traces.
-    pub input: AnyInput,
+    #[serde(
+        serialize_with = "CaseInput::store",
+        deserialize_with = "CaseInput::stored"
+    )]
+    pub input: CaseInput,
     /// All defaults used.
     pub defaults: Vec<DefaultUsed>,
 }
@@ -203,9 +207,9 @@ impl Map {
 
     /// Shafts at which power enters and leaves, in words.
     pub(crate) fn shafts(&self) -> [&'static str; 2] {
-        match self.input {
-            AnyInput::Mesh(_) => ["pinion", "wheel"],
-            _ => ["input shaft", "output"],
+        match self.finishes.iter().all(|finish| finish.meshes.is_empty()) {
+            true => ["pinion", "wheel"],
+            false => ["input shaft", "output"],
         }
     }
 }

@@ -8,7 +8,7 @@
 //! let case = case::load_with(file, &|input| {
 //!     (input.model.positions, input.model.offsets) = (Some(4), Some(4));
 //! })?;
-//! let found = sensitivity(&case, &|_, _| {})?;
+//! let found = sensitivity(&case.into(), &|_, _| {})?;
 //! let lower = found.rows.iter().find(|row| row.what == "heights of both flanks").ok_or("always there")?;
 //! assert!(lower.effect.as_ref().is_some_and(|effect| effect.difference_w < 0.0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -23,4 +23,4 @@ mod write;
 
 pub use bands::wavelength_bands;
 pub use changes::CHANGES;
-pub use study::{Effect, Refused, Sensitivity, SensitivityRow, sensitivity, sensitivity_of_train};
+pub use study::{Effect, Refused, Sensitivity, SensitivityRow, sensitivity};

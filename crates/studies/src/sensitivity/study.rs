@@ -1,11 +1,11 @@
 //! Computation of a sensitivity study.
 
 use asperity::case::LoadedCase;
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::core::cancel::checkpoint;
-use asperity::gear_train::settled;
 use asperity::pipeline::{Progress, contacts, losses, losses_with};
 use asperity::result::{Losses, Summary};
+use asperity::train::settled;
 use asperity::uncertainty::sampling_interval;
 use asperity::{Contacts, Error, PositionError};
 use asperity_core::quantity::Power;
@@ -96,13 +96,14 @@ impl Effect {
     }
 }
 
-/// Runs `case` and all its changes; `progress` is called with the number of completed runs.
-///
-/// # Errors
-/// When the case itself has no result. The row of a change without a result holds its error.
-pub fn sensitivity(case: &LoadedCase, progress: Progress<'_>) -> Result<Sensitivity, Error> {
-    let parts = case.case.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
-    let left_aside = parts.map(|part| part.name.clone()).collect();
+/// Loss and rows of a mesh.
+struct OfMesh {
+    loss_w: f64,
+    rows: Vec<SensitivityRow>,
+}
+
+/// Runs the mesh of `case` and all its changes.
+fn of_mesh(case: &LoadedCase, progress: Progress<'_>) -> Result<OfMesh, Error> {
     // The gearbox is removed: its loss table need not cover the temperatures of the changes.
     let mut mesh = case.clone();
     mesh.case.gearbox = None;
@@ -124,40 +125,31 @@ pub fn sensitivity(case: &LoadedCase, progress: Progress<'_>) -> Result<Sensitiv
         checkpoint()?;
         progress(1 + rows.len(), runs);
     }
-    Ok(Sensitivity {
-        title: case.case.title.clone(),
+    Ok(OfMesh {
         loss_w: base.summary.loss_w,
-        efficiency: base.summary.efficiency,
-        left_aside,
         rows,
     })
 }
 
-/// Runs every mesh of a gear train and all its changes. A change that all meshes have is made in all of them, another one
+/// Runs every mesh of a case and all its changes; `progress` is called with the number of completed runs. A change that all meshes have is made in all of them, another one
 /// has the name of its mesh. Oil temperature and torques are held where they follow from the losses. The intervals by the sampling of the flanks add up, as for equal flanks.
 ///
 /// # Errors
-/// As [`sensitivity`], and when a shaft has no speed or torque.
-pub fn sensitivity_of_train(
-    train: &LoadedTrain,
-    progress: Progress<'_>,
-) -> Result<Sensitivity, Error> {
-    if let Some(pair) = train.pair() {
-        return sensitivity(pair, progress);
-    }
+/// When a mesh has no result, or a shaft no speed or torque. The row of a change without a result holds its error.
+pub fn sensitivity(train: &Train, progress: Progress<'_>) -> Result<Sensitivity, Error> {
     let train = &settled(train)?;
     let parts = train.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
     let left_aside = parts.map(|part| part.name.clone()).collect();
     let counts = train.counts();
-    let mut of_meshes: Vec<Sensitivity> = Vec::new();
+    let mut of_meshes: Vec<OfMesh> = Vec::new();
     for (k, mesh) in train.meshes().enumerate() {
         let shown = |done, of| progress(k * of + done, counts.len() * of);
-        of_meshes.push(sensitivity(&mesh.case, &shown)?);
+        of_meshes.push(of_mesh(&mesh.case, &shown)?);
     }
     let losses = of_meshes.iter().map(|mesh| Power::from_si(mesh.loss_w));
     let losses: Vec<Power> = losses.collect();
     let loss_w = train.loss(&losses).si();
-    let power_in = train.train.power_in(&train.by_stage(&losses));
+    let power_in = train.shafting.power_in(&train.by_stage(&losses));
     let power_in = power_in.map_err(|error| Box::new(PositionError::Gear(error)))?;
     let mut rows: Vec<SensitivityRow> = Vec::new();
     for (mesh, study) in train.meshes().zip(&of_meshes) {
@@ -169,7 +161,7 @@ pub fn sensitivity_of_train(
                 Some(_) if rows.iter().any(|known| known.is_change_of(row)) => {}
                 Some(all) => rows.push(together(row, all.into_iter().zip(counted), loss_w)),
                 None => {
-                    let is_own = |other: &Sensitivity| std::ptr::eq(other, study);
+                    let is_own = |other: &OfMesh| std::ptr::eq(other, study);
                     let own = of_meshes.iter().zip(counted);
                     let count = own
                         .filter(|(other, _)| is_own(other))

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::case::{FILE_KEYS, FileSums};
 use toml::Value;
 
@@ -72,7 +72,7 @@ impl Axes {
     }
 
     /// Hashes of the files that `case` reads at any point of the axes.
-    pub(super) fn files(&self, case: &LoadedTrain) -> FileSums {
+    pub(super) fn files(&self, case: &Train) -> FileSums {
         let mut inputs = vec![case.input.clone()];
         for axis in self.0.iter().filter(|axis| axis.names_files()) {
             let crossed = inputs.iter().flat_map(|input| {

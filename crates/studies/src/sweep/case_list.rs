@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use asperity::case::gear_train::LoadedTrain;
 use asperity::case::nearest_name;
+use asperity::case::train::Train;
 use asperity::profile_io::read::table_text;
 use asperity_core::numerics::standard_normal_quantile;
 use asperity_table::Table;
@@ -359,10 +359,7 @@ fn list(study: &Study) -> Result<Sample, SweepError> {
 }
 
 /// Resolves a case of a study from its inputs, with its id.
-pub(super) fn resolved(
-    study: &Study,
-    inputs: &CaseInputs,
-) -> Result<(LoadedTrain, String), SweepError> {
+pub(super) fn resolved(study: &Study, inputs: &CaseInputs) -> Result<(Train, String), SweepError> {
     let base = &study.case;
     let mut input = base.input.clone();
     for (key, value) in &inputs.settings {

@@ -1,8 +1,8 @@
 //! Columns of the results of a case.
 
-use asperity::case::gear_train::LoadedTrain;
-use asperity::gear_train::{MeshRow, TrainResult};
+use asperity::case::train::Train;
 use asperity::result::Summary;
+use asperity::train::{MeshRow, Whole};
 use serde_json::{Value, json};
 
 /// Columns that need the draws of a case.
@@ -23,7 +23,7 @@ pub(super) fn needs_draws(name: &str) -> bool {
 
 /// The numbers of a gear train by the names of their columns, which are those of a pair of gears where both have them; those
 /// of its meshes begin with `mesh.NAME.`.
-pub(super) fn numbers_of(result: &TrainResult) -> Value {
+pub(super) fn numbers_of(result: &Whole) -> Value {
     let kinds = &result.kinds;
     let gearbox = result.gearbox.as_ref();
     let mut numbers = json!({
@@ -51,8 +51,8 @@ pub(super) fn numbers_of(result: &TrainResult) -> Value {
 }
 
 /// Names of all numbers that a case of the study can have in its row.
-pub(super) fn known_columns(case: &LoadedTrain) -> Vec<String> {
-    let numbers = match case.pair() {
+pub(super) fn known_columns(case: &Train) -> Vec<String> {
+    let numbers = match case.only() {
         Some(_) => {
             let mut summary = Summary::default();
             summary.gearbox_efficiency = Some(0.0);
@@ -61,7 +61,7 @@ pub(super) fn known_columns(case: &LoadedTrain) -> Vec<String> {
             json!(summary)
         }
         None => {
-            let mut train = TrainResult::default();
+            let mut train = Whole::default();
             train.meshes.extend(case.meshes().map(|mesh| {
                 let mut row = MeshRow::default();
                 row.mesh.clone_from(&mesh.name);

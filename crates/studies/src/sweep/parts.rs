@@ -90,16 +90,13 @@ pub(super) fn outputs(study: &Study) -> Vec<String> {
         return columns.clone();
     }
     let train = &study.case;
-    let has_gearbox = match train.pair() {
-        Some(pair) => pair.case.gearbox.is_some(),
-        None => train.gearbox.is_some(),
-    };
-    let of_pair = OF_PAIR.iter().filter(|_| train.pair().is_some());
-    let of_gearbox = OF_GEARBOX.iter().filter(|_| has_gearbox);
+    let is_only = train.only().is_some();
+    let of_pair = OF_PAIR.iter().filter(|_| is_only);
+    let of_gearbox = OF_GEARBOX.iter().filter(|_| train.gearbox.is_some());
     let usual = USUAL.iter().chain(of_pair).chain(of_gearbox);
     let mut names: Vec<String> = usual.map(ToString::to_string).collect();
     names.extend(train.heat.iter().map(|_| "oil_c".to_owned()));
-    if train.pair().is_none() {
+    if !is_only {
         names.extend(
             train
                 .meshes()

@@ -7,14 +7,14 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use asperity::case::LoadedCase;
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::core::cancel::checkpoint;
-use asperity::gear_train::{run_train, train_losses};
 use asperity::message::{Warning, outside_codes};
-use asperity::pipeline::{KeptFields, losses, losses_with};
-use asperity::result::{Losses, Summary};
-use asperity::uncertainty::{Predictive, Quantiles, predictive};
-use asperity::{ContactStore, Error, Run};
+use asperity::pipeline::{losses, losses_with};
+use asperity::result::Losses;
+use asperity::train;
+use asperity::uncertainty::{Predictive, predictive};
+use asperity::{ContactStore, Error};
 use rayon::prelude::*;
 use serde_json::Value;
 
@@ -189,14 +189,14 @@ pub(super) fn rows_of(
 
 /// Whether the meshes of a case run with the contacts that are stored for it: torques that follow from losses are not known
 /// before.
-fn uses_store(study: &Study, train: &LoadedTrain) -> bool {
-    !train.train.passes_losses && study.input.detail.unwrap_or_default() != Detail::Contacts
+fn uses_store(study: &Study, train: &Train) -> bool {
+    !train.shafting.passes_losses && study.input.detail.unwrap_or_default() != Detail::Contacts
 }
 
 /// The row of a case, or its code where it cannot be resolved.
 fn row(
     study: &Study,
-    (number, inputs, case): (usize, CaseInputs, Result<(LoadedTrain, String), String>),
+    (number, inputs, case): (usize, CaseInputs, Result<(Train, String), String>),
     names: &[String],
     store: &ContactStore,
 ) -> Vec<String> {
@@ -236,64 +236,55 @@ struct Found {
 
 fn result(
     study: &Study,
-    case: &LoadedTrain,
+    case: &Train,
     store: &ContactStore,
     with_draws: bool,
 ) -> Result<Found, Error> {
-    let columns = |median, [low, high]: [f64; 2]| [median, low, high];
-    let of_draws = |found: Quantiles| columns(found.median_w, found.quantiles_w);
     let with_contacts = study.input.detail.unwrap_or_default() == Detail::Contacts;
-    let of_mesh = |case: &LoadedCase| mesh_losses(case, store, with_draws);
     let codes = |warnings: &[Warning]| {
         let codes = warnings.iter().map(|warning| warning.code.to_string());
         codes.collect::<BTreeSet<String>>()
     };
-    let joined = |codes: &BTreeSet<String>| outside_codes(codes.iter().map(String::as_str));
-    let Some(pair) = case.pair() else {
-        let (found, mut outside) = match with_contacts {
-            true => {
-                let found = run_train(case, &KeptFields::Highest, with_draws, &|_, _| {})?;
-                let meshes = found.meshes.iter();
-                let outside = meshes.flat_map(|mesh| codes(&mesh.result.warnings));
-                (found.result, outside.collect())
-            }
-            false => {
-                let outside = RefCell::new(BTreeSet::new());
-                let noted = |case: &LoadedCase| {
-                    let (losses, draws) = of_mesh(case)?;
-                    outside.borrow_mut().extend(codes(&losses.warnings));
-                    Ok((losses, draws))
-                };
-                let found = train_losses(case, &noted)?;
-                (found, outside.into_inner())
-            }
-        };
-        let mut parts = found.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
-        if parts.any(|part| !part.outside.is_empty()) {
-            outside.insert("W401".to_owned());
+    let (found, summaries, mut outside) = match with_contacts {
+        true => {
+            let found = train::run(case, None, with_draws, &|_, _| {})?;
+            let meshes = found.meshes.into_iter().map(|mesh| mesh.result);
+            let (summaries, outside): (Vec<_>, Vec<_>) = meshes
+                .map(|mesh| (mesh.summary, codes(&mesh.warnings)))
+                .unzip();
+            let outside: BTreeSet<String> = outside.into_iter().flatten().collect();
+            (found.whole, summaries, outside)
         }
-        return Ok(Found {
-            numbers: numbers_of(&found),
-            drawn: found.loss_distribution.map(of_draws),
-            outside: joined(&outside),
-        });
+        false => {
+            let noted = RefCell::new((Vec::new(), BTreeSet::new()));
+            let of_mesh = |case: &LoadedCase| {
+                let (losses, draws) = mesh_losses(case, store, with_draws)?;
+                let (summaries, outside) = &mut *noted.borrow_mut();
+                summaries.push(losses.summary.clone());
+                outside.extend(codes(&losses.warnings));
+                Ok((losses, draws))
+            };
+            let found = train::losses(case, &of_mesh)?;
+            let (summaries, outside) = noted.into_inner();
+            (found, summaries, outside)
+        }
     };
-    let numbers = |summary: &Summary| serde_json::to_value(summary).unwrap_or_default();
-    if with_contacts {
-        let run = Run::new(pair).without_pictures().band(with_draws);
-        let found = run.execute()?.result;
-        let drawn = found.uncertainty.map(|found| found.loss);
-        return Ok(Found {
-            numbers: numbers(&found.summary),
-            drawn: drawn.map(|loss| columns(loss.median_w, loss.quantiles_w)),
-            outside: joined(&codes(&found.warnings)),
-        });
+    let mut parts = found.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
+    if parts.any(|part| !part.outside.is_empty()) {
+        outside.insert("W401".to_owned());
     }
-    let (losses, draws) = of_mesh(pair)?;
+    let numbers = match (case.only(), &summaries[..]) {
+        (Some(_), [summary]) => serde_json::to_value(summary).unwrap_or_default(),
+        _ => numbers_of(&found),
+    };
+    let drawn = found.loss_distribution;
     Ok(Found {
-        numbers: numbers(&losses.summary),
-        drawn: draws.map(|draws| of_draws(Quantiles::of(&draws.draws_w()))),
-        outside: joined(&codes(&losses.warnings)),
+        numbers,
+        drawn: drawn.map(|drawn| {
+            let [low, high] = drawn.quantiles_w;
+            [drawn.median_w, low, high]
+        }),
+        outside: outside_codes(outside.iter().map(String::as_str)),
     })
 }
 

@@ -1,6 +1,6 @@
 //! Keys of a case that a study sets.
 
-use asperity::case::{AnyInput, DefaultUsed};
+use asperity::case::{CaseInput, DefaultUsed};
 use toml::Value;
 
 use super::error::SweepError;
@@ -11,7 +11,7 @@ pub(super) type Settings = Vec<(String, String)>;
 /// Sets a key of the case. A number at its end is an index in a list of the case or its defaults, as in
 /// `gears.profile_shift.0`.
 pub(super) fn set(
-    input: &mut AnyInput,
+    input: &mut CaseInput,
     defaults: &[DefaultUsed],
     key: &str,
     value: &str,

@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::gear_train::{self, LoadedTrain};
-use asperity::case::{self, FileSums};
+use asperity::case::{FileSums, Train};
 use asperity::fingerprint::Fingerprint;
 use asperity_storage::{whole_file, whole_text};
 
@@ -23,7 +22,7 @@ pub(super) const LARGEST_TABLE: u64 = 1_000_000_000;
 pub struct Study {
     pub(super) input: StudyInput,
     /// The case of the study, a pair of gears or a gear train.
-    pub case: LoadedTrain,
+    pub case: Train,
     /// Name of the study, without folder and extension.
     pub name: String,
     /// First sixteen hexadecimal digits of the fingerprint of all inputs of the study: the study, its table, the case, the
@@ -69,11 +68,7 @@ impl Study {
     ///
     /// # Errors
     /// When the text is not a valid study, or a file cannot be read.
-    pub fn of_case(
-        case: impl Into<LoadedTrain>,
-        text: &str,
-        folder: &Path,
-    ) -> Result<Self, SweepError> {
+    pub fn of_case(case: impl Into<Train>, text: &str, folder: &Path) -> Result<Self, SweepError> {
         let input = serde_json::from_str(text).map_err(|error| SweepError::Study {
             path: IN_MEMORY.into(),
             message: error.to_string(),
@@ -85,7 +80,7 @@ impl Study {
     fn of(
         input: StudyInput,
         text: &str,
-        case: LoadedTrain,
+        case: Train,
         (name, folder): (String, PathBuf),
     ) -> Result<Self, SweepError> {
         let table = match input
@@ -122,28 +117,13 @@ impl Study {
     }
 }
 
-/// The case in `file`, or the mesh called `mesh` of the gear train in it.
-fn case_of(file: &Path, mesh: Option<&str>) -> Result<LoadedTrain, SweepError> {
-    let refused = |message: String| SweepError::Study {
+/// The case in `file`, or its mesh called `mesh`.
+fn case_of(file: &Path, mesh: Option<&str>) -> Result<Train, SweepError> {
+    let train = Train::load(file)?;
+    let Some(mesh) = mesh else { return Ok(train) };
+    train.of_mesh(mesh).map_err(|error| SweepError::Study {
         path: file.to_owned(),
-        message,
-    };
-    let (train, mesh) = match (gear_train::load(file)?, mesh) {
-        (None, None) => return Ok(case::load(file, None)?.into()),
-        (None, Some(_)) => {
-            return Err(refused(
-                "has a single mesh; leave `mesh` out of the study".to_owned(),
-            ));
-        }
-        (Some(train), None) => return Ok(train),
-        (Some(train), Some(mesh)) => (train, mesh),
-    };
-    let found = train.mesh(mesh).map(|mesh| mesh.case.clone().into());
-    found.ok_or_else(|| {
-        let names = train.names();
-        refused(format!(
-            "`mesh` of the study must name one of the meshes {names}"
-        ))
+        message: format!("`mesh` of the study must name one of the meshes: {error}"),
     })
 }
 

@@ -7,21 +7,23 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
-use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
-use super::case_file::{CaseFile, Checked, remove_replaced};
+use super::case_file::{
+    CaseFile, VALID, VALID_OF_NAMED, names_meshes, remove_replaced, schema_with,
+};
 use super::known_keys::first_unknown;
-use super::parsed::from_table;
 use super::plain_words::plain;
 use super::written;
 use crate::case::error::CaseError;
-use crate::case::files::Files;
+use crate::case::files::{Files, Reader};
 use crate::case::input::{CaseInput, TEMPERATURE_KEYS};
 use crate::case::loaded::{LoadedCase, complete};
 use crate::case::ranges::impossible;
 use crate::case::source::{MeshKeys, Source};
+use crate::case::train::Train;
+use crate::case::train_input::OfAllMeshes;
 use crate::error::Error;
 
 /// No case has more errors than keys.
@@ -34,7 +36,7 @@ pub struct Findings {
     /// Every error, in the order of the checks; empty if the case can be run.
     pub errors: Vec<Error>,
     /// The case with its traces; `None` after an error.
-    pub case: Option<LoadedCase>,
+    pub case: Option<Train>,
 }
 
 /// Reads the case in `source` and the traces it names relative to `folder`, with keys set by their paths.
@@ -50,7 +52,7 @@ pub fn check(source: Source, folder: &Path, set: &[(String, String)]) -> Finding
 }
 
 /// The errors with the text that they share.
-pub(super) fn in_text(errors: Vec<CaseError>, text: Source) -> Vec<Error> {
+fn in_text(errors: Vec<CaseError>, text: Source) -> Vec<Error> {
     let text = Arc::new(text);
     let errors = errors.into_iter();
     errors
@@ -63,20 +65,67 @@ fn all(
     folder: &Path,
     set: &[(String, String)],
     errors: &mut Vec<CaseError>,
-) -> Option<LoadedCase> {
-    let (input, mending) = readable::<CaseInput>(source, set, errors)?;
-    completed(input, source, folder, mending, errors)
+) -> Option<Train> {
+    let (input, mending) = readable(source, set, errors)?;
+    if !input.names_meshes() {
+        return completed(input, source, folder, mending, errors).map(Train::from);
+    }
+    errors.extend(impossible(&OfAllMeshes(&input), source));
+    let files = Files::in_folder(folder);
+    let parts = match input.parts(source, Reader::of(&files)) {
+        Ok(parts) => parts,
+        Err(error) => {
+            let is_blamed = CaseInput::NAMED.iter().any(|table| mending.is_known(table));
+            let is_known = errors
+                .iter()
+                .any(|known| identity(known) == identity(&error));
+            if !is_blamed && !is_known {
+                errors.push(error);
+            }
+            return None;
+        }
+    };
+    let mut cases = Vec::new();
+    for mesh in parts.meshes() {
+        let source = source.of_mesh(&mesh.keys);
+        let mending = mending.of_mesh(&mesh.keys)?;
+        let mut of_mesh = Vec::new();
+        cases.extend(completed(
+            mesh.case.clone(),
+            &source,
+            folder,
+            mending,
+            &mut of_mesh,
+        ));
+        // Errors of shared keys occur in all meshes.
+        let known: BTreeSet<_> = errors.iter().map(identity).collect();
+        let is_new = |error: &CaseError| !known.contains(&identity(error));
+        errors.extend(of_mesh.into_iter().filter(is_new));
+    }
+    let is_whole = cases.len() == parts.meshes().count();
+    is_whole.then(|| Train::of(parts, cases, input))
+}
+
+/// Identity of an error: its code with its line, or with its text if it has no line.
+fn identity(error: &CaseError) -> (&'static str, Option<usize>, String) {
+    let line = error.place().and_then(|place| place.line);
+    let text = line.map_or_else(|| error.to_string(), |_| String::new());
+    (error.code(), line, text)
 }
 
 /// The case in `source` with keys set by their paths; values that cannot be read are recorded and replaced by valid ones.
-pub(super) fn readable<T: Checked>(
+fn readable(
     source: &mut Source,
     set: &[(String, String)],
     errors: &mut Vec<CaseError>,
-) -> Option<(T, Mending)> {
+) -> Option<(CaseInput, Mending)> {
+    let right = match names_meshes(source) {
+        true => VALID_OF_NAMED,
+        false => VALID,
+    };
     let mut mending = Mending {
-        right: T::VALID.parse().ok()?,
-        schema: T::schema(),
+        right: right.parse().ok()?,
+        schema: CaseInput::schema_of(source),
         blamed: BTreeSet::new(),
         replaced: BTreeSet::new(),
     };
@@ -88,7 +137,7 @@ pub(super) fn readable<T: Checked>(
         }
     };
     remove_unknown(&mut table, source, &mut mending, errors);
-    let mut input: T = mending.read(table, source, errors)?;
+    let mut input = mending.read(table, source, errors)?;
     for (key, value) in set {
         if let Err(error) = input.set_in(source, key, value) {
             mending.blamed.insert(part_of(key).to_owned());
@@ -99,7 +148,7 @@ pub(super) fn readable<T: Checked>(
 }
 
 /// The case with its traces; every error of its completion is recorded.
-pub(super) fn completed(
+fn completed(
     mut input: CaseInput,
     source: &Source,
     folder: &Path,
@@ -131,7 +180,7 @@ pub(super) fn completed(
 }
 
 /// Parts with errors, and parts replaced so far.
-pub(super) struct Mending {
+struct Mending {
     /// A valid case.
     right: Table,
     /// Schema of the case.
@@ -144,19 +193,19 @@ pub(super) struct Mending {
 
 impl Mending {
     /// The parts of a mesh of a gear train.
-    pub(super) fn of_mesh(&self, mesh: &MeshKeys) -> Option<Self> {
+    fn of_mesh(&self, mesh: &MeshKeys) -> Option<Self> {
         let blamed = self.blamed.iter().chain(&self.replaced);
         let in_mesh = blamed.map(|part| mesh.in_mesh(part).unwrap_or_else(|| part.clone()));
         Some(Self {
-            right: CaseInput::VALID.parse().ok()?,
-            schema: CaseInput::schema(),
+            right: VALID.parse().ok()?,
+            schema: schema_with(false),
             blamed: in_mesh.map(|part| part_of(&part).to_owned()).collect(),
             replaced: BTreeSet::new(),
         })
     }
 
     /// Whether `part` has an error, or was replaced.
-    pub(super) fn is_known(&self, part: &str) -> bool {
+    fn is_known(&self, part: &str) -> bool {
         self.blamed.contains(part) || self.replaced.contains(part)
     }
 
@@ -166,14 +215,14 @@ impl Mending {
     }
 
     /// The case, with valid values in place of those that cannot be read.
-    fn read<T: DeserializeOwned>(
+    fn read(
         &mut self,
         mut table: Table,
         source: &Source,
         errors: &mut Vec<CaseError>,
-    ) -> Option<T> {
+    ) -> Option<CaseInput> {
         for _ in 0..MAX_ERRORS {
-            let (key, message) = match from_table(table.clone()) {
+            let (key, message) = match CaseInput::from_keys(table.clone()) {
                 Ok(input) => return Some(input),
                 Err(error) => error,
             };
@@ -296,7 +345,7 @@ fn put_right(input: &mut CaseInput, part: &str, right: &Table) -> Option<()> {
     if let Some(Value::Table(inner)) = table.get_mut(of_part) {
         remove_replaced(inner, part);
     }
-    *input = from_table(table).ok()?;
+    *input = CaseInput::from_keys(table).ok()?;
     Some(())
 }
 

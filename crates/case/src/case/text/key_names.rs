@@ -2,10 +2,9 @@
 
 use std::borrow::Cow;
 
-use super::case_file::CaseFile;
+use super::case_file::schema_with;
 use super::known_keys::first_unknown;
 use super::plain_words::plain;
-use crate::case::input::CaseInput;
 
 /// A row: the table of the case file, the name in the equation, the key. A name that equals its key except for blanks has no
 /// row.
@@ -43,7 +42,7 @@ pub(crate) fn key_of(table: &'static str, name: &str) -> Cow<'static, str> {
         return (*key).into();
     }
     let key = format!("{table}.{}", name.replace(' ', "_"));
-    match first_unknown(CaseInput::schema(), std::iter::once(key.as_str())) {
+    match first_unknown(schema_with(false), std::iter::once(key.as_str())) {
         None => key.into(),
         Some(_) => table.into(),
     }
@@ -52,5 +51,5 @@ pub(crate) fn key_of(table: &'static str, name: &str) -> Cow<'static, str> {
 /// The message about a key that is missing in `table`.
 pub(crate) fn missing_key(table: &str, key: &str) -> String {
     let message = format!("missing field `{key}`");
-    plain(CaseInput::schema(), Some(table), &message)
+    plain(schema_with(false), Some(table), &message)
 }

@@ -8,21 +8,129 @@ use asperity_storage::whole_file;
 
 use super::case_file::CaseFile;
 use crate::case::error::CaseError;
-use crate::case::files::{Content, FileContents, Files};
+use crate::case::files::{Content, FileContents, Files, Reader};
 use crate::case::input::CaseInput;
 use crate::case::loaded::{LoadedCase, complete, keep_oil};
 use crate::case::model::Formulation;
-use crate::case::source::Source;
+use crate::case::source::{MeshKeys, Source};
+use crate::case::train::Train;
 use crate::error::Error;
 
 /// Resolver of the files that a case text names: from the name in the text to the bytes.
 pub type Resolver<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
 
-/// Reads the case file `path` and the traces it names; `formulation` takes precedence over that of the file.
+/// Change of the case of every mesh before its defaults are filled in.
+pub type Change<'a> = &'a dyn Fn(&mut CaseInput);
+
+impl Train {
+    /// Reads the case file `path` and the traces it names.
+    ///
+    /// # Errors
+    /// When a file cannot be read or holds impossible values. The error holds the source if it could be read, so that the
+    /// place can be shown.
+    pub fn load(path: &Path) -> Result<Self, Error> {
+        let folder = path.parent().unwrap_or(Path::new("."));
+        Self::load_set(open(path)?, folder, &[], &|_| {})
+    }
+
+    /// Reads the case in `source`, whose files are in `folder`, with keys set by their paths as [`CaseInput::set`] takes them,
+    /// and a change of every mesh.
+    ///
+    /// # Errors
+    /// As for [`load`](Self::load), or when a key is not known or its value cannot be read.
+    pub fn load_set(
+        source: Source,
+        folder: &Path,
+        set: &[(String, String)],
+        change: Change<'_>,
+    ) -> Result<Self, Error> {
+        Self::load_holding(source, Some(folder), FileContents::new(), set, change)
+    }
+
+    /// Reads a case as [`load_set`](Self::load_set) does, with files in memory, which come before those on disk; without a
+    /// folder no file on disk is read.
+    ///
+    /// # Errors
+    /// As for [`load_set`](Self::load_set).
+    pub fn load_holding(
+        source: Source,
+        folder: Option<&Path>,
+        contents: FileContents,
+        set: &[(String, String)],
+        change: Change<'_>,
+    ) -> Result<Self, Error> {
+        let mut source = source;
+        let files = Files::holding(folder, contents);
+        let loaded = read(&mut source, (files, None), set, change);
+        loaded.map_err(|error| Error::in_text(error, source))
+    }
+
+    /// Reads a case from the TOML `text` of its keys and the content of its files; no file on disk is read. Messages use `name`.
+    ///
+    /// # Errors
+    /// As for [`load`](Self::load).
+    pub fn from_contents(name: &str, text: &str, contents: FileContents) -> Result<Self, Error> {
+        let mut source = Source::new("case.toml", text)?;
+        // The text is TOML, whatever the name ends in.
+        name.clone_into(&mut source.name);
+        Self::load_holding(source, None, contents, &[], &|_| {})
+    }
+
+    /// Reads a case from its `text`; the files it names come from `resolver`, so that no file system is needed.
+    /// Messages use `name`; the text is JSON if it ends in `.json`, TOML otherwise.
+    ///
+    /// # Errors
+    /// As for [`load`](Self::load), or when the resolver refuses a file.
+    pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<Self, Error> {
+        let mut source = Source::from_bytes(name, text.as_bytes())?;
+        let files = (Files::default(), Some(resolver));
+        let loaded = read(&mut source, files, &[], &|_| {});
+        loaded.map_err(|error| Error::in_text(error, source))
+    }
+}
+
+/// The case in `source` with keys set past the text and a change of every mesh; `resolver` gives files that are not held.
+fn read(
+    source: &mut Source,
+    (mut files, resolver): (Files, Option<Resolver<'_>>),
+    set: &[(String, String)],
+    change: Change<'_>,
+) -> Result<Train, CaseError> {
+    let stated = CaseInput::read(source)?;
+    let mut input = stated.clone();
+    for (key, value) in set {
+        input.set_in(source, key, value)?;
+    }
+    keep_oil(&stated, &mut input);
+    let in_mesh = |mesh: Option<&Arc<MeshKeys>>| match mesh {
+        Some(mesh) => source.of_mesh(mesh),
+        None => source.clone(),
+    };
+    if let Some(resolver) = resolver {
+        files.gather_tables(input.own_tables(), source, resolver)?;
+        for (case, mesh) in input.of_meshes(source, Reader::of(&files))? {
+            files.gather(&case, &in_mesh(mesh.as_ref()), resolver)?;
+        }
+    }
+    let files = Arc::new(files);
+    Train::made_of(input, source, Reader::of(&files), &|stated, mesh| {
+        let mut case = stated.clone();
+        change(&mut case);
+        keep_oil(stated, &mut case);
+        complete(
+            case,
+            &in_mesh(mesh.map(|mesh| &mesh.keys)),
+            Arc::clone(&files),
+            None,
+        )
+    })
+}
+
+/// Reads the case of a single mesh in the file `path`, and the traces it names; `formulation` takes precedence over that of the
+/// file.
 ///
 /// # Errors
-/// When a file cannot be read or holds impossible values. The error holds the source if it could be read, so that the
-/// place can be shown.
+/// As for [`Train::load`], and when the case has several meshes.
 pub fn load(path: &Path, formulation: Option<Formulation>) -> Result<LoadedCase, Error> {
     load_with(path, &|input| {
         if formulation.is_some() {
@@ -31,7 +139,16 @@ pub fn load(path: &Path, formulation: Option<Formulation>) -> Result<LoadedCase,
     })
 }
 
-/// Reads the case in `source`, whose files are in `folder`, with keys set by their paths as [`CaseInput::set`] takes them.
+/// Reads the case of a single mesh in the file `path`, and changes it before its defaults are filled in.
+///
+/// # Errors
+/// As for [`load`].
+pub fn load_with(path: &Path, change: Change<'_>) -> Result<LoadedCase, Error> {
+    let folder = path.parent().unwrap_or(Path::new("."));
+    load_holding(open(path)?, folder, &[], &[], change)
+}
+
+/// Reads the case of a single mesh as [`Train::load_set`] does.
 ///
 /// # Errors
 /// As for [`load`], or when a key is not known or its value cannot be read.
@@ -39,12 +156,12 @@ pub fn load_set(
     source: Source,
     folder: &Path,
     set: &[(String, String)],
-    change: &dyn Fn(&mut CaseInput),
+    change: Change<'_>,
 ) -> Result<LoadedCase, Error> {
     load_holding(source, folder, &[], set, change)
 }
 
-/// Reads a case as [`load_set`] does, with traces in memory under the names that the text gives their files.
+/// Reads the case of a single mesh as [`load_set`] does, with traces in memory under the names that the text gives their files.
 ///
 /// # Errors
 /// As for [`load_set`].
@@ -71,50 +188,19 @@ pub fn load_holding(
     folder: &Path,
     traces: &[(PathBuf, Profile)],
     set: &[(String, String)],
-    change: &dyn Fn(&mut CaseInput),
+    change: Change<'_>,
 ) -> Result<LoadedCase, Error> {
-    let mut source = source;
-    let mut files = Files::in_folder(folder);
-    for (name, trace) in traces {
-        files.hold(name, Content::Heights(Arc::new(trace.clone())));
-    }
-    match changed(&mut source, files, set, change) {
-        Ok(case) => Ok(case),
-        Err(error) => Err(Error::in_text(error, source)),
-    }
+    let held = traces.iter().map(|(name, trace)| {
+        let content = Content::Heights(Arc::new(trace.clone()));
+        (name.clone(), content)
+    });
+    Train::load_holding(source, Some(folder), held.collect(), set, change)?.into_only_mesh()
 }
 
-/// Completes the case in `source` with keys set past the text and a change.
-fn changed(
-    source: &mut Source,
-    files: Files,
-    set: &[(String, String)],
-    change: &dyn Fn(&mut CaseInput),
-) -> Result<LoadedCase, CaseError> {
-    let stated = CaseInput::read(source)?;
-    let mut input = stated.clone();
-    for (key, value) in set {
-        input.set_in(source, key, value)?;
-    }
-    change(&mut input);
-    keep_oil(&stated, &mut input);
-    complete(input, source, files.into(), None)
-}
-
-/// Reads the case file `path`, and changes the case before its defaults are filled in.
+/// Reads the case of a single mesh from its `text` as [`Train::from_text`] does.
 ///
 /// # Errors
-/// As for [`load`].
-pub fn load_with(path: &Path, change: &dyn Fn(&mut CaseInput)) -> Result<LoadedCase, Error> {
-    let folder = path.parent().unwrap_or(Path::new("."));
-    load_holding(open(path)?, folder, &[], &[], change)
-}
-
-/// Reads a case from its `text`; the files it names come from `resolver`, so that no file system is needed.
-/// Messages use `name`; the text is JSON if it ends in `.json`, TOML otherwise.
-///
-/// # Errors
-/// As for [`load`], or when the resolver refuses a file.
+/// As for [`Train::from_text`], and when the case has several meshes.
 ///
 /// ```
 /// use asperity_case::case;
@@ -133,17 +219,11 @@ pub fn load_with(path: &Path, change: &dyn Fn(&mut CaseInput)) -> Result<LoadedC
 /// # Ok::<(), asperity_case::error::Error>(())
 /// ```
 pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<LoadedCase, Error> {
-    let source = Source::from_bytes(name, text.as_bytes())?;
-    let read = || {
-        let input = CaseInput::read(&source)?;
-        let mut files = Files::default();
-        files.gather(&input, &source, resolver)?;
-        complete(input, &source, files.into(), None)
-    };
-    read().map_err(|error| Error::in_text(error, source.clone()))
+    Train::from_text(name, text, resolver)?.into_only_mesh()
 }
 
-/// Reads a case from the TOML `text` of its keys and the content of its files; no file on disk is read. Messages use `name`.
+/// Reads the case of a single mesh from the TOML `text` of its keys and the content of its files; no file on disk is read.
+/// Messages use `name`.
 ///
 /// ```
 /// use asperity_case::case;
@@ -156,13 +236,7 @@ pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<Loade
 /// # Errors
 /// As for [`load`].
 pub fn from_contents(name: &str, text: &str, contents: FileContents) -> Result<LoadedCase, Error> {
-    let mut source = Source::new("case.toml", text)?;
-    let read = CaseInput::read(&source);
-    // The text is TOML, whatever the name ends in.
-    name.clone_into(&mut source.name);
-    let files = Files::holding(None, contents);
-    let case = read.and_then(|input| complete(input, &source, files.into(), None));
-    case.map_err(|error| Error::in_text(error, source))
+    Train::from_contents(name, text, contents)?.into_only_mesh()
 }
 
 impl LoadedCase {
@@ -173,7 +247,7 @@ impl LoadedCase {
     pub fn with_key(&self, path: &str, value: &str) -> Result<Self, Error> {
         let mut input = self.case.input.clone();
         input.set(path, value)?;
-        self.changed_to(input, None)
+        Ok(self.changed_to(input, None)?)
     }
 }
 

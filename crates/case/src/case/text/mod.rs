@@ -2,7 +2,6 @@
 //!
 //! Built with the feature `case-files`; without it `no_text.rs` is in the place of this module.
 
-mod any_input;
 mod case_file;
 mod check;
 mod gathered;
@@ -17,16 +16,15 @@ mod parsed;
 mod plain_words;
 mod set;
 mod symbols;
-pub(super) mod train;
-pub(super) mod train_keys;
 mod written;
 
-pub use case_file::schema;
+pub(super) use case_file::is_key_of_named_meshes;
+pub use case_file::{schema, schema_of_named_meshes};
 pub use check::{Findings, check};
 pub(super) use key_names::{key_of, missing_key};
 pub use load::{
-    Resolver, from_contents, from_text, load, load_holding, load_set, load_with, open_source,
+    Change, Resolver, from_contents, from_text, load, load_holding, load_set, load_with,
+    open_source,
 };
 pub(super) use oil_file::oil_file;
 pub use page::markdown;
-pub(super) use train_keys::is_key_of_train;

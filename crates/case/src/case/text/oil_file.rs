@@ -7,7 +7,7 @@ use asperity_oil::LubricantInput;
 use serde::Deserialize;
 use serde_json::Value as Json;
 
-use super::case_file::{CaseFile, read_part};
+use super::case_file::{CaseFile, read_part, refuse_unknown, schema_with};
 use crate::case::calibration::{Calibrated, cholesky};
 use crate::case::error::CaseError;
 use crate::case::files::{Content, FileSums, Files, OIL_FILE, Reader};
@@ -17,9 +17,13 @@ use crate::case::section::Section;
 use crate::case::source::Source;
 
 impl CaseFile for OilFile {
-    fn schema() -> &'static Json {
+    fn schema_of(_: &Source) -> &'static Json {
         static SCHEMA: LazyLock<Json> = LazyLock::new(|| schemars::schema_for!(OilFile).to_value());
         &SCHEMA
+    }
+
+    fn schema(&self) -> &'static Json {
+        Self::schema_of(&Source::in_memory())
     }
 }
 
@@ -65,9 +69,11 @@ impl OilFile {
         if keys.peek().is_none() || !keys.all(|key| is_own(key) && !names_a_file(key)) {
             return Ok(None);
         }
-        CaseInput::refuse_unknown(source.key_paths(), |key| source.place_of_key(key))?;
+        refuse_unknown(schema_with(false), source.key_paths(), |key| {
+            source.place_of_key(key)
+        })?;
         let place = |key: &str| source.place_of(key);
-        let sheet: DataSheet = read_part(source.table()?, CaseInput::schema(), place)?;
+        let sheet: DataSheet = read_part(source.table()?, schema_with(false), place)?;
         Ok(Some(sheet.lubricant))
     }
 

@@ -1,18 +1,17 @@
 //! Keys of a case set by their path; the case as text.
 
-use serde::de::{DeserializeOwned, Error as _};
-use serde::{Deserialize, Deserializer, Serializer};
+use serde::de::Error as _;
+use serde::ser::Error as _;
+use serde::{Deserialize, Deserializer, Serialize as _, Serializer};
+use serde_json::Value as Json;
 use toml::Value;
 
-use super::case_file::{CaseFile, read_table, table_of};
-use super::parsed::{from_table, stated};
-use super::symbols::with_keys;
-use super::written;
+use super::case_file::CaseFile;
+use super::parsed::stated;
 use crate::case::builder::CaseBuilder;
-use crate::case::error::CaseError;
 use crate::case::input::CaseInput;
 use crate::case::source::Source;
-use crate::case::train_input::TrainCaseInput;
+use crate::case::train_input::without_nulls;
 use crate::error::Error;
 
 impl CaseInput {
@@ -46,20 +45,7 @@ impl CaseInput {
     /// # Errors
     /// When the key is not known or has no default; the case is then unchanged.
     pub fn unset(&mut self, path: &str) -> Result<(), Error> {
-        let path = &*with_keys(path);
-        let place = Source::in_memory().place_of(path);
-        Self::refuse_unknown(std::iter::once(path), |_| place.clone())?;
-        let mut root = table_of(self, &place)?;
-        let (above, last) = path.rsplit_once('.').unwrap_or(("", path));
-        let mut table = Some(&mut root);
-        for part in above.split('.').filter(|part| !part.is_empty()) {
-            table = table.and_then(|table| table.get_mut(part)?.as_table_mut());
-        }
-        if let Some(table) = table {
-            table.remove(last);
-        }
-        *self = read_table(root, |_| place.clone())?;
-        Ok(())
+        Ok(self.unset_at(path)?)
     }
 
     /// Reads the case in a stored result: for `#[serde(deserialize_with)]`, so that the code that reads every key is compiled
@@ -76,7 +62,17 @@ impl CaseInput {
     /// # Errors
     /// When the format cannot write a value.
     pub fn store<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        erased_serde::serialize(self, to)
+        if !self.names_meshes() {
+            return erased_serde::serialize(self, to);
+        }
+        // Steel and flanks of all meshes are stated in part.
+        let mut case = serde_json::to_value(self).map_err(S::Error::custom)?;
+        let meshes = case.get_mut("mesh").and_then(Json::as_object_mut);
+        for mesh in meshes.into_iter().flat_map(|meshes| meshes.values_mut()) {
+            strip_unstated(mesh);
+        }
+        strip_unstated(&mut case);
+        case.serialize(to)
     }
 
     /// The case as the text of a case file, which reads back to the same case.
@@ -84,14 +80,7 @@ impl CaseInput {
     /// # Errors
     /// When a value cannot be written as text, such as a path that is not Unicode.
     pub fn to_toml(&self) -> Result<String, Error> {
-        let place = Source::in_memory().place_of("");
-        let unwritten = |message: String| CaseError::Value {
-            place: place.clone(),
-            key: None,
-            message,
-        };
-        let text = written::long_file(self).map_err(|error| unwritten(error.to_string()))?;
-        Ok(text)
+        Ok(self.text()?)
     }
 }
 
@@ -106,24 +95,33 @@ impl CaseBuilder {
     }
 }
 
+fn strip_unstated(of: &mut Json) {
+    for table in ["material", "surface"] {
+        if let Some(keys) = of.get_mut(table) {
+            *keys = without_nulls(keys.take());
+        }
+    }
+}
+
 /// A case from its JSON in a stored result. Not generic, so that other crates do not compile it anew.
-pub(super) fn of_json(value: serde_json::Value) -> Result<CaseInput, String> {
-    of_json_object(value)
-}
-
-/// A gear train from its JSON in a stored result.
-pub(super) fn train_of_json(value: serde_json::Value) -> Result<TrainCaseInput, String> {
-    of_json_object(value)
-}
-
-fn of_json_object<T: DeserializeOwned>(value: serde_json::Value) -> Result<T, String> {
+fn of_json(value: serde_json::Value) -> Result<CaseInput, String> {
     let Some(Value::Table(table)) = stated(value) else {
         return Err("a case is a JSON object".to_owned());
     };
-    from_table(table).map_err(|(key, message)| match key {
+    CaseInput::from_keys(table).map_err(|(key, message)| match key {
         Some(key) => format!("{key}: {message}"),
         None => message,
     })
+}
+
+impl CaseInput {
+    /// Reads a case as the text of `source` states it; files that it names are not opened.
+    ///
+    /// # Errors
+    /// When a key is not known, or a value is missing or of the wrong kind, with its place.
+    pub fn of_source(source: &Source) -> Result<Self, Error> {
+        Self::read(source).map_err(|error| Error::in_text(error, source.clone()))
+    }
 }
 
 /// Reads a case from the text of a case file in TOML; files that it names are not opened.
@@ -131,7 +129,6 @@ impl std::str::FromStr for CaseInput {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self, Error> {
-        let source = Source::new("case", text)?;
-        Self::read(&source).map_err(|error| Error::in_text(error, source.clone()))
+        Self::of_source(&Source::new("case", text)?)
     }
 }

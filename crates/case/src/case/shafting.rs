@@ -2,7 +2,7 @@
 
 use asperity_core::quantity::{AngularSpeed, Power, Torque};
 use asperity_gear::GearError;
-use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage, TrainTorques};
+use asperity_gear::gear_train::{GearTrain, Shaft, Stage, Torques};
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySet};
 
 use super::resolve::Case;
@@ -76,7 +76,7 @@ impl MeshLoad {
 
 /// Shafts and stages of a case.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Train {
+pub struct Shafting {
     /// Shafts, the input shaft first, with the operating point.
     pub shafts: GearTrain,
     /// Gears of each stage.
@@ -87,32 +87,43 @@ pub struct Train {
 
 /// Speeds, torques and mesh loads of a gear train.
 #[derive(Debug, Clone, PartialEq)]
-pub struct TrainFlow {
+pub struct Flow {
     /// Speed of each shaft.
     pub speeds: Vec<AngularSpeed>,
     /// Torques of shafts and stages.
-    pub torques: TrainTorques,
+    pub torques: Torques,
     /// Load of each mesh of each stage.
     pub loads: Vec<Vec<MeshLoad>>,
 }
 
-impl TrainFlow {
+impl Flow {
     /// Power into the train through all shafts.
     #[must_use]
     pub fn power_in(&self) -> Power {
-        let powers = self.torques.shafts.iter().zip(&self.speeds);
-        let power_in = powers.map(|(torque, speed)| (torque.si() * speed.si()).max(0.0));
-        Power::from_si(power_in.sum())
+        Power::from_si(self.powers().map(|power| power.max(0.0)).sum())
+    }
+
+    /// Power out of the train through all shafts.
+    #[must_use]
+    pub fn power_out(&self) -> Power {
+        Power::from_si(self.powers().map(|power| (-power).max(0.0)).sum())
+    }
+
+    /// Power into the train at each shaft \[W\].
+    fn powers(&self) -> impl Iterator<Item = f64> {
+        let shafts = self.torques.shafts.iter().zip(&self.speeds);
+        shafts.map(|(torque, speed)| torque.si() * speed.si())
     }
 }
 
-impl Train {
+impl Shafting {
     /// The input shaft, by its place in [`GearTrain::shafts`].
     pub const INPUT: usize = 0;
 
     /// A pair of gears whose pinion is the input.
-    pub(super) fn of_pair(case: &Case) -> Self {
-        let shaft = |name: &str, stated: Option<MeshLoad>| TrainShaft {
+    #[must_use]
+    pub fn of_pair(case: &Case) -> Self {
+        let shaft = |name: &str, stated: Option<MeshLoad>| Shaft {
             name: name.to_owned(),
             speed: stated.map(|load| load.speed),
             torque: stated.map(|load| load.torque),
@@ -124,7 +135,7 @@ impl Train {
                     shaft("pinion", Some(MeshLoad::of(case))),
                     shaft("wheel", None),
                 ],
-                stages: vec![TrainStage {
+                stages: vec![Stage {
                     gears: [Self::INPUT, 1],
                     carrier: None,
                     teeth: [1.0, case.gears.ratio],
@@ -177,17 +188,26 @@ impl Train {
     ///
     /// # Errors
     /// When the stages do not determine a speed or torque, or a mesh carries no torque.
-    pub fn flow(&self, losses: &[Vec<Power>]) -> Result<TrainFlow, GearError> {
+    pub fn flow(&self, losses: &[Vec<Power>]) -> Result<Flow, GearError> {
         let speeds = self.shafts.speeds()?;
         let torques = self.torques(&speeds, losses)?;
         let loads = (0..self.kinds.len()).map(|k| {
             let first = losses.get(k).and_then(|losses| losses.first());
             self.loads(k, &speeds, torques.stages[k], first.copied())
         });
-        Ok(TrainFlow {
+        Ok(Flow {
             loads: loads.collect::<Result<_, _>>()?,
             speeds,
             torques,
+        })
+    }
+
+    /// Loss of all meshes, with the loss of one mesh of each kind in each stage.
+    #[must_use]
+    pub fn loss(&self, losses: &[Vec<Power>]) -> Power {
+        let stages = self.kinds.iter().zip(losses);
+        stages.fold(Power::from_si(0.0), |sum, (kind, of_each)| {
+            sum + kind.loss(of_each)
         })
     }
 
@@ -196,7 +216,7 @@ impl Train {
         &self,
         speeds: &[AngularSpeed],
         losses: &[Vec<Power>],
-    ) -> Result<TrainTorques, GearError> {
+    ) -> Result<Torques, GearError> {
         let stages = self.kinds.iter().zip(losses);
         let of_stages: Vec<Power> = stages.map(|(kind, losses)| kind.loss(losses)).collect();
         self.shafts.torques(speeds, &of_stages)
@@ -210,7 +230,7 @@ impl Train {
         &self,
         speeds: &[AngularSpeed],
         losses: &[Vec<Power>],
-    ) -> Result<TrainTorques, GearError> {
+    ) -> Result<Torques, GearError> {
         self.torques(speeds, if self.passes_losses { losses } else { &[] })
     }
 

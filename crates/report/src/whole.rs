@@ -1,164 +1,52 @@
-//! Result of a gear train: its folder with a table of its meshes and a result folder for each, its summary and its headline.
+//! Result of a gear train as a whole: its tables, its page, its summary and its headline.
 
 use std::path::Path;
 
-use asperity::case::gear_train::mesh_folder;
-use asperity::gear_train::{MeshRow, TrainOutcome, TrainResult};
+use asperity::case::train::mesh_folder;
 use asperity::message::Warning;
-use asperity_storage::{check_folder, replace_folder, write_among};
+use asperity::train::Whole;
 use maud::{Markup, html};
 
 use crate::error::ReportError;
-use crate::folder::{
-    Fields, FileText, PAGE, PLANETARY_MARK, TRAIN_MARK, check_fields, fill, json_text, load_points,
-    make_subfolder, texts, write_bytes,
-};
+use crate::folder::{FileText, PAGE, PLANETARY_MARK, TRAIN_MARK, json_text};
 use crate::html::band::evidence;
 use crate::html::gearbox::section;
-use crate::html::overview::warnings;
+use crate::html::overview::warnings as listed;
 use crate::html::page;
 use crate::printed::stated;
-use crate::ridges;
-use crate::summary::{besides_the_mesh, note, short_note, weightiest};
-use crate::tables;
+use crate::summary::besides_the_mesh;
+use crate::tables as csv;
 use crate::tiles::{Tile, TileKind};
-use crate::wrap::{COLUMNS, wrapped};
+use crate::wrap::wrapped;
 
-/// Kind of the folder in messages.
-const KIND: &str = "gear train result";
-
-/// Checks that the result of a gear train may be written as folder `target`, as [`crate::check_place`].
-///
-/// # Errors
-/// When `target` holds something else.
-pub fn check_train_place(target: &Path) -> Result<(), ReportError> {
-    Ok(check_folder(target, KIND)?)
-}
-
-/// Writes `outcome` as folder `target`: `train.json` (`planetary.json` of a case `[planetary]`), `meshes.csv`,
-/// `shafts.csv`, `report.html` and a result folder for each kind of mesh.
-///
-/// # Errors
-/// When a file cannot be written, or `target` holds something else.
-pub fn write_train(
-    outcome: &TrainOutcome,
-    target: &Path,
-    fields: &Fields,
-) -> Result<(), ReportError> {
-    for mesh in &outcome.meshes {
-        check_fields(mesh, fields)?;
-    }
-    replace_folder(target, KIND, |folder| {
-        for (name, text) in texts_of_whole(outcome)? {
-            write_bytes(&folder.join(name), &text)?;
-        }
-        for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
-            let place = folder.join(mesh_folder(&row.mesh));
-            make_subfolder(&place)?;
-            fill(mesh, &place, fields)?;
-        }
-        Ok(())
-    })
-}
-
-/// The files of [`write_train`] without fields, in memory, with the folders of the meshes in their names.
-///
-/// # Errors
-/// When a number is not finite.
-pub fn texts_of_train(outcome: &TrainOutcome) -> Result<Vec<(String, Vec<u8>)>, ReportError> {
-    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
-    let whole = texts_of_whole(outcome)?.into_iter();
-    files.extend(whole.map(|(name, text)| (name.to_owned(), text)));
-    for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
-        let folder = mesh_folder(&row.mesh);
-        let of_mesh = texts(mesh)?.into_iter();
-        files.extend(of_mesh.map(|(name, text)| (format!("{folder}/{name}"), text)));
-    }
-    Ok(files)
-}
-
-/// The files of the train without the folders of its meshes.
-fn texts_of_whole(outcome: &TrainOutcome) -> Result<Vec<FileText>, ReportError> {
-    let result = &outcome.result;
+/// The files of a train without the folders of its meshes; its page shows `warnings`.
+pub(crate) fn texts(result: &Whole, warnings: &[Warning]) -> Result<Vec<FileText>, ReportError> {
     let mark = match result.set {
         Some(_) => PLANETARY_MARK,
         None => TRAIN_MARK,
     };
-    let meshes = tables::text(Path::new("meshes.csv"), &result.meshes)?;
-    let shafts = tables::text(Path::new("shafts.csv"), &result.shafts)?;
+    let meshes = csv::text(Path::new("meshes.csv"), &result.meshes)?;
+    let shafts = csv::text(Path::new("shafts.csv"), &result.shafts)?;
     Ok(vec![
         (mark, json_text(Path::new(mark), result)?.into_bytes()),
         ("meshes.csv", meshes),
         ("shafts.csv", shafts),
-        (PAGE, summary_page(outcome).into_bytes()),
+        (PAGE, summary_page(result, warnings).into_bytes()),
     ])
 }
 
-/// Adds all points of the load map of each mesh to its folder in `target`, as `map.csv`.
-///
-/// # Errors
-/// When a file cannot be written.
-pub fn write_load_points_of_train(
-    outcome: &TrainOutcome,
-    target: &Path,
-) -> Result<(), ReportError> {
-    let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
-    let files = meshes.map(|(mesh, row)| {
-        let (name, text) = load_points(mesh)?;
-        Ok((format!("{}/{name}", mesh_folder(&row.mesh)), text))
-    });
-    let files = files.collect::<Result<Vec<_>, ReportError>>()?;
-    Ok(write_among(target, &files)?)
-}
-
-/// The result of a gear train for the terminal, with all warnings of its meshes.
-#[must_use]
-pub fn summary_of_train(outcome: &TrainOutcome) -> String {
-    let notes = warnings_of(outcome);
-    let notes = notes.iter().map(|warning| note(warning, COLUMNS));
-    tables_of_train(&outcome.result) + &notes.collect::<String>()
-}
-
-/// The result of a gear train for the terminal, with its own warnings, the ridges and at most one warning of each mesh, as [`crate::brief`].
-#[must_use]
-pub fn brief_of_train(outcome: &TrainOutcome) -> String {
-    let mut text = tables_of_train(&outcome.result);
-    let of_train = outcome.result.warnings.iter();
-    text.extend(of_train.map(|warning| short_note(warning, COLUMNS)));
-    for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
-        if let Some(ridges) = ridges::line(&mesh.result) {
-            let line = format!("{}: {ridges}", row.mesh);
-            text.push_str(&format!("{}\n", wrapped(&line, "  ")));
-        }
-        let warning = weightiest(&mesh.result);
-        text.extend(warning.map(|warning| short_note(&of_mesh(&warning, row), COLUMNS)));
-    }
-    text
-}
-
-/// A warning with the mesh that it is about.
-fn of_mesh(warning: &Warning, mesh: &MeshRow) -> Warning {
-    warning.with(&format!(" [{}]", mesh.mesh))
-}
-
-/// All warnings, with the names of the meshes.
-fn warnings_of(outcome: &TrainOutcome) -> Vec<Warning> {
-    let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
-    let warnings = meshes.flat_map(|(mesh, row)| {
-        let warnings = mesh.result.warnings.iter();
-        warnings.map(move |warning| of_mesh(warning, row))
-    });
-    let of_train = outcome.result.warnings.iter().cloned();
-    of_train.chain(warnings).collect()
+/// The line with efficiency and loss.
+pub(crate) fn headline(result: &Whole) -> String {
+    let [loss, efficiency] = result.with_bands();
+    format!("efficiency (meshes only)  {efficiency}   loss {loss}")
 }
 
 /// Losses, meshes and shafts of a gear train for the terminal.
-#[must_use]
-pub fn tables_of_train(result: &TrainResult) -> String {
-    let [loss, efficiency] = result.with_bands();
+pub(crate) fn tables(result: &Whole) -> String {
     let mut text = format!(
-        "{}\nefficiency (meshes only)  {efficiency}   loss {loss}\n  power in {:.2} kW\n",
+        "{}\n{}\n  power in {:.2} kW\n",
         asperity_storage::one_line(&result.title),
+        headline(result),
         1e-3 * result.powers_w()[0],
     );
     if let (Some([loss, efficiency]), Some(gearbox)) =
@@ -243,7 +131,7 @@ fn rpm(speed: f64) -> String {
 const LOSS: usize = 1;
 
 /// Names and values of the headline.
-fn headline(result: &TrainResult) -> Vec<[String; 2]> {
+fn named_values(result: &Whole) -> Vec<[String; 2]> {
     let [loss, efficiency] = result.with_bands();
     let row = |name: &str, value: String| [name.to_owned(), value];
     let mut rows = vec![
@@ -272,9 +160,8 @@ fn headline(result: &TrainResult) -> Vec<[String; 2]> {
 }
 
 /// The headline of a gear train: loss and efficiency, then the losses of meshes, other parts, and their kinds.
-#[must_use]
-pub fn tiles_of_train(result: &TrainResult) -> Vec<Tile> {
-    let mut tiles: Vec<Tile> = headline(result).into_iter().map(Tile::of).collect();
+pub(crate) fn tiles(result: &Whole) -> Vec<Tile> {
+    let mut tiles: Vec<Tile> = named_values(result).into_iter().map(Tile::of).collect();
     tiles[LOSS].kind = TileKind::Loss;
     if result.loss_distribution.is_some() {
         tiles[0].note = "median, in brackets 5 to 95 %".to_owned();
@@ -302,14 +189,13 @@ pub fn tiles_of_train(result: &TrainResult) -> Vec<Tile> {
     tiles
 }
 
-fn summary_page(outcome: &TrainOutcome) -> String {
-    let result = &outcome.result;
+fn summary_page(result: &Whole, warnings: &[Warning]) -> String {
     let summary = html! {
-        dl.tiles { @for [name, value] in headline(result) { div { dt { (name) } dd { (value) } } } }
+        dl.tiles { @for [name, value] in named_values(result) { div { dt { (name) } dd { (value) } } } }
         (evidence(&result.evidence, &|loss| result.digits().rounded(loss)))
         @if let Some(heat) = &result.heat { p { (heat.line()) "." } }
         @if let Some(gearbox) = &result.gearbox { (section(gearbox, result.loss_distribution.is_some())) }
-        (warnings(&warnings_of(outcome)))
+        (listed(warnings))
     };
     page(
         &result.title,
@@ -323,7 +209,7 @@ fn summary_page(outcome: &TrainOutcome) -> String {
     )
 }
 
-fn meshes(result: &TrainResult) -> Markup {
+fn meshes(result: &Whole) -> Markup {
     html! {
         div.scroll { table {
             thead { tr {
@@ -357,7 +243,7 @@ fn meshes(result: &TrainResult) -> Markup {
     }
 }
 
-fn kinds(result: &TrainResult) -> Markup {
+fn kinds(result: &Whole) -> Markup {
     html! {
         div.scroll { table {
             thead { tr { th { "loss of all meshes" } th.number { "[W]" } th.number { "share [%]" } } }
@@ -370,7 +256,7 @@ fn kinds(result: &TrainResult) -> Markup {
     }
 }
 
-fn shafts(result: &TrainResult) -> Markup {
+fn shafts(result: &Whole) -> Markup {
     let [power_in, power_out] = result.powers_with_digits();
     html! {
         div.scroll { table {

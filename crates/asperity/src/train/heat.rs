@@ -15,11 +15,11 @@ use asperity_efficiency::bulk_temperature::{BulkTemperature, fixed_point};
 use serde::{Deserialize, Serialize};
 
 use crate::contacts::Contacts;
+use crate::gearbox;
 use crate::pipeline;
 use crate::result::RunResult;
-use crate::train_gearbox;
 use asperity_case::case::LoadedCase;
-use asperity_case::case::gear_train::{HeatInput, LoadedTrain};
+use asperity_case::case::train::{HeatInput, Train};
 use asperity_case::error::Error;
 
 /// Temperatures at which the losses of a gear train leave through its housing.
@@ -99,7 +99,7 @@ pub(crate) struct FoundOil {
 
 /// The train at the temperature of the oil that its losses cause, and how it was found; the train itself if it states no
 /// heat balance.
-pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundOil>), Error> {
+pub(crate) fn warmed(loaded: &Train) -> Result<(Train, Option<FoundOil>), Error> {
     let Some(heat) = &loaded.heat else {
         return Ok((loaded.clone(), None));
     };
@@ -107,7 +107,7 @@ pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundO
     for mesh in loaded.meshes() {
         contacts.push(pipeline::contacts_beside(&mesh.case, &contacts)?);
     }
-    let losses = |train: &LoadedTrain| -> Result<Power, Error> {
+    let losses = |train: &Train| -> Result<Power, Error> {
         let of_mesh = |(case, contacts): (&LoadedCase, &Contacts)| {
             let losses = pipeline::coldest_losses_with(contacts, case)?;
             Ok(Power::from_si(losses.summary.loss_w))
@@ -118,9 +118,9 @@ pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundO
         let meshes = train.loss(&of_meshes);
         let oil = train.meshes().map(|mesh| mesh.case.case.temperature).next();
         let oil = oil.unwrap_or(heat.ambient);
-        let operation = train.train.operation();
+        let operation = train.shafting.operation();
         let of_meshes = train.by_stage(&of_meshes);
-        let parts = train_gearbox::parts(train, operation, oil, &of_meshes).map_err(Box::new)?;
+        let parts = gearbox::parts(train, operation, oil, &of_meshes).map_err(Box::new)?;
         let parts = parts.iter().map(|part| Power::from_si(part.loss_w));
         Ok(parts.fold(meshes, |sum, part| sum + part))
     };
@@ -192,6 +192,6 @@ impl HeatReport {
 }
 
 /// The train with another temperature of the oil.
-fn at(loaded: &LoadedTrain, oil: Temperature) -> Result<LoadedTrain, Error> {
+fn at(loaded: &Train, oil: Temperature) -> Result<Train, Error> {
     loaded.with(&|input| input.operation.oil_temperature = Some(oil))
 }

@@ -1,43 +1,50 @@
-//! A gear train with the loaded case of each of its meshes.
+//! A case as a train: pairs of gears and planetary sets on common shafts, each mesh an ordinary case of its own.
+//!
+//! A case with `[gears]` is a train of one mesh, which has no name. A case with `[mesh.NAME]` tables has several meshes; a case
+//! with `[planetary]` is a train of one planetary set. Oil, operating point and model are common to all meshes. Torque and
+//! speed of the operation are those of the input shaft.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use asperity_core::Profile;
 use asperity_core::quantity::Power;
 
-use super::any_input::AnyInput;
 use super::defaults::DefaultUsed;
-use super::files::{FileContents, FileSums};
+use super::error::CaseError;
+use super::files::{FileContents, FileSums, Reader};
+use super::gearbox::Gearbox;
 use super::input::CaseInput;
 use super::loaded::LoadedCase;
 use super::resolve::Case;
-use super::source::MeshKeys;
-use super::text::is_key_of_train;
-use super::train_flow::{StageKind, Train};
-use super::train_gearbox::TrainGearbox;
-use super::train_heat_input::HeatInput;
-use super::train_input::TrainCaseInput;
+use super::shafting::{Shafting, StageKind};
+use super::source::{MeshKeys, Source};
+use super::text::is_key_of_named_meshes;
 use super::train_parts::{MeshParts, TrainParts};
 use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::flanks::Surfaces;
 use crate::message::Warning;
 
-/// A gear train, ready to run.
+pub use super::train_heat_input::HeatInput;
+pub use super::train_input::{MeshInput, PassedLosses, ShaftsInput};
+pub use super::train_parts::mesh_folder;
+
+/// A case, ready to run: one or several meshes on shafts.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct LoadedTrain {
+pub struct Train {
     /// Title.
     pub title: String,
     /// Shafts and stages with the operating point.
-    pub train: Train,
+    pub shafting: Shafting,
     /// Meshes of each stage, in the order of the power.
     pub stages: Vec<LoadedStage>,
     /// Heat balance, if the case states one.
     pub heat: Option<HeatInput>,
     /// Seals and bearings, if the case states some.
-    pub gearbox: Option<TrainGearbox>,
+    pub gearbox: Option<Gearbox>,
     /// The case as read.
-    pub input: AnyInput,
+    pub input: CaseInput,
     /// Every default in use, by the keys of the train.
     pub defaults: Vec<DefaultUsed>,
     /// Warnings about the train as a whole.
@@ -66,15 +73,15 @@ pub struct LoadedMesh {
     pub case: LoadedCase,
 }
 
-impl From<LoadedCase> for LoadedTrain {
+impl From<LoadedCase> for Train {
     /// A train of one mesh.
     fn from(case: LoadedCase) -> Self {
         Self {
             title: case.case.title.clone(),
-            train: Train::of_pair(&case.case),
+            shafting: Shafting::of_pair(&case.case),
             heat: None,
-            gearbox: None,
-            input: case.case.input.clone().into(),
+            gearbox: case.case.gearbox.clone(),
+            input: case.case.input.clone(),
             defaults: case.case.defaults.clone(),
             warnings: Vec::new(),
             sums: FileSums::new(),
@@ -89,9 +96,9 @@ impl From<LoadedCase> for LoadedTrain {
     }
 }
 
-impl LoadedTrain {
+impl Train {
     /// The train of `parts` with the loaded case of each mesh, as `input` states it.
-    pub(super) fn of(parts: TrainParts, cases: Vec<LoadedCase>, input: TrainCaseInput) -> Self {
+    pub(super) fn of(parts: TrainParts, cases: Vec<LoadedCase>, input: CaseInput) -> Self {
         let mut defaults: Vec<DefaultUsed> = Vec::new();
         for stage in &parts.stages {
             defaults.extend(stage.defaults.iter().cloned());
@@ -114,21 +121,64 @@ impl LoadedTrain {
             gearbox: parts.gearbox,
             sums: parts.sums,
             title: parts.title,
-            train: parts.train,
+            shafting: parts.train,
             stages: stages.collect(),
-            input: input.into(),
+            input,
             defaults,
             warnings: parts.warnings,
         }
     }
 
-    /// The case of a single pair of gears.
+    /// The case of the only mesh, which has no name: a pair of gears, or a mesh of a train taken alone.
     #[must_use]
-    pub fn pair(&self) -> Option<&LoadedCase> {
-        match (&self.input, &self.stages[..]) {
-            (AnyInput::Mesh(_), [stage]) => stage.meshes.first().map(|mesh| &mesh.case),
+    pub fn only(&self) -> Option<&LoadedCase> {
+        match &self.stages[..] {
+            [LoadedStage { meshes, .. }] => match &meshes[..] {
+                [LoadedMesh { name, case }] if name.is_empty() => Some(case),
+                _ => None,
+            },
             _ => None,
         }
+    }
+
+    /// The case of the only mesh, for what takes one mesh.
+    ///
+    /// # Errors
+    /// When the case has several meshes.
+    pub fn only_mesh(&self) -> Result<&LoadedCase, Error> {
+        let several = || CaseError::SeveralMeshes {
+            file: self.cases().map(LoadedCase::name).take(1).collect(),
+            meshes: self.names(),
+        };
+        Ok(self.only().ok_or_else(several)?)
+    }
+
+    /// As [`only_mesh`](Self::only_mesh).
+    pub(super) fn into_only_mesh(mut self) -> Result<LoadedCase, Error> {
+        self.only_mesh()?;
+        let only = self.stages.pop().and_then(|mut stage| stage.meshes.pop());
+        let none = || Error::Whole(Box::new(PositionError::NoProfile));
+        Ok(only.ok_or_else(none)?.case)
+    }
+
+    /// The mesh called `name` alone.
+    ///
+    /// # Errors
+    /// When the case has no such mesh, or a single one.
+    pub fn of_mesh(&self, name: &str) -> Result<Self, Error> {
+        if let Some(mesh) = self.mesh(name).filter(|_| self.only().is_none()) {
+            return Ok(mesh.case.clone().into());
+        }
+        Err(CaseError::NoMesh {
+            file: self.cases().map(LoadedCase::name).take(1).collect(),
+            name: name.to_owned(),
+            meshes: self.only().is_none().then(|| self.names()),
+        })?
+    }
+
+    /// The case of every mesh, in the order of the power.
+    pub fn cases(&self) -> impl Iterator<Item = &LoadedCase> {
+        self.meshes().map(|mesh| &mesh.case)
     }
 
     /// The train with a change of the case of every mesh.
@@ -158,48 +208,50 @@ impl LoadedTrain {
         Ok(other)
     }
 
+    /// The train of the meshes that `input` states, each completed by `case`, which takes the case of the mesh, and the mesh if it
+    /// has a name.
+    pub(super) fn made_of(
+        input: CaseInput,
+        source: &Source,
+        files: Reader<'_>,
+        case: &dyn Fn(&CaseInput, Option<&MeshParts>) -> Result<LoadedCase, CaseError>,
+    ) -> Result<Self, CaseError> {
+        if !input.names_meshes() {
+            return case(&input, None).map(Self::from);
+        }
+        let parts = input.parts(source, files)?;
+        let cases = parts.meshes().map(|mesh| case(&mesh.case, Some(mesh)));
+        let cases = cases.collect::<Result<_, _>>()?;
+        Ok(Self::of(parts, cases, input))
+    }
+
     /// The train with another input, checked again; traces are read again only if the input affects them.
     ///
     /// # Errors
     /// When the changed train cannot be run.
-    pub fn with_input(&self, input: AnyInput) -> Result<Self, Error> {
-        let Some(first) = self.meshes().next() else {
+    pub fn with_input(&self, input: CaseInput) -> Result<Self, Error> {
+        let Some(first) = self.cases().next() else {
             return Err(Error::Whole(Box::new(PositionError::NoProfile)));
         };
-        match input {
-            AnyInput::Mesh(input) => first.case.with(|now| *now = *input).map(Self::from),
-            AnyInput::Train(input) => {
-                let source = first.case.source();
-                let parts = input.parts(&source, first.case.reader())?;
-                let case = |mesh: &MeshParts| {
-                    let before = self.mesh(&mesh.name).unwrap_or(first);
-                    before.case.changed_to(mesh.case.clone(), Some(&mesh.keys))
-                };
-                let cases = parts.meshes().map(case).collect::<Result<_, _>>()?;
-                Ok(Self::of(parts, cases, *input))
-            }
-        }
+        let changed = Self::made_of(input, &first.source(), first.reader(), &|case, mesh| {
+            let before = mesh.and_then(|mesh| self.mesh(&mesh.name));
+            let before = before.map_or(first, |before| &before.case);
+            before.changed_to(case.clone(), mesh.map(|mesh| &mesh.keys))
+        });
+        Ok(changed?)
     }
 
     /// The inputs of the meshes that `input` states; none if it cannot be completed.
-    fn inputs_of(&self, input: &AnyInput) -> Vec<CaseInput> {
-        match input {
-            AnyInput::Mesh(input) => vec![CaseInput::clone(input)],
-            AnyInput::Train(input) => {
-                let first = self.meshes().next();
-                let parts = first.and_then(|first| {
-                    let case = &first.case;
-                    input.parts(&case.source(), case.reader()).ok()
-                });
-                let meshes = parts.iter().flat_map(TrainParts::meshes);
-                meshes.map(|mesh| mesh.case.clone()).collect()
-            }
-        }
+    fn inputs_of(&self, input: &CaseInput) -> Vec<CaseInput> {
+        let first = self.cases().next();
+        let cases = first.and_then(|first| input.of_meshes(&first.source(), first.reader()).ok());
+        let cases = cases.into_iter().flatten();
+        cases.map(|(case, _)| case).collect()
     }
 
     /// Files that the train would read with any of `inputs`, and their SHA-256; unreadable files are left out.
     #[must_use]
-    pub fn files_of(&self, inputs: &[AnyInput]) -> FileSums {
+    pub fn files_of(&self, inputs: &[CaseInput]) -> FileSums {
         let Some(first) = self.meshes().next() else {
             return FileSums::new();
         };
@@ -208,7 +260,7 @@ impl LoadedTrain {
         sums.extend(
             first
                 .case
-                .sums_of_files(inputs.iter().flat_map(AnyInput::own_files)),
+                .sums_of_files(inputs.iter().flat_map(CaseInput::own_tables)),
         );
         sums
     }
@@ -242,11 +294,20 @@ impl LoadedTrain {
         self
     }
 
+    /// The train with further traces in memory, under names that a change can state as files.
+    #[must_use]
+    pub fn holding(mut self, traces: &[(PathBuf, Profile)]) -> Self {
+        for mesh in self.stages.iter_mut().flat_map(|stage| &mut stage.meshes) {
+            mesh.case = mesh.case.holding(traces);
+        }
+        self
+    }
+
     /// SHA-256 of everything that determines the result, as [`LoadedCase::fingerprint`].
     #[must_use]
     pub fn fingerprint(&self) -> String {
-        if let Some(pair) = self.pair() {
-            return pair.fingerprint();
+        if let Some(only) = self.only() {
+            return only.fingerprint();
         }
         let mut sum = Fingerprint::default().with(format!("{:?}", self.input));
         for mesh in self.meshes() {
@@ -274,18 +335,22 @@ impl LoadedTrain {
         self
     }
 
+    /// Warnings about the train as a whole and about its files.
+    #[must_use]
+    pub fn all_warnings(&self) -> Vec<&Warning> {
+        let of_meshes = self.cases().flat_map(|case| &case.warnings);
+        self.warnings.iter().chain(of_meshes).collect()
+    }
+
     /// Turns of the input shaft for one turn of the output shaft, the only one that turns and whose torque follows.
     #[must_use]
     pub fn ratio(&self) -> Option<f64> {
-        if let Some(pair) = self.pair() {
-            return Some(pair.case.gears.ratio);
-        }
-        let shafts = &self.train.shafts;
+        let shafts = &self.shafting.shafts;
         let speeds = shafts.speeds().ok()?;
         let ends = shafts.shafts.iter().zip(&speeds);
         let mut outputs = ends.filter(|(shaft, speed)| shaft.torque.is_none() && speed.si() != 0.0);
         let (_, output) = outputs.next()?;
-        let ratio = (speeds[Train::INPUT].si() / output.si()).abs();
+        let ratio = (speeds[Shafting::INPUT].si() / output.si()).abs();
         outputs.next().is_none().then_some(ratio)
     }
 
@@ -299,16 +364,13 @@ impl LoadedTrain {
     /// Loss of the train with the loss of one of the equal meshes of each kind.
     #[must_use]
     pub fn loss(&self, of_meshes: &[Power]) -> Power {
-        let stages = self.train.kinds.iter().zip(self.by_stage(of_meshes));
-        stages.fold(Power::from_si(0.0), |sum, (kind, losses)| {
-            sum + kind.loss(&losses)
-        })
+        self.shafting.loss(&self.by_stage(of_meshes))
     }
 
     /// Number of equal meshes of each mesh.
     #[must_use]
     pub fn counts(&self) -> Vec<u32> {
-        let stages = self.stages.iter().zip(&self.train.kinds);
+        let stages = self.stages.iter().zip(&self.shafting.kinds);
         let of_stage =
             |(stage, kind): (&LoadedStage, &StageKind)| vec![kind.count(); stage.meshes.len()];
         stages.flat_map(of_stage).collect()
@@ -343,7 +405,7 @@ impl LoadedTrain {
     /// The planetary set of a case `[planetary]`, which is the whole train.
     #[must_use]
     pub fn only_set(&self) -> Option<&StageKind> {
-        match (&self.stages[..], &self.train.kinds[..]) {
+        match (&self.stages[..], &self.shafting.kinds[..]) {
             ([LoadedStage { name: None, .. }], [kind]) => Some(kind),
             _ => None,
         }
@@ -357,7 +419,7 @@ fn add_defaults(defaults: &mut Vec<DefaultUsed>, mesh: &LoadedCase, keys: &MeshK
             Some(in_train) => in_train.into(),
             None => default.key.clone(),
         };
-        if is_key_of_train(&key) && defaults.iter().all(|before| before.key != key) {
+        if is_key_of_named_meshes(&key) && defaults.iter().all(|before| before.key != key) {
             defaults.push(DefaultUsed {
                 key,
                 ..default.clone()

@@ -1,33 +1,36 @@
 //! The run of a gear train: every mesh, and their loss together.
 
+#[doc(hidden)]
+pub mod heat;
+
 use std::collections::BTreeMap;
 
 use asperity_core::quantity::Power;
 use asperity_core::unique;
-use asperity_gear::gear_train::{TrainShaft, TrainTorques};
+use asperity_gear::gear_train::{Shaft, Torques};
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySpeeds};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::assembly::warnings_of_gearbox;
 use crate::contacts::Contacts;
+use crate::gearbox;
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::gearbox::{GearboxReport, Scope};
 use crate::result::loss_band::{Digits, EvidenceRow};
 use crate::result::{Losses, Outcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
-use crate::train_gearbox;
-use crate::train_heat::{self, FoundOil, HeatReport};
 use crate::uncertainty::{DrawnMesh, Predictive, Quantiles, losses_of_meshes, run_and_draw};
 use asperity_case::balance;
-use asperity_case::case::gear_train::{LoadedMesh, LoadedTrain};
-use asperity_case::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
+use asperity_case::case::train::{LoadedMesh, Train};
+use asperity_case::case::{Flow, LoadedCase, MeshLoad, StageKind};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::message::Warning;
+use heat::{FoundOil, HeatReport};
 
 /// The result of a gear train, in addition to the results of its meshes.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
-pub struct TrainResult {
+pub struct Whole {
     /// The program and its version.
     pub program: String,
     /// Title of the case.
@@ -216,23 +219,45 @@ fn one() -> u32 {
     1
 }
 
-/// A run of a gear train.
+/// A run of a case: of a gear train, or of its only mesh. Its JSON is the result of the case.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct TrainOutcome {
+pub struct Outcomes {
     /// Loss of the train, its shafts, and a row of each kind of mesh.
-    pub result: TrainResult,
+    pub whole: Whole,
     /// Every mesh, in the order of its row.
     pub meshes: Vec<Outcome>,
     /// Draws of each mesh; `None` of a formulation without uncertainty.
     pub drawn: Option<Vec<Predictive>>,
     /// The train at the oil temperature and the torques that its losses cause.
-    pub settled: LoadedTrain,
+    pub settled: Train,
     /// Rough contacts of each mesh.
     pub contacts: Vec<Contacts>,
 }
 
-impl TrainOutcome {
+impl Outcomes {
+    /// The only mesh of a case, which has no name: its result is that of the case.
+    #[must_use]
+    pub fn only(&self) -> Option<&Outcome> {
+        match (&self.whole.meshes[..], &self.meshes[..]) {
+            ([row], [only]) if row.mesh.is_empty() => Some(only),
+            _ => None,
+        }
+    }
+
+    /// States the measurements that would narrow the interval of the loss.
+    pub fn put_evidence(&mut self, evidence: Vec<EvidenceRow>) {
+        let is_only = self.only().is_some();
+        match self.meshes.first_mut() {
+            Some(only) if is_only => {
+                if let Some(found) = &mut only.result.uncertainty {
+                    found.evidence = evidence;
+                }
+            }
+            _ => self.whole.evidence = evidence,
+        }
+    }
+
     /// The drawn losses of the meshes, whose flanks have the numbers `flanks`; `None` without draws.
     #[must_use]
     pub fn drawn_meshes(&self, flanks: &[usize]) -> Option<Vec<DrawnMesh<'_>>> {
@@ -241,11 +266,21 @@ impl TrainOutcome {
             Some(DrawnMesh {
                 predictive: drawn.get(k)?,
                 uncertainty: self.meshes[k].result.uncertainty.as_ref()?,
-                count: self.result.meshes.get(k)?.count,
+                count: self.whole.meshes.get(k)?.count,
                 flanks: *flanks.get(k)?,
             })
         };
         (0..self.meshes.len()).map(mesh).collect()
+    }
+}
+
+/// The result of the only mesh, or of the train as a whole.
+impl Serialize for Outcomes {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self.only() {
+            Some(only) => only.result.serialize(to),
+            None => self.whole.serialize(to),
+        }
     }
 }
 
@@ -274,8 +309,8 @@ pub type LossesOfMesh<'a> = &'a dyn Fn(&LoadedCase) -> Result<(Losses, Option<Pr
 /// runs of the meshes and their quantiles.
 ///
 /// # Errors
-/// As [`run_train`].
-pub fn train_losses(loaded: &LoadedTrain, of_mesh: LossesOfMesh<'_>) -> Result<TrainResult, Error> {
+/// As [`run`].
+pub fn losses(loaded: &Train, of_mesh: LossesOfMesh<'_>) -> Result<Whole, Error> {
     let (settled, oil) = with_oil(loaded)?;
     let loaded = &settled;
     let meshes = loaded.meshes().map(|mesh| of_mesh(&mesh.case));
@@ -313,12 +348,12 @@ pub fn train_losses(loaded: &LoadedTrain, of_mesh: LossesOfMesh<'_>) -> Result<T
 ///
 /// # Errors
 /// When a mesh has no solution, or losses that are passed on do not settle.
-pub fn run_train(
-    loaded: &LoadedTrain,
-    kept: &KeptFields,
+pub fn run(
+    loaded: &Train,
+    kept: Option<&KeptFields>,
     band: bool,
     progress: Progress<'_>,
-) -> Result<TrainOutcome, Error> {
+) -> Result<Outcomes, Error> {
     let (settled, oil) = with_oil(loaded)?;
     let loaded = &settled;
     let mut contacts: Vec<Contacts> = Vec::new();
@@ -326,7 +361,7 @@ pub fn run_train(
     let mut drawn = Vec::new();
     for mesh in loaded.meshes() {
         let (outcome, predictive) =
-            run_and_draw(&mesh.case, (Some(kept), band), &mut contacts, progress)?;
+            run_and_draw(&mesh.case, (kept, band), &mut contacts, progress)?;
         meshes.push(outcome);
         drawn.push(predictive);
     }
@@ -342,8 +377,8 @@ pub fn run_train(
         let runs = runs.map(|(mesh, outcome)| (mesh.name.as_str(), &outcome.result));
         HeatReport::of(&oil, heat, result.losses(), runs)
     });
-    let mut outcome = TrainOutcome {
-        result,
+    let mut outcome = Outcomes {
+        whole: result,
         meshes,
         drawn: drawn.into_iter().collect(),
         settled: settled.clone(),
@@ -353,7 +388,7 @@ pub fn run_train(
     let total = outcome
         .drawn_meshes(&loaded.first_with_flanks())
         .map(|drawn| losses_of_meshes(&drawn));
-    outcome.result.loss_distribution = total.map(|total| Quantiles::of(&total));
+    outcome.whole.loss_distribution = total.map(|total| Quantiles::of(&total));
     Ok(outcome)
 }
 
@@ -361,28 +396,28 @@ pub fn run_train(
 ///
 /// # Errors
 /// When a mesh has no solution, or temperature or torques do not settle.
-pub fn settled(loaded: &LoadedTrain) -> Result<LoadedTrain, Error> {
+pub fn settled(loaded: &Train) -> Result<Train, Error> {
     Ok(with_oil(loaded)?.0)
 }
 
 /// The settled train, and the temperature of its oil with its law.
-fn with_oil(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundOil>), Error> {
-    let (warmed, oil) = train_heat::warmed(loaded)?;
+fn with_oil(loaded: &Train) -> Result<(Train, Option<FoundOil>), Error> {
+    let (warmed, oil) = heat::warmed(loaded)?;
     let settled = loaded_by_losses(warmed)?;
-    if loaded.heat.is_none() || !loaded.train.passes_losses {
+    if loaded.heat.is_none() || !loaded.shafting.passes_losses {
         return Ok((settled, oil));
     }
     // Losses at the torques that they leave change the oil by tenths of a kelvin, and the torques then by less than 1e-5.
-    let (warmed, oil) = train_heat::warmed(&settled)?;
+    let (warmed, oil) = heat::warmed(&settled)?;
     Ok((loaded_by_losses(warmed)?, oil))
 }
 
 /// The train with the torques that the losses leave, where the case passes them on.
-fn loaded_by_losses(loaded: LoadedTrain) -> Result<LoadedTrain, Error> {
+fn loaded_by_losses(loaded: Train) -> Result<Train, Error> {
     /// Change of a torque, relative to it, at which the torques have settled.
     const SETTLED: f64 = 1e-9;
     const MOST: usize = 30;
-    if !loaded.train.passes_losses {
+    if !loaded.shafting.passes_losses {
         return Ok(loaded);
     }
     let whole = |error| Error::Whole(Box::new(PositionError::Gear(error)));
@@ -408,7 +443,7 @@ fn loaded_by_losses(loaded: LoadedTrain) -> Result<LoadedTrain, Error> {
         let of_stage =
             |known: &Vec<(MeshLoad, Power)>| known.iter().map(|(_, loss)| *loss).collect();
         let losses: Vec<Vec<Power>> = known.iter().map(of_stage).collect();
-        let flow = settled.train.flow(&losses).map_err(whole)?;
+        let flow = settled.shafting.flow(&losses).map_err(whole)?;
         change = 0.0;
         for (stage, loads) in settled.stages.iter_mut().zip(&flow.loads) {
             for (mesh, load) in stage.meshes.iter_mut().zip(loads) {
@@ -431,7 +466,7 @@ fn loaded_by_losses(loaded: LoadedTrain) -> Result<LoadedTrain, Error> {
 ///
 /// # Errors
 /// The error with which a run ends.
-pub fn check(train: &LoadedTrain) -> Result<Vec<Warning>, Error> {
+pub fn check(train: &Train) -> Result<Vec<Warning>, Error> {
     let found = train.meshes().map(|mesh| pipeline::check(&mesh.case));
     let found = found.collect::<Result<Vec<_>, Error>>()?;
     let of_loaded = train.meshes().flat_map(|mesh| &mesh.case.warnings);
@@ -451,10 +486,10 @@ pub fn check(train: &LoadedTrain) -> Result<Vec<Warning>, Error> {
     Ok(unique(warnings))
 }
 
-fn gearbox_without_losses(train: &LoadedTrain) -> Result<Option<GearboxReport>, PositionError> {
+fn gearbox_without_losses(train: &Train) -> Result<Option<GearboxReport>, PositionError> {
     let losses = train.by_stage(&vec![Power::from_si(0.0); train.meshes().count()]);
-    let flow = train.train.flow(&losses)?;
-    let report = train_gearbox::report(train, &flow, &losses, 0.0)?;
+    let flow = train.shafting.flow(&losses)?;
+    let report = gearbox::report(train, &flow, &losses)?;
     Ok(report.map(|(report, _)| report))
 }
 
@@ -469,8 +504,8 @@ fn at_load(case: &LoadedCase, load: MeshLoad) -> Result<LoadedCase, Error> {
     }
 }
 
-fn result(loaded: &LoadedTrain, runs: &[MeshLosses<'_>]) -> Result<TrainResult, PositionError> {
-    let train = &loaded.train;
+fn result(loaded: &Train, runs: &[MeshLosses<'_>]) -> Result<Whole, PositionError> {
+    let train = &loaded.shafting;
     let losses = runs.iter().map(|run| Power::from_si(run.summary.loss_w));
     let losses = losses.collect::<Vec<Power>>();
     let loss_w = loaded.loss(&losses).si();
@@ -493,7 +528,7 @@ fn result(loaded: &LoadedTrain, runs: &[MeshLosses<'_>]) -> Result<TrainResult, 
     let efficiency = 1.0 - loss_w / of_meshes_w;
     let of = "efficiency of the gear train";
     balance::efficiency(of, efficiency, loss_w, of_meshes_w)?;
-    let (gearbox, flow) = match train_gearbox::report(loaded, &flow, &losses, loss_w)? {
+    let (gearbox, flow) = match gearbox::report(loaded, &flow, &losses)? {
         Some((report, flow)) => (Some(report), flow),
         None => (None, flow),
     };
@@ -510,7 +545,7 @@ fn result(loaded: &LoadedTrain, runs: &[MeshLosses<'_>]) -> Result<TrainResult, 
     let mut warnings = loaded.warnings.clone();
     let parts = gearbox.iter().flat_map(|report| &report.parts);
     warnings_of_gearbox(parts, &mut warnings);
-    Ok(TrainResult {
+    Ok(Whole {
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title: loaded.title.clone(),
         scope: match gearbox {
@@ -534,15 +569,15 @@ fn result(loaded: &LoadedTrain, runs: &[MeshLosses<'_>]) -> Result<TrainResult, 
     })
 }
 
-fn shafts(loaded: &LoadedTrain, flow: &TrainFlow) -> Result<Vec<ShaftRow>, PositionError> {
-    let train = &loaded.train.shafts;
-    let carried = |torques: &TrainTorques, number: usize| {
+fn shafts(loaded: &Train, flow: &Flow) -> Result<Vec<ShaftRow>, PositionError> {
+    let train = &loaded.shafting.shafts;
+    let carried = |torques: &Torques, number: usize| {
         let inner = train.places_of(number);
         let inner = inner.map(|(stage, place)| torques.stages[stage][place].si().abs());
         0.5 * (inner.sum::<f64>() + torques.shafts[number].si().abs())
     };
     let without_losses = train.torques(&flow.speeds, &[])?;
-    let row = |(number, shaft): (usize, &TrainShaft)| {
+    let row = |(number, shaft): (usize, &Shaft)| {
         let (speed, torque) = (flow.speeds[number].si(), flow.torques.shafts[number].si());
         let carried_nm = carried(&flow.torques, number);
         ShaftRow {
@@ -560,11 +595,11 @@ fn shafts(loaded: &LoadedTrain, flow: &TrainFlow) -> Result<Vec<ShaftRow>, Posit
 
 /// The planetary set of stage `k`; `None` if it is a pair.
 fn planetary(
-    loaded: &LoadedTrain,
+    loaded: &Train,
     k: usize,
-    flow: &TrainFlow,
+    flow: &Flow,
 ) -> Result<Option<PlanetaryReport>, PositionError> {
-    let train = &loaded.train;
+    let train = &loaded.shafting;
     let StageKind::Planetary {
         set,
         load_share_factor,
@@ -623,7 +658,7 @@ fn row(mesh: &LoadedMesh, kind: &StageKind, run: &MeshLosses<'_>) -> MeshRow {
     }
 }
 
-impl TrainResult {
+impl Whole {
     /// Losses of all meshes, and of seals, bearings and other parts if the case states some.
     fn losses(&self) -> Power {
         Power::from_si(
@@ -832,10 +867,10 @@ mod tests {
         };
         assert_eq!(mesh.with_digits(), ["663", "99.5150", "0.0323"]);
         assert_eq!(mesh.parts_with_digits(), ["625", "38"]);
-        let mut train = TrainResult {
+        let mut train = Whole {
             loss_w: 1370.2773,
             efficiency: 0.989_523,
-            ..TrainResult::default()
+            ..Whole::default()
         };
         (train.kinds.film_w, train.kinds.rolling_w) = (1000.1, 370.1773);
         assert_eq!(train.with_bands(), ["1370 W", "98.9523 %"]);
