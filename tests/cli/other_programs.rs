@@ -128,7 +128,7 @@ fn a_cycle_without_names_takes_those_of_the_command_line() {
     bench.write("units.csv", format!("time_s,speed_km_h\n{rows}"));
     cycle("units.csv", &[]).refused_json(
         "E101",
-        "12 lines are like it: line 2 \"0 1 km/h\", line 3 \"1 1 km/h\"",
+        "12 lines look like this: line 2 \"0 1 km/h\", line 3 \"1 1 km/h\"",
     );
 }
 

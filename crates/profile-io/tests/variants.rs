@@ -426,8 +426,8 @@ fn a_fault_that_repeats_says_what_the_file_seems_to_be() {
                 0 => format!("{:.1};lost\n", 0.5 * i as f64),
                 _ => good(i),
             }),
-            "; 14 lines are like it: line 92 \"45.0;lost\", line 95 \"46.5;lost\"; the file seems to mark missing points with \"lost\"",
-            "Write NaN or nothing in place of the mark",
+            "; 14 lines look like this: line 92 \"45.0;lost\", line 95 \"46.5;lost\"; the file seems to mark missing points with \"lost\"",
+            "Write NaN in place of the mark",
         ),
         (
             "unit",

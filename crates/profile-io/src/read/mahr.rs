@@ -3,9 +3,10 @@
 //! A point is `index=X Y Z C Lock`, or `index=X Z Lock` of the MarSurf PS 10, lengths in millimetres; a locked point has no
 //! height. X and Z carry the offset of the machine. The layout is known from files, not from a definition.
 
-use super::damage::{damaged, miscounted};
+use super::damage::{damaged, height, miscounted};
 use super::decimal;
 use super::error::ReadFault;
+use super::file_dialect::BadHeights;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -23,16 +24,24 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     let mut header = Header::default();
     let (mut x, mut heights) = (Vec::new(), Vec::new());
     let mut first_line = None;
-    let mut values = false;
+    let mut is_values = false;
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
         let (number, line) = (line.number, line.text.trim());
         if line.starts_with('[') {
-            values = line == "[PROFILE_VALUES]";
-        } else if !values {
+            is_values = line == "[PROFILE_VALUES]";
+        } else if !is_values {
             header.take(line);
         } else if !line.is_empty() && !line.starts_with("//") {
-            let (place, z) = point(line)?;
+            let (place, z) = match point(line) {
+                Ok(point) => point,
+                Err(fault) => {
+                    let text = values(line);
+                    let bad = text.split_whitespace().find(|text| height(text).is_none());
+                    let bad = bad.map(|bad| BadHeights::new(FORMAT, bad, (number, text)));
+                    return Err(bad.map_or(fault, |bad| bad.in_all(&mut lines, values)));
+                }
+            };
             first_line.get_or_insert(number);
             x.push(place);
             heights.push(z);
@@ -125,6 +134,11 @@ fn plain_point(bytes: &[u8]) -> Option<(f64, f64, &[u8])> {
     let lock = after(rest.strip_prefix(b" ")?, b' ')?;
     let rest = lock.strip_prefix(b"0")?;
     (x.is_finite() && z.is_finite()).then_some((x, z, rest))
+}
+
+/// The values of a point behind its index.
+fn values(line: &str) -> &str {
+    line.split_once('=').map_or(line, |(_, values)| values)
 }
 
 /// X and Z of "index=X Y Z C Lock" or "index=X Z Lock"; Z is NaN for a locked point.

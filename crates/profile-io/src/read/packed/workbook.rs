@@ -30,6 +30,33 @@ pub(super) struct Table {
     pub is_chosen: bool,
 }
 
+/// The sheets of a workbook.
+fn sheets(format: Format, stream: &mut dyn Stream, size: u64) -> Result<Vec<Sheet>, ReadFault> {
+    if format == Format::ExcelBinary {
+        return xls::sheets(stream, size);
+    }
+    let mut archive = Archive::open(FORMAT, stream, size)?;
+    match archive.holds("content.xml") {
+        true => open_document(&mut archive),
+        false => office_open(&mut archive),
+    }
+}
+
+/// All cells of the only sheet of a workbook with rows of numbers, as text with tabs.
+pub(super) fn text(
+    format: Format,
+    stream: &mut dyn Stream,
+    size: u64,
+) -> Result<String, ReadFault> {
+    let sheets = sheets(format, stream, size)?;
+    let mut tables: Vec<String> = sheets.iter().filter_map(Sheet::table).collect();
+    match (tables.pop(), tables.len()) {
+        (Some(table), 0) => Ok(table),
+        (None, _) => Err(ReadFault::NotTable { format }),
+        (_, others) => Err(ReadFault::SeveralTables { sheets: others + 1 }),
+    }
+}
+
 /// Reads the table of a workbook: of several sheets with tables as long, the one that `options` chooses.
 pub(super) fn read(
     format: Format,
@@ -37,16 +64,7 @@ pub(super) fn read(
     size: u64,
     options: &ReadOptions,
 ) -> Result<Table, ReadFault> {
-    let sheets = match format {
-        Format::ExcelBinary => xls::sheets(stream, size)?,
-        _ => {
-            let mut archive = Archive::open(FORMAT, stream, size)?;
-            match archive.holds("content.xml") {
-                true => open_document(&mut archive)?,
-                false => office_open(&mut archive)?,
-            }
-        }
-    };
+    let sheets = sheets(format, stream, size)?;
     let mut metadata = Metadata::default();
     let mut filter_state = FilterState::Unknown;
     let mut is_mitutoyo = false;
