@@ -157,11 +157,9 @@ fn point(line: &str) -> Result<(f64, f64), ReadFault> {
     };
     let x = number(x).ok_or_else(broken)?;
     let locked = lock.is_some_and(|lock| number(lock).is_some_and(|lock| lock != 0.0));
-    let z = match (locked, number(z)) {
-        (true, _) => f64::NAN,
-        (false, Some(z)) => z,
-        (false, None) if z.eq_ignore_ascii_case("nan") => f64::NAN,
-        (false, None) => return Err(broken()),
+    let z = match locked {
+        true => f64::NAN,
+        false => height(z).ok_or_else(broken)?,
     };
     Ok((x, z))
 }

@@ -193,12 +193,19 @@ fn sheet(archive: &mut Archive<'_>, name: &str, texts: &[String]) -> Result<Shee
     })
 }
 
-/// The sheets of an `.ods`. Repeated cells and rows hold no profile and are read once.
+/// A cell of an `.ods`: a number as it is written, or a text.
+enum Content {
+    Number(String),
+    Text(String),
+}
+
+/// The sheets of an `.ods`, in which neighbours with the same content are one cell or row with a number of repetitions.
 fn open_document(archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadFault> {
     archive.read("content.xml", |stream| {
         let mut sheets = Vec::new();
         let mut sheet = Sheet::default();
         let (mut row, mut column, mut text) = (0, 0, String::new());
+        let mut cells: Vec<(usize, Content)> = Vec::new();
         let repeats = |stated: Option<&str>| {
             let count = stated.and_then(|count| count.parse().ok());
             count.unwrap_or(1_usize).min(MOST_ROWS)
@@ -208,14 +215,32 @@ fn open_document(archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadFault> {
                 "p" => text.push_str(leaf.text),
                 "table-cell" | "covered-table-cell" => {
                     let text = std::mem::take(&mut text);
-                    match leaf.attribute("value") {
-                        Some(value) => sheet.number(row, column, value),
-                        None => sheet.label(row, column, &text),
+                    let count = repeats(leaf.attribute("number-columns-repeated"));
+                    for column in column..(column + count).min(MOST_COLUMNS) {
+                        let content = match leaf.attribute("value") {
+                            Some(value) => Content::Number(value.to_owned()),
+                            None if text.trim().is_empty() => break,
+                            None => Content::Text(text.clone()),
+                        };
+                        cells.push((column, content));
                     }
-                    column += repeats(leaf.attribute("number-columns-repeated"));
+                    column += count;
                 }
                 "table-row" => {
-                    row += repeats(leaf.attribute("number-rows-repeated"));
+                    let count = repeats(leaf.attribute("number-rows-repeated"));
+                    for row in row..row + count {
+                        if cells.is_empty() || sheet.is_full() {
+                            break;
+                        }
+                        for (column, content) in &cells {
+                            match content {
+                                Content::Number(value) => sheet.number(row, *column, value),
+                                Content::Text(text) => sheet.label(row, *column, text),
+                            }
+                        }
+                    }
+                    cells.clear();
+                    row += count;
                     column = 0;
                 }
                 "table" => {
