@@ -35,6 +35,8 @@ pub(super) fn of_file(
     let mut faults = RepeatedFault::default();
     faults.add(number, text);
     let mut marks = Marks::of(cell);
+    let is_number = |cell: &str| matches!(dialect.cell(cell), Cell::Number(_));
+    let is_text = !dialect.cells(text).any(is_number);
     // Lines at the fault that are no rows, and whether rows follow them.
     let (mut block, mut follows) = (1, false);
     while let Some(line) = lines.next()? {
@@ -63,7 +65,9 @@ pub(super) fn of_file(
     /// Lines of a header between two tables.
     const HEADER: usize = 2;
     let seems = match (&kind, &fault) {
-        (Kind::Width(_), _) if follows && block >= HEADER => FileDialect::Tables,
+        (kind, _) if follows && block >= HEADER && (is_text || matches!(kind, Kind::Width(_))) => {
+            FileDialect::Tables
+        }
         _ if !faults.is_dialect() => return Ok(fault),
         (Kind::Width(_), _) if !follows => FileDialect::Tables,
         (Kind::Width(_), _) => FileDialect::Ragged,

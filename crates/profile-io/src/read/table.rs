@@ -68,7 +68,9 @@ pub(super) fn choose(
             _ => None,
         });
     let z = z.ok_or_else(unclear)?;
-    let x = with(Role::X).or_else(|| (count == 2).then(|| 1 - z).filter(free));
+    // A line of conditions above a single column may have the name of a position.
+    let x = with(Role::X).filter(|x| *x != z);
+    let x = x.or_else(|| (count == 2).then(|| 1 - z).filter(free));
     if x.is_none() && count > 2 && options.dx.is_none() {
         return Err(unclear());
     }
