@@ -724,6 +724,77 @@ mod tests {
     }
 
     #[test]
+    fn a_reversed_cycle_has_the_energy_of_its_mirror() {
+        // Times, speeds in km/h and grades in per cent.
+        let rows: [&[[f64; 3]]; 12] = [
+            &[
+                [0.0, 0.0, 0.0],
+                [10.0, 10.0, 0.0],
+                [20.0, 10.0, 0.0],
+                [30.0, 0.0, 0.0],
+            ],
+            &[
+                [0.0, 0.0, 0.0],
+                [10.0, 10.0, 4.0],
+                [20.0, 10.0, 4.0],
+                [30.0, 0.0, 0.0],
+            ],
+            &[
+                [0.0, 0.0, 0.0],
+                [10.0, 10.0, -9.0],
+                [20.0, 10.0, -9.0],
+                [30.0, 0.0, 0.0],
+            ],
+            &[[0.0, 5.0, 0.0], [1.0, 5.0, 0.0]],
+            &[
+                [0.0, 0.0, 0.0],
+                [1.0, 20.0, 0.0],
+                [2.0, -20.0, 0.0],
+                [3.0, 0.0, 0.0],
+            ],
+            &[[0.0, 3.0, 2.0], [0.5, -3.0, 2.0], [7.0, 3.0, -2.0]],
+            &[[0.0, 0.0, 8.0], [60.0, 0.0, 8.0], [61.0, 4.0, 8.0]],
+            &[[0.0, 120.0, 0.0], [5.0, 0.0, 0.0], [9.0, 0.0, 0.0]],
+            &[
+                [-5.0, 1.0, 1.0],
+                [0.0, 2.0, 3.0],
+                [5.0, 4.0, 9.0],
+                [11.0, 8.0, 27.0],
+            ],
+            &[[0.0, 0.1, 0.0], [0.1, 0.2, 0.0], [0.2, 0.1, 0.0]],
+            &[[0.0, 30.0, 0.0], [600.0, 30.0, 0.0], [1200.0, 60.0, -1.0]],
+            &[[100.0, 7.0, 0.0], [101.0, 0.0, 50.0], [102.0, 7.0, -50.0]],
+        ];
+        for rows in rows {
+            let of = |sign: f64| {
+                let row = |[time, speed, grade]: &[f64; 3]| {
+                    format!("{time},{},{}\n", sign * speed, sign * grade)
+                };
+                let table: String = rows.iter().map(row).collect();
+                let text = format!("time_s,speed_km_h,grade_percent\n{table}");
+                cycle(&text, Some(&vehicle())).unwrap()
+            };
+            let energy = |cycle: &Cycle, driving: bool| {
+                let points = cycle
+                    .points
+                    .iter()
+                    .map(|point| point.power_w() * point.weight_s);
+                points
+                    .filter(|energy| (*energy > 0.0) == driving)
+                    .sum::<f64>()
+            };
+            let [there, back] = [of(1.0), of(-1.0)];
+            assert_eq!(there.distance_km, back.distance_km);
+            for driving in [true, false] {
+                assert_eq!(energy(&there, driving), energy(&back, driving), "{rows:?}");
+            }
+            for (one, other) in there.points.iter().zip(&back.points) {
+                assert_eq!(one.forwards(), other.forwards(), "{rows:?}");
+            }
+        }
+    }
+
+    #[test]
     fn cycles_of_other_programs_and_tables_are_one() {
         let own = "time_s,speed_km_h,grade_percent\n0,0,0\n10,10.8,1\n20.5,10.8,1\n30,0,0\n";
         let own = cycle(own, Some(&vehicle())).unwrap();
