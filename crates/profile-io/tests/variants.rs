@@ -600,45 +600,6 @@ fn the_names_of_columns_decide_in_every_language() {
 }
 
 #[test]
-fn depths_are_turned_in_every_language() {
-    for (name, separator, comma) in [
-        ("Depth", ",", false),
-        ("Profile depth", "\t", false),
-        ("Tiefe", ";", true),
-        ("Profiltiefe", "\t", true),
-        ("Profondeur", ";", true),
-        ("Profundidad", ";", true),
-        ("Profondità", "\t", true),
-        ("Profundidade", ";", true),
-        ("Diepte", ";", true),
-        ("Djup", "\t", true),
-        ("Syvyys", ";", true),
-        ("Hloubka", ";", true),
-        ("Głębokość", ";", true),
-        ("Глубина", ";", true),
-        ("深さ", ",", false),
-    ] {
-        for brackets in [["[", "]"], ["(", ")"]] {
-            let row = |i: usize| {
-                let cells = [0.5 * i as f64, -z(i)].map(|value| text(value, comma));
-                cells.join(separator) + "\n"
-            };
-            let [open, close] = brackets;
-            let head = format!("x {open}um{close}{separator}{name} {open}um{close}\n");
-            let body = head + &(0..POINTS).map(row).collect::<String>();
-            let reading = read("flank.csv", &body, &ReadOptions::default());
-            assert_heights(&reading, 0.5, name);
-            let kept = ReadOptions {
-                invert: Some(false),
-                ..ReadOptions::default()
-            };
-            let kept = read("flank.csv", &body, &kept);
-            assert_eq!(kept.profile.heights()[9], -reading.profile.heights()[9]);
-        }
-    }
-}
-
-#[test]
 fn heights_alone_take_spacing_and_unit_from_the_lines_above_in_every_language() {
     for (spacing, unit, separator, comma) in [
         ("Spacing,0.5,um", "Unit,um", ",", false),
@@ -808,5 +769,48 @@ fn zygo_text_of_every_program_has_spacing_unit_and_missing_points() {
             ..row(2)
         };
         assert_heights(&read("flank.xyz", &bare, &told), 2.5, &about);
+    }
+}
+
+#[test]
+fn a_matrix_whose_rows_start_with_their_numbers_has_the_points_that_it_states() {
+    for (head, separator, comma, width) in [
+        ("Number of Points,130\n", ",", false, 0),
+        ("Points per trace\t130\nTrace\tData\n", "\t", false, 0),
+        ("Anzahl Punkte;130\nAnzahl Profile;3\n", ";", true, 0),
+        (
+            "Number of Points\t130\r\nNumber of Traces\t3\r\n\r\nTrace\tData\r\n",
+            "\t",
+            false,
+            9,
+        ),
+        ("Messpunkte: 130\n", ";", true, 0),
+        ("# number of points: 130\n", " ", false, 0),
+        ("Points = 130\n", "\t", true, 10),
+        ("Samples per trace,130\n", ",", false, 8),
+        ("Data points;130\n", ";", false, 0),
+        ("No. of points 130\n", "  ", false, 0),
+        ("\u{feff}Punkte;130\n", ";", true, 0),
+        ("Part 7\nPoints per line,130\nx\n", ",", false, 0),
+    ] {
+        let row = |row: usize| {
+            let cells = (0..POINTS).map(|i| {
+                let value = text(z(i) + if row == 2 { 0.0 } else { 0.4 }, comma);
+                format!("{separator}{value:>width$}")
+            });
+            format!("{row}{}\n", cells.collect::<String>())
+        };
+        let body = head.to_owned() + &(1..4).map(row).collect::<String>();
+        let second = ReadOptions {
+            row: Some(2),
+            ..stated("1.25 um", "um")
+        };
+        assert_heights(&read("surface.txt", &body, &second), 1.25, head);
+        let surface = read_surface_bytes("surface.txt", body.as_bytes(), &second).unwrap();
+        assert_eq!((surface.columns, surface.rows), (POINTS, 3), "{head}");
+        // A height before the others is no number of its row.
+        let other = body.replace("\n3", "\n5");
+        let error = read_bytes("surface.txt", other.as_bytes(), &second).unwrap_err();
+        assert_eq!(error.code(), "E117", "{head}: {error}");
     }
 }

@@ -196,11 +196,14 @@ pub enum ReadFault {
     },
     /// The columns of x and height are unclear.
     #[error(
-        "{columns} columns and no header that names x and height (or columns that do not exist)"
+        "{columns} columns{} and no header that names x and height (or columns that do not exist)",
+        if labels.is_empty() { String::new() } else { format!(" ({})", labels.join(", ")) }
     )]
     ColumnsUnclear {
         /// Number of columns.
         columns: usize,
+        /// Labels of the columns, if they have any.
+        labels: Vec<String>,
     },
     /// Commas may be separators or decimal signs.
     #[error("\"{text}\": commas may separate columns or be decimal signs")]

@@ -62,6 +62,8 @@ impl Stated {
 /// Label of a column in the header.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Label {
+    /// As it is written in the last line that has a text for the column.
+    pub text: String,
     pub role: Option<Role>,
     pub unit: Option<Stated>,
     /// Whether the values are named depths.
@@ -136,6 +138,9 @@ pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> V
         }
         if cells.len() == columns {
             for (label, cell) in labels.iter_mut().zip(&cells) {
+                if label.text.is_empty() {
+                    label.text = (*cell).to_owned();
+                }
                 if label.role.is_none() {
                     label.role = role_of(cell);
                     label.is_depth = is_depth(cell);
