@@ -1,9 +1,14 @@
 //! One table in the dialects of many programs, read alike by every command that takes a table.
 
+use std::io::{Cursor, Write};
+
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
+
 use crate::bench::{Bench, E_DRIVE, trace};
 
 /// The dialects: separator, decimal sign, whether cells are quoted, and line ends.
-const DIALECTS: [(&str, &str, &str, bool, &str); 8] = [
+const DIALECTS: [(&str, &str, &str, bool, &str); 12] = [
     ("comma", ",", ".", false, "\n"),
     ("comma, quoted", ",", ".", true, "\n"),
     ("semicolon", ";", ".", false, "\n"),
@@ -12,7 +17,74 @@ const DIALECTS: [(&str, &str, &str, bool, &str); 8] = [
     ("tab", "\t", ".", false, "\n"),
     ("tab, decimal comma", "\t", ",", false, "\r\n"),
     ("a spreadsheet's mark", "\u{feff};", ",", false, "\r\n"),
+    ("rows filled with separators", ";", ",", false, ";;\r\n"),
+    ("UTF-16", "\t", ",", false, "\r\n"),
+    (WORKBOOK, "", ".", false, ""),
+    (ODS, "", ".", false, ""),
 ];
+const WORKBOOK: &str = "workbook of Excel";
+const ODS: &str = "workbook of LibreOffice";
+
+/// `table` as the bytes of a file in a dialect.
+fn file(table: &str, dialect: (&str, &str, &str, bool, &str)) -> Vec<u8> {
+    let text = || written(table, dialect);
+    match dialect.0 {
+        WORKBOOK => {
+            let cell = |(column, text): (usize, &str)| {
+                let letter = char::from(b'A' + column as u8);
+                match text.parse::<f64>() {
+                    Ok(_) => format!("<c r=\"{letter}ROW\"><v>{text}</v></c>"),
+                    Err(_) => {
+                        format!("<c r=\"{letter}ROW\" t=\"inlineStr\"><is><t>{text}</t></is></c>")
+                    }
+                }
+            };
+            let row = |(row, line): (usize, &str)| {
+                let cells: String = line.split(',').enumerate().map(cell).collect();
+                format!(
+                    "<row>{}</row>",
+                    cells.replace("ROW", &(row + 1).to_string())
+                )
+            };
+            let rows: String = table.lines().enumerate().map(row).collect();
+            let sheet = format!("<worksheet><sheetData>{rows}</sheetData></worksheet>");
+            zip(&[
+                ("xl/workbook.xml", "<workbook/>"),
+                ("xl/worksheets/sheet1.xml", &sheet),
+            ])
+        }
+        ODS => {
+            let cell = |text: &str| match text.parse::<f64>() {
+                Ok(_) => format!("<table-cell value=\"{text}\"><p>{text}</p></table-cell>"),
+                Err(_) => format!("<table-cell><p>{text}</p></table-cell>"),
+            };
+            let row = |line: &str| {
+                let cells: String = line.split(',').map(cell).collect();
+                format!("<table-row>{cells}</table-row>")
+            };
+            let rows: String = table.lines().map(row).collect();
+            let content = format!("<document><table>{rows}</table></document>");
+            zip(&[
+                ("mimetype", "application/vnd.oasis.opendocument.spreadsheet"),
+                ("content.xml", &content),
+            ])
+        }
+        "UTF-16" => {
+            let words = ["\u{feff}", &text()].concat();
+            words.encode_utf16().flat_map(u16::to_le_bytes).collect()
+        }
+        _ => text().into_bytes(),
+    }
+}
+
+fn zip(members: &[(&str, &str)]) -> Vec<u8> {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    for (name, content) in members {
+        zip.start_file(*name, SimpleFileOptions::default()).unwrap();
+        zip.write_all(content.as_bytes()).unwrap();
+    }
+    zip.finish().unwrap().into_inner()
+}
 
 /// `table`, which has commas between its cells and decimal points, in a dialect.
 fn written(
@@ -144,7 +216,7 @@ fn every_command_reads_one_table_in_every_dialect() {
     for reading in readings {
         let mut first = None;
         for dialect in DIALECTS {
-            bench.write("table.csv", written(&reading.table, dialect));
+            bench.write("table.csv", file(&reading.table, dialect));
             let run = |command: &Vec<&str>| bench.run(command).well().out;
             let said: String = reading.commands.iter().map(run).collect();
             let found = match reading.file {

@@ -44,6 +44,7 @@ mod ranges;
 mod relief;
 mod result_messages;
 mod results;
+mod review_cases;
 mod rexs;
 mod ridges;
 mod same_case;

@@ -31,13 +31,13 @@ fn with_map() -> Bench {
 #[test]
 fn a_file_that_is_no_table_says_how_to_export_one() {
     let bench = with_map();
-    bench.write("sheet.xlsx", b"PK\x03\x04\0\0\x08\0".as_slice());
+    bench.write("sheet.xls", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1".as_slice());
+    bench.write("data.h5", b"\x89HDF\r\n\x1a\n\0\0".as_slice());
+    let said = bench.run(&["cycle", "m", "sheet.xls", "--no-output"]);
+    said.refused(2, "E117", &["sheet.xls: not a valid Excel workbook"]);
     bench.write("data.mat", b"MATLAB 5.0 MAT-file\0\0\0\x01IM".as_slice());
     for (file, advice) in [
-        (
-            "sheet.xlsx",
-            "Save the sheet of the table as CSV, or as text with tabs.",
-        ),
+        ("data.h5", "Export the table as CSV, or as text with tabs."),
         (
             "data.mat",
             "write the columns with their names as CSV, in MATLAB with writetable",
@@ -128,7 +128,7 @@ fn a_cycle_without_names_takes_those_of_the_command_line() {
     bench.write("units.csv", format!("time_s,speed_km_h\n{rows}"));
     cycle("units.csv", &[]).refused_json(
         "E101",
-        "12 lines are like it: line 2 \"0 1 km/h\", line 3 \"1 1 km/h\"",
+        "12 lines look like this: line 2 \"0 1 km/h\", line 3 \"1 1 km/h\"",
     );
 }
 

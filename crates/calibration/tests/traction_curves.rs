@@ -261,6 +261,26 @@ fn an_export_of_a_machine_gives_the_constants_of_its_table() {
     let wrong = text.replace("\t1.000\t", "\t7.000\t");
     let refused = read_pcs("mtm.txt", &wrong, &machine(), Probe::Lube).unwrap_err();
     assert!(matches!(refused, OilError::Row { .. }), "{refused}");
+    let said = refused.to_string();
+    assert!(
+        said.contains("; 12 lines look like this: line 8 \""),
+        "{said}"
+    );
+    assert!(
+        said.ends_with("; the columns seem to be mixed up"),
+        "{said}"
+    );
+    // A mark in place of many numbers, and of one.
+    let marked = text.replace("\t40.0\t", "\tn.a.\t");
+    let refused = read_pcs("mtm.txt", &marked, &machine(), Probe::Lube).unwrap_err();
+    let said = refused.to_string();
+    assert!(
+        said.contains("temperature: \"n.a.\" is not a finite number; 40 lines look like this"),
+        "{said}"
+    );
+    let marked = text.replacen("\t40.0\t", "\tn.a.\t", 1);
+    let refused = read_pcs("mtm.txt", &marked, &machine(), Probe::Lube).unwrap_err();
+    assert!(!refused.to_string().contains("look like this"), "{refused}");
     // The title may lack, and a slow step prints few digits of its sliding speed.
     let untitled = text
         .split_once("Step 1")
@@ -291,6 +311,91 @@ fn an_export_of_a_machine_gives_the_constants_of_its_table() {
             readings.iter().all(|one| one.contradiction.is_none()),
             "{printed}"
         );
+    }
+}
+
+#[test]
+fn an_export_is_read_as_spreadsheets_and_other_machines_write_it() {
+    let text = export(E_FLUID, 0.0);
+    let read = |text: &str| read_pcs("mtm.txt", text, &machine(), Probe::Lube);
+    let expected = read(&text).unwrap();
+    let comma = |text: &str| text.replace('.', ",");
+    // The same columns from the last to the first.
+    let turned = |text: &str| -> String {
+        let line = |line: &str| {
+            let mut cells: Vec<&str> = line.split('\t').collect();
+            if cells.len() > 3 {
+                cells.reverse();
+            }
+            cells.join("\t") + "\r\n"
+        };
+        text.lines().map(line).collect()
+    };
+    let quoted = |text: &str, separator: char| -> String {
+        let line = |line: &str| {
+            let cells: Vec<String> = line.split('\t').map(|cell| format!("\"{cell}\"")).collect();
+            match cells.len() > 3 {
+                true => cells.join(&separator.to_string()) + "\n",
+                false => line.replace('\t', &separator.to_string()) + "\n",
+            }
+        };
+        text.lines().map(line).collect()
+    };
+    let wider = |text: &str| -> String {
+        let line = |line: &str| {
+            let mut cells: Vec<&str> = line.split('\t').collect();
+            if cells.len() > 3 {
+                let is_name = cells[0].starts_with("SRR");
+                cells.insert(5, if is_name { "ECR (%)" } else { "98" });
+            }
+            cells.join("\t") + "\r\n"
+        };
+        text.lines().map(line).collect()
+    };
+    let filled = |text: &str| text.replace('\t', ";").replace("\r\n", ";;;;\r\n");
+    for (about, text) in [
+        ("decimal commas", comma(&text)),
+        (
+            "decimal commas, with a mark",
+            format!("\u{feff}{}", comma(&text)),
+        ),
+        (
+            "semicolons and decimal commas",
+            comma(&text).replace('\t', ";"),
+        ),
+        ("semicolons and decimal points", text.replace('\t', ";")),
+        ("commas", text.replace('\t', ",")),
+        ("rows filled with separators", filled(&comma(&text))),
+        ("quoted cells", quoted(&text, '\t')),
+        ("quoted cells and semicolons", quoted(&comma(&text), ';')),
+        ("blanks around numbers", text.replace('\t', " \t  ")),
+        ("columns in another order", turned(&text)),
+        ("a further column", wider(&text)),
+        (
+            "other names of the temperatures",
+            text.replace("Pot RTD Temp (degC)", "Pot Temp (°C)")
+                .replace("Lube RTD Temp (degC)", "Lube Temp (°C)"),
+        ),
+        (
+            "steps with names",
+            text.replace("Step 1 started", "Step 1 \"curve at 1 GPa\" started"),
+        ),
+        (
+            "times of other countries",
+            text.replace("23/03/2018 10:01:00", "2018-03-23 10.01"),
+        ),
+    ] {
+        let found = read(&text).unwrap_or_else(|error| panic!("{about}: {error}"));
+        assert!(is_pcs(&text), "{about}");
+        assert_eq!(found.len(), expected.len(), "{about}");
+        for (one, other) in found.iter().zip(&expected) {
+            assert_eq!(
+                (one.traction, one.setting),
+                (other.traction, other.setting),
+                "{about}"
+            );
+            assert!(one.contradiction.is_none(), "{about}");
+        }
     }
 }
 

@@ -14,7 +14,7 @@ const DIALECT: usize = 10;
 ///     faults.add(line, "0.5 um");
 /// }
 /// assert!(faults.is_dialect());
-/// assert_eq!(faults.to_string(), "10 lines are like it: line 3 \"0.5 um\", line 4 \"0.5 um\"");
+/// assert_eq!(faults.to_string(), "10 lines look like this: line 3 \"0.5 um\", line 4 \"0.5 um\"");
 /// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct RepeatedFault {
@@ -46,6 +46,11 @@ impl fmt::Display for RepeatedFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let shown = |(line, text): &(usize, String)| format!("line {line} \"{text}\"");
         let shown: Vec<String> = self.shown.iter().map(shown).collect();
-        write!(f, "{} lines are like it: {}", self.count, shown.join(", "))
+        write!(
+            f,
+            "{} lines look like this: {}",
+            self.count,
+            shown.join(", ")
+        )
     }
 }

@@ -195,6 +195,8 @@ fn a_single_column_below_its_count_and_conditions_is_read() {
         ("Nombre de points;130\nVitesse;0,5\n", true),
         ("Numero di punti 130\n", false),
         ("Lc 0.8\nLs 0.0025\n130\n", false),
+        ("Distance 4.8 mm\n130\n", false),
+        ("Altura 7\nLongitud 4,8 mm\n130\n", true),
         ("Instrument\nDate 2026-01-31\n130\n", false),
         ("\u{feff}130\n", false),
         ("130\n\n", false),
@@ -418,22 +420,62 @@ fn a_fault_that_repeats_says_what_the_file_seems_to_be() {
     let with = |from: usize, bad: &dyn Fn(usize) -> String| {
         table(&|i| if i < from { good(i) } else { bad(i) })
     };
+    // In another dialect: separator, and whether the decimal sign is a comma.
+    let in_dialect = |separator: &str, comma: bool, bad: &dyn Fn(usize) -> String| -> String {
+        let cell = |value: f64| text(value, comma);
+        let row = |i: usize| match bad(i) {
+            bad if i >= 60 && i % 3 == 0 => format!("{}{separator}{bad}\n", cell(0.5 * i as f64)),
+            _ => format!("{}{separator}{}\n", cell(0.5 * i as f64), cell(z(i))),
+        };
+        format!("x [um]{separator}z [um]\n") + &(0..POINTS).map(row).collect::<String>()
+    };
+    let mark = |text: &'static str| move |_: usize| text.to_owned();
     type Row<'a> = (&'a str, String, &'a str, &'a str);
-    let rows: [Row<'_>; 6] = [
+    let rows: [Row<'_>; 14] = [
         (
             "mark",
             with(90, &|i| match i % 3 {
                 0 => format!("{:.1};lost\n", 0.5 * i as f64),
                 _ => good(i),
             }),
-            "; 14 lines are like it: line 92 \"45.0;lost\", line 95 \"46.5;lost\"; the file seems to mark missing points with \"lost\"",
-            "Write NaN or nothing in place of the mark",
+            "; 14 lines look like this: line 92 \"45.0;lost\", line 95 \"46.5;lost\"; the file seems to mark missing points with \"lost\"",
+            "Write NaN in place of the mark",
+        ),
+        (
+            "German mark",
+            in_dialect(";", true, &mark("kaputt")),
+            "; the file seems to mark missing points with \"kaputt\"",
+            "Write NaN in place of the mark",
+        ),
+        (
+            "French mark between tabs",
+            in_dialect("\t", true, &mark("hors échelle")),
+            "; the file seems to mark missing points with \"hors échelle\"",
+            "Write NaN in place of the mark",
+        ),
+        (
+            "mark of a sign",
+            in_dialect(",", false, &mark("<<>>")),
+            "; the file seems to mark missing points with \"<<>>\"",
+            "Write NaN in place of the mark",
         ),
         (
             "unit",
             with(100, &|i| good(i).replace('\n', " um\n")),
             "; the numbers seem to be followed by the unit \"um\"",
             "Remove \"um\" from all rows and write it in the line of names, as z [um]",
+        ),
+        (
+            "unit without a blank, between tabs",
+            in_dialect("\t", true, &|i| text(z(i), true) + "µm"),
+            "; the numbers seem to be followed by the unit \"µm\"",
+            "Remove \"µm\" from all rows and write it in the line of names, as z [µm]",
+        ),
+        (
+            "unit of some rows, between commas",
+            in_dialect(",", false, &|i| text(z(i), false) + " nm"),
+            "; the numbers seem to be followed by the unit \"nm\"",
+            "Remove \"nm\" from all rows and write it in the line of names, as z [nm]",
         ),
         (
             "text",
@@ -444,8 +486,34 @@ fn a_fault_that_repeats_says_what_the_file_seems_to_be() {
             "Export the position and the height as numbers",
         ),
         (
+            "text beside two columns of numbers",
+            "x [um];z [um];t [um]\n".to_owned()
+                + &(0..POINTS)
+                    .map(|i| {
+                        let place = format!("{:.1}", 0.5 * i as f64);
+                        let x = if i < 60 {
+                            &place
+                        } else {
+                            ["left", "right"][i % 2]
+                        };
+                        format!("{x};{};{place}\n", text(z(i), false))
+                    })
+                    .collect::<String>(),
+            "; column 1 seems to hold text",
+            "Set columns, e.g. 2,3",
+        ),
+        (
             "tables",
             with(100, &|i| format!("{i};1;2;3\n")),
+            "; another table seems to begin here",
+            "Export one table to a file, or delete the others",
+        ),
+        (
+            "tables with names",
+            with(60, &|i| match i {
+                60 => "Second scan\nx [um];z [um]\n".to_owned() + &good(i),
+                _ => good(i),
+            }),
             "; another table seems to begin here",
             "Export one table to a file, or delete the others",
         ),
@@ -455,6 +523,12 @@ fn a_fault_that_repeats_says_what_the_file_seems_to_be() {
                 0 => format!("{:.1};0;25\n", 0.5 * i as f64),
                 _ => good(i),
             }),
+            "; the file seems to have cells with its separator in them",
+            "Export with ';' or a tab between the columns",
+        ),
+        (
+            "decimal commas between commas",
+            in_dialect(",", false, &|i| text(z(i), true)),
             "; the file seems to have cells with its separator in them",
             "Export with ';' or a tab between the columns",
         ),
@@ -483,5 +557,260 @@ fn a_fault_that_repeats_says_what_the_file_seems_to_be() {
             if i == 14 { bad.to_owned() } else { good(i) }
         }));
         assert_eq!(remedy, "Correct or remove this line", "{message}");
+    }
+}
+
+#[test]
+fn the_names_of_columns_decide_in_every_language() {
+    for (x, height, separator, comma) in [
+        ("Position", "Height", ",", false),
+        ("Taststrecke", "Höhe", ";", true),
+        ("Distance", "Hauteur", ";", true),
+        ("Distancia", "Altura", ";", true),
+        ("Posizione", "Altezza", "\t", true),
+        ("Distância", "Altura", ";", true),
+        ("Afstand", "Hoogte", ";", true),
+        ("Avstånd", "Höjd", "\t", true),
+        ("Afstand", "Højde", ";", true),
+        ("Matka", "Korkeus", "\t", true),
+        ("Vzdálenost", "Výška", ";", true),
+        ("Odległość", "Wysokość", ";", true),
+        ("Távolság", "Magasság", ";", true),
+        ("Mesafe", "Yükseklik", ";", true),
+        ("Расстояние", "Высота", ";", true),
+        ("距離", "高さ", ",", false),
+        ("距离", "高度", ",", false),
+        ("거리", "높이", ",", false),
+    ] {
+        let cell = |value: f64| text(value, comma);
+        let file = |names: [&str; 2], row: &dyn Fn(usize) -> [f64; 2]| {
+            let row = |i: usize| row(i).map(cell).join(separator) + "\n";
+            names.join(separator) + "\n" + &(0..POINTS).map(row).collect::<String>()
+        };
+        let names = [format!("{x} [µm]"), format!("{height} [µm]")];
+        let [x_name, z_name] = names.each_ref().map(String::as_str);
+        let place = |i: usize| 0.5 * i as f64;
+        let usual = file([x_name, z_name], &|i| [place(i), z(i)]);
+        let turned = file([z_name, x_name], &|i| [z(i), place(i)]);
+        for text in [usual, turned] {
+            let reading = read("flank.csv", &text, &ReadOptions::default());
+            assert_heights(&reading, 0.5, &text[..60]);
+        }
+    }
+}
+
+#[test]
+fn heights_alone_take_spacing_and_unit_from_the_lines_above_in_every_language() {
+    for (spacing, unit, separator, comma) in [
+        ("Spacing,0.5,um", "Unit,um", ",", false),
+        ("Point spacing = 0.5 um", "Z unit = um", ",", false),
+        ("Punktabstand;0,5;µm", "Einheit;µm", ";", true),
+        ("XY-Justierung;500;nm", "Einheit;µm", ";", true),
+        ("Messpunktabstand: 0,5 µm", "Einheit: µm", ";", true),
+        ("Pas d'échantillonnage;0,5;µm", "Unité;µm", ";", true),
+        ("Pas\t0,5\tµm", "Unité\tµm", "\t", true),
+        ("Paso;0,5;um", "Unidad;um", ";", true),
+        ("Paso de muestreo: 0,5 um", "Unidad: um", ";", true),
+        ("Passo di campionamento;0,5;µm", "Unità;µm", ";", true),
+        ("Espaçamento;0,5;µm", "Unidade;µm", ";", true),
+        ("Pitch;0,5;um", "Unit;um", ";", true),
+    ] {
+        for [first, second] in [[spacing, unit], [unit, spacing]] {
+            let column: String = (0..POINTS).map(|i| text(z(i), comma) + "\n").collect();
+            let body = format!("{first}\n{second}\n{column}");
+            let reading = read("flank.txt", &body, &ReadOptions::default());
+            assert_heights(&reading, 0.5, &format!("{first} {second} {separator}"));
+        }
+    }
+}
+
+#[test]
+fn zygo_text_of_every_program_has_spacing_unit_and_missing_points() {
+    for (program, comment, phase, origin, end, line_end, mark) in [
+        (
+            "0 0 0 0",
+            "\"flank\"",
+            "0 0 300 20 1 255",
+            [12, 8],
+            "#\n",
+            "\n",
+            "No Data",
+        ),
+        (
+            "0 8 0 0",
+            "\"      \"",
+            "0 0 0 0 0 0",
+            [0, 0],
+            "#\n",
+            "\n",
+            "No Data",
+        ),
+        (
+            "1 3 2 0",
+            "\"\"",
+            "0 0 0 0 0 0",
+            [0, 0],
+            "",
+            "\n",
+            "No Data",
+        ),
+        (
+            "0 3 0 0",
+            "\"Zahnflanke links\"",
+            "0 0 130 3 1 255",
+            [1, 1],
+            "#\n",
+            "\r\n",
+            "No Data",
+        ),
+        (
+            "2 8 3 9",
+            "\"flanc\"",
+            "0 0 640 480 1 1023",
+            [255, 0],
+            "#\r\n",
+            "\r\n",
+            "no data",
+        ),
+        (
+            "0 0 0 0",
+            "\"\"",
+            "0 0 0 0 0 0",
+            [0, 500],
+            "#\n\n\n",
+            "\n",
+            "NaN",
+        ),
+        (
+            "0 8 0 0",
+            "\"\"",
+            "0 0 0 0 0 0",
+            [7, 0],
+            " #\n",
+            "\n",
+            "Bad",
+        ),
+        (
+            "0 8 0 0",
+            "\"1 2 3 4\"",
+            "0 0 0 0 0 0",
+            [0, 0],
+            "",
+            "\n",
+            "---",
+        ),
+        (
+            "0 8 0 0",
+            "#1",
+            "0 0 0 0 0 0",
+            [0, 0],
+            "#\n",
+            "\n",
+            "No Data",
+        ),
+        ("0 8 0 0", "", "0 0 0 0 0 0", [0, 0], "#\n", "\n", "null"),
+        (
+            "0 8 0 0",
+            "\"歯面\"",
+            "0 0 0 0 0 0",
+            [0, 0],
+            "#\n",
+            "\n",
+            "No Data",
+        ),
+        (
+            "0 8 0 0",
+            "\"\"",
+            "0 0 0 0 0 0",
+            [1023, 1023],
+            "#\n",
+            "\r\n",
+            "n/a",
+        ),
+    ] {
+        let about = format!("{program} {comment} {origin:?} {end:?} {mark}");
+        let head = [
+            "Zygo XYZ Data File - Format 1",
+            &format!("{program} \"Mon Nov 02 10:00:00 2026\""),
+            phase,
+            &format!("{} {} {POINTS} 3", origin[0], origin[1]),
+            comment,
+            "\"\"",
+            "\"\"",
+            "0 0.5 5.79245e-07 0.08 1 0 2.5e-06 1773929740",
+            "1024 1024 0 0 80044 0 \"\"",
+            "0 0 0 0 0 0 0 8.94484 0 0",
+            "#",
+        ]
+        .join(line_end);
+        let point = |k: usize| {
+            let (x, y) = (k % POINTS, k / POINTS);
+            let height = match (x, y) {
+                (7, 0) | (90, 2) => mark.to_owned(),
+                _ => text(z(x) + if y == 1 { 0.0 } else { 0.3 }, false),
+            };
+            format!("{} {} {height}{line_end}", x + origin[0], y + origin[1])
+        };
+        let body: String = (0..3 * POINTS).map(point).collect();
+        let body = format!("{head}{line_end}{body}{end}");
+        let row = |row: usize| ReadOptions {
+            row: Some(row),
+            ..ReadOptions::default()
+        };
+        assert_heights(&read("flank.xyz", &body, &row(2)), 2.5, &about);
+        let missing = read_bytes("flank.xyz", body.as_bytes(), &row(1)).unwrap_err();
+        assert_eq!(missing.code(), "E107", "{about}: {missing}");
+        // Without its resolution it asks for the spacing.
+        let bare = body.replace("2.5e-06", "0");
+        let asked = read_bytes("flank.xyz", bare.as_bytes(), &row(2)).unwrap_err();
+        assert_eq!(asked.code(), "E110", "{about}: {asked}");
+        let told = ReadOptions {
+            dx: Some("2.5 um".parse().unwrap()),
+            ..row(2)
+        };
+        assert_heights(&read("flank.xyz", &bare, &told), 2.5, &about);
+    }
+}
+
+#[test]
+fn a_matrix_whose_rows_start_with_their_numbers_has_the_points_that_it_states() {
+    for (head, separator, comma, width) in [
+        ("Number of Points,130\n", ",", false, 0),
+        ("Points per trace\t130\nTrace\tData\n", "\t", false, 0),
+        ("Anzahl Punkte;130\nAnzahl Profile;3\n", ";", true, 0),
+        (
+            "Number of Points\t130\r\nNumber of Traces\t3\r\n\r\nTrace\tData\r\n",
+            "\t",
+            false,
+            9,
+        ),
+        ("Messpunkte: 130\n", ";", true, 0),
+        ("# number of points: 130\n", " ", false, 0),
+        ("Points = 130\n", "\t", true, 10),
+        ("Samples per trace,130\n", ",", false, 8),
+        ("Data points;130\n", ";", false, 0),
+        ("No. of points 130\n", "  ", false, 0),
+        ("\u{feff}Punkte;130\n", ";", true, 0),
+        ("Part 7\nPoints per line,130\nx\n", ",", false, 0),
+    ] {
+        let row = |row: usize| {
+            let cells = (0..POINTS).map(|i| {
+                let value = text(z(i) + if row == 2 { 0.0 } else { 0.4 }, comma);
+                format!("{separator}{value:>width$}")
+            });
+            format!("{row}{}\n", cells.collect::<String>())
+        };
+        let body = head.to_owned() + &(1..4).map(row).collect::<String>();
+        let second = ReadOptions {
+            row: Some(2),
+            ..stated("1.25 um", "um")
+        };
+        assert_heights(&read("surface.txt", &body, &second), 1.25, head);
+        let surface = read_surface_bytes("surface.txt", body.as_bytes(), &second).unwrap();
+        assert_eq!((surface.columns, surface.rows), (POINTS, 3), "{head}");
+        // A height before the others is no number of its row.
+        let other = body.replace("\n3", "\n5");
+        let error = read_bytes("surface.txt", other.as_bytes(), &second).unwrap_err();
+        assert_eq!(error.code(), "E117", "{head}: {error}");
     }
 }

@@ -1,6 +1,7 @@
 //! Reader of REXS in XML.
 
 use quick_xml::Reader;
+use quick_xml::escape::unescape;
 use quick_xml::events::{BytesStart, Event};
 
 use crate::error::RexsError;
@@ -72,7 +73,15 @@ pub fn read(text: &str) -> Result<Model, RexsError> {
             }
             Event::Text(text) => {
                 if let Some((_, attribute)) = open.attribute.as_mut().filter(|_| open.nested == 0) {
-                    attribute.text.push_str(text.trim());
+                    attribute.text.push_str(&text);
+                }
+            }
+            // An entity such as &#252; is an event of its own.
+            Event::GeneralRef(name) => {
+                if let Some((_, attribute)) = open.attribute.as_mut().filter(|_| open.nested == 0)
+                    && let Ok(text) = unescape(&format!("&{};", &*name))
+                {
+                    attribute.text.push_str(&text);
                 }
             }
             Event::Eof => break,
@@ -151,9 +160,10 @@ fn close_element(name: &str, open: &mut Open, model: &mut Model) -> Result<(), R
     }
     match name {
         "attribute" => {
-            if let (Some((id, attribute)), Some(component)) =
+            if let (Some((id, mut attribute)), Some(component)) =
                 (open.attribute.take(), &mut open.component)
             {
+                attribute.text = attribute.text.trim().to_owned();
                 component.attributes.insert(id, attribute);
             }
         }
@@ -184,7 +194,7 @@ fn value(element: &BytesStart<'_>, name: &str) -> Result<String, String> {
     let Some(attribute) = attribute else {
         return Ok(String::new());
     };
-    let text = quick_xml::escape::unescape(&attribute.value).map_err(|error| error.to_string())?;
+    let text = unescape(&attribute.value).map_err(|error| error.to_string())?;
     Ok(text.into_owned())
 }
 

@@ -103,6 +103,23 @@ fn a_model_is_read_in_the_encoding_that_it_has() {
                 .collect::<Vec<u8>>(),
         );
     }
+    // Entities, comments, instructions and blanks between elements say nothing else.
+    let plain = named("UTF-8");
+    for (old, new) in [
+        ("Prüfstand", "Pr&#252;fstand"),
+        ("</components>", "<!-- end --></components>"),
+        ("<components>", "<?sort by id?><components>"),
+        ("\n", "\r\n\r\n"),
+        ("\"", "'"),
+        (
+            "<attribute id=\"number_of_teeth\">20<",
+            "<attribute unit=\"\" id=\"number_of_teeth\"> &#50;0 <",
+        ),
+    ] {
+        let text = plain.replace(old, new);
+        assert!(text != plain, "{old}");
+        is_chain(text.as_bytes());
+    }
     // A declaration in a comment, or cut off, is none.
     is_chain(named("UTF-8").replace("Prüfstand", "encoding=").as_bytes());
     assert!(Model::read(b"<?xml encoding=").is_err());

@@ -126,12 +126,11 @@ fn a_fault_that_repeats_is_one_of_the_file() {
     let [fault] = &faults(&rows("1,x", 10))[..] else {
         panic!("ten faults are one of the file");
     };
-    let expected =
-        "3: b: \"x\" is not a finite number; 10 lines are like it: line 3 \"1 x\", line 4 \"1 x\"";
+    let expected = "3: b: \"x\" is not a finite number; 10 lines look like this: line 3 \"1 x\", line 4 \"1 x\"";
     assert!(fault.to_string().starts_with(expected), "{fault}");
     let ragged = |count| Table::read(&rows("1,2,3", count)).unwrap_err().to_string();
-    assert!(!ragged(9).contains("are like it"));
-    assert!(ragged(10).contains("10 lines are like it: line 3 \"1 2 3\""));
+    assert!(!ragged(9).contains("look like this"));
+    assert!(ragged(10).contains("10 lines look like this: line 3 \"1 2 3\""));
 }
 
 #[test]

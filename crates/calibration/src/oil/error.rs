@@ -3,7 +3,7 @@
 use asperity::case::STEEPEST_FALL;
 use asperity::mixed_film::LoadShareError;
 use asperity::oil::LubricantError;
-use asperity_core::{decimals, number};
+use asperity_core::{RepeatedFault, decimals, number};
 
 use crate::error::CalibrationError;
 
@@ -174,6 +174,18 @@ pub enum OilError {
 }
 
 impl OilError {
+    /// The error of a row, with the rows like it and what the file then seems to have, if they are many.
+    pub(super) fn repeated(self, like: &RepeatedFault, seems: &str) -> Self {
+        match self {
+            Self::Row { file, line, rule } if like.is_dialect() => Self::Row {
+                file,
+                line,
+                rule: format!("{rule}; {like}; {seems}"),
+            },
+            other => other,
+        }
+    }
+
     /// Stable code of the error.
     #[must_use]
     pub fn code(&self) -> &'static str {

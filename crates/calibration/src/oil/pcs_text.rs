@@ -1,4 +1,5 @@
-//! Readings from the text export of a PCS traction machine (MTM, EHD): tab-separated, in steps.
+//! Readings from the text export of a PCS traction machine (MTM, EHD), in steps: separated by tabs, or as a spreadsheet saves
+//! it, with decimal points or commas.
 //!
 //! Every step whose table has load, rolling speed, slide-to-roll ratio and traction coefficient is read, whatever the type
 //! of the step is called. The first columns of a table are repeated further right; the last one of each name is taken.
@@ -6,8 +7,8 @@
 //! A step with the column of an average film measures film thickness, usually on glass, and no traction. Its films replace the
 //! computed ones at the same load and set temperature, between its speeds, along straight lines over the logarithms.
 
-use asperity_core::number as number_text;
 use asperity_core::quantity::{Force, Length, Speed, Temperature};
+use asperity_core::{RepeatedFault, number as number_text};
 
 use super::error::OilError;
 use super::machine::{Machine, Setting};
@@ -69,31 +70,45 @@ pub fn read_pcs(
 ) -> Result<Vec<Reading>, OilError> {
     let (mut readings, mut films) = (Vec::new(), Vec::new());
     let (mut step, mut columns) = (0, None);
+    let mut fault: Option<OilError> = None;
+    let [mut faults, mut contradictions] = [(); 2].map(|()| RepeatedFault::default());
+    let separator = ['\t', ';'].into_iter().find(|sign| text.contains(*sign));
+    let separator = separator.unwrap_or(',');
     for (number, line) in text.lines().enumerate() {
-        let cells: Vec<&str> = line
-            .trim_end_matches('\r')
-            .split('\t')
-            .map(str::trim)
-            .collect();
+        let cells = line.trim_end_matches('\r').split(separator);
+        let cells: Vec<&str> = cells.map(|cell| cell.trim().trim_matches('"')).collect();
         if starts_step(line) {
             (step, columns) = (step + 1, None);
         } else if let Some(found) = Columns::of(&cells, probe) {
             columns = Some(found);
-        } else if line.trim().is_empty() {
+        } else if cells.iter().all(|cell| cell.is_empty()) {
             columns = None;
         } else if let Some(columns) = &columns {
             let place = Place {
                 file: name,
                 line: number + 1,
             };
-            match columns.film {
-                Some(_) => films.extend(columns.film(&cells, place)?),
-                None => readings.push(Reading {
-                    step,
-                    ..columns.reading(&cells, machine, place)?
+            let read = match columns.film {
+                Some(_) => columns.film(&cells, place).map(|film| films.extend(film)),
+                None => columns.reading(&cells, machine, place).map(|reading| {
+                    if reading.contradiction.is_some() {
+                        contradictions.add(number + 1, line);
+                    }
+                    readings.push(Reading { step, ..reading });
                 }),
+            };
+            match read {
+                Ok(()) => {}
+                Err(row @ OilError::Row { .. }) => {
+                    fault.get_or_insert(row);
+                    faults.add(number + 1, line);
+                }
+                Err(other) => return Err(other),
             }
         }
+    }
+    if let Some(fault) = fault {
+        return Err(fault.repeated(&faults, "the column seems to hold something else"));
     }
     match readings.is_empty() {
         true => Err(OilError::NoTable {
@@ -106,7 +121,8 @@ pub fn read_pcs(
             {
                 let rule = first.contradiction.clone().unwrap_or_default();
                 let line = first.line;
-                return Err(Place { file: name, line }.fault(rule));
+                let fault = Place { file: name, line }.fault(rule);
+                return Err(fault.repeated(&contradictions, "the columns seem to be mixed up"));
             }
             for reading in &mut readings {
                 reading.film = film_at(&films, reading);

@@ -14,17 +14,14 @@ pub(super) fn damaged(format: Format, what: &'static str, seen: &str) -> ReadFau
     }
 }
 
-/// The height in `field`.
-pub(super) fn height(format: Format, field: &str) -> Result<f64, ReadFault> {
-    number(field).ok_or_else(|| damaged(format, "a height is not a number", field))
+/// The height in `field`, NaN for a missing point; `None` if it is neither.
+pub(super) fn height(field: &str) -> Option<f64> {
+    number(field).or_else(|| is_missing(field).then_some(f64::NAN))
 }
 
-/// The height in `field`, NaN for a point that the format marks as missing.
-pub(super) fn height_or_gap(format: Format, field: &str) -> Result<f64, ReadFault> {
-    match is_missing(field) {
-        true => Ok(f64::NAN),
-        false => height(format, field),
-    }
+/// The error for a height `field` that is not a number.
+pub(super) fn not_a_number(format: Format, field: &str) -> ReadFault {
+    damaged(format, "a height is not a number", field)
 }
 
 /// The error for `found` heights where the header states another number.

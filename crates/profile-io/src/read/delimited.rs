@@ -45,11 +45,16 @@ pub(super) fn read(
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
     let values = HeaderValues::of(header);
     if matrix::is_matrix(&labels, &values, options) {
-        let fewer = stated_count::check(Format::TextMatrix, header, sniffed.columns)?;
+        let numbering = matrix::numbering(header, table, &sniffed);
+        let points = sniffed.columns - numbering;
+        let fewer = stated_count::check(Format::TextMatrix, header, points)?;
         let first = table.first().map_or(1, |line| line.number);
         let found = match options.line {
-            TraceLine::Row => matrix::read(text, first, &lines, &sniffed, &values, options)?,
-            _ => matrix::surface(text, first, &lines, &sniffed, &values)?.trace(options)?,
+            TraceLine::Row => {
+                matrix::read(text, first, &lines, &sniffed, numbering, &values, options)?
+            }
+            _ => matrix::surface(text, first, &lines, &sniffed, numbering, &values)?
+                .trace(options)?,
         };
         let mut trace = found.finish(name, options)?;
         trace.warnings.extend(fewer);
@@ -135,7 +140,9 @@ pub(super) fn surface(
             "no matrix of heights",
         ));
     }
-    matrix::surface(text, first, &lines, &sniffed, &HeaderValues::of(header))
+    let numbering = matrix::numbering(header, table, &sniffed);
+    let values = HeaderValues::of(header);
+    matrix::surface(text, first, &lines, &sniffed, numbering, &values)
 }
 
 /// Relative difference up to which a value of a header and the value used are taken as equal.

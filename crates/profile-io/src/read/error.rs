@@ -52,6 +52,9 @@ impl ReadError {
     }
 }
 
+/// Remedy for a workbook whose table is not read.
+const SHEET_AS_TEXT: &str = "save the sheet of the table as CSV, or as text with tabs";
+
 /// Reason why a file cannot be read, without its name.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -129,6 +132,12 @@ pub enum ReadFault {
         /// The format.
         format: Format,
     },
+    /// A workbook with tables on several sheets.
+    #[error("the workbook has numbers on {sheets} sheets")]
+    SeveralTables {
+        /// Number of these sheets.
+        sheets: usize,
+    },
     /// A file in place of a table as text.
     #[error("the file ({format}) is not a table as text")]
     NotTable {
@@ -187,11 +196,14 @@ pub enum ReadFault {
     },
     /// The columns of x and height are unclear.
     #[error(
-        "{columns} columns and no header that names x and height (or columns that do not exist)"
+        "{columns} columns{} and no header that names x and height (or columns that do not exist)",
+        if labels.is_empty() { String::new() } else { format!(" ({})", labels.join(", ")) }
     )]
     ColumnsUnclear {
         /// Number of columns.
         columns: usize,
+        /// Labels of the columns, if they have any.
+        labels: Vec<String>,
     },
     /// Commas may be separators or decimal signs.
     #[error("\"{text}\": commas may separate columns or be decimal signs")]
@@ -371,10 +383,9 @@ impl ReadFault {
                 .or_set(Setting::Row, Value::Any)
                 .because("to another trace of a surface"),
             Self::FormatNotRead { format, .. } => Remedy::act(format.remedy()),
+            Self::SeveralTables { .. } => Remedy::act(SHEET_AS_TEXT),
             Self::NotTable { format } => Remedy::act(match format {
-                Format::Excel | Format::ExcelBinary => {
-                    "save the sheet of the table as CSV, or as text with tabs"
-                }
+                Format::Excel | Format::ExcelBinary => SHEET_AS_TEXT,
                 Format::Matlab => {
                     "write the columns with their names as CSV, in MATLAB with writetable"
                 }
@@ -438,7 +449,7 @@ impl ReadFault {
                     .or_do("check the unit of the positions")
             }
             Self::Impossible { .. } => Remedy::act("check the unit and the columns"),
-            Self::OfFile { first, seems, .. } => seems.remedy(first.remedy()),
+            Self::OfFile { first, seems, .. } => seems.remedy(first),
             Self::RepeatedPoint { .. } => Remedy::act("export one scan to a file")
                 .or_set(Setting::Columns, Value::Like("1,3".into()))
                 .because("if the three columns are not x, y and z"),
@@ -455,7 +466,9 @@ impl ReadFault {
             Self::NotMonotone { .. } | Self::RepeatedPoint { .. } => "E105",
             Self::TooFewPoints { .. } => "E106",
             Self::MissingPoints { .. } => "E107",
-            Self::FormatNotRead { .. } | Self::NotTable { .. } => "E108",
+            Self::FormatNotRead { .. } | Self::NotTable { .. } | Self::SeveralTables { .. } => {
+                "E108"
+            }
             Self::UnevenSpacing { .. } => "E109",
             Self::NoSpacing { .. } => "E110",
             Self::RaggedRow { .. } => "E111",

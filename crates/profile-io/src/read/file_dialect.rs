@@ -2,9 +2,12 @@
 
 use asperity_core::RepeatedFault;
 
+use super::damage::{height, not_a_number};
 use super::dialect::{Cell, Sniffed};
 use super::error::{CellRemedy, ReadFault};
+use super::format::Format;
 use super::layout::Dialect;
+use super::options::LengthUnit;
 use super::seems::FileDialect;
 use super::text::Lines;
 
@@ -32,6 +35,8 @@ pub(super) fn of_file(
     let mut faults = RepeatedFault::default();
     faults.add(number, text);
     let mut marks = Marks::of(cell);
+    let is_number = |cell: &str| matches!(dialect.cell(cell), Cell::Number(_));
+    let is_text = !dialect.cells(text).any(is_number);
     // Lines at the fault that are no rows, and whether rows follow them.
     let (mut block, mut follows) = (1, false);
     while let Some(line) = lines.next()? {
@@ -60,7 +65,9 @@ pub(super) fn of_file(
     /// Lines of a header between two tables.
     const HEADER: usize = 2;
     let seems = match (&kind, &fault) {
-        (Kind::Width(_), _) if follows && block >= HEADER => FileDialect::Tables,
+        (kind, _) if follows && block >= HEADER && (is_text || matches!(kind, Kind::Width(_))) => {
+            FileDialect::Tables
+        }
         _ if !faults.is_dialect() => return Ok(fault),
         (Kind::Width(_), _) if !follows => FileDialect::Tables,
         (Kind::Width(_), _) => FileDialect::Ragged,
@@ -143,4 +150,71 @@ fn unit_after(cell: &str) -> Option<&str> {
     let has_digit = cell[..cell.len() - unit.len()].contains(|c: char| c.is_ascii_digit());
     (has_digit && !unit.is_empty() && unit.chars().all(|c| c.is_alphabetic() || c == '°'))
         .then_some(unit)
+}
+
+/// Heights of an instrument's text that are not numbers, of one kind.
+pub(super) struct BadHeights {
+    first: ReadFault,
+    seems: FileDialect,
+    faults: RepeatedFault,
+}
+
+impl BadHeights {
+    /// The height `field` in the line `number` with `text`.
+    pub(super) fn new(format: Format, field: &str, (number, text): (usize, &str)) -> Self {
+        let mut faults = RepeatedFault::default();
+        faults.add(number, text);
+        Self {
+            first: not_a_number(format, field),
+            seems: seems(field.trim()),
+            faults,
+        }
+    }
+
+    /// Adds the line `number` with `text`, if one of its heights is of this kind.
+    pub(super) fn add(&mut self, number: usize, text: &str) {
+        let mut fields = std::iter::once(text.trim()).chain(text.split_whitespace());
+        if fields.any(|field| height(field).is_none() && seems(field) == self.seems) {
+            self.faults.add(number, text);
+        }
+    }
+
+    /// The fault together with the like ones of the remaining `lines`: ten or more are a fault of the file.
+    pub(super) fn in_all(
+        mut self,
+        lines: &mut Lines<'_, '_>,
+        heights: impl Fn(&str) -> &str,
+    ) -> ReadFault {
+        loop {
+            match lines.next() {
+                Ok(Some(line)) => self.add(line.number, heights(line.text)),
+                Ok(None) => return self.fault(),
+                Err(fault) => return fault,
+            }
+        }
+    }
+
+    /// The fault together with the like ones that were added.
+    pub(super) fn fault(self) -> ReadFault {
+        if !self.faults.is_dialect() {
+            return self.first;
+        }
+        ReadFault::OfFile {
+            first: Box::new(self.first),
+            faults: self.faults,
+            seems: self.seems,
+        }
+    }
+}
+
+/// What a file seems to have if many of its heights are like `field`.
+fn seems(field: &str) -> FileDialect {
+    let is_unit = || field.parse::<LengthUnit>().is_ok().then_some(field);
+    if let Some(unit) = unit_after(field).or_else(is_unit) {
+        return FileDialect::Unit(unit.to_owned());
+    }
+    match height(field.trim_matches([',', ';'])) {
+        Some(_) => FileDialect::Sign,
+        None => FileDialect::Mark(field.to_owned()),
+    }
 }

@@ -62,6 +62,8 @@ impl Stated {
 /// Label of a column in the header.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Label {
+    /// As it is written in the last line that has a text for the column.
+    pub text: String,
     pub role: Option<Role>,
     pub unit: Option<Stated>,
     /// Whether the values are named depths.
@@ -136,6 +138,9 @@ pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> V
         }
         if cells.len() == columns {
             for (label, cell) in labels.iter_mut().zip(&cells) {
+                if label.text.is_empty() {
+                    label.text = (*cell).to_owned();
+                }
                 if label.role.is_none() {
                     label.role = role_of(cell);
                     label.is_depth = is_depth(cell);
@@ -170,8 +175,44 @@ pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> V
 
 fn role_of(cell: &str) -> Option<Role> {
     const X: &[&str] = &[
-        "x", "weg", "distance", "position", "pos", "lateral", "strecke", "length", "abscissa",
+        "x",
+        "weg",
+        "distance",
+        "position",
+        "pos",
+        "lateral",
+        "strecke",
+        "taststrecke",
+        "length",
+        "abscissa",
         "scan",
+        "abscisse",
+        "longueur",
+        "distancia",
+        "posición",
+        "posicion",
+        "longitud",
+        "distância",
+        "posição",
+        "distanza",
+        "posizione",
+        "lunghezza",
+        "afstand",
+        "positie",
+        "avstånd",
+        "avstand",
+        "matka",
+        "etäisyys",
+        "vzdálenost",
+        "poloha",
+        "odległość",
+        "pozycja",
+        "távolság",
+        "mesafe",
+        "расстояние",
+        "距離",
+        "距离",
+        "거리",
     ];
     const Z: &[&str] = &[
         "z",
@@ -184,6 +225,21 @@ fn role_of(cell: &str) -> Option<Role> {
         "altura",
         "hauteur",
         "amplitude",
+        "altezza",
+        "quota",
+        "hoogte",
+        "höjd",
+        "højde",
+        "høyde",
+        "korkeus",
+        "výška",
+        "wysokość",
+        "magasság",
+        "yükseklik",
+        "высота",
+        "高さ",
+        "高度",
+        "높이",
     ];
     const VALID: &[&str] = &["valid", "lock", "flag", "mask", "gültig", "quality"];
     const INDEX: &[&str] = &["index", "idx", "nr", "no", "n", "i", "point", "punkt", "#"];
@@ -311,12 +367,19 @@ pub(super) fn filter_state(name: &str, header: &[Line<'_>]) -> FilterState {
         "rauheitsprofil",
         "rauheit",
         "r_profile",
+        "profil de rugosité",
+        "perfil de rugosidad",
+        "profilo di rugosità",
     ];
     const PRIMARY: &[&str] = &[
         "primary",
         "p-profil",
         "p profil",
         "primärprofil",
+        "profil primaire",
+        "perfil primario",
+        "perfil primário",
+        "profilo primario",
         "unfiltered",
         "ungefiltert",
         "raw profile",

@@ -9,7 +9,7 @@ use super::options::{Axis, LengthUnit};
 use super::text::Line;
 
 /// Names of the distance between two points, in lower case, with blanks instead of other marks.
-const SPACING: [&str; 26] = [
+const SPACING: [&str; 37] = [
     "dx",
     "delta x",
     "spacing",
@@ -36,12 +36,24 @@ const SPACING: [&str; 26] = [
     "schrittweite",
     "punktabstand",
     "messpunktabstand",
+    // Keyence in German, Mitutoyo.
+    "xy justierung",
+    "pitch",
+    "pas",
+    "pas d échantillonnage",
+    "paso",
+    "paso de muestreo",
+    "espaciado",
+    "passo",
+    "passo di campionamento",
+    "espaçamento",
+    "passo de amostragem",
 ];
 /// Names of the sides of a matrix: Gwyddion in English and German.
 const WIDTH: [&str; 2] = ["width", "breite"];
 const HEIGHT: [&str; 2] = ["height", "höhe"];
 /// Names of the unit of heights: Gwyddion, Bruker NanoScope, Keyence.
-const UNIT: [&str; 10] = [
+const UNIT: [&str; 14] = [
     "unit",
     "einheit",
     "value units",
@@ -52,6 +64,10 @@ const UNIT: [&str; 10] = [
     "z units",
     "height unit",
     "height units",
+    "unité",
+    "unidad",
+    "unità",
+    "unidade",
 ];
 const BASE_DIAMETER: [&str; 5] = [
     "base diameter",

@@ -3,9 +3,10 @@
 //! A point is `index=X Y Z C Lock`, or `index=X Z Lock` of the MarSurf PS 10, lengths in millimetres; a locked point has no
 //! height. X and Z carry the offset of the machine. The layout is known from files, not from a definition.
 
-use super::damage::{damaged, miscounted};
+use super::damage::{damaged, height, miscounted};
 use super::decimal;
 use super::error::ReadFault;
+use super::file_dialect::BadHeights;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -23,16 +24,24 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     let mut header = Header::default();
     let (mut x, mut heights) = (Vec::new(), Vec::new());
     let mut first_line = None;
-    let mut values = false;
+    let mut is_values = false;
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
         let (number, line) = (line.number, line.text.trim());
         if line.starts_with('[') {
-            values = line == "[PROFILE_VALUES]";
-        } else if !values {
+            is_values = line == "[PROFILE_VALUES]";
+        } else if !is_values {
             header.take(line);
         } else if !line.is_empty() && !line.starts_with("//") {
-            let (place, z) = point(line)?;
+            let (place, z) = match point(line) {
+                Ok(point) => point,
+                Err(fault) => {
+                    let text = values(line);
+                    let bad = text.split_whitespace().find(|text| height(text).is_none());
+                    let bad = bad.map(|bad| BadHeights::new(FORMAT, bad, (number, text)));
+                    return Err(bad.map_or(fault, |bad| bad.in_all(&mut lines, values)));
+                }
+            };
             first_line.get_or_insert(number);
             x.push(place);
             heights.push(z);
@@ -127,6 +136,11 @@ fn plain_point(bytes: &[u8]) -> Option<(f64, f64, &[u8])> {
     (x.is_finite() && z.is_finite()).then_some((x, z, rest))
 }
 
+/// The values of a point behind its index.
+fn values(line: &str) -> &str {
+    line.split_once('=').map_or(line, |(_, values)| values)
+}
+
 /// X and Z of "index=X Y Z C Lock" or "index=X Z Lock"; Z is NaN for a locked point.
 fn point(line: &str) -> Result<(f64, f64), ReadFault> {
     if let Some((x, z, [])) = plain_point(line.as_bytes()) {
@@ -143,11 +157,9 @@ fn point(line: &str) -> Result<(f64, f64), ReadFault> {
     };
     let x = number(x).ok_or_else(broken)?;
     let locked = lock.is_some_and(|lock| number(lock).is_some_and(|lock| lock != 0.0));
-    let z = match (locked, number(z)) {
-        (true, _) => f64::NAN,
-        (false, Some(z)) => z,
-        (false, None) if z.eq_ignore_ascii_case("nan") => f64::NAN,
-        (false, None) => return Err(broken()),
+    let z = match locked {
+        true => f64::NAN,
+        false => height(z).ok_or_else(broken)?,
     };
     Ok((x, z))
 }

@@ -11,9 +11,9 @@ use super::header::Label;
 use super::header_values::HeaderValues;
 use super::layout::TableLayout;
 use super::options::{Columns, ReadOptions};
-use super::table;
 use super::text::{Line, Text};
 use super::{grid, options, units};
+use super::{stated_count, table};
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::TextMatrix;
@@ -26,21 +26,38 @@ pub(super) fn is_matrix(labels: &[Label], values: &HeaderValues, options: &ReadO
         && labels.iter().all(|label| label.role.is_none())
 }
 
-/// All rows of the matrix that starts at line `first`, in the unit of the file.
+/// Number of columns before the heights: one if the rows start with their numbers, and their other cells are as many as the
+/// header states points.
+pub(super) fn numbering(header: &[Line<'_>], table: &[Line<'_>], sniffed: &Sniffed) -> usize {
+    let stated = stated_count::points(header).map(|(_, points)| points + 1);
+    let number = |line: &Line<'_>| match sniffed
+        .dialect
+        .cell(sniffed.dialect.cells(line.text).next()?)
+    {
+        Cell::Number(value) => Some(value),
+        _ => None,
+    };
+    let mut numbered = (1..).zip(table);
+    let is_numbered = numbered.all(|(row, line)| number(line) == Some(f64::from(row)));
+    usize::from(stated == Some(sniffed.columns) && table.len() > 1 && is_numbered)
+}
+
+/// All rows of the matrix that starts at line `first` behind `numbering` columns, in the unit of the file.
 pub(super) fn surface(
     text: &mut Text<'_>,
     first: usize,
     head: &[Line<'_>],
     sniffed: &Sniffed,
+    numbering: usize,
     header: &HeaderValues,
 ) -> Result<Areal, ReadFault> {
-    let columns = sniffed.columns;
+    let columns = sniffed.columns - numbering;
     let mut values = Vec::new();
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
         if line.number >= first && !line.is_blank() {
             match cells(head, sniffed, &line) {
-                Ok(heights) => values.extend(heights),
+                Ok(heights) => values.extend(&heights[numbering..]),
                 Err(fault) => {
                     let (number, text) = (line.number, line.text.to_owned());
                     return Err(of_file(fault, (number, &text), &mut lines, sniffed)?);
@@ -84,16 +101,17 @@ fn cells(head: &[Line<'_>], sniffed: &Sniffed, line: &Line<'_>) -> Result<Vec<f6
     }
 }
 
-/// The row requested by `options`, of the matrix that starts at line `first`.
+/// The row requested by `options`, of the matrix that starts at line `first` behind `numbering` columns.
 pub(super) fn read(
     text: &mut Text<'_>,
     first: usize,
     head: &[Line<'_>],
     sniffed: &Sniffed,
+    numbering: usize,
     header: &HeaderValues,
     options: &ReadOptions,
 ) -> Result<Found, ReadFault> {
-    let (columns, dialect) = (sniffed.columns, sniffed.dialect);
+    let (columns, dialect) = (sniffed.columns - numbering, sniffed.dialect);
     let (mut rows, mut chosen) = (0, None);
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
@@ -106,7 +124,7 @@ pub(super) fn read(
         }
         let number = line.number;
         chosen = match cells(head, sniffed, &line) {
-            Ok(heights) => Some((number, heights)),
+            Ok(heights) => Some((number, heights[numbering..].to_vec())),
             Err(fault) => {
                 let text = line.text.to_owned();
                 return Err(of_file(fault, (number, &text), &mut lines, sniffed)?);
@@ -142,7 +160,10 @@ pub(super) fn read(
         table: Some(TableLayout {
             separator: dialect.separator,
             decimal: dialect.decimal,
-            columns: Columns { x: None, z: 1 },
+            columns: Columns {
+                x: None,
+                z: 1 + numbering,
+            },
         }),
         ..Found::new(FORMAT, heights)
     })

@@ -303,16 +303,17 @@ pub fn read_with_conditions(
     trace_in(name, &mut Cursor::new(bytes), conditions, options)?.reading(options.uneven)
 }
 
-/// The text of a table in `bytes`, in the encoding of its mark, in UTF-16, UTF-8 or Windows-1252.
+/// The text of a table in `bytes`: text in the encoding of its mark, in UTF-16, UTF-8 or Windows-1252, or all cells of a
+/// workbook whose numbers are on one sheet, separated by tabs.
 ///
 /// # Errors
-/// When it is a workbook, a MATLAB file, or another file that is not text.
+/// When it is a workbook with numbers on several sheets, a MATLAB file, or another file that is not text.
 ///
 /// ```
 /// use asperity_profile_io::read::table_text;
 /// assert_eq!(table_text("a.csv", b"T [\xb0C]\n1\n")?, "T [\u{b0}C]\n1\n");
-/// let workbook = table_text("a.xlsx", b"PK\x03\x04\0\0").unwrap_err();
-/// assert_eq!(workbook.code(), "E108");
+/// let matlab = table_text("a.mat", b"MATLAB 5.0 MAT-file\0").unwrap_err();
+/// assert_eq!(matlab.code(), "E108");
 /// # Ok::<(), asperity_profile_io::read::ReadError>(())
 /// ```
 pub fn table_text(name: &str, bytes: &[u8]) -> Result<String, ReadError> {
@@ -322,9 +323,18 @@ pub fn table_text(name: &str, bytes: &[u8]) -> Result<String, ReadError> {
     if encoding::is_text(&text) {
         return Ok(text);
     }
-    let named = || Format::named(name).unwrap_or(Format::UnknownBinary);
-    let format = recognise::by_magic(name, bytes).unwrap_or_else(named);
-    Err(ReadFault::NotTable { format }.in_file(name))
+    table_of(name, bytes).map_err(|fault| fault.in_file(name))
+}
+
+/// The text of the table in `bytes`, which are not text.
+fn table_of(name: &str, bytes: &[u8]) -> Result<String, ReadFault> {
+    let mut stream = Cursor::new(bytes);
+    let start = Start::of(&mut stream)?;
+    let format = format_of(name, &mut stream, &start);
+    let format = format.or_else(|| Format::named(name));
+    let format = format.unwrap_or(Format::UnknownBinary);
+    let table = packed::table(format, &mut stream, &start)?;
+    table.ok_or(ReadFault::NotTable { format })
 }
 
 /// The text of the table in the file at `path` of at most `most` bytes, as [`table_text`].

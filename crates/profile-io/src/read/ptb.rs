@@ -7,6 +7,7 @@
 
 use super::damage::{damaged, height, miscounted};
 use super::error::ReadFault;
+use super::file_dialect::BadHeights;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -42,7 +43,11 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     let mut heights = Vec::new();
     while let Some(line) = lines.next()? {
         if !line.is_blank() {
-            heights.push(height(FORMAT, line.text)?);
+            let Some(height) = height(line.text) else {
+                let bad = BadHeights::new(FORMAT, line.text, (line.number, line.text));
+                return Err(bad.in_all(&mut lines, |line| line));
+            };
+            heights.push(height);
             take_numbers(&mut lines, usize::MAX, &mut heights);
         }
     }

@@ -45,6 +45,11 @@ pub(super) fn surface(
     }
 }
 
+/// No table: workbooks are not read.
+pub(super) fn table(_: Format, _: &mut dyn Stream, _: &Start) -> Result<Option<String>, ReadFault> {
+    Ok(None)
+}
+
 /// Refuses the trace in a file of a packed format; `None` if `format` is another.
 pub(super) fn trace(
     name: &str,

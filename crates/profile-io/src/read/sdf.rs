@@ -5,8 +5,9 @@
 //! requested one is read.
 
 use super::areal::trace::{Areal, Heights};
-use super::damage::{damaged, height_or_gap, miscounted};
+use super::damage::{damaged, height, miscounted};
 use super::error::ReadFault;
+use super::file_dialect::BadHeights;
 use super::format::Format;
 use super::found::Found;
 use super::grid::{SpacingSource, chosen_row};
@@ -114,7 +115,11 @@ fn matrix(
                 break 'data;
             }
             if passed >= first {
-                heights.push(height_or_gap(FORMAT, field)?);
+                let Some(height) = height(field) else {
+                    let bad = BadHeights::new(FORMAT, field, (line.number, line.text));
+                    return Err(bad.in_all(&mut lines, |line| line));
+                };
+                heights.push(height);
             }
             passed += 1;
         }

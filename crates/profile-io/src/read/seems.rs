@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::error::ReadFault;
 use asperity_core::remedy::{Remedy, Setting, Value};
 
 /// Dialect that a file seems to have if many of its rows have like faults.
@@ -41,10 +42,13 @@ impl fmt::Display for FileDialect {
 }
 
 impl FileDialect {
-    /// The remedy; `single` is the remedy of a single fault.
-    pub(super) fn remedy(&self, single: Remedy) -> Remedy {
+    /// The remedy; `single` is the first of the faults.
+    pub(super) fn remedy(&self, single: &ReadFault) -> Remedy {
         match self {
-            Self::Mark(_) => Remedy::act("write NaN or nothing in place of the mark"),
+            Self::Mark(_) => Remedy::act("write NaN in place of the mark"),
+            Self::Unit(unit) if matches!(single, ReadFault::Damaged { .. }) => {
+                Remedy::act(format!("remove \"{unit}\" from all heights"))
+            }
             Self::Unit(unit) => Remedy::act(format!(
                 "remove \"{unit}\" from all rows and write it in the line of names, as z [{unit}]"
             )),
@@ -56,7 +60,7 @@ impl FileDialect {
             },
             Self::Tables => Remedy::act("export one table to a file, or delete the others"),
             Self::Ragged => Remedy::act("export with ';' or a tab between the columns"),
-            Self::Sign => single,
+            Self::Sign => single.remedy(),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::damage::{damaged, height, miscounted};
 use super::error::ReadFault;
+use super::file_dialect::BadHeights;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -22,7 +23,11 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
         let (at, line) = (line.number, line.text.trim());
         if let Some(heights) = &mut heights {
             if !line.is_empty() {
-                heights.push(height(FORMAT, line)?);
+                let Some(height) = height(line) else {
+                    let bad = BadHeights::new(FORMAT, line, (at, line));
+                    return Err(bad.in_all(&mut lines, |line| line));
+                };
+                heights.push(height);
                 take_numbers(&mut lines, usize::MAX, heights);
             }
             continue;

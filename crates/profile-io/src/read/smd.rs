@@ -9,9 +9,10 @@
 //! | `CX I 22401 mm 1.0e0 D 2.5e-4` | axis, incremental, points, unit, factor, type, spacing |
 //! | `CZ A 22401 um 1.0e0 D` | axis, absolute, points, unit, factor, type |
 
-use super::damage::{damaged, height_or_gap, miscounted};
+use super::damage::{damaged, height, miscounted};
 use super::decimal;
 use super::error::ReadFault;
+use super::file_dialect::BadHeights;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -105,7 +106,11 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault>
                 if heights.len() > stated {
                     break;
                 }
-                heights.push(height_or_gap(FORMAT, first)?);
+                let Some(height) = height(first) else {
+                    let bad = BadHeights::new(FORMAT, first, (line.number, line.text));
+                    return Err(bad.in_all(&mut lines, |line| line));
+                };
+                heights.push(height);
             }
             (_, Some(first)) => checksum = checksum.or_else(|| Some(check(first, sum_before))),
         }

@@ -42,7 +42,7 @@ pub(super) fn check(
     header: &[Line<'_>],
     heights: usize,
 ) -> Result<Option<Warning>, ReadFault> {
-    let Some((line, stated)) = header.iter().find_map(stated) else {
+    let Some((line, stated)) = points(header) else {
         return Ok(None);
     };
     if heights > stated {
@@ -57,6 +57,11 @@ pub(super) fn check(
         });
     }
     Ok((heights < stated).then_some(Warning::FewerHeights { stated, heights }))
+}
+
+/// The line of the header that states a number of points, and the number.
+pub(super) fn points<'a, 'l>(header: &'a [Line<'l>]) -> Option<(&'a Line<'l>, usize)> {
+    header.iter().find_map(stated)
 }
 
 /// The line and its number of points, if it states one.

@@ -16,6 +16,7 @@ use asperity_storage::whole_file;
 
 use super::conditions::conditions_of;
 use super::error::{ReadFault, SpacingHint};
+use super::file_dialect::BadHeights;
 use super::format::{Format, extension};
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -66,7 +67,11 @@ pub(super) fn read(
     let mut heights = Vec::new();
     while let Some(line) = lines.next()? {
         if !line.is_blank() {
-            heights.push(height(FORMAT, line.text)?);
+            let Some(height) = height(line.text) else {
+                let bad = BadHeights::new(FORMAT, line.text, (line.number, line.text));
+                return Err(bad.in_all(&mut lines, |line| line));
+            };
+            heights.push(height);
         }
     }
     let points = heights.len();

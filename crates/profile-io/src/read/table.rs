@@ -27,13 +27,22 @@ impl Chosen {
     }
 }
 
+/// Most labels of a message.
+const SHOWN: usize = 12;
+
 /// Columns of x, height and validity: as stated, as labelled, or the two of a table with two columns.
 pub(super) fn choose(
     count: usize,
     labels: &[Label],
     options: &ReadOptions,
 ) -> Result<Chosen, ReadFault> {
-    let unclear = || ReadFault::ColumnsUnclear { columns: count };
+    let unclear = || {
+        let texts = labels.iter().map(|label| shortened(&label.text));
+        ReadFault::ColumnsUnclear {
+            columns: count,
+            labels: texts.filter(|text| !text.is_empty()).take(SHOWN).collect(),
+        }
+    };
     let with = |role: Role| {
         let is = |label: &Label| match label.role {
             Some(Role::Roll(_)) => role == Role::X,
@@ -68,7 +77,9 @@ pub(super) fn choose(
             _ => None,
         });
     let z = z.ok_or_else(unclear)?;
-    let x = with(Role::X).or_else(|| (count == 2).then(|| 1 - z).filter(free));
+    // A line of conditions above a single column may have the name of a position.
+    let x = with(Role::X).filter(|x| *x != z);
+    let x = x.or_else(|| (count == 2).then(|| 1 - z).filter(free));
     if x.is_none() && count > 2 && options.dx.is_none() {
         return Err(unclear());
     }

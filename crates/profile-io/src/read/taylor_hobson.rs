@@ -13,6 +13,7 @@
 
 use super::damage::{damaged, height, miscounted};
 use super::error::ReadFault;
+use super::file_dialect::BadHeights;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -79,7 +80,11 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
             }
             Some(_) if record == 3 => {
                 for field in line.text.split_whitespace() {
-                    heights.push(height(FORMAT, field)?);
+                    let Some(height) = height(field) else {
+                        let bad = BadHeights::new(FORMAT, field, (line.number, line.text));
+                        return Err(bad.in_all(&mut lines, |line| line));
+                    };
+                    heights.push(height);
                 }
                 take_numbers(&mut lines, usize::MAX, &mut heights);
             }

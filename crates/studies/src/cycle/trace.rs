@@ -312,18 +312,36 @@ fn limit(column: &str) -> f64 {
     }
 }
 
-/// A quantity of a cycle: its column, the words that name it in other programs, and their units, with what a number in this
-/// unit is multiplied by.
+/// A quantity of a cycle: its column, the words that name it in other programs, and their units.
 struct Quantity {
     column: &'static str,
     words: &'static [&'static str],
-    units: &'static [(&'static str, f64)],
+    units: &'static [(&'static str, Unit)],
     /// Whole names without a unit.
-    names: &'static [(&'static str, f64)],
+    names: &'static [(&'static str, Unit)],
 }
 
-/// Marks a grade in degrees, of which the tangent is taken.
-const DEGREES: f64 = f64::NAN;
+/// Unit of a column.
+#[derive(Clone, Copy)]
+enum Unit {
+    /// This number of units of the quantity's own column.
+    Of(f64),
+    /// An angle of slope in degrees; the grade \[%\] is 100 tan of it.
+    Degrees,
+}
+
+impl Unit {
+    /// The unit of the quantity's own column.
+    const OWN: Self = Self::Of(1.0);
+
+    /// `value` in the unit of the quantity's own column.
+    fn converted(self, value: f64) -> f64 {
+        match self {
+            Self::Of(factor) => factor * value,
+            Self::Degrees => 100.0 * value.to_radians().tan(),
+        }
+    }
+}
 
 /// Columns of a cycle in other programs: VECTO (km/h, grades in per cent), FASTSim 2 and 3 (m/s, grades as fractions),
 /// exports and recorded trips in several languages.
@@ -346,22 +364,22 @@ const QUANTITIES: [Quantity; 5] = [
             "tijd",
         ],
         units: &[
-            ("s", 1.0),
-            ("sec", 1.0),
-            ("secs", 1.0),
-            ("second", 1.0),
-            ("seconds", 1.0),
-            ("sek", 1.0),
-            ("ms", 1e-3),
-            ("min", 60.0),
-            ("h", 3600.0),
+            ("s", Unit::OWN),
+            ("sec", Unit::OWN),
+            ("secs", Unit::OWN),
+            ("second", Unit::OWN),
+            ("seconds", Unit::OWN),
+            ("sek", Unit::OWN),
+            ("ms", Unit::Of(1e-3)),
+            ("min", Unit::Of(60.0)),
+            ("h", Unit::Of(3600.0)),
         ],
         names: &[
-            ("<t>", 1.0),
-            ("cycsecs", 1.0),
-            ("seconds", 1.0),
-            ("secs", 1.0),
-            ("sec", 1.0),
+            ("<t>", Unit::OWN),
+            ("cycsecs", Unit::OWN),
+            ("seconds", Unit::OWN),
+            ("secs", Unit::OWN),
+            ("sec", Unit::OWN),
         ],
     },
     Quantity {
@@ -379,7 +397,11 @@ const QUANTITIES: [Quantity; 5] = [
             "par",
             "coppia",
         ],
-        units: &[("nm", 1.0), ("n_m", 1.0), ("knm", 1e3)],
+        units: &[
+            ("nm", Unit::OWN),
+            ("n_m", Unit::OWN),
+            ("knm", Unit::Of(1e3)),
+        ],
         names: &[],
     },
     Quantity {
@@ -398,13 +420,13 @@ const QUANTITIES: [Quantity; 5] = [
             "giri",
         ],
         units: &[
-            ("rpm", 1.0),
-            ("1_min", 1.0),
-            ("min_1", 1.0),
-            ("u_min", 1.0),
-            ("rev_min", 1.0),
-            ("tr_min", 1.0),
-            ("rad_s", 30.0 / PI),
+            ("rpm", Unit::OWN),
+            ("1_min", Unit::OWN),
+            ("min_1", Unit::OWN),
+            ("u_min", Unit::OWN),
+            ("rev_min", Unit::OWN),
+            ("tr_min", Unit::OWN),
+            ("rad_s", Unit::Of(30.0 / PI)),
         ],
         names: &[],
     },
@@ -432,27 +454,27 @@ const QUANTITIES: [Quantity; 5] = [
             "hastighet",
         ],
         units: &[
-            ("km_h", 1.0),
-            ("kmh", 1.0),
-            ("kph", 1.0),
-            ("kmph", 1.0),
-            ("km_hr", 1.0),
-            ("m_s", 3.6),
-            ("mps", 3.6),
-            ("m_sec", 3.6),
-            ("meters_per_second", 3.6),
-            ("mph", MILE),
-            ("mi_h", MILE),
-            ("miles_per_hour", MILE),
+            ("km_h", Unit::OWN),
+            ("kmh", Unit::OWN),
+            ("kph", Unit::OWN),
+            ("kmph", Unit::OWN),
+            ("km_hr", Unit::OWN),
+            ("m_s", Unit::Of(3.6)),
+            ("mps", Unit::Of(3.6)),
+            ("m_sec", Unit::Of(3.6)),
+            ("meters_per_second", Unit::Of(3.6)),
+            ("mph", Unit::Of(MILE)),
+            ("mi_h", Unit::Of(MILE)),
+            ("miles_per_hour", Unit::Of(MILE)),
         ],
         names: &[
-            ("<v>", 1.0),
-            ("cycmps", 3.6),
-            ("mps", 3.6),
-            ("mph", MILE),
-            ("kph", 1.0),
-            ("kmh", 1.0),
-            ("km_h", 1.0),
+            ("<v>", Unit::OWN),
+            ("cycmps", Unit::Of(3.6)),
+            ("mps", Unit::Of(3.6)),
+            ("mph", Unit::Of(MILE)),
+            ("kph", Unit::OWN),
+            ("kmh", Unit::OWN),
+            ("km_h", Unit::OWN),
         ],
     },
     Quantity {
@@ -469,12 +491,16 @@ const QUANTITIES: [Quantity; 5] = [
             "pendenza",
         ],
         units: &[
-            ("percent", 1.0),
-            ("pct", 1.0),
-            ("deg", DEGREES),
-            ("degrees", DEGREES),
+            ("percent", Unit::OWN),
+            ("pct", Unit::OWN),
+            ("deg", Unit::Degrees),
+            ("degrees", Unit::Degrees),
         ],
-        names: &[("<grad>", 1.0), ("grade", 100.0), ("cycgrade", 100.0)],
+        names: &[
+            ("<grad>", Unit::OWN),
+            ("grade", Unit::Of(100.0)),
+            ("cycgrade", Unit::Of(100.0)),
+        ],
     },
 ];
 
@@ -493,18 +519,18 @@ const CLOCKS: [&str; 7] = [
 ];
 
 impl Quantity {
-    /// Factor of the numbers of the column `name`; `None` if the name is of another quantity.
-    fn factor(&self, name: &str) -> Option<f64> {
+    /// Unit of the column `name`; `None` if the name is of another quantity.
+    fn unit(&self, name: &str) -> Option<Unit> {
         if name == self.column {
-            return Some(1.0);
+            return Some(Unit::OWN);
         }
-        if let Some((_, factor)) = self.names.iter().find(|(known, _)| *known == name) {
-            return Some(*factor);
+        if let Some((_, unit)) = self.names.iter().find(|(known, _)| *known == name) {
+            return Some(*unit);
         }
-        let of_unit = |(unit, factor): &(&str, f64)| {
-            let words = name.strip_suffix(unit)?.strip_suffix('_')?;
+        let of_unit = |(suffix, unit): &(&str, Unit)| {
+            let words = name.strip_suffix(suffix)?.strip_suffix('_')?;
             let is_word = |word: &str| self.words.contains(&word);
-            words.split('_').all(is_word).then_some(*factor)
+            words.split('_').all(is_word).then_some(*unit)
         };
         self.units.iter().find_map(of_unit)
     }
@@ -577,18 +603,14 @@ impl Columns {
     fn column(&self, column: &'static str) -> Result<Option<Vec<f64>>, CycleError> {
         let known = QUANTITIES.iter().find(|quantity| quantity.column == column);
         let names = self.0.names().iter().map(String::as_str);
-        let mut there = names.filter_map(|name| Some((name, known?.factor(name)?)));
-        let Some((name, factor)) = there.next() else {
+        let mut there = names.filter_map(|name| Some((name, known?.unit(name)?)));
+        let Some((name, unit)) = there.next() else {
             return Ok(None);
         };
         if let Some((other, _)) = there.next() {
             return Err(CycleError::Twice(name.to_owned(), other.to_owned()));
         }
-        let converted = |value: f64| match factor.is_nan() {
-            true => 100.0 * value.to_radians().tan(),
-            false => factor * value,
-        };
-        let numbers = self.0.values(|row| Ok(converted(row.number(name)?)))?;
+        let numbers = self.0.values(|row| Ok(unit.converted(row.number(name)?)))?;
         self.check(column, &numbers)?;
         Ok(Some(numbers))
     }
@@ -602,7 +624,7 @@ impl Columns {
                     let known = QUANTITIES
                         .iter()
                         .find(|quantity| quantity.column == *column);
-                    known.is_some_and(|quantity| quantity.factor(name).is_some())
+                    known.is_some_and(|quantity| quantity.unit(name).is_some())
                 })
         };
         let heads = self.0.heads().zip(self.0.names());
@@ -699,6 +721,77 @@ mod tests {
         }
         assert!(forwards.points[1].power_w() > 0.0 && forwards.points[3].power_w() < 0.0);
         assert_eq!(forwards.distance_km, reverse.distance_km);
+    }
+
+    #[test]
+    fn a_reversed_cycle_has_the_energy_of_its_mirror() {
+        // Times, speeds in km/h and grades in per cent.
+        let rows: [&[[f64; 3]]; 12] = [
+            &[
+                [0.0, 0.0, 0.0],
+                [10.0, 10.0, 0.0],
+                [20.0, 10.0, 0.0],
+                [30.0, 0.0, 0.0],
+            ],
+            &[
+                [0.0, 0.0, 0.0],
+                [10.0, 10.0, 4.0],
+                [20.0, 10.0, 4.0],
+                [30.0, 0.0, 0.0],
+            ],
+            &[
+                [0.0, 0.0, 0.0],
+                [10.0, 10.0, -9.0],
+                [20.0, 10.0, -9.0],
+                [30.0, 0.0, 0.0],
+            ],
+            &[[0.0, 5.0, 0.0], [1.0, 5.0, 0.0]],
+            &[
+                [0.0, 0.0, 0.0],
+                [1.0, 20.0, 0.0],
+                [2.0, -20.0, 0.0],
+                [3.0, 0.0, 0.0],
+            ],
+            &[[0.0, 3.0, 2.0], [0.5, -3.0, 2.0], [7.0, 3.0, -2.0]],
+            &[[0.0, 0.0, 8.0], [60.0, 0.0, 8.0], [61.0, 4.0, 8.0]],
+            &[[0.0, 120.0, 0.0], [5.0, 0.0, 0.0], [9.0, 0.0, 0.0]],
+            &[
+                [-5.0, 1.0, 1.0],
+                [0.0, 2.0, 3.0],
+                [5.0, 4.0, 9.0],
+                [11.0, 8.0, 27.0],
+            ],
+            &[[0.0, 0.1, 0.0], [0.1, 0.2, 0.0], [0.2, 0.1, 0.0]],
+            &[[0.0, 30.0, 0.0], [600.0, 30.0, 0.0], [1200.0, 60.0, -1.0]],
+            &[[100.0, 7.0, 0.0], [101.0, 0.0, 50.0], [102.0, 7.0, -50.0]],
+        ];
+        for rows in rows {
+            let of = |sign: f64| {
+                let row = |[time, speed, grade]: &[f64; 3]| {
+                    format!("{time},{},{}\n", sign * speed, sign * grade)
+                };
+                let table: String = rows.iter().map(row).collect();
+                let text = format!("time_s,speed_km_h,grade_percent\n{table}");
+                cycle(&text, Some(&vehicle())).unwrap()
+            };
+            let energy = |cycle: &Cycle, driving: bool| {
+                let points = cycle
+                    .points
+                    .iter()
+                    .map(|point| point.power_w() * point.weight_s);
+                points
+                    .filter(|energy| (*energy > 0.0) == driving)
+                    .sum::<f64>()
+            };
+            let [there, back] = [of(1.0), of(-1.0)];
+            assert_eq!(there.distance_km, back.distance_km);
+            for driving in [true, false] {
+                assert_eq!(energy(&there, driving), energy(&back, driving), "{rows:?}");
+            }
+            for (one, other) in there.points.iter().zip(&back.points) {
+                assert_eq!(one.forwards(), other.forwards(), "{rows:?}");
+            }
+        }
     }
 
     #[test]

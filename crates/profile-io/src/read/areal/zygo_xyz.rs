@@ -5,8 +5,9 @@
 //! Heights are in micrometres; `No Data` is a missing one.
 
 use super::trace::{Areal, Heights};
-use crate::read::damage::{damaged, height_or_gap};
+use crate::read::damage::{damaged, height};
 use crate::read::error::ReadFault;
+use crate::read::file_dialect::BadHeights;
 use crate::read::format::Format;
 use crate::read::metadata::{number, short};
 
@@ -26,8 +27,10 @@ const LINE: usize = 6;
 pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
     let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let text = String::from_utf8_lossy(bytes);
-    let mut lines = text.lines().map(str::trim);
-    let header: Vec<&str> = lines.by_ref().take_while(|line| *line != "#").collect();
+    let mut lines = (1..).zip(text.lines().map(str::trim));
+    let is_before = |(_, line): &(usize, &str)| *line != "#";
+    let header = lines.by_ref().take_while(is_before);
+    let header: Vec<&str> = header.map(|(_, line)| line).collect();
     let field = |line: usize, field: usize| header.get(line)?.split_whitespace().nth(field);
     let whole = |k: usize| field(PHASE, k).and_then(|text| text.parse::<usize>().ok());
     let place = [whole(0), whole(1), whole(2), whole(3)];
@@ -40,9 +43,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
         return Err(fault("the phase map is empty or cut off", ""));
     }
     let mut values = vec![f64::NAN; count];
-    for line in lines
-        .take_while(|line| *line != "#")
-        .filter(|line| !line.is_empty())
+    let mut bad: Option<BadHeights> = None;
+    for (number, line) in lines
+        .take_while(is_before)
+        .filter(|(_, line)| !line.is_empty())
     {
         let pixel = |text: &str, first: usize, count: usize| {
             let at = text.parse::<usize>().ok()?.checked_sub(first)?;
@@ -50,10 +54,17 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
         };
         let mut parts = line.splitn(3, char::is_whitespace);
         let mut next = || parts.next().unwrap_or_default().trim();
-        let (column, row, height) = (next(), next(), next());
+        let (column, row, text) = (next(), next(), next());
         let at = pixel(column, left, columns).zip(pixel(row, top, rows));
         let (column, row) = at.ok_or_else(|| fault("a point is not on the phase map", line))?;
-        values[row * columns + column] = height_or_gap(FORMAT, height)? * MICROMETRE;
+        match (height(text), &mut bad) {
+            (Some(height), _) => values[row * columns + column] = height * MICROMETRE,
+            (None, Some(bad)) => bad.add(number, text),
+            (None, None) => bad = Some(BadHeights::new(FORMAT, text, (number, line))),
+        }
+    }
+    if let Some(bad) = bad {
+        return Err(bad.fault());
     }
     let mut found = Areal::new(FORMAT, Heights::Values { values, columns });
     let (line, k) = RESOLUTION;

@@ -74,6 +74,18 @@ pub(super) fn trace(
     found.finish(name, options).map(Some)
 }
 
+/// The table in a workbook as text with tabs; `None` if `format` is another.
+pub(super) fn table(
+    format: Format,
+    stream: &mut dyn Stream,
+    start: &Start,
+) -> Result<Option<String>, ReadFault> {
+    match is_workbook(format, start) {
+        true => workbook::text(format, stream, start.size).map(Some),
+        false => Ok(None),
+    }
+}
+
 fn is_workbook(format: Format, start: &Start) -> bool {
     let zipped = start.bytes.starts_with(ZIP);
     (format == Format::Excel && zipped) || format == Format::ExcelBinary

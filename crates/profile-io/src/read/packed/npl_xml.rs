@@ -4,7 +4,7 @@
 //! spacing is in the unit of the heights: a softgauge of 8000 points in 4 mm states the spacing 0.5 and the unit um.
 
 use super::xml::walk;
-use crate::read::damage::{damaged, height, miscounted};
+use crate::read::damage::{damaged, height, miscounted, not_a_number};
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::found::Found;
@@ -48,7 +48,7 @@ pub(super) fn read(stream: &mut dyn Stream) -> Result<Found, ReadFault> {
     })?;
     let heights: Vec<f64> = values
         .split_whitespace()
-        .map(|value| height(FORMAT, value))
+        .map(|value| height(value).ok_or_else(|| not_a_number(FORMAT, value)))
         .collect::<Result<_, _>>()?;
     if let Some(stated) = points.filter(|stated| *stated != heights.len()) {
         return Err(miscounted(FORMAT, heights.len(), stated));

@@ -66,6 +66,45 @@ impl Sheet {
         self.cells >= MOST_CELLS
     }
 
+    /// All cells as text with tabs, one line a row; `None` if fewer than two rows have two numbers, or there are too many cells.
+    pub(super) fn table(&self) -> Option<String> {
+        let mut rows: BTreeMap<usize, BTreeMap<usize, String>> = BTreeMap::new();
+        for (row, column, label) in &self.labels {
+            let label = label.replace(['\t', '\n', '\r', '"'], " ");
+            rows.entry(*row).or_default().insert(*column, label);
+        }
+        for (column, cells) in &self.columns {
+            for (row, value) in cells {
+                let row = rows.entry(*row).or_default();
+                row.insert(*column, value.to_string());
+            }
+        }
+        let has_numbers = |row: &&BTreeMap<_, String>| {
+            let numbers = row.values().filter_map(|cell| metadata::number(cell));
+            numbers.count() > 1
+        };
+        let columns = || rows.values().flat_map(BTreeMap::keys).copied();
+        let (first, last) = (columns().min()?, columns().max()?);
+        let is_table = rows.values().filter(has_numbers).count() > 1;
+        let fits = self.labels.len() < MOST_LABELS && rows.len() * (last + 1) <= MOST_CELLS;
+        (is_table && fits).then(|| {
+            let mut text = String::new();
+            let mut line = 0;
+            for (row, cells) in &rows {
+                text.extend(std::iter::repeat_n('\n', row - line));
+                line = *row;
+                let mut place = first;
+                for (column, cell) in cells {
+                    text.extend(std::iter::repeat_n('\t', column - place));
+                    place = *column;
+                    text.push_str(cell);
+                }
+                text.extend(std::iter::repeat_n('\t', last - place));
+            }
+            text + "\n"
+        })
+    }
+
     /// The longest columns of numbers; `None` if they are too short for a profile.
     pub(super) fn block(&self) -> Option<Block> {
         let longest = self.columns.values().map(Vec::len).max()?;

@@ -30,6 +30,33 @@ pub(super) struct Table {
     pub is_chosen: bool,
 }
 
+/// The sheets of a workbook.
+fn sheets(format: Format, stream: &mut dyn Stream, size: u64) -> Result<Vec<Sheet>, ReadFault> {
+    if format == Format::ExcelBinary {
+        return xls::sheets(stream, size);
+    }
+    let mut archive = Archive::open(FORMAT, stream, size)?;
+    match archive.holds("content.xml") {
+        true => open_document(&mut archive),
+        false => office_open(&mut archive),
+    }
+}
+
+/// All cells of the only sheet of a workbook with rows of numbers, as text with tabs.
+pub(super) fn text(
+    format: Format,
+    stream: &mut dyn Stream,
+    size: u64,
+) -> Result<String, ReadFault> {
+    let sheets = sheets(format, stream, size)?;
+    let mut tables: Vec<String> = sheets.iter().filter_map(Sheet::table).collect();
+    match (tables.pop(), tables.len()) {
+        (Some(table), 0) => Ok(table),
+        (None, _) => Err(ReadFault::NotTable { format }),
+        (_, others) => Err(ReadFault::SeveralTables { sheets: others + 1 }),
+    }
+}
+
 /// Reads the table of a workbook: of several sheets with tables as long, the one that `options` chooses.
 pub(super) fn read(
     format: Format,
@@ -37,16 +64,7 @@ pub(super) fn read(
     size: u64,
     options: &ReadOptions,
 ) -> Result<Table, ReadFault> {
-    let sheets = match format {
-        Format::ExcelBinary => xls::sheets(stream, size)?,
-        _ => {
-            let mut archive = Archive::open(FORMAT, stream, size)?;
-            match archive.holds("content.xml") {
-                true => open_document(&mut archive)?,
-                false => office_open(&mut archive)?,
-            }
-        }
-    };
+    let sheets = sheets(format, stream, size)?;
     let mut metadata = Metadata::default();
     let mut filter_state = FilterState::Unknown;
     let mut is_mitutoyo = false;
@@ -175,12 +193,19 @@ fn sheet(archive: &mut Archive<'_>, name: &str, texts: &[String]) -> Result<Shee
     })
 }
 
-/// The sheets of an `.ods`. Repeated cells and rows hold no profile and are read once.
+/// A cell of an `.ods`: a number as it is written, or a text.
+enum Content {
+    Number(String),
+    Text(String),
+}
+
+/// The sheets of an `.ods`, in which neighbours with the same content are one cell or row with a number of repetitions.
 fn open_document(archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadFault> {
     archive.read("content.xml", |stream| {
         let mut sheets = Vec::new();
         let mut sheet = Sheet::default();
         let (mut row, mut column, mut text) = (0, 0, String::new());
+        let mut cells: Vec<(usize, Content)> = Vec::new();
         let repeats = |stated: Option<&str>| {
             let count = stated.and_then(|count| count.parse().ok());
             count.unwrap_or(1_usize).min(MOST_ROWS)
@@ -190,14 +215,32 @@ fn open_document(archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadFault> {
                 "p" => text.push_str(leaf.text),
                 "table-cell" | "covered-table-cell" => {
                     let text = std::mem::take(&mut text);
-                    match leaf.attribute("value") {
-                        Some(value) => sheet.number(row, column, value),
-                        None => sheet.label(row, column, &text),
+                    let count = repeats(leaf.attribute("number-columns-repeated"));
+                    for column in column..(column + count).min(MOST_COLUMNS) {
+                        let content = match leaf.attribute("value") {
+                            Some(value) => Content::Number(value.to_owned()),
+                            None if text.trim().is_empty() => break,
+                            None => Content::Text(text.clone()),
+                        };
+                        cells.push((column, content));
                     }
-                    column += repeats(leaf.attribute("number-columns-repeated"));
+                    column += count;
                 }
                 "table-row" => {
-                    row += repeats(leaf.attribute("number-rows-repeated"));
+                    let count = repeats(leaf.attribute("number-rows-repeated"));
+                    for row in row..row + count {
+                        if cells.is_empty() || sheet.is_full() {
+                            break;
+                        }
+                        for (column, content) in &cells {
+                            match content {
+                                Content::Number(value) => sheet.number(row, *column, value),
+                                Content::Text(text) => sheet.label(row, *column, text),
+                            }
+                        }
+                    }
+                    cells.clear();
+                    row += count;
                     column = 0;
                 }
                 "table" => {

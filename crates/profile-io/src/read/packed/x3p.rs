@@ -12,7 +12,7 @@ use super::archive::Archive;
 use super::hashed::Hashed;
 use super::xml::{Leaf, walk};
 use crate::read::areal::trace::{Areal, HeightUnit, Heights};
-use crate::read::damage::{damaged, miscounted};
+use crate::read::damage::{damaged, miscounted, not_a_number};
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::found::Found;
@@ -306,7 +306,7 @@ fn chosen_rows(main: &Main, wanted: Wanted) -> Result<Range<u64>, ReadFault> {
 
 fn text(main: &mut Main, rows: Range<u64>) -> Result<Points, ReadFault> {
     if let Some(seen) = &main.broken_text {
-        return Err(damaged(FORMAT, "a height is not a number", seen));
+        return Err(not_a_number(FORMAT, seen));
     }
     let points = std::mem::take(&mut main.text);
     let stated = main

@@ -3,6 +3,7 @@
 use std::io::{BufRead, BufReader, Read};
 
 use quick_xml::Reader;
+use quick_xml::escape::unescape;
 use quick_xml::events::Event;
 
 /// Maximum nesting; the formats have six levels.
@@ -85,6 +86,14 @@ pub(super) fn walk(stream: impl Read, mut leaf: impl FnMut(Leaf<'_>) -> bool) ->
                     last.text.push_str(&text);
                 }
             }
+            // An entity such as &#181; is an event of its own.
+            Some(Event::GeneralRef(name)) => {
+                if let Some(last) = open.last_mut()
+                    && let Ok(text) = unescape(&format!("&{};", &*name))
+                {
+                    last.text.push_str(&text);
+                }
+            }
             Some(Event::End(_)) => {
                 let Some(last) = open.pop() else {
                     return false;
@@ -116,7 +125,9 @@ fn attributes(element: &quick_xml::events::BytesStart<'_>) -> Vec<(String, Strin
     known
         .map(|attribute| {
             let name = attribute.key.local_name().as_ref().to_owned();
-            (name, String::from(&*attribute.value))
+            let value = unescape(&attribute.value);
+            let value = value.unwrap_or_else(|_| attribute.value.clone());
+            (name, value.into_owned())
         })
         .collect()
 }
