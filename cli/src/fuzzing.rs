@@ -2,6 +2,7 @@
 //! Also the list of all paths on the command line. Not part of the interface.
 
 use asperity_calibration::{RigRow, RigTable};
+use asperity_core::Code;
 use asperity_rexs::{Flanks, Model, RexsError, case_text, stages};
 use clap::{Command, CommandFactory, Parser, ValueHint};
 
@@ -100,7 +101,7 @@ pub fn rig_table(text: &str) -> bool {
             true
         }
         Err(error) => {
-            assert!(!error.to_string().is_empty() && error.code() == "E134");
+            assert!(!error.to_string().is_empty() && error.code() == Code::E134);
             false
         }
     }

@@ -6,6 +6,7 @@ use asperity::case::{self, DefaultUsed, LoadedCase};
 use asperity::message::Warning;
 use asperity::pipeline;
 use asperity::pipeline::{KeptFields, chooses_offsets};
+use asperity_core::Code;
 use asperity_studies::estimate::{Estimate, estimate, estimate_of_train, measured};
 use serde_json::{Value, json};
 
@@ -64,7 +65,7 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
         return match failures.into_iter().next() {
             Some(first) => Err(first.printed()),
             None => Err(Failure::new(
-                "E501",
+                Code::E501,
                 format!("{name}: no case and no error"),
             )),
         };

@@ -1,5 +1,6 @@
 //! `asperity cycle`: energy lost over a cycle, from a map.
 
+use asperity_core::Code;
 use asperity_core::number;
 use std::path::Path;
 
@@ -42,12 +43,12 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
 fn refused(args: &CycleArgs, error: &EnergyError) -> Failure {
     let (map, cycle) = (args.map.display(), args.trace.display());
     match error {
-        EnergyError::Uncovered(_) => Failure::new("E314", format!("{cycle} on {map}: {error}"))
+        EnergyError::Uncovered(_) => Failure::new(Code::E314, format!("{cycle} on {map}: {error}"))
             .advising("Compute the map up to these torques and speeds, or pass --allow-outside: the ratio of loss to torque is then constant beyond its edge."),
         EnergyError::Unbalanced(error) => {
             Failure::new(error.code(), format!("{cycle} on {map}: {error}"))
         }
-        _ => Failure::new("E402", format!("{map}: {error}"))
+        _ => Failure::new(Code::E402, format!("{map}: {error}"))
             .advising("Compute the map again with axes on which the case has results."),
     }
 }
@@ -57,10 +58,11 @@ pub fn read_map(folder: &Path) -> Result<Map, Failure> {
     map::read(folder).map_err(|error| {
         let advice = "Name the folder that asperity map wrote, e.g. results/case-map.";
         match error {
-            MapError::Open { path, source } => {
-                Failure::new("E402", format!("{}: not a map: {source}", path.display()))
-            }
-            error => Failure::new("E402", error.to_string()),
+            MapError::Open { path, source } => Failure::new(
+                Code::E402,
+                format!("{}: not a map: {source}", path.display()),
+            ),
+            error => Failure::new(Code::E402, error.to_string()),
         }
         .advising(advice)
     })
@@ -106,7 +108,7 @@ fn temperature(args: &CycleArgs, map: &Map) -> Result<usize, Failure> {
         let known: Vec<String> = nodes.iter().map(|node| number(*node)).collect();
         let known = known.join(", ");
         Failure::new(
-            "E209",
+            Code::E209,
             format!("--temperature {}: the map has {known} °C", number(celsius)),
         )
     })

@@ -1,5 +1,6 @@
 //! `asperity demo`: a worked case to start from.
 
+use asperity_core::Code;
 use std::path::Path;
 
 use asperity_fixtures::TextFile;
@@ -18,7 +19,7 @@ pub fn demo(folder: Option<&Path>, worked: Worked<'_>, common: &Common) -> Resul
     refuse_existing(folder)?;
     let files = worked.files().map_err(|error| match error {
         WorkedError::Gears(error) => LibraryError::from(error).into(),
-        error => Failure::new("E501", error.to_string()),
+        error => Failure::new(Code::E501, error.to_string()),
     })?;
     let option = match worked {
         Worked::Paper => " --formulation paper",
@@ -44,7 +45,7 @@ fn refuse_existing(folder: &Path) -> Result<(), Failure> {
     match folder.exists() {
         false => Ok(()),
         true => Err(Failure::new(
-            "E401",
+            Code::E401,
             format!(
                 "{}: exists already; name another folder, e.g. asperity demo my-first-case",
                 folder.display()
@@ -62,7 +63,7 @@ fn finish(
     common: &Common,
 ) -> Result<(), Failure> {
     let texts = files.iter().map(|file| (file.name, file.content.as_str()));
-    new_folder_of(folder, texts).map_err(|error| Failure::new("E401", error.to_string()))?;
+    new_folder_of(folder, texts).map_err(|error| Failure::new(Code::E401, error.to_string()))?;
     if common.json {
         let names: Vec<&str> = files.iter().map(|file| file.name).collect();
         return print_json(&json!({ "folder": folder, "files": names }));

@@ -1,6 +1,7 @@
 //! `asperity figures`: the figures of the 2022 paper.
 
 use asperity::case::{self, Formulation, LoadedCase};
+use asperity_core::Code;
 use asperity_studies::figures::{self, FigureError};
 
 use super::{keys, load_case};
@@ -22,7 +23,7 @@ pub fn figures(args: &FiguresArgs, common: &Common) -> Result<(), Failure> {
 /// Table 2 of the paper on the synthetic flank of the program.
 fn table_2(set: &SetArgs) -> Result<LoadedCase, Failure> {
     let (case, flank) = asperity_fixtures::demo::table_2()
-        .map_err(|error| Failure::new("E501", format!("the case cannot be made: {error}")))?;
+        .map_err(|error| Failure::new(Code::E501, format!("the case cannot be made: {error}")))?;
     let flank = &flank.content;
     let mut loaded = case::from_text(case.name, &case.content, &|_| Ok(flank.clone().into()))
         .map_err(|error| Failure::of(&error))?;
@@ -38,6 +39,6 @@ fn table_2(set: &SetArgs) -> Result<LoadedCase, Failure> {
 fn refused(error: &FigureError) -> Failure {
     match error {
         FigureError::Run(error) => Failure::of(error),
-        _ => Failure::new("E401", error.to_string()),
+        _ => Failure::new(Code::E401, error.to_string()),
     }
 }

@@ -1,5 +1,6 @@
 //! `asperity case from-rexs`: a case from a REXS gearbox file.
 
+use asperity_core::Code;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -20,10 +21,10 @@ const LARGEST: u64 = 100_000_000;
 /// `asperity case from-rexs`
 pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
     let path = &args.file;
-    let refused = |error: &dyn std::fmt::Display, code: &'static str| {
+    let refused = |error: &dyn std::fmt::Display, code: Code| {
         Failure::new(code, format!("{}: {error}", path.display()))
     };
-    let bytes = whole_file(path, LARGEST).map_err(|error| refused(&error, "E101"))?;
+    let bytes = whole_file(path, LARGEST).map_err(|error| refused(&error, Code::E101))?;
     let wrong = |error: RexsError| refused(&error, error.code());
     let model = Model::read(&bytes).map_err(wrong)?;
     if args.stage.is_none() && args.output.is_none() && !args.all {

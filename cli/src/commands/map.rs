@@ -1,10 +1,10 @@
 //! `asperity map`: losses over torque, speed and temperature.
 
+use asperity_core::Code;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::case::gear_train::LoadedTrain;
-use asperity::message::explain;
 use asperity::pipeline::KeptFields;
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle::CyclePoint;
@@ -26,7 +26,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let progress = Progress::of(common.quiet, READING);
     let finishes = finishes(args)?;
     let Some(first) = finishes.first() else {
-        return Err(Failure::new("E501", "a map without a finish"));
+        return Err(Failure::new(Code::E501, "a map without a finish"));
     };
     let names: Vec<&str> = finishes.iter().map(|finish| finish.name.as_str()).collect();
     for format in &args.export {
@@ -40,7 +40,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     };
     if args.export.contains(&ExportArg::Fastsim) && cycle.is_none() {
         let message = "--export fastsim writes one number, weighted by a cycle; pass --cycle";
-        return Err(Failure::new("E205", message));
+        return Err(Failure::new(Code::E205, message));
     }
     let visited: Vec<[f64; 2]> = cycle
         .iter()
@@ -61,7 +61,6 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let map = map::map(&finishes, &axes, args.band.points(), &watch)
         .map_err(|error| Failure::about(&args.case, &error))?;
     if let Some(code) = map.refused() {
-        let code = explain(code).map_or("E301", |known| known.code);
         let message = "no point of the map has a loss";
         let advice = "Run the case at one of its points: asperity run names the cause.";
         return Err(Failure::new(code, message).advising(advice));
@@ -95,7 +94,7 @@ fn exports(args: &MapArgs, map: &Map, with: With<'_>) -> Result<Vec<(PathBuf, Ve
 
 fn not_exported(format: ExportArg, error: &ExportError) -> Failure {
     let message = format!("--export {}: {error}", name_of_value(format));
-    Failure::new("E205", message)
+    Failure::new(Code::E205, message)
         .advising("The map itself can be computed without --export; a format may need other axes.")
 }
 
@@ -103,7 +102,7 @@ fn added_loss(file: &Path) -> Result<AddedLoss, Failure> {
     let text = table_in(file)?;
     let short = file.file_name().unwrap_or_default().to_string_lossy();
     AddedLoss::read(&short, &text).map_err(|error| {
-        Failure::new("E101", format!("--add-loss {error}")).advising(
+        Failure::new(Code::E101, format!("--add-loss {error}")).advising(
             "The table has the columns speed_rpm, loss_torque_nm or loss_w and, where the loss depends on them, torque_nm and temperature_c, as a grid; a loss map of VECTO (vtlm) is one.",
         )
     })
@@ -143,5 +142,5 @@ fn axes(args: &MapArgs, case: &LoadedTrain) -> Result<Axes, Failure> {
 }
 
 fn refused(option: &str, error: &AxisError) -> Failure {
-    Failure::new("E209", format!("{option}: {error}"))
+    Failure::new(Code::E209, format!("{option}: {error}"))
 }

@@ -12,12 +12,6 @@ use crate::output::{print_json, print_text};
 /// Legend of the certainty letters.
 pub const LETTERS: &str = "Certainty: A read in the source, B quoted by others, C derived; assumed: not\nknown of this one.";
 
-impl From<LibraryError> for Failure {
-    fn from(error: LibraryError) -> Self {
-        Self::new(error.code(), error.to_string())
-    }
-}
-
 /// Prints presets: their values as JSON under a name, or a text.
 pub fn print_listed<T>(
     common: &Common,

@@ -1,5 +1,6 @@
 //! The steps of a calibration.
 
+use asperity_core::Code;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::CalibratedName;
@@ -396,22 +397,22 @@ fn warnings(rig: &Rig, fit: &Fit, residuals: &[f64]) -> Vec<Warning> {
     let mut warnings = Vec::new();
     if !fit.is_settled {
         let text = "the optimum lies far outside the usual ranges of the parameters and was not reached; check case, scope and units";
-        warnings.push(Warning::new("W419", text));
+        warnings.push(Warning::new(Code::W419, text));
     }
     if let Some(drift) = drift(rig, residuals) {
         warnings.push(Warning::new(
-            "W419",
+            Code::W419,
             format!("the residuals drift with the order of measurement (correlation {drift:+.2})"),
         ));
     }
     if rig.has_gearbox {
         let text = "the gearbox of the case is ignored: the column includes states the scope of the measured losses";
-        warnings.push(Warning::new("W431", text));
+        warnings.push(Warning::new(Code::W431, text));
     }
     let assemblies = rig.table.assemblies().len();
     if assemblies < 3 {
         warnings.push(Warning::new(
-            "W420",
+            Code::W420,
             format!(
                 "{assemblies} {}: too few for a bootstrap; the scatter of assemblies is the prior, {:.0} %",
                 if assemblies == 1 { "assembly" } else { "assemblies" },
@@ -425,7 +426,7 @@ fn warnings(rig: &Rig, fit: &Fit, residuals: &[f64]) -> Vec<Warning> {
             "{repeated} of {} rows repeat an earlier row in every cell and count as measurements of their own; leave copies out, and number measurements that were repeated in the column run",
             rig.table.rows.len()
         );
-        warnings.push(Warning::new("W420", text));
+        warnings.push(Warning::new(Code::W420, text));
     }
     let mut states: Vec<&str> = rig
         .table
@@ -437,7 +438,7 @@ fn warnings(rig: &Rig, fit: &Fit, residuals: &[f64]) -> Vec<Warning> {
     states.dedup();
     if states.len() > 1 {
         warnings.push(Warning::new(
-            "W420",
+            Code::W420,
             format!(
                 "several flank states in one fit ({}), but the traces are of one state",
                 states.join(", ")

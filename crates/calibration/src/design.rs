@@ -3,6 +3,7 @@
 use asperity::case::CalibratedName;
 use asperity::message::Warning;
 use asperity::{Case, LoadedCase};
+use asperity_core::Code;
 use asperity_core::numerics::Z_975;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
@@ -167,7 +168,7 @@ pub fn plan(
             let held = [held, &[CalibratedName::BoundaryLayer]].concat();
             fitted = parameters(case, &held)?;
             warnings.push(Warning::new(
-                "W436",
+                Code::W436,
                 format!(
                     "the boundary layer is held, because points within these limits do not identify it: {}; hold it in the calibration too, or state the largest torque and speed and the temperatures of the rig if it reaches further",
                     missing.join("; ")

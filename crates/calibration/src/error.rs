@@ -2,6 +2,7 @@
 
 use asperity::key_words::ended;
 use asperity::profile_io::read::ReadError;
+use asperity_core::{Code, Fault};
 use asperity_core::{decimals, number};
 use asperity_table::{Ragged, RowFault};
 
@@ -124,20 +125,20 @@ pub enum CalibrationError {
 impl CalibrationError {
     /// Stable code of the message.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
             Self::Ragged { .. } | Self::Column { .. } | Self::Rows { .. } | Self::NoCase { .. } => {
-                "E134"
+                Code::E134
             }
             Self::Open(error) => error.code(),
-            Self::Outliers { .. } => "E135",
-            Self::Share { .. } => "E310",
-            Self::Unexplained { .. } => "E315",
-            Self::FewRows { .. } => "E316",
-            Self::NoParameter { .. } => "E205",
-            Self::Limit { .. } => "E209",
+            Self::Outliers { .. } => Code::E135,
+            Self::Share { .. } => Code::E310,
+            Self::Unexplained { .. } => Code::E315,
+            Self::FewRows { .. } => Code::E316,
+            Self::NoParameter { .. } => Code::E205,
+            Self::Limit { .. } => Code::E209,
             Self::Model { source, .. } => source.code(),
-            Self::NotConverged { .. } => "E501",
+            Self::NotConverged { .. } => Code::E501,
         }
     }
 }
@@ -173,4 +174,10 @@ fn listed_residuals(file: &str, residuals: &[(usize, f64)]) -> String {
         .map(|(line, residual)| format!("{file}:{line} by {residual:+.0} sigma"))
         .collect();
     lines.join(", ")
+}
+
+impl From<CalibrationError> for Fault {
+    fn from(error: CalibrationError) -> Self {
+        Self::of(error.code(), error)
+    }
 }

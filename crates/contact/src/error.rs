@@ -1,5 +1,6 @@
 //! Errors of contact computations.
 
+use asperity_core::Code;
 use asperity_core::cancel::Cancelled;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use asperity_core::{DomainError, number};
@@ -188,12 +189,12 @@ pub struct SolverShape {
 
 impl ContactError {
     /// Stable code of the message, for a contact without a case.
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
-            Self::NotConverged { .. } | Self::NotRunIn { .. } => "E301",
-            Self::LimitBelowMeanPressure { .. } => "E302",
-            Self::ToleranceTooLarge { .. } => "E211",
-            _ => "E209",
+            Self::NotConverged { .. } | Self::NotRunIn { .. } => Code::E301,
+            Self::LimitBelowMeanPressure { .. } => Code::E302,
+            Self::ToleranceTooLarge { .. } => Code::E211,
+            _ => Code::E209,
         }
     }
 }

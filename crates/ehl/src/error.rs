@@ -1,6 +1,7 @@
 //! Reasons why a lubricated contact has no solution here.
 
 use asperity_contact::ContactError;
+use asperity_core::Code;
 use asperity_core::cancel::Cancelled;
 use asperity_core::quantity::Pressure;
 use asperity_core::{DomainError, decimals};
@@ -92,10 +93,10 @@ pub enum EhlError {
 
 impl EhlError {
     /// Stable code of the message, for a contact without a case.
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self.is_unconverged() {
-            true => "E307",
-            false => "E209",
+            true => Code::E307,
+            false => Code::E209,
         }
     }
 

@@ -1,5 +1,6 @@
 //! Calibrations from the losses of a rig.
 
+use asperity::message::Code;
 use asperity::core::number;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -85,7 +86,7 @@ impl Calibration {
     /// The table `calibration` of a case as JSON.
     fn keys(&self) -> PyResult<String> {
         let table: toml::Table = toml::from_str(&self.0.block)
-            .map_err(|error| Failure::new("E501", error.to_string()))?;
+            .map_err(|error| Failure::new(Code::E501, error.to_string()))?;
         Ok(failure::json(&table)?)
     }
 
@@ -167,13 +168,13 @@ pub fn evidence(
         if !Effort::set(&mut efforts, name, *hours) {
             let names = Effort::usual().map(|effort| effort.key).join(", ");
             let message = format!("hours: {name} = {}: the names are {names}", number(*hours));
-            return Err(Failure::new("E209", message).into());
+            return Err(Failure::new(Code::E209, message).into());
         }
     }
     let case = case.train();
     in_parallel(py, threads, None, |_| {
         let table = EvidenceTable::of(&case, &efforts)?;
-        let none = || Failure::new("E205", "the loss of this case has no interval");
+        let none = || Failure::new(Code::E205, "the loss of this case has no interval");
         Study::of(table.ok_or_else(none)?)
     })
 }

@@ -1,5 +1,6 @@
 //! Cases: loaded, changed, run.
 
+use asperity::message::Code;
 use asperity::core::number;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -134,7 +135,7 @@ struct MeshRegime {
 fn traces_of_train() -> Failure {
     let message =
         "a case of several meshes takes its traces from files; write them with Profile.write";
-    Failure::new("E205", message)
+    Failure::new(Code::E205, message)
 }
 
 impl Train {
@@ -229,7 +230,7 @@ impl Case {
             Kind::Pair(loaded) => Ok(loaded),
             Kind::Train(_) => {
                 let message = "the case has several meshes; this takes a pair of gears";
-                Err(Failure::new("E205", message))
+                Err(Failure::new(Code::E205, message))
             }
         }
     }
@@ -291,7 +292,7 @@ impl Case {
                     }
                     other => {
                         let message = format!("{}: {other:?} cannot be pickled", name.display());
-                        return Err(Failure::new("E501", message));
+                        return Err(Failure::new(Code::E501, message));
                     }
                 }
             }
@@ -392,7 +393,7 @@ impl Case {
                 for (key, value) in keys {
                     let value = value.ok_or_else(|| {
                         Failure::new(
-                            "E205",
+                            Code::E205,
                             format!(
                                 "{key}: a key of a case with several meshes cannot be taken away"
                             ),
@@ -457,7 +458,7 @@ impl Case {
         };
         let mesh = found.ok_or_else(|| {
             Failure::new(
-                "E205",
+                Code::E205,
                 format!("the case has no mesh {name:?}; meshes names them"),
             )
         })?;
@@ -535,7 +536,7 @@ impl Case {
         let detail: Detail = named("detail", detail)?;
         if (detail, band) == (Detail::Losses, Some(true)) {
             let message = "detail = \"losses\" has no interval of the loss; leave band out, or run with detail = \"contacts\"";
-            return Err(Failure::new("E205", message).into());
+            return Err(Failure::new(Code::E205, message).into());
         }
         let band = band.unwrap_or(detail == Detail::Fields);
         in_parallel(py, threads, progress.as_ref(), |told| {
@@ -547,7 +548,7 @@ impl Case {
                 }
                 (Kind::Train(_), _) => {
                     let message = "a case of several meshes is run only with detail = \"fields\"";
-                    return Err(Failure::new("E205", message));
+                    return Err(Failure::new(Code::E205, message));
                 }
                 (Kind::Pair(loaded), Detail::Losses) => {
                     let program = concat!("asperity ", env!("CARGO_PKG_VERSION"));
@@ -641,7 +642,7 @@ pub fn on_the_path(place: Option<f64>) -> Result<Option<f64>, Failure> {
     match place {
         Some(place) if !(0.0..=1.0).contains(&place) => {
             let message = format!("position {}: must be 0 (A) to 1 (E)", number(place));
-            Err(Failure::new("E209", message))
+            Err(Failure::new(Code::E209, message))
         }
         place => Ok(place),
     }

@@ -1,5 +1,6 @@
 //! Errors of the library as Python's `AsperityError`: code, help and place.
 
+use asperity::message::Code;
 use asperity::case::Place;
 use asperity::contact::ContactError;
 use asperity::core::DomainError;
@@ -28,7 +29,7 @@ use pyo3::types::PyType;
 /// An error with its stable code.
 #[derive(Debug)]
 pub struct Failure {
-    code: &'static str,
+    code: Code,
     message: String,
     place: Option<Place>,
     remedy: Remedy,
@@ -36,7 +37,7 @@ pub struct Failure {
 
 impl Failure {
     /// An error of this code.
-    pub fn new(code: &'static str, message: impl Into<String>) -> Self {
+    pub fn new(code: Code, message: impl Into<String>) -> Self {
         Self {
             code,
             message: message.into(),
@@ -95,12 +96,12 @@ fn raised(py: Python<'_>, failure: &Failure) -> PyResult<PyErr> {
 
 /// The settings in a text of JSON.
 pub fn asked<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Failure> {
-    serde_json::from_str(text).map_err(|error| Failure::new("E204", error.to_string()))
+    serde_json::from_str(text).map_err(|error| Failure::new(Code::E204, error.to_string()))
 }
 
 /// A value as JSON text.
 pub fn json<T: serde::Serialize>(value: &T) -> Result<String, Failure> {
-    serde_json::to_string(value).map_err(|error| Failure::new("E501", error.to_string()))
+    serde_json::to_string(value).map_err(|error| Failure::new(Code::E501, error.to_string()))
 }
 
 /// Failures by the code of each error.
@@ -116,26 +117,26 @@ macro_rules! failures {
 }
 
 failures! {
-    AxisError: |_| "E209",
+    AxisError: |_| Code::E209,
     CalibrationError: CalibrationError::code,
-    DomainError: |_| "E209",
+    DomainError: |_| Code::E209,
     EhlError: EhlError::code,
-    ExportError: |_| "E205",
+    ExportError: |_| Code::E205,
     FrictionError: |error| match error {
-        FrictionError::MissingSetting { .. } => "E205",
-        _ => "E209",
+        FrictionError::MissingSetting { .. } => Code::E205,
+        _ => Code::E209,
     },
     LibraryError: LibraryError::code,
-    MapError: |_| "E402",
+    MapError: |_| Code::E402,
     OilError: OilError::code,
-    QuantityError: |_| "E204",
+    QuantityError: |_| Code::E204,
     RegimeError: |error| match error {
-        RegimeError::MissingInput { .. } => "E205",
-        _ => "E209",
+        RegimeError::MissingInput { .. } => Code::E205,
+        _ => Code::E209,
     },
     ReportError: ReportError::code,
     RexsError: RexsError::code,
-    RoughnessError: |_| "E120",
+    RoughnessError: |_| Code::E120,
 }
 
 impl From<asperity::Error> for Failure {
@@ -185,8 +186,8 @@ impl From<ReferenceError> for Failure {
         match error {
             ReferenceError::Position(error) => error.into(),
             ReferenceError::Ehl(error) => error.into(),
-            ReferenceError::NoBaseOil => Self::new("E208", error.to_string()),
-            error => Self::new("E305", error.to_string()),
+            ReferenceError::NoBaseOil => Self::new(Code::E208, error.to_string()),
+            error => Self::new(Code::E305, error.to_string()),
         }
     }
 }

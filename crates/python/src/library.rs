@@ -1,5 +1,6 @@
 //! Gears, steels and oils of the library, worked cases, cases from gearbox files.
 
+use asperity::message::Code;
 use std::path::{Path, PathBuf};
 
 use asperity_fixtures::worked::{Worked, WorkedError};
@@ -57,18 +58,18 @@ pub fn demo(
         (None, true) => Worked::Paper,
         (None, false) => Worked::Drive,
         (Some(_), true) => {
-            return Err(Failure::new("E205", "gears and paper: one of both at most").into());
+            return Err(Failure::new(Code::E205, "gears and paper: one of both at most").into());
         }
     };
     let folder = folder.unwrap_or_else(|| worked.folder().into());
     alone(py, || {
         let files = worked.files().map_err(|error| match error {
             WorkedError::Gears(error) => LibraryError::from(error).into(),
-            error => Failure::new("E501", error.to_string()),
+            error => Failure::new(Code::E501, error.to_string()),
         })?;
         let texts = files.iter().map(|file| (file.name, file.content.as_str()));
         let written = new_folder_of(&folder, texts);
-        written.map_err(|error| Failure::new("E401", error.to_string()))?;
+        written.map_err(|error| Failure::new(Code::E401, error.to_string()))?;
         Ok(folder)
     })
 }
@@ -82,7 +83,7 @@ fn of_gearbox_file<T: Send>(
     let shown = file.display().to_string();
     alone(py, || {
         let bytes = whole_file(file, LARGEST)
-            .map_err(|error| Failure::new("E101", error.to_string()).about(&shown))?;
+            .map_err(|error| Failure::new(Code::E101, error.to_string()).about(&shown))?;
         let found = Model::read(&bytes).and_then(|model| read(&model));
         found.map_err(|error| Failure::from(error).about(&shown))
     })

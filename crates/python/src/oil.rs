@@ -1,5 +1,6 @@
 //! Oils: traction of ball and disc, constants from traction curves, plans, boundary friction.
 
+use asperity::message::Code;
 use std::path::Path;
 
 use asperity::case::LoadedCase;
@@ -64,7 +65,7 @@ fn errors((zero, relative, floor): Errors) -> Result<(Zero, PointErrors), Failur
         true => Ok((zero, PointErrors { relative, floor })),
         false => {
             let message = "point_sd, point_floor: must be positive and below 1";
-            Err(Failure::new("E209", message))
+            Err(Failure::new(Code::E209, message))
         }
     }
 }
@@ -103,7 +104,7 @@ pub fn oil_traction(
     let (oil, _) = oil.base(ConstantsOf::File)?;
     let (load, speed, slide_to_roll) = conditions;
     if temperatures.is_empty() {
-        return Err(Failure::new("E209", "temperature: at least one is required").into());
+        return Err(Failure::new(Code::E209, "temperature: at least one is required").into());
     }
     let range = TractionRange {
         machine: machine(specimens)?,
@@ -191,7 +192,7 @@ pub fn stribeck(
     let (oil, _) = oil.base(ConstantsOf::Family)?;
     if !rubbing.is_empty() && rubbing.len() != tables.len() {
         let message = "rubbing: takes one time for each table";
-        return Err(Failure::new("E205", message).into());
+        return Err(Failure::new(Code::E205, message).into());
     }
     let machine = machine(specimens)?;
     let (mut all, mut sources) = (Vec::new(), Vec::new());

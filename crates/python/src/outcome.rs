@@ -1,5 +1,6 @@
 //! Outcome of a run.
 
+use asperity::message::Code;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -41,7 +42,7 @@ impl Outcome {
         match self.0.as_ref() {
             Found::Whole(outcome) => Ok(&outcome.fields),
             _ => Err(Failure::new(
-                "E402",
+                Code::E402,
                 "this result holds no fields; run with detail = \"fields\"",
             )),
         }
@@ -86,7 +87,7 @@ impl Outcome {
             .find(|fields| fields.position == position);
         let found = found.ok_or_else(|| {
             Failure::new(
-                "E402",
+                Code::E402,
                 format!("the fields of position {position} were not kept"),
             )
         })?;
@@ -137,7 +138,7 @@ impl Outcome {
             Found::Train(outcome) => Ok(write_train(outcome, &folder, &fields)?),
             Found::Losses(..) => {
                 let message = "losses alone have no result folder; run with detail = \"fields\"";
-                Err(Failure::new("E402", message))
+                Err(Failure::new(Code::E402, message))
             }
         })
     }

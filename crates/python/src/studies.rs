@@ -1,5 +1,6 @@
 //! Comparisons of finishes, changes of one thing at a time, and maps.
 
+use asperity::message::Code;
 use std::path::{Path, PathBuf};
 
 use asperity::case::gear_train::LoadedTrain;
@@ -147,7 +148,7 @@ pub fn map(
 ) -> PyResult<Map> {
     let finishes = finishes(of_finishes);
     let Some(first) = finishes.first() else {
-        return Err(Failure::new("E205", "a map needs a case").into());
+        return Err(Failure::new(Code::E205, "a map needs a case").into());
     };
     let case = &first.case;
     let axes = Axes::new(
@@ -188,9 +189,9 @@ pub fn cycle(
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
         let found = driving::evaluate(&map, temperature, (&trace, &stem), allow_outside);
         let found = found.map_err(|error| match error {
-            EnergyError::Uncovered(_) => Failure::new("E314", error.to_string()).about(&name),
+            EnergyError::Uncovered(_) => Failure::new(Code::E314, error.to_string()).about(&name),
             EnergyError::Unbalanced(error) => Failure::new(error.code(), error.to_string()),
-            _ => Failure::new("E402", error.to_string()),
+            _ => Failure::new(Code::E402, error.to_string()),
         })?;
         let (json, summary) = (failure::json(&found)?, found.summary(&map));
         Ok(Study::new(json, summary, move |folder| {
@@ -240,7 +241,7 @@ impl Map {
     /// The points of a finish, temperature by temperature, torque by torque, speed by speed; NaN where a point has no
     /// such number.
     fn points<'py>(&self, py: Python<'py>, finish: usize) -> PyResult<Bound<'py, PyDict>> {
-        let none = || Failure::new("E402", format!("the map has no finish number {finish}"));
+        let none = || Failure::new(Code::E402, format!("the map has no finish number {finish}"));
         let points = &self.0.finishes.get(finish).ok_or_else(none)?.points;
         let arrays = PyDict::new(py);
         for (name, of) in COLUMNS {
@@ -268,7 +269,7 @@ impl Map {
     ) -> PyResult<Interpolated<'py>> {
         let none = || {
             Failure::new(
-                "E402",
+                Code::E402,
                 format!("the map has no finish number {finish} at that temperature"),
             )
         };
@@ -306,7 +307,7 @@ impl Map {
                 Some(file) => {
                     let name = file.file_name().unwrap_or_default().to_string_lossy();
                     let found = AddedLoss::read(&name, &text(file)?);
-                    Some(found.map_err(|error| Failure::new("E101", error.to_string()))?)
+                    Some(found.map_err(|error| Failure::new(Code::E101, error.to_string()))?)
                 }
                 None => None,
             };

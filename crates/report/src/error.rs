@@ -1,5 +1,6 @@
 //! Errors of reading and writing results.
 
+use asperity_core::{Code, Fault};
 use std::path::{Path, PathBuf};
 
 use asperity_roughness::RoughnessError;
@@ -93,7 +94,7 @@ pub enum ReportError {
 
 impl ReportError {
     /// Stable code of the message.
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
             Self::NotAResult { .. }
             | Self::OfTrain { .. }
@@ -101,9 +102,9 @@ impl ReportError {
             | Self::BadTable { .. }
             | Self::NoValue { .. }
             | Self::NoFields { .. }
-            | Self::NoSuchPosition { .. } => "E402",
-            Self::NotFinite { .. } => "E501",
-            _ => "E401",
+            | Self::NoSuchPosition { .. } => Code::E402,
+            Self::NotFinite { .. } => Code::E501,
+            _ => Code::E401,
         }
     }
 
@@ -137,5 +138,18 @@ impl ReportError {
             path: path.clone(),
             source,
         }
+    }
+}
+
+impl From<ReportError> for Fault {
+    fn from(error: ReportError) -> Self {
+        let help = match error {
+            ReportError::NoSuchPosition { .. } => {
+                "Positions are numbered from 1, as in the column position of path.csv."
+            }
+            ReportError::NoFields { .. } => "Run the case again with this position in --fields.",
+            _ => return Self::of(error.code(), error),
+        };
+        Self::of(error.code(), error).helping(help)
     }
 }

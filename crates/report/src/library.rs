@@ -1,5 +1,6 @@
 //! Gears, steels and oils of the library as JSON, with numbers that follow from theirs.
 
+use asperity_core::{Code, Fault};
 use std::collections::BTreeSet;
 
 use asperity::case::nearest_name;
@@ -40,10 +41,10 @@ pub enum LibraryError {
 impl LibraryError {
     /// Stable code.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
-            Self::Unknown { .. } => "E220",
-            Self::Faulty(_) => "E501",
+            Self::Unknown { .. } => Code::E220,
+            Self::Faulty(_) => Code::E501,
         }
     }
 
@@ -250,4 +251,10 @@ pub fn listed_oil(oil: &LibraryOil) -> Result<Value, LibraryError> {
         "dynamic_viscosity_100_mpa_s": hot,
         "pressure_viscosity_100_per_gpa": alpha,
     }))
+}
+
+impl From<LibraryError> for Fault {
+    fn from(error: LibraryError) -> Self {
+        Self::of(error.code(), error)
+    }
 }

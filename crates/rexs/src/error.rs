@@ -1,5 +1,7 @@
 //! Errors of REXS files.
 
+use asperity_core::Code;
+
 /// Error of a REXS file or of a stage in it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -115,10 +117,12 @@ pub enum RexsError {
 impl RexsError {
     /// Stable code.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
-            Self::NoStage { .. } | Self::NoLoadCase { .. } | Self::NotCylindrical { .. } => "E133",
-            _ => "E132",
+            Self::NoStage { .. } | Self::NoLoadCase { .. } | Self::NotCylindrical { .. } => {
+                Code::E133
+            }
+            _ => Code::E132,
         }
     }
 }

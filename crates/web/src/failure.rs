@@ -1,5 +1,6 @@
 //! Errors as the page shows them: a code, a message in keys of the case, a place, help.
 
+use asperity::message::Code;
 use asperity::case::Place;
 use asperity::key_words::{advice, with_keys};
 use asperity::profile_io::read::ReadError;
@@ -10,7 +11,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, Serialize)]
 pub struct Failure {
     /// Stable code.
-    pub code: &'static str,
+    pub code: Code,
     /// Values seen and expected, and what to write instead.
     pub message: String,
     /// General advice for the code.
@@ -21,7 +22,7 @@ pub struct Failure {
 
 impl Failure {
     /// An error of this code.
-    pub fn new(code: &'static str, message: impl Into<String>) -> Self {
+    pub fn new(code: Code, message: impl Into<String>) -> Self {
         Self {
             code,
             message: message.into(),
@@ -60,12 +61,12 @@ impl From<&asperity::Error> for Failure {
 impl From<ReportError> for Failure {
     fn from(error: ReportError) -> Self {
         // No file is written, so a number that is not finite is all that can be.
-        Self::new("E501", error.to_string())
+        Self::new(Code::E501, error.to_string())
     }
 }
 
 impl From<serde_json::Error> for Failure {
     fn from(error: serde_json::Error) -> Self {
-        Self::new("E501", error.to_string())
+        Self::new(Code::E501, error.to_string())
     }
 }

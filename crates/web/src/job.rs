@@ -1,5 +1,6 @@
 //! The job of the page: what `asperity run` does, without a file system.
 
+use asperity::message::Code;
 use asperity::case::gear_train::{self, LoadedTrain, TrainCaseInput};
 use asperity::case::{self, AnyInput, CaseInput, DefaultUsed, Source};
 use asperity::gear_train::{TrainOutcome, run_train};
@@ -119,7 +120,7 @@ fn check_memory(train: &LoadedTrain) -> Result<(), Failure> {
         work.bytes / 1e9,
         MOST_BYTES / 1e9,
     );
-    Err(Failure::new("E209", message))
+    Err(Failure::new(Code::E209, message))
 }
 
 /// The keys of the case in `text` as JSON, for a form to show; its files are not opened.

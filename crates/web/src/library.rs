@@ -1,5 +1,6 @@
 //! Gears, steels and oils by name.
 
+use asperity::message::Code;
 use asperity::core::presets::{self, PresetError};
 use asperity::oil::library as oils;
 use serde_json::{Map, Value, json};
@@ -11,8 +12,8 @@ use crate::failure::Failure;
 /// # Errors
 /// When a library is damaged.
 pub fn library() -> Result<String, Failure> {
-    let damaged = |error: PresetError| Failure::new("E501", error.to_string());
-    let oils = oils().map_err(|error| Failure::new("E501", error.to_string()))?;
+    let damaged = |error: PresetError| Failure::new(Code::E501, error.to_string());
+    let oils = oils().map_err(|error| Failure::new(Code::E501, error.to_string()))?;
     let oils = oils
         .iter()
         .map(|oil| json!({ "name": oil.name, "note": format!("{} ({})", oil.note, oil.source) }));

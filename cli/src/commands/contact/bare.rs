@@ -1,5 +1,6 @@
 //! Contacts without a case: a gap file, or two profiles.
 
+use asperity_core::Code;
 use std::path::Path;
 
 use asperity_contact::running_in::{Cycle, RunningIn};
@@ -111,7 +112,7 @@ fn prescribed(path: &Path, gap: &Columns) -> Result<Vec<f64>, Failure> {
     let file = column_file::read(path, column_file::PRESSURE)?;
     if common_spacing(file.spacing, gap.spacing).is_none() {
         return Err(Failure::new(
-            "E209",
+            Code::E209,
             format!(
                 "{}: points {:.6} apart, those of the gap {:.6}; give the pressure at the points of the gap",
                 path.display(),
@@ -141,7 +142,7 @@ fn settings(args: &ContactArgs) -> SolverSettings {
 }
 
 fn missing(option: &str, needed: &str) -> Failure {
-    Failure::new("E205", format!("{option} needs {needed}"))
+    Failure::new(Code::E205, format!("{option} needs {needed}"))
 }
 
 /// The error of a contact, with advice in options of this command.

@@ -1,5 +1,6 @@
 //! Lubricated contact from numbers and profiles on the command line.
 
+use asperity_core::Code;
 use std::path::Path;
 
 use asperity::ehl::traction::Heat;
@@ -55,7 +56,7 @@ impl Bare {
 /// Reads the options and the profiles that they name.
 pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
     let bare = &args.bare;
-    let needed = |name| Failure::new("E205", format!("give a case file, or {name}"));
+    let needed = |name| Failure::new(Code::E205, format!("give a case file, or {name}"));
     let contact = LineContact {
         radius: bare.radius.ok_or_else(|| needed("--radius"))?,
         modulus: bare.e_star.ok_or_else(|| needed("--e-star"))?,
@@ -142,7 +143,7 @@ fn oil_state(
                 .resolve(bulk)
                 .and_then(|oil| oil.at(bulk))
                 .map_err(|error| {
-                    Failure::new("E208", format!("--oil {name}: {error}"))
+                    Failure::new(Code::E208, format!("--oil {name}: {error}"))
                         .advising("Name an oil of the library, or pass --viscosity and --pressure-viscosity.")
                 })?
                 .value;
@@ -160,7 +161,7 @@ fn oil_state(
         }
         (_, _, Some(viscosity), Some(coefficient)) => Ok((viscosity, coefficient, None)),
         _ => Err(Failure::new(
-            "E205",
+            Code::E205,
             "the oil is missing: pass --oil and --bulk, or --viscosity and --pressure-viscosity",
         )
         .advising("For example --oil m100 --bulk \"90 °C\", or --viscosity \"10 mPa s\" --pressure-viscosity \"18 1/GPa\".")),
@@ -179,7 +180,7 @@ fn surface(
         MovingProfile::periodic(&profile)
     } else {
         MovingProfile::blended(&profile, profile.length() * OVERLAP)
-            .map_err(|error| Failure::new("E209", format!("{}: {error}", path.display())))?
+            .map_err(|error| Failure::new(Code::E209, format!("{}: {error}", path.display())))?
     };
     Ok(Some((profile, moving)))
 }

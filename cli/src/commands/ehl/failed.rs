@@ -1,5 +1,6 @@
 //! Errors of the lubricated contact, with advice in options of this command.
 
+use asperity_core::Code;
 use std::path::Path;
 
 use asperity::ehl::EhlError;
@@ -33,8 +34,8 @@ pub fn of_reference(file: &Path, error: &ReferenceError) -> Failure {
             Failure::about(file, &Error::Whole(Box::new(error.clone())))
         }
         ReferenceError::Ehl(error) => of_contact(&title, error),
-        ReferenceError::NoBaseOil => Failure::new("E208", format!("{title}: {error}"))
+        ReferenceError::NoBaseOil => Failure::new(Code::E208, format!("{title}: {error}"))
             .advising("Set lubricant.base_oil in the case: mineral, pao, ester or polyglycol."),
-        _ => Failure::new("E305", format!("{title}: {error}")),
+        _ => Failure::new(Code::E305, format!("{title}: {error}")),
     }
 }

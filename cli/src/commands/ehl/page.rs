@@ -3,6 +3,7 @@
 use asperity::ehl::transient::Moment;
 use asperity::ehl::{RoughContact, Scales, SteadyFilm, SteadySettings, steady};
 use asperity::reference_solution::formula_film;
+use asperity_core::Code;
 use asperity_report::html::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };
@@ -16,7 +17,7 @@ use crate::failure::Failure;
 struct PageContents<'a> {
     title: &'a str,
     scales: &'a Scales,
-    warnings: Vec<(&'static str, String)>,
+    warnings: Vec<(Code, String)>,
 }
 
 fn page_of(
@@ -27,7 +28,7 @@ fn page_of(
     let refused = |error| super::failed::of_reference(about.title.as_ref(), &error);
     let formula = formula_film(&contact.contact, &contact.oil).map_err(refused)?;
     let scales = about.scales;
-    let owned = |(code, text): (&str, String)| (code.to_owned(), text);
+    let owned = |(code, text): (Code, String)| (code.to_string(), text);
     Ok(LubricatedContact {
         title: about.title.to_owned(),
         subtitle: format!(

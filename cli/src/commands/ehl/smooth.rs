@@ -5,6 +5,7 @@ use asperity::ehl::{
     FrictionLaw, RoughContact, Solved, SteadyFilm, SteadySettings, Warning, steady,
 };
 use asperity::oil::ShearLaw;
+use asperity_core::Code;
 use serde_json::{Value, json};
 
 use super::failed::of_contact;
@@ -71,7 +72,7 @@ impl Smooth {
         self.traction
     }
 
-    pub fn warnings(&self) -> Vec<(&'static str, String)> {
+    pub fn warnings(&self) -> Vec<(Code, String)> {
         let text = |warning: &Warning| match warning {
             Warning::InletUnresolved { cells } => format!(
                 "the inlet zone spans {cells:.1} cells (2 needed): the film comes out too thin; pass more --cells"
@@ -85,7 +86,9 @@ impl Smooth {
             _ => String::from("outside the range of the solver"),
         };
         let warnings = self.solved.value.warnings.iter();
-        warnings.map(|warning| ("W401", text(warning))).collect()
+        warnings
+            .map(|warning| (Code::W401, text(warning)))
+            .collect()
     }
 
     /// Film as JSON.

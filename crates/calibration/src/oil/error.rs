@@ -3,6 +3,7 @@
 use asperity::case::STEEPEST_FALL;
 use asperity::mixed_film::LoadShareError;
 use asperity::oil::LubricantError;
+use asperity_core::{Code, Fault};
 use asperity_core::{decimals, number};
 
 use crate::error::CalibrationError;
@@ -176,23 +177,31 @@ pub enum OilError {
 impl OilError {
     /// Stable code of the error.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
-            Self::Oil { .. } | Self::OneViscosity { .. } => "E208",
-            Self::NoShearLaw { .. } => "E205",
-            Self::Contact(_) => "E209",
+            Self::Oil { .. } | Self::OneViscosity { .. } => Code::E208,
+            Self::NoShearLaw { .. } => Code::E205,
+            Self::Contact(_) => Code::E209,
             Self::Table(CalibrationError::Open(error)) => error.code(),
-            Self::Table(_) | Self::NoTable { .. } | Self::Row { .. } | Self::Air { .. } => "E317",
-            Self::FewPoints { .. } | Self::LowPressure { .. } => "E318",
+            Self::Table(_) | Self::NoTable { .. } | Self::Row { .. } | Self::Air { .. } => {
+                Code::E317
+            }
+            Self::FewPoints { .. } | Self::LowPressure { .. } => Code::E318,
             Self::Unexplained { .. }
             | Self::Nuisance { .. }
             | Self::NoOil { .. }
-            | Self::TooSteep { .. } => "E319",
+            | Self::TooSteep { .. } => Code::E319,
             Self::NoRubbing { .. }
             | Self::NotRubbed
             | Self::FewBoundary { .. }
-            | Self::Sloping { .. } => "E322",
+            | Self::Sloping { .. } => Code::E322,
             Self::Fit(error) => error.code(),
         }
+    }
+}
+
+impl From<OilError> for Fault {
+    fn from(error: OilError) -> Self {
+        Self::of(error.code(), error)
     }
 }

@@ -1,5 +1,6 @@
 //! Oil constants from traction curves: selection, fit by both laws of pressure, decision, refusals and warnings.
 
+use asperity_core::Code;
 use asperity_core::number;
 use std::fmt::Write as _;
 
@@ -421,7 +422,7 @@ impl OilFit {
         texts.extend(self.combinations.iter().map(Combination::sentence));
         texts
             .into_iter()
-            .map(|text| Warning::new("W441", text))
+            .map(|text| Warning::new(Code::W441, text))
             .collect()
     }
 }

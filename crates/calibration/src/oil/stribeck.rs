@@ -7,6 +7,7 @@
 //! come into contact past the inlet: their film is that of the roughness.
 
 use asperity::message::Warning;
+use asperity_core::Code;
 use asperity_core::numerics::{Z_95, Z_975};
 use serde::{Deserialize, Serialize};
 
@@ -163,7 +164,7 @@ impl Stribeck {
             warnings: left_out(readings)
                 .into_iter()
                 .chain(oil.outside(&temperatures_c, FAR))
-                .map(|text| Warning::new("W441", text))
+                .map(|text| Warning::new(Code::W441, text))
                 .collect(),
             states,
             temperatures_c,

@@ -49,7 +49,7 @@ mod oil_file;
 mod one_or_two;
 mod own_laws;
 mod path_point;
-mod place;
+
 pub mod planetary;
 mod plausibility;
 mod ranges;
@@ -71,6 +71,7 @@ mod train_input;
 mod train_parts;
 
 pub use any_input::AnyInput;
+pub use asperity_core::Place;
 pub use assumed_relief::AssumedRelief;
 pub use builder::CaseBuilder;
 pub use bulk::{BulkModel, BulkReport, FoundBulk};
@@ -107,7 +108,6 @@ pub use oil_file::{
 };
 pub use one_or_two::OneOrTwo;
 pub use path_point::{NamedPoint, PathPoint};
-pub use place::Place;
 pub use resolve::{Case, resolve};
 pub use rows::Limits;
 pub use source::Source;

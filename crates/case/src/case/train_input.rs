@@ -1,5 +1,6 @@
 //! Keys of a gear train, and the case of each mesh that they state.
 
+use asperity_core::Code;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -678,7 +679,7 @@ fn uneven_planets(stage: &StageParts) -> Option<Warning> {
             sun + ring
         )
     };
-    (!set.can_be_equally_spaced()).then(|| Warning::new("W204", text()))
+    (!set.can_be_equally_spaced()).then(|| Warning::new(Code::W204, text()))
 }
 
 /// Key of the bulk temperature that mesh `name` states itself, with its key in the train.

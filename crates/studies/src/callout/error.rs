@@ -1,6 +1,7 @@
 //! Errors of a call-out.
 
 use asperity::result::loss_band::rounded;
+use asperity_core::Code;
 use asperity_core::DomainError;
 use asperity_roughness::RoughnessError;
 
@@ -57,12 +58,12 @@ pub enum CallOutError {
 impl CallOutError {
     /// Stable code of the message.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
             Self::Case(error) => error.code(),
-            Self::Setting(_) => "E209",
-            Self::Recipe(_) => "E120",
-            Self::BelowSmooth { .. } | Self::AboveRough { .. } => "E323",
+            Self::Setting(_) => Code::E209,
+            Self::Recipe(_) => Code::E120,
+            Self::BelowSmooth { .. } | Self::AboveRough { .. } => Code::E323,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Reading of a cycle, and conversion to the pinion.
 
+use asperity_core::Code;
 use asperity_core::number;
 use std::f64::consts::PI;
 
@@ -126,10 +127,10 @@ pub enum CycleError {
 impl CycleError {
     /// Stable code.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
             Self::Impossible(error) => error.code(),
-            _ => "E101",
+            _ => Code::E101,
         }
     }
 }
@@ -616,7 +617,7 @@ impl Columns {
                 unread.join(", ")
             )
         };
-        (!unread.is_empty()).then(|| Warning::new("W454", text()))
+        (!unread.is_empty()).then(|| Warning::new(Code::W454, text()))
     }
 
     /// Rejects impossible numbers of a column.

@@ -1,5 +1,6 @@
 //! Output of a sensitivity study: `sensitivity.json`, table, page and summary.
 
+use asperity_core::Code;
 use std::path::Path;
 
 use asperity_report::tables::write as write_table;
@@ -41,7 +42,7 @@ struct ChangeRow<'a> {
     lubricated_asperity_w: Option<f64>,
     boundary_w: Option<f64>,
     rolling_w: Option<f64>,
-    code: &'a str,
+    code: Option<Code>,
 }
 
 fn rows(study: &Sensitivity) -> impl Iterator<Item = ChangeRow<'_>> {
@@ -59,7 +60,7 @@ fn rows(study: &Sensitivity) -> impl Iterator<Item = ChangeRow<'_>> {
             lubricated_asperity_w: effect.map(|effect| effect.lubricated_asperity_w),
             boundary_w: effect.map(|effect| effect.boundary_w),
             rolling_w: effect.map(|effect| effect.rolling_w),
-            code: row.refused.as_ref().map_or("", |refused| &refused.code),
+            code: row.refused.as_ref().map(|refused| refused.code),
         }
     })
 }

@@ -1,5 +1,6 @@
 //! Errors of studies.
 
+use asperity_core::Code;
 use std::path::PathBuf;
 
 use asperity::PositionError;
@@ -115,17 +116,17 @@ impl SweepError {
 impl SweepError {
     /// Stable code.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
-            Self::Open { .. } => "E103",
-            Self::Study { .. } => "E202",
-            Self::Column { .. } => "E203",
-            Self::Key { .. } => "E204",
+            Self::Open { .. } => Code::E103,
+            Self::Study { .. } => Code::E202,
+            Self::Column { .. } => Code::E203,
+            Self::Key { .. } => Code::E204,
             Self::Case(error) => error.code(),
-            Self::Storage(_) => "E401",
+            Self::Storage(_) => Code::E401,
             Self::Report(error) => error.code(),
-            Self::Missing { .. } | Self::Changed { .. } => "E309",
-            Self::Part { .. } | Self::Contradiction { .. } => "E402",
+            Self::Missing { .. } | Self::Changed { .. } => Code::E309,
+            Self::Part { .. } | Self::Contradiction { .. } => Code::E402,
         }
     }
 
@@ -138,10 +139,10 @@ impl SweepError {
     }
 
     /// Error code of a single case, for its row.
-    pub(super) fn code_of_case(&self) -> String {
+    pub(super) fn code_of_case(&self) -> Code {
         match self {
-            Self::Case(error) => error.code().to_owned(),
-            _ => "E204".to_owned(),
+            Self::Case(error) => error.code(),
+            _ => Code::E204,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The work of a shard.
 
+use asperity_core::Code;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -73,7 +74,7 @@ pub enum Event<'a> {
     /// The cases of the shard are resolved, of many the corners of the axes and a sample; none has been run.
     Checked {
         /// Cases that cannot be resolved, by code; each becomes a row with its code.
-        refused: &'a BTreeMap<String, Refused>,
+        refused: &'a BTreeMap<Code, Refused>,
         /// Number of cases resolved.
         checked: usize,
         /// Number of cases to run.
@@ -196,7 +197,7 @@ fn uses_store(study: &Study, train: &LoadedTrain) -> bool {
 /// The row of a case, or its code where it cannot be resolved.
 fn row(
     study: &Study,
-    (number, inputs, case): (usize, CaseInputs, Result<(LoadedTrain, String), String>),
+    (number, inputs, case): (usize, CaseInputs, Result<(LoadedTrain, String), Code>),
     names: &[String],
     store: &ContactStore,
 ) -> Vec<String> {
@@ -205,7 +206,7 @@ fn row(
         Ok((case, id)) => {
             let with_draws = names.iter().any(|name| needs_draws(name));
             let found = result(study, &case, store, with_draws);
-            (id, found.map_err(|error| error.code().to_owned()))
+            (id, found.map_err(|error| error.code()))
         }
     };
     let mut row = vec![number.to_string(), id];
@@ -217,7 +218,7 @@ fn row(
         }
         Err(code) => {
             row.extend(names.iter().map(|_| String::new()));
-            (String::new(), code)
+            (String::new(), code.to_string())
         }
     };
     row.extend([outside, code]);
@@ -245,10 +246,10 @@ fn result(
     let with_contacts = study.input.detail.unwrap_or_default() == Detail::Contacts;
     let of_mesh = |case: &LoadedCase| mesh_losses(case, store, with_draws);
     let codes = |warnings: &[Warning]| {
-        let codes = warnings.iter().map(|warning| warning.code.to_string());
-        codes.collect::<BTreeSet<String>>()
+        let codes = warnings.iter().map(|warning| warning.code);
+        codes.collect::<BTreeSet<Code>>()
     };
-    let joined = |codes: &BTreeSet<String>| outside_codes(codes.iter().map(String::as_str));
+    let joined = |codes: &BTreeSet<Code>| outside_codes(codes.iter().copied());
     let Some(pair) = case.pair() else {
         let (found, mut outside) = match with_contacts {
             true => {
@@ -270,7 +271,7 @@ fn result(
         };
         let mut parts = found.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
         if parts.any(|part| !part.outside.is_empty()) {
-            outside.insert("W401".to_owned());
+            outside.insert(Code::W401);
         }
         return Ok(Found {
             numbers: numbers_of(&found),

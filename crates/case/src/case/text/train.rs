@@ -1,5 +1,6 @@
 //! Gear trains from files and texts.
 
+use asperity_core::Code;
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
@@ -193,7 +194,7 @@ fn all(
 }
 
 /// Identity of an error: its code with its line, or with its text if it has no line.
-fn identity(error: &CaseError) -> (&'static str, Option<usize>, String) {
+fn identity(error: &CaseError) -> (Code, Option<usize>, String) {
     let line = error.place().and_then(|place| place.line);
     let text = line.map_or_else(|| error.to_string(), |_| String::new());
     (error.code(), line, text)
