@@ -106,11 +106,18 @@ impl Failure {
         };
         Self {
             snippet: snippet(),
-            ..match error.place() {
+            ..Self::whole(match error.place() {
                 Some(place) => fault.at(place.clone()),
                 None => fault,
-            }
-            .into()
+            })
+        }
+    }
+
+    fn whole(fault: Fault) -> Self {
+        Self {
+            fault,
+            snippet: None,
+            is_told: false,
         }
     }
 
@@ -217,10 +224,10 @@ impl std::fmt::Display for Failure {
 
 impl<E: Into<Fault>> From<E> for Failure {
     fn from(error: E) -> Self {
-        Self {
-            fault: error.into(),
-            snippet: None,
-            is_told: false,
+        let fault: Fault = error.into();
+        match fault.cause::<Error>() {
+            Some(error) => Self::saying(error, fault.message()),
+            None => Self::whole(fault),
         }
     }
 }

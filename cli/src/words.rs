@@ -1,13 +1,15 @@
 //! Remedies and explanations of the libraries in terms of the command line: settings by their options. For changes of a
 //! case file the library names the keys.
 
+use std::borrow::Cow;
+
 use asperity::key_words::{ended, explained, table};
 use asperity::remedy::{Action, Remedy, Setting, Value};
 use asperity_core::Code;
 
 /// Option of `setting`, or its name for a key of a case.
-fn option(setting: Setting) -> &'static str {
-    match setting {
+fn option(setting: Setting) -> Cow<'static, str> {
+    let option = match setting {
         Setting::XUnit => "--x-unit",
         Setting::ZUnit => "--z-unit",
         Setting::Spacing => "--dx",
@@ -29,8 +31,13 @@ fn option(setting: Setting) -> &'static str {
         Setting::Form => "--form",
         Setting::Cutoff => "--lambda-c",
         Setting::NoiseCutoff => "--lambda-s",
+        // A setting of a function has an option of its name, a key of a case has a table.
+        Setting::Key(key) if !key.contains('.') => {
+            return format!("--{}", key.replace('_', "-")).into();
+        }
         other => other.key(),
-    }
+    };
+    option.into()
 }
 
 /// `message` with its remedy in options of the command line.
@@ -44,7 +51,7 @@ pub fn in_options(action: &Action) -> String {
         Action::Do { what } => what.to_string(),
         Action::Omit { setting } => format!("leave {} out", option(*setting)),
         Action::Set { settings, to, why } => {
-            let names: Vec<&str> = settings.iter().map(|setting| option(*setting)).collect();
+            let names: Vec<_> = settings.iter().map(|setting| option(*setting)).collect();
             let names = names.join(" and ");
             let verb = if names.starts_with("--") {
                 "pass"
@@ -93,7 +100,7 @@ pub fn advice(code: Code) -> String {
     let entry = code.explain();
     let mut text = entry.remedy.to_owned();
     if !entry.settings.is_empty() {
-        let options: Vec<&str> = entry.settings.iter().map(|s| option(*s)).collect();
+        let options: Vec<_> = entry.settings.iter().map(|s| option(*s)).collect();
         let keys: Vec<&str> = entry.settings.iter().map(|s| s.key()).collect();
         let table = table(entry.settings[0], "surface.pinion").unwrap_or_default();
         text = format!(

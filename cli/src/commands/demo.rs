@@ -5,7 +5,7 @@ use std::path::Path;
 
 use asperity_fixtures::TextFile;
 use asperity_fixtures::worked::{Worked, WorkedError, WorkedGears};
-use asperity_report::library::LibraryError;
+use asperity_report::library::unlisted;
 use asperity_storage::new_folder_of;
 use serde_json::json;
 
@@ -18,7 +18,7 @@ pub fn demo(folder: Option<&Path>, worked: Worked<'_>, common: &Common) -> Resul
     let folder = folder.unwrap_or(Path::new(worked.folder()));
     refuse_existing(folder)?;
     let files = worked.files().map_err(|error| match error {
-        WorkedError::Gears(error) => LibraryError::from(error).into(),
+        WorkedError::Gears(error) => unlisted(error).into(),
         error => Failure::new(Code::E501, error.to_string()),
     })?;
     let option = match worked {
@@ -31,7 +31,7 @@ pub fn demo(folder: Option<&Path>, worked: Worked<'_>, common: &Common) -> Resul
         }
         Worked::Paper => "case.toml and a damaged flank (synthetic)".to_owned(),
         Worked::Gears(name) => {
-            let gears = WorkedGears::named(name).map_err(LibraryError::from)?;
+            let gears = WorkedGears::named(name).map_err(unlisted)?;
             format!(
                 "{}, two pairs of flanks (synthetic), a README; case.toml states the source of every number",
                 gears.title()

@@ -1,13 +1,14 @@
 //! `asperity run`: runs a case.
 
 use asperity_core::Code;
+use asperity_core::Fault;
 use std::path::{Path, PathBuf};
 
 use asperity::case::gear_train::LoadedTrain;
 use asperity::result::RunResult;
 use asperity::{Error, Run};
 use asperity_calibration::evidence::{execute, execute_train};
-use asperity_report::{self as report, Fields, ReportError};
+use asperity_report::{self as report, Fields};
 use asperity_studies::ridges::add_ridges;
 
 use super::bibtex::bibtex;
@@ -208,7 +209,7 @@ impl Target {
     fn of(
         args: &RunArgs,
         title: &str,
-        check: fn(&Path) -> Result<(), ReportError>,
+        check: fn(&Path) -> Result<(), Fault>,
     ) -> Result<Option<Self>, Failure> {
         if args.no_output {
             return Ok(None);

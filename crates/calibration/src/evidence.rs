@@ -1,5 +1,6 @@
 //! Measurements that would narrow the interval of the loss of a case, with the interval that each is expected to leave.
 
+use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -11,7 +12,7 @@ use asperity::result::{Outcome, with_interval};
 use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_band};
 use asperity::{Contacts, LoadedCase, Run};
 use asperity_report::html::page;
-use asperity_report::{ReportError, StudyResult, tables, wrapped};
+use asperity_report::{StudyResult, tables, wrapped};
 use maud::html;
 use serde::{Deserialize, Serialize};
 
@@ -413,7 +414,7 @@ impl StudyResult for EvidenceTable {
         )
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         tables::write(&folder.join(TABLE), self.rows.iter())
     }
 }

@@ -2,6 +2,7 @@
 //! and are one minus loss over power.
 
 use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::number;
 
 /// Largest difference between a total and its parts, relative to the total: rounding of sums of some thousand terms.
@@ -114,5 +115,11 @@ pub fn finite(of: &'static str, unit: &'static str, value: f64) -> Result<(), Un
     match value.is_finite() {
         true => Ok(()),
         false => Err(Unbalanced::NotFinite { of, value, unit }),
+    }
+}
+
+impl From<Unbalanced> for Fault {
+    fn from(error: Unbalanced) -> Self {
+        Self::of(error.code(), error)
     }
 }

@@ -1,6 +1,7 @@
 //! The error of the orchestrator: why a case cannot be run, or a run has no result.
 
 use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::{DomainError, decimals, number};
 use std::sync::Arc;
 
@@ -426,5 +427,22 @@ impl PositionError {
                 .because("to a larger one"),
             _ => Remedy::none(),
         }
+    }
+}
+
+impl From<Error> for Fault {
+    fn from(error: Error) -> Self {
+        let fault = Self::new(error.code(), error.to_string()).with(error.remedy());
+        let fault = match error.place() {
+            Some(place) => fault.at(place.clone()),
+            None => fault,
+        };
+        fault.caused_by(error)
+    }
+}
+
+impl From<PositionError> for Fault {
+    fn from(error: PositionError) -> Self {
+        Error::Whole(Box::new(error)).into()
     }
 }

@@ -16,11 +16,11 @@ use asperity::roughness::RoughnessError;
 use asperity::tribo_friction::FrictionError;
 use asperity_calibration::CalibrationError;
 use asperity_calibration::oil::OilError;
-use asperity_report::ReportError;
-use asperity_report::library::LibraryError;
-use asperity_rexs::RexsError;
-use asperity_studies::export::ExportError;
-use asperity_studies::map::{AxisError, MapError};
+use asperity_report::Fault;
+use asperity_report::library::Fault;
+use asperity_rexs::Fault;
+use asperity_studies::export::Fault;
+use asperity_studies::map::{Fault, Fault};
 use asperity_studies::sweep::SweepError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -117,25 +117,25 @@ macro_rules! failures {
 }
 
 failures! {
-    AxisError: |_| Code::E209,
+    Fault: |_| Code::E209,
     CalibrationError: CalibrationError::code,
     DomainError: |_| Code::E209,
     EhlError: EhlError::code,
-    ExportError: |_| Code::E205,
+    Fault: |_| Code::E205,
     FrictionError: |error| match error {
         FrictionError::MissingSetting { .. } => Code::E205,
         _ => Code::E209,
     },
-    LibraryError: LibraryError::code,
-    MapError: |_| Code::E402,
+    Fault: Fault::code,
+    Fault: |_| Code::E402,
     OilError: OilError::code,
     QuantityError: |_| Code::E204,
     RegimeError: |error| match error {
         RegimeError::MissingInput { .. } => Code::E205,
         _ => Code::E209,
     },
-    ReportError: ReportError::code,
-    RexsError: RexsError::code,
+    Fault: Fault::code,
+    Fault: Fault::code,
     RoughnessError: |_| Code::E120,
 }
 

@@ -7,9 +7,9 @@ use asperity::case::gear_train::LoadedTrain;
 use asperity::core::quantity::Power;
 use asperity_report::StudyResult;
 use asperity::profile_io::read::read_table;
-use asperity_studies::callout::{self as limits, CallOutError, CallOutSettings};
+use asperity_studies::callout::{self as limits, Fault, CallOutSettings};
 use asperity_studies::compare::{self as comparing, Finish};
-use asperity_studies::cycle::{self as driving, EnergyError};
+use asperity_studies::cycle::{self as driving, Fault};
 use asperity_studies::export::{AddedLoss, Format, With, export};
 use asperity_studies::map::{self as mapping, Axes, MapBand, MapExtras, Numbers, Point};
 use asperity_studies::ridges as dearest;
@@ -116,7 +116,7 @@ pub fn callout(
     in_parallel(py, threads, progress.as_ref(), |told| {
         let shown = |done, total| told.tell(done, total);
         let found = limits::callout(case, &settings, &shown).map_err(|error| match error {
-            CallOutError::Case(error) => Failure::from(error),
+            Fault::Case(error) => Failure::from(error),
             error => Failure::new(error.code(), error.to_string()),
         })?;
         Study::of(found)
@@ -189,8 +189,8 @@ pub fn cycle(
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
         let found = driving::evaluate(&map, temperature, (&trace, &stem), allow_outside);
         let found = found.map_err(|error| match error {
-            EnergyError::Uncovered(_) => Failure::new(Code::E314, error.to_string()).about(&name),
-            EnergyError::Unbalanced(error) => Failure::new(error.code(), error.to_string()),
+            Fault::Uncovered(_) => Failure::new(Code::E314, error.to_string()).about(&name),
+            Fault::Unbalanced(error) => Failure::new(error.code(), error.to_string()),
             _ => Failure::new(Code::E402, error.to_string()),
         })?;
         let (json, summary) = (failure::json(&found)?, found.summary(&map));

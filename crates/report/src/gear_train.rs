@@ -1,5 +1,6 @@
 //! Result of a gear train: its folder with a table of its meshes and a result folder for each, its summary and its headline.
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::case::gear_train::mesh_folder;
@@ -8,7 +9,6 @@ use asperity::message::Warning;
 use asperity_storage::{check_folder, replace_folder, write_among};
 use maud::{Markup, html};
 
-use crate::error::ReportError;
 use crate::folder::{
     Fields, FileText, PAGE, PLANETARY_MARK, TRAIN_MARK, check_fields, fill, json_text, load_points,
     make_subfolder, texts, write_bytes,
@@ -31,7 +31,7 @@ const KIND: &str = "gear train result";
 ///
 /// # Errors
 /// When `target` holds something else.
-pub fn check_train_place(target: &Path) -> Result<(), ReportError> {
+pub fn check_train_place(target: &Path) -> Result<(), Fault> {
     Ok(check_folder(target, KIND)?)
 }
 
@@ -40,11 +40,7 @@ pub fn check_train_place(target: &Path) -> Result<(), ReportError> {
 ///
 /// # Errors
 /// When a file cannot be written, or `target` holds something else.
-pub fn write_train(
-    outcome: &TrainOutcome,
-    target: &Path,
-    fields: &Fields,
-) -> Result<(), ReportError> {
+pub fn write_train(outcome: &TrainOutcome, target: &Path, fields: &Fields) -> Result<(), Fault> {
     for mesh in &outcome.meshes {
         check_fields(mesh, fields)?;
     }
@@ -65,7 +61,7 @@ pub fn write_train(
 ///
 /// # Errors
 /// When a number is not finite.
-pub fn texts_of_train(outcome: &TrainOutcome) -> Result<Vec<(String, Vec<u8>)>, ReportError> {
+pub fn texts_of_train(outcome: &TrainOutcome) -> Result<Vec<(String, Vec<u8>)>, Fault> {
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
     let whole = texts_of_whole(outcome)?.into_iter();
     files.extend(whole.map(|(name, text)| (name.to_owned(), text)));
@@ -78,7 +74,7 @@ pub fn texts_of_train(outcome: &TrainOutcome) -> Result<Vec<(String, Vec<u8>)>, 
 }
 
 /// The files of the train without the folders of its meshes.
-fn texts_of_whole(outcome: &TrainOutcome) -> Result<Vec<FileText>, ReportError> {
+fn texts_of_whole(outcome: &TrainOutcome) -> Result<Vec<FileText>, Fault> {
     let result = &outcome.result;
     let mark = match result.set {
         Some(_) => PLANETARY_MARK,
@@ -98,16 +94,13 @@ fn texts_of_whole(outcome: &TrainOutcome) -> Result<Vec<FileText>, ReportError> 
 ///
 /// # Errors
 /// When a file cannot be written.
-pub fn write_load_points_of_train(
-    outcome: &TrainOutcome,
-    target: &Path,
-) -> Result<(), ReportError> {
+pub fn write_load_points_of_train(outcome: &TrainOutcome, target: &Path) -> Result<(), Fault> {
     let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
     let files = meshes.map(|(mesh, row)| {
         let (name, text) = load_points(mesh)?;
         Ok((format!("{}/{name}", mesh_folder(&row.mesh)), text))
     });
-    let files = files.collect::<Result<Vec<_>, ReportError>>()?;
+    let files = files.collect::<Result<Vec<_>, Fault>>()?;
     Ok(write_among(target, &files)?)
 }
 

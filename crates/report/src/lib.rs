@@ -29,7 +29,6 @@ mod tiles;
 pub mod units;
 mod wrap;
 
-pub use error::ReportError;
 pub use folder::{
     Fields, FileText, PAGE, check_place, make_folder, parse_result, read_result, redraw, texts,
     title_of, write_bytes, write_folder, write_json, write_load_points, write_text, write_unsolved,

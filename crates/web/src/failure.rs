@@ -4,7 +4,7 @@ use asperity::message::Code;
 use asperity::case::Place;
 use asperity::key_words::{advice, with_keys};
 use asperity::profile_io::read::ReadError;
-use asperity_report::ReportError;
+use asperity_report::Fault;
 use serde::Serialize;
 
 /// An error with its stable code.
@@ -58,8 +58,8 @@ impl From<&asperity::Error> for Failure {
     }
 }
 
-impl From<ReportError> for Failure {
-    fn from(error: ReportError) -> Self {
+impl From<Fault> for Failure {
+    fn from(error: Fault) -> Self {
         // No file is written, so a number that is not finite is all that can be.
         Self::new(Code::E501, error.to_string())
     }

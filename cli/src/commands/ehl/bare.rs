@@ -1,6 +1,7 @@
 //! Lubricated contact from numbers and profiles on the command line.
 
 use asperity_core::Code;
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::ehl::traction::Heat;
@@ -15,7 +16,6 @@ use asperity_core::quantity::{
     ThermalConductivity,
 };
 
-use super::failed::of_reference;
 use crate::args::{EhlArgs, ViscosityLawArg};
 use crate::commands::contact::column_file;
 use crate::failure::Failure;
@@ -87,7 +87,7 @@ pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
     let title = "line contact".to_owned();
     contact
         .scales(&oil)
-        .map_err(|error| super::failed::of_contact(&title, &error))?;
+        .map_err(|error| Fault::from(error).about(&title))?;
     let first = surface(bare.profile1.as_deref(), bare.periodic)?;
     let second = surface(bare.profile2.as_deref(), bare.periodic)?;
     let profiles: Vec<&Profile> = [&first, &second]
@@ -98,7 +98,7 @@ pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
     let attenuated_roughness = match profiles[..] {
         [] => Length::from_si(0.0),
         _ => attenuated_roughness(&contact, &oil, &profiles)
-            .map_err(|error| of_reference(Path::new(&title), &error))?,
+            .map_err(|error| Fault::from(error).about(&title))?,
     };
     let moving = |surface: Option<(Profile, MovingProfile)>| {
         surface.map_or_else(MovingProfile::smooth, |(_, moving)| moving)

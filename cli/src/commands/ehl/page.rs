@@ -4,11 +4,11 @@ use asperity::ehl::transient::Moment;
 use asperity::ehl::{RoughContact, Scales, SteadyFilm, SteadySettings, steady};
 use asperity::reference_solution::formula_film;
 use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_report::html::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };
 
-use super::failed::of_contact;
 use super::rough::{Recorded, with_error};
 use super::smooth::Smooth;
 use crate::failure::Failure;
@@ -25,7 +25,7 @@ fn page_of(
     contact: &RoughContact,
     smooth: &SteadyFilm,
 ) -> Result<LubricatedContact, Failure> {
-    let refused = |error| super::failed::of_reference(about.title.as_ref(), &error);
+    let refused = |error| Fault::from(error).about(&about.title);
     let formula = formula_film(&contact.contact, &contact.oil).map_err(refused)?;
     let scales = about.scales;
     let owned = |(code, text): (Code, String)| (code.to_string(), text);
@@ -115,7 +115,7 @@ impl Recorded {
             window: Some(self.window),
         };
         let smooth = steady::solve(&contact.contact, &contact.oil, &settings)
-            .map_err(|error| of_contact(&self.title, &error))?;
+            .map_err(|error| Fault::from(error).about(&self.title))?;
         let about = PageContents {
             title: &self.title,
             scales,

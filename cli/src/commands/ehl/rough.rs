@@ -1,6 +1,7 @@
 //! Record of two rough surfaces: text, JSON and points.
 
 use asperity_core::Code;
+use asperity_core::Fault;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use asperity::ehl::several_records::{mean_of, record_several};
@@ -14,7 +15,6 @@ use asperity_core::quantity::Length;
 use asperity_storage::one_line;
 use serde_json::{Value, json};
 
-use super::failed::of_contact;
 use crate::args::{Common, EhlArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, coded};
@@ -53,7 +53,7 @@ pub fn solve(
         true
     });
     drop(shown);
-    let records = result.map_err(|error| of_contact(&title, &error))?;
+    let records = result.map_err(|error| Fault::from(error).about(&title))?;
     let none = || Failure::new(Code::E501, format!("{title}: no record"));
     let solved = mean_of(&records).ok_or_else(none)?;
     let highest = solved.value.max_pressure;

@@ -6,9 +6,9 @@ use asperity::ehl::{
 };
 use asperity::oil::ShearLaw;
 use asperity_core::Code;
+use asperity_core::Fault;
 use serde_json::{Value, json};
 
-use super::failed::of_contact;
 use crate::failure::Failure;
 use crate::output::coded;
 
@@ -35,7 +35,7 @@ pub fn solve(
         cells,
         window: None,
     };
-    let failed = |error| of_contact(&title, &error);
+    let failed = |error| Fault::from(error).about(&title);
     let solved = steady::solve(contact, oil, &settings).map_err(failed)?;
     let law = |law: FrictionLaw, heat| TractionLaw {
         shear: match oil.shear_law {

@@ -1,6 +1,7 @@
 //! Errors of reading a file.
 
 use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{RepeatedFault, decimals, number};
@@ -561,5 +562,12 @@ pub(super) fn shortened(text: &str) -> String {
     match text.char_indices().nth(MOST) {
         Some((at, _)) => format!("{}…", &text[..at]),
         None => text.to_owned(),
+    }
+}
+
+impl From<ReadError> for Fault {
+    fn from(error: ReadError) -> Self {
+        let remedy = error.remedy();
+        Self::of(error.code(), error).with(remedy)
     }
 }

@@ -1,10 +1,11 @@
 //! Table of a map with one row per point.
 
 use asperity_core::Code;
+use asperity_core::Fault;
 use std::borrow::Cow;
 use std::path::Path;
 
-use asperity_report::{ReportError, tables};
+use asperity_report::tables;
 use serde::{Deserialize, Serialize};
 
 use super::point::{FinishMap, Map, Numbers, Point};
@@ -119,7 +120,7 @@ impl<'a> PointRow<'a> {
 }
 
 /// Writes all points of all finishes.
-pub(super) fn write(map: &Map, file: &Path) -> Result<(), ReportError> {
+pub(super) fn write(map: &Map, file: &Path) -> Result<(), Fault> {
     let rows = map.finishes.iter().flat_map(|finish| {
         let points = finish.points.iter();
         points.map(move |point| PointRow::of(finish, point))

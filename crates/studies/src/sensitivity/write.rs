@@ -1,10 +1,11 @@
 //! Output of a sensitivity study: `sensitivity.json`, table, page and summary.
 
 use asperity_core::Code;
+use asperity_core::Fault;
 use std::path::Path;
 
+use asperity_report::StudyResult;
 use asperity_report::tables::write as write_table;
-use asperity_report::{ReportError, StudyResult};
 use serde::Serialize;
 
 use super::page;
@@ -24,7 +25,7 @@ impl StudyResult for Sensitivity {
         page::render(self)
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         write_table(&folder.join("sensitivity.csv"), rows(self))
     }
 }
