@@ -11,8 +11,8 @@ use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
-    ConstantsOf, FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe,
-    Reading, Stribeck, TractionCurves, TractionRange, read_text, source,
+    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, Probe, Reading,
+    Stribeck, TractionCurves, TractionRange, read_text, source,
 };
 use asperity_calibration::table_text;
 use asperity_core::DomainError;
@@ -232,7 +232,7 @@ fn all_readings(
     let (mut all, mut sources) = (Vec::new(), Vec::new());
     for path in files {
         let name = path.display().to_string();
-        let text = table_text(path).map_err(OilError::Table)?;
+        let text = table_text(path).map_err(asperity_calibration::oil::error::of_table)?;
         all.extend(read_text(&name, &text, machine, probe)?);
         sources.push(source(&name, &text));
     }

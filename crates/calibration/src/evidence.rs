@@ -16,10 +16,9 @@ use asperity_report::{StudyResult, tables, wrapped};
 use maud::html;
 use serde::{Deserialize, Serialize};
 
-use crate::error::CalibrationError;
 use crate::oil::fit::PointErrors;
 use crate::oil::problem::Zero;
-use crate::oil::{ConstantsOf, Machine, OilBase, OilError, PlanSettings, left_of_loss};
+use crate::oil::{ConstantsOf, Machine, OilBase, PlanSettings, left_of_loss};
 
 /// Standard deviation of the logarithm of a boundary friction measured on a traction machine: its transfer to gears.
 const TRANSFER: f64 = 0.10;
@@ -104,16 +103,11 @@ impl EvidenceTable {
     ///
     /// # Errors
     /// When the case has no loss or no interval.
-    pub fn of(train: &LoadedTrain, efforts: &[Effort]) -> Result<Option<Self>, OilError> {
+    pub fn of(train: &LoadedTrain, efforts: &[Effort]) -> Result<Option<Self>, Fault> {
         if !train.meshes().all(|mesh| has_band(&mesh.case)) {
             return Ok(None);
         }
-        let named = |source: asperity::Error| {
-            OilError::Fit(CalibrationError::Model {
-                place: train.title.clone(),
-                source: Box::new(source),
-            })
-        };
+        let named = |source: asperity::Error| Fault::from(source).about(&train.title);
         let outcome = run_train(train, &KeptFields::Highest, true, &|_, _| {}).map_err(named)?;
         let (Some(loss), Some((rows, no_curves))) = (
             outcome.result.loss_distribution,
@@ -157,7 +151,7 @@ pub fn execute_train(
 }
 
 /// Rows of a gear train, and why none is of traction curves; `None` without draws.
-fn rows_of_train(outcome: &TrainOutcome, efforts: &[Effort]) -> Result<Option<Rows>, OilError> {
+fn rows_of_train(outcome: &TrainOutcome, efforts: &[Effort]) -> Result<Option<Rows>, Fault> {
     let Some(drawn) = &outcome.drawn else {
         return Ok(None);
     };
@@ -204,7 +198,7 @@ fn rows(
     drawn: &[MeshDraws<'_>],
     loss: Quantiles,
     efforts: &[Effort],
-) -> Result<Rows, OilError> {
+) -> Result<Rows, Fault> {
     let mut no_curves = None;
     let mut of_meshes = Vec::with_capacity(meshes.len());
     for mesh in meshes {
@@ -308,7 +302,7 @@ fn of_case(case: &LoadedCase) -> Vec<Known> {
 }
 
 /// Measurements of the film friction of `oil`.
-fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<Vec<Known>, OilError> {
+fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<Vec<Known>, Fault> {
     let settings = PlanSettings {
         machine: Machine::USUAL,
         is_wide: false,

@@ -9,7 +9,7 @@ use asperity::LoadedCase;
 use asperity::case::{self, CalibratedName};
 use asperity_calibration as calibrating;
 use asperity_calibration::evidence::{Effort, EvidenceTable};
-use asperity_calibration::{CalibrationError, Limits, Reach, RigFiles, Watch, plan};
+use asperity_calibration::{error, Limits, Reach, RigFiles, Watch, plan};
 use asperity_report::StudyResult;
 use pyo3::prelude::*;
 
@@ -63,7 +63,7 @@ pub fn calibrate(
                 (None, Some(file)) => Ok(case::load(&folder.join(file), None)?),
                 (None, None) => {
                     let file = name.clone();
-                    Err(Failure::from(CalibrationError::NoCase { file }))
+                    Err(Failure::from(error::no_case(file)))
                 }
             }
         };

@@ -6,10 +6,11 @@ use std::path::Path;
 use asperity::case::LoadedCase;
 use asperity::quantity::{Force, Length, Speed, Temperature};
 use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
+use asperity_calibration::oil::error::of_table;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
-    ConstantsOf, FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe,
+    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, Probe,
     Reading, Stribeck, TractionCurves, TractionRange, read_text, source,
 };
 use asperity_calibration::table_text;
@@ -83,7 +84,7 @@ fn readings(
     for (name, text) in tables {
         let text = match text {
             Some(text) => text,
-            None => table_text(Path::new(&name)).map_err(OilError::Table)?,
+            None => table_text(Path::new(&name)).map_err(of_table)?,
         };
         all.extend(read_text(&name, &text, machine, probe)?);
         sources.push(source(&name, &text));

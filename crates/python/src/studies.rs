@@ -115,10 +115,7 @@ pub fn callout(
     let case = case.pair()?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let shown = |done, total| told.tell(done, total);
-        let found = limits::callout(case, &settings, &shown).map_err(|error| match error {
-            Fault::Case(error) => Failure::from(error),
-            error => Failure::new(error.code(), error.to_string()),
-        })?;
+        let found = limits::callout(case, &settings, &shown)?;
         Study::of(found)
     })
 }
@@ -185,13 +182,12 @@ pub fn cycle(
         let file = Path::new(&name);
         let table = table.map_or_else(|| text(file), Ok)?;
         let trace = driving::cycle(&table, map.input.vehicle());
-        let trace = trace.map_err(|error| Failure::new(error.code(), error.to_string()).about(&name))?;
+        let trace = trace.map_err(|error| Failure::from(error).about(&name))?;
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
         let found = driving::evaluate(&map, temperature, (&trace, &stem), allow_outside);
-        let found = found.map_err(|error| match error {
-            Fault::Uncovered(_) => Failure::new(Code::E314, error.to_string()).about(&name),
-            Fault::Unbalanced(error) => Failure::new(error.code(), error.to_string()),
-            _ => Failure::new(Code::E402, error.to_string()),
+        let found = found.map_err(|error| match error.code() {
+            Code::E314 => error.about(&name),
+            _ => error,
         })?;
         let (json, summary) = (failure::json(&found)?, found.summary(&map));
         Ok(Study::new(json, summary, move |folder| {
@@ -307,7 +303,7 @@ impl Map {
                 Some(file) => {
                     let name = file.file_name().unwrap_or_default().to_string_lossy();
                     let found = AddedLoss::read(&name, &text(file)?);
-                    Some(found.map_err(|error| Failure::new(Code::E101, error.to_string()))?)
+                    Some(found?)
                 }
                 None => None,
             };
@@ -316,9 +312,7 @@ impl Map {
                     Some(file) => {
                         let found = driving::cycle(&text(file)?, self.0.input.vehicle());
                         let name = file.display().to_string();
-                        Some(found.map_err(|error| {
-                            Failure::new(error.code(), error.to_string()).about(&name)
-                        })?)
+                        Some(found.map_err(|error| Failure::from(error).about(&name))?)
                     }
                     None => None,
                 };
@@ -340,6 +334,5 @@ impl Map {
 const LARGEST_TABLE: u64 = 100_000_000;
 
 fn text(file: &Path) -> Result<String, Failure> {
-    read_table(file, LARGEST_TABLE)
-        .map_err(|error| Failure::new(error.code(), error.to_string()).advising(error.remedy()))
+    Ok(read_table(file, LARGEST_TABLE)?)
 }

@@ -1,21 +1,20 @@
 //! Errors as the page shows them: a code, a message in keys of the case, a place, help.
 
-use asperity::message::Code;
+use asperity::message::{Code, Fault};
 use asperity::case::Place;
 use asperity::key_words::{advice, with_keys};
 use asperity::profile_io::read::ReadError;
-use asperity_report::Fault;
 use serde::Serialize;
 
-/// An error with its stable code.
+/// An error as the page shows it.
 #[derive(Debug, Clone, Serialize)]
 pub struct Failure {
     /// Stable code.
     pub code: Code,
     /// Values seen and expected, and what to write instead.
     pub message: String,
-    /// General advice for the code.
-    pub help: Option<String>,
+    /// What can be done: the advice of the error, or that of its code with its keys.
+    pub help: String,
     /// Place in the text of the case.
     pub place: Option<Place>,
 }
@@ -23,12 +22,7 @@ pub struct Failure {
 impl Failure {
     /// An error of this code.
     pub fn new(code: Code, message: impl Into<String>) -> Self {
-        Self {
-            code,
-            message: message.into(),
-            help: advice(code),
-            place: None,
-        }
+        Fault::new(code, message).into()
     }
 
     /// The error of a run of the case called `name`.
@@ -59,14 +53,25 @@ impl From<&asperity::Error> for Failure {
 }
 
 impl From<Fault> for Failure {
-    fn from(error: Fault) -> Self {
-        // No file is written, so a number that is not finite is all that can be.
-        Self::new(Code::E501, error.to_string())
+    fn from(fault: Fault) -> Self {
+        if let Some(error) = fault.cause::<asperity::Error>() {
+            return error.into();
+        }
+        let is_general = fault.specific_help().is_none() && fault.remedy().is_empty();
+        Self {
+            code: fault.code(),
+            message: fault.message().to_owned(),
+            help: match is_general {
+                true => advice(fault.code()),
+                false => fault.help(),
+            },
+            place: fault.place().cloned(),
+        }
     }
 }
 
 impl From<serde_json::Error> for Failure {
     fn from(error: serde_json::Error) -> Self {
-        Self::new(Code::E501, error.to_string())
+        Fault::internal(error).into()
     }
 }

@@ -6,10 +6,11 @@
 //! A step with the column of an average film measures film thickness, usually on glass, and no traction. Its films replace the
 //! computed ones at the same load and set temperature, between its speeds, along straight lines over the logarithms.
 
+use super::error as oil_error;
+use asperity_core::Fault;
 use asperity_core::number as number_text;
 use asperity_core::quantity::{Force, Length, Speed, Temperature};
 
-use super::error::OilError;
 use super::machine::{Machine, Setting};
 use super::reading::{Reading, is_same};
 
@@ -66,7 +67,7 @@ pub fn read_pcs(
     text: &str,
     machine: &Machine,
     probe: Probe,
-) -> Result<Vec<Reading>, OilError> {
+) -> Result<Vec<Reading>, Fault> {
     let (mut readings, mut films) = (Vec::new(), Vec::new());
     let (mut step, mut columns) = (0, None);
     for (number, line) in text.lines().enumerate() {
@@ -96,9 +97,7 @@ pub fn read_pcs(
         }
     }
     match readings.is_empty() {
-        true => Err(OilError::NoTable {
-            file: name.to_owned(),
-        }),
+        true => Err(oil_error::no_table(name)),
         false => {
             let wrong = readings.iter().filter(|one| one.contradiction.is_some());
             if let Some(first) = wrong.clone().next()
@@ -163,17 +162,13 @@ struct Place<'a> {
 }
 
 impl Place<'_> {
-    fn fault(self, rule: String) -> OilError {
-        OilError::Row {
-            file: self.file.to_owned(),
-            line: self.line,
-            rule,
-        }
+    fn fault(self, rule: String) -> Fault {
+        oil_error::row(self.file, self.line, rule)
     }
 }
 
 /// Number of a cell.
-fn number(cells: &[&str], index: usize, name: &str, place: Place<'_>) -> Result<f64, OilError> {
+fn number(cells: &[&str], index: usize, name: &str, place: Place<'_>) -> Result<f64, Fault> {
     let cell = cells.get(index).copied().unwrap_or_default();
     let value = cell.replace(',', ".").parse::<f64>().ok();
     let fault = || place.fault(format!("{name}: {cell:?} is not a finite number"));
@@ -242,7 +237,7 @@ impl Columns {
     }
 
     /// The film of a row; `None` if the machine found none.
-    fn film(&self, cells: &[&str], place: Place<'_>) -> Result<Option<MeasuredFilm>, OilError> {
+    fn film(&self, cells: &[&str], place: Place<'_>) -> Result<Option<MeasuredFilm>, Fault> {
         let number = |index: usize, name: &str| number(cells, index, name, place);
         let nanometres = number(self.film.unwrap_or(self.traction), FILM)?;
         let celsius = number(self.temperature, TEMPERATURE)?;
@@ -260,7 +255,7 @@ impl Columns {
         cells: &[&str],
         machine: &Machine,
         place: Place<'_>,
-    ) -> Result<Reading, OilError> {
+    ) -> Result<Reading, Fault> {
         let number = |index: usize, name: &str| number(cells, index, name, place);
         let optional = |index: Option<usize>, name: &str| {
             let filled = index.filter(|k| cells.get(*k).is_some_and(|cell| !cell.is_empty()));
@@ -270,12 +265,7 @@ impl Columns {
         let (slide, traction) = (number(self.slide, SLIDE)?, number(self.traction, TRACTION)?);
         let celsius = number(self.temperature, TEMPERATURE)?;
         if let Some(pot) = optional(self.pot, POT[0])?.filter(|pot| (pot - celsius).abs() > AIR) {
-            return Err(OilError::Air {
-                file: place.file.to_owned(),
-                line: place.line,
-                lube: celsius,
-                pot,
-            });
+            return Err(oil_error::air(place.file, place.line, celsius, pot));
         }
         // Half a unit of the last printed digit of each.
         let [of_slide, of_speed] = [self.slide, self.speed].map(|k| rounded_away(cells, k));

@@ -1,7 +1,7 @@
 //! Reading of a cycle, and conversion to the pinion.
 
-use asperity_core::Code;
 use asperity_core::number;
+use asperity_core::{Code, Fault};
 use std::f64::consts::PI;
 
 use asperity::case::{VehicleInput, range_of};
@@ -131,6 +131,15 @@ impl CycleError {
         match self {
             Self::Impossible(error) => error.code(),
             _ => Code::E101,
+        }
+    }
+}
+
+impl From<CycleError> for Fault {
+    fn from(error: CycleError) -> Self {
+        match error {
+            CycleError::Impossible(error) => (*error).into(),
+            error => Self::of(error.code(), error),
         }
     }
 }
