@@ -1,5 +1,6 @@
 //! Errors of the command: code, position in the case file, remedy; with the line of the file on a terminal.
 
+use asperity_core::{Code, Fault};
 use std::borrow::Cow;
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
@@ -8,26 +9,18 @@ use std::sync::Arc;
 
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Level, Renderer};
-use asperity::case::{Place, Source};
+use asperity::Error;
+use asperity::case::Source;
 use asperity::key_words::with_keys;
-use asperity::{Error, Remedy};
-use asperity_report::ReportError;
 use clap::error::{ContextKind, ContextValue};
 
-use crate::interrupt::INTERRUPTED;
 use crate::words;
 
-/// Error with its stable code.
-#[derive(Debug, thiserror::Error)]
-#[error("{code} {message}")]
+/// An error as the command prints it.
+#[derive(Debug)]
 pub struct Failure {
-    code: &'static str,
-    message: String,
-    place: Option<Place>,
-    remedy: Remedy,
+    fault: Fault,
     snippet: Option<Snippet>,
-    /// Specific advice, in place of the general advice of the code.
-    specific_advice: Option<Cow<'static, str>>,
     is_told: bool,
 }
 
@@ -46,21 +39,13 @@ fn is_negative_number(argument: &str) -> bool {
 
 impl Failure {
     /// Makes an error with a code.
-    pub fn new(code: &'static str, message: impl Into<String>) -> Self {
-        Self {
-            code,
-            message: asperity_storage::one_line(&message.into()).into_owned(),
-            place: None,
-            remedy: Remedy::none(),
-            snippet: None,
-            specific_advice: None,
-            is_told: false,
-        }
+    pub fn new(code: Code, message: impl Into<String>) -> Self {
+        Fault::new(code, message).into()
     }
 
     /// Sets specific advice, in place of the general advice of the code.
     pub fn advising(mut self, advice: impl Into<Cow<'static, str>>) -> Self {
-        self.specific_advice = Some(advice.into());
+        self.fault = self.fault.helping(advice);
         self
     }
 
@@ -91,7 +76,7 @@ impl Failure {
         }
         advice.push("--help lists commands and options.".to_owned());
         let message = message.strip_prefix("error: ").unwrap_or(&message);
-        Self::new("E213", message).advising(advice.join("; ").replace("tip: ", ""))
+        Self::new(Code::E213, message).advising(advice.join("; ").replace("tip: ", ""))
     }
 
     /// Makes an error from an error of the library, with keys of the case file.
@@ -105,10 +90,13 @@ impl Failure {
     }
 
     fn saying(error: &Error, message: &str) -> Self {
-        let place = error.place();
         let remedy = error.remedy();
+        let message = with_keys(message, &remedy, error.flank());
+        // The message has the remedy.
+        let fault = Fault::new(error.code(), message).with(remedy);
+        let fault = fault.helping(words::advice(error.code()));
         let snippet = || {
-            let (text, place) = (error.text()?, place?);
+            let (text, place) = (error.text()?, error.place()?);
             // The place may be in a file that the case names.
             let span = place.span.clone().filter(|_| place.file == text.name())?;
             Some(Snippet {
@@ -117,32 +105,38 @@ impl Failure {
             })
         };
         Self {
-            code: error.code(),
-            message: asperity_storage::one_line(&with_keys(message, &remedy, error.flank()))
-                .into_owned(),
-            place: place.cloned(),
-            remedy,
             snippet: snippet(),
-            specific_advice: None,
+            ..Self::whole(match error.place() {
+                Some(place) => fault.at(place.clone()),
+                None => fault,
+            })
+        }
+    }
+
+    fn whole(fault: Fault) -> Self {
+        Self {
+            fault,
+            snippet: None,
             is_told: false,
         }
     }
 
     /// Appends text to the message.
     pub fn adding(mut self, more: &str) -> Self {
-        self.message.push_str(&asperity_storage::one_line(more));
+        self.fault = self.fault.adding(more);
         self
     }
 
-    /// The exit status: 2 bad input, 3 not converged, 4 outside the model, 5 internal fault, 130 interrupted.
+    fn code(&self) -> Code {
+        self.fault.code()
+    }
+
+    fn message(&self) -> Cow<'_, str> {
+        asperity_storage::one_line(self.fault.message())
+    }
+
     fn status(&self) -> u8 {
-        match self.code {
-            "E301" | "E304" | "E307" | "E309" | "E311" => 3,
-            "E302" | "E303" | "E305" | "E306" | "E308" | "E314" | "E315" => 4,
-            "E501" => 5,
-            "E502" => INTERRUPTED,
-            _ => 2,
-        }
+        self.code().exit_status()
     }
 
     /// Prints the error and returns the exit status.
@@ -164,55 +158,56 @@ impl Failure {
 
     /// Whether the error says why a trace that was read has no parameters.
     pub fn is_of_trace(&self) -> bool {
-        ["E109", "E120", "E136"].contains(&self.code)
+        [Code::E109, Code::E120, Code::E136].contains(&self.code())
     }
 
     /// Whether the file holds several traces and none was chosen.
     pub fn is_of_several(&self) -> bool {
-        self.code == "E119"
+        self.code() == Code::E119
     }
 
     /// The error as JSON.
     pub fn json(&self) -> serde_json::Value {
         serde_json::json!({
             "error": {
-                "code": self.code,
-                "message": self.message,
+                "code": self.code(),
+                "message": self.message(),
                 "remedy": self.advice(),
-                "actions": self.remedy,
-                "place": self.place,
+                "actions": self.fault.remedy(),
+                "place": self.fault.place(),
                 "exit_status": self.status(),
             }
         })
     }
 
-    /// The specific advice, or the general advice of the code.
-    fn advice(&self) -> Option<String> {
-        let specific = self.specific_advice.as_deref().map(str::to_owned);
-        specific.or_else(|| words::advice(self.code))
+    /// The advice of the error, its remedy in options, or the general advice of its code.
+    fn advice(&self) -> String {
+        let remedy = self.fault.remedy();
+        match self.fault.specific_help() {
+            Some(help) => help.to_owned(),
+            None if remedy.is_empty() => words::advice(self.code()),
+            None => format!("{}.", remedy.sentence(words::in_options)),
+        }
     }
 
     /// The error with the line of the case file on a terminal, otherwise as plain text.
     fn rendered(&self) -> String {
-        let advice = self.advice();
         match &self.snippet {
-            Some(snippet) if std::io::stderr().is_terminal() => self.pictured(snippet, advice),
-            _ => match advice {
-                Some(advice) => format!("{self}\n  help: {advice}"),
-                None => self.to_string(),
-            },
+            Some(snippet) if std::io::stderr().is_terminal() => self.pictured(snippet),
+            _ => format!("{self}\n  help: {}", self.advice()),
         }
     }
 
     /// The error with the marked line of the case file.
-    fn pictured(&self, snippet: &Snippet, advice: Option<String>) -> String {
+    fn pictured(&self, snippet: &Snippet) -> String {
         let place = AnnotationKind::Primary.span(snippet.span.clone());
         let source =
             annotate_snippets::Snippet::source(snippet.text.text()).path(snippet.text.name());
-        let title = Level::ERROR.primary_title(&self.message).id(self.code);
+        let title = Level::ERROR.primary_title(self.message());
+        let title = title.id(self.code().as_str());
         let error = title
             .element(source.annotation(place))
-            .elements(advice.map(|advice| Level::HELP.message(advice)));
+            .element(Level::HELP.message(self.advice()));
         let renderer = match std::env::var_os("NO_COLOR") {
             Some(_) => Renderer::plain(),
             None => Renderer::styled(),
@@ -221,16 +216,18 @@ impl Failure {
     }
 }
 
-impl From<ReportError> for Failure {
-    fn from(error: ReportError) -> Self {
-        let failure = Self::new(error.code(), error.to_string());
-        match error {
-            ReportError::NoSuchPosition { .. } => failure
-                .advising("Positions are numbered from 1, as in the column position of path.csv."),
-            ReportError::NoFields { .. } => {
-                failure.advising("Run the case again with this position in --fields.")
-            }
-            _ => failure,
+impl std::fmt::Display for Failure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} {}", self.code(), self.message())
+    }
+}
+
+impl<E: Into<Fault>> From<E> for Failure {
+    fn from(error: E) -> Self {
+        let fault: Fault = error.into();
+        match fault.cause::<Error>() {
+            Some(error) => Self::saying(error, fault.message()),
+            None => Self::whole(fault),
         }
     }
 }

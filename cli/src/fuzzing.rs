@@ -2,7 +2,9 @@
 //! Also the list of all paths on the command line. Not part of the interface.
 
 use asperity_calibration::{RigRow, RigTable};
-use asperity_rexs::{Flanks, Model, RexsError, case_text, stages};
+use asperity_core::Code;
+use asperity_core::Fault;
+use asperity_rexs::{Flanks, Model, case_text, stages};
 use clap::{Command, CommandFactory, Parser, ValueHint};
 
 use crate::args::Cli;
@@ -58,7 +60,7 @@ pub fn paths() -> Vec<(String, String)> {
 /// # Panics
 /// When an error has no message, or a case is empty.
 pub fn rexs(bytes: &[u8]) -> bool {
-    let check_message = |error: &RexsError| assert!(!error.to_string().is_empty());
+    let check_message = |error: &Fault| assert!(!error.to_string().is_empty());
     let model = match Model::read(bytes) {
         Ok(model) => model,
         Err(error) => {
@@ -100,7 +102,7 @@ pub fn rig_table(text: &str) -> bool {
             true
         }
         Err(error) => {
-            assert!(!error.to_string().is_empty() && error.code() == "E134");
+            assert!(!error.to_string().is_empty() && error.code() == Code::E134);
             false
         }
     }

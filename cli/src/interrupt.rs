@@ -1,11 +1,12 @@
 //! Ctrl-C and SIGTERM.
 
+use asperity_core::Code;
 use std::sync::{Mutex, PoisonError};
 
 use asperity_core::cancel::Token;
 
 /// Exit status of a process that was interrupted.
-pub const INTERRUPTED: u8 = 130;
+pub const INTERRUPTED: u8 = Code::E502.exit_status();
 
 /// Token of work that ends itself at its next checkpoint; `None` for work that a signal ends at once.
 static ENDS_ITSELF: Mutex<Option<Token>> = Mutex::new(None);

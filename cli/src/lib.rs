@@ -10,6 +10,7 @@ mod interrupt;
 mod output;
 mod words;
 
+use asperity_core::Code;
 use asperity_fixtures::worked::Worked;
 use std::ffi::OsString;
 use std::panic::AssertUnwindSafe;
@@ -49,7 +50,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     match done {
         Ok(Ok(())) => 0,
         Ok(Err(failure)) => failure.report(cli.common.json),
-        Err(_) => Failure::new("E501", "internal fault: the program stopped, see above")
+        Err(_) => Failure::new(Code::E501, "internal fault: the program stopped, see above")
             .report(cli.common.json),
     }
 }
@@ -74,7 +75,12 @@ fn start_threads(common: &Common) -> Result<(), Failure> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build_global()
-        .map_err(|error| Failure::new("E501", format!("cannot start {threads} threads: {error}")))
+        .map_err(|error| {
+            Failure::new(
+                Code::E501,
+                format!("cannot start {threads} threads: {error}"),
+            )
+        })
 }
 
 fn dispatch(cli: &Cli) -> Result<(), Failure> {

@@ -1,5 +1,6 @@
 //! Standard output and progress.
 
+use asperity_core::Code;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -15,9 +16,9 @@ use crate::failure::Failure;
 /// Prints a value as JSON.
 pub fn print_json<T: Serialize + ?Sized>(value: &T) -> Result<(), Failure> {
     asperity_storage::check_finite(value)
-        .map_err(|error| Failure::new("E501", format!("no result: {error}")))?;
+        .map_err(|error| Failure::new(Code::E501, format!("no result: {error}")))?;
     let text = serde_json::to_string_pretty(value)
-        .map_err(|error| Failure::new("E501", format!("cannot be written as JSON: {error}")))?;
+        .map_err(|error| Failure::new(Code::E501, format!("cannot be written as JSON: {error}")))?;
     write(&format!("{text}\n"))
 }
 
@@ -34,7 +35,7 @@ pub fn print<V: Serialize>(
 }
 
 /// Warnings with their codes as JSON.
-pub fn coded(warnings: Vec<(&str, String)>) -> Value {
+pub fn coded(warnings: Vec<(Code, String)>) -> Value {
     let warnings = warnings.into_iter();
     warnings
         .map(|(code, text)| json!({ "code": code, "text": text }))
@@ -89,12 +90,13 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     if is_standard_output(file) {
         return write_bytes(bytes);
     }
-    asperity_storage::save(file, bytes).map_err(|error| Failure::new("E401", error.to_string()))
+    asperity_storage::save(file, bytes).map_err(|error| Failure::new(Code::E401, error.to_string()))
 }
 
 /// Writes a file with a default name, and never replaces an existing one.
 pub fn save_new(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    asperity_storage::save_new(file, bytes).map_err(|error| Failure::new("E401", error.to_string()))
+    asperity_storage::save_new(file, bytes)
+        .map_err(|error| Failure::new(Code::E401, error.to_string()))
 }
 
 /// Options for printing in addition to a file: quiet if the file itself is written to standard output.
@@ -104,7 +106,7 @@ pub fn besides_file(file: &Path, common: &Common) -> Result<Common, Failure> {
     }
     if common.json {
         let text = "-o - and --json both write to standard output; omit one";
-        return Err(Failure::new("E205", text));
+        return Err(Failure::new(Code::E205, text));
     }
     Ok(Common {
         quiet: true,
@@ -126,7 +128,7 @@ fn write_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut output = std::io::stdout().lock();
     match output.write_all(bytes).and_then(|()| output.flush()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::new(
-            "E401",
+            Code::E401,
             format!("standard output: cannot be written: {error}"),
         )
         .advising("Redirect the output to another place, or free some space there.")),

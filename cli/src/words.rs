@@ -1,13 +1,15 @@
 //! Remedies and explanations of the libraries in terms of the command line: settings by their options. For changes of a
 //! case file the library names the keys.
 
+use std::borrow::Cow;
+
 use asperity::key_words::{ended, explained, table};
-use asperity::message::explain;
 use asperity::remedy::{Action, Remedy, Setting, Value};
+use asperity_core::Code;
 
 /// Option of `setting`, or its name for a key of a case.
-fn option(setting: Setting) -> &'static str {
-    match setting {
+fn option(setting: Setting) -> Cow<'static, str> {
+    let option = match setting {
         Setting::XUnit => "--x-unit",
         Setting::ZUnit => "--z-unit",
         Setting::Spacing => "--dx",
@@ -29,8 +31,13 @@ fn option(setting: Setting) -> &'static str {
         Setting::Form => "--form",
         Setting::Cutoff => "--lambda-c",
         Setting::NoiseCutoff => "--lambda-s",
+        // A setting of a function has an option of its name, a key of a case has a table.
+        Setting::Key(key) if !key.contains('.') => {
+            return format!("--{}", key.replace('_', "-")).into();
+        }
         other => other.key(),
-    }
+    };
+    option.into()
 }
 
 /// `message` with its remedy in options of the command line.
@@ -44,7 +51,7 @@ pub fn in_options(action: &Action) -> String {
         Action::Do { what } => what.to_string(),
         Action::Omit { setting } => format!("leave {} out", option(*setting)),
         Action::Set { settings, to, why } => {
-            let names: Vec<&str> = settings.iter().map(|setting| option(*setting)).collect();
+            let names: Vec<_> = settings.iter().map(|setting| option(*setting)).collect();
             let names = names.join(" and ");
             let verb = if names.starts_with("--") {
                 "pass"
@@ -88,13 +95,12 @@ fn argument(settings: &[Setting], value: &str) -> String {
     }
 }
 
-/// General advice for a code, with its options, its keys and the commands that help; `None` for an unknown code or if
-/// its messages say it.
-pub fn advice(code: &str) -> Option<String> {
-    let entry = explain(code)?;
+/// General advice for a code, with its options, its keys and the commands that help.
+pub fn advice(code: Code) -> String {
+    let entry = code.explain();
     let mut text = entry.remedy.to_owned();
     if !entry.settings.is_empty() {
-        let options: Vec<&str> = entry.settings.iter().map(|s| option(*s)).collect();
+        let options: Vec<_> = entry.settings.iter().map(|s| option(*s)).collect();
         let keys: Vec<&str> = entry.settings.iter().map(|s| s.key()).collect();
         let table = table(entry.settings[0], "surface.pinion").unwrap_or_default();
         text = format!(
@@ -104,28 +110,34 @@ pub fn advice(code: &str) -> Option<String> {
             keys.join(", "),
         );
     }
-    if let Some(more) = command(code) {
-        text = format!("{text} {more}").trim_start().to_owned();
+    match command(code) {
+        Some(more) => format!("{text} {more}"),
+        None => text,
     }
-    (!text.is_empty()).then_some(text)
 }
 
 /// Commands that help with a code.
-fn command(code: &str) -> Option<&'static str> {
+fn command(code: Code) -> Option<&'static str> {
     Some(match code {
-        "E201" => "asperity demo writes a case to start from.",
-        "E202" => "asperity demo writes a case to compare with.",
-        "E203" => "asperity schema lists every key.",
-        "E204" => "asperity schema lists every key with its unit.",
-        "E210" => "asperity equations and asperity explain list them all.",
-        "E301" => {
+        Code::E201 => "asperity demo writes a case to start from.",
+        Code::E202 => "asperity demo writes a case to compare with.",
+        Code::E203 => "asperity schema lists every key.",
+        Code::E204 => "asperity schema lists every key with its unit.",
+        Code::E210 => "asperity equations and asperity explain list them all.",
+        Code::E301 => {
             "asperity profile info shows the profile; the gap of the unsolved contact is saved in the folder \"failed\" next to the results."
         }
-        "E212" | "E308" | "W201" => "asperity check lists every unusual number of a case.",
-        "E319" => "asperity oil fit takes it for all readings as --point-floor 0.001.",
-        "E401" => "Most commands take another target with -o.",
-        "W435" => "asperity ehl takes it as --pressure-limit without a case.",
-        "W401" => "asperity run --laws prints the published friction laws.",
+        Code::E212 | Code::E308 | Code::W201 => {
+            "asperity check lists every unusual number of a case."
+        }
+        Code::E310 => {
+            "asperity calibrate takes these as --hold boundary-layer, and as --design with --torque-max, --speed-max and --temperature."
+        }
+        Code::E322 => "asperity oil stribeck takes times of rubbing as --rubbing \"0 s,2 h\".",
+        Code::E319 => "asperity oil fit takes it for all readings as --point-floor 0.001.",
+        Code::E401 => "Most commands take another target with -o.",
+        Code::W435 => "asperity ehl takes it as --pressure-limit without a case.",
+        Code::W401 => "asperity run --laws prints the published friction laws.",
         _ => return None,
     })
 }
@@ -157,11 +169,8 @@ mod tests {
     #[test]
     fn advice_names_options_and_keys() {
         assert_eq!(
-            advice("E110").as_deref(),
-            Some(
-                "State the spacing of the points, e.g. 0.5 um (--dx; in a case dx in surface.pinion)."
-            )
+            advice(Code::E110),
+            "State the spacing of the points, e.g. 0.5 um (--dx; in a case dx in surface.pinion)."
         );
-        assert_eq!(advice("none of ours"), None);
     }
 }

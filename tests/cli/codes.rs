@@ -35,11 +35,14 @@ fn is_code(word: &str) -> bool {
         && letters.all(|c| c.is_ascii_digit())
 }
 
-/// Every `"E101"` in `text`.
+/// Every `Code::E101` in `text`.
 fn codes_in(text: &str) -> BTreeSet<String> {
-    let quoted = text.split('"').skip(1);
-    let codes = quoted.filter(|word| is_code(word));
-    codes.map(str::to_owned).collect()
+    let named = text.split("Code::").skip(1);
+    let codes = named.filter_map(|rest| rest.get(..4));
+    codes
+        .filter(|word| is_code(word))
+        .map(str::to_owned)
+        .collect()
 }
 
 /// Every code with which a quoted text of a test begins: `"E101"`, `"E101 flank.csv: "`.
@@ -82,29 +85,13 @@ fn codes_of(
 }
 
 fn explained() -> BTreeSet<String> {
-    let codes = EXPLANATIONS.iter().map(|entry| entry.code.to_owned());
+    let codes = EXPLANATIONS.iter().map(|entry| entry.code.to_string());
     codes.collect()
 }
 
 #[test]
-fn every_code_in_the_sources_is_explained_and_no_other() {
-    let used = codes_of(
-        &[
-            "crates/profile-io/src",
-            "crates/roughness/src",
-            "crates/contact/src",
-            "crates/ehl/src",
-            "crates/report/src",
-            "crates/case/src",
-            "crates/asperity/src",
-            "crates/calibration/src",
-            "crates/studies/src",
-            "crates/rexs/src",
-            "cli/src",
-        ],
-        "message.rs",
-        codes_in,
-    );
+fn every_code_is_raised_in_the_sources() {
+    let used = codes_of(&["crates", "cli/src"], "words.rs", codes_in);
     assert_eq!(used, explained());
 }
 

@@ -170,7 +170,7 @@ fn every_table_of_cases_has_the_codes_of_inputs_outside_of_their_ranges() {
     let outside_in_run = |more: &[&str]| {
         let run = bench.run(&[&run[..], more].concat()).well().json();
         let codes = run["warnings"].as_array().unwrap().iter();
-        outside_codes(codes.map(|warning| warning["code"].as_str().unwrap()))
+        outside_codes(codes.map(|warning| warning["code"].as_str().unwrap().parse().unwrap()))
     };
     let in_runs = [outside_in_run(&[]), outside_in_run(&hot)];
     assert!(in_runs[1].contains("W401"), "{in_runs:?}");

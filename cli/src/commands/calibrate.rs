@@ -1,13 +1,13 @@
 //! `asperity calibrate`: boundary layer and film traction from a rig table, and the design of measurements.
 
+use asperity_core::Code;
 use asperity_core::number;
 use std::time::Instant;
 
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 use asperity_calibration::{
-    Calibration, CalibrationError, Design, Identifiability, Limits, Reach, RigFiles, Watch,
-    before_the_fit, plan,
+    Calibration, Design, Identifiability, Limits, Reach, RigFiles, Watch, before_the_fit, plan,
 };
 use asperity_studies::map::axis;
 
@@ -21,20 +21,6 @@ pub fn calibrate(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     match args.design {
         true => design(args, common),
         false => fit(args, common),
-    }
-}
-
-impl From<CalibrationError> for Failure {
-    fn from(error: CalibrationError) -> Self {
-        let failure = Self::new(error.code(), error.to_string());
-        match error {
-            CalibrationError::Share { .. } => failure.advising(
-                "Measure the points that the message names as missing, or pass --hold boundary-layer. asperity calibrate \
-                 --design with --torque-max, --speed-max and --temperature of the rig proposes points and reports whether \
-                 they suffice.",
-            ),
-            _ => failure,
-        }
     }
 }
 
@@ -72,7 +58,7 @@ fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     if args.case.is_some() {
         let message = "--design takes only the case; omit the table";
-        return Err(Failure::new("E205", message));
+        return Err(Failure::new(Code::E205, message));
     }
     let file = &args.file;
     let case = load_case(file, &args.set, None)?;
@@ -95,7 +81,7 @@ fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
 fn limit(option: &str, value: Option<f64>) -> Result<Option<f64>, Failure> {
     match value.filter(|value| !(value.is_finite() && *value > 0.0)) {
         Some(value) => Err(Failure::new(
-            "E209",
+            Code::E209,
             format!("{option} = {}: must be positive", number(value)),
         )),
         None => Ok(value),
@@ -106,7 +92,7 @@ fn nodes(option: &str, text: Option<&String>) -> Result<Option<Vec<f64>>, Failur
     let parsed = text.map(|text| axis(text));
     parsed
         .transpose()
-        .map_err(|error| Failure::new("E209", format!("{option}: {error}")))
+        .map_err(|error| Failure::new(Code::E209, format!("{option}: {error}")))
 }
 
 fn reach(args: &CalibrateArgs) -> Result<Reach, Failure> {

@@ -2,7 +2,7 @@
 
 use asperity::core::quantity::Ratio;
 use asperity::pipeline::KeptFields;
-use asperity_studies::callout::{self, CallOut, CallOutError, CallOutSettings};
+use asperity_studies::callout::{self, CallOut, CallOutSettings};
 
 use super::work::check_work;
 use super::{load_case, result_name, study};
@@ -31,15 +31,12 @@ pub fn callout(args: &CalloutArgs, common: &Common) -> Result<(), Failure> {
     let folder = study::folder::<CallOut>(args.output.as_deref(), &name, "callout", title)?;
     progress.begin("lots");
     let found = callout::callout(&loaded, &settings, &|done, total| progress.at(done, total));
-    let found = found.map_err(|error| match error {
-        CallOutError::Case(error) => Failure::about(&args.case, &error),
-        error => {
-            let shares = [args.confidence, args.scatter].map(Ratio::value);
-            let failure = Failure::new(error.code(), format!("{}: {error}", args.case.display()));
-            match shares.iter().any(|share| *share > 1.0) {
-                true => failure.advising("A share without % is a fraction: write 0.9 or \"90 %\"."),
-                false => failure,
-            }
+    let shares = [args.confidence, args.scatter].map(Ratio::value);
+    let found = found.map_err(|error| {
+        let error = error.about(args.case.display());
+        match shares.iter().any(|share| *share > 1.0) {
+            true => error.helping("A share without % is a fraction: write 0.9 or \"90 %\"."),
+            false => error,
         }
     })?;
     progress.begin(WRITING);

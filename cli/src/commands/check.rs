@@ -4,6 +4,7 @@ use asperity::Error;
 use asperity::case::{self, DefaultUsed, LoadedCase, Train};
 use asperity::message::Warning;
 use asperity::pipeline::{KeptFields, chooses_offsets};
+use asperity_core::Code;
 use asperity_studies::estimate::{Estimate, estimate, measured};
 use serde_json::{Value, json};
 
@@ -54,7 +55,7 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
         return match failures.into_iter().next() {
             Some(first) => Err(first.printed()),
             None => Err(Failure::new(
-                "E501",
+                Code::E501,
                 format!("{name}: no case and no error"),
             )),
         };

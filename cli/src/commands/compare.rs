@@ -2,6 +2,7 @@
 
 use asperity::case::CaseInput;
 use asperity::pipeline::KeptFields;
+use asperity_core::Code;
 use asperity_studies::compare::{self, Comparison};
 
 use super::finish::{self, check_names};
@@ -19,7 +20,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     check_names(&args.finishes)?;
     if let Some(offsets @ ..2) = args.offsets {
         let message = format!("--offsets {offsets}: must be at least 2, as one has no spread");
-        return Err(Failure::new("E209", message));
+        return Err(Failure::new(Code::E209, message));
     }
     let progress = Progress::of(common.quiet, READING);
     let change = |input: &mut CaseInput| {
@@ -49,5 +50,5 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
 
 fn single() -> Failure {
     let message = "--finish: one finish cannot be compared; give at least two";
-    Failure::new("E205", message)
+    Failure::new(Code::E205, message)
 }

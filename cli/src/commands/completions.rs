@@ -1,5 +1,6 @@
 //! `asperity completions`: completions for shells, the man page, and the list of commands for the documents.
 
+use asperity_core::Code;
 use std::fmt::Write as _;
 
 use clap::{Command, CommandFactory};
@@ -22,7 +23,7 @@ pub fn completions(kind: CompletionKind, common: &Common) -> Result<(), Failure>
         CompletionKind::Zsh => Shell::Zsh,
         CompletionKind::Man => {
             man_page(&mut text).map_err(|error| {
-                Failure::new("E501", format!("the man page cannot be made: {error}"))
+                Failure::new(Code::E501, format!("the man page cannot be made: {error}"))
             })?;
             return print_text(common, &String::from_utf8_lossy(&text));
         }

@@ -1,17 +1,18 @@
 //! `asperity cycle`: energy lost over a cycle, from a map.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::number;
 use std::path::Path;
 
 use asperity::case::VehicleInput;
 use asperity::profile_io::read::read_table;
-use asperity_studies::cycle::{self, Cycle, CycleError, CycleResult, EnergyError};
-use asperity_studies::map::{self, Map, MapError};
+use asperity_studies::cycle::{self, Cycle, CycleError, CycleResult};
+use asperity_studies::map::{self, Map};
 
 use super::{keys, study};
 use crate::args::{Common, CycleArgs};
 use crate::failure::Failure;
-use crate::words::in_options;
 
 /// Largest size of a cycle or a loss table in bytes.
 pub const LARGEST_TABLE: u64 = 100_000_000;
@@ -31,7 +32,7 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
     )?;
     let name = stem(&args.trace);
     let energies = cycle::evaluate(&map, temperature, (&trace, &name), args.allow_outside);
-    let energies = energies.map_err(|error| refused(args, &error))?;
+    let energies = energies.map_err(|error| refused(args, error))?;
     let target = || {
         let (map, title) = (stem(&args.map), &energies.title);
         study::folder::<CycleResult>(args.output.as_deref(), map.as_ref(), &name, title)
@@ -43,39 +44,27 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
     study::print(&energies, &map, folder.as_deref(), None, common)
 }
 
-fn refused(args: &CycleArgs, error: &EnergyError) -> Failure {
+fn refused(args: &CycleArgs, error: Fault) -> Failure {
     let (map, cycle) = (args.map.display(), args.trace.display());
-    match error {
-        EnergyError::Uncovered(_) => Failure::new("E314", format!("{cycle} on {map}: {error}"))
-            .advising("Compute the map up to these torques and speeds, or pass --allow-outside: the ratio of loss to torque is then constant beyond its edge."),
-        EnergyError::Unbalanced(error) => {
-            Failure::new(error.code(), format!("{cycle} on {map}: {error}"))
-        }
-        _ => Failure::new("E402", format!("{map}: {error}"))
-            .advising("Compute the map again with axes on which the case has results."),
+    let both = format!("{cycle} on {map}");
+    match error.code() {
+        Code::E314 => error.about(both).helping("Compute the map up to these torques and speeds, or pass --allow-outside: the ratio of loss to torque is then constant beyond its edge."),
+        Code::E402 => error.about(map).helping("Compute the map again with axes on which the case has results."),
+        _ => error.about(both),
     }
+    .into()
 }
 
 /// Reads the map in a folder.
 pub fn read_map(folder: &Path) -> Result<Map, Failure> {
-    map::read(folder).map_err(|error| {
-        let advice = "Name the folder that asperity map wrote, e.g. results/case-map.";
-        match error {
-            MapError::Open { path, source } => {
-                Failure::new("E402", format!("{}: not a map: {source}", path.display()))
-            }
-            error => Failure::new("E402", error.to_string()),
-        }
-        .advising(advice)
-    })
+    let advice = "Name the folder that asperity map wrote, e.g. results/case-map.";
+    let map = map::read(folder);
+    Ok(map.map_err(|error| error.helping(advice))?)
 }
 
 /// Reads the text of a table in a file.
 pub fn table_in(file: &Path) -> Result<String, Failure> {
-    read_table(file, LARGEST_TABLE).map_err(|error| {
-        let remedy = error.remedy().sentence(in_options);
-        Failure::new(error.code(), error.to_string()).advising(format!("{remedy}."))
-    })
+    Ok(read_table(file, LARGEST_TABLE)?)
 }
 
 /// Reads the cycle in a file, whose columns may have other names.
@@ -110,7 +99,7 @@ fn temperature(args: &CycleArgs, map: &Map) -> Result<usize, Failure> {
         let known: Vec<String> = nodes.iter().map(|node| number(*node)).collect();
         let known = known.join(", ");
         Failure::new(
-            "E209",
+            Code::E209,
             format!("--temperature {}: the map has {known} °C", number(celsius)),
         )
     })

@@ -1,10 +1,11 @@
 //! `asperity demo`: a worked case to start from.
 
+use asperity_core::Code;
 use std::path::Path;
 
 use asperity_fixtures::TextFile;
 use asperity_fixtures::worked::{Worked, WorkedError, WorkedGears};
-use asperity_report::library::LibraryError;
+use asperity_report::library::unlisted;
 use asperity_storage::new_folder_of;
 use serde_json::json;
 
@@ -17,8 +18,8 @@ pub fn demo(folder: Option<&Path>, worked: Worked<'_>, common: &Common) -> Resul
     let folder = folder.unwrap_or(Path::new(worked.folder()));
     refuse_existing(folder)?;
     let files = worked.files().map_err(|error| match error {
-        WorkedError::Gears(error) => LibraryError::from(error).into(),
-        error => Failure::new("E501", error.to_string()),
+        WorkedError::Gears(error) => unlisted(error).into(),
+        error => Failure::new(Code::E501, error.to_string()),
     })?;
     let option = match worked {
         Worked::Paper => " --formulation paper",
@@ -30,7 +31,7 @@ pub fn demo(folder: Option<&Path>, worked: Worked<'_>, common: &Common) -> Resul
         }
         Worked::Paper => "case.toml and a damaged flank (synthetic)".to_owned(),
         Worked::Gears(name) => {
-            let gears = WorkedGears::named(name).map_err(LibraryError::from)?;
+            let gears = WorkedGears::named(name).map_err(unlisted)?;
             format!(
                 "{}, two pairs of flanks (synthetic), a README; case.toml states the source of every number",
                 gears.title()
@@ -44,7 +45,7 @@ fn refuse_existing(folder: &Path) -> Result<(), Failure> {
     match folder.exists() {
         false => Ok(()),
         true => Err(Failure::new(
-            "E401",
+            Code::E401,
             format!(
                 "{}: exists already; name another folder, e.g. asperity demo my-first-case",
                 folder.display()
@@ -62,7 +63,7 @@ fn finish(
     common: &Common,
 ) -> Result<(), Failure> {
     let texts = files.iter().map(|file| (file.name, file.content.as_str()));
-    new_folder_of(folder, texts).map_err(|error| Failure::new("E401", error.to_string()))?;
+    new_folder_of(folder, texts).map_err(|error| Failure::new(Code::E401, error.to_string()))?;
     if common.json {
         let names: Vec<&str> = files.iter().map(|file| file.name).collect();
         return print_json(&json!({ "folder": folder, "files": names }));

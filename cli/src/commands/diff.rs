@@ -1,5 +1,6 @@
 //! `asperity diff`: differences between two results.
 
+use asperity_core::Code;
 use asperity_report::read_result;
 use asperity_studies::diff::{Change, ResultDiff, diff as compare};
 use serde_json::Value;
@@ -10,11 +11,12 @@ use crate::output::print;
 
 /// `asperity diff`
 pub fn diff(args: &DiffArgs, common: &Common) -> Result<(), Failure> {
-    let read = |path| read_result(path).map_err(|error| Failure::new("E402", error.to_string()));
+    let read =
+        |path| read_result(path).map_err(|error| Failure::new(Code::E402, error.to_string()));
     let (_, first) = read(&args.first)?;
     let (_, second) = read(&args.second)?;
     let differences = compare(&first, &second)
-        .map_err(|error| Failure::new("E501", format!("cannot be compared: {error}")))?;
+        .map_err(|error| Failure::new(Code::E501, format!("cannot be compared: {error}")))?;
     print(common, || &differences, || text(&differences))
 }
 

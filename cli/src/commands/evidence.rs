@@ -1,5 +1,6 @@
 //! `asperity evidence`: measurements that would narrow the interval of a loss.
 
+use asperity_core::Code;
 use std::time::Instant;
 
 use asperity::pipeline::KeptFields;
@@ -23,7 +24,7 @@ pub fn evidence(args: &EvidenceArgs, common: &Common) -> Result<(), Failure> {
     let Some(table) = EvidenceTable::of(&loaded, &efforts)? else {
         let message = "the loss of this case has no interval: formulation = \"paper\" and a solved full film are computed \
                        without one";
-        return Err(Failure::new("E205", message));
+        return Err(Failure::new(Code::E205, message));
     };
     study::finish(&table, (), &folder, Some(begin), common)
 }
@@ -37,14 +38,14 @@ fn efforts(changes: &[String]) -> Result<Vec<Effort>, Failure> {
         if efforts.iter().all(|effort| effort.key != name) {
             let names = Effort::usual().map(|effort| effort.key).join(", ");
             let message = format!("--hours {change}: no measurement is called \"{name}\"");
-            return Err(Failure::new("E209", message)
+            return Err(Failure::new(Code::E209, message)
                 .advising(format!("Give NAME=HOURS with one of the names {names}.")));
         }
         let hours = hours.trim().parse().unwrap_or(f64::NAN);
         if !Effort::set(&mut efforts, name, hours) {
             let message =
                 format!("--hours {change}: the hours must be a number from 0 to below 1e6");
-            return Err(Failure::new("E209", message));
+            return Err(Failure::new(Code::E209, message));
         }
     }
     Ok(efforts)

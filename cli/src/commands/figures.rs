@@ -1,7 +1,8 @@
 //! `asperity figures`: the figures of the 2022 paper.
 
 use asperity::case::{self, Formulation, LoadedCase};
-use asperity_studies::figures::{self, FigureError};
+use asperity_core::Fault;
+use asperity_studies::figures::{self};
 
 use super::{keys, load_case};
 use crate::args::{Common, FiguresArgs, FormulationArg, SetArgs};
@@ -14,7 +15,7 @@ pub fn figures(args: &FiguresArgs, common: &Common) -> Result<(), Failure> {
         Some(case) => load_case(case, &args.set, Some(FormulationArg::Paper))?,
         None => table_2(&args.set)?,
     };
-    let files = figures::write(&case, &args.output).map_err(|error| refused(&error))?;
+    let files = figures::write(&case, &args.output)?;
     let list = || files.iter().map(|file| format!("{}\n", file.display()));
     print(common, || &files, || list().collect())
 }
@@ -22,7 +23,7 @@ pub fn figures(args: &FiguresArgs, common: &Common) -> Result<(), Failure> {
 /// Table 2 of the paper on the synthetic flank of the program.
 fn table_2(set: &SetArgs) -> Result<LoadedCase, Failure> {
     let (case, flank) = asperity_fixtures::demo::table_2()
-        .map_err(|error| Failure::new("E501", format!("the case cannot be made: {error}")))?;
+        .map_err(|error| Fault::internal(error).about("the case cannot be made"))?;
     let flank = &flank.content;
     let mut loaded = case::from_text(case.name, &case.content, &|_| Ok(flank.clone().into()))
         .map_err(|error| Failure::of(&error))?;
@@ -33,11 +34,4 @@ fn table_2(set: &SetArgs) -> Result<LoadedCase, Failure> {
     loaded
         .with(|input| input.formulation = Some(Formulation::Paper))
         .map_err(|error| Failure::of(&error))
-}
-
-fn refused(error: &FigureError) -> Failure {
-    match error {
-        FigureError::Run(error) => Failure::of(error),
-        _ => Failure::new("E401", error.to_string()),
-    }
 }

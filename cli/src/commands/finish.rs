@@ -1,5 +1,6 @@
 //! A case on the traces of a finish.
 
+use asperity_core::Code;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -22,7 +23,7 @@ pub fn check_names(finishes: &[FinishArg]) -> Result<(), Failure> {
                 None => format!("--finish {name}: two finishes have this name; rename one"),
                 Some(mesh) => format!("--finish {name}@{mesh}: stated twice; leave one out"),
             };
-            return Err(Failure::new("E205", message));
+            return Err(Failure::new(Code::E205, message));
         }
     }
     Ok(())
@@ -79,7 +80,7 @@ pub fn finishes(
                 None => format!("there is no mesh \"{mesh}\", only {}", train.names()),
             };
             return Err(Failure::new(
-                "E205",
+                Code::E205,
                 format!("--finish {name}@{mesh}: {known}"),
             ));
         }
@@ -119,10 +120,10 @@ impl Traces {
                     _ => error.to_string(),
                 };
                 let message = format!("{}: {reason} (named by --finish {name})", file.display());
-                return Err(Failure::new("E103", message));
+                return Err(Failure::new(Code::E103, message));
             }
             std::path::absolute(file)
-                .map_err(|error| Failure::new("E103", format!("{}: {error}", file.display())))
+                .map_err(|error| Failure::new(Code::E103, format!("{}: {error}", file.display())))
         };
         Ok(Self {
             pinion: whole(&finish.pinion)?,

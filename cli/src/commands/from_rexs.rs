@@ -1,11 +1,13 @@
 //! `asperity case from-rexs`: a case from a REXS gearbox file.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use asperity_rexs::{
-    CaseText, Flanks, Model, OperatingPoint, RexsError, Stage, StageKind, case_text, contents,
-    lubricants, operating_points, stages, teeth_of, train_text,
+    CaseText, Flanks, Model, OperatingPoint, Stage, StageKind, case_text, contents, lubricants,
+    operating_points, stages, teeth_of, train_text,
 };
 use asperity_storage::{one_line, whole_file};
 use serde_json::json;
@@ -20,11 +22,9 @@ const LARGEST: u64 = 100_000_000;
 /// `asperity case from-rexs`
 pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
     let path = &args.file;
-    let refused = |error: &dyn std::fmt::Display, code: &'static str| {
-        Failure::new(code, format!("{}: {error}", path.display()))
-    };
-    let bytes = whole_file(path, LARGEST).map_err(|error| refused(&error, "E101"))?;
-    let wrong = |error: RexsError| refused(&error, error.code());
+    let bytes = whole_file(path, LARGEST)
+        .map_err(|error| Fault::of(Code::E101, error).about(path.display()))?;
+    let wrong = |error: Fault| error.about(path.display());
     let model = Model::read(&bytes).map_err(wrong)?;
     if args.stage.is_none() && args.output.is_none() && !args.all {
         return match common.json {
@@ -91,7 +91,7 @@ fn named_from(output: &Path, flank: &Path) -> String {
 }
 
 /// Stages, lubricants and operating points of a file as text.
-fn listed(model: &Model) -> Result<String, RexsError> {
+fn listed(model: &Model) -> Result<String, Fault> {
     let mut text = format!(
         "REXS {} by {}\n",
         one_line(&model.version),

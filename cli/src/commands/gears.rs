@@ -2,7 +2,7 @@
 
 use asperity_core::presets::{GearPreset, planetary_sets, trains};
 use asperity_core::quantity::Length;
-use asperity_report::library::{LibraryError, gears_named, listed_gears, pair_of};
+use asperity_report::library::{gears_named, listed_gears, pair_of, unlisted};
 use asperity_report::wrapped;
 
 use super::presets::{LETTERS, figures, keys, least, print_listed};
@@ -54,9 +54,9 @@ fn table(gears: &[GearPreset]) -> Result<String, Failure> {
         "least: the lowest certainty of the geometry. The centre distance follows from the profile shifts.",
         "",
     ));
-    let trains = trains().map_err(LibraryError::from)?.into_iter();
+    let trains = trains().map_err(unlisted)?.into_iter();
     let trains: Vec<String> = trains.map(|(name, _)| name).collect();
-    let sets = planetary_sets().map_err(LibraryError::from)?.into_iter();
+    let sets = planetary_sets().map_err(unlisted)?.into_iter();
     let sets: Vec<String> = sets.map(|set| set.name).collect();
     let more = format!(
         "asperity gears NAME shows every number; asperity demo --gears NAME writes a case, also of the trains {} and of the \

@@ -1,15 +1,16 @@
 //! `asperity map`: losses over torque, speed and temperature.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::case::train::Train;
-use asperity::message::explain;
 use asperity::pipeline::KeptFields;
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle::CyclePoint;
-use asperity_studies::export::{self, AddedLoss, ExportError, With};
-use asperity_studies::map::{self, Axes, AxisError, Map, MapExtras};
+use asperity_studies::export::{self, AddedLoss, With};
+use asperity_studies::map::{self, Axes, Map, MapExtras};
 
 use super::cycle::{read_cycle, table_in};
 use super::finish::{self, check_names};
@@ -26,12 +27,12 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let progress = Progress::of(common.quiet, READING);
     let finishes = finishes(args)?;
     let Some(first) = finishes.first() else {
-        return Err(Failure::new("E501", "a map without a finish"));
+        return Err(Failure::new(Code::E501, "a map without a finish"));
     };
     let names: Vec<&str> = finishes.iter().map(|finish| finish.name.as_str()).collect();
     for format in &args.export {
         export::check_names(&names, format.format())
-            .map_err(|error| not_exported(*format, &error))?;
+            .map_err(|error| not_exported(*format, error))?;
     }
     let axes = axes(args, &first.case)?;
     let cycle = match &args.cycle {
@@ -40,7 +41,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     };
     if args.export.contains(&ExportArg::Fastsim) && cycle.is_none() {
         let message = "--export fastsim writes one number, weighted by a cycle; pass --cycle";
-        return Err(Failure::new("E205", message));
+        return Err(Failure::new(Code::E205, message));
     }
     let visited: Vec<[f64; 2]> = cycle
         .iter()
@@ -66,7 +67,6 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let map = map::map(&finishes, &axes, args.band.points(), &watch)
         .map_err(|error| Failure::about(&args.case, &error))?;
     if let Some(code) = map.refused() {
-        let code = explain(code).map_or("E301", |known| known.code);
         let message = "no point of the map has a loss";
         let advice = "Run the case at one of its points: asperity run names the cause.";
         return Err(Failure::new(code, message).advising(advice));
@@ -92,26 +92,26 @@ fn exports(args: &MapArgs, map: &Map, with: With<'_>) -> Result<Vec<(PathBuf, Ve
     let mut files = Vec::new();
     for format in &args.export {
         let exported = export::export(map, format.format(), with);
-        let exported = exported.map_err(|error| not_exported(*format, &error))?;
+        let exported = exported.map_err(|error| not_exported(*format, error))?;
         files.extend(exported.into_iter().map(|file| (file.name, file.bytes)));
     }
     Ok(files)
 }
 
-fn not_exported(format: ExportArg, error: &ExportError) -> Failure {
-    let message = format!("--export {}: {error}", name_of_value(format));
-    Failure::new("E205", message)
-        .advising("The map itself can be computed without --export; a format may need other axes.")
+fn not_exported(format: ExportArg, error: Fault) -> Fault {
+    error
+        .about(format!("--export {}", name_of_value(format)))
+        .helping("The map itself can be computed without --export; a format may need other axes.")
 }
 
 fn added_loss(file: &Path) -> Result<AddedLoss, Failure> {
     let text = table_in(file)?;
     let short = file.file_name().unwrap_or_default().to_string_lossy();
-    AddedLoss::read(&short, &text).map_err(|error| {
-        Failure::new("E101", format!("--add-loss {error}")).advising(
-            "The table has the columns speed_rpm, loss_torque_nm or loss_w and, where the loss depends on them, torque_nm and temperature_c, as a grid; a loss map of VECTO (vtlm) is one.",
-        )
-    })
+    let added = AddedLoss::read(&short, &text);
+    Ok(added.map_err(|error| {
+        let message = format!("--add-loss {error}");
+        Fault::new(error.code(), message).helping(error.help())
+    })?)
 }
 
 /// Name of a format on the command line.
@@ -133,7 +133,7 @@ fn finishes(args: &MapArgs) -> Result<Vec<Finish<Train>>, Failure> {
 fn axes(args: &MapArgs, case: &Train) -> Result<Axes, Failure> {
     let of = |option: &str, text: &Option<String>, default: fn(&Train) -> Vec<f64>| match text {
         None => Ok(default(case)),
-        Some(text) => map::axis(text).map_err(|error| refused(option, &error)),
+        Some(text) => map::axis(text).map_err(|error| error.about(option)),
     };
     let torque = of("--torque", &args.torque, Axes::default_torque)?;
     let speed = of("--speed", &args.speed, Axes::default_speed)?;
@@ -142,9 +142,6 @@ fn axes(args: &MapArgs, case: &Train) -> Result<Axes, Failure> {
         &args.temperature,
         Axes::default_temperature,
     )?;
-    Axes::new(&torque, &speed, &temperature).map_err(|error| refused("axes", &error))
-}
-
-fn refused(option: &str, error: &AxisError) -> Failure {
-    Failure::new("E209", format!("{option}: {error}"))
+    let axes = Axes::new(&torque, &speed, &temperature);
+    Ok(axes.map_err(|error| error.about("axes"))?)
 }

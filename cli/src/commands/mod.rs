@@ -35,6 +35,7 @@ mod study;
 pub mod sweep;
 mod work;
 
+use asperity_core::Code;
 use asperity_core::number;
 use std::ffi::{OsStr, OsString};
 use std::io::Read as _;
@@ -62,7 +63,7 @@ fn source(path: &Path) -> Result<(Source, &Path), Failure> {
         .lock()
         .take(LONGEST)
         .read_to_end(&mut bytes);
-    read.map_err(|error| Failure::new("E201", format!("standard input: {error}")))?;
+    read.map_err(|error| Failure::new(Code::E201, format!("standard input: {error}")))?;
     let is_json = bytes.trim_ascii_start().starts_with(b"{");
     let name = if is_json { "stdin.json" } else { "stdin" };
     let source = Source::from_bytes(name, &bytes)
@@ -134,7 +135,7 @@ fn refuse_other(folder: &Path, title: &str, older: &str) -> Result<(), Failure> 
     match older == title {
         true => Ok(()),
         false => Err(Failure::new(
-            "E401",
+            Code::E401,
             format!(
                 "{}: holds the result of another case ({}); choose another with -o, or name it with -o to replace it",
                 shown(folder),
@@ -185,7 +186,7 @@ fn on_the_path(loaded: &LoadedCase, position: Option<PathPoint>) -> Result<Optio
         return Ok(Some(fraction));
     }
     Err(Failure::new(
-        "E209",
+        Code::E209,
         format!(
             "--position {}: must be A to E, or 0 (A) to 1 (E)",
             number(fraction)

@@ -1,5 +1,6 @@
 //! `asperity new`: ten questions, whose answers become a commented case.
 
+use asperity_core::Code;
 use std::fmt::Write as _;
 use std::io::{BufRead, Write};
 use std::path::Path;
@@ -110,7 +111,7 @@ pub fn new_case(output: &Path, common: &Common) -> Result<(), Failure> {
     let quiet = besides_file(output, common)?;
     if !is_standard_output(output) && output.exists() {
         let text = format!("{}: exists already; name another file", shown(output));
-        return Err(Failure::new("E401", text));
+        return Err(Failure::new(Code::E401, text));
     }
     let mut input = std::io::stdin().lock();
     let mut case = "# A case made by asperity new. docs/CASE_FILE.md lists all keys.\n".to_owned();
@@ -119,7 +120,7 @@ pub fn new_case(output: &Path, common: &Common) -> Result<(), Failure> {
         case += &asked(number + 1, question, &mut input)?;
     }
     case.parse::<CaseInput>()
-        .map_err(|error| Failure::new("E204", error.to_string()))?;
+        .map_err(|error| Failure::new(Code::E204, error.to_string()))?;
     if is_standard_output(output) {
         return crate::output::save(output, case.as_bytes());
     }
@@ -154,11 +155,11 @@ fn asked(number: usize, question: &Question, input: &mut impl BufRead) -> Result
         };
         if answer.is_empty() && question.default.is_none() && is_end {
             let text = format!("no answer to question {number}: {}", question.text);
-            return Err(Failure::new("E204", text));
+            return Err(Failure::new(Code::E204, text));
         }
         match (question.lines)(answer) {
             Ok(lines) => return Ok(lines),
-            Err(why) if is_end => return Err(Failure::new("E204", why)),
+            Err(why) if is_end => return Err(Failure::new(Code::E204, why)),
             Err(why) => {
                 let _ = writeln!(terminal, "  {}", asperity_storage::printable(&why));
             }

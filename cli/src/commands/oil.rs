@@ -1,5 +1,6 @@
 //! `asperity oil`: oils of the library, traction of the film between ball and disc, and the constants behind it.
 
+use asperity_core::Code;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -10,8 +11,8 @@ use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
-    ConstantsOf, FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe,
-    Reading, Stribeck, TractionCurves, TractionRange, read_text, source,
+    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, Probe, Reading,
+    Stribeck, TractionCurves, TractionRange, read_text, source,
 };
 use asperity_calibration::table_text;
 use asperity_core::DomainError;
@@ -39,18 +40,6 @@ pub fn oil(command: &OilCommand, common: &Common) -> Result<(), Failure> {
         OilCommand::Fit(args) => fit(args, common),
         OilCommand::Plan(args) => plan(args, common),
         OilCommand::Stribeck(args) => stribeck(args, common),
-    }
-}
-
-impl From<OilError> for Failure {
-    fn from(error: OilError) -> Self {
-        let failure = Self::new(error.code(), error.to_string());
-        match error {
-            OilError::NoRubbing { .. } => failure.advising(
-                "Add a column rubbing_s, or pass --rubbing with one time for each file, such as --rubbing \"0 s,2 h\".",
-            ),
-            _ => failure,
-        }
     }
 }
 
@@ -104,7 +93,7 @@ fn base(oil: &str, set: &SetArgs, constants: ConstantsOf) -> Result<NamedOil, Fa
 fn refuse_keys(set: &SetArgs, case: Option<&LoadedCase>) -> Result<(), Failure> {
     match case.is_none() && (!set.keys.is_empty() || set.mesh.is_some()) {
         true => Err(Failure::new(
-            "E205",
+            Code::E205,
             "--set and --mesh change a case, and the oil is not of one",
         )),
         false => Ok(()),
@@ -112,7 +101,7 @@ fn refuse_keys(set: &SetArgs, case: Option<&LoadedCase>) -> Result<(), Failure> 
 }
 
 fn refused(error: DomainError) -> Failure {
-    Failure::new("E209", error.to_string())
+    Failure::new(Code::E209, error.to_string())
 }
 
 fn machine(of: &SpecimenArgs) -> Result<Machine, Failure> {
@@ -174,7 +163,7 @@ fn stribeck(args: &OilStribeckArgs, common: &Common) -> Result<(), Failure> {
     let folder = study::folder::<Stribeck>(args.output.as_deref(), &name, "stribeck", &title)?;
     if !args.rubbing.is_empty() && args.rubbing.len() != args.files.len() {
         let rule = "--rubbing takes one time for each file";
-        return Err(Failure::new("E205", rule));
+        return Err(Failure::new(Code::E205, rule));
     }
     if let Some(time) = args.rubbing.iter().find(|time| time.si() < 0.0) {
         let refusal =
@@ -203,7 +192,7 @@ fn traction(args: &OilTractionArgs, common: &Common) -> Result<(), Failure> {
     let output = args.output.as_deref();
     let folder = study::folder::<TractionCurves>(output, &name, "traction", &title)?;
     let temperatures = axis(&args.temperature)
-        .map_err(|error| Failure::new("E209", format!("--temperature: {error}")))?;
+        .map_err(|error| Failure::new(Code::E209, format!("--temperature: {error}")))?;
     let boundary_friction = args.boundary_friction.unwrap_or(BOUNDARY_FRICTION);
     let is_valid = boundary_friction > 0.0 && boundary_friction < 1.0;
     let rule = "must lie between 0 and 1";
@@ -243,7 +232,7 @@ fn all_readings(
     let (mut all, mut sources) = (Vec::new(), Vec::new());
     for path in files {
         let name = path.display().to_string();
-        let text = table_text(path).map_err(OilError::Table)?;
+        let text = table_text(path).map_err(asperity_calibration::oil::error::of_table)?;
         all.extend(read_text(&name, &text, machine, probe)?);
         sources.push(source(&name, &text));
     }
@@ -255,7 +244,7 @@ fn fit(args: &OilFitArgs, common: &Common) -> Result<(), Failure> {
     let NamedOil { oil, case, .. } = base(&args.oil, &args.set, ConstantsOf::Family)?;
     refuse_keys(&args.set, case.as_ref())?;
     let Some(first) = args.files.first() else {
-        return Err(Failure::new("E205", "name a file of traction curves"));
+        return Err(Failure::new(Code::E205, "name a file of traction curves"));
     };
     let title = format!("Oil constants of {}", oil.name);
     let name = result_name(first);

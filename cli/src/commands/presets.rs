@@ -1,7 +1,8 @@
 //! Shared by `gears`, `steels` and `oils`: the numbers of a preset with certainty and source.
 
+use asperity_core::Fault;
 use asperity_core::presets::FigureRow;
-use asperity_report::library::{LibraryError, used};
+use asperity_report::library::used;
 use asperity_report::wrapped;
 use serde_json::{Value, json};
 
@@ -12,17 +13,11 @@ use crate::output::{print_json, print_text};
 /// Legend of the certainty letters.
 pub const LETTERS: &str = "Certainty: A read in the source, B quoted by others, C derived; assumed: not\nknown of this one.";
 
-impl From<LibraryError> for Failure {
-    fn from(error: LibraryError) -> Self {
-        Self::new(error.code(), error.to_string())
-    }
-}
-
 /// Prints presets: their values as JSON under a name, or a text.
 pub fn print_listed<T>(
     common: &Common,
     (name, presets): (&str, &[T]),
-    value: fn(&T) -> Result<Value, LibraryError>,
+    value: fn(&T) -> Result<Value, Fault>,
     text: impl FnOnce() -> Result<String, Failure>,
 ) -> Result<(), Failure> {
     if common.json {

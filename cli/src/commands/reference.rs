@@ -2,6 +2,7 @@
 
 use asperity::equations::{self, Equation};
 use asperity::message::{self, Explanation};
+use asperity_core::Code;
 use serde_json::{Value, json};
 
 use crate::args::{Common, EquationsArgs};
@@ -41,7 +42,7 @@ fn in_full(equation: &Equation) -> String {
 
 fn unknown_tag(tag: &str) -> Failure {
     Failure::new(
-        "E210",
+        Code::E210,
         format!("no equation has the tag \"{tag}\"; asperity equations lists every tag"),
     )
 }
@@ -56,15 +57,14 @@ pub fn explain(code: Option<&str>, common: &Common) -> Result<(), Failure> {
     };
     let entry = message::explain(code).ok_or_else(|| {
         Failure::new(
-            "E210",
+            Code::E210,
             format!("no message has the code \"{code}\"; asperity explain lists every code"),
         )
     })?;
     let advice = words::advice(entry.code);
-    let advice = advice.map_or(String::new(), |advice| format!("  what to do  {advice}\n"));
     let text = || {
         format!(
-            "{}  {}\n  why         {}\n{advice}",
+            "{}  {}\n  why         {}\n  what to do  {advice}\n",
             entry.code, entry.title, entry.meaning
         )
     };
@@ -95,13 +95,12 @@ pub fn messages(common: &Common) -> Result<(), Failure> {
         page += &format!("\n## {heading}\n");
         for entry in message::EXPLANATIONS
             .iter()
-            .filter(|entry| entry.code.starts_with(start))
+            .filter(|entry| entry.code.as_str().starts_with(start))
         {
             let (title, meaning) = (escaped(entry.title), escaped(entry.meaning));
             page += &format!("\n### {}: {title}\n\n{meaning}\n", entry.code);
-            if let Some(advice) = words::advice(entry.code) {
-                page += &format!("\n*Remedy:* {}\n", escaped(&advice));
-            }
+            let advice = words::advice(entry.code);
+            page += &format!("\n*Remedy:* {}\n", escaped(&advice));
         }
     }
     print_text(common, &page)

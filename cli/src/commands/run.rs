@@ -1,5 +1,6 @@
 //! `asperity run`: runs a case.
 
+use asperity_core::Code;
 use std::path::{Path, PathBuf};
 
 use asperity::Error;
@@ -116,7 +117,7 @@ fn fields(args: &RunArgs) -> Result<Fields, Failure> {
     match numbers.collect::<Result<Vec<usize>, _>>() {
         Ok(numbers) if !numbers.contains(&0) => Ok(Fields::Positions(numbers)),
         _ => Err(Failure::new(
-            "E209",
+            Code::E209,
             format!("--fields {text}: must be all, or numbers of positions, e.g. 1,5"),
         )),
     }

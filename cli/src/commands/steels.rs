@@ -1,7 +1,8 @@
 //! `asperity steels`: the steels of the library.
 
+use asperity_core::Fault;
 use asperity_core::presets::SteelPreset;
-use asperity_report::library::{LibraryError, listed_steel, steels_named, strength};
+use asperity_report::library::{listed_steel, steels_named, strength};
 use asperity_report::wrapped;
 
 use super::presets::{LETTERS, figures, least, print_listed};
@@ -32,7 +33,7 @@ fn table(steels: &[SteelPreset]) -> Result<String, Failure> {
             steel.name,
             steel.young.value.si() / 1e9,
             steel.poisson.value,
-            vickers.map_err(LibraryError::from)?,
+            vickers.map_err(Fault::internal)?,
             limit.map_or("density".to_owned(), |limit| format!("{limit:.0}")),
             least(&steel.rows()),
             steel.treatment,

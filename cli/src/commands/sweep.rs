@@ -1,5 +1,6 @@
 //! `asperity sweep`: many cases, in shards.
 
+use asperity_core::Code;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -89,7 +90,7 @@ fn text_of_plan(plan: &Plan) -> String {
 }
 
 /// Line about the cases that cannot be resolved, by error code.
-fn line_of((code, refused): (&String, &Refused)) -> String {
+fn line_of((code, refused): (&Code, &Refused)) -> String {
     let Refused {
         count,
         first,
@@ -101,7 +102,7 @@ fn line_of((code, refused): (&String, &Refused)) -> String {
 fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let shard: Shard = args.shard.parse().map_err(|message: &str| {
-        Failure::new("E209", format!("--shard {}: {message}", args.shard))
+        Failure::new(Code::E209, format!("--shard {}: {message}", args.shard))
     })?;
     let study = load(&args.sweep)?;
     let folder = parts(&args.sweep, &study);
@@ -122,7 +123,7 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
                     true => format!("{checked} checked"),
                     false => of.to_string(),
                 };
-                let warning = Warning::new("W430", format!("{count} of {cases} {rows}"));
+                let warning = Warning::new(Code::W430, format!("{count} of {cases} {rows}"));
                 progress.note(&format!("{warning}\n{}", lines.trim_end()));
             }
         }
@@ -157,7 +158,7 @@ fn interrupted(status: &Status, folder: &Path) -> Failure {
         status.cases,
         shown(folder)
     );
-    Failure::new("E502", message).advising("The same command runs the other cases.")
+    Failure::new(Code::E502, message).advising("The same command runs the other cases.")
 }
 
 /// Error if all `cases` have an error code; `failed` is their number by code. The result is already on standard output.
@@ -213,7 +214,7 @@ fn status(args: &SweepArgs, common: &Common) -> Result<(), Failure> {
         "{missing} of {} cases are in no part: {}",
         status.cases, status.missing
     );
-    Err(already_shown(Failure::new("E309", message), common))
+    Err(already_shown(Failure::new(Code::E309, message), common))
 }
 
 fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {

@@ -2,6 +2,7 @@
 
 use asperity::case::LoadedCase;
 use asperity::pipeline::KeptFields;
+use asperity_core::Code;
 use asperity_studies::estimate::{Estimate, estimate};
 
 use crate::args::WorkArgs;
@@ -29,7 +30,7 @@ fn check(limits: &WorkArgs, estimate: &Estimate, runs: usize) -> Result<(), Fail
     let contacts = estimate.contacts * runs;
     let refused = |much: String, option: &str, limit: f64, least: f64| {
         Err(Failure::new(
-            "E209",
+            Code::E209,
             format!(
                 "{contacts} rough contacts take about {much} (limit {limit}); reduce model.positions or \
                  model.offsets, or pass {option} {:.0}",

@@ -33,7 +33,7 @@ fn with_keys(keys: &'static [(&str, &str)]) -> LoadedCase {
 }
 
 fn codes(found: &[Warning]) -> BTreeSet<&str> {
-    found.iter().map(|warning| warning.code.as_ref()).collect()
+    found.iter().map(|warning| warning.code.as_str()).collect()
 }
 
 #[test]

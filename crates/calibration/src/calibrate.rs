@@ -1,5 +1,8 @@
 //! The steps of a calibration.
 
+use crate::error;
+use asperity_core::Code;
+use asperity_core::Fault;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::CalibratedName;
@@ -10,7 +13,6 @@ use nalgebra::DVector;
 use crate::birge::Scatter;
 use crate::block::block;
 use crate::bootstrap::{bootstrap, middle_95};
-use crate::error::CalibrationError;
 use crate::fit::Fit;
 use crate::identifiability::verdict;
 use crate::information::correlations;
@@ -64,7 +66,7 @@ pub fn calibrate(
     cases: &[RigCase],
     held: &[CalibratedName],
     watch: &Watch<'_>,
-) -> Result<Calibration, CalibrationError> {
+) -> Result<Calibration, Fault> {
     let done = AtomicUsize::new(0);
     let estimated_total = AtomicUsize::new(0);
     let progress = |_: usize| {
@@ -105,7 +107,7 @@ fn report(
     identifiability: Identifiability,
     text: &str,
     evaluations: usize,
-) -> Result<Calibration, CalibrationError> {
+) -> Result<Calibration, Fault> {
     let samples = samples(rig, fit);
     let parameters = rig.fitted(fit, &identifiability, &samples)?;
     let n = rig.parameters.len();
@@ -202,14 +204,10 @@ impl Rig {
     ///
     /// # Errors
     /// When there are fewer than three rows more than parameters.
-    pub fn check_freedom(&self) -> Result<(), CalibrationError> {
+    pub fn check_freedom(&self) -> Result<(), Fault> {
         let [rows, parameters] = [self.table.rows.len(), self.parameters.len()];
         match rows < parameters + Scatter::LEAST_FREEDOM {
-            true => Err(CalibrationError::FewRows {
-                file: self.table.name.clone(),
-                rows,
-                parameters,
-            }),
+            true => Err(error::few_rows(&self.table.name, rows, parameters)),
             false => Ok(()),
         }
     }
@@ -218,7 +216,7 @@ impl Rig {
     ///
     /// # Errors
     /// Names the five rows with the largest residuals.
-    pub fn check_scatter(&self, fit: &Fit) -> Result<(), CalibrationError> {
+    pub fn check_scatter(&self, fit: &Fit) -> Result<(), Fault> {
         /// Rows named.
         const NAMED: usize = 5;
         let ratio = fit.scatter().ratio();
@@ -230,11 +228,7 @@ impl Rig {
         let mut largest: Vec<(usize, f64)> = lines.zip(residuals).collect();
         largest.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
         largest.truncate(NAMED);
-        Err(CalibrationError::Unexplained {
-            file: self.table.name.clone(),
-            ratio,
-            largest,
-        })
+        Err(error::unexplained(&self.table.name, ratio, &largest))
     }
 
     /// The parameters of a fit with their bands; `samples` are the bootstrap estimates.
@@ -246,10 +240,10 @@ impl Rig {
         fit: &Fit,
         identifiability: &Identifiability,
         samples: &[Vec<f64>],
-    ) -> Result<Vec<FittedParameter>, CalibrationError> {
+    ) -> Result<Vec<FittedParameter>, Fault> {
         let assemblies = self.table.assemblies().len();
         let widening = fit.scatter().widening();
-        let one = |k: usize| -> Result<FittedParameter, CalibrationError> {
+        let one = |k: usize| -> Result<FittedParameter, Fault> {
             let parameter = &self.parameters[k];
             let value = |logarithm: f64| parameter.centre * logarithm.exp();
             let profile = fit.band(k)?;
@@ -291,7 +285,7 @@ impl Rig {
 }
 
 /// Largest difference between the response surfaces and the model at the fit, in logarithms and in standard deviations.
-fn surface_error(rig: &Rig, fit: &Fit) -> Result<(f64, f64), CalibrationError> {
+fn surface_error(rig: &Rig, fit: &Fit) -> Result<(f64, f64), Fault> {
     let n = rig.parameters.len();
     let mut setting: Vec<f64> = fit.minimum.x.iter().take(n).copied().collect();
     setting.push(TEMPERATURE * fit.minimum.x[n]);
@@ -396,22 +390,22 @@ fn warnings(rig: &Rig, fit: &Fit, residuals: &[f64]) -> Vec<Warning> {
     let mut warnings = Vec::new();
     if !fit.is_settled {
         let text = "the optimum lies far outside the usual ranges of the parameters and was not reached; check case, scope and units";
-        warnings.push(Warning::new("W419", text));
+        warnings.push(Warning::new(Code::W419, text));
     }
     if let Some(drift) = drift(rig, residuals) {
         warnings.push(Warning::new(
-            "W419",
+            Code::W419,
             format!("the residuals drift with the order of measurement (correlation {drift:+.2})"),
         ));
     }
     if rig.has_gearbox {
         let text = "the gearbox of the case is ignored: the column includes states the scope of the measured losses";
-        warnings.push(Warning::new("W431", text));
+        warnings.push(Warning::new(Code::W431, text));
     }
     let assemblies = rig.table.assemblies().len();
     if assemblies < 3 {
         warnings.push(Warning::new(
-            "W420",
+            Code::W420,
             format!(
                 "{assemblies} {}: too few for a bootstrap; the scatter of assemblies is the prior, {:.0} %",
                 if assemblies == 1 { "assembly" } else { "assemblies" },
@@ -425,7 +419,7 @@ fn warnings(rig: &Rig, fit: &Fit, residuals: &[f64]) -> Vec<Warning> {
             "{repeated} of {} rows repeat an earlier row in every cell and count as measurements of their own; leave copies out, and number measurements that were repeated in the column run",
             rig.table.rows.len()
         );
-        warnings.push(Warning::new("W420", text));
+        warnings.push(Warning::new(Code::W420, text));
     }
     let mut states: Vec<&str> = rig
         .table
@@ -437,7 +431,7 @@ fn warnings(rig: &Rig, fit: &Fit, residuals: &[f64]) -> Vec<Warning> {
     states.dedup();
     if states.len() > 1 {
         warnings.push(Warning::new(
-            "W420",
+            Code::W420,
             format!(
                 "several flank states in one fit ({}), but the traces are of one state",
                 states.join(", ")

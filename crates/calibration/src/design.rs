@@ -1,15 +1,17 @@
 //! Optimal design of a calibration within the limits of a rig.
 
+use crate::error;
 use asperity::case::CalibratedName;
 use asperity::message::Warning;
 use asperity::{Case, LoadedCase};
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::numerics::Z_975;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
 use crate::birge::Scatter;
-use crate::error::CalibrationError;
-use crate::identifiability::{check_share, lambda_star_range, rounded};
+use crate::identifiability::{lambda_star_range, missing_for_share, rounded};
 use crate::information::{covariance, deviation_without_prior, information};
 use crate::optimal_design::d_optimal;
 use crate::parameters::Parameter;
@@ -146,7 +148,7 @@ pub fn plan(
     limits: &Limits,
     held: &[CalibratedName],
     progress: Progress<'_>,
-) -> Result<Design, CalibrationError> {
+) -> Result<Design, Fault> {
     let count = points_per_assembly(limits)?;
     let mut fitted = parameters(case, held)?;
     let operating_points = grid(limits);
@@ -162,28 +164,26 @@ pub fn plan(
         .map(|(point, parts)| (point.at, parts.lambda_star))
         .collect();
     let mut warnings = Vec::new();
-    match check_share(&case.case.title, &fitted, &lambda_stars) {
-        Err(CalibrationError::Share { missing, .. }) => {
-            let held = [held, &[CalibratedName::BoundaryLayer]].concat();
-            fitted = parameters(case, &held)?;
-            warnings.push(Warning::new(
-                "W436",
-                format!(
-                    "the boundary layer is held, because points within these limits do not identify it: {}; hold it in the calibration too, or state the largest torque and speed and the temperatures of the rig if it reaches further",
-                    missing.join("; ")
-                ),
-            ));
-        }
-        other => other?,
+    let missing = missing_for_share(&fitted, &lambda_stars);
+    if !missing.is_empty() {
+        let held = [held, &[CalibratedName::BoundaryLayer]].concat();
+        fitted = parameters(case, &held)?;
+        warnings.push(Warning::new(
+            Code::W436,
+            format!(
+                "the boundary layer is held, because points within these limits do not identify it: {}; hold it in the calibration too, or state the largest torque and speed and the temperatures of the rig if it reaches further",
+                missing.join("; ")
+            ),
+        ));
     }
     let parameters = fitted;
     let rows = count * limits.assemblies;
     if rows < parameters.len() + Scatter::LEAST_FREEDOM {
-        return Err(CalibrationError::Limit {
-            name: "points",
-            value: rows as f64,
-            rule: "are too few to confirm the errors; give more hours or fewer minutes per point",
-        });
+        return Err(error::limit(
+            "points",
+            rows as f64,
+            "are too few to confirm the errors; give more hours or fewer minutes per point",
+        ));
     }
     let model = model.with_parameters(&parameters);
     let region = slope_region(&parameters);
@@ -244,8 +244,8 @@ pub fn plan(
 }
 
 /// Number of points per assembly in the measuring time.
-fn points_per_assembly(limits: &Limits) -> Result<usize, CalibrationError> {
-    let refuse = |name, value, rule| Err(CalibrationError::Limit { name, value, rule });
+fn points_per_assembly(limits: &Limits) -> Result<usize, Fault> {
+    let refuse = |name, value, rule| Err(error::limit(name, value, rule));
     for (name, value) in [
         ("hours", limits.hours),
         ("minutes of a point", limits.minutes_per_point),
@@ -393,11 +393,7 @@ fn expected(
 ///
 /// # Errors
 /// When the model has no solution at a point.
-pub fn simulated(
-    case: &LoadedCase,
-    design: &Design,
-    seed: u64,
-) -> Result<Vec<f64>, CalibrationError> {
+pub fn simulated(case: &LoadedCase, design: &Design, seed: u64) -> Result<Vec<f64>, Fault> {
     let at = |point: &DesignPoint| [point.torque_nm, point.speed_rpm, point.temperature_c];
     let operating_points: Vec<OperatingPoint> = design
         .points

@@ -1,145 +1,102 @@
-//! Errors of a calibration, each with a code.
+//! Errors of a calibration or a design.
+
+use std::fmt::Display;
 
 use asperity::key_words::ended;
 use asperity::profile_io::read::ReadError;
+use asperity_core::{Code, Fault};
 use asperity_core::{decimals, number};
 use asperity_table::{Ragged, RowFault};
 
-/// Error of a calibration or a design.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum CalibrationError {
-    /// A row of the table has another number of cells than its header.
-    #[error("{file}: {source}")]
-    Ragged {
-        /// Name of the table.
-        file: String,
-        /// Its line and numbers.
-        source: Ragged,
-    },
-    /// The table cannot be opened, or is not text.
-    #[error("{}", ended(&.0.to_string(), &.0.remedy().to_string()))]
-    Open(ReadError),
-    /// A column is missing, or has another unit.
-    #[error("{file}:1: {rule}")]
-    Column {
-        /// Name of the table.
-        file: String,
-        /// The column and the rule that it violates.
-        rule: String,
-    },
-    /// Rows are not valid.
-    #[error("{}", listed_faults(file, faults))]
-    Rows {
-        /// Name of the table.
-        file: String,
-        /// The rows.
-        faults: Vec<RowFault>,
-    },
-    /// A row names no case, and none is given for the table.
-    #[error("{file}: names no case; give one for the table, or a column case")]
-    NoCase {
-        /// Name of the table.
-        file: String,
-    },
-    /// Rows deviate from the fit by more than ten standard deviations.
-    #[error("{}", listed_outliers(file, outliers, *rows))]
-    Outliers {
-        /// Name of the table.
-        file: String,
-        /// Line of each, and its residual in standard deviations.
-        outliers: Vec<(usize, f64)>,
-        /// Rows of the table.
-        rows: usize,
-    },
-    /// The residuals are more than three times the stated errors.
-    #[error(
-        "{file}: the model does not explain these points within 3 times your errors: the residuals are {ratio} times sigma_w; largest: {}",
-        listed_residuals(file, largest), ratio = decimals(*ratio, 1))]
-    Unexplained {
-        /// Name of the table.
-        file: String,
-        /// Birge ratio.
-        ratio: f64,
-        /// Lines with the largest residuals, in standard deviations.
-        largest: Vec<(usize, f64)>,
-    },
-    /// Too few measurements to confirm their stated errors.
-    #[error(
-        "{file}: {rows} rows for {parameters} parameters; {} or more are required to confirm the stated errors",
-        parameters + crate::birge::Scatter::LEAST_FREEDOM
-    )]
-    FewRows {
-        /// Name of the table.
-        file: String,
-        /// Its rows.
-        rows: usize,
-        /// Fitted parameters.
-        parameters: usize,
-    },
-    /// The measurements do not identify the boundary layer, which determines the share of boundary friction.
-    #[error("{file}: these {points} points do not identify the boundary layer (its share of the load): {}", missing.join("; "))]
-    Share {
-        /// Name of the table, or of the case of a design.
-        file: String,
-        /// Distinct operating points.
-        points: usize,
-        /// The missing ranges, each with the available one.
-        missing: Vec<String>,
-    },
-    /// The loss depends on none of the parameters.
-    #[error(
-        "{case}: no parameter to calibrate acts on the loss; the corrected formulation with film_friction = \"eyring\" and load_share = \"solved\" has four"
-    )]
-    NoParameter {
-        /// Name of the case.
-        case: String,
-    },
-    /// A limit of the rig leaves no candidates.
-    #[error("{name} = {value}: {rule}", value = number(*value))]
-    Limit {
-        /// The limit.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-        /// Rule.
-        rule: &'static str,
-    },
-    /// The case is not valid, or the model has no solution at a point.
-    #[error("{place}: {source}")]
-    Model {
-        /// The row or point.
-        place: String,
-        /// Cause.
-        source: Box<asperity::Error>,
-    },
-    /// A least squares fit did not converge.
-    #[error("the fit did not converge: {reason}")]
-    NotConverged {
-        /// Termination reason of the method.
-        reason: String,
-    },
+/// A row of the table has another number of cells than its header.
+pub(crate) fn ragged(file: impl Display, source: Ragged) -> Fault {
+    Fault::new(Code::E134, format!("{file}: {source}"))
 }
 
-impl CalibrationError {
-    /// Stable code of the message.
-    #[must_use]
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Ragged { .. } | Self::Column { .. } | Self::Rows { .. } | Self::NoCase { .. } => {
-                "E134"
-            }
-            Self::Open(error) => error.code(),
-            Self::Outliers { .. } => "E135",
-            Self::Share { .. } => "E310",
-            Self::Unexplained { .. } => "E315",
-            Self::FewRows { .. } => "E316",
-            Self::NoParameter { .. } => "E205",
-            Self::Limit { .. } => "E209",
-            Self::Model { source, .. } => source.code(),
-            Self::NotConverged { .. } => "E501",
-        }
-    }
+/// The table cannot be opened, or is not text.
+pub fn open(what: ReadError) -> Fault {
+    let remedy = what.remedy().to_string();
+    Fault::new(what.code(), ended(&what.to_string(), &remedy))
+}
+
+/// A column is missing, or has another unit.
+pub(crate) fn column(file: impl Display, rule: impl Display) -> Fault {
+    Fault::new(Code::E134, format!("{file}:1: {rule}"))
+}
+
+/// Rows are not valid.
+pub(crate) fn rows(file: &str, faults: &[RowFault]) -> Fault {
+    Fault::new(Code::E134, listed_faults(file, faults))
+}
+
+/// A row names no case, and none is given for the table.
+pub fn no_case(file: impl Display) -> Fault {
+    Fault::new(
+        Code::E134,
+        format!("{file}: names no case; give one for the table, or a column case"),
+    )
+}
+
+/// Rows deviate from the fit by more than ten standard deviations.
+pub(crate) fn outliers(file: &str, outliers: &[(usize, f64)], rows: usize) -> Fault {
+    Fault::new(Code::E135, listed_outliers(file, outliers, rows))
+}
+
+/// The residuals are more than three times the stated errors.
+pub(crate) fn unexplained(file: &str, ratio: f64, largest: &[(usize, f64)]) -> Fault {
+    Fault::new(
+        Code::E315,
+        format!(
+            "{file}: the model does not explain these points within 3 times your errors: the residuals are {ratio} times sigma_w; largest: {}",
+            listed_residuals(file, largest),
+            ratio = decimals(ratio, 1)
+        ),
+    )
+}
+
+/// Too few measurements to confirm their stated errors.
+pub(crate) fn few_rows(file: impl Display, rows: usize, parameters: usize) -> Fault {
+    Fault::new(
+        Code::E316,
+        format!(
+            "{file}: {rows} rows for {parameters} parameters; {} or more are required to confirm the stated errors",
+            parameters + crate::birge::Scatter::LEAST_FREEDOM
+        ),
+    )
+}
+
+/// The measurements do not identify the boundary layer, which determines the share of boundary friction.
+pub(crate) fn share(file: impl Display, points: usize, missing: &[String]) -> Fault {
+    Fault::new(
+        Code::E310,
+        format!(
+            "{file}: these {points} points do not identify the boundary layer (its share of the load): {}",
+            missing.join("; ")
+        ),
+    )
+}
+
+/// The loss depends on none of the parameters.
+pub(crate) fn no_parameter(case: impl Display) -> Fault {
+    Fault::new(
+        Code::E205,
+        format!(
+            "{case}: no parameter to calibrate acts on the loss; the corrected formulation with film_friction = \"eyring\" and load_share = \"solved\" has four"
+        ),
+    )
+}
+
+/// A limit of the rig leaves no candidates.
+pub(crate) fn limit(name: &'static str, value: f64, rule: &'static str) -> Fault {
+    Fault::new(
+        Code::E209,
+        format!("{name} = {value}: {rule}", value = number(value)),
+    )
+}
+
+/// A least squares fit did not converge.
+pub(crate) fn not_converged(reason: impl Display) -> Fault {
+    Fault::new(Code::E501, format!("the fit did not converge: {reason}"))
 }
 
 /// Rows listed in a message; the others are counted.

@@ -1,5 +1,6 @@
 //! Measurements that would narrow the interval of the loss of a case, with the interval that each is expected to leave.
 
+use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -11,14 +12,13 @@ use asperity::train::{self, Outcomes};
 use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_band};
 use asperity::{Contacts, LoadedCase};
 use asperity_report::html::page;
-use asperity_report::{ReportError, StudyResult, tables, wrapped};
+use asperity_report::{StudyResult, tables, wrapped};
 use maud::html;
 use serde::{Deserialize, Serialize};
 
-use crate::error::CalibrationError;
 use crate::oil::fit::PointErrors;
 use crate::oil::problem::Zero;
-use crate::oil::{ConstantsOf, Machine, OilBase, OilError, PlanSettings, left_of_loss};
+use crate::oil::{ConstantsOf, Machine, OilBase, PlanSettings, left_of_loss};
 
 /// Standard deviation of the logarithm of a boundary friction measured on a traction machine: its transfer to gears.
 const TRANSFER: f64 = 0.10;
@@ -103,16 +103,11 @@ impl EvidenceTable {
     ///
     /// # Errors
     /// When the case has no loss or no interval.
-    pub fn of(train: &Train, efforts: &[Effort]) -> Result<Option<Self>, OilError> {
+    pub fn of(train: &Train, efforts: &[Effort]) -> Result<Option<Self>, Fault> {
         if !train.meshes().all(|mesh| has_band(&mesh.case)) {
             return Ok(None);
         }
-        let named = |source: asperity::Error| {
-            OilError::Fit(CalibrationError::Model {
-                place: train.title.clone(),
-                source: Box::new(source),
-            })
-        };
+        let named = |source: asperity::Error| Fault::from(source).about(&train.title);
         let outcome =
             train::run(train, Some(&KeptFields::Highest), true, &|_, _| {}).map_err(named)?;
         let (Some(loss), Some((rows, no_curves))) =
@@ -153,7 +148,7 @@ pub fn execute(
 }
 
 /// Rows of a run, and why none is of traction curves; `None` without draws.
-fn rows_of(outcome: &Outcomes, efforts: &[Effort]) -> Result<Option<Rows>, OilError> {
+fn rows_of(outcome: &Outcomes, efforts: &[Effort]) -> Result<Option<Rows>, Fault> {
     let Some(drawn) = &outcome.drawn else {
         return Ok(None);
     };
@@ -179,7 +174,7 @@ fn rows(
     drawn: &[MeshDraws<'_>],
     loss: Quantiles,
     efforts: &[Effort],
-) -> Result<Rows, OilError> {
+) -> Result<Rows, Fault> {
     let mut no_curves = None;
     let mut of_meshes = Vec::with_capacity(meshes.len());
     for mesh in meshes {
@@ -283,7 +278,7 @@ fn of_case(case: &LoadedCase) -> Vec<Known> {
 }
 
 /// Measurements of the film friction of `oil`.
-fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<Vec<Known>, OilError> {
+fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<Vec<Known>, Fault> {
     let settings = PlanSettings {
         machine: Machine::USUAL,
         is_wide: false,
@@ -389,7 +384,7 @@ impl StudyResult for EvidenceTable {
         )
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         tables::write(&folder.join(TABLE), self.rows.iter())
     }
 }

@@ -1,5 +1,7 @@
 //! Rig table and its cases from files.
 
+use crate::error;
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::LoadedCase;
@@ -7,7 +9,6 @@ use asperity::case::CalibratedName;
 use asperity::profile_io::read::read_table;
 
 use crate::calibrate::{Watch, calibrate};
-use crate::error::CalibrationError;
 use crate::result::Calibration;
 use crate::rig::RigCase;
 use crate::rig_table::RigTable;
@@ -31,7 +32,7 @@ impl RigFiles {
     ///
     /// # Errors
     /// When a file cannot be read.
-    pub fn read<E: From<CalibrationError>>(
+    pub fn read<E: From<Fault>>(
         rig: &Path,
         case: Option<&Path>,
         load: impl Fn(&Path) -> Result<LoadedCase, E>,
@@ -40,7 +41,7 @@ impl RigFiles {
         let named = |name: Option<&str>| match (name, case) {
             (Some(name), _) => load(&rig.parent().unwrap_or(Path::new(".")).join(name)),
             (None, Some(path)) => load(path),
-            (None, None) => Err(CalibrationError::NoCase { file: file.clone() }.into()),
+            (None, None) => Err(error::no_case(&file).into()),
         };
         Self::of_text(&file, table_text(rig)?, named)
     }
@@ -50,7 +51,7 @@ impl RigFiles {
     ///
     /// # Errors
     /// When the table is not valid, or `case` fails.
-    pub fn of_text<E: From<CalibrationError>>(
+    pub fn of_text<E: From<Fault>>(
         name: &str,
         text: String,
         case: impl Fn(Option<&str>) -> Result<LoadedCase, E>,
@@ -72,7 +73,7 @@ impl RigFiles {
         self,
         held: &[CalibratedName],
         watch: &Watch<'_>,
-    ) -> Result<Calibration, CalibrationError> {
+    ) -> Result<Calibration, Fault> {
         calibrate(self.table, &self.text, &self.cases, held, watch)
     }
 }
@@ -81,6 +82,6 @@ impl RigFiles {
 ///
 /// # Errors
 /// When it cannot be read, is larger than 10 MB or is not text.
-pub fn table_text(file: &Path) -> Result<String, CalibrationError> {
-    read_table(file, LARGEST_TABLE).map_err(CalibrationError::Open)
+pub fn table_text(file: &Path) -> Result<String, Fault> {
+    read_table(file, LARGEST_TABLE).map_err(error::open)
 }

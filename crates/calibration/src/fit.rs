@@ -1,11 +1,12 @@
 //! The fit: in stages, then of all parameters, on response surfaces that are recomputed about the optimum until it is
 //! stationary.
 
+use crate::error;
 use asperity::case::CalibratedName;
+use asperity_core::Fault;
 use nalgebra::{DMatrix, DVector};
 
 use crate::birge::Scatter;
-use crate::error::CalibrationError;
 use crate::information::{covariance, information};
 use crate::least_squares::{Minimum, minimum};
 use crate::parameters::TEMPERATURE;
@@ -73,7 +74,7 @@ impl Fit {
     ///
     /// # Errors
     /// When the fit of the other variables does not converge.
-    pub fn rise(&self, k: usize, value: f64) -> Result<f64, CalibrationError> {
+    pub fn rise(&self, k: usize, value: f64) -> Result<f64, Fault> {
         let problem = self.problem();
         let free: Vec<usize> = (0..problem.variables()).filter(|j| *j != k).collect();
         let mut start = self.minimum.x.clone();
@@ -91,7 +92,7 @@ impl Fit {
     ///
     /// # Errors
     /// When a fit of the profile does not converge.
-    pub fn band(&self, k: usize) -> Result<ProfileBand, CalibrationError> {
+    pub fn band(&self, k: usize) -> Result<ProfileBand, Fault> {
         let quantile = self.scatter().quantile();
         profile_band(self.minimum.x[k], self.deviation(k), quantile, |value| {
             self.rise(k, value)
@@ -109,7 +110,7 @@ impl Rig {
         observations: Vec<Observation>,
         first: (Region, Vec<PointSurfaces>),
         progress: Progress<'_>,
-    ) -> Result<Fit, CalibrationError> {
+    ) -> Result<Fit, Fault> {
         /// Largest number of rounds.
         const MOST_ROUNDS: usize = 8;
         let priors = self.priors();
@@ -154,10 +155,7 @@ impl Rig {
 
     /// Start of the fit, in stages: film traction from points without asperity contact, boundary friction from points
     /// where it dominates, the boundary layer from all points.
-    fn staged(
-        &self,
-        problem: &Problem<'_>,
-    ) -> Result<(DVector<f64>, Vec<StageRow>), CalibrationError> {
+    fn staged(&self, problem: &Problem<'_>) -> Result<(DVector<f64>, Vec<StageRow>), Fault> {
         use CalibratedName::{BoundaryFriction, BoundaryLayer, EyringStress, LimitingShear};
         let share = |observation: &Observation| self.nominal[observation.point].boundary_share;
         let most = problem.observations.iter().map(share).fold(0.0, f64::max);
@@ -209,16 +207,10 @@ impl Rig {
 }
 
 /// Covariance at a minimum, priors included.
-pub(crate) fn spread(
-    problem: &Problem<'_>,
-    minimum: &Minimum,
-) -> Result<DMatrix<f64>, CalibrationError> {
+pub(crate) fn spread(problem: &Problem<'_>, minimum: &Minimum) -> Result<DMatrix<f64>, Fault> {
     // Every variable has a prior, so only round-off can make the information singular.
-    covariance(&information(&problem.slopes(&minimum.x))).ok_or_else(|| {
-        CalibrationError::NotConverged {
-            reason: "the information of the fit is singular".to_owned(),
-        }
-    })
+    covariance(&information(&problem.slopes(&minimum.x)))
+        .ok_or_else(|| error::not_converged("the information of the fit is singular"))
 }
 
 /// The coordinates of the surfaces at `x`, the parameters and the temperature offset, with their standard deviations.

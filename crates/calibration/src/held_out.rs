@@ -1,12 +1,12 @@
 //! Cross-validation: every temperature predicted from the others.
 
-use crate::error::CalibrationError;
 use crate::fit::{Fit, spread};
 use crate::identifiability::temperatures;
 use crate::least_squares::minimum;
 use crate::problem::Observation;
 use crate::result::HeldOut;
 use crate::rig::Rig;
+use asperity_core::Fault;
 
 impl Rig {
     /// Fits the measurements of all temperatures except one and predicts that one, for each of three or more
@@ -14,7 +14,7 @@ impl Rig {
     ///
     /// # Errors
     /// When a fit does not converge.
-    pub fn held_out(&self, fit: &Fit) -> Result<Vec<HeldOut>, CalibrationError> {
+    pub fn held_out(&self, fit: &Fit) -> Result<Vec<HeldOut>, Fault> {
         let groups = temperatures(self.operating_points.iter().map(|point| point.at[2]));
         if groups.len() < 3 {
             return Ok(Vec::new());
@@ -27,7 +27,7 @@ impl Rig {
         let problem = fit.problem();
         let widening = fit.scatter().widening();
         let all: Vec<usize> = (0..problem.variables()).collect();
-        let one = |k: usize| -> Result<HeldOut, CalibrationError> {
+        let one = |k: usize| -> Result<HeldOut, Fault> {
             let (held, fitted): (Vec<Observation>, Vec<Observation>) = problem
                 .observations
                 .iter()

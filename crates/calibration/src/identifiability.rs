@@ -1,10 +1,11 @@
 //! Identifiability of the parameters by the points of a rig, and the most useful further measurements, before the fit.
 
+use crate::error;
 use asperity::case::CalibratedName;
+use asperity_core::Fault;
 use asperity_core::numerics::{median, range};
 use nalgebra::{DMatrix, DVector};
 
-use crate::error::CalibrationError;
 use crate::information::{
     correlations, covariance, deviation_without_prior, information, variances_after,
 };
@@ -42,8 +43,7 @@ pub fn temperatures(all: impl Iterator<Item = f64>) -> Vec<f64> {
         .collect()
 }
 
-/// Rejects a fit of the boundary layer, which determines the boundary share, if the points do not identify it: one
-/// temperature, few points, or speeds without Λ* below 0.3 and above 1.5.
+/// Rejects a fit of the boundary layer if [`missing_for_share`] lists anything.
 ///
 /// # Errors
 /// Lists all missing conditions.
@@ -51,12 +51,25 @@ pub fn check_share(
     name: &str,
     parameters: &[Parameter],
     points: &[([f64; 3], Option<f64>)],
-) -> Result<(), CalibrationError> {
+) -> Result<(), Fault> {
+    let missing = missing_for_share(parameters, points);
+    match missing.is_empty() {
+        true => Ok(()),
+        false => Err(error::share(name, points.len(), &missing)),
+    }
+}
+
+/// Conditions under which points identify the boundary layer, which determines the boundary share, and that these do not
+/// meet: several temperatures, enough points, and speeds with Λ* below 0.3 and above 1.5; none if it is not fitted.
+pub fn missing_for_share(
+    parameters: &[Parameter],
+    points: &[([f64; 3], Option<f64>)],
+) -> Vec<String> {
     let is_fitted = parameters
         .iter()
         .any(|parameter| parameter.name == CalibratedName::BoundaryLayer);
     if !is_fitted {
-        return Ok(());
+        return Vec::new();
     }
     let mut missing = Vec::new();
     if points.len() < FEWEST_POINTS {
@@ -87,14 +100,7 @@ pub fn check_share(
         )),
         Some(_) => {}
     }
-    if missing.is_empty() {
-        return Ok(());
-    }
-    Err(CalibrationError::Share {
-        file: name.to_owned(),
-        points: points.len(),
-        missing,
-    })
+    missing
 }
 
 /// Smallest and largest Λ*; `None` if one is not known.
@@ -109,7 +115,7 @@ impl Rig {
     ///
     /// # Errors
     /// Lists all missing conditions.
-    pub fn check_share(&self) -> Result<(), CalibrationError> {
+    pub fn check_share(&self) -> Result<(), Fault> {
         let points = self.operating_points.iter().zip(&self.nominal);
         let points: Vec<_> = points
             .map(|(point, parts)| (point.at, parts.lambda_star))
@@ -125,7 +131,7 @@ impl Rig {
         &self,
         problem: &Problem<'_>,
         progress: Progress<'_>,
-    ) -> Result<Identifiability, CalibrationError> {
+    ) -> Result<Identifiability, Fault> {
         let start = DVector::zeros(problem.variables());
         let whole = information(&problem.slopes(&start));
         let verdict = |k: usize, parameter: &Parameter| {
@@ -155,7 +161,7 @@ impl Rig {
         problem: &Problem<'_>,
         whole: &DMatrix<f64>,
         progress: Progress<'_>,
-    ) -> Result<Vec<HelpfulPoint>, CalibrationError> {
+    ) -> Result<Vec<HelpfulPoint>, Fault> {
         /// Number of points reported.
         const REPORTED: usize = 3;
         let candidates = self.candidates();

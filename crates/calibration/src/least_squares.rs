@@ -1,9 +1,9 @@
 //! Least squares by the method of Levenberg and Marquardt, over some or all variables.
 
+use crate::error;
+use asperity_core::Fault;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
-
-use crate::error::CalibrationError;
 
 /// Residuals as a function of the variables.
 pub trait Residuals {
@@ -74,7 +74,7 @@ pub fn minimum(
     residuals: &dyn Residuals,
     start: &DVector<f64>,
     free: &[usize],
-) -> Result<Minimum, CalibrationError> {
+) -> Result<Minimum, Fault> {
     minimum_within(TOLERANCE, residuals, start, free)
 }
 
@@ -87,7 +87,7 @@ pub fn minimum_within(
     residuals: &dyn Residuals,
     start: &DVector<f64>,
     free: &[usize],
-) -> Result<Minimum, CalibrationError> {
+) -> Result<Minimum, Fault> {
     let mut problem = Free {
         residuals,
         whole: start.clone(),
@@ -115,7 +115,7 @@ pub fn minimum_within(
     );
     if !report.termination.was_successful() && !is_at_round_off {
         let reason = format!("{:?}", report.termination);
-        return Err(CalibrationError::NotConverged { reason });
+        return Err(error::not_converged(reason));
     }
     Ok(Minimum {
         squares: 2.0 * report.objective_function,

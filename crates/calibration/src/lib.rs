@@ -21,7 +21,7 @@ mod block;
 pub mod bootstrap;
 mod calibrate;
 pub mod design;
-mod error;
+pub mod error;
 pub mod evidence;
 mod files;
 pub mod fit;
@@ -51,7 +51,6 @@ pub use asperity_table::RowFault;
 pub use block::block;
 pub use calibrate::{Watch, calibrate};
 pub use design::{Design, Limits, plan};
-pub use error::CalibrationError;
 pub use files::{RigFiles, table_text};
 pub use result::{
     Calibration, Evidence, FittedParameter, FittedPoint, HeldOut, HelpfulPoint, Identifiability,

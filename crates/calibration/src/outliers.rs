@@ -1,8 +1,9 @@
 //! Outliers: rows that no fit explains.
 
+use crate::error;
+use asperity_core::Fault;
 use nalgebra::DVector;
 
-use crate::error::CalibrationError;
 use crate::least_squares::minimum;
 use crate::problem::{Observation, Problem};
 use crate::rig::Rig;
@@ -18,7 +19,7 @@ impl Rig {
     ///
     /// # Errors
     /// When there are such rows, or a fit does not converge.
-    pub fn check_outliers(&self, problem: &Problem<'_>) -> Result<(), CalibrationError> {
+    pub fn check_outliers(&self, problem: &Problem<'_>) -> Result<(), Fault> {
         let mut rows: Vec<usize> = (0..problem.observations.len()).collect();
         let all: Vec<usize> = (0..problem.variables()).collect();
         let mut x = DVector::zeros(problem.variables());
@@ -44,11 +45,11 @@ impl Rig {
             .collect();
         match outliers.is_empty() {
             true => Ok(()),
-            false => Err(CalibrationError::Outliers {
-                file: self.table.name.clone(),
-                outliers,
-                rows: self.table.rows.len(),
-            }),
+            false => Err(error::outliers(
+                &self.table.name,
+                &outliers,
+                self.table.rows.len(),
+            )),
         }
     }
 }

@@ -1,11 +1,12 @@
 //! Rig table prepared for the fit: operating points, assemblies, and the model at the points.
 
+use crate::error;
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
+use asperity_core::Fault;
 
 use asperity_table::RowFault;
 
-use crate::error::CalibrationError;
 use crate::parameters::Parameter;
 use crate::problem::{Observation, PointSurfaces};
 use crate::response::Region;
@@ -53,18 +54,14 @@ impl Rig {
         cases: &[RigCase],
         held: &[CalibratedName],
         progress: Progress<'_>,
-    ) -> Result<Self, CalibrationError> {
-        let first = cases.first().ok_or_else(|| CalibrationError::NoCase {
-            file: table.name.clone(),
-        })?;
+    ) -> Result<Self, Fault> {
+        let first = cases.first().ok_or_else(|| error::no_case(&table.name))?;
         let parameters = parameters(&first.case, held)?;
         let mut operating_points: Vec<OperatingPoint> = Vec::new();
         let mut point_of = Vec::with_capacity(table.rows.len());
         for row in &table.rows {
             let case = cases.iter().position(|case| case.name == row.case);
-            let case = case.ok_or_else(|| CalibrationError::NoCase {
-                file: table.name.clone(),
-            })?;
+            let case = case.ok_or_else(|| error::no_case(&table.name))?;
             let point = OperatingPoint {
                 case,
                 at: [row.torque_nm, row.speed_rpm, row.temperature_c],
@@ -111,7 +108,7 @@ impl Rig {
     pub fn first_surfaces(
         &self,
         progress: Progress<'_>,
-    ) -> Result<(Region, Vec<PointSurfaces>), CalibrationError> {
+    ) -> Result<(Region, Vec<PointSurfaces>), Fault> {
         let region = first_region(&self.parameters);
         let made = surfaces(&self.model, &region, progress)?;
         Ok((region, made))
@@ -141,7 +138,7 @@ impl Rig {
     ///
     /// # Errors
     /// When there are such rows.
-    pub fn check_size(&self) -> Result<(), CalibrationError> {
+    pub fn check_size(&self) -> Result<(), Fault> {
         /// Ratio that no set of parameters reaches; the unit of the loss must be wrong.
         const FACTOR: f64 = 5.0;
         let rows = self.table.rows.iter().zip(&self.point_of);
@@ -163,10 +160,7 @@ impl Rig {
             .collect();
         match faults.is_empty() {
             true => Ok(()),
-            false => Err(CalibrationError::Rows {
-                file: self.table.name.clone(),
-                faults,
-            }),
+            false => Err(error::rows(&self.table.name, &faults)),
         }
     }
 }
@@ -175,22 +169,15 @@ impl Rig {
 ///
 /// # Errors
 /// When there is no such parameter.
-pub fn parameters(
-    case: &LoadedCase,
-    held: &[CalibratedName],
-) -> Result<Vec<Parameter>, CalibrationError> {
-    let of_case = Parameter::of(case).map_err(|error| CalibrationError::Model {
-        place: case.case.title.clone(),
-        source: Box::new(asperity::Error::Whole(Box::new(error))),
-    })?;
+pub fn parameters(case: &LoadedCase, held: &[CalibratedName]) -> Result<Vec<Parameter>, Fault> {
+    let of_case =
+        Parameter::of(case).map_err(|error| Fault::from(error).about(&case.case.title))?;
     let free: Vec<Parameter> = of_case
         .into_iter()
         .filter(|parameter| !held.contains(&parameter.name))
         .collect();
     match free.is_empty() {
-        true => Err(CalibrationError::NoParameter {
-            case: case.case.title.clone(),
-        }),
+        true => Err(error::no_parameter(&case.case.title)),
         false => Ok(free),
     }
 }

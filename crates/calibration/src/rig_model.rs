@@ -1,5 +1,6 @@
 //! The model at the points of a rig, with stored contacts.
 
+use asperity_core::Fault;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -11,7 +12,6 @@ use asperity_core::numerics::median;
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
 use rayon::prelude::*;
 
-use crate::error::CalibrationError;
 use crate::parameters::Parameter;
 
 /// Relative difference within which torques share one contact solution; the sliding loss is scaled with the torque.
@@ -78,7 +78,7 @@ impl RigModel {
         cases: &[LoadedCase],
         parameters: &[Parameter],
         points: &[OperatingPoint],
-    ) -> Result<Self, CalibrationError> {
+    ) -> Result<Self, Fault> {
         let nodes = torque_nodes(points);
         let groups = nodes.iter().map(|(case_number, torque)| {
             let changed = cases[*case_number].with(|input| {
@@ -96,7 +96,7 @@ impl RigModel {
                 torque: *torque,
             })
         });
-        let groups = groups.collect::<Result<Vec<Group>, CalibrationError>>()?;
+        let groups = groups.collect::<Result<Vec<Group>, Fault>>()?;
         Ok(Self {
             points: assign_contacts(&groups, points),
             groups: groups.into(),
@@ -139,9 +139,9 @@ impl RigModel {
         &self,
         settings: &[Vec<f64>],
         progress: Progress<'_>,
-    ) -> Result<Vec<Vec<PointLosses>>, CalibrationError> {
+    ) -> Result<Vec<Vec<PointLosses>>, Fault> {
         let count = settings.len();
-        let all: Vec<Result<PointLosses, CalibrationError>> = (0..self.points.len() * count)
+        let all: Vec<Result<PointLosses, Fault>> = (0..self.points.len() * count)
             .into_par_iter()
             .map(|k| {
                 let losses = self.at(&self.points[k / count], &settings[k % count]);
@@ -151,14 +151,14 @@ impl RigModel {
             .collect();
         let all = all
             .into_iter()
-            .collect::<Result<Vec<PointLosses>, CalibrationError>>()?;
+            .collect::<Result<Vec<PointLosses>, Fault>>()?;
         Ok(all
             .chunks(count.max(1))
             .map(<[PointLosses]>::to_vec)
             .collect())
     }
 
-    fn at(&self, place: &PointContacts, setting: &[f64]) -> Result<PointLosses, CalibrationError> {
+    fn at(&self, place: &PointContacts, setting: &[f64]) -> Result<PointLosses, Fault> {
         let group = &self.groups[place.group];
         let named = |source: asperity::Error| {
             let text = format!(
@@ -210,11 +210,8 @@ fn assign_contacts(groups: &[Group], points: &[OperatingPoint]) -> Vec<PointCont
     points.iter().map(place).collect()
 }
 
-fn at(place: &str, source: asperity::Error) -> CalibrationError {
-    CalibrationError::Model {
-        place: place.to_owned(),
-        source: Box::new(source),
-    }
+fn at(place: &str, source: asperity::Error) -> Fault {
+    Fault::from(source).about(place)
 }
 
 /// Cases and torques of the contacts that are solved; close torques are replaced by their mean.

@@ -13,13 +13,14 @@
 //!
 //! The header is not case-sensitive; other columns are ignored. Lines that begin with `#` are comments.
 
+use crate::error;
+use asperity_core::Fault;
 use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
 
 use asperity_table::{Row, RowFault, Table};
 
-use crate::error::CalibrationError;
 use crate::number_table;
 
 /// Scope of a measured loss.
@@ -178,9 +179,9 @@ impl RigTable {
     /// assert_eq!(RigTable::read("rig.csv", text)?.rows[0].torque_nm, 183.4);
     /// let without = "torque_nm,speed_rpm,temperature_c,loss_w,sigma_w,includes\n183.4,2166,90,310,,mesh\n";
     /// assert_eq!(RigTable::read("rig.csv", without).unwrap_err().code(), "E134");
-    /// # Ok::<(), asperity_calibration::CalibrationError>(())
+    /// # Ok::<(), asperity_calibration::Fault>(())
     /// ```
-    pub fn read(name: &str, text: &str) -> Result<Self, CalibrationError> {
+    pub fn read(name: &str, text: &str) -> Result<Self, Fault> {
         let table = number_table::read(name, text)?;
         check_columns(name, &table)?;
         let rows = number_table::all((name, &table), row)?;
@@ -246,11 +247,8 @@ impl RigTable {
 }
 
 /// Checks that the needed columns are there in their units.
-fn check_columns(file: &str, table: &Table) -> Result<(), CalibrationError> {
-    let refuse = |rule: String| CalibrationError::Column {
-        file: file.to_owned(),
-        rule,
-    };
+fn check_columns(file: &str, table: &Table) -> Result<(), Fault> {
+    let refuse = |rule: String| error::column(file, rule);
     for name in table.names() {
         let stem = STEMS.iter().find(|(stem, _)| name.starts_with(stem));
         if let (Some((_, column)), false) = (stem, KNOWN.contains(&name.as_str())) {

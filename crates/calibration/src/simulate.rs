@@ -1,10 +1,10 @@
 //! Simulated rigs: losses of the model with the errors of a rig. All files that hold them declare them as simulated.
 
+use asperity_core::Fault;
 use asperity_core::numerics::{median, standard_normal_quantile};
 use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
-use crate::error::CalibrationError;
 use crate::parameters::{ASSEMBLY, NO_LOAD, ROLLING, TEMPERATURE};
 use crate::rig_model::RigModel;
 
@@ -40,7 +40,7 @@ pub fn losses(
     measurements: &[Simulated],
     sigma: f64,
     seed: u64,
-) -> Result<Vec<f64>, CalibrationError> {
+) -> Result<Vec<f64>, Fault> {
     let mut normal = normals(seed);
     let assemblies = measurements
         .iter()

@@ -1,11 +1,11 @@
 //! Response surfaces of the model at the points of a rig.
 
-use crate::error::CalibrationError;
 use crate::parameters::Parameter;
 use crate::problem::PointSurfaces;
 use crate::response::{Region, Response};
 use crate::rig_model::{PointLosses, Progress, RigModel};
 use asperity::case::CalibratedName;
+use asperity_core::Fault;
 
 /// Half width of the first box along the logarithm of a parameter: about its range in a case.
 const fn first_half_width(name: CalibratedName) -> f64 {
@@ -53,7 +53,7 @@ pub fn surfaces(
     model: &RigModel,
     region: &Region,
     progress: Progress<'_>,
-) -> Result<Vec<PointSurfaces>, CalibrationError> {
+) -> Result<Vec<PointSurfaces>, Fault> {
     made(
         model,
         region,
@@ -71,7 +71,7 @@ pub fn tangents(
     model: &RigModel,
     region: &Region,
     progress: Progress<'_>,
-) -> Result<Vec<PointSurfaces>, CalibrationError> {
+) -> Result<Vec<PointSurfaces>, Fault> {
     made(
         model,
         region,
@@ -87,7 +87,7 @@ fn made(
     settings: &[Vec<f64>],
     through: fn(usize, &[f64]) -> Response,
     progress: Progress<'_>,
-) -> Result<Vec<PointSurfaces>, CalibrationError> {
+) -> Result<Vec<PointSurfaces>, Fault> {
     let axes = region.centre.len();
     let surface = |parts: &[PointLosses], of: fn(&PointLosses) -> f64| {
         let logarithms: Vec<f64> = parts.iter().map(|parts| of(parts).ln()).collect();

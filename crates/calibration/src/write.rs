@@ -1,10 +1,11 @@
 //! Folder of a calibration: `calibration.json`, `calibration.toml` (the block), `points.csv`, `calibration.html`. Folder of
 //! a design: `design.json`, `design.csv` to fill in, `design.html`, and on request `simulated.csv`.
 
+use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use asperity_report::{ReportError, StudyResult, tables, write_text};
+use asperity_report::{StudyResult, tables, write_text};
 
 use crate::design::Design;
 use crate::page;
@@ -28,7 +29,7 @@ impl StudyResult for Calibration {
         page::render(self)
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         write_text(&folder.join("calibration.toml"), &self.block)?;
         tables::write(&folder.join("points.csv"), self.points.iter())
     }
@@ -52,7 +53,7 @@ impl StudyResult for Design {
         page::render_design(self)
     }
 
-    fn write_tables(&self, simulated: Option<&[f64]>, folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, simulated: Option<&[f64]>, folder: &Path) -> Result<(), Fault> {
         write_text(&folder.join("design.csv"), &table(self, None))?;
         match simulated {
             Some(losses) => write_text(&folder.join("simulated.csv"), &table(self, Some(losses))),

@@ -2,11 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic")]
 
-use asperity_calibration::{CalibrationError, RigTable, Scope};
+use asperity_calibration::{RigTable, Scope};
+use asperity_core::Fault;
 
 const HEAD: &str = "torque_nm,speed_rpm,temperature_c,loss_w,sigma_w,includes";
 
-fn read(text: &str) -> Result<RigTable, CalibrationError> {
+fn read(text: &str) -> Result<RigTable, Fault> {
     RigTable::read("rig.csv", text)
 }
 

@@ -7,7 +7,8 @@ use std::sync::OnceLock;
 
 use asperity_calibration::rig_table::RigRow;
 use asperity_calibration::simulate::{Simulated, losses};
-use asperity_calibration::{CalibrationError, Rig, RigCase, RigFiles, RigTable, Watch, calibrate};
+use asperity_calibration::{Rig, RigCase, RigFiles, RigTable, Watch, calibrate};
+use asperity_core::Fault;
 
 const SIGMA: f64 = 0.03;
 const SPEEDS: [f64; 7] = [25.0, 60.0, 140.0, 330.0, 790.0, 1870.0, 4400.0];
@@ -276,7 +277,7 @@ fn files_are_calibrated_as_tables_are_and_bearings_are_taken_off() {
     let text = head.to_owned() + &rows.collect::<String>();
     let file = folder.join("bearings.csv");
     std::fs::write(&file, text).unwrap();
-    let load = |path: &std::path::Path| -> Result<_, CalibrationError> {
+    let load = |path: &std::path::Path| -> Result<_, Fault> {
         Ok(asperity::case::load(path, None).unwrap())
     };
     let files = RigFiles::read(&file, None, load).unwrap();

@@ -1,6 +1,8 @@
 //! Invariants of printed results: every number is finite, parts add up to their total, efficiencies lie within 0 and 1
 //! and are one minus loss over power.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::number;
 
 /// Largest difference between a total and its parts, relative to the total: rounding of sums of some thousand terms.
@@ -45,10 +47,10 @@ pub enum Unbalanced {
 impl Unbalanced {
     /// Stable code of the message: a state beyond physical sense, or a fault of the program.
     #[must_use]
-    pub const fn code(&self) -> &'static str {
+    pub const fn code(&self) -> Code {
         match self {
-            Self::NotFinite { .. } | Self::Efficiency { .. } => "E308",
-            Self::Sum { .. } => "E501",
+            Self::NotFinite { .. } | Self::Efficiency { .. } => Code::E308,
+            Self::Sum { .. } => Code::E501,
         }
     }
 }
@@ -113,5 +115,11 @@ pub fn finite(of: &'static str, unit: &'static str, value: f64) -> Result<(), Un
     match value.is_finite() {
         true => Ok(()),
         false => Err(Unbalanced::NotFinite { of, value, unit }),
+    }
+}
+
+impl From<Unbalanced> for Fault {
+    fn from(error: Unbalanced) -> Self {
+        Self::of(error.code(), error)
     }
 }

@@ -1,5 +1,7 @@
 //! The error of the orchestrator: why a case cannot be run, or a run has no result.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::{DomainError, decimals, number};
 use std::sync::Arc;
 
@@ -11,7 +13,6 @@ use asperity_ehl::EhlError;
 
 use crate::balance::Unbalanced;
 use crate::case::{CaseError, Place, Source};
-use crate::message::explain;
 use asperity_mixed_film::LoadShareError;
 
 /// Errors at a mesh position.
@@ -330,11 +331,11 @@ impl Error {
     }
 
     /// Stable code of the message.
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match (self.case(), self.position()) {
             (Some(error), _) => error.code(),
             (None, Some(error)) => error.code(),
-            (None, None) => "E501",
+            (None, None) => Code::E501,
         }
     }
 
@@ -362,39 +363,39 @@ impl Error {
 
     /// The general advice of the code.
     pub fn advice(&self) -> &'static str {
-        explain(self.code()).map_or("", |entry| entry.remedy)
+        self.code().explain().remedy
     }
 }
 
 impl PositionError {
     /// Stable code of the message.
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self.reason() {
-            reason if reason.is_cancelled() => "E502",
-            Self::TooCoarse { .. } => "E121",
-            Self::TraceTooShort { .. } => "E122",
-            Self::NotCovered { .. } => "E123",
-            Self::SeveralTraces { .. } => "E312",
-            Self::NoGradient { .. } => "E205",
-            Self::NoProfile => "E303",
-            Self::Impossible { .. } => "E308",
+            reason if reason.is_cancelled() => Code::E502,
+            Self::TooCoarse { .. } => Code::E121,
+            Self::TraceTooShort { .. } => Code::E122,
+            Self::NotCovered { .. } => Code::E123,
+            Self::SeveralTraces { .. } => Code::E312,
+            Self::NoGradient { .. } => Code::E205,
+            Self::NoProfile => Code::E303,
+            Self::Impossible { .. } => Code::E308,
             Self::Unbalanced(error) => error.code(),
-            Self::Marching { .. } => "E304",
-            Self::FlashNotSettled { .. } | Self::TorquesNotSettled { .. } => "E301",
+            Self::Marching { .. } => Code::E304,
+            Self::FlashNotSettled { .. } | Self::TorquesNotSettled { .. } => Code::E301,
             Self::Contact(ContactError::NotConverged { .. })
             | Self::LoadShare(
                 LoadShareError::Contact(ContactError::NotConverged { .. })
                 | LoadShareError::NoRoot { .. },
-            ) => "E301",
+            ) => Code::E301,
             Self::Contact(ContactError::LimitBelowMeanPressure { .. })
             | Self::LoadShare(LoadShareError::Contact(ContactError::LimitBelowMeanPressure {
                 ..
-            })) => "E302",
-            Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => "E306",
-            Self::Ehl(error) if error.is_unconverged() => "E307",
-            Self::Efficiency(EfficiencyError::BulkNotSettled { .. }) => "E311",
-            Self::Efficiency(EfficiencyError::NotInTable { .. }) => "E313",
-            _ => "E305",
+            })) => Code::E302,
+            Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => Code::E306,
+            Self::Ehl(error) if error.is_unconverged() => Code::E307,
+            Self::Efficiency(EfficiencyError::BulkNotSettled { .. }) => Code::E311,
+            Self::Efficiency(EfficiencyError::NotInTable { .. }) => Code::E313,
+            _ => Code::E305,
         }
     }
 
@@ -426,5 +427,22 @@ impl PositionError {
                 .because("to a larger one"),
             _ => Remedy::none(),
         }
+    }
+}
+
+impl From<Error> for Fault {
+    fn from(error: Error) -> Self {
+        let fault = Self::new(error.code(), error.to_string()).with(error.remedy());
+        let fault = match error.place() {
+            Some(place) => fault.at(place.clone()),
+            None => fault,
+        };
+        fault.caused_by(error)
+    }
+}
+
+impl From<PositionError> for Fault {
+    fn from(error: PositionError) -> Self {
+        Error::Whole(Box::new(error)).into()
     }
 }

@@ -2,10 +2,10 @@
 //!
 //! A command uses them if a case file is to be changed, a page if it shows the text of the case.
 
+use asperity_core::Code;
 use asperity_core::remedy::{Action, Remedy, Setting, Value};
 
 use crate::error::Error;
-use crate::message::explain;
 
 impl Error {
     /// The error with its remedy in keys of the case.
@@ -115,24 +115,25 @@ pub fn explained(instruction: String, why: &str) -> String {
     }
 }
 
-/// General advice for a code, with the keys that it is about; `None` for an unknown code or if its messages say it.
+/// General advice for a code, with the keys that it is about.
 ///
 /// ```
+/// use asperity_core::Code;
 /// assert_eq!(
-///     asperity_case::key_words::advice("E110").as_deref(),
-///     Some("State the spacing of the points, e.g. 0.5 um (dx in surface.pinion).")
+///     asperity_case::key_words::advice(Code::E110),
+///     "State the spacing of the points, e.g. 0.5 um (dx in surface.pinion)."
 /// );
 /// ```
-pub fn advice(code: &str) -> Option<String> {
-    let entry = explain(code).filter(|entry| !entry.remedy.is_empty())?;
+pub fn advice(code: Code) -> String {
+    let entry = code.explain();
     let Some(first) = entry.settings.first() else {
-        return Some(entry.remedy.to_owned());
+        return entry.remedy.to_owned();
     };
     let keys: Vec<&str> = entry.settings.iter().map(|s| s.key()).collect();
     let keys = keys.join(", ");
     let general = entry.remedy.trim_end_matches('.');
-    Some(match table(*first, "surface.pinion") {
+    match table(*first, "surface.pinion") {
         Some(table) => format!("{general} ({keys} in {table})."),
         None => format!("{general} ({keys})."),
-    })
+    }
 }

@@ -21,6 +21,8 @@ pub mod load_share_law;
 #[cfg_attr(not(feature = "case-files"), path = "no_loss_table.rs")]
 pub mod loss_table;
 pub mod mesh_position;
-pub mod message;
+
 pub mod physical_limits;
 pub mod recorded_share;
+
+pub use asperity_core::message;

@@ -1,5 +1,7 @@
 //! Tables of gearbox losses, as files.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_efficiency::EfficiencyError;
 use asperity_efficiency::loss_table::{LossRow, LossTable};
 use asperity_table::{Ragged, Row, RowFault, Table};
@@ -118,6 +120,12 @@ pub fn read(name: &str, text: &str) -> Result<LossTable, LossTableError> {
         name: name.to_owned(),
         source,
     })
+}
+
+impl From<LossTableError> for Fault {
+    fn from(error: LossTableError) -> Self {
+        Self::of(Code::E138, error)
+    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Refusal of tables of gearbox losses, in a build without the feature `case-files`.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_efficiency::loss_table::LossTable;
 
 /// Reasons why a file is not a table of losses.
@@ -22,4 +24,10 @@ pub fn read(name: &str, _: &str) -> Result<LossTable, LossTableError> {
     Err(LossTableError::NotRead {
         name: name.to_owned(),
     })
+}
+
+impl From<LossTableError> for Fault {
+    fn from(error: LossTableError) -> Self {
+        Self::of(Code::E138, error)
+    }
 }

@@ -1,7 +1,10 @@
 //! Errors of contact computations.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::cancel::Cancelled;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{DomainError, number};
 
 use crate::boundary::Boundary;
@@ -188,12 +191,12 @@ pub struct SolverShape {
 
 impl ContactError {
     /// Stable code of the message, for a contact without a case.
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
-            Self::NotConverged { .. } | Self::NotRunIn { .. } => "E301",
-            Self::LimitBelowMeanPressure { .. } => "E302",
-            Self::ToleranceTooLarge { .. } => "E211",
-            _ => "E209",
+            Self::NotConverged { .. } | Self::NotRunIn { .. } => Code::E301,
+            Self::LimitBelowMeanPressure { .. } => Code::E302,
+            Self::ToleranceTooLarge { .. } => Code::E211,
+            _ => Code::E209,
         }
     }
 }
@@ -201,5 +204,33 @@ impl ContactError {
 impl std::fmt::Display for SolverShape {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} points with {}", self.points, self.boundary)
+    }
+}
+
+impl From<ContactError> for Fault {
+    fn from(error: ContactError) -> Self {
+        let key = Setting::Key;
+        let remedy = match error {
+            ContactError::NotConverged { .. } => Remedy::state(key("tolerance"))
+                .because("to a larger one (at most 1e-4)")
+                .or_do("look for spikes in the gap"),
+            ContactError::NotRunIn { .. } => Remedy::state(key("tolerance"))
+                .because("to a smaller one")
+                .or_set(key("pressure_limit"), Value::Any)
+                .because("to a higher one"),
+            ContactError::LimitBelowMeanPressure { .. } => Remedy::state(key("pressure_limit"))
+                .because("to a higher one")
+                .or_set(key("load"), Value::Any)
+                .because("to a lower one"),
+            ContactError::DatumTooNear { .. } => {
+                Remedy::state(key("datum")).because("to a larger one")
+            }
+            ContactError::ApproachBeyondMeanGap { .. } => Remedy::state(key("approach"))
+                .because("to a smaller one")
+                .or_set(key("load"), Value::Any)
+                .because("in its place"),
+            _ => Remedy::none(),
+        };
+        Self::of(error.code(), error).with(remedy)
     }
 }

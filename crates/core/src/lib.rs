@@ -11,6 +11,7 @@ pub mod error;
 pub mod hardness;
 pub mod line_contact;
 pub mod material;
+pub mod message;
 mod message_number;
 pub mod numerics;
 pub mod powder_metal;
@@ -25,6 +26,7 @@ mod unit_text;
 
 pub use checked::{Checked, FittedRange, OutOfRange, Treatment};
 pub use error::DomainError;
+pub use message::{Code, Fault, Place};
 pub use message_number::{decimals, number, number_with_unit};
 pub use profile::Profile;
 pub use quantity::Quantity;

@@ -1,6 +1,8 @@
 //! Errors of a film or a regime.
 
+use asperity_core::Code;
 use asperity_core::DomainError;
+use asperity_core::Fault;
 
 /// Errors of film thickness and regime.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -17,4 +19,14 @@ pub enum RegimeError {
         /// The input, by its field name.
         input: &'static str,
     },
+}
+
+impl From<RegimeError> for Fault {
+    fn from(error: RegimeError) -> Self {
+        let code = match error {
+            RegimeError::MissingInput { .. } => Code::E205,
+            RegimeError::Domain(_) => Code::E209,
+        };
+        Self::of(code, error)
+    }
 }

@@ -1,8 +1,11 @@
 //! Reasons why a lubricated contact has no solution here.
 
 use asperity_contact::ContactError;
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::cancel::Cancelled;
 use asperity_core::quantity::Pressure;
+use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{DomainError, decimals};
 
 /// Errors of a lubricated line contact.
@@ -92,10 +95,10 @@ pub enum EhlError {
 
 impl EhlError {
     /// Stable code of the message, for a contact without a case.
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self.is_unconverged() {
-            true => "E307",
-            false => "E209",
+            true => Code::E307,
+            false => Code::E209,
         }
     }
 
@@ -108,5 +111,27 @@ impl EhlError {
                 | Self::TemperaturesUnsettled { .. }
                 | Self::HeatedStress(_)
         )
+    }
+}
+
+impl From<EhlError> for Fault {
+    fn from(error: EhlError) -> Self {
+        let key = Setting::Key;
+        let remedy = match &error {
+            EhlError::NotConverged { .. } => Remedy::state(key("cells"))
+                .because("to more")
+                .or_set(key("viscosity_law"), Value::Any)
+                .because("to another: under Barus' law the pressure spike is unbounded above alpha p0 = 14"),
+            EhlError::StepFailed { .. } => Remedy::state(key("cells"))
+                .because("to more")
+                .or_do("smooth the profiles")
+                .or_set(key("pressure_limit"), Value::Any)
+                .because("at which the surfaces yield"),
+            EhlError::Cells { multiple, .. } => Remedy::set(key("cells"), Value::Like("512".into()))
+                .because(format!("as a multiple of {multiple}")),
+            EhlError::Hertz(_) => Remedy::act("correct the radius, the reduced modulus or the load"),
+            _ => Remedy::none(),
+        };
+        Self::of(error.code(), error).with(remedy)
     }
 }

@@ -3,6 +3,7 @@
 use asperity_contact::ContactError;
 use asperity_core::numerics::RootError;
 use asperity_core::quantity::Pressure;
+use asperity_core::{Code, Fault};
 use asperity_core::{DomainError, number};
 use asperity_ehl_regime::RegimeError;
 use asperity_oil::LubricantError;
@@ -62,4 +63,10 @@ pub enum LoadShareError {
         /// Error of the root search.
         source: RootError,
     },
+}
+
+impl From<LoadShareError> for Fault {
+    fn from(error: LoadShareError) -> Self {
+        Self::of(Code::E209, error)
+    }
 }

@@ -1,5 +1,6 @@
 //! Warnings about a file that was read.
 
+use asperity_core::Code;
 use asperity_core::number;
 use std::borrow::Cow;
 
@@ -244,31 +245,31 @@ impl Warning {
     }
 
     /// Code of the explanation of the message.
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
-            Self::UnitAssumed { .. } => "W111",
-            Self::GapsFilled { .. } => "W115",
-            Self::Reversed => "W116",
-            Self::SpacingOverridden { .. } => "W117",
-            Self::AlreadyFiltered => "W118",
-            Self::ChecksumDiffers { .. } => "W120",
-            Self::TraceAborted { .. } => "W121",
-            Self::FewerHeights { .. } => "W131",
-            Self::SpacingFromFirstLine { .. } => "W122",
-            Self::LengthRounded { .. } => "W123",
-            Self::ImplausibleHeights { .. } => "W124",
-            Self::UnevenSpacing { .. } => "W125",
-            Self::Resampled { .. } => "W126",
-            Self::RollLengthConverted { .. } => "W127",
-            Self::MeanLine { .. } => "W320",
-            Self::Replica => "W321",
-            Self::UnitOverridden { .. } => "W322",
-            Self::UnitNotUsed { .. } => "W323",
-            Self::PositionsKept { .. } => "W324",
-            Self::HeaderDisagrees { .. } => "W325",
-            Self::EmptyRows { .. } => "W326",
-            Self::EqualHeights => "W327",
-            Self::DepthsTurned => "W328",
+            Self::UnitAssumed { .. } => Code::W111,
+            Self::GapsFilled { .. } => Code::W115,
+            Self::Reversed => Code::W116,
+            Self::SpacingOverridden { .. } => Code::W117,
+            Self::AlreadyFiltered => Code::W118,
+            Self::ChecksumDiffers { .. } => Code::W120,
+            Self::TraceAborted { .. } => Code::W121,
+            Self::FewerHeights { .. } => Code::W131,
+            Self::SpacingFromFirstLine { .. } => Code::W122,
+            Self::LengthRounded { .. } => Code::W123,
+            Self::ImplausibleHeights { .. } => Code::W124,
+            Self::UnevenSpacing { .. } => Code::W125,
+            Self::Resampled { .. } => Code::W126,
+            Self::RollLengthConverted { .. } => Code::W127,
+            Self::MeanLine { .. } => Code::W320,
+            Self::Replica => Code::W321,
+            Self::UnitOverridden { .. } => Code::W322,
+            Self::UnitNotUsed { .. } => Code::W323,
+            Self::PositionsKept { .. } => Code::W324,
+            Self::HeaderDisagrees { .. } => Code::W325,
+            Self::EmptyRows { .. } => Code::W326,
+            Self::EqualHeights => Code::W327,
+            Self::DepthsTurned => Code::W328,
         }
     }
 }

@@ -35,7 +35,11 @@ fn opened(text: &str, options: &ReadOptions) -> Result<Reading, ReadError> {
 }
 
 fn codes(reading: &Reading) -> Vec<&'static str> {
-    reading.warnings.iter().map(Warning::code).collect()
+    reading
+        .warnings
+        .iter()
+        .map(|warning| warning.code().as_str())
+        .collect()
 }
 
 #[test]

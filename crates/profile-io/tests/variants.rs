@@ -25,7 +25,11 @@ fn read(name: &str, text: &str, options: &ReadOptions) -> Reading {
 
 fn refused(text: &str) -> (String, String, &'static str) {
     let error = read_bytes("flank.csv", text.as_bytes(), &ReadOptions::default()).unwrap_err();
-    (error.to_string(), error.remedy().to_string(), error.code())
+    (
+        error.to_string(),
+        error.remedy().to_string(),
+        error.code().as_str(),
+    )
 }
 
 fn assert_heights(reading: &Reading, spacing_um: f64, about: &str) {

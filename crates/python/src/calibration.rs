@@ -1,5 +1,6 @@
 //! Calibrations from the losses of a rig.
 
+use asperity::message::Code;
 use asperity::core::number;
 use std::path::{Path, PathBuf};
 
@@ -7,7 +8,7 @@ use asperity::LoadedCase;
 use asperity::case::{self, CalibratedName};
 use asperity_calibration as calibrating;
 use asperity_calibration::evidence::{Effort, EvidenceTable};
-use asperity_calibration::{CalibrationError, Limits, Reach, RigFiles, Watch, plan};
+use asperity_calibration::{error, Limits, Reach, RigFiles, Watch, plan};
 use asperity_report::StudyResult;
 use pyo3::prelude::*;
 
@@ -61,7 +62,7 @@ pub fn calibrate(
                 (None, Some(file)) => Ok(case::load(&folder.join(file), None)?),
                 (None, None) => {
                     let file = name.clone();
-                    Err(Failure::from(CalibrationError::NoCase { file }))
+                    Err(Failure::from(error::no_case(file)))
                 }
             }
         };
@@ -84,7 +85,7 @@ impl Calibration {
     /// The table `calibration` of a case as JSON.
     fn keys(&self) -> PyResult<String> {
         let table: toml::Table = toml::from_str(&self.0.block)
-            .map_err(|error| Failure::new("E501", error.to_string()))?;
+            .map_err(|error| Failure::new(Code::E501, error.to_string()))?;
         Ok(failure::json(&table)?)
     }
 
@@ -166,13 +167,13 @@ pub fn evidence(
         if !Effort::set(&mut efforts, name, *hours) {
             let names = Effort::usual().map(|effort| effort.key).join(", ");
             let message = format!("hours: {name} = {}: the names are {names}", number(*hours));
-            return Err(Failure::new("E209", message).into());
+            return Err(Failure::new(Code::E209, message).into());
         }
     }
     let case = case.train();
     in_parallel(py, threads, None, |_| {
         let table = EvidenceTable::of(&case, &efforts)?;
-        let none = || Failure::new("E205", "the loss of this case has no interval");
+        let none = || Failure::new(Code::E205, "the loss of this case has no interval");
         Study::of(table.ok_or_else(none)?)
     })
 }

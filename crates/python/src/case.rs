@@ -1,5 +1,6 @@
 //! Cases: loaded, changed, run.
 
+use asperity::message::Code;
 use asperity::core::number;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -182,7 +183,7 @@ impl Case {
                     }
                     other => {
                         let message = format!("{}: {other:?} cannot be pickled", name.display());
-                        return Err(Failure::new("E501", message));
+                        return Err(Failure::new(Code::E501, message));
                     }
                 }
             }
@@ -299,7 +300,7 @@ impl Case {
         let inputs = self.0.input.store(serde_json::value::Serializer);
         let about = json!({
             "title": self.0.title,
-            "inputs": inputs.map_err(|error| Failure::new("E501", error.to_string()))?,
+            "inputs": inputs.map_err(|error| Failure::new(Code::E501, error.to_string()))?,
             "defaults": self.0.defaults,
             "warnings": self.0.all_warnings(),
         });
@@ -329,7 +330,7 @@ impl Case {
         let detail: Detail = named("detail", detail)?;
         if (detail, band) == (Detail::Losses, Some(true)) {
             let message = "detail = \"losses\" has no interval of the loss; leave band out, or run with detail = \"contacts\"";
-            return Err(Failure::new("E205", message).into());
+            return Err(Failure::new(Code::E205, message).into());
         }
         let band = band.unwrap_or(detail == Detail::Fields);
         in_parallel(py, threads, progress.as_ref(), |told| {
@@ -414,7 +415,7 @@ pub fn on_the_path(place: Option<f64>) -> Result<Option<f64>, Failure> {
     match place {
         Some(place) if !(0.0..=1.0).contains(&place) => {
             let message = format!("position {}: must be 0 (A) to 1 (E)", number(place));
-            Err(Failure::new("E209", message))
+            Err(Failure::new(Code::E209, message))
         }
         place => Ok(place),
     }

@@ -1,5 +1,6 @@
 //! Names that Python passes as text: read by serde, and listed for the types of the package.
 
+use asperity::message::Code;
 use std::cell::Cell;
 
 use asperity::case::{CalibratedName, Formulation};
@@ -29,7 +30,7 @@ use crate::studies::COLUMNS;
 /// The choice called `name`; `what` is the argument that it was given to.
 pub fn named<T: DeserializeOwned>(what: &str, name: &str) -> Result<T, Failure> {
     serde_json::from_value(serde_json::Value::String(name.to_owned()))
-        .map_err(|error| Failure::new("E204", format!("{what}: {error}")))
+        .map_err(|error| Failure::new(Code::E204, format!("{what}: {error}")))
 }
 
 /// Choices of arguments that no library type has.

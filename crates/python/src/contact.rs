@@ -1,5 +1,6 @@
 //! Rough line contacts: over a gap, of two flanks, and the stress below.
 
+use asperity::message::Code;
 use std::sync::Mutex;
 
 use asperity::contact::running_in::RunningIn;
@@ -55,7 +56,7 @@ impl Asked {
             _ => {
                 let message = "load and approach: one of both is needed";
                 let help = Remedy::act("give either load or approach");
-                Err(Failure::new("E205", message).advising(help))
+                Err(Failure::new(Code::E205, message).advising(help))
             }
         }
     }
@@ -138,7 +139,7 @@ pub fn press_flanks<'py>(
     let (solution, gap, spacing, more) = alone(py, || {
         let load = asked
             .load
-            .ok_or_else(|| Failure::new("E205", "two flanks need a load"))?;
+            .ok_or_else(|| Failure::new(Code::E205, "two flanks need a load"))?;
         let flanks = TwoFlanks {
             first: &first.profile,
             second: &second.profile,
@@ -205,8 +206,8 @@ pub fn found<'py>(
         .into_iter()
         .map(|warning| {
             let code = match warning {
-                ContactWarning::PressureAtEnd { .. } => "W413",
-                _ => "W414",
+                ContactWarning::PressureAtEnd { .. } => Code::W413,
+                _ => Code::W414,
             };
             json!({ "code": code, "text": warning.to_string() })
         })

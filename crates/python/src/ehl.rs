@@ -1,5 +1,6 @@
 //! The mixed lubricated contact of a case at one place, in time.
 
+use asperity::message::Code;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use asperity::ehl::RecordSettings;
@@ -76,13 +77,13 @@ pub fn ehl<'py>(
                 true
             },
         )?;
-        let solved = mean_of(&records).ok_or_else(|| Failure::new("E501", "no record"))?;
+        let solved = mean_of(&records).ok_or_else(|| Failure::new(Code::E501, "no record"))?;
         let highest = solved.value.max_pressure;
         if highest > HIGHEST_PRESSURE {
             let message = format!(
                 "the pressure reaches {highest:.3}, above {HIGHEST_PRESSURE}, which no steel bears"
             );
-            return Err(Failure::new("E308", message));
+            return Err(Failure::new(Code::E308, message));
         }
         let mut numbers = Value::Object(record_json(&solved.value));
         let roughness = Some(contact.attenuated_roughness);

@@ -1,82 +1,48 @@
 //! Errors of the library as Python's `AsperityError`: code, help and place.
 
-use asperity::case::Place;
-use asperity::contact::ContactError;
-use asperity::core::DomainError;
-use asperity::ehl::EhlError;
-use asperity::ehl_regime::RegimeError;
-use asperity::error::PositionError;
-use asperity::message;
-use asperity::profile_io::read::ReadError;
-use asperity::quantity::QuantityError;
-use asperity::reference_solution::ReferenceError;
-use asperity::remedy::{Remedy, Setting, Value};
-use asperity::roughness::RoughnessError;
-use asperity::tribo_friction::FrictionError;
-use asperity_calibration::CalibrationError;
-use asperity_calibration::oil::OilError;
-use asperity_report::ReportError;
-use asperity_report::library::LibraryError;
-use asperity_rexs::RexsError;
-use asperity_studies::export::ExportError;
-use asperity_studies::map::{AxisError, MapError};
-use asperity_studies::sweep::SweepError;
+use asperity::Remedy;
+use asperity::message::{self, Code, Fault};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::PyType;
+use pyo3::types::{IntoPyDict, PyType};
 
-/// An error with its stable code.
+/// An error as Python raises it.
 #[derive(Debug)]
-pub struct Failure {
-    code: &'static str,
-    message: String,
-    place: Option<Place>,
-    remedy: Remedy,
-}
+pub struct Failure(Fault);
 
 impl Failure {
     /// An error of this code.
-    pub fn new(code: &'static str, message: impl Into<String>) -> Self {
-        Self {
-            code,
-            message: message.into(),
-            place: None,
-            remedy: Remedy::none(),
-        }
+    pub fn new(code: Code, message: impl Into<String>) -> Self {
+        Self(Fault::new(code, message))
     }
 
     /// The same error with what can be done about it, in place of the general advice of its code.
     pub fn advising(self, remedy: Remedy) -> Self {
-        Self { remedy, ..self }
+        Self(self.0.with(remedy))
     }
 
     /// The same error, its message beginning with what it is about.
     pub fn about(self, what: &str) -> Self {
-        Self {
-            message: format!("{what}: {}", self.message),
-            ..self
-        }
+        Self(self.0.about(what))
     }
+}
 
-    fn help(&self) -> String {
-        if self.remedy.is_empty() {
-            let known = message::explain(self.code);
-            return known.map_or_else(String::new, |entry| entry.remedy.to_owned());
-        }
-        format!("{}.", self.remedy)
+impl<E: Into<Fault>> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Self(error.into())
     }
 }
 
 impl From<Failure> for PyErr {
     fn from(failure: Failure) -> Self {
-        Python::attach(|py| raised(py, &failure).unwrap_or_else(|error| error))
+        Python::attach(|py| raised(py, &failure.0).unwrap_or_else(|error| error))
     }
 }
 
-fn raised(py: Python<'_>, failure: &Failure) -> PyResult<PyErr> {
+fn raised(py: Python<'_>, fault: &Fault) -> PyResult<PyErr> {
     static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     let class = CLASS.import(py, "asperity._errors", "AsperityError")?;
-    let place = failure.place.as_ref();
+    let place = fault.place();
     let place = place.map(|place| {
         let mesh = place.mesh.clone();
         (
@@ -87,121 +53,30 @@ fn raised(py: Python<'_>, failure: &Failure) -> PyResult<PyErr> {
             mesh,
         )
     });
-    let actions = json(&failure.remedy)?;
-    let help = failure.help();
-    let error = class.call1((&failure.message, failure.code, help, place, actions))?;
+    let actions = json(fault.remedy())?;
+    let error = class.call1((fault.message(), fault.code().as_str(), fault.help(), place, actions))?;
     Ok(PyErr::from_value(error))
 }
 
 /// The settings in a text of JSON.
 pub fn asked<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Failure> {
-    serde_json::from_str(text).map_err(|error| Failure::new("E204", error.to_string()))
+    serde_json::from_str(text).map_err(|error| Failure::new(Code::E204, error.to_string()))
 }
 
 /// A value as JSON text.
 pub fn json<T: serde::Serialize>(value: &T) -> Result<String, Failure> {
-    serde_json::to_string(value).map_err(|error| Failure::new("E501", error.to_string()))
-}
-
-/// Failures by the code of each error.
-macro_rules! failures {
-    ($($error:ty: $code:expr),+ $(,)?) => {$(
-        impl From<$error> for Failure {
-            fn from(error: $error) -> Self {
-                let code: fn(&$error) -> &'static str = $code;
-                Self::new(code(&error), error.to_string())
-            }
-        }
-    )+};
-}
-
-failures! {
-    AxisError: |_| "E209",
-    CalibrationError: CalibrationError::code,
-    DomainError: |_| "E209",
-    EhlError: EhlError::code,
-    ExportError: |_| "E205",
-    FrictionError: |error| match error {
-        FrictionError::MissingSetting { .. } => "E205",
-        _ => "E209",
-    },
-    LibraryError: LibraryError::code,
-    MapError: |_| "E402",
-    OilError: OilError::code,
-    QuantityError: |_| "E204",
-    RegimeError: |error| match error {
-        RegimeError::MissingInput { .. } => "E205",
-        _ => "E209",
-    },
-    ReportError: ReportError::code,
-    RexsError: RexsError::code,
-    RoughnessError: |_| "E120",
-}
-
-impl From<asperity::Error> for Failure {
-    fn from(error: asperity::Error) -> Self {
-        Self {
-            code: error.code(),
-            message: error.to_string(),
-            place: error.place().cloned(),
-            remedy: error.remedy(),
-        }
-    }
-}
-
-impl From<PositionError> for Failure {
-    fn from(error: PositionError) -> Self {
-        asperity::Error::Whole(Box::new(error)).into()
-    }
-}
-
-impl From<ReadError> for Failure {
-    fn from(error: ReadError) -> Self {
-        Self::new(error.code(), error.to_string()).advising(error.remedy())
-    }
-}
-
-impl From<ContactError> for Failure {
-    fn from(error: ContactError) -> Self {
-        let set = |key, why: &'static str| Remedy::set(Setting::Key(key), Value::Any).because(why);
-        let remedy = match error {
-            ContactError::NotConverged { .. } => set("tolerance", "to a larger one (at most 1e-4)")
-                .or_do("look for spikes in the gap"),
-            ContactError::NotRunIn { .. } => set("tolerance", "to a smaller one")
-                .or_set(Setting::Key("pressure_limit"), Value::Any)
-                .because("to a higher one"),
-            ContactError::LimitBelowMeanPressure { .. } => set("pressure_limit", "to a higher one")
-                .or_set(Setting::Key("load"), Value::Any)
-                .because("to a lower one"),
-            ContactError::DatumTooNear { .. } => set("datum", "to a larger one"),
-            _ => Remedy::none(),
-        };
-        Self::new(error.code(), error.to_string()).advising(remedy)
-    }
-}
-
-impl From<ReferenceError> for Failure {
-    fn from(error: ReferenceError) -> Self {
-        match error {
-            ReferenceError::Position(error) => error.into(),
-            ReferenceError::Ehl(error) => error.into(),
-            ReferenceError::NoBaseOil => Self::new("E208", error.to_string()),
-            error => Self::new("E305", error.to_string()),
-        }
-    }
-}
-
-impl From<SweepError> for Failure {
-    fn from(error: SweepError) -> Self {
-        match error {
-            SweepError::Case(error) => (*error).into(),
-            error => Self::new(error.code(), error.to_string()),
-        }
-    }
+    serde_json::to_string(value).map_err(|error| Failure::new(Code::E501, error.to_string()))
 }
 
 /// Title, cause and remedy of a message code; none of a code that does not exist.
 #[pyfunction]
 pub fn explain(code: &str) -> Option<(&'static str, &'static str, &'static str)> {
     message::explain(code).map(|entry| (entry.title, entry.meaning, entry.remedy))
+}
+
+/// Adds the namespace `Code`, with an attribute for each code of the table of messages.
+pub fn add_codes(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    let codes = Code::ALL.iter().map(|code| (code.as_str(), code.as_str()));
+    let namespace = module.py().import("types")?.getattr("SimpleNamespace")?;
+    module.add("Code", namespace.call((), Some(&codes.into_py_dict(module.py())?))?)
 }

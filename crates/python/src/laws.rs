@@ -1,6 +1,7 @@
 //! Laws of Hertz contact, film and friction over arrays: flat arrays of one length in, in SI units; broadcasting is
 //! Python's.
 
+use asperity::message::Code;
 use asperity::contact::hertz_line::HertzLine;
 use asperity::core::OutOfRange;
 use asperity::ehl_regime::{FilmConditions, FilmLaw, thermal_reduction::ThermalLaw};
@@ -31,7 +32,7 @@ impl Columns {
             .collect();
         let count = columns.values().next().map_or(0, Vec::len);
         if columns.values().any(|column| column.len() != count) {
-            return Err(Failure::new("E209", "all arrays must be of one length"));
+            return Err(Failure::new(Code::E209, "all arrays must be of one length"));
         }
         Ok(Self(columns, count))
     }

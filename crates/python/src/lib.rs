@@ -66,6 +66,7 @@ mod _asperity {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        super::failure::add_codes(module)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -1,12 +1,13 @@
 //! Gears, steels and oils of the library, worked cases, cases from gearbox files.
 
+use asperity::message::Code;
 use std::path::{Path, PathBuf};
 
 use asperity_fixtures::worked::{Worked, WorkedError};
 use asperity_report::library::{
-    LibraryError, gears_named, listed_gears, listed_oil, listed_steel, oils_named, steels_named,
+    gears_named, unlisted, listed_gears, listed_oil, listed_steel, oils_named, steels_named,
 };
-use asperity_rexs::{CaseText, Flanks, Model, RexsError, case_text, contents, train_text};
+use asperity_rexs::{CaseText, Flanks, Model, case_text, contents, train_text};
 use asperity_storage::{new_folder_of, whole_file};
 use pyo3::prelude::*;
 use serde_json::Value;
@@ -18,8 +19,8 @@ use crate::work::alone;
 const LARGEST: u64 = 100_000_000;
 
 fn listed<T>(
-    found: Result<Vec<T>, LibraryError>,
-    row: fn(&T) -> Result<Value, LibraryError>,
+    found: Result<Vec<T>, Fault>,
+    row: fn(&T) -> Result<Value, Fault>,
 ) -> PyResult<String> {
     let found = found.map_err(Failure::from)?;
     let rows = found.iter().map(row).collect::<Result<Vec<_>, _>>();
@@ -57,18 +58,18 @@ pub fn demo(
         (None, true) => Worked::Paper,
         (None, false) => Worked::Drive,
         (Some(_), true) => {
-            return Err(Failure::new("E205", "gears and paper: one of both at most").into());
+            return Err(Failure::new(Code::E205, "gears and paper: one of both at most").into());
         }
     };
     let folder = folder.unwrap_or_else(|| worked.folder().into());
     alone(py, || {
         let files = worked.files().map_err(|error| match error {
-            WorkedError::Gears(error) => LibraryError::from(error).into(),
-            error => Failure::new("E501", error.to_string()),
+            WorkedError::Gears(error) => unlisted(error).into(),
+            error => Failure::new(Code::E501, error.to_string()),
         })?;
         let texts = files.iter().map(|file| (file.name, file.content.as_str()));
         let written = new_folder_of(&folder, texts);
-        written.map_err(|error| Failure::new("E401", error.to_string()))?;
+        written.map_err(|error| Failure::new(Code::E401, error.to_string()))?;
         Ok(folder)
     })
 }
@@ -77,12 +78,12 @@ pub fn demo(
 fn of_gearbox_file<T: Send>(
     py: Python<'_>,
     file: &Path,
-    read: impl FnOnce(&Model) -> Result<T, RexsError> + Send,
+    read: impl FnOnce(&Model) -> Result<T, Fault> + Send,
 ) -> PyResult<T> {
     let shown = file.display().to_string();
     alone(py, || {
         let bytes = whole_file(file, LARGEST)
-            .map_err(|error| Failure::new("E101", error.to_string()).about(&shown))?;
+            .map_err(|error| Failure::new(Code::E101, error.to_string()).about(&shown))?;
         let found = Model::read(&bytes).and_then(|model| read(&model));
         found.map_err(|error| Failure::from(error).about(&shown))
     })

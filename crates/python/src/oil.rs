@@ -1,14 +1,16 @@
 //! Oils: traction of ball and disc, constants from traction curves, plans, boundary friction.
 
+use asperity::message::Code;
 use std::path::Path;
 
 use asperity::case::LoadedCase;
 use asperity::quantity::{Force, Length, Speed, Temperature};
 use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
+use asperity_calibration::oil::error::of_table;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
-    ConstantsOf, FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe,
+    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, Probe,
     Reading, Stribeck, TractionCurves, TractionRange, read_text, source,
 };
 use asperity_calibration::table_text;
@@ -64,7 +66,7 @@ fn errors((zero, relative, floor): Errors) -> Result<(Zero, PointErrors), Failur
         true => Ok((zero, PointErrors { relative, floor })),
         false => {
             let message = "point_sd, point_floor: must be positive and below 1";
-            Err(Failure::new("E209", message))
+            Err(Failure::new(Code::E209, message))
         }
     }
 }
@@ -82,7 +84,7 @@ fn readings(
     for (name, text) in tables {
         let text = match text {
             Some(text) => text,
-            None => table_text(Path::new(&name)).map_err(OilError::Table)?,
+            None => table_text(Path::new(&name)).map_err(of_table)?,
         };
         all.extend(read_text(&name, &text, machine, probe)?);
         sources.push(source(&name, &text));
@@ -103,7 +105,7 @@ pub fn oil_traction(
     let (oil, _) = oil.base(ConstantsOf::File)?;
     let (load, speed, slide_to_roll) = conditions;
     if temperatures.is_empty() {
-        return Err(Failure::new("E209", "temperature: at least one is required").into());
+        return Err(Failure::new(Code::E209, "temperature: at least one is required").into());
     }
     let range = TractionRange {
         machine: machine(specimens)?,
@@ -191,7 +193,7 @@ pub fn stribeck(
     let (oil, _) = oil.base(ConstantsOf::Family)?;
     if !rubbing.is_empty() && rubbing.len() != tables.len() {
         let message = "rubbing: takes one time for each table";
-        return Err(Failure::new("E205", message).into());
+        return Err(Failure::new(Code::E205, message).into());
     }
     let machine = machine(specimens)?;
     let (mut all, mut sources) = (Vec::new(), Vec::new());

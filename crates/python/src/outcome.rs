@@ -1,5 +1,6 @@
 //! Outcome of a run.
 
+use asperity::message::Code;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -49,7 +50,7 @@ impl Outcome {
     fn fields_of(&self) -> Result<&[PositionFields], Failure> {
         let none = || {
             Failure::new(
-                "E402",
+                Code::E402,
                 "this result holds no fields; run with detail = \"fields\"",
             )
         };
@@ -95,7 +96,7 @@ impl Outcome {
             .find(|fields| fields.position == position);
         let found = found.ok_or_else(|| {
             Failure::new(
-                "E402",
+                Code::E402,
                 format!("the fields of position {position} were not kept"),
             )
         })?;
@@ -146,7 +147,7 @@ impl Outcome {
             Found::Run(run) => Ok(write_folder(&**run, &folder, &fields)?),
             Found::Losses(..) => {
                 let message = "losses alone have no result folder; run with detail = \"fields\"";
-                Err(Failure::new("E402", message))
+                Err(Failure::new(Code::E402, message))
             }
         })
     }

@@ -1,5 +1,6 @@
 //! Quantities as text.
 
+use asperity::message::Code;
 use asperity::quantity::QUANTITIES;
 use pyo3::prelude::*;
 
@@ -10,7 +11,7 @@ use crate::failure::Failure;
 pub fn to_si(quantity: &str, text: &str) -> PyResult<f64> {
     let known = QUANTITIES.iter().find(|known| known.type_name == quantity);
     let known =
-        known.ok_or_else(|| Failure::new("E501", format!("{quantity}: no such quantity")))?;
+        known.ok_or_else(|| Failure::new(Code::E501, format!("{quantity}: no such quantity")))?;
     Ok((known.read)(text).map_err(Failure::from)?)
 }
 

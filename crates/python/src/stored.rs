@@ -1,5 +1,6 @@
 //! Results read back from their folders.
 
+use asperity::message::Code;
 use std::path::PathBuf;
 
 use asperity::result::RunResult;
@@ -9,7 +10,7 @@ use crate::failure::{self, Failure};
 use crate::work::alone;
 
 fn parsed(result: &str) -> Result<RunResult, Failure> {
-    asperity_report::parse_result(result).map_err(|error| Failure::new("E402", error.to_string()))
+    asperity_report::parse_result(result).map_err(|error| Failure::new(Code::E402, error.to_string()))
 }
 
 /// The summary of a result in JSON, as the command prints it.
@@ -22,7 +23,7 @@ pub fn summary(result: &str) -> PyResult<String> {
 #[pyfunction]
 pub fn diff(first: &str, second: &str) -> PyResult<String> {
     let found = asperity_studies::diff::diff(&parsed(first)?, &parsed(second)?);
-    let found = found.map_err(|error| Failure::new("E501", error.to_string()))?;
+    let found = found.map_err(|error| Failure::new(Code::E501, error.to_string()))?;
     Ok(failure::json(&found)?)
 }
 

@@ -1,14 +1,15 @@
 //! Comparisons of finishes, changes of one thing at a time, and maps.
 
+use asperity::message::Code;
 use std::path::{Path, PathBuf};
 
 use asperity::case::Train;
 use asperity::core::quantity::Power;
 use asperity::profile_io::read::read_table;
 use asperity_report::StudyResult;
-use asperity_studies::callout::{self as limits, CallOutError, CallOutSettings};
+use asperity_studies::callout::{self as limits, CallOutSettings};
 use asperity_studies::compare::{self as comparing, Finish};
-use asperity_studies::cycle::{self as driving, EnergyError};
+use asperity_studies::cycle::{self as driving, Fault};
 use asperity_studies::export::{AddedLoss, Format, With, export};
 use asperity_studies::map::{self as mapping, Axes, MapBand, MapExtras, Numbers, Point};
 use asperity_studies::ridges as dearest;
@@ -114,10 +115,7 @@ pub fn callout(
     let case = case.only()?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let shown = |done, total| told.tell(done, total);
-        let found = limits::callout(case, &settings, &shown).map_err(|error| match error {
-            CallOutError::Case(error) => Failure::from(error),
-            error => Failure::new(error.code(), error.to_string()),
-        })?;
+        let found = limits::callout(case, &settings, &shown)?;
         Study::of(found)
     })
 }
@@ -147,7 +145,7 @@ pub fn map(
 ) -> PyResult<Map> {
     let finishes = finishes(of_finishes);
     let Some(first) = finishes.first() else {
-        return Err(Failure::new("E205", "a map needs a case").into());
+        return Err(Failure::new(Code::E205, "a map needs a case").into());
     };
     let case = &first.case;
     let axes = Axes::new(
@@ -185,13 +183,12 @@ pub fn cycle(
         let table = table.map_or_else(|| text(file), Ok)?;
         let trace = driving::cycle(&table, map.input.vehicle.as_ref());
         let trace =
-            trace.map_err(|error| Failure::new(error.code(), error.to_string()).about(&name))?;
+            trace.map_err(|error| Failure::from(error).about(&name))?;
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
         let found = driving::evaluate(&map, temperature, (&trace, &stem), allow_outside);
-        let found = found.map_err(|error| match error {
-            EnergyError::Uncovered(_) => Failure::new("E314", error.to_string()).about(&name),
-            EnergyError::Unbalanced(error) => Failure::new(error.code(), error.to_string()),
-            _ => Failure::new("E402", error.to_string()),
+        let found = found.map_err(|error| match error.code() {
+            Code::E314 => error.about(&name),
+            _ => error,
         })?;
         let (json, summary) = (failure::json(&found)?, found.summary(&map));
         Ok(Study::new(json, summary, move |folder| {
@@ -241,7 +238,7 @@ impl Map {
     /// The points of a finish, temperature by temperature, torque by torque, speed by speed; NaN where a point has no
     /// such number.
     fn points<'py>(&self, py: Python<'py>, finish: usize) -> PyResult<Bound<'py, PyDict>> {
-        let none = || Failure::new("E402", format!("the map has no finish number {finish}"));
+        let none = || Failure::new(Code::E402, format!("the map has no finish number {finish}"));
         let points = &self.0.finishes.get(finish).ok_or_else(none)?.points;
         let arrays = PyDict::new(py);
         for (name, of) in COLUMNS {
@@ -269,7 +266,7 @@ impl Map {
     ) -> PyResult<Interpolated<'py>> {
         let none = || {
             Failure::new(
-                "E402",
+                Code::E402,
                 format!("the map has no finish number {finish} at that temperature"),
             )
         };
@@ -307,7 +304,7 @@ impl Map {
                 Some(file) => {
                     let name = file.file_name().unwrap_or_default().to_string_lossy();
                     let found = AddedLoss::read(&name, &text(file)?);
-                    Some(found.map_err(|error| Failure::new("E101", error.to_string()))?)
+                    Some(found?)
                 }
                 None => None,
             };
@@ -316,7 +313,7 @@ impl Map {
                     let found = driving::cycle(&text(file)?, self.0.input.vehicle.as_ref());
                     let name = file.display().to_string();
                     Some(found.map_err(|error| {
-                        Failure::new(error.code(), error.to_string()).about(&name)
+                        Failure::from(error).about(&name)
                     })?)
                 }
                 None => None,
@@ -339,6 +336,5 @@ impl Map {
 const LARGEST_TABLE: u64 = 100_000_000;
 
 fn text(file: &Path) -> Result<String, Failure> {
-    read_table(file, LARGEST_TABLE)
-        .map_err(|error| Failure::new(error.code(), error.to_string()).advising(error.remedy()))
+    Ok(read_table(file, LARGEST_TABLE)?)
 }

@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity_report::{ReportError, StudyResult};
+use asperity_report::{Fault, StudyResult};
 use pyo3::prelude::*;
 
 use crate::failure::{self, Failure};
 use crate::work::alone;
 
 /// Writes a study as a folder.
-type Write = Box<dyn Fn(&Path) -> Result<(), ReportError> + Send + Sync>;
+type Write = Box<dyn Fn(&Path) -> Result<(), Fault> + Send + Sync>;
 
 /// A study.
 #[pyclass(frozen, module = "asperity._asperity")]
@@ -35,7 +35,7 @@ impl Study {
     pub fn new(
         json: String,
         summary: String,
-        write: impl Fn(&Path) -> Result<(), ReportError> + Send + Sync + 'static,
+        write: impl Fn(&Path) -> Result<(), Fault> + Send + Sync + 'static,
     ) -> Self {
         let write = Box::new(write);
         Self {

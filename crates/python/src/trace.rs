@@ -1,5 +1,6 @@
 //! Profiles: read, generated, prepared, evaluated, written.
 
+use asperity::message::Code;
 use std::path::{Path, PathBuf};
 
 use asperity::case::Trace as CaseTrace;
@@ -151,7 +152,7 @@ impl Plan {
         };
         if self.robust && recipe.lambda_c.is_none() {
             return Err(Failure::new(
-                "E205",
+                Code::E205,
                 "robust applies to the filter at cutoff, which is off",
             ));
         }
@@ -178,11 +179,11 @@ impl Plan {
             })),
             (FormOfProfile::Involute, ..) => {
                 let message = "form = \"involute\" needs base_radius, and roll_length at the middle of the trace";
-                Err(Failure::new("E205", message))
+                Err(Failure::new(Code::E205, message))
             }
             (_, None, None) => Ok(None),
             _ => Err(Failure::new(
-                "E205",
+                Code::E205,
                 "base_radius and roll_length go with form = \"involute\" only",
             )),
         }
@@ -346,14 +347,14 @@ impl Trace {
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         let name = path.display().to_string();
         let refused =
-            |reason: &str| Failure::new("E401", format!("{name}: cannot be written: {reason}"));
+            |reason: &str| Failure::new(Code::E401, format!("{name}: cannot be written: {reason}"));
         alone(py, || {
             let format = WrittenFormat::of_name(&name);
             let format = format.ok_or_else(|| refused("name it .csv, .x3p or .smd"))?;
             let bytes = write(&self.profile, &self.metadata, format);
             let bytes = bytes.map_err(|error| refused(&error.to_string()))?;
             asperity_storage::save(&path, &bytes)
-                .map_err(|error| Failure::new("E401", error.to_string()))
+                .map_err(|error| Failure::new(Code::E401, error.to_string()))
         })
     }
 }

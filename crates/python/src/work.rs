@@ -1,5 +1,6 @@
 //! Work outside of Python: without its lock, ended by Ctrl-C, with progress reported on the calling thread.
 
+use asperity::message::Code;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -79,7 +80,7 @@ fn threads_for(requested: Option<isize>) -> Result<usize, Failure> {
         Ok(threads) if threads > 0 => Ok(threads.min(cores)),
         _ => {
             let message = format!("threads = {requested}: must be 1 or more, or -1 for all cores");
-            Err(Failure::new("E209", message))
+            Err(Failure::new(Code::E209, message))
         }
     }
 }
@@ -104,7 +105,7 @@ pub fn in_parallel<T: Send>(
                 RAISED.set(raised.clone());
             })
             .build();
-        let pool = pool.map_err(|error| Failure::new("E501", error.to_string()));
+        let pool = pool.map_err(|error| Failure::new(Code::E501, error.to_string()));
         pool.and_then(|pool| pool.install(|| work(told)))
     })
 }
@@ -137,7 +138,7 @@ fn beside<T: Send>(
         let builder = thread::Builder::new().stack_size(STACK);
         let worker = builder
             .spawn_scoped(scope, move || run(sender))
-            .map_err(|error| Failure::new("E501", format!("no thread to work on: {error}")))?;
+            .map_err(|error| Failure::new(Code::E501, format!("no thread to work on: {error}")))?;
         let mut watch = Watch {
             progress,
             told: &told,
@@ -166,7 +167,7 @@ fn beside<T: Send>(
                 watch.tell(py)?;
                 Ok(value)
             }
-            _ => Err(Failure::new("E501", "the work ended without a result").into()),
+            _ => Err(Failure::new(Code::E501, "the work ended without a result").into()),
         }
     })
 }

@@ -1,141 +1,114 @@
-//! Errors of reading and writing results.
+//! Errors of reading and writing results. No incomplete result is left behind.
 
-use std::path::{Path, PathBuf};
+use std::fmt::Display;
+use std::path::Path;
 
+use asperity_core::{Code, Fault};
 use asperity_roughness::RoughnessError;
 use asperity_storage::{NotFinite, StorageError};
 use asperity_table::own::{OwnFault, Unwritten};
 
-/// Error of writing or reading a result. No incomplete result is left behind.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ReportError {
-    /// The target holds something else, or the system reports an error.
-    #[error(transparent)]
-    Storage(#[from] StorageError),
-    /// A number is not finite and is not written.
-    #[error("{path}: not written: {source}")]
-    NotFinite {
-        /// The file.
-        path: PathBuf,
-        /// The number.
-        source: NotFinite,
-    },
-    /// The result is missing or was not written by Asperity.
-    #[error("{path}: not a result of asperity run: {reason}")]
-    NotAResult {
-        /// The file.
-        path: PathBuf,
-        /// The reason.
-        reason: &'static str,
-    },
-    /// The folder holds the result of a gear train, which has one for each mesh.
-    #[error("{path}: the result of a gear train; name the folder of one of its meshes")]
-    OfTrain {
-        /// The folder.
-        path: PathBuf,
-    },
-    /// A value of `result.json` is missing or damaged.
-    #[error("{path}: not a result of asperity run: {key}: {source}")]
-    Damaged {
-        /// The file.
-        path: PathBuf,
-        /// Path of the value within it, `summary.efficiency`.
-        key: String,
-        /// Reason given by the reader.
-        source: serde_json::Error,
-    },
-    /// A table next to `result.json` is missing, damaged or belongs to another result.
-    #[error("{path}: not a table of this result: {reason}")]
-    BadTable {
-        /// The file.
-        path: PathBuf,
-        /// The reason.
-        reason: OwnFault,
-    },
-    /// A model choice is neither among the inputs nor among the defaults.
-    #[error("result.json: {key} is neither among the inputs nor among the defaults")]
-    NoValue {
-        /// Key of the case file.
-        key: &'static str,
-    },
-    /// The position does not exist.
-    #[error("position {number} is not among the {count} of the result")]
-    NoSuchPosition {
-        /// The requested number.
-        number: usize,
-        /// Number of positions.
-        count: usize,
-    },
-    /// The fields of the position were not stored.
-    #[error("the fields of position {number} were not stored{}", place.as_ref().map(|place| format!(" in {}", place.display())).unwrap_or_default())]
-    NoFields {
-        /// The requested number.
-        number: usize,
-        /// The result folder, if there is one.
-        place: Option<PathBuf>,
-    },
-    /// A trace cannot be prepared.
-    #[error(transparent)]
-    Flank(#[from] RoughnessError),
-    /// A value cannot be written as JSON.
-    #[error("result.json: {0}")]
-    Json(#[from] serde_json::Error),
-    /// A row cannot be written as CSV.
-    #[error("{path}: {source}")]
-    Csv {
-        /// The file.
-        path: PathBuf,
-        /// Reason given by the writer.
-        source: Box<Unwritten>,
-    },
+/// The result is missing or was not written by Asperity.
+pub(crate) fn not_a_result(path: &Path, reason: &'static str) -> Fault {
+    Fault::new(
+        Code::E402,
+        format!(
+            "{path}: not a result of asperity run: {reason}",
+            path = path.display()
+        ),
+    )
 }
 
-impl ReportError {
-    /// Stable code of the message.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::NotAResult { .. }
-            | Self::OfTrain { .. }
-            | Self::Damaged { .. }
-            | Self::BadTable { .. }
-            | Self::NoValue { .. }
-            | Self::NoFields { .. }
-            | Self::NoSuchPosition { .. } => "E402",
-            Self::NotFinite { .. } => "E501",
-            _ => "E401",
-        }
-    }
+/// The folder holds the result of a gear train, which has one for each mesh.
+pub(crate) fn of_train(path: &Path) -> Fault {
+    Fault::new(
+        Code::E402,
+        format!(
+            "{path}: the result of a gear train; name the folder of one of its meshes",
+            path = path.display()
+        ),
+    )
+}
 
-    /// Error of the system at `path`.
-    pub(crate) fn io(path: &Path) -> impl Fn(std::io::Error) -> Self {
-        let path = path.to_owned();
-        move |source| {
-            Self::Storage(StorageError::Io {
-                path: path.clone(),
-                source,
-            })
-        }
-    }
+/// A value of `result.json` is missing or damaged.
+pub(crate) fn damaged(path: &Path, key: impl Display, source: serde_json::Error) -> Fault {
+    Fault::new(
+        Code::E402,
+        format!(
+            "{path}: not a result of asperity run: {key}: {source}",
+            path = path.display()
+        ),
+    )
+}
 
-    /// Error of a table at `path`.
-    pub(crate) fn unwritten(path: &Path) -> impl Fn(Unwritten) -> Self {
-        let path = path.to_owned();
-        move |reason| match reason {
-            Unwritten::NotFinite(source) => Self::not_finite(&path)(source),
-            reason => Self::Csv {
-                path: path.clone(),
-                source: Box::new(reason),
-            },
-        }
-    }
+/// A table next to `result.json` is missing, damaged or belongs to another result.
+pub(crate) fn bad_table(path: &Path, reason: OwnFault) -> Fault {
+    Fault::new(
+        Code::E402,
+        format!(
+            "{path}: not a table of this result: {reason}",
+            path = path.display()
+        ),
+    )
+}
 
-    /// Error of a number at `path`.
-    pub(crate) fn not_finite(path: &Path) -> impl Fn(NotFinite) -> Self {
-        let path = path.to_owned();
-        move |source| Self::NotFinite {
-            path: path.clone(),
-            source,
-        }
+/// A model choice is neither among the inputs nor among the defaults.
+pub(crate) fn no_value(key: &'static str) -> Fault {
+    Fault::new(
+        Code::E402,
+        format!("result.json: {key} is neither among the inputs nor among the defaults"),
+    )
+}
+
+/// The position does not exist.
+pub(crate) fn no_such_position(number: usize, count: usize) -> Fault {
+    Fault::new(
+        Code::E402,
+        format!("position {number} is not among the {count} of the result"),
+    )
+    .helping("Positions are numbered from 1, as in the column position of path.csv.")
+}
+
+/// The fields of the position were not stored.
+pub(crate) fn no_fields(number: usize, place: Option<&Path>) -> Fault {
+    let place = place.map_or_else(String::new, |place| format!(" in {}", place.display()));
+    Fault::new(
+        Code::E402,
+        format!("the fields of position {number} were not stored{place}"),
+    )
+    .helping("Run the case again with this position in --fields.")
+}
+
+/// A trace cannot be prepared.
+pub(crate) fn of_flank(error: RoughnessError) -> Fault {
+    Fault::of(Code::E401, error)
+}
+
+/// A value cannot be written as JSON.
+pub fn of_json(error: serde_json::Error) -> Fault {
+    Fault::of(Code::E401, error).about("result.json")
+}
+
+/// Error of the system at `path`.
+pub(crate) fn io(path: &Path) -> impl Fn(std::io::Error) -> Fault {
+    let path = path.to_owned();
+    move |source| StorageError::io(&path)(source).into()
+}
+
+/// Error of a table at `path`.
+pub(crate) fn unwritten(path: &Path) -> impl Fn(Unwritten) -> Fault {
+    let path = path.to_owned();
+    move |reason| match reason {
+        Unwritten::NotFinite(source) => not_finite(&path)(source),
+        reason => Fault::of(Code::E401, reason).about(path.display()),
+    }
+}
+
+/// Error of a number at `path`, which is not written.
+pub(crate) fn not_finite(path: &Path) -> impl Fn(NotFinite) -> Fault {
+    let path = path.to_owned();
+    move |source| {
+        let fault = Fault::of(Code::E501, source).about("not written");
+        fault.about(path.display())
     }
 }

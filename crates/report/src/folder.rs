@@ -1,5 +1,7 @@
 //! The result folder: written as a whole, next to its target and then moved there, and read back.
 
+use crate::error;
+use asperity_core::Fault;
 use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -11,7 +13,6 @@ use asperity_storage::{check_finite, save, whole_file, write_among};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::error::ReportError;
 use crate::html;
 use crate::page_tables::{PageTables, shown_position};
 use crate::tables::{self, ContactTables, folder_of};
@@ -81,24 +82,21 @@ pub(crate) fn title_in(file: &Path) -> Option<String> {
 }
 
 /// Checks that `outcome` holds the fields to write.
-pub(crate) fn check_fields(outcome: &Outcome, fields: &Fields) -> Result<(), ReportError> {
+pub(crate) fn check_fields(outcome: &Outcome, fields: &Fields) -> Result<(), Fault> {
     let Fields::Positions(numbers) = fields else {
         return Ok(());
     };
     for &number in numbers {
         shown_position(&outcome.result, Some(number))?;
         if outcome.fields.iter().all(|held| held.position != number) {
-            return Err(ReportError::NoFields {
-                number,
-                place: None,
-            });
+            return Err(error::no_fields(number, None));
         }
     }
     Ok(())
 }
 
 /// Name and content of the table of all points of the load map.
-pub(crate) fn load_points(outcome: &Outcome) -> Result<(String, Vec<u8>), ReportError> {
+pub(crate) fn load_points(outcome: &Outcome) -> Result<(String, Vec<u8>), Fault> {
     let text = tables::text(Path::new(MAP), tables::load_points(&outcome.load_map))?;
     Ok((MAP.to_owned(), text))
 }
@@ -107,7 +105,7 @@ pub(crate) fn load_points(outcome: &Outcome) -> Result<(String, Vec<u8>), Report
 ///
 /// # Errors
 /// When a file cannot be written.
-pub fn write_unsolved(contact: &UnsolvedContact, file: &Path) -> Result<(), ReportError> {
+pub fn write_unsolved(contact: &UnsolvedContact, file: &Path) -> Result<(), Fault> {
     let mut text = String::from("x_m,h_m\n");
     for (x, h) in contact.x.iter().zip(&contact.gap) {
         text.push_str(&format!("{x:e},{h:e}\n"));
@@ -118,7 +116,7 @@ pub fn write_unsolved(contact: &UnsolvedContact, file: &Path) -> Result<(), Repo
     Ok(save(file, text.as_bytes())?)
 }
 
-pub(crate) fn fill(outcome: &Outcome, folder: &Path, fields: &Fields) -> Result<(), ReportError> {
+pub(crate) fn fill(outcome: &Outcome, folder: &Path, fields: &Fields) -> Result<(), Fault> {
     let whole = PageTables::of(outcome, None)?;
     for (name, text) in texts_of(outcome, &whole)? {
         write_bytes(&folder.join(name), &text)?;
@@ -133,20 +131,20 @@ pub(crate) fn fill(outcome: &Outcome, folder: &Path, fields: &Fields) -> Result<
 pub(crate) type FileText = (&'static str, Vec<u8>);
 
 /// The files of the folder of a mesh without fields, in memory.
-pub(crate) fn texts_of_mesh(outcome: &Outcome) -> Result<Vec<FileText>, ReportError> {
+pub(crate) fn texts_of_mesh(outcome: &Outcome) -> Result<Vec<FileText>, Fault> {
     texts_of(outcome, &PageTables::of(outcome, None)?)
 }
 
-fn texts_of(outcome: &Outcome, whole: &PageTables) -> Result<Vec<FileText>, ReportError> {
+fn texts_of(outcome: &Outcome, whole: &PageTables) -> Result<Vec<FileText>, Fault> {
     fn table<R: Serialize>(
         name: &'static str,
         rows: impl IntoIterator<Item = R>,
-    ) -> Result<FileText, ReportError> {
+    ) -> Result<FileText, Fault> {
         Ok((name, tables::text(Path::new(name), rows)?))
     }
     let result = &outcome.result;
     let shown = whole.thinned(result, PAGE_TABLES)?;
-    check_finite(&shown).map_err(ReportError::not_finite(Path::new(PAGE_TABLES)))?;
+    check_finite(&shown).map_err(error::not_finite(Path::new(PAGE_TABLES)))?;
     Ok(vec![
         (MARK, json_text(Path::new(MARK), result)?.into_bytes()),
         table("path.csv", &result.path)?,
@@ -154,7 +152,10 @@ fn texts_of(outcome: &Outcome, whole: &PageTables) -> Result<Vec<FileText>, Repo
         table("offsets.csv", &outcome.offsets)?,
         table("losses.csv", tables::losses(result))?,
         table("friction_laws.csv", tables::friction_laws(result))?,
-        (PAGE_TABLES, serde_json::to_vec(&shown)?),
+        (
+            PAGE_TABLES,
+            serde_json::to_vec(&shown).map_err(error::of_json)?,
+        ),
         (PAGE, html::render(result, &shown)?.into_bytes()),
     ])
 }
@@ -164,7 +165,7 @@ fn write_fields(
     whole: &PageTables,
     folder: &Path,
     fields: &Fields,
-) -> Result<(), ReportError> {
+) -> Result<(), Fault> {
     tables::write(&folder.join("load_map.csv"), &whole.load_map)?;
     for (body, flank) in whole.flanks.iter().enumerate() {
         if let Some(flank) = flank {
@@ -186,7 +187,7 @@ fn write_fields(
     Ok(())
 }
 
-fn write_position(contact: &ContactTables, place: &Path) -> Result<(), ReportError> {
+fn write_position(contact: &ContactTables, place: &Path) -> Result<(), Fault> {
     tables::write(&place.join("surface.csv"), &contact.surface)?;
     if !contact.subsurface.is_empty() {
         tables::write(&place.join("subsurface.csv"), &contact.subsurface)?;
@@ -198,14 +199,14 @@ fn write_position(contact: &ContactTables, place: &Path) -> Result<(), ReportErr
 ///
 /// # Errors
 /// When a file cannot be written, a number is not finite, or JSON cannot hold the value.
-pub fn write_json<T: Serialize>(file: &Path, value: &T) -> Result<(), ReportError> {
+pub fn write_json<T: Serialize>(file: &Path, value: &T) -> Result<(), Fault> {
     write_text(file, &json_text(file, value)?)
 }
 
 /// Value as JSON that ends with a line feed; `file` is the name in messages.
-pub(crate) fn json_text<T: Serialize>(file: &Path, value: &T) -> Result<String, ReportError> {
-    check_finite(value).map_err(ReportError::not_finite(file))?;
-    let mut text = serde_json::to_string_pretty(value)?;
+pub(crate) fn json_text<T: Serialize>(file: &Path, value: &T) -> Result<String, Fault> {
+    check_finite(value).map_err(error::not_finite(file))?;
+    let mut text = serde_json::to_string_pretty(value).map_err(error::of_json)?;
     text.push('\n');
     Ok(text)
 }
@@ -214,7 +215,7 @@ pub(crate) fn json_text<T: Serialize>(file: &Path, value: &T) -> Result<String, 
 ///
 /// # Errors
 /// When a file cannot be written.
-pub fn write_text(file: &Path, text: &str) -> Result<(), ReportError> {
+pub fn write_text(file: &Path, text: &str) -> Result<(), Fault> {
     write_bytes(file, text.as_bytes())
 }
 
@@ -222,25 +223,25 @@ pub fn write_text(file: &Path, text: &str) -> Result<(), ReportError> {
 ///
 /// # Errors
 /// When a file cannot be written, or another one has its name.
-pub fn write_bytes(file: &Path, bytes: &[u8]) -> Result<(), ReportError> {
+pub fn write_bytes(file: &Path, bytes: &[u8]) -> Result<(), Fault> {
     let written = fs::File::create_new(file).and_then(|mut new| new.write_all(bytes));
-    written.map_err(ReportError::io(file))
+    written.map_err(error::io(file))
 }
 
 /// Makes `folder` and its parents.
 ///
 /// # Errors
 /// When a file cannot be written.
-pub fn make_folder(folder: &Path) -> Result<(), ReportError> {
-    fs::create_dir_all(folder).map_err(ReportError::io(folder))
+pub fn make_folder(folder: &Path) -> Result<(), Fault> {
+    fs::create_dir_all(folder).map_err(error::io(folder))
 }
 
 /// Makes `folder` in a folder under construction, but not that folder itself, which a signal may have removed.
 ///
 /// # Errors
 /// When a file cannot be written.
-pub(crate) fn make_subfolder(folder: &Path) -> Result<(), ReportError> {
-    fs::create_dir(folder).map_err(ReportError::io(folder))
+pub(crate) fn make_subfolder(folder: &Path) -> Result<(), Fault> {
+    fs::create_dir(folder).map_err(error::io(folder))
 }
 
 /// Reads a result from its JSON. Not generic, so that other crates do not compile the reader anew.
@@ -255,12 +256,10 @@ pub fn parse_result(json: &str) -> Result<RunResult, serde_json::Error> {
 ///
 /// # Errors
 /// When there is no result, or a value of it is missing or damaged.
-pub fn read_result(path: &Path) -> Result<(PathBuf, RunResult), ReportError> {
+pub fn read_result(path: &Path) -> Result<(PathBuf, RunResult), Fault> {
     let holds = |mark: &&str| path.join(mark).is_file();
     if !holds(&MARK) && [PLANETARY_MARK, TRAIN_MARK].iter().any(holds) {
-        return Err(ReportError::OfTrain {
-            path: path.to_owned(),
-        });
+        return Err(error::of_train(path));
     }
     let file = match path.is_dir() {
         true => path.join(MARK),
@@ -274,21 +273,14 @@ pub fn read_result(path: &Path) -> Result<(PathBuf, RunResult), ReportError> {
     Ok((folder, result))
 }
 
-fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, ReportError> {
-    let refused = |reason| ReportError::NotAResult {
-        path: file.to_owned(),
-        reason,
-    };
+fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, Fault> {
+    let refused = |reason| error::not_a_result(file, reason);
     let bytes = whole_file(file, LARGEST).map_err(|error| match error.kind() {
         std::io::ErrorKind::Other => refused("it is not a file, or too large for a result"),
         _ => refused("there is no such file"),
     })?;
     serde_json::from_slice(&bytes).map_err(|error| match error.is_data() {
-        true => ReportError::Damaged {
-            path: file.to_owned(),
-            key: value_path(&bytes, &error),
-            source: error,
-        },
+        true => error::damaged(file, value_path(&bytes, &error), error),
         false => refused("it is not JSON"),
     })
 }
@@ -360,7 +352,7 @@ fn next_byte(text: &[u8]) -> u8 {
 ///
 /// # Errors
 /// When the result cannot be read, the fields of `position` were not stored, or the page cannot be written.
-pub fn redraw(path: &Path, position: Option<usize>) -> Result<PathBuf, ReportError> {
+pub fn redraw(path: &Path, position: Option<usize>) -> Result<PathBuf, Fault> {
     let (folder, result) = read_result(path)?;
     let mut shown: PageTables = read_json(&folder.join(PAGE_TABLES))?;
     let chosen = shown_position(&result, position)?;
@@ -376,10 +368,7 @@ pub fn redraw(path: &Path, position: Option<usize>) -> Result<PathBuf, ReportErr
             (Some(contact), _) => Some(contact),
             (None, None) => None,
             (None, Some(number)) => {
-                return Err(ReportError::NoFields {
-                    number,
-                    place: Some(folder),
-                });
+                return Err(error::no_fields(number, Some(&folder)));
             }
         };
         let whole = PageTables {

@@ -30,7 +30,6 @@ pub mod units;
 mod whole;
 mod wrap;
 
-pub use error::ReportError;
 pub use folder::{
     Fields, PAGE, make_folder, parse_result, read_result, redraw, title_of, write_bytes,
     write_json, write_text, write_unsolved,

@@ -1,11 +1,11 @@
 //! Gears, steels and oils of the library as JSON, with numbers that follow from theirs.
 
+use asperity_core::{Code, Fault};
 use std::collections::BTreeSet;
 
 use asperity::case::nearest_name;
 use asperity::gear::{GearPair, GearPairInput, Plane};
 use asperity::oil::{LibraryOil, LubricantError, LubricantInput, library};
-use asperity_core::DomainError;
 use asperity_core::presets::{
     FigureRow, GearPreset, PresetError, PresetSource, SteelPreset, gear, gears, sources, steel,
     steels,
@@ -16,69 +16,23 @@ use serde_json::{Value, json};
 /// Temperatures \[°C\] at which the viscosities of an oil are listed.
 const LISTED: [f64; 2] = [40.0, 100.0];
 
-/// Errors of the library.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum LibraryError {
-    /// A name that the library does not have.
-    #[error("the library has no {kind} named \"{name}\"{suggestion} It has: {known}")]
-    Unknown {
-        /// Gears, steel or oil.
-        kind: String,
-        /// The name.
-        name: String,
-        /// The most similar name, as a question.
-        suggestion: String,
-        /// All names.
-        known: String,
-    },
-    /// Numbers of the library that cannot be read or do not go together.
-    #[error("{0}")]
-    Faulty(String),
+fn unknown(kind: &str, name: &str, known: &[String]) -> Fault {
+    let similar = nearest_name(name, known);
+    let question = similar.map_or(".".to_owned(), |name| format!(". Did you mean \"{name}\"?"));
+    let known = known.join(", ");
+    Fault::new(
+        Code::E220,
+        format!("the library has no {kind} named \"{name}\"{question} It has: {known}"),
+    )
 }
 
-impl LibraryError {
-    /// Stable code.
-    #[must_use]
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Unknown { .. } => "E220",
-            Self::Faulty(_) => "E501",
+/// The error of a name that the library does not have, or of its files.
+pub fn unlisted(error: PresetError) -> Fault {
+    match error {
+        PresetError::Unknown { kind, name, known } => {
+            unknown(if kind == "steels" { "steel" } else { kind }, &name, &known)
         }
-    }
-
-    fn unknown(kind: &str, name: &str, known: &[String]) -> Self {
-        let similar = nearest_name(name, known);
-        Self::Unknown {
-            kind: kind.to_owned(),
-            name: name.to_owned(),
-            suggestion: similar
-                .map_or(".".to_owned(), |name| format!(". Did you mean \"{name}\"?")),
-            known: known.join(", "),
-        }
-    }
-}
-
-impl From<PresetError> for LibraryError {
-    fn from(error: PresetError) -> Self {
-        match error {
-            PresetError::Unknown { kind, name, known } => {
-                Self::unknown(if kind == "steels" { "steel" } else { kind }, &name, &known)
-            }
-            error => Self::Faulty(error.to_string()),
-        }
-    }
-}
-
-impl From<DomainError> for LibraryError {
-    fn from(error: DomainError) -> Self {
-        Self::Faulty(error.to_string())
-    }
-}
-
-impl From<LubricantError> for LibraryError {
-    fn from(error: LubricantError) -> Self {
-        Self::Faulty(error.to_string())
+        error => Fault::internal(error),
     }
 }
 
@@ -86,10 +40,10 @@ impl From<LubricantError> for LibraryError {
 ///
 /// # Errors
 /// When the library has no gears of this name.
-pub fn gears_named(name: Option<&str>) -> Result<Vec<GearPreset>, LibraryError> {
+pub fn gears_named(name: Option<&str>) -> Result<Vec<GearPreset>, Fault> {
     Ok(match name {
-        Some(name) => vec![gear(name)?],
-        None => gears()?,
+        Some(name) => vec![gear(name).map_err(unlisted)?],
+        None => gears().map_err(unlisted)?,
     })
 }
 
@@ -97,10 +51,10 @@ pub fn gears_named(name: Option<&str>) -> Result<Vec<GearPreset>, LibraryError> 
 ///
 /// # Errors
 /// When the library has no steel of this name.
-pub fn steels_named(name: Option<&str>) -> Result<Vec<SteelPreset>, LibraryError> {
+pub fn steels_named(name: Option<&str>) -> Result<Vec<SteelPreset>, Fault> {
     Ok(match name {
-        Some(name) => vec![steel(name)?],
-        None => steels()?,
+        Some(name) => vec![steel(name).map_err(unlisted)?],
+        None => steels().map_err(unlisted)?,
     })
 }
 
@@ -108,14 +62,14 @@ pub fn steels_named(name: Option<&str>) -> Result<Vec<SteelPreset>, LibraryError
 ///
 /// # Errors
 /// When the library has no oil of this name.
-pub fn oil_named(name: &str) -> Result<LibraryOil, LibraryError> {
-    let mut oils = library()?;
+pub fn oil_named(name: &str) -> Result<LibraryOil, Fault> {
+    let mut oils = library().map_err(Fault::internal)?;
     let is_named = |oil: &LibraryOil| oil.name.eq_ignore_ascii_case(name.trim());
     match oils.iter().position(is_named) {
         Some(index) => Ok(oils.swap_remove(index)),
         None => {
             let known: Vec<String> = oils.into_iter().map(|oil| oil.name).collect();
-            Err(LibraryError::unknown("oil", name, &known))
+            Err(unknown("oil", name, &known))
         }
     }
 }
@@ -124,10 +78,10 @@ pub fn oil_named(name: &str) -> Result<LibraryOil, LibraryError> {
 ///
 /// # Errors
 /// See [`oil_named`].
-pub fn oils_named(name: Option<&str>) -> Result<Vec<LibraryOil>, LibraryError> {
+pub fn oils_named(name: Option<&str>) -> Result<Vec<LibraryOil>, Fault> {
     match name {
         Some(name) => Ok(vec![oil_named(name)?]),
-        None => Ok(library()?),
+        None => library().map_err(Fault::internal),
     }
 }
 
@@ -135,7 +89,7 @@ pub fn oils_named(name: Option<&str>) -> Result<Vec<LibraryOil>, LibraryError> {
 ///
 /// # Errors
 /// When the numbers make no gear pair.
-pub fn pair_of(preset: &GearPreset) -> Result<(Length, f64), LibraryError> {
+pub fn pair_of(preset: &GearPreset) -> Result<(Length, f64), Fault> {
     let gears = &preset.gears;
     let tip = gears.tip_diameter.as_ref();
     let pair = GearPair::new(&GearPairInput {
@@ -151,7 +105,7 @@ pub fn pair_of(preset: &GearPreset) -> Result<(Length, f64), LibraryError> {
         tip_radius: tip.map(|tip| tip.value.map(|diameter| diameter / 2.0)),
         addendum: 1.0,
     });
-    let pair = pair.map_err(|error| LibraryError::Faulty(format!("{}: {error}", preset.name)))?;
+    let pair = pair.map_err(|error| Fault::internal(format!("{}: {error}", preset.name)))?;
     Ok((pair.centre_distance, pair.path.eps_alpha))
 }
 
@@ -159,12 +113,19 @@ pub fn pair_of(preset: &GearPreset) -> Result<(Length, f64), LibraryError> {
 ///
 /// # Errors
 /// When the hardness is outside the range of the correlations.
-pub fn strength(steel: &SteelPreset) -> Result<(f64, Option<f64>), LibraryError> {
+pub fn strength(steel: &SteelPreset) -> Result<(f64, Option<f64>), Fault> {
     let hardness = steel.hardness.value;
-    let flow = hardness.flow_pressure()?;
+    let flow = hardness.flow_pressure().map_err(Fault::internal)?;
     let limit = match steel.is_powder_metal() {
         true => None,
-        false => Some(hardness.yield_strength()?.value.si() / 1e6),
+        false => Some(
+            hardness
+                .yield_strength()
+                .map_err(Fault::internal)?
+                .value
+                .si()
+                / 1e6,
+        ),
     };
     Ok((flow.si() / 1e9, limit))
 }
@@ -173,7 +134,7 @@ pub fn strength(steel: &SteelPreset) -> Result<(f64, Option<f64>), LibraryError>
 ///
 /// # Errors
 /// When the oil has no state there.
-pub fn states(name: &str) -> Result<[(f64, f64); 2], LibraryError> {
+pub fn states(name: &str) -> Result<[(f64, f64); 2], Fault> {
     let input = LubricantInput {
         oil: Some(name.to_owned()),
         ..LubricantInput::default()
@@ -185,24 +146,26 @@ pub fn states(name: &str) -> Result<[(f64, f64); 2], LibraryError> {
         let alpha = state.pressure_viscosity.si() / 1e-9;
         Ok((state.dynamic_viscosity.si() / 1e-3, alpha))
     };
-    Ok([at(LISTED[0])?, at(LISTED[1])?])
+    let states = at(LISTED[0]).and_then(|cold| Ok([cold, at(LISTED[1])?]));
+    states.map_err(Fault::internal)
 }
 
 /// Sources of the numbers.
 ///
 /// # Errors
 /// When the list of sources cannot be read.
-pub fn used(rows: &[FigureRow<'_>]) -> Result<Vec<PresetSource>, LibraryError> {
+pub fn used(rows: &[FigureRow<'_>]) -> Result<Vec<PresetSource>, Fault> {
     let keys: BTreeSet<&str> = rows.iter().map(|row| row.source).collect();
     let is_used = |source: &PresetSource| keys.contains(source.key.as_str());
-    Ok(sources()?.into_iter().filter(is_used).collect())
+    let sources = sources().map_err(Fault::internal)?;
+    Ok(sources.into_iter().filter(is_used).collect())
 }
 
 /// Gears with their numbers, certainties and sources, as `asperity gears --json` lists them.
 ///
 /// # Errors
 /// See [`pair_of`].
-pub fn listed_gears(preset: &GearPreset) -> Result<Value, LibraryError> {
+pub fn listed_gears(preset: &GearPreset) -> Result<Value, Fault> {
     let (distance, ratio) = pair_of(preset)?;
     Ok(json!({
         "name": preset.name,
@@ -220,7 +183,7 @@ pub fn listed_gears(preset: &GearPreset) -> Result<Value, LibraryError> {
 ///
 /// # Errors
 /// See [`strength`].
-pub fn listed_steel(steel: &SteelPreset) -> Result<Value, LibraryError> {
+pub fn listed_steel(steel: &SteelPreset) -> Result<Value, Fault> {
     let (flow, limit) = strength(steel)?;
     Ok(json!({
         "name": steel.name,
@@ -238,7 +201,7 @@ pub fn listed_steel(steel: &SteelPreset) -> Result<Value, LibraryError> {
 ///
 /// # Errors
 /// See [`states`].
-pub fn listed_oil(oil: &LibraryOil) -> Result<Value, LibraryError> {
+pub fn listed_oil(oil: &LibraryOil) -> Result<Value, Fault> {
     let [(cold, _), (hot, alpha)] = states(&oil.name)?;
     Ok(json!({
         "name": oil.name,

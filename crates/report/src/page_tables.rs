@@ -1,12 +1,13 @@
 //! Tables of a page, in addition to the result.
 
+use crate::error;
 use asperity::result::ContactView;
 use asperity::result::{Outcome, PositionRow, RunResult};
+use asperity_core::Fault;
 use serde::{Deserialize, Serialize};
 
 use asperity_table::own::OwnFault;
 
-use crate::error::ReportError;
 use crate::tables::{ContactTables, FlankTables, LoadMapRow, check_field, load_map, thinned_views};
 
 /// Tables of both flanks, of the load map and of one mesh position. Tables that are read back are checked: fields are
@@ -64,7 +65,7 @@ impl PageTables {
     ///
     /// # Errors
     /// When the position does not exist or has no fields, or a trace cannot be prepared.
-    pub fn of(outcome: &Outcome, position: Option<usize>) -> Result<Self, ReportError> {
+    pub fn of(outcome: &Outcome, position: Option<usize>) -> Result<Self, Fault> {
         let flank = |body: usize| {
             let record = &outcome.result.flanks[body];
             FlankTables::new(record, outcome.traces[body].as_ref())
@@ -76,13 +77,13 @@ impl PageTables {
             Some(ContactTables::new(fields, row))
         });
         if let (Some(number), None) = (position, &contact) {
-            return Err(ReportError::NoFields {
-                number,
-                place: None,
-            });
+            return Err(error::no_fields(number, None));
         }
         Ok(Self {
-            flanks: [flank(0)?, flank(1)?],
+            flanks: [
+                flank(0).map_err(error::of_flank)?,
+                flank(1).map_err(error::of_flank)?,
+            ],
             load_map: load_map(&outcome.load_map),
             contact,
             views: outcome.views.clone(),
@@ -94,7 +95,7 @@ impl PageTables {
     ///
     /// # Errors
     /// When `result` does not have the position.
-    pub fn thinned(&self, result: &RunResult, file: &str) -> Result<Self, ReportError> {
+    pub fn thinned(&self, result: &RunResult, file: &str) -> Result<Self, Fault> {
         let flank = |body: usize| {
             let flank: Option<&FlankTables> = self.flanks[body].as_ref();
             flank.map(FlankTables::thinned)
@@ -125,14 +126,13 @@ impl PageTables {
 pub(crate) fn shown_position(
     result: &RunResult,
     requested: Option<usize>,
-) -> Result<Option<&PositionRow>, ReportError> {
+) -> Result<Option<&PositionRow>, Fault> {
     let rows = &result.path;
     if let Some(number) = requested {
         let row = rows.iter().find(|row| row.position == number);
-        return row.map(Some).ok_or(ReportError::NoSuchPosition {
-            number,
-            count: rows.len(),
-        });
+        return row
+            .map(Some)
+            .ok_or(error::no_such_position(number, rows.len()));
     }
     let pressure = |row: &PositionRow| row.p_max_mpa.unwrap_or(row.hertz_pressure_mpa);
     let highest = rows

@@ -9,7 +9,6 @@ use asperity::result::{Outcome, RunResult};
 use asperity::train::{MeshRow, Outcomes, Whole};
 use asperity_storage::{check_folder, replace_folder, write_among};
 
-use crate::error::ReportError;
 use crate::folder::{
     Fields, FileText, check_fields, fill, load_points, make_subfolder, texts_of_mesh, write_bytes,
 };
@@ -18,6 +17,7 @@ use crate::summary::{brief, headline, note, short_note, summary_within, weightie
 use crate::tiles::{Tile, tiles};
 use crate::whole;
 use crate::wrap::wrapped_within;
+use asperity_core::Fault;
 
 /// Kind of the folder in messages.
 const KIND: &str = "result";
@@ -53,7 +53,7 @@ impl<'a> From<&'a Outcomes> for Results<'a> {
 ///
 /// # Errors
 /// When `target` holds something else.
-pub fn check_place(target: &Path) -> Result<(), ReportError> {
+pub fn check_place(target: &Path) -> Result<(), Fault> {
     Ok(check_folder(target, KIND)?)
 }
 
@@ -72,7 +72,7 @@ pub fn write_folder<'a>(
     results: impl Into<Results<'a>>,
     target: &Path,
     fields: &Fields,
-) -> Result<(), ReportError> {
+) -> Result<(), Fault> {
     let results = results.into();
     for mesh in results.meshes {
         check_fields(mesh, fields)?;
@@ -99,7 +99,7 @@ pub fn write_folder<'a>(
 ///
 /// # Errors
 /// When a number is not finite.
-pub fn texts<'a>(results: impl Into<Results<'a>>) -> Result<Vec<(String, Vec<u8>)>, ReportError> {
+pub fn texts<'a>(results: impl Into<Results<'a>>) -> Result<Vec<(String, Vec<u8>)>, Fault> {
     let results = results.into();
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
     let of_whole = results.texts_of_whole()?.into_iter();
@@ -116,16 +116,13 @@ pub fn texts<'a>(results: impl Into<Results<'a>>) -> Result<Vec<(String, Vec<u8>
 ///
 /// # Errors
 /// When a file cannot be written.
-pub fn write_load_points<'a>(
-    results: impl Into<Results<'a>>,
-    target: &Path,
-) -> Result<(), ReportError> {
+pub fn write_load_points<'a>(results: impl Into<Results<'a>>, target: &Path) -> Result<(), Fault> {
     let results = results.into();
     let files = results.places().map(|(place, mesh)| {
         let (name, text) = load_points(mesh)?;
         Ok((in_place(place.as_deref(), &name), text))
     });
-    let files = files.collect::<Result<Vec<_>, ReportError>>()?;
+    let files = files.collect::<Result<Vec<_>, Fault>>()?;
     Ok(write_among(target, &files)?)
 }
 
@@ -134,7 +131,7 @@ fn in_place(place: Option<&str>, name: &str) -> String {
 }
 
 impl<'a> Results<'a> {
-    fn texts_of_whole(self) -> Result<Vec<FileText>, ReportError> {
+    fn texts_of_whole(self) -> Result<Vec<FileText>, Fault> {
         match self.whole {
             Some(whole) => whole::texts(whole, &self.warnings()),
             None => Ok(Vec::new()),

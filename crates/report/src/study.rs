@@ -1,11 +1,11 @@
 //! Folders of study results: a JSON file, tables and a page, written completely or not at all.
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity_storage::{check_folder, replace_folder};
 use serde::Serialize;
 
-use crate::error::ReportError;
 use crate::folder::{title_in, write_json, write_text};
 
 /// Result of a study: rows for tables, charts for a page, and a summary for the terminal.
@@ -27,13 +27,13 @@ pub trait StudyResult: Serialize + Sized {
     ///
     /// # Errors
     /// When a file cannot be written.
-    fn write_tables(&self, context: Self::Context<'_>, folder: &Path) -> Result<(), ReportError>;
+    fn write_tables(&self, context: Self::Context<'_>, folder: &Path) -> Result<(), Fault>;
 
     /// Checks that a result may be written as folder `target`.
     ///
     /// # Errors
     /// When `target` holds something else than an older result of this kind.
-    fn check_target(target: &Path) -> Result<(), ReportError> {
+    fn check_target(target: &Path) -> Result<(), Fault> {
         Ok(check_folder(target, Self::KIND)?)
     }
 
@@ -46,7 +46,7 @@ pub trait StudyResult: Serialize + Sized {
     ///
     /// # Errors
     /// When a file cannot be written, or `target` holds something else.
-    fn write(&self, context: Self::Context<'_>, target: &Path) -> Result<(), ReportError> {
+    fn write(&self, context: Self::Context<'_>, target: &Path) -> Result<(), Fault> {
         let name = Self::NAME;
         replace_folder(target, Self::KIND, |folder| {
             write_json(&folder.join(format!("{name}.json")), self)?;

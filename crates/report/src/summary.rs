@@ -1,5 +1,6 @@
 //! The summary for the terminal, in 80 columns.
 
+use asperity_core::Code;
 use std::fmt::Write as _;
 
 use crate::printed::{
@@ -81,21 +82,38 @@ pub fn headline(result: &RunResult) -> String {
 }
 
 /// Codes of warnings about inputs that make the result doubtful, the most important first.
-const DOUBTFUL: &[&str] = &[
-    "W451", "W201", "W402", "W426", "W412", "W452", "W405", "W441", "W322", "W117", "W124", "W327",
-    "W128", "W112", "W132", "W448", "W118", "W111", "W125",
+const DOUBTFUL: &[Code] = &[
+    Code::W451,
+    Code::W201,
+    Code::W402,
+    Code::W426,
+    Code::W412,
+    Code::W452,
+    Code::W405,
+    Code::W441,
+    Code::W322,
+    Code::W117,
+    Code::W124,
+    Code::W327,
+    Code::W128,
+    Code::W112,
+    Code::W132,
+    Code::W448,
+    Code::W118,
+    Code::W111,
+    Code::W125,
 ];
 /// Component of the uncertainty that the warnings of a code are about.
-const SUBJECTS: &[(&str, Subject)] = &[
-    ("W439", Subject::TipRelief),
-    ("W415", Subject::FastModel),
-    ("W404", Subject::Sampling),
-    ("W406", Subject::Sampling),
-    ("W407", Subject::Sampling),
-    ("W417", Subject::Sampling),
-    ("W418", Subject::Sampling),
-    ("W437", Subject::Sampling),
-    ("W450", Subject::Sampling),
+const SUBJECTS: &[(Code, Subject)] = &[
+    (Code::W439, Subject::TipRelief),
+    (Code::W415, Subject::FastModel),
+    (Code::W404, Subject::Sampling),
+    (Code::W406, Subject::Sampling),
+    (Code::W407, Subject::Sampling),
+    (Code::W417, Subject::Sampling),
+    (Code::W418, Subject::Sampling),
+    (Code::W437, Subject::Sampling),
+    (Code::W450, Subject::Sampling),
 ];
 
 /// Beginning of the worth of a warning.
@@ -129,7 +147,7 @@ pub(crate) fn weightiest(result: &RunResult) -> Option<Warning> {
 /// Change of the loss \[W\] that `warning` is about: half the range of its component of the uncertainty, or the contact of
 /// the tip edges.
 fn worth(warning: &Warning, result: &RunResult) -> Option<f64> {
-    if let ("W421", Some(edges)) = (&*warning.code, &result.load.edge_contact) {
+    if let (Code::W421, Some(edges)) = (warning.code, &result.load.edge_contact) {
         return Some((edges.with / edges.without - 1.0).abs() * result.summary.sliding_w);
     }
     let of_code = SUBJECTS.iter().find(|(code, _)| *code == warning.code);

@@ -1,5 +1,6 @@
 //! Result of a gear train as a whole: its tables, its page, its summary and its headline.
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::case::train::mesh_folder;
@@ -7,7 +8,6 @@ use asperity::message::Warning;
 use asperity::train::Whole;
 use maud::{Markup, html};
 
-use crate::error::ReportError;
 use crate::folder::{FileText, PAGE, PLANETARY_MARK, TRAIN_MARK, json_text};
 use crate::html::band::evidence;
 use crate::html::gearbox::section;
@@ -20,7 +20,7 @@ use crate::tiles::{Tile, TileKind};
 use crate::wrap::wrapped;
 
 /// The files of a train without the folders of its meshes; its page shows `warnings`.
-pub(crate) fn texts(result: &Whole, warnings: &[Warning]) -> Result<Vec<FileText>, ReportError> {
+pub(crate) fn texts(result: &Whole, warnings: &[Warning]) -> Result<Vec<FileText>, Fault> {
     let mark = match result.set {
         Some(_) => PLANETARY_MARK,
         None => TRAIN_MARK,

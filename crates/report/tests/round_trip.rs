@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
+use asperity_core::{Code, Fault};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -10,7 +11,7 @@ use std::sync::OnceLock;
 use asperity::case::{Formulation, load_with};
 use asperity::result::{Outcome, RunResult};
 use asperity_report::tables::{SurfaceRow, TraceRow};
-use asperity_report::{Fields, PageTables, ReportError, read_result, redraw, texts, write_folder};
+use asperity_report::{Fields, PageTables, read_result, redraw, texts, write_folder};
 
 fn cases() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases");
@@ -111,12 +112,20 @@ fn a_value_that_is_missing_or_damaged_is_named_with_its_place() {
         assert_ne!(damaged, text, "{seen}");
         fs::write(&file, damaged).unwrap();
         match redraw(&folder, None) {
-            Err(ReportError::Damaged { key: found, .. }) => {
-                assert!(found.contains(key), "{found} names {key}");
+            Err(error) => {
+                let said = error.to_string();
+                assert_eq!(error.code(), Code::E402, "{seen}");
+                assert!(said.contains(key), "{said} names {key}");
             }
-            other => panic!("{seen}: {other:?}"),
+            Ok(_) => panic!("{seen}"),
         }
     }
+}
+
+fn is_refused<T>(found: Result<T, Fault>, code: Code, says: &str) {
+    let Err(error) = found else { panic!("{says}") };
+    assert_eq!(error.code(), code, "{error}");
+    assert!(error.to_string().contains(says), "{error}");
 }
 
 /// A position whose contact the page does not show.
@@ -150,23 +159,14 @@ fn a_table_that_is_missing_or_damaged_is_refused() {
     ] {
         fs::write(&file, &damaged).unwrap();
         let refused = redraw(&folder, Some(number));
-        assert!(
-            matches!(refused, Err(ReportError::BadTable { .. })),
-            "{refused:?}"
-        );
+        is_refused(refused, Code::E402, "not a table of this result: ");
     }
     fs::remove_file(&file).unwrap();
     let refused = redraw(&folder, Some(number));
-    assert!(
-        matches!(refused, Err(ReportError::NoFields { .. })),
-        "{refused:?}"
-    );
+    is_refused(refused, Code::E402, " were not stored in ");
     fs::write(folder.join("page.json"), "{}").unwrap();
     let refused = redraw(&folder, None);
-    assert!(
-        matches!(refused, Err(ReportError::Damaged { .. })),
-        "{refused:?}"
-    );
+    is_refused(refused, Code::E402, "not a result of asperity run: ");
     let kept = fs::read(folder.join("report.html")).unwrap();
     assert_eq!(kept, page, "the old page stays");
 }
@@ -193,7 +193,11 @@ fn a_folder_keeps_the_fields_that_were_asked_for() {
     const MOST: u64 = 2_500_000;
     assert!(size < MOST, "{size} bytes");
     let none = write_folder(&outcome, &folder, &Fields::Positions(vec![9]));
-    assert!(matches!(none, Err(ReportError::NoSuchPosition { .. })));
+    is_refused(
+        none,
+        Code::E402,
+        "position 9 is not among the 4 of the result",
+    );
 }
 
 #[test]
@@ -204,10 +208,7 @@ fn a_number_that_is_not_finite_is_never_written() {
         let mut outcome = smallest();
         outcome.result.summary.loss_w = bad;
         let refused = write_folder(&outcome, &folder, &Fields::Page);
-        match refused {
-            Err(ReportError::NotFinite { source, .. }) => assert_eq!(source.path, "summary.loss_w"),
-            other => panic!("{other:?}"),
-        }
+        is_refused(refused, Code::E501, "not written: summary.loss_w is ");
         assert_eq!(
             fs::read_dir(place.path()).unwrap().count(),
             0,

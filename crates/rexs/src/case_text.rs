@@ -1,11 +1,12 @@
 //! Case of a stage as commented TOML.
 
-use crate::error::RexsError;
+use crate::error;
 use crate::model::{Component, Model};
 use crate::operating_points::operating_points_of;
 use crate::set_text;
 use crate::stages::{Stage, StageKind, stages, teeth};
 use crate::writer::{CaseText, Text};
+use asperity_core::Fault;
 
 /// Names of the trace files of the flanks for the case.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -27,15 +28,12 @@ pub fn case_text(
     number: usize,
     load_case: usize,
     flanks: &Flanks,
-) -> Result<CaseText, RexsError> {
+) -> Result<CaseText, Fault> {
     let model = &model.unmarked();
     let stages = stages(model)?;
     let stage = number.checked_sub(1).and_then(|index| stages.get(index));
     let Some(stage) = stage else {
-        return Err(RexsError::NoStage {
-            wanted: number,
-            count: stages.len(),
-        });
+        return Err(error::no_stage(number, stages.len()));
     };
     let mut case = Text::new(model, file, Some(stage));
     let (gear, mesh) = mesh_gears(stage)?;
@@ -51,14 +49,11 @@ pub fn case_text(
 }
 
 /// The gear that the operating point of a stage is of, pinion or sun, and the `cylindrical_stage` of its mesh.
-pub fn mesh_gears(stage: &Stage) -> Result<(&str, &str), RexsError> {
+pub fn mesh_gears(stage: &Stage) -> Result<(&str, &str), Fault> {
     match &stage.kind {
         StageKind::Pair { pinion, stage, .. } => Ok((pinion, stage)),
         StageKind::Planetary { sun, stage, .. } => Ok((sun, stage)),
-        StageKind::Other { kind } => Err(RexsError::NotCylindrical {
-            stage: stage.number,
-            kind: kind.clone(),
-        }),
+        StageKind::Other { kind } => Err(error::not_cylindrical(stage.number, &kind)),
     }
 }
 
@@ -71,16 +66,12 @@ fn names(stage: &Stage) -> &'static [&'static str] {
 }
 
 /// Writes gears, steel and flanks of a stage, and returns whether a flank has neither trace nor roughness.
-pub fn mesh_tables(case: &mut Text<'_>, stage: &Stage, flanks: &Flanks) -> Result<bool, RexsError> {
+pub fn mesh_tables(case: &mut Text<'_>, stage: &Stage, flanks: &Flanks) -> Result<bool, Fault> {
     gears(case, stage)?;
     flanks_and_steel(case, stage, flanks)
 }
 
-fn flanks_and_steel(
-    case: &mut Text<'_>,
-    stage: &Stage,
-    flanks: &Flanks,
-) -> Result<bool, RexsError> {
+fn flanks_and_steel(case: &mut Text<'_>, stage: &Stage, flanks: &Flanks) -> Result<bool, Fault> {
     let model = case.model();
     let names = names(stage).iter().copied();
     let named: Vec<(&str, &Component)> = (names.zip(stage.gears()))
@@ -95,7 +86,7 @@ fn flanks_and_steel(
     case.surface(&with_files)
 }
 
-fn gears(case: &mut Text<'_>, stage: &Stage) -> Result<(), RexsError> {
+fn gears(case: &mut Text<'_>, stage: &Stage) -> Result<(), Fault> {
     let model = case.model();
     let component = |id: &String| &model.components[id];
     match &stage.kind {
@@ -130,7 +121,7 @@ fn pair(
     mesh: &Component,
     gears: [&Component; 2],
     is_ring: bool,
-) -> Result<(), RexsError> {
+) -> Result<(), Fault> {
     let z = [teeth(gears[0])?, teeth(gears[1])?];
     case.heading("gears");
     let sign = if is_ring { "-" } else { "" };

@@ -1,8 +1,8 @@
 //! Contents of a gearbox file as JSON.
 
+use asperity_core::Fault;
 use serde_json::{Value, json};
 
-use crate::error::RexsError;
 use crate::model::{Component, Model};
 use crate::operating_points::operating_points;
 use crate::stages::{Stage, StageKind, stages, teeth};
@@ -12,7 +12,7 @@ use crate::stages::{Stage, StageKind, stages, teeth};
 ///
 /// # Errors
 /// When a number or a unit cannot be read.
-pub fn contents(model: &Model) -> Result<Value, RexsError> {
+pub fn contents(model: &Model) -> Result<Value, Fault> {
     let rows = stages(model)?
         .iter()
         .map(|stage| row(model, stage))
@@ -33,7 +33,7 @@ pub fn lubricants(model: &Model) -> impl Iterator<Item = &Component> {
 ///
 /// # Errors
 /// When a number cannot be read.
-pub fn teeth_of(model: &Model, stage: &Stage) -> Result<Vec<u32>, RexsError> {
+pub fn teeth_of(model: &Model, stage: &Stage) -> Result<Vec<u32>, Fault> {
     let gears = stage.gears().into_iter();
     gears
         .filter_map(|id| model.components.get(id))
@@ -41,7 +41,7 @@ pub fn teeth_of(model: &Model, stage: &Stage) -> Result<Vec<u32>, RexsError> {
         .collect()
 }
 
-fn row(model: &Model, stage: &Stage) -> Result<Value, RexsError> {
+fn row(model: &Model, stage: &Stage) -> Result<Value, Fault> {
     let kind = match &stage.kind {
         StageKind::Pair { is_ring: false, .. } => "pair",
         StageKind::Pair { .. } => "ring pair",

@@ -1,124 +1,93 @@
 //! Errors of REXS files.
 
-/// Error of a REXS file or of a stage in it.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum RexsError {
-    /// Neither XML nor JSON nor zip.
-    #[error("not a REXS file: it is neither XML nor JSON nor a zip of either")]
-    NotRexs,
-    /// The file or its unpacked content is too large.
-    #[error("the content exceeds {most_mib} MiB")]
-    TooLarge {
-        /// Limit in MiB.
-        most_mib: u64,
-    },
-    /// The zip cannot be read, or holds no REXS file, or several.
-    #[error("the zip {0}")]
-    Zip(String),
-    /// The XML or JSON is malformed, or not a REXS model.
-    #[error("{place}: {what}")]
-    Malformed {
-        /// Line, or path of the key.
-        place: String,
-        /// Description of the fault.
-        what: String,
-    },
-    /// Unknown version.
-    #[error("REXS version {0:?} is not known; 1.0 to 2.0 are")]
-    Version(String),
-    /// Two components have the same number.
-    #[error("component {id} occurs twice")]
-    Twice {
-        /// Number of the component.
-        id: String,
-    },
-    /// A relation refers to a missing component, or lacks a role.
-    #[error("relation {relation} ({kind}): {what}")]
-    Relation {
-        /// Number of the relation.
-        relation: String,
-        /// Its type.
-        kind: String,
-        /// Fault of the relation.
-        what: String,
-    },
-    /// A required attribute is missing.
-    #[error("{component}: attribute {attribute} is missing")]
-    Missing {
-        /// Type, number and name of the component.
-        component: String,
-        /// Attribute.
-        attribute: &'static str,
-    },
-    /// An attribute is not a number, or not plausible.
-    #[error("{component}: attribute {attribute} is {text:?}, {expected}")]
-    Value {
-        /// Type, number and name of the component.
-        component: String,
-        /// Attribute.
-        attribute: String,
-        /// Its text.
-        text: String,
-        /// Expected value.
-        expected: &'static str,
-    },
-    /// An attribute has an unexpected unit.
-    #[error("{component}: attribute {attribute} is in {unit:?}, expected {expected}")]
-    Unit {
-        /// Type, number and name of the component.
-        component: String,
-        /// Attribute.
-        attribute: String,
-        /// Unit of the file.
-        unit: String,
-        /// Expected unit.
-        expected: &'static str,
-    },
-    /// The gears of a stage contradict each other.
-    #[error("stage {stage}: {what}")]
-    Contradiction {
-        /// Number of the stage.
-        stage: usize,
-        /// Description of the contradiction.
-        what: String,
-    },
-    /// The stage does not exist.
-    #[error("{}", match count {
-        0 => "the file has no stage of gears; export the gear unit with its stages, and parts of other files in it".to_owned(),
-        _ => format!("there is no stage {wanted}; the file has {count}"),
-    })]
-    NoStage {
-        /// Requested stage.
-        wanted: usize,
-        /// Number of stages.
-        count: usize,
-    },
-    /// The gears of the stage are not cylindrical.
-    #[error("stage {stage} is a {kind}: only cylindrical gears can be modelled")]
-    NotCylindrical {
-        /// Number of the stage.
-        stage: usize,
-        /// Type of the stage or of its gear.
-        kind: String,
-    },
-    /// The load case does not exist.
-    #[error("there is no load case {wanted}; the file has {count}")]
-    NoLoadCase {
-        /// Requested load case.
-        wanted: usize,
-        /// Number of load cases.
-        count: usize,
-    },
+use asperity_core::{Code, Fault};
+
+/// Neither XML nor JSON nor zip.
+pub(crate) fn not_rexs() -> Fault {
+    Fault::new(
+        Code::E132,
+        "not a REXS file: it is neither XML nor JSON nor a zip of either",
+    )
 }
 
-impl RexsError {
-    /// Stable code.
-    #[must_use]
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::NoStage { .. } | Self::NoLoadCase { .. } | Self::NotCylindrical { .. } => "E133",
-            _ => "E132",
-        }
-    }
+/// The file or its unpacked content is too large.
+pub(crate) fn too_large(most_mib: u64) -> Fault {
+    Fault::new(Code::E132, format!("the content exceeds {most_mib} MiB"))
+}
+
+/// The zip cannot be read, or holds no REXS file, or several.
+pub(crate) fn zip(what: &str) -> Fault {
+    Fault::new(Code::E132, format!("the zip {what}"))
+}
+
+/// The XML or JSON is malformed, or not a REXS model.
+pub(crate) fn malformed(place: &str, what: &str) -> Fault {
+    Fault::new(Code::E132, format!("{place}: {what}"))
+}
+
+/// Unknown version.
+pub(crate) fn version(what: &str) -> Fault {
+    Fault::new(
+        Code::E132,
+        format!("REXS version {what:?} is not known; 1.0 to 2.0 are"),
+    )
+}
+
+/// Two components have the same number.
+pub(crate) fn twice(id: &str) -> Fault {
+    Fault::new(Code::E132, format!("component {id} occurs twice"))
+}
+
+/// A relation refers to a missing component, or lacks a role.
+pub(crate) fn relation(relation: &str, kind: &str, what: &str) -> Fault {
+    Fault::new(Code::E132, format!("relation {relation} ({kind}): {what}"))
+}
+
+/// A required attribute is missing.
+pub(crate) fn missing(component: &str, attribute: &'static str) -> Fault {
+    Fault::new(
+        Code::E132,
+        format!("{component}: attribute {attribute} is missing"),
+    )
+}
+
+/// An attribute is not a number, or not plausible.
+pub(crate) fn value(component: &str, attribute: &str, text: &str, expected: &'static str) -> Fault {
+    Fault::new(
+        Code::E132,
+        format!("{component}: attribute {attribute} is {text:?}, {expected}"),
+    )
+}
+
+/// An attribute has an unexpected unit.
+pub(crate) fn unit(component: &str, attribute: &str, unit: &str, expected: &'static str) -> Fault {
+    Fault::new(
+        Code::E132,
+        format!("{component}: attribute {attribute} is in {unit:?}, expected {expected}"),
+    )
+}
+
+/// The stage does not exist.
+pub(crate) fn no_stage(wanted: usize, count: usize) -> Fault {
+    let message = match count {
+        0 => "the file has no stage of gears; export the gear unit with its stages, and parts of other files in it".to_owned(),
+        _ => format!("there is no stage {wanted}; the file has {count}"),
+    };
+    Fault::new(Code::E133, message)
+}
+
+/// The gears of the stage are not cylindrical.
+pub(crate) fn not_cylindrical(stage: usize, kind: &str) -> Fault {
+    Fault::new(
+        Code::E133,
+        format!("stage {stage} is a {kind}: only cylindrical gears can be modelled"),
+    )
+}
+
+/// The load case does not exist.
+pub(crate) fn no_load_case(wanted: usize, count: usize) -> Fault {
+    Fault::new(
+        Code::E133,
+        format!("there is no load case {wanted}; the file has {count}"),
+    )
 }

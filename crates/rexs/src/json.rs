@@ -1,20 +1,19 @@
 //! Reader of REXS in JSON.
 
+use crate::error;
+use asperity_core::Fault;
 use std::collections::BTreeMap;
 
 use serde_json::{Map, Value};
 
-use crate::error::RexsError;
 use crate::model::{Attribute, Component, LoadCase, Model, Relation};
 
 type Object = Map<String, Value>;
 
 /// Reads a REXS model from JSON.
-pub fn read(model: &str) -> Result<Model, RexsError> {
-    let value: Value = serde_json::from_str(model).map_err(|error| RexsError::Malformed {
-        place: format!("line {}", error.line()),
-        what: error.to_string(),
-    })?;
+pub fn read(model: &str) -> Result<Model, Fault> {
+    let value: Value = serde_json::from_str(model)
+        .map_err(|error| error::malformed(&format!("line {}", error.line()), &error.to_string()))?;
     let model = value
         .get("model")
         .and_then(Value::as_object)
@@ -34,7 +33,7 @@ pub fn read(model: &str) -> Result<Model, RexsError> {
                     components: components(case, &place)?,
                 })
             })
-            .collect::<Result<_, RexsError>>()?,
+            .collect::<Result<_, Fault>>()?,
         None => Vec::new(),
     };
     Ok(Model {
@@ -50,9 +49,9 @@ pub fn read(model: &str) -> Result<Model, RexsError> {
     })
 }
 
-fn relation(value: &Value, place: &str) -> Result<Relation, RexsError> {
+fn relation(value: &Value, place: &str) -> Result<Relation, Fault> {
     let relation = object(value, place)?;
-    let role = |value: &Value| -> Result<(String, String), RexsError> {
+    let role = |value: &Value| -> Result<(String, String), Fault> {
         let role = object(value, &format!("{place}.refs"))?;
         Ok((text(role.get("role")), text(role.get("id"))))
     };
@@ -64,19 +63,19 @@ fn relation(value: &Value, place: &str) -> Result<Relation, RexsError> {
     })
 }
 
-fn components(of: &Object, place: &str) -> Result<BTreeMap<String, Component>, RexsError> {
+fn components(of: &Object, place: &str) -> Result<BTreeMap<String, Component>, Fault> {
     let mut components = BTreeMap::new();
     for (k, value) in list(of, place, "components")?.iter().enumerate() {
         let component = component(value, &format!("{place}.components[{k}]"))?;
         let id = component.id.clone();
         if components.insert(id.clone(), component).is_some() {
-            return Err(RexsError::Twice { id });
+            return Err(error::twice(&id));
         }
     }
     Ok(components)
 }
 
-fn component(value: &Value, place: &str) -> Result<Component, RexsError> {
+fn component(value: &Value, place: &str) -> Result<Component, Fault> {
     let component = object(value, place)?;
     let mut attributes = BTreeMap::new();
     for value in list(component, place, "attributes")? {
@@ -101,14 +100,14 @@ fn component(value: &Value, place: &str) -> Result<Component, RexsError> {
     })
 }
 
-fn object<'a>(value: &'a Value, place: &str) -> Result<&'a Object, RexsError> {
+fn object<'a>(value: &'a Value, place: &str) -> Result<&'a Object, Fault> {
     value
         .as_object()
         .ok_or_else(|| malformed(place, "is not an object"))
 }
 
 /// The list `key`; empty if it is missing.
-fn list<'a>(of: &'a Object, place: &str, key: &str) -> Result<&'a [Value], RexsError> {
+fn list<'a>(of: &'a Object, place: &str, key: &str) -> Result<&'a [Value], Fault> {
     match of.get(key) {
         None | Some(Value::Null) => Ok(&[]),
         Some(Value::Array(list)) => Ok(list),
@@ -124,9 +123,6 @@ fn text(value: Option<&Value>) -> String {
     }
 }
 
-fn malformed(place: &str, what: &str) -> RexsError {
-    RexsError::Malformed {
-        place: place.to_owned(),
-        what: what.to_owned(),
-    }
+fn malformed(place: &str, what: &str) -> Fault {
+    error::malformed(place, what)
 }

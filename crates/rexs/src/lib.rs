@@ -28,7 +28,6 @@ mod xml;
 
 pub use case_text::{Flanks, case_text};
 pub use contents::{contents, lubricants, teeth_of};
-pub use error::RexsError;
 pub use model::{Attribute, Component, LoadCase, Model, Relation};
 pub use operating_points::{OperatingPoint, operating_points};
 pub use stages::{Stage, StageKind, stages};

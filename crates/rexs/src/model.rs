@@ -1,9 +1,10 @@
 //! Components, relations and load cases of a REXS file.
 
+use crate::error;
+use asperity_core::Fault;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use crate::error::RexsError;
 use crate::units::{Unit, UnitError, converted};
 
 /// An attribute of a component, as written.
@@ -112,7 +113,7 @@ impl Component {
         &self,
         attributes: &[&'static str],
         unit: Unit,
-    ) -> Result<Option<(f64, &'static str)>, RexsError> {
+    ) -> Result<Option<(f64, &'static str)>, Fault> {
         for attribute in attributes {
             if let Some(value) = self.number(attribute, unit)? {
                 return Ok(Some((value, attribute)));
@@ -122,44 +123,34 @@ impl Component {
     }
 
     /// An attribute in the unit of the case; `None` if it is missing or empty.
-    pub(crate) fn number(
-        &self,
-        attribute: &'static str,
-        unit: Unit,
-    ) -> Result<Option<f64>, RexsError> {
+    pub(crate) fn number(&self, attribute: &'static str, unit: Unit) -> Result<Option<f64>, Fault> {
         let Some(stated) = self.stated(attribute) else {
             return Ok(None);
         };
         let value = converted(&stated.text, &stated.unit, unit);
         value.map(Some).map_err(|error| match error {
             UnitError::Number => self.refused(attribute, "which is not a finite number"),
-            UnitError::Unit(expected) => RexsError::Unit {
-                component: self.label(),
-                attribute: attribute.to_owned(),
-                unit: stated.unit.clone(),
-                expected,
-            },
+            UnitError::Unit(expected) => {
+                error::unit(&self.label(), attribute, &stated.unit, expected)
+            }
         })
     }
 
     /// A required attribute in the unit of the case.
-    pub(crate) fn required(&self, attribute: &'static str, unit: Unit) -> Result<f64, RexsError> {
+    pub(crate) fn required(&self, attribute: &'static str, unit: Unit) -> Result<f64, Fault> {
         self.number(attribute, unit)?
-            .ok_or_else(|| RexsError::Missing {
-                component: self.label(),
-                attribute,
-            })
+            .ok_or_else(|| error::missing(&self.label(), attribute))
     }
 
     /// Error for the value of an attribute.
-    pub(crate) fn refused(&self, attribute: &'static str, expected: &'static str) -> RexsError {
+    pub(crate) fn refused(&self, attribute: &'static str, expected: &'static str) -> Fault {
         let text = self.attributes.get(attribute);
-        RexsError::Value {
-            component: self.label(),
-            attribute: attribute.to_owned(),
-            text: text.map_or_else(String::new, |attribute| attribute.text.clone()),
+        error::value(
+            &self.label(),
+            attribute,
+            &text.map_or_else(String::new, |attribute| attribute.text.clone()),
             expected,
-        }
+        )
     }
 }
 
@@ -170,18 +161,14 @@ impl Relation {
         component.map(|(_, id)| id.as_str())
     }
 
-    fn refused(&self, what: String) -> RexsError {
-        RexsError::Relation {
-            relation: self.id.clone(),
-            kind: self.kind.clone(),
-            what,
-        }
+    fn refused(&self, what: String) -> Fault {
+        error::relation(&self.id, &self.kind, &what)
     }
 }
 
 impl Model {
     /// The component in a role of a relation.
-    pub(crate) fn in_role(&self, relation: &Relation, role: &str) -> Result<&Component, RexsError> {
+    pub(crate) fn in_role(&self, relation: &Relation, role: &str) -> Result<&Component, Fault> {
         let Some(id) = relation.role(role) else {
             return Err(relation.refused(format!("role {role} is missing")));
         };

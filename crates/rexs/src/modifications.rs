@@ -9,10 +9,10 @@
 //!
 //! REXS states amounts in mm. Twists, triangular reliefs, topographies and deviations have no key in a case.
 
-use crate::error::RexsError;
 use crate::model::Component;
 use crate::units::Unit;
 use crate::writer::{Text, quantity, rounded, source};
+use asperity_core::Fault;
 
 /// Attributes of a relief at the tip or the root.
 struct Relief {
@@ -83,7 +83,7 @@ const ENDS: [[&str; 3]; 2] = [
 
 impl Text<'_> {
     /// Writes the modifications of a gear's flank, which has this name in the case.
-    pub fn modifications(&mut self, name: &str, gear: &Component) -> Result<(), RexsError> {
+    pub fn modifications(&mut self, name: &str, gear: &Component) -> Result<(), Fault> {
         let Some(flank) = self.flank(gear) else {
             return Ok(());
         };
@@ -120,7 +120,7 @@ impl Text<'_> {
             .collect()
     }
 
-    fn relief(&mut self, name: &str, flank: &Component, names: &Relief) -> Result<(), RexsError> {
+    fn relief(&mut self, name: &str, flank: &Component, names: &Relief) -> Result<(), Fault> {
         let model = self.model();
         let mut reliefs = model.referenced(flank, names.kind);
         let Some(part) = reliefs.next() else {
@@ -198,7 +198,7 @@ impl Text<'_> {
         kind: &'static str,
         key: &str,
         attributes: &[&'static str],
-    ) -> Result<(), RexsError> {
+    ) -> Result<(), Fault> {
         let model = self.model();
         let Some(part) = model.referenced(flank, kind).next() else {
             return Ok(());
@@ -234,7 +234,7 @@ impl Text<'_> {
     }
 
     /// Writes the end relief of a pair: a case has one for both gears and both faces.
-    pub fn end_relief(&mut self, gears: &[&Component]) -> Result<(), RexsError> {
+    pub fn end_relief(&mut self, gears: &[&Component]) -> Result<(), Fault> {
         let mut reliefs = Vec::new();
         for gear in gears {
             let Some(flank) = self.flank(gear) else {

@@ -1,9 +1,9 @@
 //! The oil of a case from the component `lubricant` of a REXS file.
 
-use crate::error::RexsError;
 use crate::model::Component;
 use crate::units::Unit;
 use crate::writer::{Text, quantity, rounded, source};
+use asperity_core::Fault;
 
 /// Oil of a file without a lubricant.
 const OIL: &str = "m100";
@@ -62,11 +62,7 @@ fn assumed(basis: &str) -> &'static str {
 
 impl Text<'_> {
     /// Writes the oil of the mesh, with the operating temperature \[°C\] if the file states it.
-    pub fn lubricant(
-        &mut self,
-        mesh: &Component,
-        temperature: Option<f64>,
-    ) -> Result<(), RexsError> {
+    pub fn lubricant(&mut self, mesh: &Component, temperature: Option<f64>) -> Result<(), Fault> {
         self.heading("lubricant");
         let model = self.model();
         let mut oils = model.of_kind("lubricant");
@@ -129,7 +125,7 @@ impl Text<'_> {
         mesh: &Component,
         temperature: Option<f64>,
         rho: f64,
-    ) -> Result<(), RexsError> {
+    ) -> Result<(), Fault> {
         const COLD: &str = "viscosity_at_40_degree_celsius";
         const HOT: &str = "viscosity_at_100_degree_celsius";
         let at = |attribute| oil.number(attribute, Unit::SquareMillimetrePerSecond);
@@ -170,7 +166,7 @@ impl Text<'_> {
         Ok(())
     }
 
-    fn operating_viscosity(&self, mesh: &Component) -> Result<Option<(f64, String)>, RexsError> {
+    fn operating_viscosity(&self, mesh: &Component) -> Result<Option<(f64, String)>, Fault> {
         const ATTRIBUTE: &str = "operating_viscosity";
         let casings = self.model().of_kind("gear_casing");
         for component in std::iter::once(mesh).chain(casings) {
@@ -181,7 +177,7 @@ impl Text<'_> {
         Ok(None)
     }
 
-    fn pressure_viscosity(&mut self, oil: &Component, mesh: &Component) -> Result<(), RexsError> {
+    fn pressure_viscosity(&mut self, oil: &Component, mesh: &Component) -> Result<(), Fault> {
         let stated = oil.first_of(&COEFFICIENTS, Unit::SquareMillimetrePerNewton)?;
         let stated = stated.filter(|(alpha, _)| *alpha > 0.0);
         if let Some((alpha, from)) = stated {

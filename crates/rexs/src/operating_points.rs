@@ -1,8 +1,8 @@
 //! Torque, speed and temperature of a stage in every load case.
 
+use asperity_core::Fault;
 use std::collections::{BTreeMap, VecDeque};
 
-use crate::error::RexsError;
 use crate::model::{Component, LoadCase, Model};
 use crate::shafts::shaft_of;
 use crate::stages::{Stage, StageKind, stages, teeth};
@@ -31,7 +31,7 @@ pub struct OperatingPoint {
 ///
 /// # Errors
 /// When a number or a unit cannot be read.
-pub fn operating_points(model: &Model, stage: &Stage) -> Result<Vec<OperatingPoint>, RexsError> {
+pub fn operating_points(model: &Model, stage: &Stage) -> Result<Vec<OperatingPoint>, Fault> {
     let (gear, mesh) = match &stage.kind {
         StageKind::Pair { pinion, stage, .. } => (pinion, stage),
         StageKind::Planetary { sun, stage, .. } => (sun, stage),
@@ -45,7 +45,7 @@ pub fn operating_points_of(
     model: &Model,
     gear: &str,
     mesh: &str,
-) -> Result<Vec<OperatingPoint>, RexsError> {
+) -> Result<Vec<OperatingPoint>, Fault> {
     let without_loads = LoadCase::default();
     let cases = match model.load_cases.as_slice() {
         [] => std::slice::from_ref(&without_loads),
@@ -63,7 +63,7 @@ struct Point<'a> {
 }
 
 impl Point<'_> {
-    fn of(&self, gear: &str, mesh: &str) -> Result<OperatingPoint, RexsError> {
+    fn of(&self, gear: &str, mesh: &str) -> Result<OperatingPoint, Fault> {
         let turns = match shaft_of(self.model, gear) {
             Some(shaft) => turns(self.model, shaft)?,
             None => BTreeMap::new(),
@@ -92,7 +92,7 @@ impl Point<'_> {
         component: &Component,
         attribute: &'static str,
         unit: Unit,
-    ) -> Result<Option<(f64, String)>, RexsError> {
+    ) -> Result<Option<(f64, String)>, Fault> {
         if let Some(in_case) = self.case.components.get(&component.id)
             && let Some(value) = in_case.number(attribute, unit)?
         {
@@ -108,7 +108,7 @@ impl Point<'_> {
             .map(|value| (value, place)))
     }
 
-    fn speed(&self, turns: &BTreeMap<String, f64>) -> Result<Option<(f64, String)>, RexsError> {
+    fn speed(&self, turns: &BTreeMap<String, f64>) -> Result<Option<(f64, String)>, Fault> {
         let mut pinion_speed: Option<(f64, String)> = None;
         for shaft in self.model.of_kind("shaft") {
             let known = self.number(shaft, "rotational_speed", Unit::PerMinute)?;
@@ -127,7 +127,7 @@ impl Point<'_> {
         gear: &str,
         mesh: &str,
         turns: &BTreeMap<String, f64>,
-    ) -> Result<Option<(f64, String)>, RexsError> {
+    ) -> Result<Option<(f64, String)>, Fault> {
         for relation in self.model.related("stage_gear_data") {
             let is_ours =
                 relation.role("gear") == Some(gear) && relation.role("stage") == Some(mesh);
@@ -152,7 +152,7 @@ impl Point<'_> {
         Ok((known.len() == 1).then(|| known.swap_remove(0)))
     }
 
-    fn temperature(&self, mesh: &str) -> Result<Option<(f64, String)>, RexsError> {
+    fn temperature(&self, mesh: &str) -> Result<Option<(f64, String)>, Fault> {
         let meshes = self.model.components.get(mesh);
         for component in meshes
             .into_iter()
@@ -186,7 +186,7 @@ fn through(from: String, ratio: f64) -> String {
 }
 
 /// Revolutions of every connected shaft per revolution of `first`.
-fn turns(model: &Model, first: &str) -> Result<BTreeMap<String, f64>, RexsError> {
+fn turns(model: &Model, first: &str) -> Result<BTreeMap<String, f64>, Fault> {
     let mut links: Vec<[(String, f64); 2]> = Vec::new();
     for stage in stages(model)? {
         if let StageKind::Pair { pinion, wheel, .. } = &stage.kind {

@@ -1,12 +1,13 @@
 //! Reading a REXS file of any of the three formats.
 
+use crate::error;
+use asperity_core::Fault;
 use std::borrow::Cow;
 use std::io::{Cursor, Read};
 
 use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
 use zip::ZipArchive;
 
-use crate::error::RexsError;
 use crate::model::Model;
 use crate::{json, xml};
 
@@ -28,9 +29,9 @@ impl Model {
     /// </components></model>"#;
     /// let model = asperity_rexs::Model::read(xml.as_bytes())?;
     /// assert_eq!(model.components["1"].kind, "gear_casing");
-    /// # Ok::<(), asperity_rexs::RexsError>(())
+    /// # Ok::<(), asperity_rexs::Fault>(())
     /// ```
-    pub fn read(bytes: &[u8]) -> Result<Self, RexsError> {
+    pub fn read(bytes: &[u8]) -> Result<Self, Fault> {
         if bytes.len() as u64 > MAX_BYTES {
             return Err(too_large());
         }
@@ -46,23 +47,21 @@ impl Model {
         if known {
             Ok(model)
         } else {
-            Err(RexsError::Version(model.version))
+            Err(error::version(&model.version))
         }
     }
 }
 
-fn too_large() -> RexsError {
-    RexsError::TooLarge {
-        most_mib: MAX_BYTES / MIB,
-    }
+fn too_large() -> Fault {
+    error::too_large(MAX_BYTES / MIB)
 }
 
-fn text(bytes: &[u8]) -> Result<Model, RexsError> {
+fn text(bytes: &[u8]) -> Result<Model, Fault> {
     let text = decoded(bytes);
     match text.trim_start().chars().next() {
         Some('<') => xml::read(&text),
         Some('{') => json::read(&text),
-        _ => Err(RexsError::NotRexs),
+        _ => Err(error::not_rexs()),
     }
 }
 
@@ -88,8 +87,8 @@ fn decoded(bytes: &[u8]) -> Cow<'_, str> {
 }
 
 /// Unpacks the only REXS file in a zip; `.rexs` is preferred to `.rexsj`.
-fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, RexsError> {
-    let damaged = |error: zip::result::ZipError| RexsError::Zip(format!("is damaged: {error}"));
+fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Fault> {
+    let damaged = |error: zip::result::ZipError| error::zip(&format!("is damaged: {error}"));
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
     let names: Vec<String> = (0..archive.len())
         .filter_map(|index| {
@@ -104,13 +103,13 @@ fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, RexsError> {
     let by_ending = [".rexs", ".rexsj"].map(ending);
     let name = match by_ending.iter().find(|names| !names.is_empty()) {
         Some(names) if names.len() == 1 => names[0].clone(),
-        Some(_) => return Err(RexsError::Zip("holds several REXS files".into())),
-        None => return Err(RexsError::Zip("holds no .rexs or .rexsj file".into())),
+        Some(_) => return Err(error::zip("holds several REXS files".into())),
+        None => return Err(error::zip("holds no .rexs or .rexsj file".into())),
     };
     let entry = archive.by_name(&name).map_err(damaged)?;
     let mut content = Vec::new();
     let read = entry.take(MAX_BYTES + 1).read_to_end(&mut content);
-    read.map_err(|error| RexsError::Zip(format!("is damaged: {error}")))?;
+    read.map_err(|error| error::zip(&format!("is damaged: {error}")))?;
     if content.len() as u64 > MAX_BYTES {
         return Err(too_large());
     }

@@ -1,9 +1,9 @@
 //! The gears of a planetary set, as commented TOML.
 
-use crate::error::RexsError;
 use crate::model::Component;
 use crate::stages::teeth;
 use crate::writer::{Text, source};
+use asperity_core::Fault;
 
 /// Writes the table `[planetary]` of sun, planet and ring.
 pub fn gears(
@@ -11,7 +11,7 @@ pub fn gears(
     mesh: &Component,
     gears: [&Component; 3],
     planets: usize,
-) -> Result<(), RexsError> {
+) -> Result<(), Fault> {
     let z = [teeth(gears[0])?, teeth(gears[1])?, teeth(gears[2])?];
     case.heading("planetary");
     case.sourced_line(

@@ -1,8 +1,8 @@
 //! The stages of a gearbox.
 
-use crate::error::RexsError;
 use crate::model::{Component, Model, Relation};
 use crate::units::Unit;
+use asperity_core::Fault;
 
 /// A stage with the numbers of its components.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -71,7 +71,7 @@ impl Stage {
 ///
 /// # Errors
 /// When a relation names a component that is missing, or a gear has no number of teeth.
-pub fn stages(model: &Model) -> Result<Vec<Stage>, RexsError> {
+pub fn stages(model: &Model) -> Result<Vec<Stage>, Fault> {
     let mut stages: Vec<Stage> = Vec::new();
     let mut sets: Vec<&str> = Vec::new();
     for relation in model.related("stage") {
@@ -106,7 +106,7 @@ fn is_gear(component: &Component) -> bool {
     ["cylindrical_gear", "ring_gear"].contains(&component.kind.as_str())
 }
 
-fn pair(model: &Model, relation: &Relation, stage: &Component) -> Result<StageKind, RexsError> {
+fn pair(model: &Model, relation: &Relation, stage: &Component) -> Result<StageKind, Fault> {
     let gears = ["gear_1", "gear_2"].map(|role| model.in_role(relation, role));
     let [first, second] = gears;
     let (first, second) = (first?, second?);
@@ -140,7 +140,7 @@ fn pair(model: &Model, relation: &Relation, stage: &Component) -> Result<StageKi
 }
 
 /// Whether the second gear is the pinion.
-fn swapped(first: &Component, second: &Component) -> Result<bool, RexsError> {
+fn swapped(first: &Component, second: &Component) -> Result<bool, Fault> {
     match (first.kind.as_str(), second.kind.as_str()) {
         ("ring_gear", "cylindrical_gear") => Ok(true),
         ("cylindrical_gear", "ring_gear") => Ok(false),
@@ -152,7 +152,7 @@ fn swapped(first: &Component, second: &Component) -> Result<bool, RexsError> {
 ///
 /// # Errors
 /// When it is missing or not a whole number.
-pub fn teeth(gear: &Component) -> Result<u32, RexsError> {
+pub fn teeth(gear: &Component) -> Result<u32, Fault> {
     /// Maximum number of teeth of a gear.
     const MAX_TEETH: f64 = 10_000.0;
     let teeth = gear.required("number_of_teeth", Unit::None)?.abs();
@@ -165,7 +165,7 @@ pub fn teeth(gear: &Component) -> Result<u32, RexsError> {
     }
 }
 
-fn planetary(model: &Model, set: &Component) -> Result<StageKind, RexsError> {
+fn planetary(model: &Model, set: &Component) -> Result<StageKind, Fault> {
     let mut external: Vec<(&Component, [&Component; 2])> = Vec::new();
     let mut internal: Vec<[&Component; 2]> = Vec::new();
     for relation in model.related("stage") {

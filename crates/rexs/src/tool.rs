@@ -3,17 +3,17 @@
 //! A tool with addendum h_aP0* and tip radius ρ_aP0* cuts the dedendum h_fP* = h_aP0* − (x_E − x) and the fillet
 //! ρ_fP* = ρ_aP0*, where x_E is the profile shift that the tool generates.
 
-use crate::error::RexsError;
 use crate::model::Component;
 use crate::units::Unit;
 use crate::writer::{Text, rounded};
+use asperity_core::Fault;
 
 /// Tools whose reference profile is the counterpart of the basic rack.
 const RACKS: [&str; 2] = ["rack_shaped_tool", "profile_tool"];
 
 impl<'a> Text<'a> {
     /// Writes the dedendum and the root fillet of a gear from the first tool that cuts it.
-    pub fn tool(&mut self, name: &str, gear: &Component) -> Result<(), RexsError> {
+    pub fn tool(&mut self, name: &str, gear: &Component) -> Result<(), Fault> {
         let Some((tool, settings)) = self.tool_of(gear) else {
             return Ok(());
         };
@@ -21,7 +21,7 @@ impl<'a> Text<'a> {
         let relative = |factors: &[&'static str], lengths: &[&'static str]| {
             let factor = tool.first_of(factors, Unit::None)?;
             let length = tool.first_of(lengths, Unit::Millimetre)?;
-            Ok::<_, RexsError>(factor.or(length.map(|(value, from)| (value / module, from))))
+            Ok::<_, Fault>(factor.or(length.map(|(value, from)| (value / module, from))))
         };
         let addendum = relative(
             &["addendum_coefficient_reference_profile"],
@@ -93,7 +93,7 @@ impl<'a> Text<'a> {
     }
 
     /// Writes the addendum of the basic rack if the flanks of all gears state the same one.
-    pub fn addendum(&mut self, gears: &[&Component]) -> Result<(), RexsError> {
+    pub fn addendum(&mut self, gears: &[&Component]) -> Result<(), Fault> {
         const ATTRIBUTE: &str = "addendum_coefficient_basic_profile";
         let (stated, flanks) = self.on_flanks(gears, ATTRIBUTE, Unit::None)?;
         let Some(first) = stated.first().copied() else {

@@ -1,9 +1,10 @@
 //! Case of a whole gearbox as commented TOML: a gear train of all its stages.
 
+use crate::error;
+use asperity_core::Fault;
 use std::collections::BTreeMap;
 
 use crate::case_text::{Flanks, mesh_gears, mesh_tables};
-use crate::error::RexsError;
 use crate::model::Model;
 use crate::operating_points::{OperatingPoint, operating_points_of};
 use crate::shafts::{carrier_shaft, is_held, joined, shaft_of};
@@ -27,14 +28,11 @@ pub fn train_text(
     file: &str,
     load_case: usize,
     flanks: &Flanks,
-) -> Result<CaseText, RexsError> {
+) -> Result<CaseText, Fault> {
     let model = &model.unmarked();
     let stages = stages(model)?;
     let Some(first) = stages.first() else {
-        return Err(RexsError::NoStage {
-            wanted: 1,
-            count: 0,
-        });
+        return Err(error::no_stage(1, 0));
     };
     let mut case = Text::new(model, file, None);
     let shafts: Vec<Vec<StageShaft<'_>>> = stages
@@ -80,7 +78,7 @@ pub fn train_text(
 }
 
 /// Shafts of pinion and wheel, or of sun, carrier and a ring that is not held.
-fn stage_shafts<'a>(model: &'a Model, stage: &'a Stage) -> Result<Vec<StageShaft<'a>>, RexsError> {
+fn stage_shafts<'a>(model: &'a Model, stage: &'a Stage) -> Result<Vec<StageShaft<'a>>, Fault> {
     let groups = joined(model);
     let shaft = |id: Option<&'a str>, gear: Option<&'a str>, unnamed: String| {
         let id = id.map(|id| groups.get(id).copied().unwrap_or(id));
@@ -114,10 +112,7 @@ fn stage_shafts<'a>(model: &'a Model, stage: &'a Stage) -> Result<Vec<StageShaft
             }
             Ok(on)
         }
-        StageKind::Other { kind } => Err(RexsError::NotCylindrical {
-            stage: stage.number,
-            kind: kind.clone(),
-        }),
+        StageKind::Other { kind } => Err(error::not_cylindrical(stage.number, &kind)),
     }
 }
 
@@ -152,7 +147,7 @@ fn input(
     shafts: &[Vec<StageShaft<'_>>],
     ends: &[End<'_>],
     load_case: usize,
-) -> Result<(usize, Vec<OperatingPoint>), RexsError> {
+) -> Result<(usize, Vec<OperatingPoint>), Fault> {
     let mut best: Option<(usize, Vec<OperatingPoint>, (bool, f64))> = None;
     for (number, end) in ends.iter().enumerate() {
         let Some(gear) = end.gear else {
@@ -169,10 +164,7 @@ fn input(
             best = Some((number, points, rank));
         }
     }
-    let (number, points, _) = best.ok_or(RexsError::NoStage {
-        wanted: 1,
-        count: shafts.len(),
-    })?;
+    let (number, points, _) = best.ok_or(error::no_stage(1, shafts.len()))?;
     Ok((number, points))
 }
 

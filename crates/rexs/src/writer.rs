@@ -1,8 +1,9 @@
 //! Text of a case: the tables that pairs and planetary sets share.
 
+use crate::error;
+use asperity_core::Fault;
 use std::fmt::Write as _;
 
-use crate::error::RexsError;
 use crate::model::{Component, Model};
 use crate::operating_points::OperatingPoint;
 use crate::stages::Stage;
@@ -149,7 +150,7 @@ impl<'a> Text<'a> {
         components: &[&Component],
         attribute: &'static str,
         unit: Unit,
-    ) -> Result<Vec<f64>, RexsError> {
+    ) -> Result<Vec<f64>, Fault> {
         components
             .iter()
             .map(|component| component.required(attribute, unit))
@@ -181,7 +182,7 @@ impl<'a> Text<'a> {
         gears: &[&Component],
         attribute: &'static str,
         unit: Unit,
-    ) -> Result<(Vec<f64>, Vec<&'a Component>), RexsError> {
+    ) -> Result<(Vec<f64>, Vec<&'a Component>), Fault> {
         let (mut values, mut flanks) = (Vec::new(), Vec::new());
         for flank in gears.iter().filter_map(|gear| self.flank(gear)) {
             if let Some(value) = flank.number(attribute, unit)? {
@@ -198,7 +199,7 @@ impl<'a> Text<'a> {
         mesh: &Component,
         gears: &[&Component],
         z: &[f64],
-    ) -> Result<Option<Vec<f64>>, RexsError> {
+    ) -> Result<Option<Vec<f64>>, Fault> {
         self.shared_geometry(gears)?;
         let widths = self.all(gears, "face_width", Unit::Millimetre)?;
         let widths = format!("[{}]", quantities(&widths, "mm"));
@@ -216,7 +217,7 @@ impl<'a> Text<'a> {
     }
 
     /// Writes module, helix angle and pressure angle, which must be equal for all gears of a stage.
-    fn shared_geometry(&mut self, gears: &[&Component]) -> Result<(), RexsError> {
+    fn shared_geometry(&mut self, gears: &[&Component]) -> Result<(), Fault> {
         let modules = self.all(gears, "normal_module", Unit::Millimetre)?;
         self.agree(gears, "normal_module", &modules)?;
         let module = quantity(modules[0], "mm");
@@ -249,7 +250,7 @@ impl<'a> Text<'a> {
         gears: &[&Component],
         attribute: &'static str,
         values: &[f64],
-    ) -> Result<(), RexsError> {
+    ) -> Result<(), Fault> {
         const SAME: f64 = 1e-6;
         for (gear, value) in gears.iter().zip(values).skip(1) {
             if (value - values[0]).abs() > SAME * values[0].abs().max(1.0) {
@@ -260,7 +261,7 @@ impl<'a> Text<'a> {
     }
 
     /// Writes the profile shift coefficients if every gear has one.
-    fn shifts(&mut self, gears: &[&Component]) -> Result<Option<Vec<f64>>, RexsError> {
+    fn shifts(&mut self, gears: &[&Component]) -> Result<Option<Vec<f64>>, Fault> {
         const SHIFT: &str = "addendum_modification_coefficient";
         let (shifts, flanks) = self.on_flanks(gears, SHIFT, Unit::None)?;
         if shifts.len() < gears.len() {
@@ -274,7 +275,7 @@ impl<'a> Text<'a> {
     }
 
     /// Writes the centre distance, which is required if the profile shifts are unknown.
-    fn centre_distance(&mut self, mesh: &Component, shifts: bool) -> Result<(), RexsError> {
+    fn centre_distance(&mut self, mesh: &Component, shifts: bool) -> Result<(), Fault> {
         let distance = mesh.number("center_distance", Unit::Millimetre)?;
         match distance {
             // The shifts have precedence because the distance is often rounded.
@@ -290,10 +291,7 @@ impl<'a> Text<'a> {
             }
             None if shifts => {}
             None => {
-                return Err(RexsError::Missing {
-                    component: mesh.label(),
-                    attribute: "center_distance",
-                });
+                return Err(error::missing(&mesh.label(), "center_distance"));
             }
         }
         Ok(())
@@ -306,7 +304,7 @@ impl<'a> Text<'a> {
         gears: &[&Component],
         z: &[f64],
         shifts: Option<&[f64]>,
-    ) -> Result<(), RexsError> {
+    ) -> Result<(), Fault> {
         let stated = mesh.number("center_distance", Unit::Millimetre)?;
         let (Some(stated), Some(shifts)) = (stated, shifts) else {
             return Ok(());
@@ -335,7 +333,7 @@ impl<'a> Text<'a> {
     }
 
     /// Writes the tip diameters if every gear has a plausible one.
-    fn tips(&mut self, gears: &[&Component], z: &[f64]) -> Result<bool, RexsError> {
+    fn tips(&mut self, gears: &[&Component], z: &[f64]) -> Result<bool, Fault> {
         let mut tips = Vec::new();
         for (gear, z) in gears.iter().zip(z) {
             let Some(tip) = gear.number("tip_diameter", Unit::Millimetre)? else {
@@ -381,7 +379,7 @@ impl<'a> Text<'a> {
         mesh: &Component,
         gears: &[&Component],
         z: &[f64],
-    ) -> Result<(), RexsError> {
+    ) -> Result<(), Fault> {
         if gears.iter().all(|gear| gear.kind != "ring_gear") {
             return Ok(());
         }
@@ -410,13 +408,13 @@ impl<'a> Text<'a> {
     }
 
     /// Writes root, tip chamfer and modifications of a gear.
-    pub fn teeth_form(&mut self, name: &str, gear: &Component) -> Result<(), RexsError> {
+    pub fn teeth_form(&mut self, name: &str, gear: &Component) -> Result<(), Fault> {
         self.tool(name, gear)?;
         self.chamfer(name, gear)?;
         self.modifications(name, gear)
     }
 
-    fn chamfer(&mut self, name: &str, gear: &Component) -> Result<(), RexsError> {
+    fn chamfer(&mut self, name: &str, gear: &Component) -> Result<(), Fault> {
         if let Some(flank) = self.flank(gear)
             && let Some(chamfer) = flank.number("tooth_tip_chamfer", Unit::Millimetre)?
             && chamfer > 0.0
@@ -439,13 +437,10 @@ impl<'a> Text<'a> {
         points: &[OperatingPoint],
         wanted: usize,
         first: &str,
-    ) -> Result<Option<f64>, RexsError> {
+    ) -> Result<Option<f64>, Fault> {
         let point = wanted.checked_sub(1).and_then(|index| points.get(index));
         let Some(point) = point else {
-            return Err(RexsError::NoLoadCase {
-                wanted,
-                count: points.len(),
-            });
+            return Err(error::no_load_case(wanted, points.len()));
         };
         self.heading("operation");
         for other in points.iter().filter(|other| *other != point) {
@@ -488,7 +483,7 @@ impl<'a> Text<'a> {
     }
 
     /// Writes the steel of the gears, which have these names in the case.
-    pub fn material(&mut self, gears: &[(&str, &Component)]) -> Result<(), RexsError> {
+    pub fn material(&mut self, gears: &[(&str, &Component)]) -> Result<(), Fault> {
         let mut lines = Vec::new();
         for (name, gear) in gears {
             let Some(steel) = self.model.referenced(gear, "material").next() else {
@@ -532,10 +527,7 @@ impl<'a> Text<'a> {
 
     /// Writes the flanks of the gears, which have these names in the case: trace files or roughness values. Returns
     /// whether a flank has neither.
-    pub fn surface(
-        &mut self,
-        gears: &[(&str, &Component, Option<&str>)],
-    ) -> Result<bool, RexsError> {
+    pub fn surface(&mut self, gears: &[(&str, &Component, Option<&str>)]) -> Result<bool, Fault> {
         let mut is_missing = false;
         let mut lines = Vec::new();
         for (name, gear, file) in gears {
@@ -599,7 +591,7 @@ const ROUGHNESS: [(&str, &[&str]); 3] = [
 ];
 
 /// Roughness values of a gear, with the keys of a case.
-fn roughness(gear: &Component) -> Result<Vec<(&'static str, f64, String)>, RexsError> {
+fn roughness(gear: &Component) -> Result<Vec<(&'static str, f64, String)>, Fault> {
     let mut values = Vec::new();
     for (key, attributes) in ROUGHNESS {
         let stated = gear.first_of(attributes, Unit::Micrometre)?;

@@ -1,10 +1,11 @@
 //! Reader of REXS in XML.
 
+use crate::error;
+use asperity_core::Fault;
 use quick_xml::Reader;
 use quick_xml::escape::unescape;
 use quick_xml::events::{BytesStart, Event};
 
-use crate::error::RexsError;
 use crate::model::{Attribute, Component, LoadCase, Model, Relation};
 
 /// Elements of a model that are read, with what is in them. Others, such as the sums over a load spectrum (`accumulation`), may
@@ -33,7 +34,7 @@ struct Open {
 }
 
 /// Reads a REXS model from XML.
-pub fn read(text: &str) -> Result<Model, RexsError> {
+pub fn read(text: &str) -> Result<Model, Fault> {
     let bytes = text.as_bytes();
     let mut reader = Reader::from_str(text);
     let mut model: Option<Model> = None;
@@ -153,7 +154,7 @@ fn open_element(element: &BytesStart<'_>, open: &mut Open) -> Result<(), String>
     Ok(())
 }
 
-fn close_element(name: &str, open: &mut Open, model: &mut Model) -> Result<(), RexsError> {
+fn close_element(name: &str, open: &mut Open, model: &mut Model) -> Result<(), Fault> {
     if open.nested > 0 {
         open.nested -= 1;
         return Ok(());
@@ -175,7 +176,7 @@ fn close_element(name: &str, open: &mut Open, model: &mut Model) -> Result<(), R
                 };
                 let id = component.id.clone();
                 if components.insert(id.clone(), component).is_some() {
-                    return Err(RexsError::Twice { id });
+                    return Err(error::twice(&id));
                 }
             }
         }
@@ -198,11 +199,8 @@ fn value(element: &BytesStart<'_>, name: &str) -> Result<String, String> {
     Ok(text.into_owned())
 }
 
-fn malformed(bytes: &[u8], at: usize, what: String) -> RexsError {
+fn malformed(bytes: &[u8], at: usize, what: String) -> Fault {
     let before = &bytes[..at.min(bytes.len())];
     let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
-    RexsError::Malformed {
-        place: format!("line {line}"),
-        what,
-    }
+    error::malformed(&format!("line {line}"), &what)
 }

@@ -1,5 +1,7 @@
 //! Errors of filters, parameters and generators.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, number};
 use serde::Serialize;
@@ -104,5 +106,11 @@ impl RoughnessError {
                 purpose,
             }),
         }
+    }
+}
+
+impl From<RoughnessError> for Fault {
+    fn from(error: RoughnessError) -> Self {
+        Self::of(Code::E120, error)
     }
 }

@@ -1,5 +1,6 @@
 //! Warnings of the preparation and evaluation of a profile.
 
+use asperity_core::Code;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
 use serde::{Deserialize, Serialize};
@@ -171,14 +172,14 @@ impl Warning {
     }
 
     /// Code of the explanation of the message.
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
-            Self::FormNotRemoved { .. } => "W112",
-            Self::CoarseForLambdaS { .. } => "W113",
-            Self::FewSections { .. } => "W114",
-            Self::InvoluteLeft { .. } => "W128",
-            Self::OutliersReplaced { .. } => "W130",
-            Self::SectionsDominate { .. } => "W132",
+            Self::FormNotRemoved { .. } => Code::W112,
+            Self::CoarseForLambdaS { .. } => Code::W113,
+            Self::FewSections { .. } => Code::W114,
+            Self::InvoluteLeft { .. } => Code::W128,
+            Self::OutliersReplaced { .. } => Code::W130,
+            Self::SectionsDominate { .. } => Code::W132,
         }
     }
 }

@@ -13,9 +13,7 @@ use std::process::Command;
 
 use asperity::case::{CaseInput, FlankInput, GearsInput, OperationInput};
 use asperity_studies::cycle::{cycle, evaluate};
-use asperity_studies::export::{
-    AddedLoss, ExportError, Field, Format, With, c_source, export, gear_box_fit,
-};
+use asperity_studies::export::{AddedLoss, Field, Format, With, c_source, export, gear_box_fit};
 use asperity_studies::map::{Axes, FinishMap, Map, MeshPart, Numbers, Point, forwards};
 
 /// A made-up loss torque: 0.0075 |T|^1.02, a tenth more where the wheel drives, and 2e-4 √ω.
@@ -333,7 +331,8 @@ fn fastsim_takes_the_efficiency_of_a_cycle() {
     let found = value["eff_interp"]["Interp0D"].as_f64().unwrap();
     assert!((found - (1.0 - made_up(100.0, 3000.0) / 100.0)).abs() < 1e-12);
     let without = export(&map, Format::Fastsim, With::default());
-    assert!(matches!(without, Err(ExportError::NoCycle { .. })));
+    let said = without.unwrap_err().to_string();
+    assert!(said.ends_with("and no cycle was given"), "{said}");
 }
 
 #[test]
@@ -387,11 +386,13 @@ fn added_loss_is_a_part_of_its_own() {
 fn a_map_of_one_sign_or_with_holes_is_refused() {
     let drive = map_of(&[10.0, 20.0], &[60.0]);
     let refused = export(&drive, Format::Vecto, With::default());
-    assert!(matches!(refused, Err(ExportError::OneSign { .. })));
+    let said = refused.unwrap_err().to_string();
+    assert!(said.contains("needs torques of both signs"), "{said}");
     let mut holes = map();
     holes.finishes[0].points[5].numbers = None;
     let refused = export(&holes, Format::Matlab, With::default());
-    assert!(matches!(refused, Err(ExportError::Holes { .. })));
+    let said = refused.unwrap_err().to_string();
+    assert!(said.contains("points of the map have no result"), "{said}");
 }
 
 #[test]
@@ -480,10 +481,9 @@ fn finishes_whose_files_would_have_one_name_are_refused() {
         (["µ", "é"], Format::Fmu),
     ] {
         let error = export(&named(names), format, With::default()).unwrap_err();
-        assert!(
-            matches!(&error, ExportError::SameFile { finishes, .. } if *finishes == names),
-            "{error}"
-        );
+        let [first, second] = names;
+        let message = format!("finishes {first:?} and {second:?} would both be exported as ");
+        assert!(error.to_string().starts_with(&message), "{error}");
     }
     for names in [["a b", "a-b"], ["a", "b"]] {
         assert_eq!(
@@ -574,7 +574,7 @@ fn a_cycle_that_leaves_the_map_gives_no_single_efficiency() {
         ..With::default()
     };
     let error = export(&map(), Format::Fastsim, with).unwrap_err();
-    assert!(matches!(error, ExportError::Uncovered { .. }));
+    assert_eq!(error.code(), "E205");
     let said = error.to_string();
     assert!(
         said.contains("75.0 % of the energy") && said.contains("300.0 N m"),

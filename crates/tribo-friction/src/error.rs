@@ -1,6 +1,8 @@
 //! Errors of a friction coefficient or force.
 
+use asperity_core::Code;
 use asperity_core::DomainError;
+use asperity_core::Fault;
 use asperity_core::numerics::RootError;
 use asperity_oil::LubricantError;
 
@@ -48,4 +50,14 @@ pub enum FrictionError {
         /// Error of the root search.
         source: RootError,
     },
+}
+
+impl From<FrictionError> for Fault {
+    fn from(error: FrictionError) -> Self {
+        let code = match error {
+            FrictionError::MissingSetting { .. } => Code::E205,
+            _ => Code::E209,
+        };
+        Self::of(code, error)
+    }
 }

@@ -1,5 +1,6 @@
 //! What the worker of the page sees: text and bytes, errors as JSON.
 
+use asperity::message::Code;
 use std::cell::RefCell;
 
 use js_sys::{Error, Function};
@@ -140,7 +141,7 @@ pub fn run(name: &str, text: &str, files: &Files, progress: Function) -> Result<
 #[wasm_bindgen]
 pub fn look(name: &str, bytes: &[u8], flank: &str, stated: &str) -> Result<String, JsValue> {
     let stated: Result<Stated, Failure> = serde_json::from_str(stated)
-        .map_err(|error| Failure::new("E204", format!("{flank}: {error}")));
+        .map_err(|error| Failure::new(Code::E204, format!("{flank}: {error}")));
     written(stated.and_then(|stated| look_at(name, bytes, flank, &stated)))
 }
 

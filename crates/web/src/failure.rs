@@ -1,33 +1,28 @@
 //! Errors as the page shows them: a code, a message in keys of the case, a place, help.
 
+use asperity::message::{Code, Fault};
 use asperity::case::Place;
 use asperity::key_words::{advice, with_keys};
 use asperity::profile_io::read::ReadError;
-use asperity_report::ReportError;
 use serde::Serialize;
 
-/// An error with its stable code.
+/// An error as the page shows it.
 #[derive(Debug, Clone, Serialize)]
 pub struct Failure {
     /// Stable code.
-    pub code: &'static str,
+    pub code: Code,
     /// Values seen and expected, and what to write instead.
     pub message: String,
-    /// General advice for the code.
-    pub help: Option<String>,
+    /// What can be done: the advice of the error, or that of its code with its keys.
+    pub help: String,
     /// Place in the text of the case.
     pub place: Option<Place>,
 }
 
 impl Failure {
     /// An error of this code.
-    pub fn new(code: &'static str, message: impl Into<String>) -> Self {
-        Self {
-            code,
-            message: message.into(),
-            help: advice(code),
-            place: None,
-        }
+    pub fn new(code: Code, message: impl Into<String>) -> Self {
+        Fault::new(code, message).into()
     }
 
     /// The error of a run of the case called `name`.
@@ -57,15 +52,26 @@ impl From<&asperity::Error> for Failure {
     }
 }
 
-impl From<ReportError> for Failure {
-    fn from(error: ReportError) -> Self {
-        // No file is written, so a number that is not finite is all that can be.
-        Self::new("E501", error.to_string())
+impl From<Fault> for Failure {
+    fn from(fault: Fault) -> Self {
+        if let Some(error) = fault.cause::<asperity::Error>() {
+            return error.into();
+        }
+        let is_general = fault.specific_help().is_none() && fault.remedy().is_empty();
+        Self {
+            code: fault.code(),
+            message: fault.message().to_owned(),
+            help: match is_general {
+                true => advice(fault.code()),
+                false => fault.help(),
+            },
+            place: fault.place().cloned(),
+        }
     }
 }
 
 impl From<serde_json::Error> for Failure {
     fn from(error: serde_json::Error) -> Self {
-        Self::new("E501", error.to_string())
+        Fault::internal(error).into()
     }
 }

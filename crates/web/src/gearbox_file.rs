@@ -1,6 +1,7 @@
 //! A case from a REXS gearbox file.
 
-use asperity_rexs::{Flanks, Model, RexsError, StageKind, case_text, stages, train_text};
+use asperity_rexs::{Flanks, Model, StageKind, case_text, stages, train_text};
+use asperity::message::Fault;
 use serde::Serialize;
 
 use crate::failure::Failure;
@@ -30,7 +31,7 @@ pub fn gearbox_stage(
     number: usize,
     [pinion, wheel]: [&str; 2],
 ) -> Result<GearboxStage, Failure> {
-    let refused = |error: RexsError| Failure::new(error.code(), format!("{name}: {error}"));
+    let refused = |error: Fault| error.about(name);
     let model = Model::read(bytes).map_err(refused)?;
     let all = stages(&model).map_err(refused)?;
     let mut pairs = all

@@ -1,6 +1,7 @@
 //! The job of the page: what `asperity run` does, without a file system.
 
 use asperity::case::{CaseInput, DefaultUsed, Source, Train};
+use asperity::message::Code;
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::train::{self, Outcomes};
 use asperity_report::{COLUMNS, Results, Tile, texts};
@@ -91,7 +92,7 @@ fn check_memory(train: &Train) -> Result<(), Failure> {
         work.bytes / 1e9,
         MOST_BYTES / 1e9,
     );
-    Err(Failure::new("E209", message))
+    Err(Failure::new(Code::E209, message))
 }
 
 /// The keys of the case in `text` as JSON, for a form to show; its files are not opened.

@@ -1,6 +1,7 @@
 //! Gears, steels and oils by name.
 
-use asperity::core::presets::{self, PresetError};
+use asperity::message::Fault;
+use asperity::core::presets;
 use asperity::oil::library as oils;
 use serde_json::{Map, Value, json};
 
@@ -11,17 +12,16 @@ use crate::failure::Failure;
 /// # Errors
 /// When a library is damaged.
 pub fn library() -> Result<String, Failure> {
-    let damaged = |error: PresetError| Failure::new("E501", error.to_string());
-    let oils = oils().map_err(|error| Failure::new("E501", error.to_string()))?;
+    let oils = oils().map_err(Fault::internal)?;
     let oils = oils
         .iter()
         .map(|oil| json!({ "name": oil.name, "note": format!("{} ({})", oil.note, oil.source) }));
-    let steels = presets::steels().map_err(damaged)?;
+    let steels = presets::steels().map_err(Fault::internal)?;
     let steels = steels.iter().map(
         |steel| json!({ "name": steel.name, "note": format!("{}. {}", steel.treatment, steel.note) }),
     );
     let mut gears = Vec::new();
-    for preset in presets::gears().map_err(damaged)? {
+    for preset in presets::gears().map_err(Fault::internal)? {
         let mut keys = Map::new();
         for row in preset.rows() {
             // The values are lists and texts, which TOML and JSON write alike.

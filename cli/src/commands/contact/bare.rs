@@ -1,5 +1,7 @@
 //! Contacts without a case: a gap file, or two profiles.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity_contact::running_in::{Cycle, RunningIn};
@@ -39,7 +41,7 @@ pub fn of_gap(path: &Path, args: &ContactArgs) -> Result<SolvedContact, Failure>
         pressure_limit: args.pressure_limit,
         start: None,
     };
-    let solution = solve(&problem, &settings(args)).map_err(|error| refused(path, &error))?;
+    let solution = solve(&problem, &settings(args)).map_err(|error| refused(path, error))?;
     Ok(SolvedContact {
         title: path.display().to_string(),
         spacing: file.spacing,
@@ -71,7 +73,7 @@ pub fn of_flanks(
         modulus: args.e_star.ok_or_else(|| missing("--flanks", "--e-star"))?,
         pressure_limit: args.pressure_limit,
     };
-    let about = |error: ContactError| refused(second_path, &error);
+    let about = |error: ContactError| refused(second_path, error);
     let (cycles, worn) = match args.running_in {
         Some(passes) => {
             let plan = RunningIn {
@@ -111,7 +113,7 @@ fn prescribed(path: &Path, gap: &Columns) -> Result<Vec<f64>, Failure> {
     let file = column_file::read(path, column_file::PRESSURE)?;
     if common_spacing(file.spacing, gap.spacing).is_none() {
         return Err(Failure::new(
-            "E209",
+            Code::E209,
             format!(
                 "{}: points {:.6} apart, those of the gap {:.6}; give the pressure at the points of the gap",
                 path.display(),
@@ -141,27 +143,10 @@ fn settings(args: &ContactArgs) -> SolverSettings {
 }
 
 fn missing(option: &str, needed: &str) -> Failure {
-    Failure::new("E205", format!("{option} needs {needed}"))
+    Failure::new(Code::E205, format!("{option} needs {needed}"))
 }
 
-/// The error of a contact, with advice in options of this command.
-fn refused(path: &Path, error: &ContactError) -> Failure {
-    let failure = Failure::new(error.code(), format!("{}: {error}", path.display()));
-    let advice = match error {
-        ContactError::NotConverged { .. } => {
-            "Pass a larger --tolerance (at most 1e-4), or look for spikes in the file."
-        }
-        ContactError::NotRunIn { .. } => {
-            "Pass a smaller --tolerance, or a higher --pressure-limit."
-        }
-        ContactError::LimitBelowMeanPressure { .. } => {
-            "Pass a higher --pressure-limit or a lower --load."
-        }
-        ContactError::DatumTooNear { .. } => "Pass a larger --datum.",
-        ContactError::ApproachBeyondMeanGap { .. } => {
-            "Pass a smaller --approach, or --load in its place."
-        }
-        _ => return failure,
-    };
-    failure.advising(advice)
+/// The error of a contact in the file at `path`.
+fn refused(path: &Path, error: ContactError) -> Fault {
+    Fault::from(error).about(path.display())
 }

@@ -1,6 +1,7 @@
 //! Text file with two columns on an even grid: positions x and a gap, a profile or a pressure, with units in the
 //! header.
 
+use asperity_core::Code;
 use std::io::Read;
 use std::path::Path;
 
@@ -61,7 +62,7 @@ const MAX_BYTES: u64 = 1 << 29;
 pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
     let name = path.display().to_string();
     let cannot = |error: std::io::Error| {
-        Failure::new("E103", format!("{name}: cannot be opened: {error}"))
+        Failure::new(Code::E103, format!("{name}: cannot be opened: {error}"))
             .advising("Check the name and the permissions.")
     };
     let mut bytes = vec![];
@@ -71,7 +72,7 @@ pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
         .map_err(cannot)?;
     if bytes.len() as u64 > MAX_BYTES {
         return Err(Failure::new(
-            "E118",
+            Code::E118,
             format!(
                 "{name}: larger than {} MiB, which no gap or profile is",
                 MAX_BYTES >> 20
@@ -86,7 +87,7 @@ pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
 pub fn of_bytes(name: &str, bytes: &[u8], column: Column) -> Result<Columns, Failure> {
     let text = decoded(bytes).ok_or_else(|| {
         Failure::new(
-            "E108",
+            Code::E108,
             format!("{name}: not text: it holds bytes that are not characters"),
         )
         .advising("Save the columns as text, in UTF-8, UTF-16 or Latin-1.")
@@ -104,7 +105,7 @@ pub fn profile(path: &Path) -> Result<Profile, Failure> {
             .unwrap_or(file.spacing.si()),
     );
     Profile::new(spacing, file.values)
-        .map_err(|error| Failure::new("E209", format!("{}: {error}", path.display())))
+        .map_err(|error| Failure::new(Code::E209, format!("{}: {error}", path.display())))
 }
 
 /// Decodes `bytes` in UTF-8, in UTF-16 with or without a byte order mark, or else in Latin-1; `None` if it is not
@@ -204,13 +205,13 @@ fn number(cell: &str, separator: char) -> Option<f64> {
 fn even_spacing(name: &str, x: &[f64]) -> Result<Length, Failure> {
     let (Some(first), Some(last)) = (x.first(), x.last()) else {
         return Err(
-            Failure::new("E102", format!("{name}: no rows below the header"))
+            Failure::new(Code::E102, format!("{name}: no rows below the header"))
                 .advising("Give one row per point below the header."),
         );
     };
     if x.len() < 2 {
         return Err(Failure::new(
-            "E106",
+            Code::E106,
             format!("{name}: one point is too few for a contact; give at least two"),
         )
         .advising("Give one row per point below the header."));
@@ -218,7 +219,7 @@ fn even_spacing(name: &str, x: &[f64]) -> Result<Length, Failure> {
     let spacing = (last - first) / (x.len() - 1) as f64;
     if spacing <= 0.0 {
         return Err(Failure::new(
-            "E105",
+            Code::E105,
             format!(
                 "{name}: column x must increase, it runs from {} m to {} m",
                 asperity_core::number(*first),
@@ -231,7 +232,7 @@ fn even_spacing(name: &str, x: &[f64]) -> Result<Length, Failure> {
         let expected = first + spacing * index as f64;
         if (value - expected).abs() > UNEVEN * spacing {
             return Err(Failure::new(
-                "E109",
+                Code::E109,
                 format!(
                     "{name}:{}: x = {value} m is off the even grid of {spacing} m (expected {expected} m); \
                      resample the gap evenly",
@@ -246,7 +247,7 @@ fn even_spacing(name: &str, x: &[f64]) -> Result<Length, Failure> {
 
 fn unreadable(name: &str, line: usize, cell: &str) -> Failure {
     Failure::new(
-        "E101",
+        Code::E101,
         format!(
             "{name}:{line}: cannot read \"{cell}\" as a number; expected one value per column, e.g. 1.25e-6"
         ),
@@ -262,7 +263,7 @@ fn no_unit(name: &str, title: &str, column: Column) -> Failure {
         "pressure"
     };
     Failure::new(
-        "E104",
+        Code::E104,
         format!(
             "{name}:1: the header \"{title}\" does not name a {kind} unit ({})",
             units.join(", ")
@@ -274,7 +275,7 @@ fn no_unit(name: &str, title: &str, column: Column) -> Failure {
 fn no_column(name: &str, missing: Column, wanted: Column) -> Failure {
     let unit = wanted.units[wanted.units.len() / 2].0;
     Failure::new(
-        "E102",
+        Code::E102,
         format!(
             "{name}:1: no column {}; the first line must name the columns with their units, e.g. \"x_um,{}_{unit}\"",
             missing.name, wanted.name

@@ -5,6 +5,7 @@ pub mod column_file;
 mod solved;
 mod stress;
 
+use asperity_core::Code;
 use std::path::Path;
 
 use asperity::contacts::dry_contact::{DryContact, dry_contact};
@@ -31,7 +32,7 @@ pub fn contact(args: &ContactArgs, common: &Common) -> Result<(), Failure> {
         (None, None, Some(case)) => of_case(case, args)?,
         (None, None, None) => {
             return Err(Failure::new(
-                "E205",
+                Code::E205,
                 "name a case file, a gap file with --gap, or two profiles with --flanks",
             ));
         }
@@ -54,14 +55,14 @@ pub fn contact(args: &ContactArgs, common: &Common) -> Result<(), Failure> {
 fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
     if tolerance > MAX_TOLERANCE {
         return Err(Failure::new(
-            "E211",
+            Code::E211,
             format!("--tolerance {tolerance:e}: must be at most {MAX_TOLERANCE:e}"),
         )
         .advising("Pass --tolerance 1e-4 or less; 1e-8 is the default."));
     }
     if tolerance.is_nan() || tolerance <= 0.0 {
         return Err(Failure::new(
-            "E209",
+            Code::E209,
             format!("--tolerance {tolerance:e}: must be above 0 and at most {MAX_TOLERANCE:e}"),
         ));
     }

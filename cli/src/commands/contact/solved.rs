@@ -1,5 +1,6 @@
 //! A solved contact: text, JSON and file of points.
 
+use asperity_core::Code;
 use std::path::Path;
 
 use asperity_contact::running_in::Cycle;
@@ -30,11 +31,11 @@ pub struct SolvedContact {
 
 impl SolvedContact {
     /// Warnings with their codes.
-    fn warnings(&self) -> Vec<(&'static str, String)> {
+    fn warnings(&self) -> Vec<(Code, String)> {
         let coded = |warning: ContactWarning| {
             let code = match warning {
-                ContactWarning::PressureAtEnd { .. } => "W413",
-                _ => "W414",
+                ContactWarning::PressureAtEnd { .. } => Code::W413,
+                _ => Code::W414,
             };
             (code, warning.to_string())
         };

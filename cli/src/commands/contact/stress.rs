@@ -1,5 +1,6 @@
 //! Subsurface stress of a solved contact.
 
+use asperity_core::Code;
 use asperity_core::number;
 use std::path::Path;
 
@@ -28,14 +29,17 @@ pub struct Stress {
 
 /// Computes the stress under `contact` and writes it to the file that `args` names.
 pub fn stress(contact: &SolvedContact, args: &ContactArgs, path: &Path) -> Result<Stress, Failure> {
-    let outside = |error: &dyn std::fmt::Display| Failure::new("E209", error.to_string());
+    let outside = |error: &dyn std::fmt::Display| Failure::new(Code::E209, error.to_string());
     let pressure = &contact.solution.pressure;
     let touches = |p: &f64| *p > 0.0;
     let (Some(first), Some(last)) = (
         pressure.iter().position(touches),
         pressure.iter().rposition(touches),
     ) else {
-        return Err(Failure::new("E209", "--stress: the bodies do not touch"));
+        return Err(Failure::new(
+            Code::E209,
+            "--stress: the bodies do not touch",
+        ));
     };
     let half_width = contact.spacing * (0.5 * (last - first + 1) as f64);
     let depths = graded_depths(contact.spacing * 0.5, half_width, DEPTHS)
@@ -43,7 +47,7 @@ pub fn stress(contact: &SolvedContact, args: &ContactArgs, path: &Path) -> Resul
     let friction = args.friction;
     if !friction.is_finite() {
         return Err(Failure::new(
-            "E209",
+            Code::E209,
             format!("--friction {}: must be finite", number(friction)),
         ));
     }
@@ -54,7 +58,7 @@ pub fn stress(contact: &SolvedContact, args: &ContactArgs, path: &Path) -> Resul
     let mises = field
         .von_mises(args.poisson)
         .map_err(|error| outside(&error))?;
-    let none = || Failure::new("E501", "a stress field without values");
+    let none = || Failure::new(Code::E501, "a stress field without values");
     let yield_zone = match args.elastic_limit {
         Some(limit) => field
             .yield_zone(args.poisson, limit)

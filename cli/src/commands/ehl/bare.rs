@@ -1,5 +1,7 @@
 //! Lubricated contact from numbers and profiles on the command line.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::ehl::traction::Heat;
@@ -14,7 +16,6 @@ use asperity_core::quantity::{
     ThermalConductivity,
 };
 
-use super::failed::of_reference;
 use crate::args::{EhlArgs, ViscosityLawArg};
 use crate::commands::contact::column_file;
 use crate::failure::Failure;
@@ -55,7 +56,7 @@ impl Bare {
 /// Reads the options and the profiles that they name.
 pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
     let bare = &args.bare;
-    let needed = |name| Failure::new("E205", format!("give a case file, or {name}"));
+    let needed = |name| Failure::new(Code::E205, format!("give a case file, or {name}"));
     let contact = LineContact {
         radius: bare.radius.ok_or_else(|| needed("--radius"))?,
         modulus: bare.e_star.ok_or_else(|| needed("--e-star"))?,
@@ -86,7 +87,7 @@ pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
     let title = "line contact".to_owned();
     contact
         .scales(&oil)
-        .map_err(|error| super::failed::of_contact(&title, &error))?;
+        .map_err(|error| Fault::from(error).about(&title))?;
     let first = surface(bare.profile1.as_deref(), bare.periodic)?;
     let second = surface(bare.profile2.as_deref(), bare.periodic)?;
     let profiles: Vec<&Profile> = [&first, &second]
@@ -97,7 +98,7 @@ pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
     let attenuated_roughness = match profiles[..] {
         [] => Length::from_si(0.0),
         _ => attenuated_roughness(&contact, &oil, &profiles)
-            .map_err(|error| of_reference(Path::new(&title), &error))?,
+            .map_err(|error| Fault::from(error).about(&title))?,
     };
     let moving = |surface: Option<(Profile, MovingProfile)>| {
         surface.map_or_else(MovingProfile::smooth, |(_, moving)| moving)
@@ -142,7 +143,7 @@ fn oil_state(
                 .resolve(bulk)
                 .and_then(|oil| oil.at(bulk))
                 .map_err(|error| {
-                    Failure::new("E208", format!("--oil {name}: {error}"))
+                    Failure::new(Code::E208, format!("--oil {name}: {error}"))
                         .advising("Name an oil of the library, or pass --viscosity and --pressure-viscosity.")
                 })?
                 .value;
@@ -160,7 +161,7 @@ fn oil_state(
         }
         (_, _, Some(viscosity), Some(coefficient)) => Ok((viscosity, coefficient, None)),
         _ => Err(Failure::new(
-            "E205",
+            Code::E205,
             "the oil is missing: pass --oil and --bulk, or --viscosity and --pressure-viscosity",
         )
         .advising("For example --oil m100 --bulk \"90 °C\", or --viscosity \"10 mPa s\" --pressure-viscosity \"18 1/GPa\".")),
@@ -179,7 +180,7 @@ fn surface(
         MovingProfile::periodic(&profile)
     } else {
         MovingProfile::blended(&profile, profile.length() * OVERLAP)
-            .map_err(|error| Failure::new("E209", format!("{}: {error}", path.display())))?
+            .map_err(|error| Failure::new(Code::E209, format!("{}: {error}", path.display())))?
     };
     Ok(Some((profile, moving)))
 }

@@ -1,12 +1,12 @@
 //! `asperity ehl`: mixed elastohydrodynamic contact of a case at one position, or from numbers only.
 
 mod bare;
-mod failed;
 mod laws;
 mod page;
 mod rough;
 mod smooth;
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::ehl::RecordSettings;
@@ -44,7 +44,7 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
         shortest_wave: args.shortest_wave,
         inlet: Inlet::ByLoad,
     };
-    let about = |error| failed::of_reference(path, &error);
+    let about = |error| Fault::from(error).about(path.display());
     let contact = ReferenceContact::of(&loaded, position, &settings).map_err(about)?;
     let title = format!("{} at {position:.4} of the path", path.display());
     if args.smooth {
@@ -93,7 +93,7 @@ fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
         ..record_settings(args)
     };
     let scales = bare.rough.contact.scales(&bare.rough.oil);
-    let scales = scales.map_err(|error| failed::of_contact(&bare.title, &error))?;
+    let scales = scales.map_err(|error| Fault::from(error).about(&bare.title))?;
     Inlet::ByLoad.apply(&mut settings, &scales);
     let mut record = rough::solve(bare.title, &bare.rough, &settings, args, common)?;
     record.attenuated_roughness = Some(bare.attenuated_roughness);

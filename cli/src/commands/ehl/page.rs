@@ -3,11 +3,12 @@
 use asperity::ehl::transient::Moment;
 use asperity::ehl::{RoughContact, Scales, SteadyFilm, SteadySettings, steady};
 use asperity::reference_solution::formula_film;
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_report::html::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };
 
-use super::failed::of_contact;
 use super::rough::{Recorded, with_error};
 use super::smooth::Smooth;
 use crate::failure::Failure;
@@ -16,7 +17,7 @@ use crate::failure::Failure;
 struct PageContents<'a> {
     title: &'a str,
     scales: &'a Scales,
-    warnings: Vec<(&'static str, String)>,
+    warnings: Vec<(Code, String)>,
 }
 
 fn page_of(
@@ -24,10 +25,10 @@ fn page_of(
     contact: &RoughContact,
     smooth: &SteadyFilm,
 ) -> Result<LubricatedContact, Failure> {
-    let refused = |error| super::failed::of_reference(about.title.as_ref(), &error);
+    let refused = |error| Fault::from(error).about(&about.title);
     let formula = formula_film(&contact.contact, &contact.oil).map_err(refused)?;
     let scales = about.scales;
-    let owned = |(code, text): (&str, String)| (code.to_owned(), text);
+    let owned = |(code, text): (Code, String)| (code.to_string(), text);
     Ok(LubricatedContact {
         title: about.title.to_owned(),
         subtitle: format!(
@@ -114,7 +115,7 @@ impl Recorded {
             window: Some(self.window),
         };
         let smooth = steady::solve(&contact.contact, &contact.oil, &settings)
-            .map_err(|error| of_contact(&self.title, &error))?;
+            .map_err(|error| Fault::from(error).about(&self.title))?;
         let about = PageContents {
             title: &self.title,
             scales,

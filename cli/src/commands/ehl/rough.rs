@@ -1,5 +1,7 @@
 //! Record of two rough surfaces: text, JSON and points.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use asperity::ehl::several_records::{mean_of, record_several};
@@ -13,7 +15,6 @@ use asperity_core::quantity::Length;
 use asperity_storage::one_line;
 use serde_json::{Value, json};
 
-use super::failed::of_contact;
 use crate::args::{Common, EhlArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, coded};
@@ -52,15 +53,15 @@ pub fn solve(
         true
     });
     drop(shown);
-    let records = result.map_err(|error| of_contact(&title, &error))?;
-    let none = || Failure::new("E501", format!("{title}: no record"));
+    let records = result.map_err(|error| Fault::from(error).about(&title))?;
+    let none = || Failure::new(Code::E501, format!("{title}: no record"));
     let solved = mean_of(&records).ok_or_else(none)?;
     let highest = solved.value.max_pressure;
     if highest > HIGHEST_PRESSURE {
         let message = format!(
             "{title}: the pressure reaches {highest:.3}, above {HIGHEST_PRESSURE}, which no steel withstands"
         );
-        return Err(Failure::new("E308", message).advising(
+        return Err(Failure::new(Code::E308, message).advising(
             "Pass a --pressure-limit at which the surfaces yield, or check the profiles.",
         ));
     }
@@ -87,7 +88,7 @@ impl Recorded {
     }
 
     /// Warnings with their codes.
-    pub fn warnings(&self) -> Vec<(&'static str, String)> {
+    pub fn warnings(&self) -> Vec<(Code, String)> {
         record_warnings(&self.solved.value, self.attenuated_roughness, self.ceiling)
     }
 

@@ -5,9 +5,10 @@ use asperity::ehl::{
     FrictionLaw, RoughContact, Solved, SteadyFilm, SteadySettings, Warning, steady,
 };
 use asperity::oil::ShearLaw;
+use asperity_core::Code;
+use asperity_core::Fault;
 use serde_json::{Value, json};
 
-use super::failed::of_contact;
 use crate::failure::Failure;
 use crate::output::coded;
 
@@ -34,7 +35,7 @@ pub fn solve(
         cells,
         window: None,
     };
-    let failed = |error| of_contact(&title, &error);
+    let failed = |error| Fault::from(error).about(&title);
     let solved = steady::solve(contact, oil, &settings).map_err(failed)?;
     let law = |law: FrictionLaw, heat| TractionLaw {
         shear: match oil.shear_law {
@@ -71,7 +72,7 @@ impl Smooth {
         self.traction
     }
 
-    pub fn warnings(&self) -> Vec<(&'static str, String)> {
+    pub fn warnings(&self) -> Vec<(Code, String)> {
         let text = |warning: &Warning| match warning {
             Warning::InletUnresolved { cells } => format!(
                 "the inlet zone spans {cells:.1} cells (2 needed): the film comes out too thin; pass more --cells"
@@ -85,7 +86,9 @@ impl Smooth {
             _ => String::from("outside the range of the solver"),
         };
         let warnings = self.solved.value.warnings.iter();
-        warnings.map(|warning| ("W401", text(warning))).collect()
+        warnings
+            .map(|warning| (Code::W401, text(warning)))
+            .collect()
     }
 
     /// Film as JSON.

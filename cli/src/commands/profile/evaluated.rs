@@ -1,5 +1,6 @@
 //! Reading, preparation and evaluation of a profile file, and writing of profiles.
 
+use asperity_core::Code;
 use asperity_core::number;
 use std::path::Path;
 
@@ -120,7 +121,7 @@ pub(super) enum Note<'a> {
 
 impl Note<'_> {
     /// Code of the message.
-    pub(super) fn code(self) -> &'static str {
+    pub(super) fn code(self) -> Code {
         match self {
             Self::Read(warning) => warning.code(),
             Self::Evaluated(warning) => warning.code(),
@@ -165,7 +166,7 @@ pub(super) fn without_outliers(
     let (cleaned, record) =
         replace(&reading.profile, Outliers::beyond(deviations)).map_err(|error| {
             Failure::new(
-                "E209",
+                Code::E209,
                 format!("--outliers {}: {error}", number(deviations)),
             )
         })?;
@@ -197,7 +198,7 @@ fn read_options(args: &ReadingArgs, base_radius: Option<Length>) -> ReadOptions 
 pub(super) fn opened_surface(file: &Path, args: &ReadingArgs) -> Result<Surface, Failure> {
     if args.range.is_some() {
         let text = "--range cuts a trace; choose one of the surface with --row or --line";
-        return Err(Failure::new("E205", text));
+        return Err(Failure::new(Code::E205, text));
     }
     read_surface(file, &read_options(args, None)).map_err(|error| refused(&error))
 }
@@ -219,7 +220,7 @@ pub(super) fn opened_trace(
             None => format!("there is no row {row}"),
         };
         let text = format!("{name}: the file holds a single profile; {reason}");
-        return Err(Failure::new("E119", text));
+        return Err(Failure::new(Code::E119, text));
     }
     Ok(trace)
 }
@@ -249,7 +250,7 @@ pub(super) fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) ->
         }
         _ => String::new(),
     };
-    Failure::new("E120", format!("{name}: {error}{advice}"))
+    Failure::new(Code::E120, format!("{name}: {error}{advice}"))
 }
 
 /// Format by the file name; standard output has the text format.
@@ -281,7 +282,7 @@ pub(super) fn to_digits(profile: &Profile) -> Result<Profile, Failure> {
     let heights = profile.heights().iter();
     let heights = heights.map(|z| (z * steps).round() / (steps / 1e6) / 1e6);
     Profile::new(profile.spacing(), heights.collect())
-        .map_err(|error| Failure::new("E209", error.to_string()))
+        .map_err(|error| Failure::new(Code::E209, error.to_string()))
 }
 
 /// Writes a trace unchanged.
@@ -296,12 +297,12 @@ fn save_as(
     let name = output.display().to_string();
     let format = of_name(&name).ok_or_else(|| {
         Failure::new(
-            "E401",
+            Code::E401,
             format!("{name}: cannot be written; name it .csv, .x3p or .smd"),
         )
     })?;
     let bytes = bytes(format)
-        .map_err(|error| Failure::new("E401", format!("{name}: cannot be written: {error}")))?;
+        .map_err(|error| Failure::new(Code::E401, format!("{name}: cannot be written: {error}")))?;
     output::save(output, &bytes)
 }
 

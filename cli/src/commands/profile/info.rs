@@ -1,5 +1,6 @@
 //! `asperity profile info` and `compare`: one report, or a table of many.
 
+use asperity_core::Code;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -111,7 +112,7 @@ fn refused_entry(file: &Path, failure: &Failure) -> serde_json::Value {
 fn check(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     if args.curves && !common.json {
         let text = "--curves needs --json; asperity profile plot draws the curves";
-        return Err(Failure::new("E205", text));
+        return Err(Failure::new(Code::E205, text));
     }
     // A contradiction of options is reported once, not for every file.
     Plan::of(&args.preparing).map(|_| ())

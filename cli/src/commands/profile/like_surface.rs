@@ -1,5 +1,6 @@
 //! `asperity profile generate --like` with surfaces: a surface of their kind.
 
+use asperity_core::Code;
 use std::path::Path;
 
 use asperity_profile_io::read::Surface;
@@ -21,7 +22,7 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
     let name = args.output.display().to_string();
     if WrittenFormat::of_name(&name) != Some(WrittenFormat::X3p) {
         let text = format!("{name}: cannot be written; a surface is written as X3P, name it .x3p");
-        return Err(Failure::new("E401", text));
+        return Err(Failure::new(Code::E401, text));
     }
     let surfaces = args
         .like
@@ -36,7 +37,7 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
             "{}: the distances of points and rows are not both stated. Save the surface as X3P, SUR or SDF",
             first.name
         );
-        return Err(Failure::new("E110", text));
+        return Err(Failure::new(Code::E110, text));
     };
     let spacings = [dx, dy];
     for other in &surfaces {
@@ -46,16 +47,16 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
                 "{}: its rows, points or their distances differ from {}, to which it is fitted together",
                 other.name, first.name
             );
-            return Err(Failure::new("E120", text));
+            return Err(Failure::new(Code::E120, text));
         }
     }
     let heights = surfaces.iter().map(|surface| whole(surface, args));
     let heights: Vec<Vec<f64>> = heights.collect::<Result<_, _>>()?;
-    let refused = |error| Failure::new("E120", format!("{}: {error}", first.name));
+    let refused = |error| Failure::new(Code::E120, format!("{}: {error}", first.name));
     let fit = FittedSurface::to(&heights, first.columns, spacings).map_err(refused)?;
     let z = fit.generate(args.seed);
     let bytes = write_surface(&z, first.columns, spacings, &synthetic(args.seed))
-        .map_err(|error| Failure::new("E401", format!("{name}: cannot be written: {error}")))?;
+        .map_err(|error| Failure::new(Code::E401, format!("{name}: cannot be written: {error}")))?;
     output::save(Path::new(&args.output), &bytes)?;
     let areal = parameters(&z, first.columns, spacings).map_err(refused)?;
     if common.json {
@@ -85,7 +86,7 @@ fn whole(surface: &Surface, args: &ProfileGenerateArgs) -> Result<Vec<f64>, Fail
     let fills = args.reading.gaps == Some(asperity_profile_io::read::Gaps::Interpolate);
     let refused = |rows: &str| {
         let text = format!("{}: {missing} heights are missing{rows}", surface.name);
-        Failure::new("E107", text)
+        Failure::new(Code::E107, text)
     };
     match (missing, fills) {
         (0, _) => Ok(surface.z.clone()),

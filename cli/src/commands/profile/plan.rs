@@ -1,5 +1,6 @@
 //! Preparation of a trace by the options of the command.
 
+use asperity_core::Code;
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning as ReadWarning;
@@ -47,7 +48,7 @@ impl Plan {
             && args.form != Some(FormArg::Involute)
             && !reading.warnings.iter().any(converts)
         {
-            return Err(Failure::new("E205", INVOLUTE_ONLY));
+            return Err(Failure::new(Code::E205, INVOLUTE_ONLY));
         }
         Self::with(args, Some(reading))
     }
@@ -83,7 +84,7 @@ impl Plan {
         };
         if args.robust && recipe.lambda_c.is_none() {
             let text = "--robust applies to the lambda_c filter, which is off; pass --lambda-c, e.g. --lambda-c 0.8mm";
-            return Err(Failure::new("E205", text));
+            return Err(Failure::new(Code::E205, text));
         }
         Ok(Self {
             recipe,
@@ -188,7 +189,7 @@ pub(super) fn form(args: &PreparingArgs) -> Form {
 }
 
 fn involute(args: &PreparingArgs) -> Result<Option<Involute>, Failure> {
-    let contradiction = |text: &str| Err(Failure::new("E205", text));
+    let contradiction = |text: &str| Err(Failure::new(Code::E205, text));
     let options = [args.base_radius, args.roll_length];
     if args.form != Some(FormArg::Involute) {
         if args.towards_root || args.roll_length.is_some() {

@@ -1,5 +1,6 @@
 //! One profile as text of 80 columns.
 
+use asperity_core::Code;
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::FilterState;
 use asperity_report::profile_json::um;
@@ -35,7 +36,7 @@ pub(super) fn report(evaluated: &Evaluated, facts: &FileFacts, details: &Details
 /// Whether a run takes the trace, and the number of warnings that the page ends with.
 fn usable(evaluated: &Evaluated) -> String {
     let warnings = evaluated.warnings();
-    if warnings.iter().any(|warning| warning.code() == "W124") {
+    if warnings.iter().any(|warning| warning.code() == Code::W124) {
         return "usable: no, no flank has such heights: a run refuses them (W124 below)".to_owned();
     }
     match warnings.len() {

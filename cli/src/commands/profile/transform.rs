@@ -1,5 +1,6 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
+use asperity_core::Code;
 use std::path::{Path, PathBuf};
 
 use asperity_core::Profile;
@@ -46,7 +47,7 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
     let mut profile = reading.profile.clone();
     if let Some(dx) = args.resample {
         profile = resampled(&profile, dx)
-            .map_err(|error| Failure::new("E209", format!("--resample {dx:.6}: {error}")))?;
+            .map_err(|error| Failure::new(Code::E209, format!("--resample {dx:.6}: {error}")))?;
     }
     save(
         &args.output,
@@ -149,7 +150,7 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
                 "{}: there is no waviness without lambda_c",
                 args.file.display()
             );
-            Failure::new("E205", text)
+            Failure::new(Code::E205, text)
         })?,
     };
     let (state, lambda_c) = match args.part {
@@ -205,7 +206,7 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
     };
     let made = recipe
         .generate()
-        .map_err(|error| Failure::new("E209", error.to_string()))?;
+        .map_err(|error| Failure::new(Code::E209, error.to_string()))?;
     save(
         &args.output,
         &to_digits(&made.profile)?,
@@ -247,9 +248,9 @@ fn stated_recipe(args: &ProfileGenerateArgs) -> Result<Recipe, Failure> {
     };
     let name = path.display();
     let text = whole_file(path, LARGEST_RECIPE)
-        .map_err(|error| Failure::new("E103", format!("{name}: cannot be read: {error}")))?;
+        .map_err(|error| Failure::new(Code::E103, format!("{name}: cannot be read: {error}")))?;
     serde_json::from_slice(&text)
-        .map_err(|error| Failure::new("E204", format!("{name}: not a recipe: {error}")))
+        .map_err(|error| Failure::new(Code::E204, format!("{name}: not a recipe: {error}")))
 }
 
 /// The recipe fitted to traces of one surface, and the warnings of their reader.
@@ -270,7 +271,7 @@ fn fitted(
         .map(|file| profile(file))
         .collect::<Result<_, _>>()?;
     let fitted = Fitted::to(&trace, &others, args.seed)
-        .map_err(|error| Failure::new("E120", format!("{}: {error}", first.display())))?;
+        .map_err(|error| Failure::new(Code::E120, format!("{}: {error}", first.display())))?;
     Ok((Recipe::of(Surface::Fitted(fitted)), warnings))
 }
 

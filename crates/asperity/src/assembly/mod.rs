@@ -627,6 +627,7 @@ mod tests {
     use super::check;
     use crate::pipeline::losses;
     use crate::result::Losses;
+    use asperity_core::Code;
 
     #[test]
     fn a_fault_in_the_balance_of_a_run_has_its_code() {
@@ -659,13 +660,13 @@ mod tests {
             |run| run.path[2].rolling_w_per_m *= 1.0 + 1e-6,
             |run| run.summary.efficiency -= 1e-6,
         ];
-        assert_eq!(sums.map(code), [Some("E501"); 7]);
+        assert_eq!(sums.map(code), [Some(Code::E501); 7]);
         let impossible: [fn(&mut Losses); 4] = [
             |run| run.summary.efficiency = 1.5,
             |run| run.summary.rolling_w = f64::NAN,
             |run| run.path[0].sliding_w_per_m = f64::INFINITY,
             |run| run.summary.mu_equivalent = f64::NAN,
         ];
-        assert_eq!(impossible.map(code), [Some("E308"); 4]);
+        assert_eq!(impossible.map(code), [Some(Code::E308); 4]);
     }
 }

@@ -1,5 +1,6 @@
 //! Warnings raised from a finished result.
 
+use asperity_core::Code;
 use std::collections::{BTreeMap, BTreeSet};
 
 use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure, softer_flow_pressure};
@@ -46,7 +47,7 @@ pub(crate) fn warnings(
     let equivalent = equivalent_friction(summary.efficiency, summary.loss_factor_local)?;
     if !equivalent.outside.is_empty() {
         found.push(Warning::new(
-            "W402",
+            Code::W402,
             format!(
                 "mu_eq {:.3} is outside 0.01-0.12 for lubricated steel",
                 equivalent.value
@@ -114,7 +115,7 @@ fn notes(loaded: &LoadedCase, found: &mut Vec<Warning>) {
 fn same_trace(loaded: &LoadedCase, found: &mut Vec<Warning>) {
     if loaded.surfaces.same_trace {
         found.push(Warning::new(
-            "W404",
+            Code::W404,
             "both flanks use the same trace, so their roughness is correlated and S = sqrt(Rq1^2 + Rq2^2) is not exact",
         ));
     }
@@ -140,7 +141,7 @@ pub(crate) fn far_lay(
     );
     Ok(Some(Warning {
         about: Some(Subject::Lay),
-        ..Warning::new("W452", text)
+        ..Warning::new(Code::W452, text)
     }))
 }
 
@@ -194,7 +195,7 @@ fn above_tested_pressure(
             film + spots,
             1e-9 * most.si()
         );
-        found.push(Warning::new("W443", text));
+        found.push(Warning::new(Code::W443, text));
     }
 }
 
@@ -219,7 +220,7 @@ fn bulk(loaded: &LoadedCase, found: &mut Vec<Warning>) {
         (None, None) => return,
     };
     let text = format!("bulk temperature {:.0} °C; {hot}", report.bulk_c);
-    found.push(Warning::new("W426", text));
+    found.push(Warning::new(Code::W426, text));
 }
 
 /// W439: the amounts that a tip relief which is not stated may have, and the loss at both ends where it was drawn.
@@ -240,7 +241,7 @@ pub(crate) fn relief(loaded: &LoadedCase, at_ends: Option<[f64; 2]>) -> Option<W
         format!(": none{edges} changes the loss by {none:+.0} %, {most:.0} um by {whole:+.0} %")
     });
     let text = format!("tip relief {gears} not stated, taken from 0 to {most:.0} um{worth}");
-    Some(Warning::new("W439", text))
+    Some(Warning::new(Code::W439, text))
 }
 
 /// W401: a part of the gearbox outside the range of its law.
@@ -250,7 +251,7 @@ pub(crate) fn gearbox<'a>(
 ) {
     for part in parts {
         let notes = part.outside.iter();
-        found.extend(notes.map(|note| Warning::new("W401", format!("{}: {note}", part.name))));
+        found.extend(notes.map(|note| Warning::new(Code::W401, format!("{}: {note}", part.name))));
     }
 }
 
@@ -265,7 +266,7 @@ pub(crate) fn micropitting(loaded: &LoadedCase, found: &mut Vec<Warning>) {
             "the specific film is not a rating by ISO/TS 6336-22 here: {}",
             outside.join("; ")
         );
-        found.push(Warning::new("W432", text));
+        found.push(Warning::new(Code::W432, text));
     }
 }
 
@@ -279,7 +280,7 @@ fn one_tooth(loaded: &LoadedCase, found: &mut Vec<Warning>) {
     let text = format!(
         "one tooth of the {gear} is traced: the standard error of the mean loss leaves out the scatter between its teeth"
     );
-    found.push(Warning::new("W450", text));
+    found.push(Warning::new(Code::W450, text));
 }
 
 /// W451: contacts that carry their load less closely than the paper's limit, within `model.numerical_error`.
@@ -291,7 +292,7 @@ fn load_reached(summary: &Summary, found: &mut Vec<Warning>) {
         let text = format!(
             "the contacts carry their load with an error of up to {percent:.0} %, within model.numerical_error"
         );
-        found.push(Warning::new("W451", text));
+        found.push(Warning::new(Code::W451, text));
     }
 }
 
@@ -320,11 +321,11 @@ pub(crate) fn outside(
 }
 
 /// Code of the warning about an input outside its range.
-fn code(note: &OutOfRange) -> &'static str {
+fn code(note: &OutOfRange) -> Code {
     match note.treatment {
-        Treatment::SinteredSteel => "W428",
-        Treatment::Held => "W403",
-        _ => "W401",
+        Treatment::SinteredSteel => Code::W428,
+        Treatment::Held => Code::W403,
+        _ => Code::W401,
     }
 }
 
@@ -338,7 +339,7 @@ pub(crate) fn load<'a>(
     let mut add = |code, text: String| found.push(Warning::new(code, text));
     if let Some(note) = edge_contact {
         add(
-            "W421",
+            Code::W421,
             format!(
                 "tips are not relieved and the teeth approach by {:.1} um: with contact of the tip edges H_V is {:.4} instead of {:.4}",
                 note.approach.si() * 1e6,
@@ -352,7 +353,7 @@ pub(crate) fn load<'a>(
     let light = positions.filter(is_substituted).count();
     if light > 0 {
         add(
-            "W422",
+            Code::W422,
             format!(
                 "{light} of {count} cells of the path carry so little load that the spacing of the traces does not resolve their contact: the roughness of the whole traces is used there"
             ),
@@ -360,7 +361,7 @@ pub(crate) fn load<'a>(
     }
     if !evidence.converged {
         add(
-            "W423",
+            Code::W423,
             format!(
                 "the load over the teeth did not settle: the last change is {:.1e} of the mean load",
                 evidence.residual
@@ -369,7 +370,7 @@ pub(crate) fn load<'a>(
     }
     if let Some(StiffnessSource::IsoForRootForm(gear)) = evidence.stiffness {
         add(
-            "W424",
+            Code::W424,
             format!(
                 "the root of the {gear} has no simple outline: the stiffness is that of ISO 6336-1"
             ),
@@ -381,7 +382,7 @@ pub(crate) fn load<'a>(
     {
         if let Some(below) = loaded.case.gears.contact_below_involute(gear, root) {
             add(
-                "W433",
+                Code::W433,
                 format!(
                     "contact reaches a roll length of {:.2} mm below the involute of the {gear}: the tip of the mating gear meets its fillet",
                     below.si() * 1e3
@@ -392,7 +393,7 @@ pub(crate) fn load<'a>(
     if loaded.case.gears.tips_may_foul() {
         let [z1, z2] = loaded.case.gears.teeth;
         add(
-            "W425",
+            Code::W425,
             format!(
                 "the ring has only {} teeth more than the pinion: tips may foul away from the line of action, which is not checked",
                 z2.saturating_sub(z1)
@@ -484,7 +485,7 @@ fn no_sliding<'a>(
     let rolls = |at: &MeshPosition| at.motion.slide_to_roll.abs() < PURE_ROLLING;
     if loaded.case.formulation == Formulation::Paper && positions.all(rolls) {
         found.push(Warning::new(
-            "W412",
+            Code::W412,
             "the single position of the paper's reading is the pitch point, where there is no sliding: the efficiency contains no sliding loss. Set model.position, e.g. 0.25",
         ));
     }
@@ -501,7 +502,7 @@ fn contacts(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
     let at_end = at(&|_, doubt| matches!(doubt, ContactWarning::PressureAtEnd { .. }));
     if at_end > 0 {
         found.push(Warning::new(
-            "W413",
+            Code::W413,
             format!(
                 "the rough contact runs into the end of its window at {at_end} of {count} positions: raise model.window"
             ),
@@ -518,7 +519,7 @@ fn contacts(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
     });
     if beyond > 0 {
         found.push(Warning::new(
-            "W414",
+            Code::W414,
             format!(
                 "the gap in the contact window spans more than {SUSPECT_GAP} times the deformation at {beyond} of {count} positions: an outlier or a wrong unit"
             ),
@@ -540,7 +541,7 @@ fn yielding<'a>(
     let highest = pressures.fold(0.0, f64::max);
     if highest > bearable {
         found.push(Warning::new(
-            "W405",
+            Code::W405,
             format!(
                 "p0 {:.0} MPa exceeds {FIRST_YIELD} x the elastic limit {:.0} MPa: the flanks yield below the surface, which is not modelled",
                 highest * 1e-6,
@@ -567,7 +568,7 @@ fn stress(
     let count = positions.iter().filter(flowing).count();
     if count > 0 {
         found.push(Warning::new(
-            "W409",
+            Code::W409,
             format!(
                 "asperities yield at {count} of {} positions: expect running-in",
                 positions.len()
@@ -582,7 +583,7 @@ fn stress(
     if strained > 0 && !yields {
         let contacts: usize = positions.iter().map(|p| p.offsets.len()).sum();
         found.push(Warning::new(
-            "W410",
+            Code::W410,
             format!(
                 "asperities yield below their surface (von Mises stress above the elastic limit {:.0} MPa) in {strained} of {contacts} contacts, as usual before running-in",
                 limit * 1e-6,
@@ -628,13 +629,13 @@ pub(crate) fn records(
     let largest = records.iter().map(|record| record.p_max_mpa);
     let largest = Pressure::from_si(1e6 * largest.fold(0.0, f64::max));
     if let Some(text) = elastic_above_flow(largest, Some(ceiling)) {
-        found.push(Warning::new("W435", text));
+        found.push(Warning::new(Code::W435, text));
     }
     let ratios = records.iter().map(|record| record.roughness_over_film);
     let beyond = ratios.clone().filter(|r| *r > LARGEST_ROUGHNESS).count();
     if beyond > 0 {
         found.push(Warning::new(
-            "W415",
+            Code::W415,
             format!(
                 "the roughness left in the contact is up to {:.2} smooth films, above {LARGEST_ROUGHNESS} in {beyond} of {} records: the modelled ridges cannot leak, so rely on measurements rather than on these records",
                 ratios.fold(0.0, f64::max),
@@ -667,7 +668,7 @@ fn full_film(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
         })
     };
     found.push(Warning::new(
-        "W416",
+        Code::W416,
         format!(
             "the solved full film is more than {:.0} % off the formulas at {count} of {} positions: central film by up to {:+.0} %, minimum film {:+.0} %, friction {:+.0} %",
             100.0 * NOTED_DEVIATION,
@@ -709,7 +710,7 @@ fn roughness(
         .count();
     if few > 0 {
         found.push(Warning::new(
-            "W406",
+            Code::W406,
             format!(
                 "fewer than {FEW_ASPERITIES} asperities reach into the peak zone in {few} of {} mixed contacts; their mean radius is uncertain",
                 offsets().count()
@@ -721,7 +722,7 @@ fn roughness(
         .count();
     if without_peaks > 0 {
         found.push(Warning::new(
-            "W411",
+            Code::W411,
             format!(
                 "no peaks above the core in {without_peaks} of {} mixed contacts: the classical film ratio was used there",
                 offsets().count()
@@ -747,7 +748,7 @@ fn values_alone(loaded: &LoadedCase, found: &mut Vec<Warning>) -> Result<(), Pos
     let text = format!(
         "a flank is given by roughness values only, so the rough contact was not computed: the load share follows from the film ratio, {ratio}"
     );
-    found.push(Warning::new("W408", text));
+    found.push(Warning::new(Code::W408, text));
     Ok(())
 }
 
@@ -774,7 +775,7 @@ fn short_traces<'a>(
     };
     let length = length_for(ENOUGH, loaded.case.model.window, widest);
     found.push(Warning::new(
-        "W407",
+        Code::W407,
         format!(
             "the traces hold only {windows:.1} independent windows of the contact: the sampling error rests on experience with like flanks; measure {:.1} mm or more",
             1e3 * length.si(),
@@ -791,7 +792,7 @@ fn covered<'a>(
     let coverage = loaded.surfaces.coverage(positions);
     if let Some(coverage) = coverage.filter(|coverage| *coverage < FULL_COVERAGE) {
         found.push(Warning::new(
-            "W417",
+            Code::W417,
             format!(
                 "the traces cover {:.0} % of the loss along the path of contact; elsewhere the nearest window on them stands",
                 100.0 * coverage

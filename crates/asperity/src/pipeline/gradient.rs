@@ -254,6 +254,7 @@ pub fn check_heights(loaded: &LoadedCase) -> Result<(), PositionError> {
 
 #[cfg(test)]
 mod tests {
+    use asperity_core::Code;
     use asperity_core::Profile;
     use asperity_core::profile::mirrored_indices;
     use asperity_core::provenance::Provenance;
@@ -567,7 +568,7 @@ mod tests {
     #[test]
     fn a_flank_without_a_measured_trace_has_no_gradient() {
         let error = gradient(&e_drive(&[("surface.wheel", r#"{ rq = "0.3 um" }"#)])).unwrap_err();
-        assert_eq!(error.code(), "E303", "{error}");
+        assert_eq!(error.code(), Code::E303, "{error}");
     }
 
     #[test]
@@ -617,7 +618,7 @@ mod tests {
             ("model.include_running_in", "true"),
         ] {
             let error = gradient(&e_drive(&[(key, value)])).unwrap_err();
-            assert_eq!(error.code(), "E205", "{key}: {error}");
+            assert_eq!(error.code(), Code::E205, "{key}: {error}");
             assert!(error.to_string().contains(key), "{error}");
         }
     }

@@ -498,6 +498,7 @@ impl RunInSteps {
 
 #[cfg(test)]
 mod tests {
+    use asperity_core::Code;
     use std::sync::Arc;
 
     use asperity_core::Checked;
@@ -533,8 +534,8 @@ mod tests {
         let mut case = load_with(file, &|input| input.model.positions = Some(4)).unwrap();
         check(&case).unwrap();
         case.case = case.case.with_film_law(Arc::new(NoFilm));
-        assert_eq!(losses(&case).unwrap_err().code(), "E308");
-        assert_eq!(check(&case).unwrap_err().code(), "E308");
-        assert_eq!(film(&case, None).unwrap_err().code(), "E308");
+        assert_eq!(losses(&case).unwrap_err().code(), Code::E308);
+        assert_eq!(check(&case).unwrap_err().code(), Code::E308);
+        assert_eq!(film(&case, None).unwrap_err().code(), Code::E308);
     }
 }

@@ -1,5 +1,7 @@
 //! Errors of the reference solution.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_ehl::EhlError;
 use asperity_oil::LubricantError;
 
@@ -53,3 +55,15 @@ by_position!(
     asperity_tribo_friction::FrictionError,
     LubricantError
 );
+
+impl From<ReferenceError> for Fault {
+    fn from(error: ReferenceError) -> Self {
+        match error {
+            ReferenceError::Position(error) => error.into(),
+            ReferenceError::Ehl(error) => error.into(),
+            error @ ReferenceError::NoBaseOil => Self::of(Code::E208, error)
+                .helping("Set lubricant.base_oil in the case: mineral, pao, ester or polyglycol."),
+            error @ ReferenceError::Share(_) => Self::of(Code::E305, error),
+        }
+    }
+}

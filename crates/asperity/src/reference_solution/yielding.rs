@@ -1,5 +1,6 @@
 //! Warnings about a record: ridges that cannot leak, and elastic pressures above the flow pressure.
 
+use asperity_core::Code;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl::{PlasticCeiling, Record};
 
@@ -17,7 +18,7 @@ pub fn record_warnings(
     record: &Record,
     attenuated_roughness: Option<Length>,
     ceiling: Option<PlasticCeiling>,
-) -> Vec<(&'static str, String)> {
+) -> Vec<(Code, String)> {
     let ratio = attenuated_roughness.map(|roughness| roughness / record.smooth_film);
     let rough = ratio.filter(|ratio| *ratio > LARGEST_ROUGHNESS).map(|ratio| {
         format!(
@@ -26,7 +27,7 @@ pub fn record_warnings(
         )
     });
     let elastic = elastic_above_flow(record.max_pressure, ceiling);
-    let warnings = [("W415", rough), ("W435", elastic)];
+    let warnings = [(Code::W415, rough), (Code::W435, elastic)];
     let warnings = warnings.into_iter();
     warnings
         .filter_map(|(code, text)| Some((code, text?)))

@@ -24,6 +24,7 @@ mod evaluations;
 mod other_models;
 mod recorded;
 
+use asperity_core::Code;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -114,14 +115,14 @@ pub(crate) fn run_and_draw(
     if predictive.surface_rms > PRECISE {
         let percent = 100.0 * predictive.surface_rms;
         let text = format!("the draws interpolate ln loss over the constants to {percent:.1} %");
-        warnings.push(Warning::new("W440", text));
+        warnings.push(Warning::new(Code::W440, text));
     }
     if uncertainty.beyond_power > 0 {
         let text = format!(
             "{} of {} draws exceeded the power into the mesh and were set to it",
             uncertainty.beyond_power, uncertainty.draws
         );
-        warnings.push(Warning::new("W440", text));
+        warnings.push(Warning::new(Code::W440, text));
     }
     outcome.result.uncertainty = Some(uncertainty);
     note(&mut outcome.result, &used.tags());

@@ -1,14 +1,14 @@
 //! Oil whose traction is predicted or fitted, with the distribution of its constants in the family.
 
+use super::error as oil_error;
 use asperity::case::{Case, FittedName, OilFile};
 use asperity::oil::{
     FilmRheology, GOLD_TEMPERATURE, LIMITING_SHEAR_BAND, LubricantInput, PRESSURE_VISCOSITY_BAND,
     TractionConstants, eyring_stress_band,
 };
+use asperity_core::Fault;
 use asperity_core::numerics::{Z_95, Z_975};
 use asperity_core::quantity::{Pressure, Temperature};
-
-use super::error::OilError;
 
 /// An oil with a viscosity over temperature and a family.
 #[derive(Debug, Clone)]
@@ -40,7 +40,7 @@ impl OilBase {
     ///
     /// # Errors
     /// When the library has no such oil, or the viscosity is known at one temperature only.
-    pub fn of_library(name: &str) -> Result<Self, OilError> {
+    pub fn of_library(name: &str) -> Result<Self, Fault> {
         let input = LubricantInput {
             oil: Some(name.to_owned()),
             ..LubricantInput::default()
@@ -52,7 +52,7 @@ impl OilBase {
     ///
     /// # Errors
     /// As [`of_library`](Self::of_library), or when a constant is outside its domain.
-    pub fn of_file(name: &str, file: &OilFile, constants: ConstantsOf) -> Result<Self, OilError> {
+    pub fn of_file(name: &str, file: &OilFile, constants: ConstantsOf) -> Result<Self, Fault> {
         let mut oil = Self::of_lubricant(name, file.lubricant.clone())?;
         if constants == ConstantsOf::File {
             let mut own = *oil.rheology.constants();
@@ -64,10 +64,7 @@ impl OilBase {
                 .rheology
                 .with_laws(shear, file.film_friction.pressure_law);
             let rheology = rheology.with_constants(own);
-            oil.rheology = rheology.map_err(|source| OilError::Oil {
-                name: name.to_owned(),
-                source,
-            })?;
+            oil.rheology = rheology.map_err(|source| oil_error::oil(name, source))?;
             oil.deviations = fitted_deviations(file);
         }
         Ok(oil)
@@ -77,16 +74,11 @@ impl OilBase {
     ///
     /// # Errors
     /// As [`of_library`](Self::of_library), or without a base oil.
-    pub fn of_lubricant(name: &str, input: LubricantInput) -> Result<Self, OilError> {
-        let oil = |source| OilError::Oil {
-            name: name.to_owned(),
-            source,
-        };
+    pub fn of_lubricant(name: &str, input: LubricantInput) -> Result<Self, Fault> {
+        let oil = |source| oil_error::oil(name, source);
         let lubricant = input.resolve(GOLD_TEMPERATURE).map_err(oil)?;
         if !lubricant.has_viscosity_law() {
-            return Err(OilError::OneViscosity {
-                name: name.to_owned(),
-            });
+            return Err(oil_error::one_viscosity(name));
         }
         let family = lubricant.base_oil();
         let family = family.ok_or_else(|| oil(asperity::oil::LubricantError::NoBaseOil))?;
@@ -105,19 +97,16 @@ impl OilBase {
     ///
     /// # Errors
     /// When the viscosity is known at one temperature only, or the film friction has no shear stress.
-    pub fn of_case(case: &Case, constants: ConstantsOf) -> Result<Self, OilError> {
+    pub fn of_case(case: &Case, constants: ConstantsOf) -> Result<Self, Fault> {
         let name = case.title.clone();
         if !case.lubricant.has_viscosity_law() {
-            return Err(OilError::OneViscosity { name });
+            return Err(oil_error::one_viscosity(name));
         }
         let Some(mut rheology) = case.rheology.clone() else {
-            return Err(OilError::NoShearLaw { name });
+            return Err(oil_error::no_shear_law(name));
         };
         let family = case.lubricant.base_oil();
-        let refused = |source| OilError::Oil {
-            name: name.clone(),
-            source,
-        };
+        let refused = |source| oil_error::oil(&name, source);
         let deviations = match (&case.oil_file, constants, family) {
             (Some(file), ConstantsOf::File, _) => fitted_deviations(file),
             (Some(_), ConstantsOf::Family, Some(family)) => {
@@ -155,7 +144,7 @@ impl OilBase {
     ///
     /// # Errors
     /// When a constant leaves its domain.
-    pub fn shifted(&self, logs: [f64; 3]) -> Result<FilmRheology, OilError> {
+    pub fn shifted(&self, logs: [f64; 3]) -> Result<FilmRheology, Fault> {
         let own = *self.rheology.constants();
         let [stress, limit, factor] = logs.map(f64::exp);
         let constants = TractionConstants {
@@ -165,24 +154,18 @@ impl OilBase {
             ..own
         };
         let rheology = self.rheology.clone().with_constants(constants);
-        rheology.map_err(|source| OilError::Oil {
-            name: self.name.clone(),
-            source,
-        })
+        rheology.map_err(|source| oil_error::oil(&self.name, source))
     }
 }
 
 /// The oil of a case without the constants of its film friction.
-fn properties(case: &Case) -> Result<LubricantInput, OilError> {
+fn properties(case: &Case) -> Result<LubricantInput, Fault> {
     let own = &case.input.lubricant;
     let whole = match &case.oil_file {
         Some(file) => own.completed_by(&file.lubricant),
         None => Ok(own.clone()),
     };
-    let whole = whole.map_err(|source| OilError::Oil {
-        name: case.title.clone(),
-        source,
-    })?;
+    let whole = whole.map_err(|source| oil_error::oil(&case.title, source))?;
     Ok(LubricantInput {
         oil_file: None,
         pressure_viscosity_factor: None,

@@ -2,13 +2,12 @@
 
 use asperity::pipeline::{coldest_losses_with, contacts};
 use asperity::{Contacts, LoadedCase};
+use asperity_core::Fault;
 use nalgebra::DVector;
 use rayon::prelude::*;
 
 use super::base::{ConstantsOf, OilBase};
-use super::error::OilError;
 use super::problem::{CONSTANTS, Priors, TractionProblem, Zero};
-use crate::error::CalibrationError;
 
 /// Step of a constant, in standard deviations of its prior.
 const STEP: f64 = 0.1;
@@ -22,14 +21,9 @@ pub(super) fn loss_slopes(
     case: &LoadedCase,
     known: Option<&Contacts>,
     priors: Priors,
-) -> Result<[f64; CONSTANTS], OilError> {
+) -> Result<[f64; CONSTANTS], Fault> {
     let oil = OilBase::of_case(&case.case, ConstantsOf::File)?;
-    let named = |source: asperity::Error| {
-        OilError::Fit(CalibrationError::Model {
-            place: oil.name.clone(),
-            source: Box::new(source),
-        })
-    };
+    let named = |source: asperity::Error| Fault::from(source).about(&oil.name);
     // Losses of a mesh with new flanks.
     let case = case.with(|input| (input.model.run_in, input.gearbox) = (None, None));
     let case = case.map_err(named)?;
@@ -43,7 +37,7 @@ pub(super) fn loss_slopes(
     };
     let law = oil.rheology.laws().1;
     let problem = TractionProblem::new(&oil, law, priors, Zero::None, &[]);
-    let log_loss = |k: usize, step: f64| -> Result<f64, OilError> {
+    let log_loss = |k: usize, step: f64| -> Result<f64, Fault> {
         let mut x = DVector::zeros(problem.variables());
         x[k] = step;
         let mut moved = case.clone();
@@ -54,6 +48,6 @@ pub(super) fn loss_slopes(
     };
     let slope = |k: usize| Ok((log_loss(k, STEP)? - log_loss(k, -STEP)?) / (2.0 * STEP));
     let slopes = (0..CONSTANTS).into_par_iter().map(slope);
-    let slopes = slopes.collect::<Result<Vec<f64>, OilError>>()?;
+    let slopes = slopes.collect::<Result<Vec<f64>, Fault>>()?;
     Ok(std::array::from_fn(|k| slopes[k]))
 }

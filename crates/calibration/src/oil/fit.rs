@@ -1,13 +1,13 @@
 //! Fit of the oil constants to traction curves, by both laws of pressure.
 
+use crate::error;
 use asperity::oil::PressureLaw;
+use asperity_core::Fault;
 use nalgebra::{DMatrix, DVector};
 
 use super::base::OilBase;
-use super::error::OilError;
 use super::problem::{CONSTANTS, FACTOR, Priors, TractionProblem, Zero};
 use super::reading::SetPoint;
-use crate::error::CalibrationError;
 use crate::information::{covariance, information};
 use crate::least_squares::{Residuals, TOLERANCE, minimum_within};
 
@@ -115,7 +115,7 @@ pub fn fit_law<'a>(
     zero: Zero,
     errors: PointErrors,
     points: &[SetPoint],
-) -> Result<LawFit<'a>, OilError> {
+) -> Result<LawFit<'a>, Fault> {
     let mut problem = TractionProblem::new(oil, law, priors, zero, points);
     let stated: Vec<Option<f64>> = points.iter().map(|point| point.reading.sigma).collect();
     let mut friction: Vec<f64> = points.iter().map(|point| point.reading.traction).collect();
@@ -127,7 +127,7 @@ pub fn fit_law<'a>(
     let mut total_squared = 0.0;
     for tolerance in PASSES {
         set_errors(&mut problem, &stated, errors, &friction);
-        let found = minimum_within(tolerance, &problem, &x, &free).map_err(OilError::Fit)?;
+        let found = minimum_within(tolerance, &problem, &x, &free)?;
         x = found.x;
         total_squared = found.squares;
         friction = problem.predicted(&x)?;
@@ -136,7 +136,7 @@ pub fn fit_law<'a>(
     let points_squared = residuals.rows(0, problem.points.len()).norm_squared();
     let covariance = covariance(&information(&slopes)).ok_or_else(|| {
         let reason = "the constants have no covariance".to_owned();
-        OilError::Fit(CalibrationError::NotConverged { reason })
+        error::not_converged(reason)
     })?;
     Ok(LawFit {
         problem,
@@ -155,7 +155,7 @@ pub(super) fn planned<'a>(
     zero: Zero,
     errors: PointErrors,
     points: &[SetPoint],
-) -> Result<TractionProblem<'a>, OilError> {
+) -> Result<TractionProblem<'a>, Fault> {
     let law = oil.rheology.laws().1;
     let mut problem = TractionProblem::new(oil, law, priors, zero, points);
     let friction = problem.predicted(&DVector::zeros(problem.variables()))?;
@@ -174,7 +174,7 @@ pub fn expected_covariance(
     zero: Zero,
     errors: PointErrors,
     points: &[SetPoint],
-) -> Result<DMatrix<f64>, OilError> {
+) -> Result<DMatrix<f64>, Fault> {
     let problem = planned(oil, priors, zero, errors, points)?;
     let slopes = problem.at(&DVector::zeros(problem.variables())).1;
     let all = covariance(&information(&slopes));
@@ -194,7 +194,7 @@ pub fn expected(
     zero: Zero,
     errors: PointErrors,
     points: &[SetPoint],
-) -> Result<[f64; CONSTANTS], OilError> {
+) -> Result<[f64; CONSTANTS], Fault> {
     let all = expected_covariance(oil, priors, zero, errors, points)?;
     Ok(std::array::from_fn(|k| all[(k, k)].sqrt()))
 }

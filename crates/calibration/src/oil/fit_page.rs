@@ -1,12 +1,13 @@
 //! Page, tables and summary of a fit to traction curves.
 
+use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity::result::loss_band::Digits;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
-use asperity_report::{ReportError, StudyResult, tables};
+use asperity_report::{StudyResult, tables};
 use maud::{Markup, html};
 
 use super::oil_fit::{FittedConstant, OilFit, TractionPointRow};
@@ -78,7 +79,7 @@ impl StudyResult for OilFit {
         )
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         asperity_report::write_text(&folder.join(FILE), &self.written())?;
         tables::write(&folder.join(POINTS), self.points.iter())
     }

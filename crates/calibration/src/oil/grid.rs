@@ -1,10 +1,10 @@
 //! Grids of settings of a machine, for points that are still to be measured.
 
+use asperity_core::Fault;
 use asperity_core::quantity::{Force, Speed, Temperature};
 use rayon::prelude::*;
 
 use super::base::OilBase;
-use super::error::OilError;
 use super::machine::{Machine, Setting};
 use super::reading::{Reading, SetPoint};
 use super::selection::judge;
@@ -46,10 +46,10 @@ impl Grid<'_> {
     ///
     /// # Errors
     /// When the film has no solution.
-    pub fn described(&self, oil: &OilBase, machine: &Machine) -> Result<Vec<SetPoint>, OilError> {
+    pub fn described(&self, oil: &OilBase, machine: &Machine) -> Result<Vec<SetPoint>, Fault> {
         let points = self.points(machine).into_par_iter();
         let judged = points.map(|point| Ok((judge(oil, &point)?.dropped.is_none(), point)));
-        let judged = judged.collect::<Result<Vec<(bool, SetPoint)>, OilError>>()?;
+        let judged = judged.collect::<Result<Vec<(bool, SetPoint)>, Fault>>()?;
         let kept = judged.into_iter().filter(|(is_described, _)| *is_described);
         Ok(kept.map(|(_, point)| point).collect())
     }

@@ -1,9 +1,9 @@
 //! Further settings that would determine a constant best.
 
+use asperity_core::Fault;
 use nalgebra::DVector;
 
 use super::base::OilBase;
-use super::error::OilError;
 use super::fit::{PointErrors, planned};
 use super::grid::Grid;
 use super::machine::Setting;
@@ -32,7 +32,7 @@ pub struct Helpful {
 }
 
 /// The candidates that the law of the film describes, on the machine of `points`.
-fn candidates(oil: &OilBase, points: &[SetPoint]) -> Result<Vec<SetPoint>, OilError> {
+fn candidates(oil: &OilBase, points: &[SetPoint]) -> Result<Vec<SetPoint>, Fault> {
     let Some(first) = points.first() else {
         return Ok(Vec::new());
     };
@@ -56,7 +56,7 @@ pub fn helpful(
     zero: Zero,
     errors: PointErrors,
     points: &[SetPoint],
-) -> Result<[Option<Helpful>; STATED], OilError> {
+) -> Result<[Option<Helpful>; STATED], Fault> {
     let further = candidates(oil, points)?;
     let all = [points, &further].concat();
     let problem = planned(oil, priors, zero, errors, &all)?;

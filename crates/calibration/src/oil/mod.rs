@@ -14,7 +14,7 @@
 mod base;
 mod case_loss;
 mod combination;
-mod error;
+pub mod error;
 pub mod fit;
 mod fit_page;
 mod grid;
@@ -38,7 +38,6 @@ mod written;
 
 pub use base::{ConstantsOf, OilBase};
 pub use combination::Combination;
-pub use error::OilError;
 pub use machine::{Machine, Setting};
 pub use oil_fit::{FitSettings, FittedConstant, NuisanceTerm, OilFit, TractionPointRow};
 pub use pcs_text::{Probe, is_pcs, read_pcs};

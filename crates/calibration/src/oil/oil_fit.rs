@@ -1,5 +1,8 @@
 //! Oil constants from traction curves: selection, fit by both laws of pressure, decision, refusals and warnings.
 
+use super::error as oil_error;
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::number;
 use std::fmt::Write as _;
 
@@ -12,7 +15,6 @@ use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;
 use super::combination::{Combination, combinations};
-use super::error::OilError;
 use super::fit::{LawFit, PointErrors, expected, fit_law};
 use super::helpful::{Helpful, helpful};
 use super::problem::{CONSTANTS, FACTOR, FALL, Nuisance, Priors, STATED, STATED_CONSTANTS, Zero};
@@ -208,10 +210,10 @@ impl OilFit {
         readings: &[Reading],
         sources: Vec<[String; 2]>,
         settings: FitSettings,
-    ) -> Result<Self, OilError> {
+    ) -> Result<Self, Fault> {
         let points = set_points(readings);
         let judged = points.par_iter().map(|point| judge(oil, point));
-        let judged = judged.collect::<Result<Vec<Judged>, OilError>>()?;
+        let judged = judged.collect::<Result<Vec<Judged>, Fault>>()?;
         let both = || points.iter().zip(&judged);
         let kept: Vec<SetPoint> = both()
             .filter(|(_, judged)| judged.dropped.is_none())
@@ -225,7 +227,7 @@ impl OilFit {
         let fits = laws
             .par_iter()
             .map(|law| fit_law(oil, *law, priors, zero, errors, &kept));
-        let mut fits = fits.collect::<Result<Vec<LawFit<'_>>, OilError>>()?;
+        let mut fits = fits.collect::<Result<Vec<LawFit<'_>>, Fault>>()?;
         fits.sort_by(|a, b| a.total_squared.total_cmp(&b.total_squared));
         let [best, other] = [&fits[0], &fits[1]];
         let further = helpful(oil, priors, zero, errors, &kept)?;
@@ -308,37 +310,37 @@ impl OilFit {
         worst.collect::<Vec<String>>().join(", ")
     }
 
-    fn refuse(&self, fits: &[LawFit<'_>], is_forced: bool) -> Result<(), OilError> {
+    fn refuse(&self, fits: &[LawFit<'_>], is_forced: bool) -> Result<(), Fault> {
         if fits.iter().all(|fit| fit.squares_per_point() > UNEXPLAINED) {
-            return Err(OilError::Unexplained {
-                per_point: self.squares_per_point,
-                worst: self.worst_points(5),
-            });
+            return Err(oil_error::unexplained(
+                self.squares_per_point,
+                self.worst_points(5),
+            ));
         }
         if let Some(term) = self
             .nuisance
             .iter()
             .find(|term| term.deviations.abs() > IMPOSSIBLE)
         {
-            return Err(OilError::Nuisance {
-                text: term.text.clone(),
-                deviations: term.deviations,
-                worst: self.worst_points(5),
-            });
+            return Err(oil_error::nuisance(
+                &term.text,
+                term.deviations,
+                self.worst_points(5),
+            ));
         }
         let fall = self.constants.get(FALL);
         let is_steep = |end: &f64| end.abs() > STEEPEST_FALL;
         if let Some(fall) = fall.filter(|fall| fall.band.iter().any(is_steep)) {
-            return Err(OilError::TooSteep { band: fall.band });
+            return Err(oil_error::too_steep(fall.band));
         }
         match impossible(&self.constants) {
-            Some((constant, [low, high])) if !is_forced => Err(OilError::NoOil {
-                name: constant.name.clone(),
-                value: constant.value,
-                unit: constant.unit.clone(),
+            Some((constant, [low, high])) if !is_forced => Err(oil_error::no_oil(
+                &constant.name,
+                constant.value,
+                &constant.unit,
                 low,
                 high,
-            }),
+            )),
             _ => Ok(()),
         }
     }
@@ -421,7 +423,7 @@ impl OilFit {
         texts.extend(self.combinations.iter().map(Combination::sentence));
         texts
             .into_iter()
-            .map(|text| Warning::new("W441", text))
+            .map(|text| Warning::new(Code::W441, text))
             .collect()
     }
 }
@@ -435,7 +437,7 @@ fn impossible(constants: &[FittedConstant]) -> Option<(&FittedConstant, [f64; 2]
     outside.next()
 }
 
-fn refuse_points(points: &[SetPoint], judged: &[Judged], kept: usize) -> Result<(), OilError> {
+fn refuse_points(points: &[SetPoint], judged: &[Judged], kept: usize) -> Result<(), Fault> {
     if kept < FEWEST {
         let counted = Dropped::ALL.into_iter().filter_map(|rule| {
             let count = judged
@@ -445,20 +447,20 @@ fn refuse_points(points: &[SetPoint], judged: &[Judged], kept: usize) -> Result<
             (count > 0).then(|| format!("{count}: {rule}"))
         });
         let dropped = counted.collect::<Vec<String>>().join("; ");
-        return Err(OilError::FewPoints {
+        return Err(oil_error::few_points(
             kept,
-            points: points.len(),
-            dropped: if dropped.is_empty() {
+            points.len(),
+            if dropped.is_empty() {
                 dropped
             } else {
                 format!(" ({dropped})")
             },
-        });
+        ));
     }
     let kept = judged.iter().filter(|one| one.dropped.is_none());
     let most = kept.fold(0.0, |most: f64, one| most.max(one.max_pressure));
     match most < LEAST_PRESSURE {
-        true => Err(OilError::LowPressure { gpa: 1e-9 * most }),
+        true => Err(oil_error::low_pressure(1e-9 * most)),
         false => Ok(()),
     }
 }

@@ -1,11 +1,12 @@
 //! Page, tables and summary of predicted traction curves.
 
+use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
-use asperity_report::{ReportError, StudyResult, tables, wrapped};
+use asperity_report::{StudyResult, tables, wrapped};
 use maud::{Markup, html};
 
 use super::traction::{Curves, LEAST_RATIO, PredictedPoint, TractionCurves};
@@ -67,7 +68,7 @@ impl StudyResult for TractionCurves {
         page(&self.title, &subtitle, &sections)
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         tables::write(&folder.join(OVER_SLIDE), self.over_slide.iter())?;
         tables::write(&folder.join(OVER_SPEED), self.over_speed.iter())
     }

@@ -8,9 +8,9 @@
 //! computed ones at the same load and set temperature, between its speeds, along straight lines over the logarithms.
 
 use asperity_core::quantity::{Force, Length, Speed, Temperature};
-use asperity_core::{RepeatedFault, number as number_text};
+use asperity_core::{Fault, RepeatedFault, number as number_text};
 
-use super::error::OilError;
+use super::error as oil_error;
 use super::machine::{Machine, Setting};
 use super::reading::{Reading, is_same};
 
@@ -67,10 +67,10 @@ pub fn read_pcs(
     text: &str,
     machine: &Machine,
     probe: Probe,
-) -> Result<Vec<Reading>, OilError> {
+) -> Result<Vec<Reading>, Fault> {
     let (mut readings, mut films) = (Vec::new(), Vec::new());
     let (mut step, mut columns) = (0, None);
-    let mut fault: Option<OilError> = None;
+    let mut fault: Option<Fault> = None;
     let [mut faults, mut contradictions] = [(); 2].map(|()| RepeatedFault::default());
     let separator = ['\t', ';'].into_iter().find(|sign| text.contains(*sign));
     let separator = separator.unwrap_or(',');
@@ -88,6 +88,7 @@ pub fn read_pcs(
                 file: name,
                 line: number + 1,
             };
+            columns.refuse_air(&cells, place)?;
             let read = match columns.film {
                 Some(_) => columns.film(&cells, place).map(|film| films.extend(film)),
                 None => columns.reading(&cells, machine, place).map(|reading| {
@@ -97,23 +98,18 @@ pub fn read_pcs(
                     readings.push(Reading { step, ..reading });
                 }),
             };
-            match read {
-                Ok(()) => {}
-                Err(row @ OilError::Row { .. }) => {
-                    fault.get_or_insert(row);
-                    faults.add(number + 1, line);
-                }
-                Err(other) => return Err(other),
+            if let Err(row) = read {
+                fault.get_or_insert(row);
+                faults.add(number + 1, line);
             }
         }
     }
     if let Some(fault) = fault {
-        return Err(fault.repeated(&faults, "the column seems to hold something else"));
+        let seems = "the column seems to hold something else";
+        return Err(oil_error::repeated(fault, &faults, seems));
     }
     match readings.is_empty() {
-        true => Err(OilError::NoTable {
-            file: name.to_owned(),
-        }),
+        true => Err(oil_error::no_table(name)),
         false => {
             let wrong = readings.iter().filter(|one| one.contradiction.is_some());
             if let Some(first) = wrong.clone().next()
@@ -122,7 +118,8 @@ pub fn read_pcs(
                 let rule = first.contradiction.clone().unwrap_or_default();
                 let line = first.line;
                 let fault = Place { file: name, line }.fault(rule);
-                return Err(fault.repeated(&contradictions, "the columns seem to be mixed up"));
+                let seems = "the columns seem to be mixed up";
+                return Err(oil_error::repeated(fault, &contradictions, seems));
             }
             for reading in &mut readings {
                 reading.film = film_at(&films, reading);
@@ -179,17 +176,13 @@ struct Place<'a> {
 }
 
 impl Place<'_> {
-    fn fault(self, rule: String) -> OilError {
-        OilError::Row {
-            file: self.file.to_owned(),
-            line: self.line,
-            rule,
-        }
+    fn fault(self, rule: String) -> Fault {
+        oil_error::row(self.file, self.line, rule)
     }
 }
 
 /// Number of a cell.
-fn number(cells: &[&str], index: usize, name: &str, place: Place<'_>) -> Result<f64, OilError> {
+fn number(cells: &[&str], index: usize, name: &str, place: Place<'_>) -> Result<f64, Fault> {
     let cell = cells.get(index).copied().unwrap_or_default();
     let value = cell.replace(',', ".").parse::<f64>().ok();
     let fault = || place.fault(format!("{name}: {cell:?} is not a finite number"));
@@ -258,7 +251,7 @@ impl Columns {
     }
 
     /// The film of a row; `None` if the machine found none.
-    fn film(&self, cells: &[&str], place: Place<'_>) -> Result<Option<MeasuredFilm>, OilError> {
+    fn film(&self, cells: &[&str], place: Place<'_>) -> Result<Option<MeasuredFilm>, Fault> {
         let number = |index: usize, name: &str| number(cells, index, name, place);
         let nanometres = number(self.film.unwrap_or(self.traction), FILM)?;
         let celsius = number(self.temperature, TEMPERATURE)?;
@@ -271,12 +264,24 @@ impl Columns {
         Ok(Some(film).filter(|film| POSSIBLE_FILMS.contains(&nanometres) && film.speed > 0.0))
     }
 
+    /// Refuses a row in which the probe of the oil reads air.
+    fn refuse_air(&self, cells: &[&str], place: Place<'_>) -> Result<(), Fault> {
+        let at = |index: usize| number(cells, index, TEMPERATURE, place).ok();
+        let temperatures = at(self.temperature).zip(self.pot.and_then(at));
+        match temperatures {
+            Some((celsius, pot)) if (pot - celsius).abs() > AIR => {
+                Err(oil_error::air(place.file, place.line, celsius, pot))
+            }
+            _ => Ok(()),
+        }
+    }
+
     fn reading(
         &self,
         cells: &[&str],
         machine: &Machine,
         place: Place<'_>,
-    ) -> Result<Reading, OilError> {
+    ) -> Result<Reading, Fault> {
         let number = |index: usize, name: &str| number(cells, index, name, place);
         let optional = |index: Option<usize>, name: &str| {
             let filled = index.filter(|k| cells.get(*k).is_some_and(|cell| !cell.is_empty()));
@@ -285,14 +290,6 @@ impl Columns {
         let (load, speed) = (number(self.load, LOAD)?, number(self.speed, SPEED)?);
         let (slide, traction) = (number(self.slide, SLIDE)?, number(self.traction, TRACTION)?);
         let celsius = number(self.temperature, TEMPERATURE)?;
-        if let Some(pot) = optional(self.pot, POT[0])?.filter(|pot| (pot - celsius).abs() > AIR) {
-            return Err(OilError::Air {
-                file: place.file.to_owned(),
-                line: place.line,
-                lube: celsius,
-                pot,
-            });
-        }
         // Half a unit of the last printed digit of each.
         let [of_slide, of_speed] = [self.slide, self.speed].map(|k| rounded_away(cells, k));
         let [of_traction, of_load] = [self.traction, self.load].map(|k| rounded_away(cells, k));

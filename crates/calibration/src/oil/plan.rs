@@ -4,6 +4,7 @@
 //! The minimal plan has three temperatures, two loads, two speeds and ten slide-to-roll ratios, both signs of each.
 
 use asperity::{Contacts, LoadedCase};
+use asperity_core::Fault;
 use asperity_core::quantity::Length;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -11,7 +12,6 @@ use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;
 use super::case_loss::loss_slopes;
-use super::error::OilError;
 use super::fit::{PointErrors, expected_covariance, planned};
 use super::grid::Grid;
 use super::helpful;
@@ -193,7 +193,7 @@ pub(crate) fn left_of_loss(
     oil: &OilBase,
     case: (&LoadedCase, &Contacts),
     settings: &PlanSettings,
-) -> Result<([Option<f64>; 2], f64), OilError> {
+) -> Result<([Option<f64>; 2], f64), Fault> {
     let priors = Priors::of(oil, settings.is_wide);
     let slopes = loss_slopes(case.0, Some(case.1), priors)?;
     let planner = Planner {
@@ -233,7 +233,7 @@ impl OilPlan {
         oil: &OilBase,
         case: Option<&LoadedCase>,
         settings: &PlanSettings,
-    ) -> Result<Self, OilError> {
+    ) -> Result<Self, Fault> {
         let priors = Priors::of(oil, settings.is_wide);
         let slopes = case
             .map(|case| loss_slopes(case, None, priors))
@@ -275,7 +275,7 @@ impl OilPlan {
             loss_slopes: slopes,
             roughness_nm: 1e9 * settings.machine.roughness.si(),
             radius_mm: 1e3 * settings.machine.radii[0].si(),
-            stages: stages.collect::<Result<Vec<Stage>, OilError>>()?,
+            stages: stages.collect::<Result<Vec<Stage>, Fault>>()?,
             curves: planner.curves()?,
             points: planner.points(&minimal, settings.simulate)?,
             chosen: planner.points(&chosen, None)?,
@@ -284,7 +284,7 @@ impl OilPlan {
 }
 
 impl Planner<'_> {
-    fn stage(&self, name: &str, points: &[SetPoint]) -> Result<Stage, OilError> {
+    fn stage(&self, name: &str, points: &[SetPoint]) -> Result<Stage, Fault> {
         let PlanSettings { zero, errors, .. } = *self.settings;
         let covariance = expected_covariance(self.oil, self.priors, zero, errors, points)?;
         let constants = STATED_CONSTANTS.iter().enumerate().map(|(k, (key, ..))| {
@@ -315,7 +315,7 @@ impl Planner<'_> {
     }
 
     /// The candidates that narrow the loss of the case most; without a case, all stated constants together.
-    fn chosen(&self, candidates: &[SetPoint]) -> Result<Vec<SetPoint>, OilError> {
+    fn chosen(&self, candidates: &[SetPoint]) -> Result<Vec<SetPoint>, Fault> {
         let PlanSettings { zero, errors, .. } = *self.settings;
         let problem = planned(self.oil, self.priors, zero, errors, candidates)?;
         let mut slopes = problem.at(&DVector::zeros(problem.variables())).1;
@@ -334,11 +334,11 @@ impl Planner<'_> {
         Ok(chosen.into_iter().map(|k| candidates[k].clone()).collect())
     }
 
-    fn curves(&self) -> Result<Vec<PlannedCurve>, OilError> {
+    fn curves(&self) -> Result<Vec<PlannedCurve>, Fault> {
         let all = MINIMAL.points(&self.settings.machine);
         let curve = |points: &[SetPoint]| {
             let judged = points.iter().map(|point| judge(self.oil, point));
-            let judged = judged.collect::<Result<Vec<Judged>, OilError>>()?;
+            let judged = judged.collect::<Result<Vec<Judged>, Fault>>()?;
             let both = || points.iter().zip(&judged);
             let setting = &points[0].reading.setting;
             let kept = both().filter(|(_, judged)| judged.dropped.is_none());
@@ -358,17 +358,13 @@ impl Planner<'_> {
             })
         };
         let curves = all.par_chunks(SLIDES.len()).map(curve);
-        let mut curves = curves.collect::<Result<Vec<PlannedCurve>, OilError>>()?;
+        let mut curves = curves.collect::<Result<Vec<PlannedCurve>, Fault>>()?;
         curves.sort_by(|a, b| a.temperature_c.total_cmp(&b.temperature_c));
         Ok(curves)
     }
 
     /// Rows of points, by temperature, with simulated friction if there is a seed.
-    fn points(
-        &self,
-        points: &[SetPoint],
-        seed: Option<u64>,
-    ) -> Result<Vec<PlannedPoint>, OilError> {
+    fn points(&self, points: &[SetPoint], seed: Option<u64>) -> Result<Vec<PlannedPoint>, Fault> {
         let PlanSettings { zero, errors, .. } = *self.settings;
         let problem = planned(self.oil, self.priors, zero, errors, points)?;
         let measured = seed.map(|seed| simulated(&problem, false, errors, seed));
@@ -388,7 +384,7 @@ impl Planner<'_> {
             })
         };
         let rows = points.par_iter().enumerate().map(row);
-        let mut rows = rows.collect::<Result<Vec<PlannedPoint>, OilError>>()?;
+        let mut rows = rows.collect::<Result<Vec<PlannedPoint>, Fault>>()?;
         rows.sort_by(|a, b| a.temperature_c.total_cmp(&b.temperature_c));
         Ok(rows)
     }

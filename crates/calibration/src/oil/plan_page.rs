@@ -1,12 +1,13 @@
 //! Page, tables and summary of a plan of traction measurements.
 
+use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity::case::law_error;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
-use asperity_report::{ReportError, StudyResult, tables, wrapped, write_bytes};
+use asperity_report::{StudyResult, tables, wrapped, write_bytes};
 use maud::{Markup, html};
 use serde::Serialize;
 
@@ -119,7 +120,7 @@ impl StudyResult for OilPlan {
         page(&self.title, &subtitle, &sections)
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         tables::write(&folder.join(TO_FILL_IN), self.rows(|_| None))?;
         if self.is_simulated() {
             let file = folder.join(SIMULATED_TABLE);

@@ -1,11 +1,11 @@
 //! Selection of the set points that the law of the film describes, never by the measured friction.
 
+use asperity_core::Fault;
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;
-use super::error::OilError;
 use super::reading::SetPoint;
 use super::traction::LEAST_RATIO;
 
@@ -58,7 +58,7 @@ pub struct Judged {
 ///
 /// # Errors
 /// When the film has no solution.
-pub fn judge(oil: &OilBase, point: &SetPoint) -> Result<Judged, OilError> {
+pub fn judge(oil: &OilBase, point: &SetPoint) -> Result<Judged, Fault> {
     let reading = &point.reading;
     let machine = &reading.machine;
     let found = machine.predict_with(&oil.rheology, &reading.setting, reading.film, 1.0)?;

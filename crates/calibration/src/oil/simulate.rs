@@ -1,8 +1,8 @@
 //! Simulated machines: friction with the errors of a machine. All files that hold it declare it as simulated.
 
+use asperity_core::Fault;
 use nalgebra::DVector;
 
-use super::error::OilError;
 use super::fit::PointErrors;
 use super::problem::{CONSTANTS, Nuisance, TractionProblem};
 use crate::simulate::normals;
@@ -17,7 +17,7 @@ pub fn simulated(
     is_oil_drawn: bool,
     errors: PointErrors,
     seed: u64,
-) -> Result<(DVector<f64>, Vec<f64>), OilError> {
+) -> Result<(DVector<f64>, Vec<f64>), Fault> {
     let mut normal = normals(seed);
     let mut x = DVector::from_fn(problem.variables(), |_, _| normal());
     if !is_oil_drawn {

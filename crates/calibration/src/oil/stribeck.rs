@@ -6,12 +6,14 @@
 //! (judgement). The thickness of the layer does not follow from smooth specimens, nor does the least share on it of asperities that
 //! come into contact past the inlet: their film is that of the roughness.
 
+use super::error as oil_error;
 use asperity::message::Warning;
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::numerics::{Z_95, Z_975};
 use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;
-use super::error::OilError;
 use super::problem::distinct;
 use super::reading::{Reading, SetPoint, left_out, set_points};
 use super::selection::LEAST_SLIDE;
@@ -110,14 +112,11 @@ impl Stribeck {
         oil: &OilBase,
         readings: &[Reading],
         sources: Vec<[String; 2]>,
-    ) -> Result<Self, OilError> {
+    ) -> Result<Self, Fault> {
         if let Some(reading) = readings.iter().find(|one| one.rubbing_s.is_none()) {
-            return Err(OilError::NoRubbing {
-                file: reading.file.clone(),
-                line: reading.line,
-            });
+            return Err(oil_error::no_rubbing(&reading.file, reading.line));
         }
-        let row = |point: &SetPoint| -> Result<StribeckPoint, OilError> {
+        let row = |point: &SetPoint| -> Result<StribeckPoint, Fault> {
             let reading = &point.reading;
             let at = &reading.setting;
             let machine = &reading.machine;
@@ -139,11 +138,11 @@ impl Stribeck {
         };
         let found = set_points(readings);
         let points = found.iter().map(row);
-        let points = points.collect::<Result<Vec<StribeckPoint>, OilError>>()?;
+        let points = points.collect::<Result<Vec<StribeckPoint>, Fault>>()?;
         let times = distinct(points.iter().map(|point| point.rubbing_s));
         let states: Vec<BoundaryState> = times.iter().map(|time| state(*time, &points)).collect();
         let last = states.last().filter(|last| last.rubbing_s > 0.0);
-        let last = last.ok_or(OilError::NotRubbed)?;
+        let last = last.ok_or(oil_error::not_rubbed())?;
         let (boundary_friction, scatter) = accepted(last, &points)?;
         let deviation = TRANSFER.hypot(scatter);
         let quantiles = |z: f64| [-z, z].map(|z| boundary_friction * (z * deviation).exp());
@@ -163,7 +162,7 @@ impl Stribeck {
             warnings: left_out(readings)
                 .into_iter()
                 .chain(oil.outside(&temperatures_c, FAR))
-                .map(|text| Warning::new("W441", text))
+                .map(|text| Warning::new(Code::W441, text))
                 .collect(),
             states,
             temperatures_c,
@@ -216,14 +215,16 @@ fn slope(points: &[&StribeckPoint]) -> Option<f64> {
 }
 
 /// Boundary friction and scatter of a state, if its points determine it.
-fn accepted(state: &BoundaryState, points: &[StribeckPoint]) -> Result<(f64, f64), OilError> {
+fn accepted(state: &BoundaryState, points: &[StribeckPoint]) -> Result<(f64, f64), Fault> {
     let of_state = || points.iter().filter(|one| one.rubbing_s == state.rubbing_s);
-    let few = || OilError::FewBoundary {
-        kept: state.points,
-        points: of_state().count(),
-        ratio: BOUNDARY_RATIO,
-        thinnest: of_state().fold(f64::INFINITY, |least, one| least.min(one.film_ratio)),
-        least: FEWEST,
+    let few = || {
+        oil_error::few_boundary(
+            state.points,
+            of_state().count(),
+            BOUNDARY_RATIO,
+            of_state().fold(f64::INFINITY, |least, one| least.min(one.film_ratio)),
+            FEWEST,
+        )
     };
     let (Some(friction), Some(slope)) = (state.boundary_friction, state.slope_per_decade) else {
         return Err(few());
@@ -232,10 +233,7 @@ fn accepted(state: &BoundaryState, points: &[StribeckPoint]) -> Result<(f64, f64
         return Err(few());
     }
     if slope.abs() > LARGEST_SLOPE {
-        return Err(OilError::Sloping {
-            points: state.points,
-            percent: 100.0 * slope,
-        });
+        return Err(oil_error::sloping(state.points, 100.0 * slope));
     }
     Ok((friction, state.scatter))
 }

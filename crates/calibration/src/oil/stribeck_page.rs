@@ -1,12 +1,13 @@
 //! Page, tables and summary of a boundary friction from Stribeck curves.
 
+use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity::case::CalibratedName;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 use asperity_report::html::{figure, page};
-use asperity_report::{ReportError, StudyResult, tables, write_text};
+use asperity_report::{StudyResult, tables, write_text};
 use maud::{Markup, html};
 
 use super::stribeck::{BoundaryState, Stribeck};
@@ -47,7 +48,7 @@ impl StudyResult for Stribeck {
         page(&self.title, &subtitle, &sections)
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         write_text(&folder.join("case.toml"), &self.block())?;
         tables::write(&folder.join(POINTS), self.points.iter())
     }

@@ -14,13 +14,14 @@
 //! | `film_nm` | measured central film |
 //! | `rubbing_s` | time for which the specimens have rubbed before \[s\] |
 
+use crate::error;
+use asperity_core::Fault;
 use asperity_core::quantity::{Force, Length, Pressure, Speed, Temperature, ThermalConductivity};
 
 use super::machine::{Machine, Setting};
 use super::reading::Reading;
 use asperity_table::{Row, RowFault};
 
-use crate::error::CalibrationError;
 use crate::number_table;
 
 /// Known columns.
@@ -98,16 +99,9 @@ const POSSIBLE: [(&str, [f64; 2], &str); 15] = [
 ///
 /// # Errors
 /// When a column is missing or a row is not valid; lists all such rows.
-pub fn read_table(
-    name: &str,
-    text: &str,
-    machine: &Machine,
-) -> Result<Vec<Reading>, CalibrationError> {
+pub fn read_table(name: &str, text: &str, machine: &Machine) -> Result<Vec<Reading>, Fault> {
     let table = number_table::read(name, text)?;
-    let refuse = |rule: String| CalibrationError::Column {
-        file: name.to_owned(),
-        rule,
-    };
+    let refuse = |rule: String| error::column(name, rule);
     let mut renamed = Vec::new();
     for column in table.names() {
         if LINE_CONTACT.iter().any(|stem| column.starts_with(stem)) {

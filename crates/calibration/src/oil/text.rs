@@ -1,8 +1,9 @@
 //! Readings of a traction machine from a text of any known form.
 
+use super::error as oil_error;
 use asperity::fingerprint::sha256;
+use asperity_core::Fault;
 
-use super::error::OilError;
 use super::machine::Machine;
 use super::pcs_text::{Probe, is_pcs, read_pcs};
 use super::reading::Reading;
@@ -18,10 +19,10 @@ pub fn read_text(
     text: &str,
     machine: &Machine,
     probe: Probe,
-) -> Result<Vec<Reading>, OilError> {
+) -> Result<Vec<Reading>, Fault> {
     match is_pcs(text) {
         true => read_pcs(name, text, machine, probe),
-        false => read_table(name, text, machine).map_err(OilError::Table),
+        false => read_table(name, text, machine).map_err(oil_error::of_table),
     }
 }
 

@@ -6,13 +6,13 @@
 
 use asperity::mixed_film::LoadShareError;
 use asperity_core::DomainError;
+use asperity_core::Fault;
 use asperity_core::numerics::Z_95;
 use asperity_core::quantity::{Force, Length, Speed, Temperature};
 use rayon::prelude::*;
 use serde::Serialize;
 
 use super::base::OilBase;
-use super::error::OilError;
 use super::machine::{Machine, PredictedFriction, Setting};
 
 /// Film thickness over roughness from which the film separates the surfaces.
@@ -142,7 +142,7 @@ impl TractionCurves {
     /// assert!(curves.over_slide.iter().all(|point| point.film_ratio >= 3.0 && point.traction < 0.05));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(oil: &OilBase, range: &TractionRange) -> Result<Self, OilError> {
+    pub fn of(oil: &OilBase, range: &TractionRange) -> Result<Self, Fault> {
         let slide = range.slide_to_roll;
         let rule = "must be positive and at most 2 (200 % is pure sliding)";
         let is_valid = slide > 0.0 && slide <= 2.0;
@@ -150,7 +150,7 @@ impl TractionCurves {
             .map_err(LoadShareError::from)?;
         let curves = range.temperatures.par_iter();
         let curves = curves.map(|temperature| curves_at(oil, range, *temperature));
-        let curves = curves.collect::<Result<Vec<Curves>, OilError>>()?;
+        let curves = curves.collect::<Result<Vec<Curves>, Fault>>()?;
         let hertz = range
             .machine
             .contact(&setting(range, range.temperatures[0]))
@@ -190,7 +190,7 @@ fn curves_at(
     oil: &OilBase,
     range: &TractionRange,
     temperature: Temperature,
-) -> Result<Curves, OilError> {
+) -> Result<Curves, Fault> {
     let at = setting(range, temperature);
     let ratio = |film: Length| film / range.machine.roughness;
     let mut over_slide = Vec::new();
@@ -252,7 +252,7 @@ fn point(
     machine: &Machine,
     at: &Setting,
     found: &PredictedFriction,
-) -> Result<PredictedPoint, OilError> {
+) -> Result<PredictedPoint, Fault> {
     let traction = found.friction.coefficient;
     let mut variance = 0.0;
     for (k, deviation) in oil.deviations.iter().enumerate() {

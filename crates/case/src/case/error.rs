@@ -1,5 +1,6 @@
 //! Errors of a case file, each with a code, a place and a remedy.
 
+use asperity_core::Code;
 use std::borrow::Cow;
 
 use asperity_core::quantity::Length;
@@ -7,8 +8,8 @@ use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{DomainError, number_with_unit};
 use asperity_profile_io::read::ReadError;
 
-use super::place::{IN_MEMORY, Place};
 use crate::loss_table::LossTableError;
+use asperity_core::message::{IN_MEMORY, Place};
 
 /// Largest tolerance of a rough contact: at 1e-2, pressures were wrong by 56 to 65 %.
 pub(super) const LOOSEST_TOLERANCE: f64 = 1e-4;
@@ -320,38 +321,38 @@ pub fn did_you_mean(nearest: Option<&str>) -> String {
 
 impl CaseError {
     /// Stable code of the message.
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         use asperity_oil::LubricantError;
         match self {
-            Self::Open { .. } | Self::Folder { .. } => "E201",
-            Self::Encoding { .. } | Self::Syntax { .. } => "E202",
-            Self::UnknownKey { .. } => "E203",
-            Self::Value { .. } => "E204",
-            Self::Conflict { .. } | Self::SeveralMeshes { .. } | Self::NoMesh { .. } => "E205",
-            Self::Gears { .. } => "E206",
+            Self::Open { .. } | Self::Folder { .. } => Code::E201,
+            Self::Encoding { .. } | Self::Syntax { .. } => Code::E202,
+            Self::UnknownKey { .. } => Code::E203,
+            Self::Value { .. } => Code::E204,
+            Self::Conflict { .. } | Self::SeveralMeshes { .. } | Self::NoMesh { .. } => Code::E205,
+            Self::Gears { .. } => Code::E206,
             Self::Lubricant {
                 source: LubricantError::ImplausiblePressureViscosity { .. },
                 ..
-            } => "E207",
-            Self::Lubricant { .. } => "E208",
+            } => Code::E207,
+            Self::Lubricant { .. } => Code::E208,
             Self::Domain { key, source, .. }
                 if key == "model.tolerance" && source.value > LOOSEST_TOLERANCE =>
             {
-                "E211"
+                Code::E211
             }
-            Self::Impossible { .. } => "E212",
-            Self::Domain { .. } | Self::NotForTheseGears { .. } => "E209",
-            Self::UnknownSteel { .. } => "E220",
-            Self::Steels { .. } => "E501",
-            Self::OpenNamed { .. } => "E103",
-            Self::FileChanged { .. } => "E140",
-            Self::NoTraces { .. } => "E137",
-            Self::LossTable { .. } => "E138",
-            Self::GearboxPart { .. } => "E222",
-            Self::NoRecipe { .. } => "E223",
+            Self::Impossible { .. } => Code::E212,
+            Self::Domain { .. } | Self::NotForTheseGears { .. } => Code::E209,
+            Self::UnknownSteel { .. } => Code::E220,
+            Self::Steels { .. } => Code::E501,
+            Self::OpenNamed { .. } => Code::E103,
+            Self::FileChanged { .. } => Code::E140,
+            Self::NoTraces { .. } => Code::E137,
+            Self::LossTable { .. } => Code::E138,
+            Self::GearboxPart { .. } => Code::E222,
+            Self::NoRecipe { .. } => Code::E223,
             Self::Profile { source, .. } => source.code(),
-            Self::Preparation { .. } => "E120",
-            Self::AveragedOut { .. } => "E141",
+            Self::Preparation { .. } => Code::E120,
+            Self::AveragedOut { .. } => Code::E141,
         }
     }
 

@@ -1,5 +1,6 @@
 //! The traces of both flanks: their common spacing, their places, and every pair of teeth in contact.
 
+use asperity_core::Code;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
@@ -109,7 +110,7 @@ pub(super) fn all_placed(flanks: &[Vec<Flank>; 2], warnings: &mut Vec<Warning>) 
         [true, true] => "some traces of pinion and wheel",
     };
     warnings.push(Warning::new(
-        "W418",
+        Code::W418,
         format!(
             "the place on the flank is not known of {missing}: windows do not follow from the mesh, all traces stand for any place of their flanks"
         ),
@@ -145,7 +146,7 @@ pub(super) fn longer_than_active(
             "filtered traces are longer than the active flank: {}. The rest was not measured there, and windows are taken from it, too. State the part on the active flank as range or the place of the trace as at; keep the trace if it was measured along the tooth or on a specimen of the same finish",
             found.join(", and ")
         );
-        Warning::new("W448", text)
+        Warning::new(Code::W448, text)
     })
 }
 
@@ -234,7 +235,7 @@ pub(super) fn on_common_spacing(
                 "the traces have different spacings; the coarser ones were resampled linearly to {common:.5}"
             ),
         };
-        warnings.push(Warning::new("W119", text));
+        warnings.push(Warning::new(Code::W119, text));
     }
     Ok(())
 }

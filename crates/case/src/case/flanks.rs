@@ -1,5 +1,6 @@
 //! The two flanks of a case: traces read and prepared, or roughness values.
 
+use asperity_core::Code;
 use std::sync::Arc;
 
 use asperity_core::DomainError;
@@ -230,7 +231,7 @@ fn of_one_tooth((list, keys): (&Vec<Listed>, &Keys)) -> Option<Warning> {
         keys.table,
         shared.input.file.as_ref()?.display()
     );
-    Some(Warning::new("W447", text))
+    Some(Warning::new(Code::W447, text))
 }
 
 /// W427: teeth that are in no pair.
@@ -240,7 +241,7 @@ fn left_out(named: [usize; 2], teeth: [usize; 2], of_rows: [bool; 2]) -> Warning
         false => format!("the first {}", teeth[body]),
     };
     Warning::new(
-        "W427",
+        Code::W427,
         format!(
             "{} traced teeth of the pinion and {} of the wheel make {} pairs: {} of the pinion and {} of the wheel are computed",
             named[0],

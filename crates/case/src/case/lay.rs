@@ -1,5 +1,6 @@
 //! Lay of each flank from the surface that its traces were taken from.
 
+use asperity_core::Code;
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::{Surface, TraceLine, read_surface_bytes};
 use asperity_roughness::lay::{RowLay, lay_of_rows};
@@ -137,7 +138,7 @@ impl Measured {
             ),
             Ok(_) => return None,
         };
-        Some(Warning::new("W444", text))
+        Some(Warning::new(Code::W444, text))
     }
 }
 

@@ -1,5 +1,6 @@
 //! A case with its traces: from a file, from a text with a resolver, from a value, or changed from another.
 
+use asperity_core::Code;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -523,7 +524,7 @@ fn replaced_viscosity(oil: &LubricantInput) -> Option<Warning> {
     let text = format!(
         "lubricant.viscosity of the case replaces that of the oil {name}, of which only what the case leaves out is used"
     );
-    Some(Warning::new("W442", text))
+    Some(Warning::new(Code::W442, text))
 }
 
 /// W446: constants of the case that were fitted to simulated measurements.
@@ -541,7 +542,7 @@ fn simulated(input: &CaseInput, oil_file: Option<&OilFile>) -> Vec<Warning> {
     let simulated = fits.filter(|(_, simulated, source)| *simulated || source.contains(SIMULATED));
     let warning = |(key, _, source)| {
         let text = format!("{key}: constants were fitted to simulated measurements: {source}");
-        Warning::new("W446", text)
+        Warning::new(Code::W446, text)
     };
     simulated.map(warning).collect()
 }

@@ -46,7 +46,7 @@ mod oil_file;
 mod one_or_two;
 mod own_laws;
 mod path_point;
-mod place;
+
 pub mod planetary;
 mod plausibility;
 mod ranges;
@@ -67,6 +67,7 @@ mod train_heat_input;
 mod train_input;
 mod train_parts;
 
+pub use asperity_core::Place;
 pub use assumed_relief::AssumedRelief;
 pub use builder::CaseBuilder;
 pub use bulk::{BulkModel, BulkReport, FoundBulk};
@@ -103,7 +104,6 @@ pub use oil_file::{
 };
 pub use one_or_two::OneOrTwo;
 pub use path_point::{NamedPoint, PathPoint};
-pub use place::Place;
 pub use resolve::{Case, resolve};
 pub use rows::Limits;
 pub use shafting::{Flow, MeshLoad, Shafting, StageKind};

@@ -1,5 +1,6 @@
 //! The oil file: constants of the film friction of one oil, fitted to traction curves, with their 95 % bands.
 
+use asperity_core::Code;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -366,12 +367,15 @@ impl OilFile {
                 "{} of the case replaces the value of {file}",
                 replaced.join(", ")
             );
-            found.push(Warning::new("W442", text));
+            found.push(Warning::new(Code::W442, text));
         }
         let fitted = &self.film_friction;
         let doubts = fitted.doubts.iter();
-        found.extend(doubts.map(|doubt| Warning::new("W441", format!("fit of {file}: {doubt}"))));
-        let mut limit = |text: String| found.push(Warning::new("W443", format!("{file}: {text}")));
+        found.extend(
+            doubts.map(|doubt| Warning::new(Code::W441, format!("fit of {file}: {doubt}"))),
+        );
+        let mut limit =
+            |text: String| found.push(Warning::new(Code::W443, format!("{file}: {text}")));
         if fitted.is_far(temperature) {
             let [low, high] = fitted.temperature_range().map(Temperature::celsius);
             limit(format!(

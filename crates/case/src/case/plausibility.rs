@@ -1,5 +1,6 @@
 //! Quantities that follow from the numbers of a case and show a wrong one: W201 and E212 as for [`ranges`].
 
+use asperity_core::Code;
 use std::f64::consts::PI;
 
 use asperity_core::decimals;
@@ -16,13 +17,13 @@ use crate::message::Warning;
 use crate::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
 
 /// Code of a division of the profile shifts.
-const DIVIDED: &str = "W445";
+const DIVIDED: Code = Code::W445;
 /// Code of tips that leave little clearance.
-const CLEARANCE: &str = "W453";
+const CLEARANCE: Code = Code::W453;
 /// Code of the warning that names the keys of symbols.
-pub(super) const SYMBOLS: &str = "W202";
+pub(super) const SYMBOLS: Code = Code::W202;
 /// Code of a key that is read by its former name.
-const FORMER_NAME: &str = "W203";
+const FORMER_NAME: Code = Code::W203;
 
 /// Viscosity of the oil at the bulk temperature \[Pa s\]: usual, and beyond which it is no oil of a gear drive.
 const OIL_USUAL: [f64; 2] = [1e-3, 10.0];
@@ -222,7 +223,7 @@ pub(super) fn little_clearance(
 /// The warnings that are not about numbers of the case.
 pub(super) fn of_files(warnings: &[Warning]) -> Vec<Warning> {
     let is_of_a_file = |warning: &&Warning| {
-        ![UNUSUAL, SYMBOLS, FORMER_NAME, DIVIDED, CLEARANCE].contains(&&*warning.code)
+        ![UNUSUAL, SYMBOLS, FORMER_NAME, DIVIDED, CLEARANCE].contains(&warning.code)
     };
     warnings.iter().filter(is_of_a_file).cloned().collect()
 }

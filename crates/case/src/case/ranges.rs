@@ -5,6 +5,7 @@
 //! design. Modifications of the flanks are judged as shares of the module. Zero, negative and missing numbers are judged
 //! by the equations that take them, unless a range has negative numbers.
 
+use asperity_core::Code;
 use std::borrow::Cow;
 
 use asperity_core::quantity::Length;
@@ -20,7 +21,7 @@ use crate::error::Error;
 use crate::message::Warning;
 
 /// Code of the warning about an unusual number.
-pub(super) const UNUSUAL: &str = "W201";
+pub(super) const UNUSUAL: Code = Code::W201;
 
 limits! {
     LubricantInput;

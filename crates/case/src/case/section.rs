@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use asperity_core::DomainError;
 
 use super::error::CaseError;
-use super::place::Place;
 use super::source::Source;
+use asperity_core::Place;
 
 /// A table of the case, as `surface.pinion`, or a single key.
 #[derive(Debug, Clone, Copy)]

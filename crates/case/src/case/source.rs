@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::place::{IN_MEMORY, Place};
+use asperity_core::message::{IN_MEMORY, Place};
 
 /// A case file's text with an index of its keys.
 #[derive(Debug, Clone)]

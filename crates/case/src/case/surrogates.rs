@@ -3,6 +3,7 @@
 //! The load share needs the heights of both flanks. Where a flank has no trace, profiles of its finish are generated and
 //! scaled to the stated values. Their shape is not known, so the loss is the mean over pairs of several shapes.
 
+use asperity_core::Code;
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_roughness::generate::{Finish, LAMBDA_S, Surrogate};
@@ -181,7 +182,7 @@ pub(super) fn surrogates(
     warnings.push(generated(&known, &records));
     if is_open {
         let text = "a flank with Ra between 0.08 and 0.15 um may be ground or superfinished: half of its surrogates are ground, half are superfinished. State surface.finish";
-        warnings.push(Warning::new("W437", text));
+        warnings.push(Warning::new(Code::W437, text));
     }
     Ok(surfaces.map(|surfaces| Surrogates {
         surfaces,
@@ -375,7 +376,7 @@ fn generated(known: &[Option<Known>; 2], records: &[Option<SurrogateRecord>; 2])
         [Some(one), None] => format!("pinion: {one}"),
         [None, one] => format!("wheel: {}", one.unwrap_or_default()),
     };
-    Warning::new("W438", text)
+    Warning::new(Code::W438, text)
 }
 
 fn of_flank(known: &Known, record: &SurrogateRecord) -> String {

@@ -1,5 +1,6 @@
 //! Filters of a trace: from the case, from its file, or by default.
 
+use asperity_core::Code;
 use asperity_core::quantity::Length;
 use asperity_gear::Gear;
 use asperity_profile_io::read::{FilterState, Reading};
@@ -74,7 +75,7 @@ impl Filters {
             _ => {
                 let stated = stated.map_or("no cut-off".to_owned(), |stated| format!("{stated}"));
                 self.parted = Some(Warning::new(
-                    "W434",
+                    Code::W434,
                     format!(
                         "form and roughness of the {gear} are parted at {:.2} mm, eight half-widths of the contact, instead of {stated}: shorter waves lie within a contact and count as roughness",
                         shortest.si() * 1e3
@@ -140,7 +141,7 @@ impl Filters {
         }
         if !others.is_empty() {
             filters.overridden = Some(Warning::new(
-                "W129",
+                Code::W129,
                 format!("{file}: the file states {}", others.join("; ")),
             ));
         }

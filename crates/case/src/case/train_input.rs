@@ -1,5 +1,6 @@
 //! Keys of a gear train, and the case of each mesh that they state.
 
+use asperity_core::Code;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
@@ -597,7 +598,7 @@ fn uneven_planets(stage: &StageParts) -> Option<Warning> {
             sun + ring
         )
     };
-    (!set.can_be_equally_spaced()).then(|| Warning::new("W204", text()))
+    (!set.can_be_equally_spaced()).then(|| Warning::new(Code::W204, text()))
 }
 
 /// Steel or flanks without the keys that are not stated.

@@ -1,5 +1,7 @@
 //! Errors of reading a file.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{RepeatedFault, decimals, number};
@@ -47,7 +49,7 @@ impl ReadError {
     }
 
     /// Code of the explanation of the message.
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         self.fault.code()
     }
 }
@@ -457,35 +459,35 @@ impl ReadFault {
     }
 
     /// Code of the explanation of the message.
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
-            Self::UnreadableNumber { .. } => "E101",
-            Self::NoData { .. } => "E102",
-            Self::NotReadable { .. } => "E103",
-            Self::NoUnit { .. } => "E104",
-            Self::NotMonotone { .. } | Self::RepeatedPoint { .. } => "E105",
-            Self::TooFewPoints { .. } => "E106",
-            Self::MissingPoints { .. } => "E107",
+            Self::UnreadableNumber { .. } => Code::E101,
+            Self::NoData { .. } => Code::E102,
+            Self::NotReadable { .. } => Code::E103,
+            Self::NoUnit { .. } => Code::E104,
+            Self::NotMonotone { .. } | Self::RepeatedPoint { .. } => Code::E105,
+            Self::TooFewPoints { .. } => Code::E106,
+            Self::MissingPoints { .. } => Code::E107,
             Self::FormatNotRead { .. } | Self::NotTable { .. } | Self::SeveralTables { .. } => {
-                "E108"
+                Code::E108
             }
-            Self::UnevenSpacing { .. } => "E109",
-            Self::NoSpacing { .. } => "E110",
-            Self::RaggedRow { .. } => "E111",
-            Self::ColumnsUnclear { .. } => "E112",
-            Self::AmbiguousComma { .. } => "E113",
-            Self::UnknownUnit { .. } => "E114",
-            Self::SeparatorDoesNotFit { .. } => "E115",
-            Self::Impossible { .. } => "E116",
-            Self::Damaged { .. } => "E117",
-            Self::TooLarge { .. } => "E118",
-            Self::SeveralProfiles { .. } => "E119",
-            Self::RollLength { .. } => "E130",
-            Self::GapInPositions { .. } => "E136",
-            Self::RangeOutside { .. } => "E139",
-            Self::NotHeights { .. } => "E320",
-            Self::SeveralArrays { .. } => "E321",
-            Self::ImplausibleHeights { .. } => "E131",
+            Self::UnevenSpacing { .. } => Code::E109,
+            Self::NoSpacing { .. } => Code::E110,
+            Self::RaggedRow { .. } => Code::E111,
+            Self::ColumnsUnclear { .. } => Code::E112,
+            Self::AmbiguousComma { .. } => Code::E113,
+            Self::UnknownUnit { .. } => Code::E114,
+            Self::SeparatorDoesNotFit { .. } => Code::E115,
+            Self::Impossible { .. } => Code::E116,
+            Self::Damaged { .. } => Code::E117,
+            Self::TooLarge { .. } => Code::E118,
+            Self::SeveralProfiles { .. } => Code::E119,
+            Self::RollLength { .. } => Code::E130,
+            Self::GapInPositions { .. } => Code::E136,
+            Self::RangeOutside { .. } => Code::E139,
+            Self::NotHeights { .. } => Code::E320,
+            Self::SeveralArrays { .. } => Code::E321,
+            Self::ImplausibleHeights { .. } => Code::E131,
             Self::OfFile { first, .. } => first.code(),
         }
     }
@@ -573,5 +575,12 @@ pub(super) fn shortened(text: &str) -> String {
     match text.char_indices().nth(MOST) {
         Some((at, _)) => format!("{}…", &text[..at]),
         None => text.to_owned(),
+    }
+}
+
+impl From<ReadError> for Fault {
+    fn from(error: ReadError) -> Self {
+        let remedy = error.remedy();
+        Self::of(error.code(), error).with(remedy)
     }
 }

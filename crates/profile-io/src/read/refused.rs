@@ -6,6 +6,7 @@ use super::format::Format;
 use super::options::ReadOptions;
 use super::text::{Start, Stream};
 use super::trace::Trace;
+use asperity_core::Code;
 
 /// Format of a zip archive whose extension names none.
 pub(super) fn content(_: &mut dyn Stream, _: u64) -> Format {
@@ -82,7 +83,7 @@ mod tests {
             let profile = read_bytes(name, bytes, &options).unwrap_err();
             let surface = read_surface_bytes(name, bytes, &options).unwrap_err();
             for refused in [profile, surface] {
-                assert_eq!(refused.code(), "E108", "{name}: {refused}");
+                assert_eq!(refused.code(), Code::E108, "{name}: {refused}");
                 let remedy = refused.remedy().to_string();
                 assert!(remedy.contains("feature packed"), "{name}: {remedy}");
             }

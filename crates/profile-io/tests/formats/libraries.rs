@@ -101,7 +101,7 @@ fn hdf5_without_heights_and_damaged_hdf5_is_refused() {
                     );
                     "read"
                 }
-                Err(error) => error.code(),
+                Err(error) => error.code().as_str(),
             }
         });
         let codes: Vec<&str> = codes.collect();

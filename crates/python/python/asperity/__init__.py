@@ -155,6 +155,6 @@ class Explanation(NamedTuple):
 
 
 def explain(code: str) -> Optional[Explanation]:
-    """Title, cause and remedy of a code such as ``"E301"``; none of a code that does not exist."""
+    """Title, cause and remedy of a code such as ``E301``; none of a code that does not exist."""
     found = _asperity.explain(code)
     return None if found is None else Explanation(*found)

@@ -18,10 +18,16 @@ _Errors = tuple[str, float, float]
 _Tables = list[tuple[str, Optional[str]]]
 _Told = Optional[Callable[[int, int], object]]
 
+class _Codes:
+    """The codes by name: an attribute for each row of the table of messages, whose value is its text."""
+
+    def __getattr__(self, name: str) -> str: ...
+
 __all__ = [
     "Calibration",
     "Case",
     "Cases",
+    "Code",
     "Map",
     "Outcome",
     "Study",
@@ -70,6 +76,7 @@ __all__ = [
 ]
 
 __version__: str
+Code: _Codes
 
 def axis(text: str) -> list[float]: ...
 def command(arguments: list[str]) -> int: ...

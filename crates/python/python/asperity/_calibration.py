@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Optional
 from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._columns import Columns, table_text
-from ._errors import AsperityError
+from ._errors import AsperityError, Code
 from ._progress import Progress, Told
 from ._quantity import Numbers, axis_of, flat, operating
 from ._record import Table, warned
@@ -123,7 +123,7 @@ def design(
     }
     for name, value in positive.items():
         if value is not None and not 0.0 < value < math.inf:
-            raise AsperityError(f"{name} = {value}: must be positive", "E209", "Correct the limit of the rig.")
+            raise AsperityError(f"{name} = {value}: must be positive", Code.E209, "Correct the limit of the rig.")
     limits = {
         **positive,
         "torque_nm": nodes("torque_nm", torque_nm),
@@ -187,7 +187,7 @@ def calibrate(
         name = fspath(rig)
         folder = os.path.dirname(name)
     else:
-        name, text = "rig", table_text(rig, "rig", "E134")
+        name, text = "rig", table_text(rig, "rig", Code.E134)
     beside = None if case is None else as_case(case)._raw
     named = [(key, as_case(one)._raw) for key, one in (cases or {}).items()]
     with Told(progress, "evaluations") as told:

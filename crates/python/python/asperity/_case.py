@@ -11,7 +11,7 @@ from typing import IO, TYPE_CHECKING, Any, Optional, Union, cast
 
 from . import _asperity
 from ._contact import Contact
-from ._errors import AsperityError, warn
+from ._errors import AsperityError, Code, warn
 from ._files import is_read, text_of
 from ._html import page
 from ._keys import Schema, Traces, changes, kind_of, written
@@ -101,7 +101,7 @@ class Case:
         raw = _asperity.Case.from_content(content)
         if raw.fingerprint != fingerprint:
             text = f"{content['name']}: the pickled case is another one in this version of the program"
-            raise AsperityError(text, "E140", "Read the case again.")
+            raise AsperityError(text, Code.E140, "Read the case again.")
         made = cls.__new__(cls)
         made._raw, made._laws = raw, {}
         for called in laws.values():
@@ -211,7 +211,7 @@ class Case:
         traces: Traces = []
         pair = finish if isinstance(finish, (tuple, list)) else (finish,)
         if not 1 <= len(pair) <= 2:
-            raise AsperityError("a finish has one trace or two", "E205", "Give a profile, or those of pinion and wheel.")
+            raise AsperityError("a finish has one trace or two", Code.E205, "Give a profile, or those of pinion and wheel.")
 
         def name(trace: Any) -> str:
             if isinstance(trace, (str, PathLike)):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
-from ._errors import AsperityError, warn
+from ._errors import AsperityError, Code, warn
 from ._profile import Profile
 from ._progress import Progress, Told
 from ._record import Table, drawn, variable
@@ -145,9 +145,9 @@ def compare(
         threads, progress: as in `Case.run`.
     """
     if len(finishes) < 2:
-        raise AsperityError("one finish cannot be compared", "E205", "Give at least two finishes.")
+        raise AsperityError("one finish cannot be compared", Code.E205, "Give at least two finishes.")
     if offsets is not None and offsets < 2:
-        raise AsperityError(f"offsets {offsets}: one offset has no spread", "E209", "Give at least two offsets.")
+        raise AsperityError(f"offsets {offsets}: one offset has no spread", Code.E209, "Give at least two offsets.")
     with Told(progress, "finishes") as told:
         raw, found, verdicts = _asperity.compare(cases_of(case, finishes, offsets), threads, told)
     comparison = Comparison(raw, found, verdicts)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 from numpy.typing import ArrayLike
 
 from . import _asperity
-from ._errors import AsperityError
+from ._errors import AsperityError, Code
 from ._html import Chart, page, shown
 from ._profile import Profile
 from ._quantity import Floats, Scalar, Values, flat, numbers, si, si_array, si_or_none
@@ -193,7 +193,7 @@ def solve_contact(
         spacing = gap.spacing if spacing is None else spacing
         gap = -gap.heights
     if spacing is None or modulus is None:
-        raise AsperityError("a contact needs spacing and modulus", "E205", "Give the spacing of the points and E*.")
+        raise AsperityError("a contact needs spacing and modulus", Code.E205, "Give the spacing of the points and E*.")
 
     def optional(values: Optional[ArrayLike], name: str) -> Optional[Floats]:
         return None if values is None else flat(numbers(values, name), name)

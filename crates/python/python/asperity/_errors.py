@@ -8,6 +8,11 @@ import warnings
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple, Optional, Union
 
+from . import _asperity
+
+Code = _asperity.Code
+"""The stable codes by name, as the table of messages has them."""
+
 
 class Place(NamedTuple):
     """Place in a case that an error is about."""
@@ -24,11 +29,17 @@ class Place(NamedTuple):
     """Mesh of a gear train."""
 
 
+def general_help(code: str) -> str:
+    """The general advice of a code."""
+    explained = _asperity.explain(code)
+    return explained[2] if explained else ""
+
+
 class AsperityError(ValueError):
     """What cannot be read, computed or written.
 
     Attributes:
-        code: stable code such as ``"E301"``; `asperity.explain` says more about it.
+        code: stable code such as ``E301``; `asperity.explain` says more about it.
         message: what is wrong, where, what was seen and what was expected.
         help: what to do about it.
         place: place in the case, where the error is about one.
@@ -44,7 +55,7 @@ class AsperityError(ValueError):
     def __init__(
         self,
         message: str,
-        code: str = "E209",
+        code: str = Code.E209,
         help: str = "",
         place: Optional[tuple[Any, ...]] = None,
         actions: str = "[]",
@@ -52,7 +63,7 @@ class AsperityError(ValueError):
         super().__init__(message, code, help, place, actions)
         self.code = code
         self.message = message
-        self.help = help
+        self.help = help or general_help(code)
         self.place = None if place is None else Place(*place)
         self.actions = json.loads(actions)
 
@@ -65,7 +76,7 @@ class AsperityWarning(UserWarning):
     """A doubt about an input or a result, which also holds it among its ``warnings``.
 
     Attributes:
-        code: stable code such as ``"W401"``; `asperity.explain` says more about it.
+        code: stable code such as ``W401``; `asperity.explain` says more about it.
         text: what is doubtful.
         help: what to do about it.
     """

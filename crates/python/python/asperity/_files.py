@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from os import PathLike, fspath
 from typing import IO, Any, Union
 
-from ._errors import AsperityError
+from ._errors import AsperityError, Code
 
 
 def is_read(file: Any) -> bool:
@@ -21,7 +21,7 @@ def text_of(file: Any) -> str:
     try:
         return content.decode("utf-8") if isinstance(content, bytes) else str(content)
     except UnicodeDecodeError as error:
-        raise AsperityError(f"the text cannot be read: {error}", "E202", "Encode the text in UTF-8.") from error
+        raise AsperityError(f"the text cannot be read: {error}", Code.E202, "Encode the text in UTF-8.") from error
 
 
 @contextmanager

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _asperity
-from ._errors import warn
+from ._errors import Code, warn
 from ._quantity import Floats, Values, numbers, pressed, si_array
 from ._record import Record
 
@@ -38,7 +38,7 @@ def _over(columns: dict[str, Floats], law: Callable[[dict[str, Floats]], dict[st
 
 def _noted(notes: list[str]) -> list[str]:
     """The notes, after a warning of each."""
-    warn({"code": "W401", "text": f"{note} is outside the range that the law was fitted to"} for note in notes)
+    warn({"code": Code.W401, "text": f"{note} is outside the range that the law was fitted to"} for note in notes)
     return notes
 
 

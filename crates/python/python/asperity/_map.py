@@ -13,7 +13,7 @@ from . import _asperity
 from ._case import CaseLike, as_case
 from ._columns import Columns, table_text
 from ._compare import Finish, cases_of
-from ._errors import AsperityError, warn
+from ._errors import AsperityError, Code, warn
 from ._html import Chart, page, shown
 from ._keys import Traces, changes
 from ._progress import Progress, Told
@@ -115,7 +115,7 @@ class Map(Values, MapArrays):
         """
         names = self.finishes
         if finish not in (names if isinstance(finish, str) else range(len(names))):
-            raise AsperityError(f"finish {finish!r}: the map has {', '.join(names)}", "E209", "Give one of these names.")
+            raise AsperityError(f"finish {finish!r}: the map has {', '.join(names)}", Code.E209, "Give one of these names.")
         number = names.index(finish) if isinstance(finish, str) else finish
         given = [_places("torque_nm", torque_nm, torque), _places("speed_rpm", speed_rpm, speed)]
         at = operating("temperature_c", temperature_c, temperature)
@@ -124,7 +124,7 @@ class Map(Values, MapArrays):
         found, outside = self._raw.loss_torque(number, self._node(at), *places)
         if outside.any():
             text = f"{outside.sum()} of {outside.size} places are outside the map; loss over torque is constant there"
-            warn([{"code": "W401", "text": text}])
+            warn([{"code": Code.W401, "text": text}])
         return found.reshape(torques.shape)
 
     def _node(self, at: Optional[Floats]) -> int:
@@ -135,7 +135,7 @@ class Map(Values, MapArrays):
         is_node = np.isclose(nodes, at, rtol=0.0, atol=1e-9) if at.shape == (1,) else np.zeros(1)
         if not is_node.any():
             known, given = (", ".join(f"{node:g}" for node in of) for of in (nodes, at.ravel()))
-            raise AsperityError(f"temperature {given} °C: the map has {known} °C", "E209", "Give the temperature of a node.")
+            raise AsperityError(f"temperature {given} °C: the map has {known} °C", Code.E209, "Give the temperature of a node.")
         return int(np.argmax(is_node))
 
     def export(
@@ -163,7 +163,7 @@ class Map(Values, MapArrays):
             try:
                 file.write_bytes(content)
             except OSError as error:
-                raise AsperityError(f"{file}: {error}", "E401", "Choose another place.") from error
+                raise AsperityError(f"{file}: {error}", Code.E401, "Choose another place.") from error
             written.append(file)
         return written
 
@@ -224,7 +224,7 @@ def _places(own: str, given: Optional[Numbers], text: Optional[Quantities]) -> F
     found = operating(own, given, text)
     if found is None:
         name = own.rsplit("_", 1)[0]
-        raise AsperityError(f"{own} or {name} is required", "E205", f"Give {own} or {name}.")
+        raise AsperityError(f"{own} or {name} is required", Code.E205, f"Give {own} or {name}.")
     is_single = given is not None and np.ndim(given) == 0 or isinstance(text, str)
     return found.reshape(np.shape(given)) if given is not None else found[0] if is_single else found
 
@@ -309,7 +309,7 @@ def cycle(
     if isinstance(trace, (str, PathLike)):
         table: tuple[str, Optional[str]] = (fspath(trace), None)
     else:
-        table = ("cycle", table_text(trace, "cycle", "E101"))
+        table = ("cycle", table_text(trace, "cycle", Code.E101))
     traces: Traces = []
     keys = [(key, value or "") for key, value in changes({"vehicle": dict(vehicle)} if vehicle else {}, "gears", traces)]
     return Cycle(_asperity.cycle(map._raw, table, node, keys, allow_outside))

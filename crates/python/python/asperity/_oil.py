@@ -9,6 +9,7 @@ from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _asperity
+from ._errors import Code
 from ._case import Case, CaseLike, as_case
 from ._columns import Columns, table_text
 from ._quantity import Numbers, Quantities, Quantity, operating, stated, stated_or_none
@@ -250,5 +251,5 @@ def _tables(curves: Any, what: str) -> list[tuple[str, Optional[str]]]:
             tables.append((fspath(table), None))
         else:
             name = what if len(many) == 1 else f"{what} {number}"
-            tables.append((name, table_text(table, name, "E317")))
+            tables.append((name, table_text(table, name, Code.E317)))
     return tables

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple, Optional
 
 import numpy as np
 
-from ._errors import AsperityError
+from ._errors import AsperityError, Code
 from ._quantity import Floats, numbers
 from ._record import Record
 
@@ -62,21 +62,21 @@ class Called(NamedTuple):
         return array
 
     def _refused(self, what: str) -> AsperityError:
-        return AsperityError(f"the law {name_of(self.law)} {what}", "E209", "Correct the law.")
+        return AsperityError(f"the law {name_of(self.law)} {what}", Code.E209, "Correct the law.")
 
 
 def exponent_of(kind: str, law: Any) -> float:
     """Exponent of speed in the central film by a law of film thickness."""
     if not callable(law):
-        raise AsperityError(f"{law!r}: a law must be callable", "E205", "Give a function or an object with __call__.")
+        raise AsperityError(f"{law!r}: a law must be callable", Code.E205, "Give a function or an object with __call__.")
     if kind != "film-thickness":
         return 0.0
     exponent = getattr(law, "speed_exponent", None)
     if exponent is None:
         text = f"the film thickness law {name_of(law)} has no speed_exponent, which the film parameter requires"
-        raise AsperityError(text, "E205", "Set law.speed_exponent, the exponent of speed in its central film.")
+        raise AsperityError(text, Code.E205, "Set law.speed_exponent, the exponent of speed in its central film.")
     found = float(numbers(exponent, "speed_exponent"))
     if not 0.0 < found < 2.0:
         text = f"the speed_exponent {found:g} of the law {name_of(law)} must be between 0 and 2"
-        raise AsperityError(text, "E209", "Correct the law.")
+        raise AsperityError(text, Code.E209, "Correct the law.")
     return found

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _asperity
-from ._errors import AsperityError
+from ._errors import AsperityError, Code
 
 
 class PintLike(Protocol):
@@ -65,7 +65,7 @@ def _magnitude(value: Any, quantity: str, unit: Optional[str] = None) -> Any:
         return value.to(_PINT.get(unit, unit)).magnitude
     except Exception as error:
         text = f"{value}: is not a {quantity}, whose unit is {unit}: {error}"
-        raise AsperityError(text, "E204", f"Give a quantity that has the dimension of {unit}.") from error
+        raise AsperityError(text, Code.E204, f"Give a quantity that has the dimension of {unit}.") from error
 
 
 def si(value: Scalar, quantity: str) -> float:
@@ -78,7 +78,7 @@ def si(value: Scalar, quantity: str) -> float:
         return float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError) as error:
         text = f"{value!r}: is not a {quantity}; a number in {SI_UNITS[quantity]} or text with a unit is expected"
-        raise AsperityError(text, "E204", 'Write text with a unit, e.g. "1.8 mm", or a number.') from error
+        raise AsperityError(text, Code.E204, 'Write text with a unit, e.g. "1.8 mm", or a number.') from error
 
 
 def si_or_none(value: Scalar | None, quantity: str) -> float | None:
@@ -127,7 +127,7 @@ def _without_unit(name: str, value: object, quantity: str) -> AsperityError:
     own = next((own for own, of in OPERATING.items() if of.quantity == quantity and own.startswith(name)), None)
     number = f", or a number by {own}" if own else ""
     text = f"{name}: {value!r} has no unit; text with a unit or a quantity of pint is expected"
-    return AsperityError(text, "E204", f'Write text with a unit, e.g. "1 {SI_UNITS[quantity]}"{number}.')
+    return AsperityError(text, Code.E204, f'Write text with a unit, e.g. "1 {SI_UNITS[quantity]}"{number}.')
 
 
 def stated(value: Quantity, quantity: str, name: str) -> float:
@@ -146,16 +146,16 @@ def operating(own: str, given: Optional[Numbers], text: Optional[Quantities]) ->
     """Numbers of an operating quantity in its unit: given as such, or by text, a range or pint."""
     of, name = OPERATING[own], own.rsplit("_", 1)[0]
     if given is not None and text is not None:
-        raise AsperityError(f"{name} and {own}: both are given", "E205", "Give one of both.")
+        raise AsperityError(f"{name} and {own}: both are given", Code.E205, "Give one of both.")
     if given is not None:
         if isinstance(given, (str, bool)) or is_pint(given):
-            raise AsperityError(f"{own}: {given!r}: must be a number in {of.unit}", "E204", f"Give it by {name}.")
+            raise AsperityError(f"{own}: {given!r}: must be a number in {of.unit}", Code.E204, f"Give it by {name}.")
         return np.atleast_1d(numbers(given, own))
     if isinstance(text, str) and ".." in text:
         unit = next((unit for unit in of.spellings if text.strip().endswith(f" {unit}")), None)
         if unit is None:
             message = f"{name}: {text!r}: a range must end with its unit {of.unit}"
-            raise AsperityError(message, "E204", f'Write e.g. "10..100:5 {of.unit}".')
+            raise AsperityError(message, Code.E204, f'Write e.g. "10..100:5 {of.unit}".')
         return np.array(_asperity.axis(text.strip().removesuffix(unit).strip()))
     if text is None:
         return None
@@ -169,7 +169,7 @@ def axis_of(found: Floats, name: str) -> list[float]:
     """Nodes of an axis as a list."""
     if found.ndim != 1:
         text = f"{name}: an array of one dimension is expected, this one has {found.ndim}"
-        raise AsperityError(text, "E209", "Give the nodes of the axis.")
+        raise AsperityError(text, Code.E209, "Give the nodes of the axis.")
     nodes: list[float] = found.tolist()
     return nodes
 
@@ -184,7 +184,7 @@ def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
             continue
         found = operating(name, value, None)
         if found is None or found.shape != (1,):
-            raise AsperityError(f"{name}: {value!r}: one number is expected", "E204", f"Give a number in {of.unit}.")
+            raise AsperityError(f"{name}: {value!r}: one number is expected", Code.E204, f"Give a number in {of.unit}.")
         keys[of.key] = f"{float(found[0])!r} {of.unit}".replace(".0 ", " ")
     return keys
 
@@ -208,18 +208,18 @@ def numbers(value: object, name: str) -> Floats:
         return np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError) as error:
         text = f"{name}: an array of numbers is expected: {error}"
-        raise AsperityError(text, "E204", "Give an array of numbers in SI units.") from error
+        raise AsperityError(text, Code.E204, "Give an array of numbers in SI units.") from error
 
 
 def flat(value: Floats, name: str) -> Floats:
     """An array of one dimension, as the compiled part takes it."""
     if value.ndim != 1:
         text = f"{name}: an array of one dimension is expected, this one has {value.ndim}"
-        raise AsperityError(text, "E209", "Pass one profile or gap at a time.")
+        raise AsperityError(text, Code.E209, "Pass one profile or gap at a time.")
     if not np.isfinite(value).all():
         wrong = np.flatnonzero(~np.isfinite(value))
         text = f"{name}: {value[wrong[0]]} at index {wrong[0]}; {len(wrong)} of {len(value)} values are not finite"
-        raise AsperityError(text, "E209", "Interpolate these values, or cut the array before them.")
+        raise AsperityError(text, Code.E209, "Interpolate these values, or cut the array before them.")
     return value
 
 
@@ -229,7 +229,7 @@ def together(values: Sequence[Floats]) -> list[Floats]:
         return list(np.broadcast_arrays(*values))
     except ValueError as error:
         text = f"the arrays do not fit each other: {error}"
-        raise AsperityError(text, "E209", "Give arrays that numpy can broadcast to one shape.") from error
+        raise AsperityError(text, Code.E209, "Give arrays that numpy can broadcast to one shape.") from error
 
 
 def pressed(values: dict[str, Floats]) -> tuple[dict[str, Floats], tuple[int, ...]]:

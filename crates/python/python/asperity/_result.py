@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _asperity
-from ._errors import AsperityError
+from ._errors import AsperityError, Code
 from ._html import Chart, page, shown
 from ._quantity import Floats
 from ._record import Record, Rows, Table, Values, drawn, variable
@@ -159,7 +159,7 @@ class RunResult(Values, ResultValues):
         if not self._is_train:
             return Path(self._values.get("path", []))
         if self._outcome is None:
-            raise AsperityError("a result that was read back has no path of several meshes", "E402", "Run the case again.")
+            raise AsperityError("a result that was read back has no path of several meshes", Code.E402, "Run the case again.")
         runs = zip(self._values["meshes"], self.meshes)
         return Path([{"mesh": row["mesh"], **position} for row, run in runs for position in run._values["path"]])
 
@@ -170,7 +170,7 @@ class RunResult(Values, ResultValues):
     def _of_pair(self, what: str) -> None:
         """Refuses what only a single mesh has."""
         if self._is_train:
-            raise AsperityError(f"a result of several meshes has no {what}", "E402", f"Take the {what} of one of them: .meshes[0].")
+            raise AsperityError(f"a result of several meshes has no {what}", Code.E402, f"Take the {what} of one of them: .meshes[0].")
 
     @property
     def warnings(self) -> Table:
@@ -190,7 +190,7 @@ class RunResult(Values, ResultValues):
     def fields(self, position: Optional[int] = None) -> Fields:
         """Fields along the contact at a position, from 1 at A; by default where the pressure is highest."""
         if self._outcome is None:
-            raise AsperityError("a result that was read back holds no fields", "E402", "Run the case again.")
+            raise AsperityError("a result that was read back holds no fields", Code.E402, "Run the case again.")
         self._of_pair("fields")
         if position is None:
             highest = self.path["p_max_mpa"]
@@ -207,7 +207,7 @@ class RunResult(Values, ResultValues):
     def write(self, folder: Union[str, PathLike[str]], *, fields: bool = False) -> None:
         """Writes the result folder of ``asperity run`` with its page ``report.html``, whole or not at all."""
         if self._outcome is None:
-            raise AsperityError("a result that was read back is in its folder", "E402", "Run the case again.")
+            raise AsperityError("a result that was read back is in its folder", Code.E402, "Run the case again.")
         self._outcome.write(fspath(folder), fields)
 
     def diff(self, other: RunResult) -> Record:

@@ -6,7 +6,7 @@ import json
 from os import PathLike, fspath
 from typing import Any, Protocol, Union
 
-from ._errors import AsperityError
+from ._errors import AsperityError, Code
 from ._html import page
 from ._record import Record
 
@@ -56,7 +56,7 @@ class Unpickled:
                 (place / name).parent.mkdir(exist_ok=True)
                 (place / name).write_bytes(content)
         except OSError as error:
-            raise AsperityError(f"{place}: {error}", "E401", "Name a folder that does not exist.") from error
+            raise AsperityError(f"{place}: {error}", Code.E401, "Name a folder that does not exist.") from error
 
 
 class Study(Record):

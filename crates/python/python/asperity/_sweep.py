@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, Optional, Union
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
-from ._errors import AsperityError, warn
+from ._errors import AsperityError, Code, warn
 from ._keys import Schema, written
 from ._progress import Progress, Told
 from ._quantity import OPERATING, as_keys
@@ -65,7 +65,7 @@ class Sweep(Iterator[Record]):
             self._raw = _asperity.Cases.of(case._raw, *keys)
         if study not in (None, self._raw.study):
             text = "the pickled study is another one: a file that it reads, or the version of the program, has changed"
-            raise AsperityError(text, "E140", "Read the study again.")
+            raise AsperityError(text, Code.E140, "Read the study again.")
         self._source = source
         self._threads = threads
         self._told = Told(progress, "cases")
@@ -167,7 +167,7 @@ def sweep(
     if study is not None:
         return Sweep(os.path.abspath(fspath(study)), threads, progress)
     if case is None:
-        raise AsperityError("a sweep needs a case or a study", "E205", "Give a case with axes, or a study file.")
+        raise AsperityError("a sweep needs a case or a study", Code.E205, "Give a case with axes, or a study file.")
     base = as_case(case)
     text: dict[str, Any] = {"axis": [_axis(name, values) for name, values in (axes or {}).items()], "detail": detail}
     if columns is not None:

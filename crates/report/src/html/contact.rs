@@ -1,7 +1,9 @@
 //! One contact: flanks before, in and after contact, pressure, subsurface stress, convergence.
 
+use crate::error;
 use asperity::case::Formulation;
 use asperity::result::{PositionRow, RunResult};
+use asperity_core::Fault;
 use asperity_core::numerics::range;
 use asperity_core::quantity::{Pressure, Ratio};
 use maud::{Markup, html};
@@ -9,11 +11,10 @@ use serde::de::DeserializeOwned;
 
 use super::page::figure;
 use crate::chart::{Axis, Chart, Contour, Drawing, Line, Series};
-use crate::error::ReportError;
 use crate::page_tables::PageTables;
 use crate::tables::{ContactTables, ConvergenceRow, NEAR, SubsurfaceRow, SurfaceRow, folder_of};
 
-pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup, ReportError> {
+pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup, Fault> {
     let Some(contact) = &tables.contact else {
         return Ok(html! {});
     };
@@ -37,23 +38,17 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
     })
 }
 
-fn row_of<'a>(
-    result: &'a RunResult,
-    contact: &ContactTables,
-) -> Result<&'a PositionRow, ReportError> {
+fn row_of<'a>(result: &'a RunResult, contact: &ContactTables) -> Result<&'a PositionRow, Fault> {
     let mut rows = result.path.iter();
     rows.find(|row| row.position == contact.position)
-        .ok_or(ReportError::NoSuchPosition {
-            number: contact.position,
-            count: result.path.len(),
-        })
+        .ok_or(error::no_such_position(contact.position, result.path.len()))
 }
 
 /// All charts of one position: its solution, both flanks before and in contact, and the way to the solution.
 ///
 /// # Errors
 /// When the result lacks the position or the tolerance of its solution.
-pub fn drawings(result: &RunResult, tables: &PageTables) -> Result<Vec<Drawing>, ReportError> {
+pub fn drawings(result: &RunResult, tables: &PageTables) -> Result<Vec<Drawing>, Fault> {
     let Some(contact) = &tables.contact else {
         return Ok(Vec::new());
     };
@@ -79,7 +74,7 @@ fn solution(
     tables: &PageTables,
     contact: &ContactTables,
     row: &PositionRow,
-) -> Result<Vec<Drawing>, ReportError> {
+) -> Result<Vec<Drawing>, Fault> {
     let surface = source_of(tables, contact, "surface.csv");
     let below = source_of(tables, contact, "subsurface.csv");
     let mut drawings = vec![pressure(&contact.surface, &surface)];
@@ -240,7 +235,7 @@ fn von_mises(
 }
 
 /// Elastic limit of the softer steel.
-fn elastic_limit(result: &RunResult) -> Result<Pressure, ReportError> {
+fn elastic_limit(result: &RunResult) -> Result<Pressure, Fault> {
     let material = &result.inputs.material;
     let pinion = material.pinion.elastic_limit;
     let pinion: Pressure = choice(result, pinion, "material.pinion.elastic_limit")?;
@@ -275,7 +270,7 @@ fn load_error(
     result: &RunResult,
     steps: &[ConvergenceRow],
     source: &str,
-) -> Result<Drawing, ReportError> {
+) -> Result<Drawing, Fault> {
     let model = &result.inputs.model;
     let (title, axis, tolerance) = if result.formulation == Formulation::Paper {
         let given = model.numerical_error;
@@ -308,13 +303,13 @@ fn choice<T: DeserializeOwned>(
     result: &RunResult,
     given: Option<T>,
     key: &'static str,
-) -> Result<T, ReportError> {
+) -> Result<T, Fault> {
     if let Some(value) = given {
         return Ok(value);
     }
     let mut defaults = result.defaults.iter();
     let default = defaults
         .find(|entry| entry.key == key)
-        .ok_or(ReportError::NoValue { key })?;
-    Ok(serde_json::from_str(&default.value)?)
+        .ok_or(error::no_value(key))?;
+    serde_json::from_str(&default.value).map_err(error::of_json)
 }

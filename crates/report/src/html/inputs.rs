@@ -1,13 +1,13 @@
 //! Inputs: the case with its defaults, files, equations and sources.
 
+use crate::error;
 use asperity::result::FlankRecord;
 use asperity::result::RunResult;
+use asperity_core::Fault;
 use maud::{Markup, html};
 use serde_json::Value;
 
-use crate::error::ReportError;
-
-pub(super) fn section(result: &RunResult) -> Result<Markup, ReportError> {
+pub(super) fn section(result: &RunResult) -> Result<Markup, Fault> {
     let rows = keys(result)?;
     Ok(html! {
         p { (result.defaults.len()) " defaults. Values marked " span.default { "default" } " are not stated in the case." }
@@ -38,9 +38,13 @@ struct KeyRow {
     origin: Option<String>,
 }
 
-fn keys(result: &RunResult) -> Result<Vec<KeyRow>, ReportError> {
+fn keys(result: &RunResult) -> Result<Vec<KeyRow>, Fault> {
     let mut rows = Vec::new();
-    flatten("", &serde_json::to_value(&result.inputs)?, &mut rows);
+    flatten(
+        "",
+        &serde_json::to_value(&result.inputs).map_err(error::of_json)?,
+        &mut rows,
+    );
     for entry in &result.defaults {
         rows.push(KeyRow {
             key: entry.key.to_string(),

@@ -26,6 +26,7 @@ pub mod ridges;
 mod temperatures;
 
 pub use along::{along, on_flank, points};
+use asperity_core::Fault;
 pub use contact::drawings as drawings_of_contact;
 pub use lubricated::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
@@ -39,14 +40,13 @@ use asperity::case::Formulation;
 use asperity::result::RunResult;
 use maud::{Markup, html};
 
-use crate::error::ReportError;
 use crate::page_tables::PageTables;
 
 /// Renders the page of `result`, with the flanks and the mesh position of `tables`.
 ///
 /// # Errors
 /// When the result lacks a value that the page shows.
-pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, ReportError> {
+pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> {
     let last = html! { (inputs::section(result)?) (facing::script()) };
     let section = |name, body, is_folded| Section {
         name,

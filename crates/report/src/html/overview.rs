@@ -1,7 +1,7 @@
 //! Summary: key numbers, their band, losses along the path, the pair in mesh, warnings.
 
 use asperity::key_words::advice;
-use asperity::message::{Warning, explain};
+use asperity::message::Warning;
 use asperity::result::loss_band::Digits;
 use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, Summary};
 use maud::{Markup, html};
@@ -62,14 +62,11 @@ pub(crate) fn warnings(warnings: &[Warning]) -> Markup {
         @if !warnings.is_empty() {
             h3 { "Warnings" }
             ul.warnings { @for warning in warnings { li {
-                @let text = html! { code { (warning.code) } " " (warning.text) };
-                @match explain(&warning.code) {
-                    None => (text),
-                    Some(entry) => details {
-                        summary { (text) }
-                        p { b { "Why: " } (entry.meaning) }
-                        @if let Some(advice) = advice(&warning.code) { p { b { "What to do: " } (advice) } }
-                    },
+                @let text = html! { code { (warning.code.as_str()) } " " (warning.text) };
+                details {
+                    summary { (text) }
+                    p { b { "Why: " } (warning.code.explain().meaning) }
+                    p { b { "What to do: " } (advice(warning.code)) }
                 }
             } } }
         }

@@ -1,5 +1,7 @@
 //! Tables of one mesh position: fields along the contact, subsurface stress, steps of the solution.
 
+use crate::error;
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::result::{PositionFields, PositionRow, SubsurfaceFields};
@@ -9,7 +11,6 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use asperity_table::own::{OwnFault, finite};
 
 use super::csv_table::{check_field, read};
-use crate::error::ReportError;
 use crate::thin::{BINS, thin};
 use crate::units::{MEGA, MICRO};
 
@@ -151,7 +152,7 @@ impl ContactTables {
     ///
     /// # Errors
     /// When a table is damaged.
-    pub fn read(folder: &Path, position: usize) -> Result<Option<Self>, ReportError> {
+    pub fn read(folder: &Path, position: usize) -> Result<Option<Self>, Fault> {
         let place = folder.join(folder_of(position));
         let file = place.join("surface.csv");
         if !file.exists() {
@@ -176,10 +177,7 @@ impl ContactTables {
         };
         match tables.check_subsurface() {
             Ok(()) => Ok(Some(tables)),
-            Err(reason) => Err(ReportError::BadTable {
-                path: below,
-                reason,
-            }),
+            Err(reason) => Err(error::bad_table(&below, reason)),
         }
     }
 

@@ -1,5 +1,7 @@
 //! Tables of a result in their files.
 
+use crate::error;
+use asperity_core::Fault;
 use std::io::BufWriter;
 use std::path::Path;
 
@@ -8,8 +10,6 @@ use asperity_table::own::{self, OwnFault};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::error::ReportError;
-
 /// Largest table in bytes that is read back.
 const LARGEST: u64 = 1_000_000_000;
 
@@ -17,12 +17,9 @@ const LARGEST: u64 = 1_000_000_000;
 ///
 /// # Errors
 /// When a file cannot be written, a number is not finite, or a row cannot be written as CSV.
-pub fn write<R: Serialize>(
-    file: &Path,
-    rows: impl IntoIterator<Item = R>,
-) -> Result<(), ReportError> {
-    let out = std::fs::File::create(file).map_err(ReportError::io(file))?;
-    own::write(BufWriter::new(out), rows).map_err(ReportError::unwritten(file))?;
+pub fn write<R: Serialize>(file: &Path, rows: impl IntoIterator<Item = R>) -> Result<(), Fault> {
+    let out = std::fs::File::create(file).map_err(error::io(file))?;
+    own::write(BufWriter::new(out), rows).map_err(error::unwritten(file))?;
     Ok(())
 }
 
@@ -33,8 +30,8 @@ pub fn write<R: Serialize>(
 pub fn text<R: Serialize>(
     file: &Path,
     rows: impl IntoIterator<Item = R>,
-) -> Result<Vec<u8>, ReportError> {
-    own::write(Vec::new(), rows).map_err(ReportError::unwritten(file))
+) -> Result<Vec<u8>, Fault> {
+    own::write(Vec::new(), rows).map_err(error::unwritten(file))
 }
 
 /// Rows of cells as text; `file` is the name in messages.
@@ -44,21 +41,18 @@ pub fn text<R: Serialize>(
 pub fn text_of_cells(
     file: &Path,
     rows: impl IntoIterator<Item = Vec<String>>,
-) -> Result<Vec<u8>, ReportError> {
-    own::text_of_cells(rows).map_err(|error| ReportError::unwritten(file)(error.into()))
+) -> Result<Vec<u8>, Fault> {
+    own::text_of_cells(rows).map_err(|error| error::unwritten(file)(error.into()))
 }
 
 /// Reads a table of finite numbers.
 ///
 /// # Errors
 /// When the file is missing or empty, lacks a column, or has a cell that is not a finite number.
-pub fn read<R: Serialize + DeserializeOwned>(file: &Path) -> Result<Vec<R>, ReportError> {
+pub fn read<R: Serialize + DeserializeOwned>(file: &Path) -> Result<Vec<R>, Fault> {
     let bytes = whole_file(file, LARGEST).map_err(|error| OwnFault::Unreadable(error.into()));
     let rows = bytes.and_then(|bytes| own::rows(&bytes));
-    rows.map_err(|reason| ReportError::BadTable {
-        path: file.to_owned(),
-        reason,
-    })
+    rows.map_err(|reason| error::bad_table(file, reason))
 }
 
 /// Checks that `rows` form a rectangular field by lines, with one row per \[column, line\].

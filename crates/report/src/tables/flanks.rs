@@ -1,5 +1,6 @@
 //! Tables of a flank: trace as measured, levelled and filtered, material ratio curve, spectrum.
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::result::FlankRecord;
@@ -12,7 +13,6 @@ use asperity_roughness::spectral::power_spectrum;
 use serde::{Deserialize, Serialize};
 
 use super::csv_table::{read, write};
-use crate::error::ReportError;
 use crate::thin::{BINS, thin};
 use crate::units::MICRO;
 
@@ -128,7 +128,7 @@ impl FlankTables {
     ///
     /// # Errors
     /// When one of the tables is missing or damaged.
-    pub fn read(folder: &Path, body: usize) -> Result<Self, ReportError> {
+    pub fn read(folder: &Path, body: usize) -> Result<Self, Fault> {
         let files = files_of(BODIES[body]).map(|name| folder.join(name));
         Ok(Self {
             trace: read(&files[0])?,
@@ -141,7 +141,7 @@ impl FlankTables {
     ///
     /// # Errors
     /// When a file cannot be written.
-    pub fn write(&self, folder: &Path, body: usize) -> Result<(), ReportError> {
+    pub fn write(&self, folder: &Path, body: usize) -> Result<(), Fault> {
         let [trace, material_ratio, spectrum] =
             files_of(BODIES[body]).map(|name| folder.join(name));
         write(&trace, &self.trace)?;

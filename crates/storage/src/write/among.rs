@@ -29,7 +29,7 @@ pub fn check_written(folder: &Path, names: &[&str]) -> Result<(), StorageError> 
 /// When one of them is not in the manifest, was changed since, or is a link.
 pub fn check_among(folder: &Path, names: &[&str]) -> Result<(), StorageError> {
     if folder == Path::new("-") {
-        return Err(StorageError::Dash);
+        return Err(StorageError::dash());
     }
     clear(folder);
     let manifest = Manifest::read(folder).unwrap_or_else(Manifest::new);
@@ -69,9 +69,7 @@ pub fn write_among(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Sto
             .map_err(StorageError::io(&manifest_path))?
             .is_some();
     if is_foreign {
-        return Err(StorageError::Changed {
-            path: manifest_path,
-        });
+        return Err(StorageError::changed(&manifest_path));
     }
     let mut manifest = Manifest::read(folder).unwrap_or_else(Manifest::new);
     for (name, bytes) in files {

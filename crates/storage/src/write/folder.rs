@@ -18,7 +18,7 @@ use super::system::{exchanged, look, parent_of, sync_folder, sync_tree};
 /// When `target` holds other files, a file was changed since it was written, or `target` is a link.
 pub fn check_folder(target: &Path, kind: &'static str) -> Result<(), StorageError> {
     if target == Path::new("-") {
-        return Err(StorageError::Dash);
+        return Err(StorageError::dash());
     }
     clear(parent_of(target));
     if look(target).is_ok_and(|entry| entry.is_some_and(|entry| entry.is_dir())) {
@@ -36,9 +36,7 @@ fn check(target: &Path, kind: &'static str) -> Result<(), StorageError> {
     match look(target).map_err(StorageError::io(target))? {
         None => return Ok(()),
         Some(entry) if entry.is_symlink() => {
-            return Err(StorageError::Link {
-                path: target.to_owned(),
-            });
+            return Err(StorageError::link(&target));
         }
         Some(entry) if !entry.is_dir() => return Err(foreign),
         Some(_) => {}
@@ -56,7 +54,7 @@ fn check(target: &Path, kind: &'static str) -> Result<(), StorageError> {
 /// let target = place.path().join("result");
 /// let with = |text: &'static str| move |folder: &std::path::Path| {
 ///     std::fs::write(folder.join("value.txt"), text).map_err(|source| {
-///         asperity_storage::StorageError::Io { path: folder.to_owned(), source }
+///         asperity_storage::StorageError::io(folder)(source)
 ///     })
 /// };
 /// asperity_storage::replace_folder(&target, "result", with("1"))?;
@@ -112,7 +110,7 @@ pub fn new_folder<E: From<StorageError>>(
     fill: impl FnOnce(&Path) -> Result<(), E>,
 ) -> Result<(), E> {
     if target == Path::new("-") {
-        return Err(StorageError::Dash.into());
+        return Err(StorageError::dash().into());
     }
     let refused = StorageError::io(target);
     let is_free = || match look(target) {

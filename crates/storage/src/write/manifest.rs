@@ -98,7 +98,7 @@ impl Manifest {
         if is_same {
             Ok(())
         } else {
-            Err(StorageError::Changed { path })
+            Err(StorageError::changed(&path))
         }
     }
 
@@ -134,7 +134,7 @@ fn without_links(folder: &Path, name: &str) -> Result<Metadata, StorageError> {
         path.extend(parts.next());
         let entry = fs::symlink_metadata(&path).map_err(StorageError::io(&path))?;
         if entry.is_symlink() {
-            return Err(StorageError::Link { path });
+            return Err(StorageError::link(&path));
         }
         if parts.peek().is_none() {
             return Ok(entry);

@@ -1,5 +1,6 @@
 //! Lots of flanks of the recipe of a case, their inspection and their loss.
 
+use super::error::of_recipe;
 use asperity::PositionError;
 #[cfg(test)]
 use asperity::case::LoadShareName;
@@ -7,18 +8,18 @@ use asperity::case::LoadedCase;
 use asperity::flanks::surfaces::PairsOfTeeth;
 use asperity::flanks::{Surfaces, Texture};
 use asperity::pipeline::{check_heights, losses};
+use asperity_core::Fault;
 use asperity_core::numerics::standard_normal_quantile;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
+use asperity_roughness::Parameters;
 use asperity_roughness::generate::Fitted;
 use asperity_roughness::height_parameters::Mode;
-use asperity_roughness::{Parameters, RoughnessError};
 use chacha20::ChaCha8Rng;
 use rand_core::Rng;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::error::CallOutError;
 use crate::sweep::{stream, uniform};
 
 /// Pairs of flanks whose mean loss is the loss of a lot.
@@ -129,7 +130,7 @@ impl Process {
         loaded: &LoadedCase,
         (scatter, seed): (f64, u64),
         lots: usize,
-    ) -> Result<Self, CallOutError> {
+    ) -> Result<Self, Fault> {
         let mut case = loaded.clone();
         case.case.gearbox = None;
         case.case.model.run_in = false;
@@ -140,11 +141,11 @@ impl Process {
         let first = [&traces[0][0], &traces[1][0]];
         let section = case.case.preparation.lambda_c;
         let section = section.unwrap_or_else(|| first[0].length() / 5.0);
-        let rq = |body: usize| -> Result<f64, RoughnessError> {
+        let rq = |body: usize| -> Result<f64, Fault> {
             let of = traces[body]
                 .iter()
                 .map(|trace| Ok(values(trace, section)?.0[1]));
-            Ok(of.sum::<Result<f64, RoughnessError>>()? / traces[body].len() as f64)
+            Ok(of.sum::<Result<f64, Fault>>()? / traces[body].len() as f64)
         };
         let ratio = rq(0)? / rq(1)?;
         let all: Vec<Profile> = traces.concat();
@@ -177,7 +178,7 @@ impl Process {
     }
 
     /// Lot `number`, of which `count` traces of each recipe are inspected, on flanks that are in none of its pairs.
-    pub(super) fn lot(&self, number: usize, count: usize) -> Result<Lot, CallOutError> {
+    pub(super) fn lot(&self, number: usize, count: usize) -> Result<Lot, Fault> {
         let random = stream(self.seed, number as u64, false);
         let of_height = |shape: Shape| Shape([1.0, shape.0[1], shape.0[2]]);
         self.made(random, count, |random| {
@@ -186,7 +187,7 @@ impl Process {
     }
 
     /// A lot with the medians of the recipe, without inspection.
-    pub(super) fn nominal(&self, number: usize) -> Result<Lot, CallOutError> {
+    pub(super) fn nominal(&self, number: usize) -> Result<Lot, Fault> {
         let random = stream(self.seed, NOMINAL_STREAM + number as u64, false);
         self.made(random, 0, |_| Shape::RECIPE)
     }
@@ -196,7 +197,7 @@ impl Process {
         mut random: ChaCha8Rng,
         count: usize,
         of_lot: impl FnOnce(&mut ChaCha8Rng) -> Shape,
-    ) -> Result<Lot, CallOutError> {
+    ) -> Result<Lot, Fault> {
         let shape = of_lot(&mut random);
         let mut flank = |recipe: &Recipe, points: usize| {
             let own = shape.scattered(self.scatter, &mut random);
@@ -234,7 +235,7 @@ impl Process {
     }
 
     /// Mean loss of the pairs of `lot` with all heights times `height` \[W\].
-    pub(super) fn loss(&self, lot: &Lot, height: f64) -> Result<f64, CallOutError> {
+    pub(super) fn loss(&self, lot: &Lot, height: f64) -> Result<f64, Fault> {
         let mut case = self.case.clone();
         case.surfaces = lot.pairs.with_heights_times(height)?;
         Ok(losses(&case)?.summary.loss_w)
@@ -247,8 +248,8 @@ impl Recipe {
         traces: &[Profile],
         section: Length,
         (seed, size): (u64, usize),
-    ) -> Result<(Self, f64), CallOutError> {
-        let fitted = Fitted::to(&traces[0], &traces[1..], seed)?;
+    ) -> Result<(Self, f64), Fault> {
+        let fitted = Fitted::to(&traces[0], &traces[1..], seed).map_err(of_recipe)?;
         let points = fitted.points;
         let whole = |k: usize| {
             // Consecutive seeds would share profiles.
@@ -313,7 +314,7 @@ fn between([a, b, c, d]: [f64; 4], t: f64) -> f64 {
 }
 
 /// Parameters of a trace in their units, and Ra \[m\].
-fn values(trace: &Profile, section: Length) -> Result<(Values, f64), RoughnessError> {
+fn values(trace: &Profile, section: Length) -> Result<(Values, f64), Fault> {
     const MICRO: f64 = 1e6;
     let found = parameters(trace, section)?;
     let heights = found.heights;
@@ -325,12 +326,12 @@ fn values(trace: &Profile, section: Length) -> Result<(Values, f64), RoughnessEr
     Ok((values, heights.ra.si()))
 }
 
-fn parameters(trace: &Profile, section: Length) -> Result<Parameters, RoughnessError> {
-    Parameters::of(trace, Mode::Iso4287, section)
+fn parameters(trace: &Profile, section: Length) -> Result<Parameters, Fault> {
+    Parameters::of(trace, Mode::Iso4287, section).map_err(of_recipe)
 }
 
 /// Distinct traces of a flank.
-fn traces(surfaces: &Surfaces, body: usize) -> Result<Vec<Profile>, CallOutError> {
+fn traces(surfaces: &Surfaces, body: usize) -> Result<Vec<Profile>, Fault> {
     let mut found: Vec<Profile> = Vec::new();
     for pair in surfaces.each() {
         match &pair.textures()[body] {
@@ -342,8 +343,8 @@ fn traces(surfaces: &Surfaces, body: usize) -> Result<Vec<Profile>, CallOutError
     Ok(found)
 }
 
-fn no_profile() -> CallOutError {
-    CallOutError::Case(Box::new(PositionError::NoProfile).into())
+fn no_profile() -> Fault {
+    PositionError::NoProfile.into()
 }
 
 /// The e-drive at two positions with the first `points` of its traces, whose heights are multiplied by `factors`. Its load

@@ -39,6 +39,5 @@ mod study;
 mod summary;
 mod write;
 
-pub use error::CallOutError;
 pub use lots::Parameter;
 pub use study::{CallOut, CallOutSettings, CurvePoint, LimitRow, ParameterRow, TracesRow, callout};

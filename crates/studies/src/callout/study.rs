@@ -1,5 +1,6 @@
 //! Computation of a call-out.
 
+use asperity_core::Fault;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::LoadedCase;
@@ -12,7 +13,7 @@ use asperity_core::quantity::Power;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::error::CallOutError;
+use super::error;
 use super::lots::{Lot, OFFSETS, PAIRS, Parameter, Process, Values};
 
 /// Most traces to inspect.
@@ -193,7 +194,7 @@ pub fn callout(
     case: &LoadedCase,
     settings: &CallOutSettings,
     progress: Progress<'_>,
-) -> Result<CallOut, CallOutError> {
+) -> Result<CallOut, Fault> {
     settings.check()?;
     let process = Process::of(case, (settings.scatter, settings.seed), settings.lots)?;
     of_process(&process, settings, progress)
@@ -203,7 +204,7 @@ fn of_process(
     process: &Process,
     settings: &CallOutSettings,
     progress: Progress<'_>,
-) -> Result<CallOut, CallOutError> {
+) -> Result<CallOut, Fault> {
     let done = AtomicUsize::new(0);
     let runs = settings.lots + CURVE * NOMINAL_LOTS;
     let count = || {
@@ -220,7 +221,7 @@ fn of_process(
             count();
             Ok(found)
         })
-        .collect::<Result<_, CallOutError>>()?;
+        .collect::<Result<_, Fault>>()?;
     progress(runs, runs);
     let parameters = [0, 1, 2].map(|k| Evaluated::of(&met, k, settings));
     let best = |k: &usize| parameters[*k].quantile.deviation;
@@ -314,11 +315,11 @@ struct Curve {
 }
 
 impl Curve {
-    fn of(process: &Process, target: f64, count: &(dyn Fn() + Sync)) -> Result<Self, CallOutError> {
+    fn of(process: &Process, target: f64, count: &(dyn Fn() + Sync)) -> Result<Self, Fault> {
         let lots: Vec<Lot> = (0..NOMINAL_LOTS)
             .map(|number| process.nominal(number))
             .collect::<Result<_, _>>()?;
-        let loss = |height: f64| -> Result<f64, CallOutError> {
+        let loss = |height: f64| -> Result<f64, Fault> {
             let of = |lot| {
                 let loss = process.loss(lot, height);
                 count();
@@ -330,16 +331,13 @@ impl Curve {
         };
         let smooth = loss(FINISHES[0] / process.ra)?;
         if target < smooth {
-            return Err(CallOutError::BelowSmooth {
-                loss_w: target,
-                smooth_w: smooth,
-            });
+            return Err(error::below_smooth(target, smooth));
         }
         let least = (FINISHES[0] / process.ra).ln() / STEP.ln();
         // Flanks as rough as the roughest have their double as well.
         let most = (FINISHES[1] / process.ra).max(2.0).ln() / STEP.ln();
         let mut found = std::collections::BTreeMap::new();
-        let mut at = |step: i32| -> Result<f64, CallOutError> {
+        let mut at = |step: i32| -> Result<f64, Fault> {
             if let Some(known) = found.get(&step) {
                 return Ok(*known);
             }
@@ -354,12 +352,12 @@ impl Curve {
         while at(below + 1)? <= target {
             below += 1;
             if f64::from(below) > most {
-                return Err(CallOutError::AboveRough {
-                    loss_w: target,
-                    rough_w: at(below)?,
-                    ra_um: 1e6 * process.ra * STEP.powi(below),
-                    smooth_w: smooth,
-                });
+                return Err(error::above_rough(
+                    target,
+                    at(below)?,
+                    1e6 * process.ra * STEP.powi(below),
+                    smooth,
+                ));
             }
         }
         at(0)?;
@@ -410,7 +408,7 @@ struct MetLot {
 impl MetLot {
     /// The lot is run at the height at which lots of the recipe have the stated loss; its other loss there is the loss of
     /// lots of the recipe at another height, in the ratio of which its own height differs.
-    fn of(process: &Process, lot: Lot, curve: &Curve) -> Result<Self, CallOutError> {
+    fn of(process: &Process, lot: Lot, curve: &Curve) -> Result<Self, Fault> {
         let loss = process.loss(&lot, curve.height)?;
         Ok(Self {
             ln_height: 2.0 * curve.height.ln() - curve.height_at(loss),
@@ -611,19 +609,20 @@ mod tests {
             let settings = CallOutSettings::of(loss.parse().unwrap());
             of_process(shared(), &settings, &|_, _| {}).unwrap_err()
         };
-        let CallOutError::BelowSmooth { smooth_w, .. } = of("300 W") else {
-            panic!("smooth flanks lose more than 300 W");
+        let watts = |text: &str, before: &str| -> f64 {
+            let (_, rest) = text.split_once(before).unwrap();
+            rest.split(' ').next().unwrap().parse().unwrap()
         };
-        assert!((400.0..500.0).contains(&smooth_w));
-        let error = of("2 kW");
-        assert!(
-            error.to_string().contains("no limit is needed for 2"),
-            "{error}"
-        );
-        let CallOutError::AboveRough { rough_w, ra_um, .. } = error else {
-            panic!("no finish loses 2 kW");
-        };
-        assert!((700.0..2000.0).contains(&rough_w) && (1.6..2.5).contains(&ra_um));
+        let error = of("300 W");
+        assert_eq!(error.code(), "E323");
+        let smooth_w = watts(&error.to_string(), "smooth flanks (Ra 0.01 um) lose ");
+        assert!((400.0..500.0).contains(&smooth_w), "{error}");
+        let text = of("2 kW").to_string();
+        assert!(text.starts_with("no limit is needed for 2"), "{text}");
+        let ra_um = watts(&text, "flanks of this recipe with Ra ");
+        let rough_w = watts(&text, "the roughest considered, lose ");
+        assert!((700.0..2000.0).contains(&rough_w), "{text}");
+        assert!((1.6..2.5).contains(&ra_um), "{text}");
     }
 
     #[test]

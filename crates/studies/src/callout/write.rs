@@ -1,9 +1,10 @@
 //! Output of a call-out: `callout.json`, tables, page and summary.
 
+use asperity_core::Fault;
 use std::path::Path;
 
+use asperity_report::StudyResult;
 use asperity_report::tables::write as write_table;
-use asperity_report::{ReportError, StudyResult};
 
 use super::page;
 use super::study::CallOut;
@@ -22,7 +23,7 @@ impl StudyResult for CallOut {
         page::render(self)
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         write_table(&folder.join("limits.csv"), &self.limits)?;
         write_table(&folder.join("parameters.csv"), &self.parameters)?;
         write_table(&folder.join("traces.csv"), &self.by_traces)?;

@@ -149,7 +149,7 @@ impl FinishResult {
     #[must_use]
     pub fn outside(&self) -> String {
         let codes = self.warnings.iter();
-        outside_codes(codes.filter_map(|warning| warning.split(' ').next()))
+        outside_codes(codes.filter_map(|warning| warning.split(' ').next()?.parse().ok()))
     }
 
     /// Roughness under the contact of a pair of gears by offset.

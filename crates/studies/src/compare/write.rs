@@ -1,10 +1,11 @@
 //! Output of a comparison: `compare.json`, tables, page and summary.
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::result::Regime;
+use asperity_report::StudyResult;
 use asperity_report::tables::{BODIES, FlankTables, write as write_table};
-use asperity_report::{ReportError, StudyResult};
 use serde::Serialize;
 
 use super::comparison::{Comparison, FinishResult};
@@ -25,7 +26,7 @@ impl StudyResult for Comparison {
         page::render(self)
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         finishes(self, &folder.join("compare.csv"))?;
         if self.finishes.iter().any(|finish| finish.pair.is_none()) {
             return write_table(&folder.join("meshes.csv"), meshes(self));
@@ -41,7 +42,7 @@ impl StudyResult for Comparison {
     }
 }
 
-fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
+fn finishes(comparison: &Comparison, file: &Path) -> Result<(), Fault> {
     #[derive(Serialize)]
     struct FinishRow<'a> {
         finish: &'a str,
@@ -218,7 +219,7 @@ fn flanks(
     })
 }
 
-fn offsets(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
+fn offsets(comparison: &Comparison, file: &Path) -> Result<(), Fault> {
     #[derive(Serialize)]
     struct OffsetRow<'a> {
         finish: &'a str,

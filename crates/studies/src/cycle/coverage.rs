@@ -2,6 +2,8 @@
 
 use super::trace::{Cycle, CyclePoint};
 use crate::map::Surface;
+use asperity_core::Code;
+use asperity_core::Fault;
 
 /// Largest share of the energy at the pinion outside of a map, where losses are extrapolated: a choice of this program.
 const MOST_OUTSIDE: f64 = 0.05;
@@ -86,5 +88,11 @@ pub(super) fn share(
         selected.map(of).sum::<f64>() / all + 0.0
     } else {
         0.0
+    }
+}
+
+impl From<Uncovered> for Fault {
+    fn from(error: Uncovered) -> Self {
+        Self::of(Code::E314, error)
     }
 }

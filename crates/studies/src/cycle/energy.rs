@@ -1,5 +1,7 @@
 //! Energies of a cycle on a map.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use std::f64::consts::PI;
 
 use asperity::balance::{Unbalanced, efficiency, sum};
@@ -7,7 +9,7 @@ use asperity::message::Warning;
 use asperity::uncertainty::Quantiles;
 use serde::Serialize;
 
-use super::coverage::{Coverage, Uncovered, moving_time, share};
+use super::coverage::{Coverage, moving_time, share};
 use super::draws::{Draws, WATT_HOUR};
 use super::trace::{Cycle, CyclePoint};
 use crate::map::{FinishMap, Map, Surface};
@@ -104,19 +106,9 @@ impl CycleFinish {
     }
 }
 
-/// Error of the energies of a cycle on a map.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum EnergyError {
-    /// The map has no finish, not the temperature, or points without a result.
-    #[error("points of the map have no result")]
-    Holes,
-    /// Too much of the cycle is outside of the map.
-    #[error(transparent)]
-    Uncovered(#[from] Uncovered),
-    /// The energies are inconsistent.
-    #[error(transparent)]
-    Unbalanced(#[from] Unbalanced),
+/// The map has no finish, not the temperature, or points without a result.
+fn holes() -> Fault {
+    Fault::new(Code::E402, "points of the map have no result")
 }
 
 /// Computes the energies of `cycle` on `map` at one of its temperatures. `takes_any` permits any share outside of the map.
@@ -128,7 +120,7 @@ pub fn evaluate(
     temperature: usize,
     (cycle, name): (&Cycle, &str),
     takes_any: bool,
-) -> Result<CycleResult, EnergyError> {
+) -> Result<CycleResult, Fault> {
     let energy = |is_meant: &dyn Fn(f64) -> bool| {
         let of = cycle
             .points
@@ -142,9 +134,9 @@ pub fn evaluate(
     let mut finishes: Vec<CycleFinish> = Vec::new();
     let surfaces = map.finishes.iter();
     let surfaces = surfaces.map(|finish| finish.surface(&map.axes, temperature));
-    let surfaces: Vec<Surface> = surfaces.collect::<Option<_>>().ok_or(EnergyError::Holes)?;
+    let surfaces: Vec<Surface> = surfaces.collect::<Option<_>>().ok_or(holes())?;
     // All finishes have the same nodes.
-    let first = surfaces.first().ok_or(EnergyError::Holes)?;
+    let first = surfaces.first().ok_or(holes())?;
     let coverage = Coverage::of(first, cycle);
     if !takes_any {
         coverage.check()?;

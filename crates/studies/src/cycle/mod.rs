@@ -25,5 +25,5 @@ mod trace;
 mod write;
 
 pub use coverage::{Coverage, Uncovered};
-pub use energy::{CycleFinish, CycleResult, EnergyError, evaluate};
+pub use energy::{CycleFinish, CycleResult, evaluate};
 pub use trace::{Cycle, CycleError, CyclePoint, cycle, named_cycle};

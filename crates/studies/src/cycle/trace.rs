@@ -1,6 +1,7 @@
 //! Reading of a cycle, and conversion to the pinion.
 
 use asperity_core::number;
+use asperity_core::{Code, Fault};
 use std::f64::consts::PI;
 
 use asperity::case::{VehicleInput, range_of};
@@ -126,10 +127,19 @@ pub enum CycleError {
 impl CycleError {
     /// Stable code.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
             Self::Impossible(error) => error.code(),
-            _ => "E101",
+            _ => Code::E101,
+        }
+    }
+}
+
+impl From<CycleError> for Fault {
+    fn from(error: CycleError) -> Self {
+        match error {
+            CycleError::Impossible(error) => (*error).into(),
+            error => Self::of(error.code(), error),
         }
     }
 }
@@ -638,7 +648,7 @@ impl Columns {
                 unread.join(", ")
             )
         };
-        (!unread.is_empty()).then(|| Warning::new("W454", text()))
+        (!unread.is_empty()).then(|| Warning::new(Code::W454, text()))
     }
 
     /// Rejects impossible numbers of a column.

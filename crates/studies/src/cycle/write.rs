@@ -1,8 +1,9 @@
 //! Output of a cycle: `cycle.json`, `cycle.csv`, `cycle.html` and summary.
 
+use asperity_core::Fault;
 use std::path::Path;
 
-use asperity_report::{ReportError, StudyResult, tables};
+use asperity_report::{StudyResult, tables};
 use serde::Serialize;
 
 use super::energy::CycleResult;
@@ -36,7 +37,7 @@ impl StudyResult for CycleResult {
         page::render(self, map)
     }
 
-    fn write_tables(&self, _: &Map, folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, _: &Map, folder: &Path) -> Result<(), Fault> {
         let rows = self.finishes.iter().flat_map(|finish| {
             let points = self.points.iter().zip(&finish.loss_w);
             points.enumerate().map(move |(k, (point, loss_w))| {

@@ -3,6 +3,9 @@
 use asperity::efficiency::EfficiencyError;
 use asperity::efficiency::loss_table::LossTable;
 use asperity::loss_table::{LossTableError, read};
+use asperity_core::Code;
+use asperity_core::Fault;
+use std::fmt::Display;
 
 use crate::map::Axes;
 
@@ -14,29 +17,26 @@ pub struct AddedLoss {
     table: LossTable,
 }
 
-/// Error of an added loss.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum AddedLossError {
-    /// The file is not a valid table.
-    #[error(transparent)]
-    Table(#[from] LossTableError),
-    /// The table does not cover the map.
-    #[error("{name}: {source}")]
-    NotCovered {
-        /// Name of the table.
-        name: String,
-        /// The point that is not covered.
-        source: EfficiencyError,
-    },
-    /// The case states losses of its gearbox as well.
-    #[error(
-        "{name}: the case of the map already has losses besides the mesh; put the table there, as gearbox.loss_table, or omit one"
-    )]
-    Twice {
-        /// Name of the table.
-        name: String,
-    },
+/// The file is not a valid table.
+fn unreadable(error: LossTableError) -> Fault {
+    Fault::of(Code::E101, error).helping(
+        "The table has the columns speed_rpm, loss_torque_nm or loss_w and, where the loss depends on them, torque_nm and temperature_c, as a grid; a loss map of VECTO (vtlm) is one.",
+    )
+}
+
+/// The table does not cover the map.
+fn not_covered(name: impl Display, source: EfficiencyError) -> Fault {
+    Fault::new(Code::E205, format!("{name}: {source}"))
+}
+
+/// The case states losses of its gearbox as well.
+pub(crate) fn twice(name: impl Display) -> Fault {
+    Fault::new(
+        Code::E205,
+        format!(
+            "{name}: the case of the map already has losses besides the mesh; put the table there, as gearbox.loss_table, or omit one"
+        ),
+    )
 }
 
 impl AddedLoss {
@@ -51,19 +51,15 @@ impl AddedLoss {
     /// assert!(AddedLoss::read("bearings.csv", text).is_ok());
     /// assert!(AddedLoss::read("bearings.csv", "speed_rpm,loss_torque_nm\n0,-1\n").is_err());
     /// ```
-    pub fn read(name: &str, text: &str) -> Result<Self, AddedLossError> {
+    pub fn read(name: &str, text: &str) -> Result<Self, Fault> {
         Ok(Self {
             name: name.to_owned(),
-            table: read(name, text)?,
+            table: read(name, text).map_err(unreadable)?,
         })
     }
 
     /// Loss torque at the nodes of a map at one temperature, by torque \[N m\].
-    pub(super) fn at_nodes(
-        &self,
-        axes: &Axes,
-        temperature_c: f64,
-    ) -> Result<Vec<f64>, AddedLossError> {
+    pub(super) fn at_nodes(&self, axes: &Axes, temperature_c: f64) -> Result<Vec<f64>, Fault> {
         let speeds = &axes.speed_rpm;
         let nodes = axes.torque_nm.iter().flat_map(|torque| {
             let along = speeds.iter();
@@ -71,10 +67,7 @@ impl AddedLoss {
         });
         let values = nodes.map(|(torque, speed)| {
             let loss = self.table.loss_torque(torque, speed, temperature_c);
-            loss.map_err(|source| AddedLossError::NotCovered {
-                name: self.name.clone(),
-                source,
-            })
+            loss.map_err(|source| not_covered(&self.name, source))
         });
         values.collect()
     }

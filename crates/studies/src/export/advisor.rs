@@ -1,19 +1,20 @@
 //! Transmission of ADVISOR: efficiency over speed and torque of the output shaft.
 
+use asperity_core::Fault;
 use std::fmt::Write as _;
 
-use super::error::ExportError;
+use super::error;
 use super::field::Field;
 use crate::map::Surface;
 
 /// Variables `tx_map_spd` \[rad/s\], `tx_map_trq` \[N m\] and `tx_eff_map`, speeds down and torques across.
 ///
 /// If the output drives with a torque below the loss, no power reaches the input shaft: the efficiency is 0.
-pub(super) fn text(field: &Field) -> Result<String, ExportError> {
+pub(super) fn text(field: &Field) -> Result<String, Fault> {
     const FORMAT: &str = "ADVISOR";
     field.check_size(FORMAT)?;
     field.check_slope(FORMAT)?;
-    let ratio = field.ratio.ok_or(ExportError::NoRatio { format: FORMAT })?;
+    let ratio = field.ratio.ok_or(error::no_ratio(FORMAT))?;
     let surface = field.surface();
     let torques: Vec<f64> = (field.torque_nm.iter())
         .filter(|torque| **torque != 0.0)

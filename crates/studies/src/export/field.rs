@@ -1,8 +1,10 @@
 //! Exported data of a finish at one temperature.
 
-use super::added::{AddedLoss, AddedLossError};
-use super::error::ExportError;
+use super::added;
+use super::added::AddedLoss;
+use super::error;
 use crate::map::{Map, MeshPart, Surface};
+use asperity_core::Fault;
 
 /// Loss torque of the mesh and added loss torque over torque and speed of the input shaft.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,11 +40,7 @@ impl Field {
     ///
     /// # Errors
     /// When a point has no result, or the added loss does not cover the map.
-    pub fn all(
-        map: &Map,
-        finish: usize,
-        added: Option<&AddedLoss>,
-    ) -> Result<Vec<Self>, ExportError> {
+    pub fn all(map: &Map, finish: usize, added: Option<&AddedLoss>) -> Result<Vec<Self>, Fault> {
         let Some(of) = map.finishes.get(finish) else {
             return Ok(Vec::new());
         };
@@ -58,14 +56,14 @@ impl Field {
             ),
             (Some(added), Some(_)) => {
                 let name = added.name.clone();
-                return Err(AddedLossError::Twice { name }.into());
+                return Err(added::twice(name));
             }
         };
         let nodes = axes.torque_nm.len() * axes.speed_rpm.len();
         let field = |(index, &temperature_c): (usize, &f64)| {
             let Some(surface) = of.surface(axes, index) else {
                 let finish = of.name.clone();
-                return Err(ExportError::Holes { finish });
+                return Err(error::holes(&finish));
             };
             let added_nm = match (added, gearbox) {
                 (Some(added), _) => Some(added.at_nodes(axes, temperature_c)?),
@@ -74,7 +72,7 @@ impl Field {
                         .loss_torque_nm
                         .get(index * nodes..(index + 1) * nodes);
                     let finish = of.name.clone();
-                    Some(losses.ok_or(ExportError::Holes { finish })?.to_vec())
+                    Some(losses.ok_or(error::holes(&finish))?.to_vec())
                 }
                 (None, None) => None,
             };
@@ -86,13 +84,9 @@ impl Field {
                     1 => mesh.name.clone(),
                     count => format!("{count} {}", mesh.name),
                 };
-                Ok((name, losses.ok_or(ExportError::Holes { finish })?))
+                Ok((name, losses.ok_or(error::holes(&finish))?))
             };
-            let parts = of
-                .meshes
-                .iter()
-                .map(part)
-                .collect::<Result<_, ExportError>>()?;
+            let parts = of.meshes.iter().map(part).collect::<Result<_, Fault>>()?;
             let points = of.points.iter().skip(index * nodes).take(nodes);
             Ok(Self {
                 title: map.title.clone(),
@@ -170,36 +164,32 @@ impl Field {
     }
 
     /// Rejects a map of one torque or one speed.
-    pub(super) fn check_size(&self, format: &'static str) -> Result<(), ExportError> {
+    pub(super) fn check_size(&self, format: &'static str) -> Result<(), Fault> {
         match self.torque_nm.len() >= 2 && self.speed_rpm.len() >= 2 {
             true => Ok(()),
-            false => Err(ExportError::TooSmall { format }),
+            false => Err(error::too_small(format)),
         }
     }
 
     /// Rejects a map without torques of both signs.
-    pub(super) fn check_signs(&self, format: &'static str) -> Result<(), ExportError> {
+    pub(super) fn check_signs(&self, format: &'static str) -> Result<(), Fault> {
         let ends = (self.torque_nm.first(), self.torque_nm.last());
         match ends {
             (Some(low), Some(high)) if *low < 0.0 && *high > 0.0 => Ok(()),
-            _ => Err(ExportError::OneSign { format }),
+            _ => Err(error::one_sign(format)),
         }
     }
 
     /// Rejects a map whose loss torque increases as fast as the torque: the output torque would not determine the input
     /// torque.
-    pub(super) fn check_slope(&self, format: &'static str) -> Result<(), ExportError> {
+    pub(super) fn check_slope(&self, format: &'static str) -> Result<(), Fault> {
         let total = self.total_nm();
         let across = self.speed_rpm.len();
         for i in 1..self.torque_nm.len() {
             for (j, &speed_rpm) in self.speed_rpm.iter().enumerate() {
                 let rise = total[i * across + j] - total[(i - 1) * across + j];
                 if rise >= self.torque_nm[i] - self.torque_nm[i - 1] {
-                    return Err(ExportError::Slope {
-                        format,
-                        torque_nm: self.torque_nm[i],
-                        speed_rpm,
-                    });
+                    return Err(error::slope(format, self.torque_nm[i], speed_rpm));
                 }
             }
         }

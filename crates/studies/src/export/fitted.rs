@@ -1,9 +1,10 @@
 //! Formats with a few numbers instead of a map: fits with their residuals.
 
+use asperity_core::Fault;
 use serde::Serialize;
 use serde_json::json;
 
-use super::error::ExportError;
+use super::error;
 use super::field::Field;
 use crate::cycle::{Coverage, Cycle};
 
@@ -119,7 +120,7 @@ fn solved(mut m: [[f64; 4]; 3]) -> [f64; 3] {
 }
 
 /// Parameters of CO2MPAS: hot from the highest temperature of the map, cold from the lowest.
-pub(super) fn co2mpas(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
+pub(super) fn co2mpas(fields: &[Field]) -> Result<Vec<u8>, Fault> {
     let (Some(cold), Some(hot)) = (fields.first(), fields.last()) else {
         return Ok(Vec::new());
     };
@@ -141,17 +142,16 @@ pub(super) fn co2mpas(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
         "gear_box_efficiency_parameters_cold_hot": { "hot": hot_fit, "cold": cold_fit },
         "fit": { "hot": hot_left, "cold": cold_left },
     });
-    Ok(serde_json::to_vec_pretty(&value)?)
+    serde_json::to_vec_pretty(&value).map_err(error::unwritten)
 }
 
 /// Efficiency for fastsim: output energy relative to input energy over the time in which the input drives.
-pub(super) fn fastsim(field: &Field, cycle: &Cycle) -> Result<Vec<u8>, ExportError> {
+pub(super) fn fastsim(field: &Field, cycle: &Cycle) -> Result<Vec<u8>, Fault> {
     let surface = field.surface();
     let coverage = Coverage::of(&surface, cycle);
-    coverage.check().map_err(|source| ExportError::Uncovered {
-        format: "fastsim",
-        source,
-    })?;
+    coverage
+        .check()
+        .map_err(|source| error::uncovered("fastsim", source))?;
     let (mut entered, mut lost, mut outside) = (0.0, 0.0, 0);
     for point in &cycle.points {
         let [torque_nm, speed_rpm] = point.forwards();
@@ -171,5 +171,5 @@ pub(super) fn fastsim(field: &Field, cycle: &Cycle) -> Result<Vec<u8>, ExportErr
         "points_outside_the_map": outside,
         "note": "efficiency of the scope only, weighted by the cycle; multiply it by the efficiencies of the rest of the driveline",
     });
-    Ok(serde_json::to_vec_pretty(&value)?)
+    serde_json::to_vec_pretty(&value).map_err(error::unwritten)
 }

@@ -1,5 +1,6 @@
 //! Functional mock-up unit: table in C, description and, if a compiler is available, a library for this machine.
 
+use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::io::{Cursor, Write as _};
 use std::path::Path;
@@ -7,9 +8,10 @@ use std::process::Command;
 
 use asperity_storage::{Draft, sha256, whole_file};
 use zip::ZipWriter;
+use zip::result::ZipResult;
 use zip::write::SimpleFileOptions;
 
-use super::error::ExportError;
+use super::error;
 use super::field::Field;
 
 const MODEL: &str = "AsperityLoss";
@@ -19,7 +21,7 @@ const CODE: &str = include_str!("fmu.c");
 ///
 /// # Errors
 /// When the map has only one torque or one speed, or no temperature.
-pub fn c_source(fields: &[Field]) -> Result<String, ExportError> {
+pub fn c_source(fields: &[Field]) -> Result<String, Fault> {
     let first = first(fields)?;
     let values = |of: &dyn Fn(&Field) -> Vec<f64>| fields.iter().flat_map(of).collect::<Vec<f64>>();
     let parts = (0..first.parts.len()).flat_map(|k| values(&|field| field.parts[k].1.clone()));
@@ -66,23 +68,27 @@ pub fn c_source(fields: &[Field]) -> Result<String, ExportError> {
     Ok(text)
 }
 
-fn first(fields: &[Field]) -> Result<&Field, ExportError> {
+fn first(fields: &[Field]) -> Result<&Field, Fault> {
     const FORMAT: &str = "the FMU";
-    let first = fields
-        .first()
-        .ok_or(ExportError::TooSmall { format: FORMAT })?;
+    let first = fields.first().ok_or(error::too_small(FORMAT))?;
     first.check_size(FORMAT)?;
     Ok(first)
 }
 
 /// The unit: description, source and, if `cc` is available, a library for this machine.
-pub(super) fn archive(fields: &[Field], beside: Option<&Path>) -> Result<Vec<u8>, ExportError> {
+pub(super) fn archive(fields: &[Field], beside: Option<&Path>) -> Result<Vec<u8>, Fault> {
     let source = c_source(fields)?;
     let library = library(&source, beside);
+    let description = description(fields, library.is_some())?;
+    let zipped = zipped(&description, &source, library);
+    zipped.map_err(error::unwritten)
+}
+
+fn zipped(description: &str, source: &str, library: Option<Library>) -> ZipResult<Vec<u8>> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let options = SimpleFileOptions::default();
     zip.start_file("modelDescription.xml", options)?;
-    zip.write_all(description(fields, library.is_some())?.as_bytes())?;
+    zip.write_all(description.as_bytes())?;
     zip.start_file("sources/loss.c", options)?;
     zip.write_all(source.as_bytes())?;
     if let Some(Library {
@@ -182,7 +188,7 @@ const OUTPUTS: [(&str, &str, &str); 5] = [
     ),
 ];
 
-fn description(fields: &[Field], has_library: bool) -> Result<String, ExportError> {
+fn description(fields: &[Field], has_library: bool) -> Result<String, Fault> {
     let field = first(fields)?;
     let escaped = |text: &str| {
         let safe = text.replace('&', "&amp;").replace('<', "&lt;");

@@ -1,11 +1,12 @@
 //! Export formats, and the files of a map in a format.
 
+use asperity_core::Fault;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
 use super::added::AddedLoss;
-use super::error::ExportError;
+use super::error;
 use super::field::Field;
 use super::names::degrees;
 use super::{advisor, fitted, fmu, mat4, modelica, tables};
@@ -58,7 +59,7 @@ pub struct With<'a> {
 ///
 /// # Errors
 /// When a point has no result, the format cannot hold the map, or two finishes would have files of one name.
-pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFile>, ExportError> {
+pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFile>, Fault> {
     let mut files = Vec::new();
     let names: Vec<&str> = map
         .finishes
@@ -102,7 +103,7 @@ pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFil
 ///
 /// # Errors
 /// When two of them would have files of one name.
-pub fn check_names(finishes: &[&str], format: Format) -> Result<(), ExportError> {
+pub fn check_names(finishes: &[&str], format: Format) -> Result<(), Fault> {
     let mut taken: Vec<(String, &str)> = Vec::new();
     for finish in finishes {
         let name = file_name(finish);
@@ -115,8 +116,8 @@ pub fn check_names(finishes: &[&str], format: Format) -> Result<(), ExportError>
             // Some file systems take capitals for small letters.
             let name = name.to_lowercase();
             if let Some((_, other)) = taken.iter().find(|(taken, _)| *taken == name) {
-                let finishes = [*other, *finish].map(str::to_owned);
-                return Err(ExportError::SameFile { finishes, name });
+                let finishes = [*other, *finish];
+                return Err(error::same_file(finishes, &name));
             }
             taken.push((name, finish));
         }
@@ -130,14 +131,12 @@ fn of_field(
     format: Format,
     name: &str,
     with: With<'_>,
-) -> Result<ExportFile, ExportError> {
+) -> Result<ExportFile, Fault> {
     Ok(match format {
         Format::Vecto => file(name, "vtlm", tables::vecto(field)?.into_bytes()),
         Format::Modelica => file(name, "txt", modelica::text(field)?.into_bytes()),
         Format::Fastsim => {
-            let cycle = with
-                .cycle
-                .ok_or(ExportError::NoCycle { format: "fastsim" })?;
+            let cycle = with.cycle.ok_or(error::no_cycle("fastsim"))?;
             let bytes = fitted::fastsim(field, cycle)?;
             file(&format!("{name}_fastsim"), "json", bytes)
         }

@@ -27,8 +27,7 @@ mod modelica;
 mod names;
 mod tables;
 
-pub use added::{AddedLoss, AddedLossError};
-pub use error::ExportError;
+pub use added::AddedLoss;
 pub use field::Field;
 pub use fitted::{GearBoxFit, gear_box_fit};
 pub use fmu::c_source;

@@ -1,13 +1,13 @@
 //! Tables of the Modelica Standard Library as text, for `CombiTable2Ds`.
 
+use asperity_core::Fault;
 use std::fmt::Write as _;
 
-use super::error::ExportError;
 use super::field::Field;
 
 /// Table `lossTorque` over torque \[N m\] and speed \[rad/s\]; with an added loss also separate tables of the mesh and of
 /// the added loss.
-pub(super) fn text(field: &Field) -> Result<String, ExportError> {
+pub(super) fn text(field: &Field) -> Result<String, Fault> {
     field.check_size("Modelica")?;
     let mut text = format!(
         "#1\n# {}\n# {} (extrapolation = NoExtrapolation)\n# scope = {}; u1 = torque of the input shaft N m, u2 = its speed rad/s, value = loss torque N m\n",

@@ -1,17 +1,18 @@
 //! Tables with one row per node: CSV, and the transmission loss map of VECTO.
 
+use super::error;
+use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity_report::tables::text;
 use serde::Serialize;
 
-use super::error::ExportError;
 use super::field::Field;
 use crate::map::FinishMap;
 
 /// CSV with one row per node, mesh and added loss in separate columns.
-pub(super) fn csv(fields: &[Field], finish: &FinishMap) -> Result<Vec<u8>, ExportError> {
+pub(super) fn csv(fields: &[Field], finish: &FinishMap) -> Result<Vec<u8>, Fault> {
     #[derive(Serialize)]
     struct NodeRow<'a> {
         torque_nm: f64,
@@ -45,11 +46,11 @@ pub(super) fn csv(fields: &[Field], finish: &FinishMap) -> Result<Vec<u8>, Expor
             });
         }
     }
-    text(Path::new("map.csv"), rows).map_err(|error| std::io::Error::other(error).into())
+    text(Path::new("map.csv"), rows).map_err(error::unwritten)
 }
 
 /// CSV with one row per node and mesh of a gear train, the loss torque of all equal meshes at the input shaft.
-pub(super) fn meshes_csv(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
+pub(super) fn meshes_csv(fields: &[Field]) -> Result<Vec<u8>, Fault> {
     #[derive(Serialize)]
     struct MeshRow<'a> {
         torque_nm: f64,
@@ -73,12 +74,12 @@ pub(super) fn meshes_csv(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
             }
         }
     }
-    text(Path::new("map.csv"), rows).map_err(|error| std::io::Error::other(error).into())
+    text(Path::new("map.csv"), rows).map_err(error::unwritten)
 }
 
 /// Transmission loss map of VECTO: speed, torque and loss torque of the input shaft, for both signs of the torque. VECTO
 /// looks up by the output torque, so the loss must increase more slowly than the torque.
-pub(super) fn vecto(field: &Field) -> Result<String, ExportError> {
+pub(super) fn vecto(field: &Field) -> Result<String, Fault> {
     const FORMAT: &str = "VECTO";
     field.check_size(FORMAT)?;
     field.check_signs(FORMAT)?;

@@ -1,33 +1,17 @@
-//! Figures and their errors.
+//! Figures.
 
-use asperity::{Error, PositionError};
-use asperity_report::ReportError;
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_report::chart::{Chart, Drawing};
 
-/// Error of a figure.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum FigureError {
-    /// The figure cannot be computed.
-    #[error(transparent)]
-    Run(#[from] Error),
-    /// The reference case has no rough contact to draw.
-    #[error(
-        "the case has no rough contact for {table}; give it two measured flanks in mixed lubrication"
-    )]
-    NoContact {
-        /// The table of the figure.
-        table: &'static str,
-    },
-    /// The figure cannot be written.
-    #[error(transparent)]
-    Report(#[from] ReportError),
-}
-
-impl From<PositionError> for FigureError {
-    fn from(error: PositionError) -> Self {
-        Self::Run(Error::Whole(Box::new(error)))
-    }
+/// The reference case has no rough contact to draw.
+pub(crate) fn no_contact(table: &'static str) -> Fault {
+    Fault::new(
+        Code::E401,
+        format!(
+            "the case has no rough contact for {table}; give it two measured flanks in mixed lubrication"
+        ),
+    )
 }
 
 /// Figure: file name without extension, and drawing, which names its table.

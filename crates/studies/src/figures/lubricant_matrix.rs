@@ -1,5 +1,6 @@
 //! Fig. 7: oils of various densities and viscosities, with and without the pressure variation across the film.
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::PositionError;
@@ -14,7 +15,7 @@ use asperity_report::chart::{Axis, Chart, Line, Series};
 use asperity_report::tables::write;
 use serde::Serialize;
 
-use super::figure::{Figure, FigureError};
+use super::figure::Figure;
 
 /// Densities from light spindle oil to a fluid 15 % denser than water.
 const DENSITIES: [f64; 5] = [750.0, 850.0, 950.0, 1050.0, 1150.0];
@@ -37,7 +38,7 @@ struct OilRow {
 const MOST_SHOWN: f64 = 400.0;
 const TABLE: &str = "fig07_lubricants.csv";
 
-pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, FigureError> {
+pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, Fault> {
     let mut rows = Vec::new();
     for density in DENSITIES {
         for viscosity in VISCOSITIES {
@@ -111,7 +112,7 @@ fn efficiencies(rows: &[OilRow]) -> Chart {
     chart
 }
 
-fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<OilRow, FigureError> {
+fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<OilRow, Fault> {
     let mut case = case.clone();
     let oil = &mut case.case.oil;
     oil.density = Density::from_si(density);

@@ -9,17 +9,16 @@ mod random_contact;
 mod reference_case;
 mod thick_films;
 
+use asperity_core::Fault;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use asperity::case::LoadedCase;
 use asperity_report::chart::Dress;
-use asperity_report::{ReportError, write_bytes};
+use asperity_report::write_bytes;
 use asperity_storage::{
     Draft, StorageError, check_among, check_folder, replace_folder, whole_file, write_among,
 };
-
-pub use figure::FigureError;
 
 /// Largest size of the table of a figure in bytes.
 const LARGEST: u64 = 100_000_000;
@@ -67,23 +66,18 @@ pub const FILES: &[&str] = &[
 ///
 /// # Errors
 /// When a case has no solution or a file cannot be written.
-pub fn write(table_2: &LoadedCase, folder: &Path) -> Result<Vec<PathBuf>, FigureError> {
+pub fn write(table_2: &LoadedCase, folder: &Path) -> Result<Vec<PathBuf>, Fault> {
     // A folder that holds only figures is replaced as a whole; in other folders the files are replaced one by one.
     let is_whole = match check_folder(folder, KIND) {
         Err(StorageError::NotOurs { entry: Some(_), .. }) => {
-            check_among(folder, FILES).map_err(ReportError::from)?;
+            check_among(folder, FILES)?;
             false
         }
-        found => found.map(|()| true).map_err(ReportError::from)?,
+        found => found.map(|()| true)?,
     };
     // Made in a temporary folder, so that no incomplete file appears in the target.
-    let refused = |source| {
-        ReportError::from(StorageError::Io {
-            path: folder.to_owned(),
-            source,
-        })
-    };
-    let temporary = Draft::beside(folder).map_err(refused)?;
+    let refused = StorageError::io(folder);
+    let temporary = Draft::beside(folder).map_err(&refused)?;
     let made = &temporary.made();
     std::fs::create_dir(made).map_err(refused)?;
     let mut figures = random_contact::figures(made)?;
@@ -95,11 +89,9 @@ pub fn write(table_2: &LoadedCase, folder: &Path) -> Result<Vec<PathBuf>, Figure
         let svg = figure.drawing.svg(Dress::Alone);
         files.insert(format!("{}.svg", figure.name), svg.into_bytes());
         let table = figure.drawing.source();
-        let bytes = whole_file(&made.join(table), LARGEST).map_err(|source| StorageError::Io {
-            path: folder.join(table),
-            source,
-        });
-        files.insert(table.to_owned(), bytes.map_err(ReportError::from)?);
+        let bytes = whole_file(&made.join(table), LARGEST);
+        let bytes = bytes.map_err(StorageError::io(&folder.join(table)))?;
+        files.insert(table.to_owned(), bytes);
     }
     let files: Vec<(String, Vec<u8>)> = files.into_iter().collect();
     let written = match is_whole {
@@ -108,7 +100,7 @@ pub fn write(table_2: &LoadedCase, folder: &Path) -> Result<Vec<PathBuf>, Figure
                 .iter()
                 .try_for_each(|(name, bytes)| write_bytes(&new.join(name), bytes))
         }),
-        false => write_among(folder, &files).map_err(ReportError::from),
+        false => write_among(folder, &files).map_err(Fault::from),
     };
     written?;
     Ok(files.iter().map(|(name, _)| folder.join(name)).collect())

@@ -5,6 +5,7 @@
 //! are the same in both. Eq. 19 counts a patch of one cell by one cell once per revolution; a third panel has the
 //! deformation after contact over the face width in every engagement of a tooth, b z₁/a of the printed value.
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::result::Summary;
@@ -12,7 +13,7 @@ use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::tables::write;
 use serde::Serialize;
 
-use super::figure::{Figure, FigureError};
+use super::figure::Figure;
 
 const TABLE: &str = "fig12_losses.csv";
 
@@ -33,7 +34,7 @@ pub(super) fn figures(
     summary: &Summary,
     engagements: f64,
     folder: &Path,
-) -> Result<Vec<Figure>, FigureError> {
+) -> Result<Vec<Figure>, Fault> {
     let (within, after) = (summary.deformation_in_contact_w, summary.deformation_w);
     let (sliding, rolling) = (summary.sliding_w, summary.rolling_w);
     let parts = [

@@ -2,6 +2,7 @@
 //!
 //! The paper does not give its surfaces; these are self-affine with the roughness of ground flanks.
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::PositionError;
@@ -18,7 +19,7 @@ use asperity_report::units::MICRO;
 use asperity_roughness::generate::SelfAffine;
 use serde::Serialize;
 
-use super::figure::{Figure, FigureError};
+use super::figure::Figure;
 
 /// Relative radius, line load and modulus of the reference case at its pitch point.
 const RADIUS: Length = Length::from_si(11.627e-3);
@@ -47,7 +48,7 @@ fn surface(seed: u64) -> Result<Profile, PositionError> {
 
 const TABLE: &str = "fig06_surface.csv";
 
-pub(super) fn figures(folder: &Path) -> Result<Vec<Figure>, FigureError> {
+pub(super) fn figures(folder: &Path) -> Result<Vec<Figure>, Fault> {
     let surfaces = [surface(SEEDS[0])?, surface(SEEDS[1])?];
     let flanks = TwoFlanks {
         first: &surfaces[0],
@@ -164,7 +165,7 @@ fn rows(surfaces: &[Profile; 2], gap: &[f64], solution: &ContactSolution) -> Vec
         .collect()
 }
 
-fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour, FigureError> {
+fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour, Fault> {
     const TABLE: &str = "fig06_subsurface.csv";
     const DEPTHS: usize = 32;
     const BINS: usize = 120;

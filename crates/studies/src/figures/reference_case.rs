@@ -1,5 +1,6 @@
 //! Fig. 9 to 13: reference case of the paper's Table 2.
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::case::LoadedCase;
@@ -9,7 +10,8 @@ use asperity_report::chart::{Axis, Chart, Drawing};
 use asperity_report::html::drawings_of_contact;
 use asperity_report::tables::write;
 
-use super::figure::{Figure, FigureError};
+use super::figure;
+use super::figure::Figure;
 use super::parts;
 
 /// File, chart of the report, title, table.
@@ -65,7 +67,7 @@ const MARCHING: &str = "fig13_convergence.csv";
 const ZOOM_UM: [f64; 2] = [-110.0, -70.0];
 const ZOOM_DEPTH_UM: f64 = 20.0;
 
-pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, FigureError> {
+pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, Fault> {
     let outcome = asperity::Run::new(case).execute()?;
     let result = &outcome.result;
     let tables = PageTables::of(&outcome, Some(1))?;
@@ -80,7 +82,7 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
     figures.push(reflected(case, folder)?);
     for &(name, id, title, table) in FIGURES {
         let drawing = drawings.iter().find(|drawing| drawing.id() == id);
-        let drawing = drawing.ok_or(FigureError::NoContact { table })?;
+        let drawing = drawing.ok_or(figure::no_contact(table))?;
         let drawing = renamed(drawing.clone(), title, table);
         if let Some(near) = zoomed(&drawing) {
             figures.push(near);
@@ -99,7 +101,7 @@ fn engagements(case: &LoadedCase, fields: Option<&PositionFields>) -> f64 {
 }
 
 /// Contact stress where the wheel's flank is the pinion's, reflected across the contact instead of read from its other end.
-fn reflected(case: &LoadedCase, folder: &Path) -> Result<Figure, FigureError> {
+fn reflected(case: &LoadedCase, folder: &Path) -> Result<Figure, Fault> {
     let case = case.with_key("surface.wheel.mirrored", "false")?;
     let outcome = asperity::Run::new(&case).execute()?;
     let tables = PageTables::of(&outcome, Some(1))?;
@@ -107,7 +109,7 @@ fn reflected(case: &LoadedCase, folder: &Path) -> Result<Figure, FigureError> {
     let drawing = drawings
         .into_iter()
         .find(|drawing| drawing.id() == "pressure");
-    let drawing = drawing.ok_or(FigureError::NoContact { table: REFLECTED })?;
+    let drawing = drawing.ok_or(figure::no_contact(REFLECTED))?;
     if let Some(contact) = &tables.contact {
         write(&folder.join(REFLECTED), &contact.surface)?;
     }

@@ -1,5 +1,6 @@
 //! Fig. 8: pressure difference across thin and thick films.
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::case::LoadedCase;
@@ -7,9 +8,9 @@ use asperity::pipeline::{FilmRow, film};
 use asperity_report::chart::{Axis, Chart, Line, Series};
 use asperity_report::tables::write;
 
-use super::figure::{Figure, FigureError};
+use super::figure::Figure;
 
-pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, FigureError> {
+pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, Fault> {
     let at_pitch = "Fig. 8a: difference across the film, rolling (pitch point)";
     let sliding = "Fig. 8b: the same where the flanks slide";
     let position = Some(case.case.model.position);
@@ -25,7 +26,7 @@ fn figure(
     table: &'static str,
     title: &str,
     folder: &Path,
-) -> Result<Figure, FigureError> {
+) -> Result<Figure, Fault> {
     let film = film(case, position)?;
     write(&folder.join(table), film.rows.iter())?;
     let curve = |name: &str, line: Line, pascals: fn(&FilmRow) -> f64| {

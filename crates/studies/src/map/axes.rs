@@ -1,6 +1,8 @@
 //! Axes of a map.
 
 use asperity::case::train::Train;
+use asperity_core::Code;
+use asperity_core::Fault;
 use asperity_core::number;
 use asperity_core::numerics::distinct;
 use serde::{Deserialize, Serialize};
@@ -16,38 +18,33 @@ pub struct Axes {
     pub temperature_c: Vec<f64>,
 }
 
-/// Error of an axis.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum AxisError {
-    /// The text is not an axis.
-    #[error("{text:?} is not an axis; write a list as 10,20,50, or 10..100:5, or 10..100:5:log")]
-    Text {
-        /// The text.
-        text: String,
-    },
-    /// A value is not permitted.
-    #[error("{value} {unit} is not a node of an axis of the {axis}: {rule}", value = number(*value))]
-    Value {
-        /// Name of the axis.
-        axis: &'static str,
-        /// The value.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-        /// Rule.
-        rule: &'static str,
-    },
-    /// The axis has no or too many values.
-    #[error("an axis of the {axis} with {count} nodes; from 1 to {most} are possible")]
-    Count {
-        /// Name of the axis.
-        axis: &'static str,
-        /// Number of nodes.
-        count: usize,
-        /// Largest number of nodes.
-        most: usize,
-    },
+/// The text is not an axis.
+fn not_an_axis(text: &str) -> Fault {
+    Fault::new(
+        Code::E209,
+        format!(
+            "{text:?} is not an axis; write a list as 10,20,50, or 10..100:5, or 10..100:5:log"
+        ),
+    )
+}
+
+/// A value is not permitted.
+fn no_node(axis: &'static str, value: f64, unit: &'static str, rule: &'static str) -> Fault {
+    Fault::new(
+        Code::E209,
+        format!(
+            "{value} {unit} is not a node of an axis of the {axis}: {rule}",
+            value = number(value)
+        ),
+    )
+}
+
+/// The axis has no or too many values.
+fn node_count(axis: &'static str, count: usize, most: usize) -> Fault {
+    Fault::new(
+        Code::E209,
+        format!("an axis of the {axis} with {count} nodes; from 1 to {most} are possible"),
+    )
 }
 
 /// Largest number of nodes of an axis.
@@ -69,11 +66,7 @@ impl Axes {
     ///
     /// # Errors
     /// When an axis is empty or a node is not permitted.
-    pub fn new(
-        torque_nm: &[f64],
-        speed_rpm: &[f64],
-        temperature_c: &[f64],
-    ) -> Result<Self, AxisError> {
+    pub fn new(torque_nm: &[f64], speed_rpm: &[f64], temperature_c: &[f64]) -> Result<Self, Fault> {
         check("torque", torque_nm, "N m", "must be finite", |_| true)?;
         let not_negative = "must be finite and not negative; torque has the sign";
         check("speed", speed_rpm, "1/min", not_negative, |v| v >= 0.0)?;
@@ -155,12 +148,10 @@ impl Axes {
 /// assert_eq!(axis("-10..10:5")?, [-10.0, -5.0, 0.0, 5.0, 10.0]);
 /// assert_eq!(axis("1..100:3:log")?, [1.0, 10.0, 100.0]);
 /// assert!(axis("10..100").is_err());
-/// # Ok::<(), asperity_studies::map::AxisError>(())
+/// # Ok::<(), asperity_core::Fault>(())
 /// ```
-pub fn axis(text: &str) -> Result<Vec<f64>, AxisError> {
-    let refused = || AxisError::Text {
-        text: text.to_owned(),
-    };
+pub fn axis(text: &str) -> Result<Vec<f64>, Fault> {
+    let refused = || not_an_axis(text);
     let number = |part: &str| part.trim().parse::<f64>().map_err(|_| refused());
     let Some((low, rest)) = text.split_once("..") else {
         return text.split(',').map(number).collect();
@@ -200,21 +191,16 @@ fn check(
     unit: &'static str,
     rule: &'static str,
     is_possible: impl Fn(f64) -> bool,
-) -> Result<(), AxisError> {
+) -> Result<(), Fault> {
     let count = values.len();
     if !(1..=MOST).contains(&count) {
         let most = MOST;
-        return Err(AxisError::Count { axis, count, most });
+        return Err(node_count(axis, count, most));
     }
     let wrong = |value: &&f64| !(value.is_finite() && is_possible(**value));
     match values.iter().find(wrong) {
         None => Ok(()),
-        Some(&value) => Err(AxisError::Value {
-            axis,
-            value,
-            unit,
-            rule,
-        }),
+        Some(&value) => Err(no_node(axis, value, unit, rule)),
     }
 }
 

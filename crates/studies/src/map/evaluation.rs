@@ -1,5 +1,6 @@
 //! Losses of one torque at every speed and temperature of a map.
 
+use asperity_core::Code;
 use std::collections::BTreeMap;
 
 use asperity::Reversed;
@@ -84,7 +85,7 @@ pub(super) fn evaluate(
     (speeds, temperatures): (&[f64], &[f64]),
     is_node: &(dyn Fn(f64, f64) -> bool + Sync),
     progress: &(dyn Fn() + Sync),
-) -> Vec<Result<Evaluated, String>> {
+) -> Vec<Result<Evaluated, Code>> {
     let code = |error: &Error| error.code().to_owned();
     let prepared = Prepared::of(train, torque, speeds);
     let nodes = temperatures.iter().flat_map(|temperature| {
@@ -176,14 +177,14 @@ impl Prepared {
         train: &Train,
         torque: Torque,
         nodes: &[(usize, f64, f64)],
-        evaluated: Vec<Result<Evaluated, String>>,
-    ) -> Vec<Result<Evaluated, String>> {
+        evaluated: Vec<Result<Evaluated, Code>>,
+    ) -> Vec<Result<Evaluated, Code>> {
         let code = |error: Error| error.code().to_owned();
         let farthest = match self.farthest(train, torque, nodes, &evaluated) {
             Ok(farthest) => farthest,
             Err(error) => {
                 let code = code(error);
-                return evaluated.into_iter().map(|_| Err(code.clone())).collect();
+                return evaluated.into_iter().map(|_| Err(code)).collect();
             }
         };
         let points = nodes.par_iter().zip(evaluated);
@@ -209,7 +210,7 @@ impl Prepared {
         train: &Train,
         torque: Torque,
         nodes: &[(usize, f64, f64)],
-        evaluated: &[Result<Evaluated, String>],
+        evaluated: &[Result<Evaluated, Code>],
     ) -> Result<Vec<BTreeMap<u64, Lowered>>, Error> {
         let mut ratios: Vec<BTreeMap<u64, f64>> = vec![BTreeMap::new(); self.meshes.len()];
         for ((column, ..), evaluated) in nodes.iter().zip(evaluated) {

@@ -1,5 +1,6 @@
 //! Computation of a map.
 
+use asperity_core::Code;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -148,7 +149,7 @@ impl Sides {
 }
 
 /// Evaluated points by side and bits of the torque.
-type Computed = BTreeMap<(usize, u64), Vec<Result<Evaluated, String>>>;
+type Computed = BTreeMap<(usize, u64), Vec<Result<Evaluated, Code>>>;
 
 fn of_finish(
     finish: &Finish<Train>,
@@ -322,11 +323,11 @@ fn point(
     let evaluated = match evaluated {
         Some(Ok(evaluated)) => evaluated,
         Some(Err(code)) => {
-            point.code = Some(code.clone());
+            point.code = Some(*code);
             return (point, None);
         }
         None => {
-            point.code = Some("E501".to_owned());
+            point.code = Some(Code::E501);
             return (point, None);
         }
     };
@@ -358,7 +359,7 @@ fn point(
         Ok(numbers)
     });
     match checked {
-        Err(error) => point.code = Some(error.code().to_owned()),
+        Err(error) => point.code = Some(error.code()),
         Ok(numbers) if speed_rpm == 0.0 => point.numbers = Some(at_standstill(numbers)),
         Ok(numbers) => point.numbers = Some(numbers),
     }
@@ -595,7 +596,7 @@ mod tests {
         whole: &Evaluated,
         torque_nm: f64,
         fault: fn(&mut EvaluatedMesh),
-    ) -> Option<String> {
+    ) -> Option<Code> {
         let mut faulty = whole.clone();
         fault(&mut faulty.meshes[0]);
         let computed = Computed::from([((0, 40f64.to_bits()), vec![Ok(faulty)])]);
@@ -629,11 +630,11 @@ mod tests {
             assert_eq!(code(|_| ()), None);
             let deformation =
                 |point: &mut EvaluatedMesh| point.losses.summary.deformation_w[0] += 1.0;
-            assert_eq!(code(deformation).as_deref(), Some("E501"));
+            assert_eq!(code(deformation), Some(Code::E501));
             let sliding = |point: &mut EvaluatedMesh| point.losses.summary.sliding_w *= 1.01;
-            assert_eq!(code(sliding).as_deref(), Some("E501"));
+            assert_eq!(code(sliding), Some(Code::E501));
             let rolling = |point: &mut EvaluatedMesh| point.losses.summary.rolling_w = f64::NAN;
-            assert_eq!(code(rolling).as_deref(), Some("E308"));
+            assert_eq!(code(rolling), Some(Code::E308));
         }
     }
 }

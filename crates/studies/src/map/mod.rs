@@ -43,7 +43,7 @@ mod surface;
 mod table;
 mod write;
 
-pub use axes::{Axes, AxisError, axis};
+pub use axes::{Axes, axis};
 pub(crate) use draws::Place;
 pub use draws::{Drawn, DrawnNodes, MapBand};
 pub use grid::map;
@@ -52,7 +52,7 @@ pub(crate) use page::round_step;
 pub use point::{
     EXTENDED, FinishMap, Map, MapGearbox, MapWarning, MeshPart, Numbers, Point, ranges,
 };
-pub use read::{MapError, read};
+pub use read::read;
 pub(crate) use summary::banded;
 pub use surface::{Interpolated, Surface, forwards};
 pub use write::{EXPORTS, MapExtras};

@@ -2,6 +2,7 @@
 
 use asperity::case::{CaseInput, DefaultUsed};
 use asperity::result::Regime;
+use asperity_core::Code;
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;
@@ -123,7 +124,7 @@ pub struct Point {
     /// Inputs out of range at the point.
     pub outside: Vec<String>,
     /// Error code if there is no result.
-    pub code: Option<String>,
+    pub code: Option<Code>,
 }
 
 /// Losses at a point.
@@ -198,10 +199,10 @@ impl Numbers {
 impl Map {
     /// Error code of the first point under load, if no point under load has a loss.
     #[must_use]
-    pub fn refused(&self) -> Option<&str> {
+    pub fn refused(&self) -> Option<Code> {
         let points = self.finishes.iter().flat_map(|finish| &finish.points);
         let mut loaded = points.filter(|point| point.torque_nm != 0.0 && point.speed_rpm != 0.0);
-        let first = loaded.next()?.code.as_deref()?;
+        let first = loaded.next()?.code?;
         loaded.all(|point| point.code.is_some()).then_some(first)
     }
 

@@ -1,6 +1,9 @@
 //! Reading of a map from its folder.
 
-use std::path::{Path, PathBuf};
+use asperity_core::Code;
+use asperity_core::Fault;
+use std::fmt::Display;
+use std::path::Path;
 
 use asperity_storage::{check_written, whole_file};
 use asperity_table::own::{self, OwnFault};
@@ -13,93 +16,44 @@ use super::table::PointRow;
 /// Largest size of a file in bytes.
 const LARGEST: u64 = 1_000_000_000;
 
-/// Error of reading a map.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum MapError {
-    /// A file cannot be opened.
-    #[error("{path}: not a map: {source}")]
-    Open {
-        /// The file.
-        path: PathBuf,
-        /// Reason given by the system.
-        source: std::io::Error,
-    },
-    /// `map.json` is damaged.
-    #[error("{path}: not a map: {source}")]
-    Json {
-        /// The file.
-        path: PathBuf,
-        /// Reason given by the reader.
-        source: serde_json::Error,
-    },
-    /// `map.csv` is damaged.
-    #[error("{path}: not a map: {source}")]
-    Csv {
-        /// The file.
-        path: PathBuf,
-        /// Reason given by the reader.
-        source: OwnFault,
-    },
-    /// `map.json` is inconsistent.
-    #[error("{path}: not a map: {reason}")]
-    Damaged {
-        /// The file.
-        path: PathBuf,
-        /// The reason.
-        reason: String,
-    },
-    /// A file was changed after the map was written.
-    #[error(
-        "{path}: not the map that was written: the file was changed, or its manifest.json is missing"
-    )]
-    Changed {
-        /// The file.
-        path: PathBuf,
-    },
-    /// The table does not match the axes, or has a number that is not finite.
-    #[error("{path}: not a map: row {row} is not the point that map.json has there")]
-    Row {
-        /// The file.
-        path: PathBuf,
-        /// Number of the row from 1.
-        row: usize,
-    },
+fn not_a_map(path: &Path, reason: impl Display) -> Fault {
+    Fault::new(
+        Code::E402,
+        format!("{}: not a map: {reason}", path.display()),
+    )
+}
+
+/// A file was changed after the map was written.
+fn changed(path: &Path) -> Fault {
+    Fault::new(
+        Code::E402,
+        format!(
+            "{path}: not the map that was written: the file was changed, or its manifest.json is missing",
+            path = path.display()
+        ),
+    )
 }
 
 /// Reads the map in `folder`.
 ///
 /// # Errors
 /// When a file is missing or damaged, or the table does not match the axes.
-pub fn read(folder: &Path) -> Result<Map, MapError> {
+pub fn read(folder: &Path) -> Result<Map, Fault> {
     let file = folder.join("map.json");
-    let bytes = whole_file(&file, LARGEST).map_err(|source| MapError::Open {
-        path: file.clone(),
-        source,
-    })?;
-    let mut map: Map = serde_json::from_slice(&bytes).map_err(|source| MapError::Json {
-        path: file.clone(),
-        source,
-    })?;
-    check(&map).map_err(|reason| MapError::Damaged {
-        path: file.clone(),
-        reason,
-    })?;
+    let bytes = whole_file(&file, LARGEST).map_err(|source| not_a_map(&file, source))?;
+    let mut map: Map = serde_json::from_slice(&bytes).map_err(|source| not_a_map(&file, source))?;
+    check(&map).map_err(|reason| not_a_map(&file, reason))?;
     let path = folder.join("map.csv");
-    let misplaced = |row| MapError::Row {
-        path: path.clone(),
-        row,
+    let misplaced = |row| {
+        not_a_map(
+            &path,
+            format!("row {row} is not the point that map.json has there"),
+        )
     };
-    let table = whole_file(&path, LARGEST).map_err(|source| MapError::Open {
-        path: path.clone(),
-        source,
-    })?;
+    let table = whole_file(&path, LARGEST).map_err(|source| not_a_map(&path, source))?;
     let rows = own::rows::<PointRow<'_>>(&table).map_err(|fault| match fault {
         OwnFault::NotFinite { row, .. } => misplaced(row),
-        source => MapError::Csv {
-            path: path.clone(),
-            source,
-        },
+        source => not_a_map(&path, source),
     })?;
     let count = map.axes.points();
     let expected = count * map.finishes.len();
@@ -126,7 +80,7 @@ pub fn read(folder: &Path) -> Result<Map, MapError> {
     }
     for (file, name) in [(file, "map.json"), (path, "map.csv")] {
         if check_written(folder, &[name]).is_err() {
-            return Err(MapError::Changed { path: file });
+            return Err(changed(&file));
         }
     }
     Ok(map)

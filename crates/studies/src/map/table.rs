@@ -1,9 +1,11 @@
 //! Table of a map with one row per point.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use std::borrow::Cow;
 use std::path::Path;
 
-use asperity_report::{ReportError, tables};
+use asperity_report::tables;
 use serde::{Deserialize, Serialize};
 
 use super::point::{FinishMap, Map, Numbers, Point};
@@ -29,7 +31,7 @@ pub(super) struct PointRow<'a> {
     mu_equivalent: Option<f64>,
     mixed_share: Option<f64>,
     outside: Cow<'a, str>,
-    code: Cow<'a, str>,
+    code: Option<Code>,
     loss_torque_deviation_nm: Option<f64>,
     film_w: Option<f64>,
     lubricated_asperity_w: Option<f64>,
@@ -67,7 +69,7 @@ impl<'a> PointRow<'a> {
             mu_equivalent: numbers.and_then(|n| n.mu_equivalent),
             mixed_share: of(|n| n.mixed_share),
             outside: Cow::Owned(point.outside.join(SEPARATOR)),
-            code: Cow::Borrowed(point.code.as_deref().unwrap_or_default()),
+            code: point.code,
             loss_torque_deviation_nm: numbers.and_then(|n| n.loss_torque_deviation_nm),
             film_w: of(|n| n.film_w),
             lubricated_asperity_w: of(|n| n.lubricated_asperity_w),
@@ -100,7 +102,7 @@ impl<'a> PointRow<'a> {
                 mixed_share: self.mixed_share?,
             })
         };
-        let code = (!self.code.is_empty()).then(|| self.code.to_string());
+        let code = self.code;
         let numbers = numbers();
         let marks = self
             .outside
@@ -118,7 +120,7 @@ impl<'a> PointRow<'a> {
 }
 
 /// Writes all points of all finishes.
-pub(super) fn write(map: &Map, file: &Path) -> Result<(), ReportError> {
+pub(super) fn write(map: &Map, file: &Path) -> Result<(), Fault> {
     let rows = map.finishes.iter().flat_map(|finish| {
         let points = finish.points.iter();
         points.map(move |point| PointRow::of(finish, point))

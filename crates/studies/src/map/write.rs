@@ -1,8 +1,9 @@
 //! Output of a map: `map.json`, `map.csv`, `map.html`, and its exports in `export`.
 
+use asperity_core::Fault;
 use std::path::{Path, PathBuf};
 
-use asperity_report::{ReportError, StudyResult, make_folder, write_bytes};
+use asperity_report::{StudyResult, make_folder, write_bytes};
 
 use super::page;
 use super::point::Map;
@@ -34,7 +35,7 @@ impl StudyResult for Map {
         page::render(self, extras.visited)
     }
 
-    fn write_tables(&self, extras: MapExtras<'_>, folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, extras: MapExtras<'_>, folder: &Path) -> Result<(), Fault> {
         if !extras.exports.is_empty() {
             let exports_folder = folder.join(EXPORTS);
             make_folder(&exports_folder)?;

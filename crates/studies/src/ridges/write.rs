@@ -1,10 +1,11 @@
 //! Output of a study of ridges: `ridges.json`, tables, page and summary.
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::result::ridges::FlankWatts;
+use asperity_report::StudyResult;
 use asperity_report::tables::{BODIES, write as write_table};
-use asperity_report::{ReportError, StudyResult};
 use serde::Serialize;
 
 use super::page;
@@ -24,7 +25,7 @@ impl StudyResult for RidgeStudy {
         page::render(&self.found)
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         write_table(&folder.join("ridges.csv"), &self.found.rows)?;
         write_table(&folder.join("octaves.csv"), &self.found.octaves)?;
         for (name, flank) in BODIES.iter().zip(&self.flanks) {

@@ -88,7 +88,7 @@ fn table(study: &Sensitivity) -> Markup {
                 td.number { (difference(effect)) } td.number { (share(effect)) }
                 @for part in parts(effect) { td.number { (part) } }
             }
-            @if let Some(refused) = &row.refused { td colspan="6" { (refused.code) " " (refused.message) } }
+            @if let Some(refused) = &row.refused { td colspan="6" { (refused.code.as_str()) " " (refused.message) } }
         } } }
     } } }
 }

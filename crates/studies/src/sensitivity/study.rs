@@ -8,6 +8,7 @@ use asperity::result::{Losses, Summary};
 use asperity::train::settled;
 use asperity::uncertainty::sampling_interval;
 use asperity::{Contacts, Error, PositionError};
+use asperity_core::Code;
 use asperity_core::quantity::Power;
 use serde::Serialize;
 
@@ -59,7 +60,7 @@ impl SensitivityRow {
 #[non_exhaustive]
 pub struct Refused {
     /// Code of the error.
-    pub code: String,
+    pub code: Code,
     /// Message.
     pub message: String,
 }

@@ -27,7 +27,10 @@ pub(super) fn summary(study: &Sensitivity) -> String {
     ));
     for row in &study.rows {
         let Some(effect) = &row.effect else {
-            let code = row.refused.as_ref().map_or("", |refused| &refused.code);
+            let code = row
+                .refused
+                .as_ref()
+                .map_or("", |refused| refused.code.as_str());
             text.push_str(&format!(
                 "{:width$} {:>20}\n",
                 name(row),

@@ -1,9 +1,11 @@
 //! Output of a sensitivity study: `sensitivity.json`, table, page and summary.
 
+use asperity_core::Code;
+use asperity_core::Fault;
 use std::path::Path;
 
+use asperity_report::StudyResult;
 use asperity_report::tables::write as write_table;
-use asperity_report::{ReportError, StudyResult};
 use serde::Serialize;
 
 use super::page;
@@ -23,7 +25,7 @@ impl StudyResult for Sensitivity {
         page::render(self)
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         write_table(&folder.join("sensitivity.csv"), rows(self))
     }
 }
@@ -41,7 +43,7 @@ struct ChangeRow<'a> {
     lubricated_asperity_w: Option<f64>,
     boundary_w: Option<f64>,
     rolling_w: Option<f64>,
-    code: &'a str,
+    code: Option<Code>,
 }
 
 fn rows(study: &Sensitivity) -> impl Iterator<Item = ChangeRow<'_>> {
@@ -59,7 +61,7 @@ fn rows(study: &Sensitivity) -> impl Iterator<Item = ChangeRow<'_>> {
             lubricated_asperity_w: effect.map(|effect| effect.lubricated_asperity_w),
             boundary_w: effect.map(|effect| effect.boundary_w),
             rolling_w: effect.map(|effect| effect.rolling_w),
-            code: row.refused.as_ref().map_or("", |refused| &refused.code),
+            code: row.refused.as_ref().map(|refused| refused.code),
         }
     })
 }

@@ -1,5 +1,6 @@
 //! The cases of a study by number.
 
+use asperity_core::Code;
 use std::collections::BTreeSet;
 
 use asperity::case::nearest_name;
@@ -146,7 +147,7 @@ impl CaseList {
             if checked.insert(key) {
                 let mut input = study.case.input.clone();
                 match set(&mut input, &study.case.defaults, key, value) {
-                    Err(unknown) if unknown.code() == "E203" => return Err(unknown),
+                    Err(unknown) if unknown.code() == Code::E203 => return Err(unknown),
                     // A value that cannot be set is an error of its cases.
                     _ => {}
                 }

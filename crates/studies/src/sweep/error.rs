@@ -1,6 +1,9 @@
 //! Errors of studies.
 
-use std::path::PathBuf;
+use asperity_core::Code;
+use asperity_core::Fault;
+use asperity_storage::StorageError;
+use std::path::{Path, PathBuf};
 
 use asperity::PositionError;
 use asperity::case::did_you_mean;
@@ -23,14 +26,6 @@ fn with_other_inputs(others: &[PathBuf]) -> String {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// A file cannot be opened.
-    #[error("{path}: {source}")]
-    Open {
-        /// The file.
-        path: PathBuf,
-        /// Reason given by the system.
-        source: std::io::Error,
-    },
     /// The study is not valid TOML, or has unknown keys.
     #[error("{path}: {message}")]
     Study {
@@ -58,12 +53,9 @@ pub enum SweepError {
     /// The case of the study cannot be read.
     #[error("{0}")]
     Case(#[from] Box<asperity::Error>),
-    /// Parts cannot be written.
+    /// An error that no caller distinguishes from others.
     #[error(transparent)]
-    Storage(#[from] asperity_storage::StorageError),
-    /// A table or page cannot be written.
-    #[error(transparent)]
-    Report(#[from] asperity_report::ReportError),
+    Fault(#[from] Fault),
     /// A file that a case reads has changed since the study was loaded.
     #[error("{file}: changed while the study was run; run it again")]
     Changed {
@@ -103,6 +95,12 @@ pub enum SweepError {
     },
 }
 
+/// The error of a file that cannot be opened.
+pub(super) fn unopened(path: &Path, reason: std::io::Error) -> SweepError {
+    let fault = Fault::new(Code::E103, format!("{}: {reason}", path.display()));
+    SweepError::Fault(fault.caused_by(reason))
+}
+
 impl SweepError {
     pub(super) fn key(key: &str, rule: impl Into<String>) -> Self {
         Self::Key {
@@ -115,17 +113,15 @@ impl SweepError {
 impl SweepError {
     /// Stable code.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> Code {
         match self {
-            Self::Open { .. } => "E103",
-            Self::Study { .. } => "E202",
-            Self::Column { .. } => "E203",
-            Self::Key { .. } => "E204",
+            Self::Study { .. } => Code::E202,
+            Self::Column { .. } => Code::E203,
+            Self::Key { .. } => Code::E204,
             Self::Case(error) => error.code(),
-            Self::Storage(_) => "E401",
-            Self::Report(error) => error.code(),
-            Self::Missing { .. } | Self::Changed { .. } => "E309",
-            Self::Part { .. } | Self::Contradiction { .. } => "E402",
+            Self::Fault(fault) => fault.code(),
+            Self::Missing { .. } | Self::Changed { .. } => Code::E309,
+            Self::Part { .. } | Self::Contradiction { .. } => Code::E402,
         }
     }
 
@@ -138,10 +134,10 @@ impl SweepError {
     }
 
     /// Error code of a single case, for its row.
-    pub(super) fn code_of_case(&self) -> String {
+    pub(super) fn code_of_case(&self) -> Code {
         match self {
-            Self::Case(error) => error.code().to_owned(),
-            _ => "E204".to_owned(),
+            Self::Case(error) => error.code(),
+            _ => Code::E204,
         }
     }
 }
@@ -149,5 +145,21 @@ impl SweepError {
 impl From<asperity::Error> for SweepError {
     fn from(error: asperity::Error) -> Self {
         Self::Case(Box::new(error))
+    }
+}
+
+impl From<SweepError> for Fault {
+    fn from(error: SweepError) -> Self {
+        match error {
+            SweepError::Case(error) => (*error).into(),
+            SweepError::Fault(fault) => fault,
+            error => Self::of(error.code(), error),
+        }
+    }
+}
+
+impl From<StorageError> for SweepError {
+    fn from(error: StorageError) -> Self {
+        Self::Fault(error.into())
     }
 }

@@ -140,12 +140,8 @@ pub(super) fn close(
 /// Creates the folder of the parts.
 pub(super) fn make_folder_of_parts(study: &Study, folder: &Path) -> Result<(), SweepError> {
     let folder_of_parts = folder_of_parts(study, folder);
-    fs::create_dir_all(&folder_of_parts).map_err(|source| {
-        SweepError::Storage(StorageError::Io {
-            path: folder_of_parts.clone(),
-            source,
-        })
-    })
+    fs::create_dir_all(&folder_of_parts).map_err(StorageError::io(&folder_of_parts))?;
+    Ok(())
 }
 
 /// Begin of the line with the name of the study, above the table of a part.

@@ -1,5 +1,6 @@
 //! Plan of a study before it runs.
 
+use asperity_core::Code;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -25,7 +26,7 @@ pub struct Plan {
     /// Number of cases that were resolved: all, of many the corners of the axes and a sample.
     pub checked: usize,
     /// Cases among them that cannot be resolved, by code: their number, and the first of them with its message.
-    pub refused: BTreeMap<String, Refused>,
+    pub refused: BTreeMap<Code, Refused>,
     /// Estimated time on the threads of the pool \[s\], from a few cases that were run.
     pub seconds: f64,
     /// Estimated size of the table \[bytes\].

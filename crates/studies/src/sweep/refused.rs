@@ -1,5 +1,6 @@
 //! Cases that cannot be resolved, determined before any case is run.
 
+use asperity_core::Code;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -55,7 +56,7 @@ pub(super) fn refusals(
     list: &CaseList,
     numbers: &[usize],
     watch: &(dyn Fn(usize, usize) + Sync),
-) -> Result<BTreeMap<String, Refused>, SweepError> {
+) -> Result<BTreeMap<Code, Refused>, SweepError> {
     let done = AtomicUsize::new(0);
     let refusals = numbers
         .par_iter()
@@ -70,8 +71,8 @@ pub(super) fn refusals(
                 Err(refused) => Some(Ok((*number, refused.code_of_case(), refused.to_string()))),
             }
         })
-        .collect::<Result<Vec<(usize, String, String)>, SweepError>>()?;
-    let mut refused: BTreeMap<String, Refused> = BTreeMap::new();
+        .collect::<Result<Vec<(usize, Code, String)>, SweepError>>()?;
+    let mut refused: BTreeMap<Code, Refused> = BTreeMap::new();
     for (first, code, message) in refusals {
         let entry = refused.entry(code).or_insert(Refused {
             count: 0,

@@ -1,5 +1,6 @@
 //! The work of a shard.
 
+use asperity_core::Code;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -73,7 +74,7 @@ pub enum Event<'a> {
     /// The cases of the shard are resolved, of many the corners of the axes and a sample; none has been run.
     Checked {
         /// Cases that cannot be resolved, by code; each becomes a row with its code.
-        refused: &'a BTreeMap<String, Refused>,
+        refused: &'a BTreeMap<Code, Refused>,
         /// Number of cases resolved.
         checked: usize,
         /// Number of cases to run.
@@ -196,7 +197,7 @@ fn uses_store(study: &Study, train: &Train) -> bool {
 /// The row of a case, or its code where it cannot be resolved.
 fn row(
     study: &Study,
-    (number, inputs, case): (usize, CaseInputs, Result<(Train, String), String>),
+    (number, inputs, case): (usize, CaseInputs, Result<(Train, String), Code>),
     names: &[String],
     store: &ContactStore,
 ) -> Vec<String> {
@@ -205,7 +206,7 @@ fn row(
         Ok((case, id)) => {
             let with_draws = names.iter().any(|name| needs_draws(name));
             let found = result(study, &case, store, with_draws);
-            (id, found.map_err(|error| error.code().to_owned()))
+            (id, found.map_err(|error| error.code()))
         }
     };
     let mut row = vec![number.to_string(), id];
@@ -217,7 +218,7 @@ fn row(
         }
         Err(code) => {
             row.extend(names.iter().map(|_| String::new()));
-            (String::new(), code)
+            (String::new(), code.to_string())
         }
     };
     row.extend([outside, code]);
@@ -242,8 +243,8 @@ fn result(
 ) -> Result<Found, Error> {
     let with_contacts = study.input.detail.unwrap_or_default() == Detail::Contacts;
     let codes = |warnings: &[Warning]| {
-        let codes = warnings.iter().map(|warning| warning.code.to_string());
-        codes.collect::<BTreeSet<String>>()
+        let codes = warnings.iter().map(|warning| warning.code);
+        codes.collect::<BTreeSet<Code>>()
     };
     let (found, summaries, mut outside) = match with_contacts {
         true => {
@@ -252,7 +253,7 @@ fn result(
             let (summaries, outside): (Vec<_>, Vec<_>) = meshes
                 .map(|mesh| (mesh.summary, codes(&mesh.warnings)))
                 .unzip();
-            let outside: BTreeSet<String> = outside.into_iter().flatten().collect();
+            let outside: BTreeSet<Code> = outside.into_iter().flatten().collect();
             (found.whole, summaries, outside)
         }
         false => {
@@ -271,7 +272,7 @@ fn result(
     };
     let mut parts = found.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
     if parts.any(|part| !part.outside.is_empty()) {
-        outside.insert("W401".to_owned());
+        outside.insert(Code::W401);
     }
     let numbers = match (case.only(), &summaries[..]) {
         (Some(_), [summary]) => serde_json::to_value(summary).unwrap_or_default(),
@@ -284,7 +285,7 @@ fn result(
             let [low, high] = drawn.quantiles_w;
             [drawn.median_w, low, high]
         }),
-        outside: outside_codes(outside.iter().map(String::as_str)),
+        outside: outside_codes(outside),
     })
 }
 

@@ -1,6 +1,7 @@
 //! Keys of a case that a study sets.
 
 use asperity::case::{CaseInput, DefaultUsed};
+use asperity_core::Code;
 use toml::Value;
 
 use super::error::SweepError;
@@ -38,7 +39,7 @@ pub(super) fn set(
     };
     let Some(mut values) = given else {
         return Err(match input.clone().set(list, value) {
-            Err(error) if error.code() == "E203" => error.into(),
+            Err(error) if error.code() == Code::E203 => error.into(),
             _ => SweepError::key(key, "is not a list of the case"),
         });
     };

@@ -7,7 +7,7 @@ use asperity::fingerprint::Fingerprint;
 use asperity_storage::{whole_file, whole_text};
 
 use super::axes::Axes;
-use super::error::SweepError;
+use super::error::{SweepError, unopened};
 use super::study_input::StudyInput;
 
 /// Name of a study that was not read from a file.
@@ -43,10 +43,7 @@ impl Study {
     /// # Errors
     /// When either cannot be read.
     pub fn load(file: &Path) -> Result<Self, SweepError> {
-        let text = whole_text(file, LARGEST_STUDY).map_err(|source| SweepError::Open {
-            path: file.to_owned(),
-            source,
-        })?;
+        let text = whole_text(file, LARGEST_STUDY).map_err(|source| unopened(file, source))?;
         let folder = file.parent().unwrap_or(Path::new("")).to_owned();
         let input: StudyInput = toml::from_str(&text).map_err(|error| SweepError::Study {
             path: file.to_owned(),
@@ -92,7 +89,7 @@ impl Study {
             Some(list) => {
                 let path = folder.join(list);
                 let bytes = whole_file(&path, LARGEST_TABLE);
-                Some(bytes.map_err(|source| SweepError::Open { path, source })?)
+                Some(bytes.map_err(|source| unopened(&path, source))?)
             }
         };
         let axes = Axes::of(&input)?;

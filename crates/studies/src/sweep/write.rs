@@ -1,9 +1,10 @@
 //! Output of a merged study: `sweep.csv`, `sweep.json`, `effects.csv`, `sweep.html` and summary.
 
+use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::message::explain;
-use asperity_report::{ReportError, StudyResult, tables, write_bytes};
+use asperity_report::{StudyResult, tables, write_bytes};
 use asperity_storage::one_line;
 use serde::Serialize;
 
@@ -24,7 +25,7 @@ impl StudyResult for Merged {
         page::render(self)
     }
 
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
         write_bytes(&folder.join("sweep.csv"), &self.table)?;
         effects_table(self, &folder.join("effects.csv"))
     }
@@ -68,7 +69,7 @@ fn summary(merged: &Merged) -> String {
     text
 }
 
-fn effects_table(merged: &Merged, file: &Path) -> Result<(), ReportError> {
+fn effects_table(merged: &Merged, file: &Path) -> Result<(), Fault> {
     #[derive(Serialize)]
     struct EffectColumns<'a> {
         output: &'a str,

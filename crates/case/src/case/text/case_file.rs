@@ -15,8 +15,8 @@ use super::symbols::with_keys;
 use super::written;
 use crate::case::error::CaseError;
 use crate::case::input::{CaseInput, TEMPERATURE_KEYS};
-use crate::case::place::Place;
 use crate::case::source::Source;
+use asperity_core::Place;
 
 /// A kind of file with keys.
 pub(super) trait CaseFile: Serialize + DeserializeOwned {

@@ -25,6 +25,7 @@ use crate::case::source::{MeshKeys, Source};
 use crate::case::train::Train;
 use crate::case::train_input::OfAllMeshes;
 use crate::error::Error;
+use asperity_core::message::Code;
 
 /// No case has more errors than keys.
 const MAX_ERRORS: usize = 200;
@@ -107,7 +108,7 @@ fn all(
 }
 
 /// Identity of an error: its code with its line, or with its text if it has no line.
-fn identity(error: &CaseError) -> (&'static str, Option<usize>, String) {
+fn identity(error: &CaseError) -> (Code, Option<usize>, String) {
     let line = error.place().and_then(|place| place.line);
     let text = line.map_or_else(|| error.to_string(), |_| String::new());
     (error.code(), line, text)

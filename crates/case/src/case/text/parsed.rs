@@ -10,8 +10,8 @@ use toml::{Table, Value};
 use super::keyed::from_keys;
 use super::symbols::{key_of_symbol, key_of_text, moved, name_viscosity_law};
 use crate::case::error::CaseError;
-use crate::case::place::Place;
 use crate::case::source::{Source, is_within};
+use asperity_core::Place;
 
 impl Source {
     /// Indexes `text`; JSON when the name ends in `.json`, TOML otherwise.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use serde::Serialize;
 
 /// Name of a case that was not read from a file.
-pub(super) const IN_MEMORY: &str = "case";
+pub const IN_MEMORY: &str = "case";
 
 /// A place in a case.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -27,7 +27,8 @@ pub struct Place {
 
 impl Place {
     /// The place with this key.
-    pub(super) fn about(self, key: &str) -> Self {
+    #[must_use]
+    pub fn about(self, key: &str) -> Self {
         Self {
             key: Some(key.to_owned()),
             ..self

@@ -1,0 +1,86 @@
+//! Warnings about a result.
+
+use std::collections::BTreeSet;
+
+use serde::{Deserialize, Serialize};
+
+use super::Code;
+
+/// A warning about a result.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Warning {
+    /// Stable code, `W402`.
+    pub code: Code,
+    /// Values found and expected.
+    pub text: String,
+    /// Component of the uncertainty that the warning is about, if its code leaves it open.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub about: Option<Subject>,
+}
+
+/// Component of the uncertainty that a warning can be about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Subject {
+    /// Pressure-viscosity coefficient of the oil.
+    PressureViscosity,
+    /// Tip relief that is not stated.
+    TipRelief,
+    /// Error of the fast model.
+    FastModel,
+    /// Sampling of the flanks.
+    Sampling,
+    /// Lay beyond the records of mixed lubrication.
+    Lay,
+}
+
+impl Warning {
+    /// A warning of this code.
+    pub fn new(code: Code, text: impl Into<String>) -> Self {
+        Self {
+            code,
+            text: text.into(),
+            about: None,
+        }
+    }
+
+    /// The warning with `more` behind its text.
+    #[must_use]
+    pub fn with(&self, more: &str) -> Self {
+        Self {
+            code: self.code,
+            text: self.text.clone() + more,
+            ..*self
+        }
+    }
+}
+
+/// Codes of the warnings about an input outside of a fitted, tested or usual range.
+const OUTSIDE: [Code; 6] = [
+    Code::W401,
+    Code::W402,
+    Code::W403,
+    Code::W405,
+    Code::W428,
+    Code::W443,
+];
+
+/// The column `outside` of a table of cases: distinct codes of warnings about an input outside of its range, with spaces.
+///
+/// ```
+/// use asperity_core::message::{Code, outside_codes};
+/// let codes = [Code::W443, Code::W409, Code::W401, Code::W401];
+/// assert_eq!(outside_codes(codes), "W401 W443");
+/// ```
+pub fn outside_codes(codes: impl IntoIterator<Item = Code>) -> String {
+    let codes = codes.into_iter().filter(|code| OUTSIDE.contains(code));
+    let codes = BTreeSet::from_iter(codes).into_iter().map(Code::as_str);
+    Vec::from_iter(codes).join(" ")
+}
+
+impl std::fmt::Display for Warning {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} {}", self.code, self.text)
+    }
+}
