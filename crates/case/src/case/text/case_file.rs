@@ -344,7 +344,7 @@ pub(super) fn read_part<T: DeserializeOwned>(
     from_table(root).map_err(|error| value_error(error, schema, place))
 }
 
-/// What cannot be read: its key and the message, in the words of the schema.
+/// The error about a value that cannot be read, by its key and the message, in the words of the schema.
 fn value_error(
     (key, message): (Option<String>, String),
     schema: &Json,
