@@ -73,6 +73,9 @@ pub struct LoadedMesh {
     pub case: LoadedCase,
 }
 
+/// Completion of the case of a mesh, which has parts if it has a name.
+type Completion<'a> = &'a dyn Fn(&CaseInput, Option<&MeshParts>) -> Result<LoadedCase, CaseError>;
+
 impl From<LoadedCase> for Train {
     /// A train of one mesh.
     fn from(case: LoadedCase) -> Self {
@@ -214,7 +217,7 @@ impl Train {
         input: CaseInput,
         source: &Source,
         files: Reader<'_>,
-        case: &dyn Fn(&CaseInput, Option<&MeshParts>) -> Result<LoadedCase, CaseError>,
+        case: Completion<'_>,
     ) -> Result<Self, CaseError> {
         if !input.names_meshes() {
             return case(&input, None).map(Self::from);

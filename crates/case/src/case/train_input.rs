@@ -27,6 +27,9 @@ use super::train_heat_input::HeatInput;
 use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, mesh_folder, refused};
 use crate::message::Warning;
 
+/// The case of a mesh, with its keys in a case whose meshes have names.
+pub(super) type CaseOfMesh = (CaseInput, Option<Arc<MeshKeys>>);
+
 /// The tables of a case with named meshes that are not of a single mesh: what a mesh has is judged with its case.
 pub(super) struct OfAllMeshes<'a>(pub &'a CaseInput);
 
@@ -77,7 +80,7 @@ impl CaseInput {
         &self,
         source: &Source,
         files: Reader<'_>,
-    ) -> Result<Vec<(Self, Option<Arc<MeshKeys>>)>, CaseError> {
+    ) -> Result<Vec<CaseOfMesh>, CaseError> {
         if !self.names_meshes() {
             return Ok(vec![(self.clone(), None)]);
         }
