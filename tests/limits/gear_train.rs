@@ -68,6 +68,45 @@ fn run(train: &Train, band: bool) -> Whole {
         .whole
 }
 
+#[test]
+fn a_pair_of_gears_is_a_train_of_one_mesh() {
+    let outcome = |shaft: &str, gears: &str| {
+        let seal = format!("gearbox.seals = [{{ shaft = \"{shaft}\", diameter = \"40 mm\" }}]");
+        let text = format!("title = \"one mesh\"\n{gears}\n{seal}\n{COMMON}[surface]{FLANKS}");
+        let source = Source::from_bytes("one.toml", text.as_bytes()).unwrap();
+        let loaded = Train::load_set(source, &profiles(), &[], &|_| {}).unwrap();
+        let outcome = train::run(&loaded, Some(&KeptFields::Highest), true, &|_, _| {});
+        (loaded, outcome.unwrap())
+    };
+    let (loaded, pair) = outcome("pinion", &format!("gears = {}", GEARS[0]));
+    let named = format!(
+        "train.input = \"s0\"\nmesh.m = {{ shafts = [\"s0\", \"s1\"], gears = {} }}",
+        GEARS[0]
+    );
+    let (of_named, named) = outcome("s0", &named);
+    // The result of a pair is the result of its mesh; a named mesh is in the result of a train.
+    let only = &pair.only().unwrap().result;
+    assert!(loaded.only().is_some() && of_named.only().is_none() && named.only().is_none());
+    let json = |outcome| serde_json::to_value(outcome).unwrap();
+    assert_eq!(json(&pair), serde_json::to_value(only).unwrap());
+    assert_eq!(json(&named), serde_json::to_value(&named.whole).unwrap());
+    // Both lose the same, with the same interval and the same parts of the gearbox.
+    assert_eq!(only.path, named.meshes[0].result.path);
+    assert_eq!(only.summary.loss_w, named.whole.loss_w);
+    assert_eq!(pair.whole.loss_distribution, named.whole.loss_distribution);
+    assert_eq!(pair.whole.gearbox, named.whole.gearbox);
+    assert_eq!(only.gearbox, named.whole.gearbox);
+    let loss = only.uncertainty.as_ref().unwrap().loss.quantiles_w;
+    assert_eq!(pair.whole.loss_distribution.unwrap().quantiles_w, loss);
+    let torques = |outcome: &Whole| {
+        let shafts = outcome.shafts.iter();
+        shafts
+            .map(|shaft| (shaft.torque_nm, shaft.power_w))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(torques(&pair.whole), torques(&named.whole));
+}
+
 /// A single mesh as a case of its own, in the text of a case file.
 fn single(gears: &str, row: &MeshRow) -> RunResult {
     let operation = COMMON

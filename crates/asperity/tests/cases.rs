@@ -157,6 +157,33 @@ fn every_shipped_case_reads_back_from_what_it_is_written_as() {
         let json = input.store(serde_json::value::Serializer).unwrap();
         assert_eq!(CaseInput::stored(json).unwrap(), input);
     }
+    // A case with named meshes, whose steel and flanks are stored only as far as they are stated.
+    let named = r#"
+        train.input = "in"
+        mesh.m = { shafts = ["in", "out"], gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }, surface.wheel.rq = "0.2 um" }
+        operation = { torque = "145 N m", speed = "9000 1/min", bulk_temperature = "90 °C" }
+        lubricant = { oil = "m100" }
+        surface = { pinion.rq = "0.3 um" }
+        gearbox.jets = [{ mesh = "m", flow = "2 l/min", speed = "20 m/s" }]
+    "#;
+    let input: CaseInput = named.parse().unwrap();
+    assert!(input.names_meshes());
+    let again: CaseInput = input.to_toml().unwrap().parse().unwrap();
+    assert_eq!(again, input);
+    let json = input.store(serde_json::value::Serializer).unwrap();
+    assert_eq!(json["material"], serde_json::json!({}));
+    let keys = |table: &serde_json::Value| -> Vec<String> {
+        table.as_object().unwrap().keys().cloned().collect()
+    };
+    assert_eq!(keys(&json["surface"]), ["pinion"]);
+    assert_eq!(keys(&json["mesh"]["m"]["surface"]), ["wheel"]);
+    assert!(json.get("gears").is_none());
+    assert_eq!(CaseInput::stored(json).unwrap(), input);
+    // A key of the one kind is none of the other.
+    let pair: CaseInput = text("e-drive.toml").parse().unwrap();
+    for (mut case, key) in [(pair, "heat.ambient"), (input, "gears.module")] {
+        assert_eq!(case.set(key, "1 mm").unwrap_err().code(), "E203", "{key}");
+    }
 }
 
 #[test]

@@ -301,6 +301,14 @@ fn a_planetary_set_is_the_run_of_its_two_meshes() {
             .to_string()
             .contains("has several meshes: \"sun and planet\"")
     );
+    for (train, says) in [(&pair, "has a single mesh"), (&set, "has no mesh \"m1\"")] {
+        let error = train.of_mesh("m1").unwrap_err();
+        assert_eq!(error.code(), "E205");
+        assert!(error.to_string().contains(says), "{error}");
+    }
+    let only = set.of_mesh("sun and planet").unwrap();
+    let torques = [&only, &set].map(|train| train.cases().next().unwrap().case.torque);
+    assert_eq!(torques[0], torques[1]);
 }
 
 #[test]

@@ -1,5 +1,4 @@
-//! The results of a run of a case, whatever its number of meshes: those of its only mesh, or of a train as a whole and of every
-//! mesh.
+//! The results of a run of a case, whatever its number of meshes: of its only mesh, or of a train as a whole and of every mesh.
 
 use std::path::Path;
 
@@ -22,7 +21,7 @@ use asperity_core::Fault;
 /// Kind of the folder in messages.
 const KIND: &str = "result";
 
-/// The results of a run, of which one is written and printed: that of the only mesh, or that of the whole.
+/// The results of a run: of the only mesh, or of a train as a whole with its meshes.
 #[derive(Debug, Clone, Copy)]
 pub struct Results<'a> {
     /// The train as a whole; `None` if a mesh is all of it.
@@ -61,7 +60,7 @@ pub fn check_place(target: &Path) -> Result<(), Fault> {
 ///
 /// The folder of a mesh holds `result.json`, `path.csv`, `load.csv`, tables of losses, friction laws and offsets, and
 /// `report.html` with the thinned tables it is drawn from; with `fields` also `load_map.csv`, tables of the flanks,
-/// `convergence.csv`, and a folder `position_NN` for each position. That of a train holds `train.json` (`planetary.json` of a
+/// `convergence.csv`, and a folder `position_NN` for each position. The folder of a train holds `train.json` (`planetary.json` of a
 /// case `[planetary]`), `meshes.csv`, `shafts.csv`, `report.html`, and such a folder for each kind of mesh. An older result is
 /// replaced; anything else is left unchanged and is an error.
 ///
@@ -138,7 +137,7 @@ impl<'a> Results<'a> {
         }
     }
 
-    /// Every mesh, with its folder in that of the whole.
+    /// Every mesh, with its folder in the folder of the whole.
     fn places(self) -> impl Iterator<Item = (Option<String>, &'a Outcome)> {
         let rows = self.whole.map_or(&[][..], |whole| &whole.meshes).iter();
         let places = rows.map(|row| Some(mesh_folder(&row.mesh)));

@@ -236,7 +236,7 @@ pub struct Outcomes {
 }
 
 impl Outcomes {
-    /// The only mesh of a case, which has no name: its result is that of the case.
+    /// The only mesh of a case, which has no name and whose result is the result of the case.
     #[must_use]
     pub fn only(&self) -> Option<&Outcome> {
         match (&self.whole.meshes[..], &self.meshes[..]) {

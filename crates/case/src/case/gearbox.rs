@@ -12,26 +12,13 @@ use asperity_efficiency::loss_table::LossTable;
 use asperity_efficiency::rolling_bearing::{BearingConstants, BearingForm, RollingBearing};
 use asperity_efficiency::shaft_seal::seal_torque;
 use asperity_gear::gear_train::GearTrain;
-use serde::{Deserialize, Serialize};
 
 use super::error::CaseError;
 use super::files::{Content, Reader};
-use super::gearbox_input::{BearingInput, BearingKind, GearboxInput};
+use super::gearbox_input::{BearingInput, BearingKind, GearboxInput, Hand};
 use super::section::Section;
-use super::shafting::Shafting;
 use super::source::Source;
 use crate::loss_table::read;
-
-/// Direction of a helix.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum Hand {
-    /// Left-handed.
-    Left,
-    /// Right-handed.
-    Right,
-}
 
 /// Place of a mesh in the gearbox.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -189,7 +176,8 @@ impl GearboxInput {
         }
         if let Some(file) = &self.loss_table {
             let (name, table) = table(file, (section, "loss_table"), files)?;
-            let (shaft, against) = (Shafting::INPUT, None);
+            // The input shaft is the first.
+            let (shaft, against) = (0, None);
             let kind = PartKind::Table { table, against };
             parts.push(Part { name, shaft, kind });
         }

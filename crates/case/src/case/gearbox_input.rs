@@ -188,6 +188,17 @@ table! {
     speed: Speed = "m/s" usual [0.1, 150.0] possible [1e-3, 1000.0];
 }
 
+/// Direction of a helix.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum Hand {
+    /// Left-handed.
+    Left,
+    /// Right-handed.
+    Right,
+}
+
 impl BearingKind {
     /// S₂ of a usual series in SKF's catalogue.
     const fn usual_s2(self) -> f64 {

@@ -1,10 +1,10 @@
 //! Ranges of keys by their paths, for messages, documents and other programs.
 
 use super::input::CaseInput;
+use super::mesh_input::MESH;
 use super::ranges::{range_in_pair, row_of};
 use super::rows::{KeyPath, Limits, Ranged};
 use super::source::is_within;
-use super::train_input::MESH;
 
 /// Tables of a gear train, each with the table of a pair of gears whose rows it has.
 const ROWS_OF: [(&str, &str); 11] = [

@@ -34,11 +34,13 @@ mod gearbox;
 mod gearbox_input;
 mod gears;
 mod input;
+mod input_tables;
 mod key_ranges;
 mod law_names;
 mod lay;
 mod load_inputs;
 mod loaded;
+mod mesh_input;
 mod micropitting_input;
 mod model;
 mod nearest_name;
@@ -82,9 +84,9 @@ pub use flank_place::{FlankPlaceInput, TraceStart};
 pub use gear_input::{
     EndReliefInput, GearFlankInput, NoRelief, ReliefInput, ReliefSource, TipRelief,
 };
-pub use gearbox::{BearingLoads, Gearbox, Hand, MeshPlace, Part, PartKind};
+pub use gearbox::{BearingLoads, Gearbox, MeshPlace, Part, PartKind};
 pub use gearbox_input::{
-    BearingInput, BearingKind, GearboxInput, JetInput, MeshJetInput, SealInput, TableInput,
+    BearingInput, BearingKind, GearboxInput, Hand, JetInput, MeshJetInput, SealInput, TableInput,
 };
 pub use gears::gear_pair;
 pub use input::{

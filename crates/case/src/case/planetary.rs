@@ -5,64 +5,18 @@
 
 use std::sync::Arc;
 
-use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
+use asperity_core::quantity::{Angle, AngularSpeed, Torque};
 use asperity_gear::gear_train::{GearTrain, Shaft, Stage};
 use asperity_gear::planetary::{PlanetarySet, PlanetarySetInput};
-use serde::{Deserialize, Serialize};
 
 use super::defaults::Defaults;
 use super::error::CaseError;
-use super::gear_input::GearFlankInput;
 use super::input::{BodyInput, CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput};
+pub use super::mesh_input::PlanetaryInput;
 use super::one_or_two::OneOrTwo;
-use super::rows::limits;
 use super::shafting::StageKind;
 use super::source::{MeshKeys, Source};
 use super::train_parts::{MeshParts, StageParts, conflict, refused};
-
-/// Sun, planets and ring. Three values belong to sun, planet and ring.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct PlanetaryInput {
-    /// Tooth numbers; the ring's may be negative: `[27, 24, -75]`.
-    pub teeth: [i32; 3],
-    /// Number of planets.
-    pub planets: u32,
-    /// Normal module.
-    pub module: Length,
-    /// Helix angle β; default 0 deg.
-    pub helix: Option<Angle>,
-    /// Normal pressure angle; default 20 deg.
-    pub pressure_angle: Option<Angle>,
-    /// Face widths.
-    pub face_width: [Length; 3],
-    /// Profile shift coefficients; default `[0, 0, 0]`. A positive one brings the ring's teeth towards its axis.
-    pub profile_shift: Option<[f64; 3]>,
-    /// Distance of the planet axes from that of the sun; derived from the profile shifts when not given.
-    pub centre_distance: Option<Length>,
-    /// Tip diameters; derived from the addendum when not given.
-    pub tip_diameter: Option<[Length; 3]>,
-    /// Addendum in modules; default 1.
-    pub addendum: Option<f64>,
-    /// Speed of the ring; default 0, held.
-    pub ring_speed: Option<AngularSpeed>,
-    /// Load of the most loaded planet over the mean, K_γ, which raises pressures alone; default 1.
-    pub load_share_factor: Option<f64>,
-    /// Flanks, tip and root of the sun.
-    pub sun: Option<GearFlankInput>,
-    /// Flanks, tip and root of the planets.
-    pub planet: Option<GearFlankInput>,
-    /// Flanks, tip and root of the ring.
-    pub ring: Option<GearFlankInput>,
-}
-
-limits! {
-    PlanetaryInput;
-    planets = "" usual [1.0, 12.0] possible [1.0, 200.0];
-    ring_speed = "1/min" usual [-60_000.0, 60_000.0] possible [-1e6, 1e6];
-    load_share_factor = "" usual [1.0, 2.0] possible [0.1, 100.0];
-}
 
 /// Table of the set in a case.
 pub(super) const TABLE: &str = "planetary";

@@ -11,6 +11,8 @@ use asperity_core::message::{IN_MEMORY, Place};
 #[derive(Debug, Clone)]
 pub struct Source {
     pub(super) name: String,
+    /// Whether the text is JSON, not TOML.
+    pub(super) is_json: bool,
     pub(super) text: String,
     pub(super) values: BTreeMap<String, Range<usize>>,
     pub(super) keys: BTreeMap<String, Range<usize>>,
@@ -52,6 +54,7 @@ impl Source {
     pub(super) fn without_text(name: &str) -> Self {
         Self {
             name: name.to_owned(),
+            is_json: false,
             text: String::new(),
             values: BTreeMap::new(),
             keys: BTreeMap::new(),

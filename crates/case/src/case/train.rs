@@ -2,7 +2,7 @@
 //!
 //! A case with `[gears]` is a train of one mesh, which has no name. A case with `[mesh.NAME]` tables has several meshes; a case
 //! with `[planetary]` is a train of one planetary set. Oil, operating point and model are common to all meshes. Torque and
-//! speed of the operation are those of the input shaft.
+//! speed of the operation are at the input shaft.
 
 use std::path::{Path, PathBuf};
 
@@ -25,8 +25,8 @@ use crate::fingerprint::Fingerprint;
 use crate::flanks::Surfaces;
 use crate::message::Warning;
 
+pub use super::mesh_input::{MeshInput, PassedLosses, ShaftsInput};
 pub use super::train_heat_input::HeatInput;
-pub use super::train_input::{MeshInput, PassedLosses, ShaftsInput};
 pub use super::train_parts::mesh_folder;
 
 /// A case, ready to run: one or several meshes on shafts.
@@ -72,6 +72,9 @@ pub struct LoadedMesh {
     /// The case at its torque and speed.
     pub case: LoadedCase,
 }
+
+/// Completion of the case of a mesh, which has parts if it has a name.
+type Completion<'a> = &'a dyn Fn(&CaseInput, Option<&MeshParts>) -> Result<LoadedCase, CaseError>;
 
 impl From<LoadedCase> for Train {
     /// A train of one mesh.
@@ -129,7 +132,7 @@ impl Train {
         }
     }
 
-    /// The case of the only mesh, which has no name: a pair of gears, or a mesh of a train taken alone.
+    /// The case of the only mesh, which has no name: a pair of gears, or one mesh of a train.
     #[must_use]
     pub fn only(&self) -> Option<&LoadedCase> {
         match &self.stages[..] {
@@ -161,7 +164,7 @@ impl Train {
         Ok(only.ok_or_else(none)?.case)
     }
 
-    /// The mesh called `name` alone.
+    /// The case of the mesh called `name` only.
     ///
     /// # Errors
     /// When the case has no such mesh, or a single one.
@@ -214,7 +217,7 @@ impl Train {
         input: CaseInput,
         source: &Source,
         files: Reader<'_>,
-        case: &dyn Fn(&CaseInput, Option<&MeshParts>) -> Result<LoadedCase, CaseError>,
+        case: Completion<'_>,
     ) -> Result<Self, CaseError> {
         if !input.names_meshes() {
             return case(&input, None).map(Self::from);

@@ -5,23 +5,22 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
+use asperity_core::quantity::{AngularSpeed, Torque};
 use asperity_gear::gear_train::{GearTrain, Shaft, Stage};
-use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::bulk_input::BulkInput;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::Reader;
-use super::gearbox::{Hand, MeshPlace};
+use super::gearbox::MeshPlace;
 use super::input::{
     CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput, SurfaceInput, is_unstated,
     stated,
 };
-use super::planetary::{self, PlanetaryInput, SetOfCase};
+use super::mesh_input::{MeshInput, PassedLosses, PlanetaryInput};
+use super::planetary::{self, SetOfCase};
 use super::ranges::{Judged, refuse_impossible, unusual};
-use super::rows::{Judge, KeyPath, Ranged, limits};
+use super::rows::{Judge, KeyPath, Ranged};
 use super::section::domain;
 use super::shafting::StageKind;
 use super::source::{MeshKeys, Source};
@@ -29,8 +28,8 @@ use super::train_heat_input::HeatInput;
 use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, mesh_folder, refused};
 use crate::message::Warning;
 
-/// Name of a mesh in the paths of rows.
-pub(super) const MESH: &str = "NAME";
+/// The case of a mesh, with its keys in a case whose meshes have names.
+pub(super) type CaseOfMesh = (CaseInput, Option<Arc<MeshKeys>>);
 
 /// The tables of a case with named meshes that are not of a single mesh: what a mesh has is judged with its case.
 pub(super) struct OfAllMeshes<'a>(pub &'a CaseInput);
@@ -48,91 +47,6 @@ impl Ranged for OfAllMeshes<'_> {
         Ranged::visit(case.map(|case| &case.map), at.below("map"), judge);
         Ranged::visit(case.map(|case| &case.vehicle), at.below("vehicle"), judge);
     }
-}
-
-/// Meshes by their names.
-impl Ranged for BTreeMap<String, MeshInput> {
-    fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
-        let Some(meshes) = stated else {
-            return MeshInput::visit(None, at.below(MESH), judge);
-        };
-        for (name, mesh) in meshes {
-            MeshInput::visit(Some(mesh), at.below(name), judge);
-        }
-    }
-}
-
-limits! {
-    MeshInput;
-    at = "mm" usual [-5000.0, 5000.0] possible [-100_000.0, 100_000.0];
-    angle = "deg" usual [-360.0, 360.0] possible [-3600.0, 3600.0];
-    planetary => table;
-}
-
-/// Shafts at which the power enters and leaves a gear train.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct ShaftsInput {
-    /// Shaft with torque and speed of the operation.
-    pub input: String,
-    /// Shaft at which the power leaves; default: the only other end of the train.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub output: Option<String>,
-    /// Shafts that do not turn; a ring without a shaft is held.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub held: Vec<String>,
-    /// Torques of the meshes: `not-passed-on` (default), by the tooth numbers, or `passed-on`, lowered by the losses
-    /// of the meshes before.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub losses: Option<PassedLosses>,
-}
-
-/// Whether losses lower the torques of the following meshes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum PassedLosses {
-    /// Torques by the tooth numbers.
-    #[default]
-    NotPassedOn,
-    /// Torques lowered by the losses.
-    PassedOn,
-}
-
-/// A mesh of a gear train: a pair of gears, or a planetary set.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct MeshInput {
-    /// Shafts of pinion and wheel; of a planetary set sun and carrier, or sun, carrier and ring.
-    pub shafts: Vec<String>,
-    /// A pair of gears; the number of teeth of a ring is negative.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub gears: Option<GearsInput>,
-    /// A planetary set.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub planetary: Option<PlanetaryInput>,
-    /// Middle of the teeth along the shafts, for the loads of the bearings.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub at: Option<Length>,
-    /// Angle of the centre line from the pinion to the wheel about the axes, for the loads of the bearings of a shaft with
-    /// several meshes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub angle: Option<Angle>,
-    /// Direction of the helix of the pinion or sun, for the loads of the bearings: `left` or `right`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub hand: Option<Hand>,
-    /// Law of the bulk temperature of this mesh, such as the conductances of its gears to the oil; default
-    /// `operation.bulk`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub bulk: Option<BulkInput>,
-    /// Steel of this mesh.
-    #[serde(default, skip_serializing_if = "is_unstated")]
-    pub material: MaterialInput,
-    /// Flanks of this mesh, and the preparation of their traces.
-    #[serde(default, skip_serializing_if = "is_unstated")]
-    pub surface: SurfaceInput,
 }
 
 impl CaseInput {
@@ -167,7 +81,7 @@ impl CaseInput {
         &self,
         source: &Source,
         files: Reader<'_>,
-    ) -> Result<Vec<(Self, Option<Arc<MeshKeys>>)>, CaseError> {
+    ) -> Result<Vec<CaseOfMesh>, CaseError> {
         if !self.names_meshes() {
             return Ok(vec![(self.clone(), None)]);
         }

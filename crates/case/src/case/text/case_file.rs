@@ -298,7 +298,8 @@ fn replaced<T: CaseFile>(
     }
     table.insert(last.to_owned(), value);
     remove_replaced(table, path);
-    read_table(root, case.schema(), |_| place.clone())
+    // A case that is put together key by key may be incomplete.
+    read_part(root, case.schema(), |_| place.clone())
 }
 
 /// Removes from the table of the key at `path` the keys that it replaces.
@@ -344,7 +345,7 @@ pub(super) fn read_part<T: DeserializeOwned>(
     from_table(root).map_err(|error| value_error(error, schema, place))
 }
 
-/// What cannot be read: its key and the message, in the words of the schema.
+/// The error about a value that cannot be read, by its key and the message, in the words of the schema.
 fn value_error(
     (key, message): (Option<String>, String),
     schema: &Json,

@@ -126,8 +126,8 @@ fn read(
     })
 }
 
-/// Reads the case of a single mesh in the file `path`, and the traces it names; `formulation` takes precedence over that of the
-/// file.
+/// Reads the case of a single mesh in the file `path`, and the traces it names; `formulation` takes precedence over the
+/// formulation of the file.
 ///
 /// # Errors
 /// As for [`Train::load`], and when the case has several meshes.

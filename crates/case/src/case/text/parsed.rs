@@ -21,7 +21,8 @@ impl Source {
     pub fn new(name: &str, text: &str) -> Result<Self, CaseError> {
         let mut source = Self::without_text(name);
         text.clone_into(&mut source.text);
-        if source.is_json() {
+        source.is_json = source.has_ending("json");
+        if source.is_json {
             let value: serde_json::Value =
                 serde_json::from_str(text).map_err(|error| CaseError::Syntax {
                     place: source.at_line(error.line()),
@@ -60,10 +61,6 @@ impl Source {
                 })
             }
         }
-    }
-
-    fn is_json(&self) -> bool {
-        self.has_ending("json")
     }
 
     fn has_ending(&self, ending: &str) -> bool {
@@ -121,7 +118,7 @@ impl Source {
     }
 
     fn as_written(&self) -> Result<Table, CaseError> {
-        let (place, message) = match self.is_json() {
+        let (place, message) = match self.is_json {
             false => match toml::from_str(&self.text) {
                 Ok(table) => return Ok(table),
                 Err(error) => (self.at_span(error.span()), error.message().to_owned()),
