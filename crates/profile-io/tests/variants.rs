@@ -428,7 +428,9 @@ fn a_fault_that_repeats_says_what_the_file_seems_to_be() {
     let in_dialect = |separator: &str, comma: bool, bad: &dyn Fn(usize) -> String| -> String {
         let cell = |value: f64| text(value, comma);
         let row = |i: usize| match bad(i) {
-            bad if i >= 60 && i % 3 == 0 => format!("{}{separator}{bad}\n", cell(0.5 * i as f64)),
+            bad if i >= 60 && i.is_multiple_of(3) => {
+                format!("{}{separator}{bad}\n", cell(0.5 * i as f64))
+            }
             _ => format!("{}{separator}{}\n", cell(0.5 * i as f64), cell(z(i))),
         };
         format!("x [um]{separator}z [um]\n") + &(0..POINTS).map(row).collect::<String>()
@@ -816,5 +818,76 @@ fn a_matrix_whose_rows_start_with_their_numbers_has_the_points_that_it_states() 
         let other = body.replace("\n3", "\n5");
         let error = read_bytes("surface.txt", other.as_bytes(), &second).unwrap_err();
         assert_eq!(error.code(), "E117", "{head}: {error}");
+    }
+}
+
+#[test]
+fn a_trace_over_the_edge_of_a_flank_proposes_the_range_that_is_left() {
+    /// Points of a trace 4 mm long, of which the last `FALL` lie over the edge.
+    const LONG: usize = 8000;
+    const FALL: usize = 1000;
+    for (names, separator, comma, at_start, falls, factor) in [
+        (["x [um]", "z [um]"], ",", false, false, false, 1.0),
+        (["x [um]", "z [um]"], ",", false, true, false, 1.0),
+        (["Weg [µm]", "Höhe [µm]"], ";", true, false, false, 1.0),
+        (["Weg [µm]", "Höhe [µm]"], ";", true, true, false, 1.0),
+        (["x (um)", "z (um)"], "\t", false, false, true, 1.0),
+        (["x (um)", "z (um)"], "\t", false, true, true, 1.0),
+        (["x_um", "z_nm"], ",", false, false, false, 1e3),
+        (["x_um", "z_nm"], ";", false, true, false, 1e3),
+        (
+            ["Distance [µm]", "Hauteur [nm]"],
+            ";",
+            true,
+            false,
+            false,
+            1e3,
+        ),
+        (
+            ["Posizione [µm]", "Quota [nm]"],
+            "\t",
+            true,
+            true,
+            false,
+            1e3,
+        ),
+        (["x [um]", "Depth [um]"], ",", false, false, false, -1.0),
+        (["x [um]", "Tiefe [µm]"], ";", true, true, false, -1.0),
+    ] {
+        let about = format!("{names:?} {separator:?} {at_start} {falls}");
+        let height = |i: usize| {
+            let from_end = if at_start { i } else { LONG - 1 - i };
+            let fall = FALL.saturating_sub(from_end).min(20) as f64;
+            0.3 * (0.05 * i as f64).sin() - 3.0 * fall
+        };
+        let row = |i: usize| {
+            let i = if falls { LONG - 1 - i } else { i };
+            let place = text(0.5 * i as f64, comma);
+            format!("{place}{separator}{}\n", text(factor * height(i), comma))
+        };
+        let body = names.join(separator) + "\n" + &(0..LONG).map(row).collect::<String>();
+        let refused = read("edge.csv", &body, &ReadOptions::default());
+        let refused = refused.check_heights().unwrap_err();
+        assert_eq!(refused.code(), "E131", "{about}: {refused}");
+        let remedy = refused.remedy().to_string();
+        let range = remedy.strip_prefix("Set range to ");
+        let range = range.and_then(|rest| rest.split(" to use").next());
+        let range = range.unwrap_or_else(|| panic!("{about}: {remedy}"));
+        let part = ReadOptions {
+            range: Some(
+                range
+                    .parse()
+                    .unwrap_or_else(|_| panic!("{about}: {remedy}")),
+            ),
+            ..ReadOptions::default()
+        };
+        let part = read("edge.csv", &body, &part);
+        assert!(part.check_heights().is_ok(), "{about}: {range}");
+        // Nearly all of the flank is left.
+        assert!(
+            part.points > LONG - FALL - 120,
+            "{about}: {range}, {}",
+            part.points
+        );
     }
 }

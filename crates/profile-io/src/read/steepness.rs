@@ -136,7 +136,7 @@ impl Suspicion {
             Self::Edge { from, to } => {
                 let range = format!("{:.2} mm .. {:.2} mm", 1e3 * from.si(), 1e3 * to.si());
                 Remedy::set(Setting::Range, Value::This(range.into()))
-                    .because("to use the part before it")
+                    .because("to use the rest of the trace")
             }
             Self::Spikes { .. } => {
                 Remedy::set(Setting::Outliers, Value::This(USUAL_OUTLIERS.into()))
@@ -521,7 +521,7 @@ mod tests {
         let found = of(heights.clone());
         assert_eq!(
             found.suspicion.remedy().to_string(),
-            "Set range to 0.00 mm .. 0.78 mm to use the part before it"
+            "Set range to 0.00 mm .. 0.78 mm to use the rest of the trace"
         );
         assert!(
             found
