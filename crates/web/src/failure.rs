@@ -75,3 +75,17 @@ impl From<serde_json::Error> for Failure {
         Fault::internal(error).into()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_code_has_its_remedy() {
+        for code in Code::ALL {
+            let failure = Failure::new(*code, "m");
+            assert!(failure.help.ends_with('.'), "{code}");
+            assert!(!failure.help.contains("--"), "{code}: an option of the command");
+        }
+    }
+}

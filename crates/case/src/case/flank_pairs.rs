@@ -166,9 +166,8 @@ pub(super) fn on_common_spacing(
     for flank in flanks.iter_mut().flatten() {
         if let Texture::Trace(profile) = &flank.texture {
             is_resampled |= common_spacing(profile.spacing(), finest).is_none();
-            let finer = spaced(profile, finest).map_err(|source| CaseError::Preparation {
-                file: flank.report.file.clone().unwrap_or_default(),
-                source: source.into(),
+            let finer = spaced(profile, finest).map_err(|source| {
+                CaseError::preparation(flank.report.file.clone().unwrap_or_default(), source.into())
             })?;
             flank.texture = Texture::Trace(finer);
         }

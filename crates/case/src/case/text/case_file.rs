@@ -35,11 +35,7 @@ pub(super) trait CaseFile: Serialize + DeserializeOwned {
     ) -> Result<(), CaseError> {
         match first_unknown(Self::schema(), paths) {
             None => Ok(()),
-            Some((key, nearest)) => Err(CaseError::UnknownKey {
-                place: place(key),
-                key: key.to_owned(),
-                nearest,
-            }),
+            Some((key, nearest)) => Err(CaseError::unknown_key(place(key), key, nearest)),
         }
     }
 
@@ -96,11 +92,7 @@ surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" } }
 
 /// The table of the keys of a case.
 pub(super) fn table_of<T: Serialize>(case: &T, place: &Place) -> Result<Table, CaseError> {
-    written::table(case).map_err(|error| CaseError::Value {
-        place: place.clone(),
-        key: None,
-        message: error.to_string(),
-    })
+    written::table(case).map_err(|error| CaseError::value(place.clone(), None, error))
 }
 
 /// The case with `value` at `path`.
@@ -120,11 +112,11 @@ fn replaced<T: CaseFile>(
         table = match entry {
             Value::Table(inner) => inner,
             other => {
-                return Err(CaseError::Value {
-                    place: place.clone(),
-                    key: Some(path.to_owned()),
-                    message: format!("{part} is {other} and no table"),
-                });
+                return Err(CaseError::value(
+                    place.clone(),
+                    Some(path),
+                    format!("{part} is {other} and no table"),
+                ));
             }
         };
     }
@@ -172,9 +164,11 @@ pub(super) fn read_part<T: DeserializeOwned>(
     schema: &Json,
     place: impl Fn(&str) -> Place,
 ) -> Result<T, CaseError> {
-    from_table(root).map_err(|(key, message)| CaseError::Value {
-        place: place(key.as_deref().unwrap_or_default()),
-        message: plain(schema, key.as_deref(), &message),
-        key,
+    from_table(root).map_err(|(key, message)| {
+        CaseError::value(
+            place(key.as_deref().unwrap_or_default()),
+            key.as_deref(),
+            plain(schema, key.as_deref(), &message),
+        )
     })
 }

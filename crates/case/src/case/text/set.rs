@@ -85,11 +85,7 @@ impl CaseInput {
     /// When a value cannot be written as text, such as a path that is not Unicode.
     pub fn to_toml(&self) -> Result<String, Error> {
         let place = Source::in_memory().place_of("");
-        let unwritten = |message: String| CaseError::Value {
-            place: place.clone(),
-            key: None,
-            message,
-        };
+        let unwritten = |message: String| CaseError::value(place.clone(), None, message);
         let text = written::long_file(self).map_err(|error| unwritten(error.to_string()))?;
         Ok(text)
     }
