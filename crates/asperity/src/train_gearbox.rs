@@ -96,7 +96,10 @@ fn of_parts(
                 let forces = forces(train, gearbox, part.shaft, torques)?;
                 let BearingLoad { radial, axial } =
                     bearing_loads(*places, *locating, &forces)?[*number];
-                let first = train.meshes().next().ok_or(PositionError::NoProfile)?;
+                let first = train
+                    .meshes()
+                    .next()
+                    .ok_or_else(PositionError::no_profile)?;
                 let oil = first.case.case.lubricant.at(temperature)?.value;
                 let torque = bearing.torque([radial, axial], speed, oil.kinematic_viscosity)?;
                 (torque.value.total(), torque.outside)
@@ -109,7 +112,10 @@ fn of_parts(
             } => {
                 let (set, _, operation) = planet(train, *stage, (speeds, torques))?;
                 let load = set.planet_load(&operation, *mass)? / f64::from(*per_planet);
-                let first = train.meshes().next().ok_or(PositionError::NoProfile)?;
+                let first = train
+                    .meshes()
+                    .next()
+                    .ok_or_else(PositionError::no_profile)?;
                 let oil = first.case.case.lubricant.at(temperature)?.value;
                 let none = Force::from_si(0.0);
                 let torque = bearing.torque([load, none], speed, oil.kinematic_viscosity)?;
@@ -118,7 +124,7 @@ fn of_parts(
             }
             TrainPartKind::Jet { stage, flow, speed } => {
                 let gears = train.stages[*stage].meshes.first();
-                let case = &gears.ok_or(PositionError::NoProfile)?.case.case;
+                let case = &gears.ok_or_else(PositionError::no_profile)?.case.case;
                 let torque = jet_torque(case, (*flow, *speed), &at).map_err(named)?;
                 (torque, Vec::new())
             }
@@ -155,7 +161,7 @@ fn planet<'a>(
         load_share_factor,
     } = &train.train.kinds[stage]
     else {
-        return Err(PositionError::NoProfile);
+        return Err(PositionError::no_profile());
     };
     let [sun_speed, ring_speed] = train.train.shafts.stages[stage]
         .gears
@@ -193,7 +199,7 @@ fn forces(
     let mut forces = Vec::new();
     for (stage, place) in train.train.shafts.places_of(shaft) {
         let mesh = train.stages[stage].meshes.first();
-        let gears = &mesh.ok_or(PositionError::NoProfile)?.case.case.gears;
+        let gears = &mesh.ok_or_else(PositionError::no_profile)?.case.case.gears;
         let MeshPlace {
             at,
             angle,
@@ -230,7 +236,10 @@ pub(crate) fn report(
     let Some(gearbox) = &train.gearbox else {
         return Ok(None);
     };
-    let first = train.meshes().next().ok_or(PositionError::NoProfile)?;
+    let first = train
+        .meshes()
+        .next()
+        .ok_or_else(PositionError::no_profile)?;
     let temperature = crate::result::gearbox::oil_temperature(&first.case.case);
     let torques = train.train.loading_torques(&flow.speeds, losses)?;
     let operation = (train.train.operation().torque, temperature);

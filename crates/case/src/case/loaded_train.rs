@@ -164,7 +164,7 @@ impl LoadedTrain {
     /// When the changed train cannot be run.
     pub fn with_input(&self, input: AnyInput) -> Result<Self, Error> {
         let Some(first) = self.meshes().next() else {
-            return Err(Error::Whole(Box::new(PositionError::NoProfile)));
+            return Err(Error::Whole(Box::new(PositionError::no_profile())));
         };
         match input {
             AnyInput::Mesh(input) => first.case.with(|now| *now = *input).map(Self::from),
