@@ -8,7 +8,7 @@ use asperity::ehl::several_records::{mean_of, record_several};
 use asperity::lubrication::{HIGHEST_PRESSURE, shares};
 use asperity::quantity::Pressure;
 use asperity::reference_solution::{
-    ReferenceContact, ReferenceSettings, Inlet, record_json, record_warnings,
+    Inlet, ReferenceContact, ReferenceSettings, record_json, record_warnings,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

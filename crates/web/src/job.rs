@@ -1,9 +1,9 @@
 //! The job of the page: what `asperity run` does, without a file system.
 
-use asperity::message::Code;
 use asperity::case::gear_train::{self, LoadedTrain, TrainCaseInput};
 use asperity::case::{self, AnyInput, CaseInput, DefaultUsed, Source};
 use asperity::gear_train::{TrainOutcome, run_train};
+use asperity::message::Code;
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::RunResult;
 use asperity_report::{
