@@ -231,3 +231,32 @@ impl<E: Into<Fault>> From<E> for Failure {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_code_has_a_remedy_and_an_exit_status() {
+        for code in Code::ALL {
+            let told = Failure::new(*code, "m").json();
+            let error = &told["error"];
+            assert_eq!(error["code"], code.as_str());
+            assert!(
+                error["remedy"]
+                    .as_str()
+                    .is_some_and(|text| text.ends_with('.')),
+                "{code}"
+            );
+            let is_error = code.as_str().starts_with('E');
+            assert_eq!(error["exit_status"] != 0, is_error, "{code}");
+        }
+    }
+
+    #[test]
+    fn a_remedy_in_keys_of_a_function_is_told_in_options() {
+        let remedy = asperity::Remedy::state(asperity::core::Setting::Key("pressure_limit"));
+        let failure = Failure::from(Fault::new(Code::E302, "m").with(remedy));
+        assert_eq!(failure.rendered(), "E302 m\n  help: Pass --pressure-limit.");
+    }
+}

@@ -1,6 +1,7 @@
 //! Arrows between the crates point down only, and the files of a crate import each other without circles.
 
 mod embedded;
+mod error_variants;
 mod file_imports;
 mod hosted;
 mod key_names;

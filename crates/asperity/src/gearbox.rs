@@ -135,7 +135,7 @@ impl<'a> Gears<'a> {
             shafting: Cow::Borrowed(&train.shafting),
             cases: { cases.collect::<Option<Vec<_>>>() }
                 .filter(|cases| !cases.is_empty())
-                .ok_or(PositionError::NoProfile)?,
+                .ok_or_else(PositionError::no_profile)?,
         })
     }
 
@@ -332,7 +332,7 @@ impl<'a> Gears<'a> {
             load_share_factor,
         } = &self.shafting.kinds[stage]
         else {
-            return Err(PositionError::NoProfile);
+            return Err(PositionError::no_profile());
         };
         let gears = self.shafting.shafts.stages[stage].gears;
         let [sun_speed, ring_speed] = gears.map(|shaft| speeds[shaft]);

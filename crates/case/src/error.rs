@@ -19,18 +19,9 @@ use asperity_mixed_film::LoadShareError;
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum PositionError {
-    /// The gear geometry refuses the position.
-    #[error(transparent)]
-    Gear(#[from] asperity_gear::GearError),
     /// The rough contact has no solution, or did not converge.
     #[error(transparent)]
     Contact(#[from] ContactError),
-    /// Film or regime refuse the numbers.
-    #[error(transparent)]
-    Regime(#[from] asperity_ehl_regime::RegimeError),
-    /// Friction refuses the numbers.
-    #[error(transparent)]
-    Friction(#[from] asperity_tribo_friction::FrictionError),
     /// The work was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
@@ -40,58 +31,6 @@ pub enum PositionError {
     /// The lubricated contact has no solution, or did not converge.
     #[error(transparent)]
     Ehl(#[from] asperity_ehl::EhlError),
-    /// Traces that lie outside of the contact.
-    #[error(
-        "the traces cover {:.0} % of the loss along the path of contact where they are placed, at least 30 % are needed",
-        100.0 * coverage
-    )]
-    NotCovered {
-        /// Share of the loss at places that both traces cover.
-        coverage: f64,
-    },
-    /// One contact asked of several traces.
-    #[error("the case has {} pairs of teeth, and this looks at one pair of traces", teeth[0] * teeth[1])]
-    SeveralTraces {
-        /// Teeth of pinion and wheel.
-        teeth: [usize; 2],
-    },
-    /// A loss whose gradient over the heights is not known.
-    #[error(
-        "the loss over the heights of the traces cannot be computed with {differs}; leave it out"
-    )]
-    NoGradient {
-        /// Choice that differs from the default model.
-        differs: &'static str,
-    },
-    /// Contact tables of other gears, flanks or loads.
-    #[error("the contact tables were made for another {differs}")]
-    OtherTables {
-        /// Quantity that differs.
-        differs: &'static str,
-    },
-    /// The film's pressure refuses the numbers.
-    #[error(transparent)]
-    Film(#[from] asperity_ns_film::FilmError),
-    /// Roughness parameters of the window cannot be had.
-    #[error(transparent)]
-    Roughness(#[from] asperity_roughness::RoughnessError),
-    /// The oil has no state at the requested temperature.
-    #[error(transparent)]
-    Lubricant(#[from] asperity_oil::LubricantError),
-    /// The flash temperature fed back into the oil does not settle.
-    #[error("the flash temperature did not settle in {passes} passes (last {flash_kelvin} K)", flash_kelvin = decimals(*flash_kelvin, 1))]
-    FlashNotSettled {
-        /// Last flash temperature \[K\].
-        flash_kelvin: f64,
-        /// Passes made.
-        passes: usize,
-    },
-    /// Losses that lower the torques of the following meshes do not settle.
-    #[error("the torques of the gear train do not settle (last change {change:.1e})")]
-    TorquesNotSettled {
-        /// Last change of a torque, relative to it.
-        change: f64,
-    },
     /// A part of the gearbox has no loss.
     #[error("gearbox: {part}: {source}")]
     GearboxPart {
@@ -103,20 +42,6 @@ pub enum PositionError {
     /// Losses cannot be summed.
     #[error(transparent)]
     Efficiency(#[from] EfficiencyError),
-    /// A number outside its domain.
-    #[error(transparent)]
-    Domain(#[from] DomainError),
-    /// The points are too far apart for the contact.
-    #[error(
-        "dx {spacing_um} um gives {points} points per Hertz half-width (at least {least} needed)", least = number(*least), spacing_um = decimals(*spacing_um, 3), points = decimals(*points, 1))]
-    TooCoarse {
-        /// Spacing \[µm\].
-        spacing_um: f64,
-        /// Points per half width.
-        points: f64,
-        /// Least points needed.
-        least: f64,
-    },
     /// The prepared trace does not cover the window.
     #[error(
         "the prepared trace of {available_um} um is shorter than the {needed_um} um that the windows of the contact need", available_um = decimals(*available_um, 0), needed_um = decimals(*needed_um, 0))]
@@ -126,45 +51,170 @@ pub enum PositionError {
         /// Window, with several of them the way that they need to differ \[µm\].
         needed_um: f64,
     },
-    /// The rough contact presses measured profiles together and a flank has none.
-    #[error("the rough contact presses two measured profiles together, and a flank has none")]
-    NoProfile,
-    /// Marching did not reach the load.
-    #[error(
-        "lowering the surfaces step by step left a load error of {} % after {steps} steps (allowed {} %)",
-        digits(*load_error_percent), digits(*allowed_percent)
-    )]
-    Marching {
-        /// Load error \[%\].
-        load_error_percent: f64,
-        /// Allowed load error \[%\].
-        allowed_percent: f64,
-        /// Steps made.
-        steps: usize,
-    },
-    /// A state that is beyond physical sense.
-    #[error(
-        "{name} of {value:.3e} {unit} is beyond physical sense ({rule}{})",
-        limit.map(|limit| format!(" {limit:e} {unit}")).unwrap_or_default()
-    )]
-    Impossible {
-        /// Name of the quantity.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-        /// Rule.
-        rule: &'static str,
-        /// The limit, where it is a number.
-        limit: Option<f64>,
-    },
     /// A rough contact without solution, with the gap that it had to close.
     #[error(transparent)]
     Unsolved(Box<UnsolvedContact>),
     /// Numbers of the result that cannot be, or cannot be together.
     #[error(transparent)]
     Unbalanced(#[from] Unbalanced),
+    /// An error that no caller distinguishes from others.
+    #[error(transparent)]
+    Fault(#[from] Fault),
+}
+
+impl PositionError {
+    /// Traces that lie outside of the contact.
+    pub fn not_covered(coverage: f64) -> Self {
+        Self::Fault(Fault::new(
+            Code::E123,
+            format!(
+                "the traces cover {:.0} % of the loss along the path of contact where they are placed, at least 30 % are needed",
+                100.0 * coverage
+            ),
+        ))
+    }
+
+    /// One contact asked of several traces.
+    pub fn several_traces(teeth: [usize; 2]) -> Self {
+        Self::Fault(
+            Fault::new(
+                Code::E312,
+                format!(
+                    "the case has {} pairs of teeth, and this looks at one pair of traces",
+                    teeth[0] * teeth[1]
+                ),
+            )
+            .with(Remedy::act(
+                "name one trace of each flank, as surface.pinion.file",
+            )),
+        )
+    }
+
+    /// A loss whose gradient over the heights is not known.
+    pub fn no_gradient(differs: &'static str) -> Self {
+        Self::Fault(Fault::new(
+            Code::E205,
+            format!(
+                "the loss over the heights of the traces cannot be computed with {differs}; leave it out"
+            ),
+        ))
+    }
+
+    /// Contact tables of other gears, flanks or loads.
+    pub fn other_tables(differs: &'static str) -> Self {
+        Self::Fault(Fault::new(
+            Code::E305,
+            format!("the contact tables were made for another {differs}"),
+        ))
+    }
+
+    /// The flash temperature fed back into the oil does not settle.
+    pub fn flash_not_settled(flash_kelvin: f64, passes: usize) -> Self {
+        Self::Fault(Fault::new(Code::E301, format!("the flash temperature did not settle in {passes} passes (last {flash_kelvin} K)", flash_kelvin = decimals(flash_kelvin, 1))).with(Remedy::omit(Setting::Key("model.flash_feedback"))))
+    }
+
+    /// Losses that lower the torques of the following meshes do not settle.
+    pub fn torques_not_settled(change: f64) -> Self {
+        Self::Fault(
+            Fault::new(
+                Code::E301,
+                format!("the torques of the gear train do not settle (last change {change:.1e})"),
+            )
+            .with(Remedy::omit(Setting::Key("train.losses"))),
+        )
+    }
+
+    /// The points are too far apart for the contact.
+    pub fn too_coarse(spacing_um: f64, points: f64, least: f64) -> Self {
+        Self::Fault(Fault::new(
+            Code::E121,
+            format!(
+                "dx {spacing_um} um gives {points} points per Hertz half-width (at least {least} needed)",
+                least = number(least),
+                spacing_um = decimals(spacing_um, 3),
+                points = decimals(points, 1)
+            ),
+        ))
+    }
+
+    /// The rough contact presses measured profiles together and a flank has none.
+    pub fn no_profile() -> Self {
+        Self::Fault(
+            Fault::new(
+                Code::E303,
+                "the rough contact presses two measured profiles together, and a flank has none",
+            )
+            .with(Remedy::act(
+                "give surface.pinion.file and surface.wheel.file",
+            )),
+        )
+    }
+
+    /// Marching did not reach the load.
+    pub fn marching(load_error_percent: f64, allowed_percent: f64, steps: usize) -> Self {
+        Self::Fault(Fault::new(Code::E304, format!("lowering the surfaces step by step left a load error of {} % after {steps} steps (allowed {} %)", digits(load_error_percent), digits(allowed_percent))).with(Remedy::state(Setting::Key("model.delta_step")).because("to a smaller one").or_set(Setting::Key("model.numerical_error"), Value::Any).because("to a larger one")))
+    }
+
+    /// A state that is beyond physical sense.
+    pub fn impossible(
+        name: &'static str,
+        value: f64,
+        unit: &'static str,
+        rule: &'static str,
+        limit: Option<f64>,
+    ) -> Self {
+        Self::Fault(Fault::new(
+            Code::E308,
+            format!(
+                "{name} of {value:.3e} {unit} is beyond physical sense ({rule}{})",
+                limit
+                    .map(|limit| format!(" {limit:e} {unit}"))
+                    .unwrap_or_default()
+            ),
+        ))
+    }
+}
+
+impl From<asperity_gear::GearError> for PositionError {
+    fn from(error: asperity_gear::GearError) -> Self {
+        Self::Fault(Fault::of(Code::E305, error))
+    }
+}
+
+impl From<asperity_ehl_regime::RegimeError> for PositionError {
+    fn from(error: asperity_ehl_regime::RegimeError) -> Self {
+        Self::Fault(Fault::of(Code::E305, error))
+    }
+}
+
+impl From<asperity_tribo_friction::FrictionError> for PositionError {
+    fn from(error: asperity_tribo_friction::FrictionError) -> Self {
+        Self::Fault(Fault::of(Code::E305, error))
+    }
+}
+
+impl From<asperity_ns_film::FilmError> for PositionError {
+    fn from(error: asperity_ns_film::FilmError) -> Self {
+        Self::Fault(Fault::of(Code::E305, error))
+    }
+}
+
+impl From<asperity_roughness::RoughnessError> for PositionError {
+    fn from(error: asperity_roughness::RoughnessError) -> Self {
+        Self::Fault(Fault::of(Code::E305, error))
+    }
+}
+
+impl From<asperity_oil::LubricantError> for PositionError {
+    fn from(error: asperity_oil::LubricantError) -> Self {
+        Self::Fault(Fault::of(Code::E305, error))
+    }
+}
+
+impl From<DomainError> for PositionError {
+    fn from(error: DomainError) -> Self {
+        Self::Fault(Fault::of(Code::E305, error))
+    }
 }
 
 /// The rough contact that was not solved.
@@ -229,7 +279,7 @@ impl PositionError {
 /// assert_eq!(error.place().and_then(|place| place.line), Some(1));
 /// assert!(error.to_string().starts_with("case.toml:1: gears: "));
 /// ```
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// The case cannot be run.
@@ -287,12 +337,14 @@ fn digits(value: f64) -> String {
 
 fn advice(source: &PositionError) -> &'static str {
     match source.reason() {
-        PositionError::Contact(ContactError::NotConverged { .. })
-        | PositionError::Impossible { .. }
-        | PositionError::Ehl(_)
-        | PositionError::FlashNotSettled { .. }
-        | PositionError::TorquesNotSettled { .. }
-        | PositionError::Marching { .. } => ". No efficiency is reported",
+        PositionError::Contact(ContactError::NotConverged { .. }) | PositionError::Ehl(_) => {
+            ". No efficiency is reported"
+        }
+        PositionError::Fault(fault)
+            if matches!(fault.code(), Code::E301 | Code::E304 | Code::E308) =>
+        {
+            ". No efficiency is reported"
+        }
         _ => "",
     }
 }
@@ -372,16 +424,9 @@ impl PositionError {
     pub fn code(&self) -> Code {
         match self.reason() {
             reason if reason.is_cancelled() => Code::E502,
-            Self::TooCoarse { .. } => Code::E121,
+            Self::Fault(fault) => fault.code(),
             Self::TraceTooShort { .. } => Code::E122,
-            Self::NotCovered { .. } => Code::E123,
-            Self::SeveralTraces { .. } => Code::E312,
-            Self::NoGradient { .. } => Code::E205,
-            Self::NoProfile => Code::E303,
-            Self::Impossible { .. } => Code::E308,
             Self::Unbalanced(error) => error.code(),
-            Self::Marching { .. } => Code::E304,
-            Self::FlashNotSettled { .. } | Self::TorquesNotSettled { .. } => Code::E301,
             Self::Contact(ContactError::NotConverged { .. })
             | Self::LoadShare(
                 LoadShareError::Contact(ContactError::NotConverged { .. })
@@ -411,20 +456,11 @@ impl PositionError {
             Self::Ehl(error) if error.is_unconverged() => {
                 Remedy::state(key("model.ehl.cells")).because("to more cells across the film")
             }
-            Self::FlashNotSettled { .. } => Remedy::omit(key("model.flash_feedback")),
-            Self::TorquesNotSettled { .. } => Remedy::omit(key("train.losses")),
             Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => {
                 Remedy::state(key("material.pinion.flow_pressure"))
                     .because("to the indentation hardness, 6 to 8 GPa for case-hardened steel")
             }
-            Self::SeveralTraces { .. } => {
-                Remedy::act("name one trace of each flank, as surface.pinion.file")
-            }
-            Self::NoProfile => Remedy::act("give surface.pinion.file and surface.wheel.file"),
-            Self::Marching { .. } => Remedy::state(key("model.delta_step"))
-                .because("to a smaller one")
-                .or_set(key("model.numerical_error"), Value::Any)
-                .because("to a larger one"),
+            Self::Fault(fault) => fault.remedy().clone(),
             _ => Remedy::none(),
         }
     }

@@ -89,13 +89,10 @@ pub fn solve_dense(problem: &ContactProblem) -> Result<DenseSolution, ContactErr
     for steps in 1..=MAX_SET_UPDATES {
         let touching = touching(&states);
         if touching.len() > MAX_POINTS {
-            return Err(ContactError::TooManyPoints {
-                points: touching.len(),
-                most: MAX_POINTS,
-            });
+            return Err(ContactError::too_many_points(touching.len(), MAX_POINTS));
         }
         let Some((y, alpha)) = dense.pressures(&states, &touching) else {
-            return Err(ContactError::ActiveSetUnsettled { steps, changes });
+            return Err(ContactError::active_set_unsettled(steps, changes));
         };
         changes = dense.update(&mut states, &y, alpha);
         if changes == 0 {
@@ -106,10 +103,7 @@ pub fn solve_dense(problem: &ContactProblem) -> Result<DenseSolution, ContactErr
             });
         }
     }
-    Err(ContactError::ActiveSetUnsettled {
-        steps: MAX_SET_UPDATES,
-        changes,
-    })
+    Err(ContactError::active_set_unsettled(MAX_SET_UPDATES, changes))
 }
 
 impl DenseProblem {
@@ -303,10 +297,7 @@ impl FixedSets {
         let states = states_of(problem, pressure);
         let touching = touching(&states);
         if touching.len() > MAX_POINTS {
-            return Err(ContactError::TooManyPoints {
-                points: touching.len(),
-                most: MAX_POINTS,
-            });
+            return Err(ContactError::too_many_points(touching.len(), MAX_POINTS));
         }
         let datum = datum_term(problem);
         let column: Vec<f64> = strip_column(states.len())
@@ -324,10 +315,7 @@ impl FixedSets {
                 factor,
                 compliance,
             }),
-            _ => Err(ContactError::ActiveSetUnsettled {
-                steps: 0,
-                changes: touching.len(),
-            }),
+            _ => Err(ContactError::active_set_unsettled(0, touching.len())),
         }
     }
 

@@ -20,24 +20,6 @@ pub enum ContactError {
     /// The work was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// Too few points for a contact.
-    #[error("{points} points are too few for a contact: give at least {least}")]
-    TooFewPoints {
-        /// Number of points.
-        points: usize,
-        /// Least number of points.
-        least: usize,
-    },
-    /// Too many points for a dense matrix.
-    #[error(
-        "{points} points are too many for the dense solution (at most {most}): use the solver with transforms"
-    )]
-    TooManyPoints {
-        /// Number of points.
-        points: usize,
-        /// Largest number of points.
-        most: usize,
-    },
     /// An array does not have one value per point.
     #[error("{name} has {got} values where {need} are needed: one per point of the gap")]
     WrongLength {
@@ -74,34 +56,6 @@ pub enum ContactError {
         /// Load of the problem.
         load: LineLoad,
     },
-    /// The datum distance is too small for the approach to fix the load.
-    #[error(
-        "the approach is measured from a datum at {datum:.6}, which must lie farther than {least:.6} (a quarter of the window): choose a larger datum distance"
-    )]
-    DatumTooNear {
-        /// Datum distance of the problem.
-        datum: Length,
-        /// Distance that it must exceed.
-        least: Length,
-    },
-    /// The approach of a periodic contact is beyond its mean gap, where no finite load holds it.
-    #[error(
-        "a periodic contact is fully closed at an approach of {mean_gap:.6}, so {approach:.6} needs an infinite load: lower the approach or control the load"
-    )]
-    ApproachBeyondMeanGap {
-        /// Approach of the problem.
-        approach: Length,
-        /// Approach at which the whole period is in contact.
-        mean_gap: Length,
-    },
-    /// The problem has another number of points or another boundary than the solver.
-    #[error("the solver was made for {solver} and the problem has {problem}: make a new solver")]
-    SolverMismatch {
-        /// Shape of the solver.
-        solver: SolverShape,
-        /// Shape of the problem.
-        problem: SolverShape,
-    },
     /// The largest number of iterations was reached, or no progress was possible.
     #[error(
         "not converged to {tolerance} after {iterations} iterations (duality gap {}, penetration {}, load error {}): allow more iterations or a larger tolerance",
@@ -114,69 +68,84 @@ pub enum ContactError {
         /// Tolerance of the settings.
         tolerance: f64,
     },
+    /// An error that no caller distinguishes from others.
+    #[error(transparent)]
+    Fault(#[from] Fault),
+}
+
+impl ContactError {
+    /// Too few points for a contact.
+    pub(crate) fn too_few_points(points: usize, least: usize) -> Self {
+        Self::Fault(Fault::new(
+            Code::E209,
+            format!("{points} points are too few for a contact: give at least {least}"),
+        ))
+    }
+
+    /// Too many points for a dense matrix.
+    pub(crate) fn too_many_points(points: usize, most: usize) -> Self {
+        Self::Fault(Fault::new(
+            Code::E209,
+            format!(
+                "{points} points are too many for the dense solution (at most {most}): use the solver with transforms"
+            ),
+        ))
+    }
+
+    /// The datum distance is too small for the approach to fix the load.
+    pub(crate) fn datum_too_near(datum: Length, least: Length) -> Self {
+        Self::Fault(Fault::new(Code::E209, format!("the approach is measured from a datum at {datum:.6}, which must lie farther than {least:.6} (a quarter of the window): choose a larger datum distance")).with(Remedy::state(Setting::Key("datum")).because("to a larger one")))
+    }
+
+    /// The approach of a periodic contact is beyond its mean gap, where no finite load holds it.
+    pub(crate) fn approach_beyond_mean_gap(approach: Length, mean_gap: Length) -> Self {
+        Self::Fault(Fault::new(Code::E209, format!("a periodic contact is fully closed at an approach of {mean_gap:.6}, so {approach:.6} needs an infinite load: lower the approach or control the load")).with(Remedy::state(Setting::Key("approach")).because("to a smaller one").or_set(Setting::Key("load"), Value::Any).because("in its place")))
+    }
+
+    /// The problem has another number of points or another boundary than the solver.
+    pub(crate) fn solver_mismatch(solver: SolverShape, problem: SolverShape) -> Self {
+        Self::Fault(Fault::new(
+            Code::E209,
+            format!(
+                "the solver was made for {solver} and the problem has {problem}: make a new solver"
+            ),
+        ))
+    }
+
     /// The tolerance would accept useless solutions.
-    #[error(
-        "the tolerance {tolerance} is too large: pressures could be wrong by more than half; give at most {most}", tolerance = number(*tolerance), most = number(*most))]
-    ToleranceTooLarge {
-        /// Tolerance of the settings.
-        tolerance: f64,
-        /// Largest tolerance accepted.
-        most: f64,
-    },
-    /// A computation that needs a load was requested for a controlled approach.
-    #[error("{purpose} needs a load and the problem controls the approach: control the load")]
-    LoadControlNeeded {
-        /// The computation requested.
-        purpose: &'static str,
-    },
-    /// A computation for elastic contacts was requested for a problem with a pressure limit.
-    #[error("{purpose} is elastic and the problem has a pressure limit: remove the limit")]
-    ElasticOnly {
-        /// The computation requested.
-        purpose: &'static str,
-    },
+    pub(crate) fn tolerance_too_large(tolerance: f64, most: f64) -> Self {
+        Self::Fault(Fault::new(
+            Code::E211,
+            format!(
+                "the tolerance {tolerance} is too large: pressures could be wrong by more than half; give at most {most}",
+                tolerance = number(tolerance),
+                most = number(most)
+            ),
+        ))
+    }
+
     /// A computation that needs plastic flow was requested without a pressure limit.
-    #[error("{purpose} needs a pressure at which the softer body flows: give a pressure limit")]
-    LimitNeeded {
-        /// The computation requested.
-        purpose: &'static str,
-    },
+    pub(crate) fn limit_needed(purpose: &'static str) -> Self {
+        Self::Fault(Fault::new(
+            Code::E209,
+            format!(
+                "{purpose} needs a pressure at which the softer body flows: give a pressure limit"
+            ),
+        ))
+    }
+
     /// The flanks still flow after all cycles.
-    #[error(
-        "after {cycles} cycles the flanks still dissipate {left} of the first cycle's energy, more than the required {shakedown}: allow more cycles or a tighter tolerance of the contacts", left = number(*left), shakedown = number(*shakedown))]
-    NotRunIn {
-        /// Number of cycles.
-        cycles: usize,
-        /// Dissipated energy of the last cycle relative to the first.
-        left: f64,
-        /// Ratio required.
-        shakedown: f64,
-    },
-    /// A computation for free ends was requested for a periodic contact.
-    #[error("{purpose} is defined for free ends and the problem is periodic: widen the window")]
-    FreeEndsNeeded {
-        /// The computation requested.
-        purpose: &'static str,
-    },
-    /// A fixed point was not reached.
-    #[error(
-        "the pressure still changed by {residual} of its largest value after {steps} steps, more than the required {tolerance}: allow more steps or a larger tolerance", residual = number(*residual), tolerance = number(*tolerance))]
-    NoFixedPoint {
-        /// Number of steps.
-        steps: usize,
-        /// Change in the last step relative to the largest pressure.
-        residual: f64,
-        /// Change required.
-        tolerance: f64,
-    },
+    pub(crate) fn not_run_in(cycles: usize, left: f64, shakedown: f64) -> Self {
+        Self::Fault(Fault::new(Code::E301, format!("after {cycles} cycles the flanks still dissipate {left} of the first cycle's energy, more than the required {shakedown}: allow more cycles or a tighter tolerance of the contacts", left = number(left), shakedown = number(shakedown))).with(Remedy::state(Setting::Key("tolerance")).because("to a smaller one").or_set(Setting::Key("pressure_limit"), Value::Any).because("to a higher one")))
+    }
+
     /// The active set of the dense solver did not settle.
-    #[error("the active set still changed at {changes} points after {steps} steps")]
-    ActiveSetUnsettled {
-        /// Number of steps.
-        steps: usize,
-        /// Points that changed in the last step.
-        changes: usize,
-    },
+    pub(crate) fn active_set_unsettled(steps: usize, changes: usize) -> Self {
+        Self::Fault(Fault::new(
+            Code::E209,
+            format!("the active set still changed at {changes} points after {steps} steps"),
+        ))
+    }
 }
 
 /// Number of points and boundary of a [`Solver`](crate::Solver).
@@ -193,9 +162,9 @@ impl ContactError {
     /// Stable code of the message, for a contact without a case.
     pub fn code(&self) -> Code {
         match self {
-            Self::NotConverged { .. } | Self::NotRunIn { .. } => Code::E301,
+            Self::NotConverged { .. } => Code::E301,
             Self::LimitBelowMeanPressure { .. } => Code::E302,
-            Self::ToleranceTooLarge { .. } => Code::E211,
+            Self::Fault(fault) => fault.code(),
             _ => Code::E209,
         }
     }
@@ -214,21 +183,11 @@ impl From<ContactError> for Fault {
             ContactError::NotConverged { .. } => Remedy::state(key("tolerance"))
                 .because("to a larger one (at most 1e-4)")
                 .or_do("look for spikes in the gap"),
-            ContactError::NotRunIn { .. } => Remedy::state(key("tolerance"))
-                .because("to a smaller one")
-                .or_set(key("pressure_limit"), Value::Any)
-                .because("to a higher one"),
             ContactError::LimitBelowMeanPressure { .. } => Remedy::state(key("pressure_limit"))
                 .because("to a higher one")
                 .or_set(key("load"), Value::Any)
                 .because("to a lower one"),
-            ContactError::DatumTooNear { .. } => {
-                Remedy::state(key("datum")).because("to a larger one")
-            }
-            ContactError::ApproachBeyondMeanGap { .. } => Remedy::state(key("approach"))
-                .because("to a smaller one")
-                .or_set(key("load"), Value::Any)
-                .because("in its place"),
+            ContactError::Fault(fault) => return fault,
             _ => Remedy::none(),
         };
         Self::of(error.code(), error).with(remedy)

@@ -57,10 +57,7 @@ impl HalfPlane {
         boundary: Boundary,
     ) -> Result<Self, ContactError> {
         if points < LEAST_POINTS {
-            return Err(ContactError::TooFewPoints {
-                points,
-                least: LEAST_POINTS,
-            });
+            return Err(ContactError::too_few_points(points, LEAST_POINTS));
         }
         let compliance = cell_compliance(spacing, modulus)?;
         let mut buffers = Buffers::default();

@@ -244,10 +244,7 @@ impl ContactProblem<'_> {
     pub(crate) fn validate(&self) -> Result<(), ContactError> {
         let points = self.gap.len();
         if points < LEAST_POINTS {
-            return Err(ContactError::TooFewPoints {
-                points,
-                least: LEAST_POINTS,
-            });
+            return Err(ContactError::too_few_points(points, LEAST_POINTS));
         }
         DomainError::positive("spacing", self.spacing)?;
         DomainError::positive("reduced modulus", self.modulus)?;
@@ -309,14 +306,14 @@ impl ContactProblem<'_> {
             DomainError::positive("datum distance", datum)?;
             let least = self.window_length() * LEAST_DATUM;
             if datum <= least {
-                return Err(ContactError::DatumTooNear { datum, least });
+                return Err(ContactError::datum_too_near(datum, least));
             }
             return Ok(());
         }
         // Displacements of a period have no mean, so the mean gap depends only on the approach.
         let mean_gap = Length::from_si(self.gap.iter().sum::<f64>() / self.gap.len() as f64);
         if approach >= mean_gap {
-            return Err(ContactError::ApproachBeyondMeanGap { approach, mean_gap });
+            return Err(ContactError::approach_beyond_mean_gap(approach, mean_gap));
         }
         Ok(())
     }

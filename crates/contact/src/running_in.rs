@@ -149,11 +149,11 @@ impl RunningIn {
         let mut energy_ratio = f64::INFINITY;
         while energy_ratio > self.shakedown {
             if cycles.len() == self.max_cycles {
-                return Err(ContactError::NotRunIn {
-                    cycles: self.max_cycles,
-                    left: energy_ratio,
-                    shakedown: self.shakedown,
-                });
+                return Err(ContactError::not_run_in(
+                    self.max_cycles,
+                    energy_ratio,
+                    self.shakedown,
+                ));
             }
             let mut passes = vec![];
             for (&shift, start) in self.shifts.iter().zip(&mut starts) {
@@ -203,9 +203,7 @@ impl RunningIn {
         let valid = self.shakedown > 0.0 && self.shakedown < 1.0;
         DomainError::require(valid, "shakedown", self.shakedown, "-", rule)?;
         if flanks.pressure_limit.is_none() {
-            return Err(ContactError::LimitNeeded {
-                purpose: "running-in",
-            });
+            return Err(ContactError::limit_needed("running-in"));
         }
         Ok(())
     }

@@ -73,13 +73,9 @@ fn a_tolerance_at_which_anything_passes_is_refused() {
             ..SolverSettings::default()
         };
         let found = solve(&hertz_problem(&gap, spacing), &settings);
-        let refused = ContactError::ToleranceTooLarge {
-            tolerance,
-            most: 1e-4,
-        };
         match found {
             Ok(_) => assert!(accepted),
-            Err(error) => assert!(!accepted && error == refused, "{error}"),
+            Err(error) => assert!(!accepted && error.code() == "E211", "{error}"),
         }
     }
 }

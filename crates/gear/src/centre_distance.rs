@@ -42,11 +42,11 @@ impl Centre {
         let tolerance = rack.normal_module * CENTRE_DISTANCE_TOLERANCE;
         let from_distance = Self::from_distance(given, rack)?;
         if (from_distance.distance - from_shifts.distance).si().abs() > tolerance.si() {
-            return Err(GearError::InconsistentCentreDistance {
+            return Err(GearError::inconsistent_centre_distance(
                 given,
-                from_shifts: Length::from_si(from_shifts.distance.si().abs()),
+                Length::from_si(from_shifts.distance.si().abs()),
                 tolerance,
-            });
+            ));
         }
         Ok(Self {
             distance: from_distance.distance,
@@ -87,10 +87,10 @@ impl Centre {
         let given = DomainError::positive("centre distance", distance)?;
         let base_radii = rack.base_radius_sum();
         if given <= base_radii.si().abs() {
-            return Err(GearError::CentreDistanceTooSmall {
-                given: distance,
-                base_radii: Length::from_si(base_radii.si().abs()),
-            });
+            return Err(GearError::centre_distance_too_small(
+                distance,
+                Length::from_si(base_radii.si().abs()),
+            ));
         }
         let distance = Length::from_si(given.copysign(base_radii.si()));
         let working_angle = (base_radii / distance).acos();

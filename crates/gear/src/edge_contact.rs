@@ -40,7 +40,7 @@ pub(crate) struct TipGaps {
 impl TipGaps {
     pub(crate) fn new(pair: &GearPair) -> Result<Self, GearError> {
         if pair.internal {
-            return Err(GearError::EdgeContactOfRing);
+            return Err(GearError::edge_contact_of_ring());
         }
         cite!("Edge-1");
         Ok(Self {

@@ -210,10 +210,7 @@ impl GearTrain {
     }
 
     fn refused(&self, shaft: usize, rule: &'static str) -> GearError {
-        GearError::Train {
-            shaft: self.shafts[shaft].name.clone(),
-            rule,
-        }
+        GearError::train(&self.shafts[shaft].name, rule)
     }
 }
 

@@ -95,11 +95,11 @@ pub fn inverse_involute(involute: f64) -> Result<InverseInvolute, GearError> {
         }
         t -= residual * (1.0 + t * t) / (t * t);
     }
-    Err(GearError::InverseInvolute {
+    Err(GearError::inverse_involute(
         involute,
         residual,
-        iterations: MAX_ITERATIONS,
-    })
+        MAX_ITERATIONS,
+    ))
 }
 
 /// Reference section of an involute tooth.

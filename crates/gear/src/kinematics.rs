@@ -75,11 +75,11 @@ impl GearPair {
             t1t2
         };
         if !(0.0..=end).contains(&s) {
-            return Err(GearError::OffPath {
-                s: Length::from_si(s),
-                from: Length::from_si(0.0),
-                to: Length::from_si(end),
-            });
+            return Err(GearError::off_path(
+                Length::from_si(s),
+                Length::from_si(0.0),
+                Length::from_si(end),
+            ));
         }
         let (rho1, rho2) = (s, t1t2 - s);
         let (u1, u2) = (omega1 * rho1, omega2 * rho2);

@@ -124,12 +124,7 @@ impl<'a> Weights<'a> {
                 }
                 let (low, high) = TWO_PAIRS;
                 if !(eps_alpha > low && eps_alpha <= high) {
-                    return Err(GearError::SharingRange {
-                        law: law.name(),
-                        eps_alpha,
-                        low,
-                        high,
-                    });
+                    return Err(GearError::sharing_range(law.name(), eps_alpha, low, high));
                 }
             }
             LoadSharing::Table(rows) => check_table(rows)?,
@@ -146,10 +141,7 @@ impl<'a> Weights<'a> {
         if self.in_contact(xi) {
             return Ok(());
         }
-        Err(GearError::CoordinateOffPath {
-            xi,
-            eps_alpha: self.eps_alpha,
-        })
+        Err(GearError::coordinate_off_path(xi, self.eps_alpha))
     }
 
     /// v(ξ); 0 outside the path.
@@ -211,12 +203,7 @@ impl<'a> Weights<'a> {
 fn check_table(rows: &[(f64, f64)]) -> Result<(), GearError> {
     let error_at = |row: usize, rule: &'static str| {
         let (xi, share) = rows.get(row).copied().unwrap_or((f64::NAN, f64::NAN));
-        Err(GearError::SharingTable {
-            row,
-            xi,
-            share,
-            rule,
-        })
+        Err(GearError::sharing_table(row, xi, share, rule))
     };
     let last = rows.len().saturating_sub(1);
     if rows.len() < 2 {

@@ -218,7 +218,7 @@ fn positive(value: f64) -> Result<f64, GearError> {
     if value.is_finite() && value > 0.0 {
         Ok(value)
     } else {
-        Err(GearError::ToothCompliance { value })
+        Err(GearError::tooth_compliance(value))
     }
 }
 
@@ -226,6 +226,6 @@ fn finite(value: f64) -> Result<f64, GearError> {
     if value.is_finite() {
         Ok(value)
     } else {
-        Err(GearError::ToothCompliance { value })
+        Err(GearError::tooth_compliance(value))
     }
 }

@@ -95,11 +95,11 @@ impl PathOfContact {
         for (gear, reach) in [(Gear::Pinion, reach_1), (Gear::Wheel, reach_2)] {
             DomainError::finite("length of the path of contact", Length::from_si(reach))?;
             if rb2 > 0.0 && reach > t1t2 {
-                return Err(GearError::Interference {
+                return Err(GearError::interference(
                     gear,
-                    reach: Length::from_si(reach),
-                    limit: Length::from_si(t1t2),
-                });
+                    Length::from_si(reach),
+                    Length::from_si(t1t2),
+                ));
             }
         }
         let p = DomainError::positive("base pitch", base_pitch)?;
@@ -109,9 +109,7 @@ impl PathOfContact {
             reach_1,
         );
         if a <= 0.0 && rb2 < 0.0 {
-            return Err(GearError::RingInterference {
-                start: Length::from_si(a),
-            });
+            return Err(GearError::ring_interference(Length::from_si(a)));
         }
         let path = Self {
             a: Length::from_si(a),
@@ -140,9 +138,7 @@ impl PathOfContact {
             ..
         } = *self;
         if eps_alpha <= 0.0 {
-            return Err(GearError::NoContact {
-                length: self.length,
-            });
+            return Err(GearError::no_contact(self.length));
         }
         DomainError::require(
             eps_beta < MAX_OVERLAP,
@@ -152,10 +148,10 @@ impl PathOfContact {
             "is impossible; check face width and module",
         )?;
         if eps_beta < MIN_OVERLAP && eps_alpha <= 1.0 {
-            return Err(GearError::SpurContactRatio { eps_alpha });
+            return Err(GearError::spur_contact_ratio(eps_alpha));
         }
         if eps_gamma <= 1.0 {
-            return Err(GearError::TotalContactRatio { eps_gamma });
+            return Err(GearError::total_contact_ratio(eps_gamma));
         }
         Ok(())
     }
@@ -185,11 +181,7 @@ impl PathOfContact {
         if s >= self.a && s <= self.e {
             Ok(self.coordinate(s))
         } else {
-            Err(GearError::OffPath {
-                s,
-                from: self.a,
-                to: self.e,
-            })
+            Err(GearError::off_path(s, self.a, self.e))
         }
     }
 }

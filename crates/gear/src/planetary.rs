@@ -178,11 +178,11 @@ impl PlanetarySet {
         let axis_distance = distance * (2.0 * (std::f64::consts::PI / f64::from(planets)).sin());
         let tip_diameter = sun_planet.tip_radius[1] * 2.0;
         if planets > 1 && axis_distance <= tip_diameter {
-            return Err(GearError::PlanetsCollide {
+            return Err(GearError::planets_collide(
                 planets,
-                distance: axis_distance,
-                needed: tip_diameter,
-            });
+                axis_distance,
+                tip_diameter,
+            ));
         }
         Ok(Self {
             sun_planet,

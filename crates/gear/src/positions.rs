@@ -78,11 +78,7 @@ impl GearPair {
         let breaks = self.segment_ends();
         let least = breaks.len() - 1;
         if !(least..=MAX_POSITIONS).contains(&count) {
-            return Err(GearError::PositionCount {
-                count,
-                least,
-                most: MAX_POSITIONS,
-            });
+            return Err(GearError::position_count(count, least, MAX_POSITIONS));
         }
         let per_length = self.contact_per_coordinate();
         let mut positions = Vec::with_capacity(count);

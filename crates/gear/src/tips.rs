@@ -22,9 +22,7 @@ pub(crate) fn tip_radii(
     let radii = match (input.tip_radius, centre.profile_shift) {
         (Some(radii), _) => signed(radii, rack),
         (None, None) => {
-            return Err(GearError::TipRadiusUnknown {
-                sum: centre.shift_sum,
-            });
+            return Err(GearError::tip_radius_unknown(centre.shift_sum));
         }
         (None, Some([x1, x2])) => {
             let h = input.addendum;
@@ -76,7 +74,7 @@ pub(crate) fn tip_thickness(
         return if sum > 0.0 {
             Ok(None)
         } else {
-            Err(GearError::PointedTips { sum })
+            Err(GearError::pointed_tips(sum))
         };
     };
     let angles = half_angles(shifts)?;
@@ -84,7 +82,7 @@ pub(crate) fn tip_thickness(
         [0, 1].map(|gear| Length::from_si(2.0 * tip_radius[gear].si().abs() * angles[gear]));
     for (gear, thickness) in [Gear::Pinion, Gear::Wheel].into_iter().zip(thickness) {
         if thickness.si() <= 0.0 {
-            return Err(GearError::PointedTip { gear, thickness });
+            return Err(GearError::pointed_tip(gear, thickness));
         }
     }
     Ok(Some(thickness))

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
-use asperity_gear::{Gear, GearError, GearPair, GearPairInput, LoadSharing, PositionRule};
+use asperity_gear::{GearError, GearPair, GearPairInput, LoadSharing, PositionRule};
 
 fn mm(value: f64) -> Length {
     Length::from_si(value * 1e-3)
@@ -24,6 +24,11 @@ fn refusal(input: &GearPairInput) -> GearError {
     GearPair::new(input).unwrap_err()
 }
 
+#[track_caller]
+fn assert_says(error: &GearError, text: &str) {
+    assert!(error.to_string().contains(text), "{error}");
+}
+
 #[test]
 fn a_tip_past_the_mating_involute_is_interference() {
     // A wheel of full depth undercuts a pinion of 8 teeth.
@@ -31,20 +36,8 @@ fn a_tip_past_the_mating_involute_is_interference() {
         teeth: [8, 60],
         ..spur()
     };
-    assert!(matches!(
-        refusal(&few),
-        GearError::Interference {
-            gear: Gear::Wheel,
-            ..
-        }
-    ));
-    assert!(matches!(
-        refusal(&few.swapped()),
-        GearError::Interference {
-            gear: Gear::Pinion,
-            ..
-        }
-    ));
+    assert_says(&refusal(&few), "the tip of the wheel reaches ");
+    assert_says(&refusal(&few.swapped()), "the tip of the pinion reaches ");
 }
 
 #[test]
@@ -53,8 +46,9 @@ fn a_spur_pair_with_a_gap_between_the_pairs_is_refused() {
         addendum: 0.5,
         ..spur()
     };
-    assert!(
-        matches!(refusal(&short), GearError::SpurContactRatio { eps_alpha } if eps_alpha < 1.0)
+    assert_says(
+        &refusal(&short),
+        "a spur pair needs a transverse contact ratio above 1, this one has 0.",
     );
     // The same teeth work when an overlap makes up for it.
     let wide = GearPairInput {
@@ -67,10 +61,10 @@ fn a_spur_pair_with_a_gap_between_the_pairs_is_refused() {
         overlap: Some(mm(0.5)),
         ..wide
     };
-    assert!(matches!(
-        refusal(&narrow),
-        GearError::TotalContactRatio { .. }
-    ));
+    assert_says(
+        &refusal(&narrow),
+        "a helical pair needs a total contact ratio above 1",
+    );
 }
 
 #[test]
@@ -80,11 +74,8 @@ fn pointed_teeth_are_refused() {
         addendum: 1.1,
         ..spur()
     };
-    let GearError::PointedTip { gear, thickness } = refusal(&pointed) else {
-        panic!("{:?}", refusal(&pointed));
-    };
-    assert_eq!(gear, Gear::Pinion);
-    assert!(thickness.si() <= 0.0);
+    let negative = "the tooth of the pinion is pointed: its thickness at the tip would be -";
+    assert_says(&refusal(&pointed), negative);
     // With the sum of the shifts alone, only what no division could save is refused.
     let both = GearPairInput {
         profile_shift: None,
@@ -92,7 +83,10 @@ fn pointed_teeth_are_refused() {
         tip_radius: Some([mm(37.5 + 7.0), mm(60.0 + 7.0)]),
         ..spur()
     };
-    assert!(matches!(refusal(&both), GearError::PointedTips { sum } if sum < 0.0));
+    assert_says(
+        &refusal(&both),
+        "however the profile shifts are divided, a tooth is pointed: the tip half-angles times the tooth numbers sum to -",
+    );
 }
 
 #[test]
@@ -103,7 +97,7 @@ fn tips_that_do_not_reach_each_other_are_refused() {
         tip_radius: Some([mm(40.5), mm(63.0)]),
         ..spur()
     };
-    assert!(matches!(refusal(&apart), GearError::NoContact { .. }));
+    assert_says(&refusal(&apart), "the gears do not touch");
 }
 
 #[test]
@@ -124,15 +118,12 @@ fn contradicting_givens_are_refused() {
         rounded
     );
     let wrong = refusal(&given(right + mm(0.031)));
-    assert!(matches!(
-        wrong,
-        GearError::InconsistentCentreDistance { .. }
-    ));
+    assert_says(&wrong, " contradicts the profile shifts, which give ");
     let overlapping = refusal(&given(mm(90.0)));
-    assert!(matches!(
-        overlapping,
-        GearError::CentreDistanceTooSmall { .. }
-    ));
+    assert_says(
+        &overlapping,
+        " must be larger than the sum of the base radii",
+    );
 }
 
 #[test]
@@ -142,7 +133,10 @@ fn the_tips_of_a_ring_do_not_follow_from_the_centre_distance() {
         ..GearPairInput::standard([24, 75], mm(1.5), Angle::from_si(0.0), mm(20.0))
     };
     let refused = GearPair::internal(&input).unwrap_err();
-    assert!(matches!(refused, GearError::TipRadiusUnknown { sum } if sum.abs() > 0.1));
+    assert_says(
+        &refused,
+        "the centre distance gives only the sum of the shifts, ",
+    );
     assert!(
         refused
             .to_string()
@@ -242,14 +236,14 @@ fn questions_off_the_path_have_no_answer() {
     let torque = Torque::from_si(100.0);
     let before = path.a - mm(0.001);
     let law = LoadSharing::Uniform;
-    assert!(matches!(
-        pair.line_load(before, torque, &law),
-        Err(GearError::OffPath { .. })
-    ));
-    assert!(matches!(
-        pair.single_position(before),
-        Err(GearError::OffPath { .. })
-    ));
+    assert_says(
+        &pair.line_load(before, torque, &law).unwrap_err(),
+        " is off the path of contact, which goes from ",
+    );
+    assert_says(
+        &pair.single_position(before).unwrap_err(),
+        " is off the path of contact, which goes from ",
+    );
     assert!(
         pair.line_load(path.a, torque, &law).is_ok()
             && pair.line_load(path.e, torque, &law).is_ok()
@@ -260,10 +254,10 @@ fn questions_off_the_path_have_no_answer() {
     assert!(pair.kinematics(path.c, AngularSpeed::from_si(0.0)).is_err());
     assert!(pair.forces(Torque::from_si(f64::NAN)).is_err());
     assert!(pair.contact_length(f64::NAN).is_err());
-    assert!(matches!(
-        law.share(1.7, 1.6),
-        Err(GearError::CoordinateOffPath { .. })
-    ));
+    assert_says(
+        &law.share(1.7, 1.6).unwrap_err(),
+        "xi = 1.7 is off the path of contact, which goes from 0 to 1.6",
+    );
     assert!(law.weight(0.1, f64::NAN).is_err());
 }
 
@@ -278,14 +272,14 @@ fn sharing_laws_keep_to_the_pairs_they_were_made_for() {
         Err(GearError::SpurLawOnHelical { .. })
     ));
     for law in [LoadSharing::Trapezoid, LoadSharing::MinPotential] {
-        assert!(matches!(
-            law.weight(0.5, 2.1),
-            Err(GearError::SharingRange { .. })
-        ));
-        assert!(matches!(
-            law.weight(0.5, 1.0),
-            Err(GearError::SharingRange { .. })
-        ));
+        assert_says(
+            &law.weight(0.5, 2.1).unwrap_err(),
+            " holds for transverse contact ratios from ",
+        );
+        assert_says(
+            &law.weight(0.5, 1.0).unwrap_err(),
+            " holds for transverse contact ratios from ",
+        );
     }
 }
 
@@ -305,10 +299,7 @@ fn tables_that_cannot_be_read_name_their_row() {
         let error = LoadSharing::Table(rows.to_vec())
             .weight(0.5, 1.5)
             .unwrap_err();
-        assert!(
-            matches!(error, GearError::SharingTable { row, .. } if row == wrong),
-            "{error}"
-        );
+        assert_says(&error, &format!("load sharing table, row {wrong}: "));
     }
 }
 
@@ -334,10 +325,10 @@ fn positions_cover_every_segment_or_are_refused() {
     assert_eq!(pair.positions(4, rule).unwrap().len(), 4);
     for count in [0, 3, usize::MAX] {
         let refused = pair.positions(count, rule);
-        assert!(matches!(
-            refused,
-            Err(GearError::PositionCount { least: 4, .. })
-        ));
+        assert_says(
+            &refused.unwrap_err(),
+            " mesh positions were requested; this pair needs ",
+        );
     }
     let path = *pair.path();
     let ends = [path.a, path.b, path.c, path.d, path.e];

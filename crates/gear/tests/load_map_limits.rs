@@ -28,6 +28,11 @@ fn close(value: f64, expected: f64, relative: f64) {
 /// Geometry of the reference is printed with nine digits.
 const NINE_DIGITS: f64 = 1e-8;
 
+#[track_caller]
+fn assert_says(error: &GearError, text: &str) {
+    assert!(error.to_string().contains(text), "{error}");
+}
+
 #[test]
 fn the_reference_pairs_have_their_geometry_and_forces() {
     for case in golden().cases() {
@@ -149,8 +154,9 @@ fn rings_that_cannot_mesh_are_refused_with_their_reason() {
         matches!(refusal(standard([40, 40])), GearError::Domain(error) if error.name == "teeth of the ring")
     );
     // The tips of a small ring reach below the involute of a small pinion.
-    assert!(
-        matches!(refusal(standard([14, 40])), GearError::RingInterference { start } if start.si() < 0.0)
+    assert_says(
+        &refusal(standard([14, 40])),
+        "the tip of the ring starts contact at -",
     );
     let inside_base = GearPairInput {
         tip_radius: Some([mm(26.0), mm(60.0)]),
@@ -176,7 +182,9 @@ fn rings_that_cannot_mesh_are_refused_with_their_reason() {
         &[steel(); 2],
         &settings,
     );
-    assert_eq!(refused.unwrap_err(), GearError::EdgeContactOfRing);
+    let external =
+        "contact of tip edges outside the path of contact is known for external pairs only";
+    assert_says(&refused.unwrap_err(), external);
 }
 
 #[test]
@@ -204,10 +212,8 @@ fn what_a_load_map_cannot_be_made_of_is_refused_with_its_reason() {
         LoadLaw::Table(vec![(0.0, 1.0), (1.0, 1.0)]),
     ] {
         let name = law.name();
-        assert_eq!(
-            try_map(145.0, &law, &micro, &settings),
-            GearError::ModifiedFlanks { law: name }
-        );
+        let rigid = format!("the load distribution \"{name}\" has no deflections");
+        assert_says(&try_map(145.0, &law, &micro, &settings), &rigid);
     }
     let elastic = LoadLaw::Elastic;
     let name = |error| match error {
@@ -304,10 +310,10 @@ fn what_a_load_map_cannot_be_made_of_is_refused_with_its_reason() {
         }
     ));
     let found = case.elastic(&unmodified());
-    assert!(matches!(
-        found.cells(0),
-        Err(GearError::PositionCount { .. })
-    ));
+    assert_says(
+        &found.cells(0).unwrap_err(),
+        " mesh positions were requested; this pair needs ",
+    );
     // The polynomial of ISO 6336-1 was not made for H951.
     let h951 = golden().case("H951");
     let refused = LoadMap::new(
@@ -863,18 +869,18 @@ fn planetary_sets_that_do_not_fit_are_refused_with_their_reason() {
         planets: 8,
         ..example_set()
     };
-    assert!(matches!(
-        PlanetarySet::new(&crowded),
-        Err(GearError::PlanetsCollide { planets: 8, .. })
-    ));
+    assert_says(
+        &PlanetarySet::new(&crowded).unwrap_err(),
+        "8 planets do not fit",
+    );
     let apart = PlanetarySetInput {
         teeth: [27, 24, 77],
         ..example_set()
     };
-    assert!(matches!(
-        PlanetarySet::new(&apart),
-        Err(GearError::InconsistentCentreDistance { .. })
-    ));
+    assert_says(
+        &PlanetarySet::new(&apart).unwrap_err(),
+        " contradicts the profile shifts, which give ",
+    );
     let none = PlanetarySetInput {
         planets: 0,
         ..example_set()

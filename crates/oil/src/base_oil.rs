@@ -203,7 +203,7 @@ impl BaseOil {
     /// # Ok::<(), asperity_oil::LubricantError>(())
     /// ```
     pub fn data(self) -> Result<&'static BaseOilData, LubricantError> {
-        let unreadable = |reason: String| LubricantError::BaseOils { reason };
+        let unreadable = |reason: String| LubricantError::base_oils(reason);
         let file = data_file()
             .as_ref()
             .map_err(|reason| unreadable(reason.clone()))?;

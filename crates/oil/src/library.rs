@@ -74,10 +74,7 @@ pub fn library() -> Result<Vec<LibraryOil>, LubricantError> {
         let File {
             source,
             oils: entries,
-        } = serde_json::from_str(text).map_err(|error| LubricantError::Library {
-            file,
-            reason: error.to_string(),
-        })?;
+        } = serde_json::from_str(text).map_err(|error| LubricantError::library(file, error))?;
         oils.extend(entries.into_iter().map(|entry| LibraryOil {
             name: entry.name,
             source: source.clone(),
@@ -97,9 +94,9 @@ pub(crate) fn find(name: &str) -> Result<LibraryOil, LubricantError> {
         .position(|oil| oil.name.eq_ignore_ascii_case(name.trim()))
     {
         Some(index) => Ok(oils.swap_remove(index)),
-        None => Err(LubricantError::UnknownOil {
-            name: name.to_owned(),
-            known: oils.into_iter().map(|oil| oil.name).collect(),
-        }),
+        None => Err(LubricantError::unknown_oil(
+            name,
+            &Vec::from_iter(oils.into_iter().map(|oil| oil.name)),
+        )),
     }
 }

@@ -536,7 +536,7 @@ impl FilmRheology {
             },
             Ok,
         );
-        let solved = solved.map_err(LubricantError::HeatedStress)?;
+        let solved = solved.map_err(LubricantError::heated_stress)?;
         Ok((solved, slope / (1.0 - point.heating * slope)))
     }
 }

@@ -53,7 +53,7 @@ impl ViscosityTable {
             }
         }
         if entries.len() < 2 {
-            return Err(LubricantError::NoViscosityAtAnyTemperature);
+            return Err(LubricantError::no_viscosity_at_any_temperature());
         }
         Ok(Self { first, entries })
     }

@@ -1,14 +1,14 @@
 //! Calibrations from the losses of a rig.
 
-use asperity::message::Code;
 use asperity::core::number;
+use asperity::message::Code;
 use std::path::{Path, PathBuf};
 
 use asperity::LoadedCase;
 use asperity::case::{self, CalibratedName};
 use asperity_calibration as calibrating;
 use asperity_calibration::evidence::{Effort, EvidenceTable};
-use asperity_calibration::{error, Limits, Reach, RigFiles, Watch, plan};
+use asperity_calibration::{Limits, Reach, RigFiles, Watch, error, plan};
 use asperity_report::StudyResult;
 use pyo3::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Cases: loaded, changed, run.
 
-use asperity::message::Code;
 use asperity::core::number;
+use asperity::message::Code;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

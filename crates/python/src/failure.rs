@@ -54,7 +54,13 @@ fn raised(py: Python<'_>, fault: &Fault) -> PyResult<PyErr> {
         )
     });
     let actions = json(fault.remedy())?;
-    let error = class.call1((fault.message(), fault.code().as_str(), fault.help(), place, actions))?;
+    let error = class.call1((
+        fault.message(),
+        fault.code().as_str(),
+        fault.help(),
+        place,
+        actions,
+    ))?;
     Ok(PyErr::from_value(error))
 }
 
@@ -78,5 +84,8 @@ pub fn explain(code: &str) -> Option<(&'static str, &'static str, &'static str)>
 pub fn add_codes(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let codes = Code::ALL.iter().map(|code| (code.as_str(), code.as_str()));
     let namespace = module.py().import("types")?.getattr("SimpleNamespace")?;
-    module.add("Code", namespace.call((), Some(&codes.into_py_dict(module.py())?))?)
+    module.add(
+        "Code",
+        namespace.call((), Some(&codes.into_py_dict(module.py())?))?,
+    )
 }

@@ -1,10 +1,10 @@
 //! Laws of Hertz contact, film and friction over arrays: flat arrays of one length in, in SI units; broadcasting is
 //! Python's.
 
-use asperity::message::Code;
 use asperity::contact::hertz_line::HertzLine;
 use asperity::core::OutOfRange;
 use asperity::ehl_regime::{FilmConditions, FilmLaw, thermal_reduction::ThermalLaw};
+use asperity::message::Code;
 use asperity::quantity::*;
 use asperity::tribo_friction::conditions::{FrictionConditions, MeshConditions};
 use asperity::tribo_friction::friction_law::{FrictionLaw, FrictionSettings};

@@ -1,11 +1,11 @@
 //! Gears, steels and oils of the library, worked cases, cases from gearbox files.
 
-use asperity::message::Code;
+use asperity::message::{Code, Fault};
 use std::path::{Path, PathBuf};
 
 use asperity_fixtures::worked::{Worked, WorkedError};
 use asperity_report::library::{
-    gears_named, unlisted, listed_gears, listed_oil, listed_steel, oils_named, steels_named,
+    gears_named, listed_gears, listed_oil, listed_steel, oils_named, steels_named, unlisted,
 };
 use asperity_rexs::{CaseText, Flanks, Model, case_text, contents, train_text};
 use asperity_storage::{new_folder_of, whole_file};

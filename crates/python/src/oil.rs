@@ -10,8 +10,8 @@ use asperity_calibration::oil::error::of_table;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
-    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, Probe,
-    Reading, Stribeck, TractionCurves, TractionRange, read_text, source,
+    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, Probe, Reading,
+    Stribeck, TractionCurves, TractionRange, read_text, source,
 };
 use asperity_calibration::table_text;
 use pyo3::prelude::*;

@@ -10,7 +10,8 @@ use crate::failure::{self, Failure};
 use crate::work::alone;
 
 fn parsed(result: &str) -> Result<RunResult, Failure> {
-    asperity_report::parse_result(result).map_err(|error| Failure::new(Code::E402, error.to_string()))
+    asperity_report::parse_result(result)
+        .map_err(|error| Failure::new(Code::E402, error.to_string()))
 }
 
 /// The summary of a result in JSON, as the command prints it.

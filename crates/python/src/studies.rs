@@ -9,7 +9,7 @@ use asperity::profile_io::read::read_table;
 use asperity_report::StudyResult;
 use asperity_studies::callout::{self as limits, CallOutSettings};
 use asperity_studies::compare::{self as comparing, Finish};
-use asperity_studies::cycle::{self as driving, Fault};
+use asperity_studies::cycle as driving;
 use asperity_studies::export::{AddedLoss, Format, With, export};
 use asperity_studies::map::{self as mapping, Axes, MapBand, MapExtras, Numbers, Point};
 use asperity_studies::ridges as dearest;
@@ -247,7 +247,10 @@ impl Map {
         }
         let extended: Vec<bool> = points.iter().map(Point::is_extended).collect();
         arrays.set_item("extended", extended.into_pyarray(py))?;
-        let codes: Vec<Option<&str>> = points.iter().map(|point| point.code.as_deref()).collect();
+        let codes: Vec<Option<&str>> = points
+            .iter()
+            .map(|point| Some(point.code?.as_str()))
+            .collect();
         arrays.set_item("code", codes)?;
         let regime = |point: &Point| point.numbers.as_ref().map(|n| n.regime().name());
         let regimes: Vec<Option<&str>> = points.iter().map(regime).collect();

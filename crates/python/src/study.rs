@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity_report::{Fault, StudyResult};
+use asperity::message::Fault;
+use asperity_report::StudyResult;
 use pyo3::prelude::*;
 
 use crate::failure::{self, Failure};

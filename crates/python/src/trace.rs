@@ -99,7 +99,7 @@ impl Trace {
     }
 }
 
-fn told(code: &str, text: String, remedy: &str) -> Value {
+fn told(code: Code, text: String, remedy: &str) -> Value {
     json!({ "code": code, "text": text, "help": remedy })
 }
 

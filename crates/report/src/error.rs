@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::path::Path;
 
-use asperity_core::{Code, Fault};
+use asperity_core::{Code, Fault, Remedy, Setting};
 use asperity_roughness::RoughnessError;
 use asperity_storage::{NotFinite, StorageError};
 use asperity_table::own::{OwnFault, Unwritten};
@@ -76,7 +76,9 @@ pub(crate) fn no_fields(number: usize, place: Option<&Path>) -> Fault {
         Code::E402,
         format!("the fields of position {number} were not stored{place}"),
     )
-    .helping("Run the case again with this position in --fields.")
+    .with(
+        Remedy::state(Setting::Key("fields")).because("with this position, and run the case again"),
+    )
 }
 
 /// A trace cannot be prepared.

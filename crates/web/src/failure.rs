@@ -1,8 +1,8 @@
 //! Errors as the page shows them: a code, a message in keys of the case, a place, help.
 
-use asperity::message::{Code, Fault};
 use asperity::case::Place;
 use asperity::key_words::{advice, with_keys};
+use asperity::message::{Code, Fault};
 use asperity::profile_io::read::ReadError;
 use serde::Serialize;
 
@@ -73,5 +73,22 @@ impl From<Fault> for Failure {
 impl From<serde_json::Error> for Failure {
     fn from(error: serde_json::Error) -> Self {
         Fault::internal(error).into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_code_has_its_remedy() {
+        for code in Code::ALL {
+            let failure = Failure::new(*code, "m");
+            assert!(failure.help.ends_with('.'), "{code}");
+            assert!(
+                !failure.help.contains("--"),
+                "{code}: an option of the command"
+            );
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! A case from a REXS gearbox file.
 
-use asperity_rexs::{Flanks, Model, StageKind, case_text, stages, train_text};
 use asperity::message::Fault;
+use asperity_rexs::{Flanks, Model, StageKind, case_text, stages, train_text};
 use serde::Serialize;
 
 use crate::failure::Failure;

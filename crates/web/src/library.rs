@@ -1,7 +1,7 @@
 //! Gears, steels and oils by name.
 
-use asperity::message::Fault;
 use asperity::core::presets;
+use asperity::message::Fault;
 use asperity::oil::library as oils;
 use serde_json::{Map, Value, json};
 

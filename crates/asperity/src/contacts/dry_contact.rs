@@ -40,14 +40,17 @@ fn solve(loaded: &LoadedCase, path_fraction: f64) -> Result<DryContact, Position
     let position = position_at(case, path.a + (path.e - path.a) * path_fraction)?;
     let window = (case.model.window, case.modulus);
     let pair = WindowPair::at(surfaces, &position, window, (0, 1))?;
-    let pair = pair.ok_or(PositionError::NoProfile)?;
+    let pair = pair.ok_or_else(PositionError::no_profile)?;
     let pressing = Pressing {
         case,
         position: &position,
         pair: &pair,
         film_share: 0.0,
     };
-    let solution = pressing.solve()?.solids.ok_or(PositionError::NoProfile)?;
+    let solution = pressing
+        .solve()?
+        .solids
+        .ok_or_else(PositionError::no_profile)?;
     Ok(DryContact {
         path_fraction,
         hertz: position.hertz,

@@ -108,7 +108,7 @@ pub(crate) fn places<'a>(
     };
     let places: Vec<&MeshPosition> = positions.iter().filter(fine).collect();
     match places.is_empty() {
-        true => Err(PositionError::NoProfile),
+        true => Err(PositionError::no_profile()),
         false => Ok(places),
     }
 }
@@ -286,7 +286,7 @@ fn window_points(case: &Case, position: &MeshPosition, spacing: Length) -> usize
 fn traces(surfaces: &Surfaces) -> Result<[&Profile; 2], PositionError> {
     match surfaces.textures() {
         [Texture::Trace(pinion), Texture::Trace(wheel)] => Ok([pinion, wheel]),
-        _ => Err(PositionError::NoProfile),
+        _ => Err(PositionError::no_profile()),
     }
 }
 

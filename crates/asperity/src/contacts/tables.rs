@@ -189,9 +189,9 @@ impl Contacts {
     pub(crate) fn check(&self, loaded: &LoadedCase) -> Result<(), PositionError> {
         match self.have_windows_of(&ContactInputs::of(loaded)) {
             true => Ok(()),
-            false => Err(PositionError::OtherTables {
-                differs: "flank, steel, window or number of offsets",
-            }),
+            false => Err(PositionError::other_tables(
+                "flank, steel, window or number of offsets",
+            )),
         }
     }
 
@@ -204,9 +204,7 @@ impl Contacts {
         position: &MeshPosition,
     ) -> Result<&[Arc<WindowContact>], PositionError> {
         let row = self.rows.get(&key(position)).map(Vec::as_slice);
-        row.ok_or(PositionError::OtherTables {
-            differs: "line load or radius",
-        })
+        row.ok_or_else(|| PositionError::other_tables("line load or radius"))
     }
 
     /// The load over the teeth of `case`, if it is the load of the contacts.

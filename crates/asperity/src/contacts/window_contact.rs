@@ -86,7 +86,7 @@ impl WindowContact {
             zone,
             offset,
         } = self.place;
-        let window = self.window.ok_or(PositionError::NoProfile)?;
+        let window = self.window.ok_or_else(PositionError::no_profile)?;
         let [first, second] = window.cut(&self.inputs.surfaces, zone, offset)?;
         let pairs = first.heights().iter().zip(second.heights());
         let composite: Vec<f64> = pairs.map(|(a, b)| a + b).collect();
@@ -153,7 +153,7 @@ impl WindowContact {
         for k in (0..count).filter(|k| surfaces.begins_a_pair(*k, count)) {
             let window = Window::at(surfaces, position, model.window, k, count)?;
             if window.is_none() && loaded.case.formulation == Formulation::Paper {
-                return Err(PositionError::NoProfile);
+                return Err(PositionError::no_profile());
             }
             surfaces.roughness_at(position, model.window, (k, count))?;
         }

@@ -85,10 +85,10 @@ pub(crate) fn in_film<'a>(
             return Ok(settled.into_iter().map(|(_, found)| found).collect());
         }
     }
-    Err(PositionError::FlashNotSettled {
-        flash_kelvin: open.first().map_or(0.0, |one| one.before),
-        passes: FLASH_PASSES,
-    })
+    Err(PositionError::flash_not_settled(
+        open.first().map_or(0.0, |one| one.before),
+        FLASH_PASSES,
+    ))
 }
 
 /// Friction coefficient of the smooth film by the law of the case.

@@ -116,7 +116,7 @@ fn traction_law(case: &Case) -> Result<TractionLaw, PositionError> {
     let rheology = case
         .rheology
         .as_ref()
-        .ok_or(asperity_oil::LubricantError::NoBaseOil)?;
+        .ok_or_else(asperity_oil::LubricantError::no_base_oil)?;
     let constants = rheology.constants();
     Ok(TractionLaw {
         shear: constants.shear_law(rheology.laws().0),

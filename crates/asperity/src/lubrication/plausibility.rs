@@ -40,13 +40,13 @@ pub(crate) fn plausible_film(
     if minimum > 0.0 {
         return Ok(film);
     }
-    Err(PositionError::Impossible {
-        name: "minimum film",
-        value: minimum,
-        unit: "m",
-        rule: "greater than zero",
-        limit: None,
-    })
+    Err(PositionError::impossible(
+        "minimum film",
+        minimum,
+        "m",
+        "greater than zero",
+        None,
+    ))
 }
 
 /// Refuses a solved position that cannot be.
@@ -72,11 +72,11 @@ fn below(
     if value <= limit {
         return Ok(());
     }
-    Err(PositionError::Impossible {
+    Err(PositionError::impossible(
         name,
         value,
         unit,
-        rule: "at most",
-        limit: Some(limit),
-    })
+        "at most",
+        Some(limit),
+    ))
 }

@@ -177,7 +177,7 @@ impl Lubrication<'_> {
                 false => None,
             };
             if pair.is_none() && self.case.formulation == Formulation::Paper {
-                return Err(PositionError::NoProfile);
+                return Err(PositionError::no_profile());
             }
             let undecided = Undecided::of(self.case, self.laws, of_position, &contact.roughness)?;
             open.push((share, pair, undecided));
@@ -241,7 +241,7 @@ impl Lubrication<'_> {
         let film = plausible_film(self.case, at)?;
         let of_position = (at, &film);
         let rough = RoughFilm::at(self.case, self.laws, self.surfaces, of_position)?;
-        let mut rough = rough.ok_or(PositionError::NoProfile)?;
+        let mut rough = rough.ok_or_else(PositionError::no_profile)?;
         let count = contacts.len();
         let force = at.weight * at.mean_sliding() * at.load.si();
         let mut by_offset = Vec::with_capacity(count);
@@ -382,7 +382,7 @@ impl Lubrication<'_> {
             *film_alone = by_law.into_iter().next().map(|film| (film_share, film));
         }
         let known = film_alone.as_ref().map(|(_, film)| film.clone());
-        known.ok_or(PositionError::NoProfile)
+        known.ok_or_else(PositionError::no_profile)
     }
 
     /// Whether the film friction of the case is for a film without asperities, which a solved film can replace.

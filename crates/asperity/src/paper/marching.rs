@@ -87,11 +87,11 @@ impl March<'_> {
                 start = Some(made.solids.pressure);
             }
         }
-        Err(PositionError::Marching {
-            load_error_percent: 100.0 * error,
-            allowed_percent: 100.0 * self.case.model.numerical_error,
-            steps: self.history.len(),
-        })
+        Err(PositionError::marching(
+            100.0 * error,
+            100.0 * self.case.model.numerical_error,
+            self.history.len(),
+        ))
     }
 
     fn step(&mut self, approach: f64, start: Option<&[f64]>) -> Result<Step, PositionError> {

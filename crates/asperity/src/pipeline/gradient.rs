@@ -220,7 +220,7 @@ pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
     let (case, surfaces) = (&loaded.case, &loaded.surfaces);
     surfaces.check_one_pair()?;
     if surfaces.is_surrogate() {
-        return Err(PositionError::NoProfile);
+        return Err(PositionError::no_profile());
     }
     surfaces.traces()?;
     let model = &case.model;
@@ -236,7 +236,7 @@ pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
     } else {
         return Ok(());
     };
-    Err(PositionError::NoGradient { differs })
+    Err(PositionError::no_gradient(differs))
 }
 
 /// Refuses the paper's formulation: away from its own case it can have no sliding loss, whatever the heights are.
@@ -246,9 +246,7 @@ pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
 pub fn check_heights(loaded: &LoadedCase) -> Result<(), PositionError> {
     match loaded.case.formulation {
         Formulation::Corrected => Ok(()),
-        Formulation::Paper => Err(PositionError::NoGradient {
-            differs: "formulation = \"paper\"",
-        }),
+        Formulation::Paper => Err(PositionError::no_gradient("formulation = \"paper\"")),
     }
 }
 

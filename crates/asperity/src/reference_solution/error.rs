@@ -33,7 +33,7 @@ impl From<ReferenceError> for PositionError {
             ReferenceError::Position(error) => error,
             ReferenceError::Ehl(error) => Self::Ehl(error),
             ReferenceError::Share(error) => Self::LoadShare(error),
-            ReferenceError::NoBaseOil => Self::Lubricant(LubricantError::NoBaseOil),
+            ReferenceError::NoBaseOil => LubricantError::no_base_oil().into(),
         }
     }
 }

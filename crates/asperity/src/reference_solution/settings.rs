@@ -158,7 +158,7 @@ impl ReferenceContact {
         let path_fraction = (position.s - path.a) / (path.e - path.a);
         loaded.surfaces.check_one_pair()?;
         let [Texture::Trace(first), Texture::Trace(second)] = loaded.surfaces.textures() else {
-            return Err(PositionError::NoProfile.into());
+            return Err(PositionError::no_profile().into());
         };
         let contact = line_contact(case, &position);
         let rheology = rheology(case)?;

@@ -420,7 +420,7 @@ fn loaded_by_losses(loaded: Train) -> Result<Train, Error> {
     if !loaded.shafting.passes_losses {
         return Ok(loaded);
     }
-    let whole = |error| Error::Whole(Box::new(PositionError::Gear(error)));
+    let whole = |error| Error::Whole(Box::new(PositionError::from(error)));
     let mut settled = loaded;
     let mut known: Vec<Vec<(MeshLoad, Power)>> = vec![Vec::new(); settled.stages.len()];
     let mut change = f64::INFINITY;
@@ -456,9 +456,9 @@ fn loaded_by_losses(loaded: Train) -> Result<Train, Error> {
             return Ok(settled);
         }
     }
-    Err(Error::Whole(Box::new(PositionError::TorquesNotSettled {
+    Err(Error::Whole(Box::new(PositionError::torques_not_settled(
         change,
-    })))
+    ))))
 }
 
 /// Checks all meshes of a train as [`pipeline::check`], and returns the warnings that need no solution: a warning that not all

@@ -81,7 +81,7 @@ impl OilBase {
             return Err(oil_error::one_viscosity(name));
         }
         let family = lubricant.base_oil();
-        let family = family.ok_or_else(|| oil(asperity::oil::LubricantError::NoBaseOil))?;
+        let family = family.ok_or_else(|| oil(asperity::oil::LubricantError::no_base_oil()))?;
         let constants = lubricant.traction_constants(family).map_err(oil)?;
         let rheology = FilmRheology::of(&lubricant, family, constants, GOLD_TEMPERATURE);
         Ok(Self {

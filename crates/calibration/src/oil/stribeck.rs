@@ -142,7 +142,7 @@ impl Stribeck {
         let times = distinct(points.iter().map(|point| point.rubbing_s));
         let states: Vec<BoundaryState> = times.iter().map(|time| state(*time, &points)).collect();
         let last = states.last().filter(|last| last.rubbing_s > 0.0);
-        let last = last.ok_or(oil_error::not_rubbed())?;
+        let last = last.ok_or_else(oil_error::not_rubbed)?;
         let (boundary_friction, scatter) = accepted(last, &points)?;
         let deviation = TRANSFER.hypot(scatter);
         let quantiles = |z: f64| [-z, z].map(|z| boundary_friction * (z * deviation).exp());

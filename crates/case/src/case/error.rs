@@ -1,11 +1,14 @@
 //! Errors of a case file, each with a code, a place and a remedy.
 
-use asperity_core::Code;
 use std::borrow::Cow;
+use std::fmt::Display;
+
+use asperity_core::{Code, Fault};
 
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{DomainError, number_with_unit};
+use asperity_oil::LubricantError;
 use asperity_profile_io::read::ReadError;
 
 use crate::loss_table::LossTableError;
@@ -15,57 +18,9 @@ use asperity_core::message::{IN_MEMORY, Place};
 pub(super) const LOOSEST_TOLERANCE: f64 = 1e-4;
 
 /// A case that cannot be run.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum CaseError {
-    /// The file cannot be opened.
-    #[error("{file}: cannot be opened: {reason}")]
-    Open {
-        /// Name of the file.
-        file: String,
-        /// Reason given by the operating system.
-        reason: std::io::Error,
-    },
-    /// A folder in place of a case file.
-    #[error("{file}: is a folder; name the case file in it, e.g. {file}/case.toml")]
-    Folder {
-        /// Name of the folder.
-        file: String,
-    },
-    /// Not text in UTF-8.
-    #[error("{place}: is not text in UTF-8 from this line on; save the case file as UTF-8")]
-    Encoding {
-        /// Place in the case file.
-        place: Place,
-    },
-    /// Not TOML, or not JSON.
-    #[error("{place}: {message}")]
-    Syntax {
-        /// Place in the case file.
-        place: Place,
-        /// Message of the parser.
-        message: String,
-    },
-    /// A key that does not exist in a case file.
-    #[error("{place}: unknown key \"{key}\"{}", did_you_mean(nearest.as_deref()))]
-    UnknownKey {
-        /// Place in the case file.
-        place: Place,
-        /// The key, with its table.
-        key: String,
-        /// The most similar known key.
-        nearest: Option<String>,
-    },
-    /// A value that cannot be read, or a key that is missing.
-    #[error("{place}: {}{message}", key.as_ref().map(|k| format!("{k}: ")).unwrap_or_default())]
-    Value {
-        /// Place in the case file.
-        place: Place,
-        /// The key, with its table.
-        key: Option<String>,
-        /// Values seen and expected.
-        message: String,
-    },
     /// Keys that exclude or need each other.
     #[error("{place}: {key}: {rule}")]
     Conflict {
@@ -88,183 +43,285 @@ pub enum CaseError {
         /// The number and the rule.
         source: DomainError,
     },
+    /// An error that no caller distinguishes from others.
+    #[error(transparent)]
+    Fault(#[from] Fault),
+}
+
+impl CaseError {
+    fn new(code: Code, message: String) -> Self {
+        Self::Fault(Fault::new(code, message))
+    }
+
+    fn at(code: Code, message: String, place: Place) -> Self {
+        Self::Fault(Fault::new(code, message).at(place))
+    }
+
+    fn with(self, remedy: Remedy) -> Self {
+        match self {
+            Self::Fault(fault) => Self::Fault(fault.with(remedy)),
+            other => other,
+        }
+    }
+
+    /// The remedy to write the most similar known name, if there is one.
+    fn or_write(self, nearest: Option<&str>) -> Self {
+        match nearest {
+            Some(nearest) => self.with(Remedy::act(format!("write {nearest}"))),
+            None => self,
+        }
+    }
+
+    /// The file cannot be opened.
+    pub(crate) fn open(file: impl Display, reason: std::io::Error) -> Self {
+        Self::new(Code::E201, format!("{file}: cannot be opened: {reason}"))
+            .with(Remedy::act("check the path"))
+    }
+
+    /// A folder in place of a case file.
+    pub(crate) fn folder(file: &str) -> Self {
+        Self::new(
+            Code::E201,
+            format!("{file}: is a folder; name the case file in it, e.g. {file}/case.toml"),
+        )
+    }
+
+    /// Not text in UTF-8.
+    pub(crate) fn encoding(place: Place) -> Self {
+        Self::at(
+            Code::E202,
+            format!("{place}: is not text in UTF-8 from this line on; save the case file as UTF-8"),
+            place,
+        )
+    }
+
+    /// Not TOML, or not JSON.
+    pub(crate) fn syntax(place: Place, message: impl Display) -> Self {
+        Self::at(Code::E202, format!("{place}: {message}"), place)
+    }
+
+    /// A key that does not exist in a case file.
+    pub(crate) fn unknown_key(place: Place, key: &str, nearest: Option<String>) -> Self {
+        Self::at(
+            Code::E203,
+            format!(
+                "{place}: unknown key \"{key}\"{}",
+                did_you_mean(nearest.as_deref())
+            ),
+            place,
+        )
+        .or_write(nearest.as_deref())
+    }
+
+    /// A value that cannot be read, or a key that is missing.
+    pub(crate) fn value(place: Place, key: Option<&str>, message: impl Display) -> Self {
+        Self::at(
+            Code::E204,
+            format!(
+                "{place}: {}{message}",
+                key.map(|key| format!("{key}: ")).unwrap_or_default()
+            ),
+            place,
+        )
+    }
+
     /// A number outside the possible range of gear drives.
-    #[error("{place}: {key}{}: {seen} is beyond physical sense; usual is {usual}", as_written(written.as_deref()))]
-    Impossible {
-        /// Place in the case file.
+    pub(crate) fn impossible(
         place: Place,
-        /// The key, with its table.
-        key: Cow<'static, str>,
-        /// The value as written in the file, if it is there.
+        key: impl Display,
         written: Option<String>,
-        /// The number with its unit.
-        seen: String,
-        /// The usual range with its unit.
-        usual: String,
-    },
+        seen: impl Display,
+        usual: &str,
+    ) -> Self {
+        Self::at(
+            Code::E212,
+            format!(
+                "{place}: {key}{}: {seen} is beyond physical sense; usual is {usual}",
+                as_written(written.as_deref())
+            ),
+            place,
+        )
+    }
+
     /// A choice that does not apply to these gears.
-    #[error("{place}: {key}: {source}")]
-    NotForTheseGears {
-        /// Place in the case file.
+    pub(crate) fn not_for_these_gears(
         place: Place,
-        /// The key, with its table.
-        key: Cow<'static, str>,
-        /// The reason.
+        key: impl Display,
         source: asperity_gear::GearError,
-    },
+    ) -> Self {
+        Self::at(Code::E209, format!("{place}: {key}: {source}"), place)
+    }
+
     /// A gear pair that cannot mesh.
-    #[error("{place}: {source}")]
-    Gears {
-        /// Place in the case file.
-        place: Place,
-        /// The reason.
-        source: asperity_gear::GearError,
-    },
+    pub(crate) fn gears(place: Place, source: asperity_gear::GearError) -> Self {
+        Self::at(Code::E206, format!("{place}: {source}"), place)
+    }
+
     /// An incomplete or impossible lubricant.
-    #[error("{place}: {key}{}: {source}", as_written(written.as_deref()))]
-    Lubricant {
-        /// Place in the case file.
+    pub(crate) fn lubricant(
         place: Place,
-        /// The key, with its table.
-        key: Cow<'static, str>,
-        /// The value as written in the file, if a single value causes the error.
+        key: impl Display,
         written: Option<String>,
-        /// The reason.
-        source: asperity_oil::LubricantError,
-    },
+        source: LubricantError,
+    ) -> Self {
+        let code = match source {
+            LubricantError::ImplausiblePressureViscosity { .. } => Code::E207,
+            _ => Code::E208,
+        };
+        Self::at(
+            code,
+            format!("{place}: {key}{}: {source}", as_written(written.as_deref())),
+            place,
+        )
+    }
+
     /// A steel that is not in the library.
-    #[error("{place}: {key} = \"{name}\": the library has no such steel{}; it has: {}", did_you_mean(nearest.as_deref()), known.join(", "))]
-    UnknownSteel {
-        /// Place in the case file.
+    pub(crate) fn unknown_steel(
         place: Place,
-        /// The key, with its table.
-        key: Cow<'static, str>,
-        /// The name in the case.
-        name: String,
-        /// The steel with the most similar name.
+        key: impl Display,
+        name: impl Display,
         nearest: Option<String>,
-        /// The names in the library.
-        known: Vec<String>,
-    },
+        known: &[String],
+    ) -> Self {
+        Self::at(
+            Code::E220,
+            format!(
+                "{place}: {key} = \"{name}\": the library has no such steel{}; it has: {}",
+                did_you_mean(nearest.as_deref()),
+                known.join(", ")
+            ),
+            place,
+        )
+        .or_write(nearest.as_deref())
+    }
+
     /// The library of steels cannot be read.
-    #[error("{source}")]
-    Steels {
-        /// The reason.
-        source: asperity_core::presets::PresetError,
-    },
+    pub(crate) fn steels(source: asperity_core::presets::PresetError) -> Self {
+        Self::new(Code::E501, format!("{source}"))
+    }
+
     /// A file that the case names and that cannot be opened.
-    #[error("{file}: cannot be opened: {reason}{}", named(place, Some(key)))]
-    OpenNamed {
-        /// Name of the file.
-        file: String,
-        /// Place at which it is named.
+    pub(crate) fn open_named(
+        file: impl Display,
         place: Place,
-        /// The key that names it.
-        key: Cow<'static, str>,
-        /// Reason given by the operating system.
+        key: &str,
         reason: std::io::Error,
-    },
+    ) -> Self {
+        Self::at(
+            Code::E103,
+            format!(
+                "{file}: cannot be opened: {reason}{}",
+                named(&place, Some(key))
+            ),
+            place,
+        )
+    }
+
     /// A file that is no longer the one that the case was read from.
-    #[error("{file}: changed or was removed since the case was read")]
-    FileChanged {
-        /// Name of the file.
-        file: String,
-    },
+    pub(crate) fn file_changed(file: impl Display) -> Self {
+        Self::new(
+            Code::E140,
+            format!("{file}: changed or was removed since the case was read"),
+        )
+    }
+
     /// A pattern that matches no trace.
-    #[error("{place}: {key} = \"{pattern}\": {}", no_traces(folder.as_deref()))]
-    NoTraces {
-        /// Place in the case file.
+    pub(crate) fn no_traces(
         place: Place,
-        /// The key with the pattern.
-        key: Cow<'static, str>,
-        /// The pattern.
-        pattern: String,
-        /// The folder that was searched; `None` for a case without files.
+        key: impl Display,
+        pattern: impl Display,
         folder: Option<String>,
-    },
+    ) -> Self {
+        Self::at(
+            Code::E137,
+            format!(
+                "{place}: {key} = \"{pattern}\": {}",
+                no_traces(folder.as_deref())
+            ),
+            place,
+        )
+    }
+
     /// A finish of which no surrogates can be generated.
-    #[error(
-        "{place}: {key} = \"{finish}\": only ground and superfinished have a recipe of surrogates; give the trace of the flank"
-    )]
-    NoRecipe {
-        /// Place in the case file.
-        place: Place,
-        /// The key, with its table.
-        key: Cow<'static, str>,
-        /// Name of the finish.
-        finish: &'static str,
-    },
+    pub(crate) fn no_recipe(place: Place, key: impl Display, finish: &'static str) -> Self {
+        Self::at(
+            Code::E223,
+            format!(
+                "{place}: {key} = \"{finish}\": only ground and superfinished have a recipe of surrogates; give the trace of the flank"
+            ),
+            place,
+        )
+    }
+
     /// A part of the gearbox with impossible numbers.
-    #[error("{place}: {key}: {part}: {source}")]
-    GearboxPart {
-        /// Place in the case file.
+    pub(crate) fn gearbox_part(
         place: Place,
-        /// The key of its list.
-        key: Cow<'static, str>,
-        /// Name of the part.
-        part: String,
-        /// The reason.
+        key: impl Display,
+        part: impl Display,
         source: asperity_efficiency::EfficiencyError,
-    },
+    ) -> Self {
+        Self::at(
+            Code::E222,
+            format!("{place}: {key}: {part}: {source}"),
+            place,
+        )
+    }
+
     /// A table of losses that cannot be used.
-    #[error("{source}{}", named(place, Some(key)))]
-    LossTable {
-        /// Place at which it is named.
-        place: Place,
-        /// The key that names it.
-        key: Cow<'static, str>,
-        /// The reason.
-        source: LossTableError,
-    },
+    pub(crate) fn loss_table(place: Place, key: &str, source: LossTableError) -> Self {
+        Self::at(
+            Code::E138,
+            format!("{source}{}", named(&place, Some(key))),
+            place,
+        )
+    }
+
     /// Several meshes for what takes one of them.
-    #[error("{file}: has several meshes: {meshes}; this takes one of them")]
-    SeveralMeshes {
-        /// Name of the case.
-        file: String,
-        /// Names of the meshes.
-        meshes: String,
-    },
-    /// No mesh of this name.
-    #[error("{file}: {}", no_mesh(name, meshes.as_deref()))]
-    NoMesh {
-        /// Name of the case.
-        file: String,
-        /// The name.
-        name: String,
-        /// Names of the meshes; `None` if the only mesh has no name.
-        meshes: Option<String>,
-    },
+    pub(crate) fn several_meshes(file: impl Display, meshes: impl Display) -> Self {
+        Self::new(
+            Code::E205,
+            format!("{file}: has several meshes: {meshes}; this takes one of them"),
+        )
+    }
+
+    /// No mesh of this name; `meshes` names those there are, `None` if the only mesh has no name.
+    pub(crate) fn no_mesh(file: impl Display, name: &str, meshes: Option<&str>) -> Self {
+        Self::new(Code::E205, format!("{file}: {}", no_mesh(name, meshes)))
+    }
+
     /// A profile that cannot be read.
-    #[error("{source}{}", named(place, None))]
-    Profile {
-        /// Place at which it is named.
-        place: Place,
-        /// The reason.
-        source: Box<ReadError>,
-    },
+    pub(crate) fn profile(place: Place, source: &ReadError) -> Self {
+        let remedy = source.remedy();
+        Self::at(
+            source.code(),
+            format!("{source}{}", named(&place, None)),
+            place,
+        )
+        .with(remedy)
+    }
+
     /// The mean of a surface, whose roughness is averaged out.
-    #[error(
-        "{file}: the mean of the surface has Rq {mean:.3}, single lines {lines:.3}: roughness that does not run across the whole surface is averaged out{}",
-        named(place, None)
-    )]
-    AveragedOut {
-        /// Place at which the surface is named.
+    pub(crate) fn averaged_out(
         place: Place,
-        /// Name of the file.
-        file: String,
-        /// Rq of the mean.
+        file: impl Display,
         mean: Length,
-        /// Rq of single lines.
         lines: Length,
-    },
+    ) -> Self {
+        Self::at(Code::E141, format!("{file}: the mean of the surface has Rq {mean:.3}, single lines {lines:.3}: roughness that does not run across the whole surface is averaged out{}", named(&place, None)), place).with(Remedy::set(Setting::Rows, Value::This("8".into())).because("in place of line"))
+    }
+
     /// A profile that cannot be prepared.
-    #[error("{file}: {source}")]
-    Preparation {
-        /// Name of the profile's file.
-        file: String,
-        /// The reason.
+    pub(crate) fn preparation(
+        file: impl Display,
         source: asperity_roughness::RoughnessError,
-    },
+    ) -> Self {
+        let cutoff = match source.is_of_noise_cutoff() {
+            true => Setting::NoiseCutoff,
+            false => Setting::Cutoff,
+        };
+        let remedy = Remedy::state(cutoff).because("to suit the trace");
+        Self::new(Code::E120, format!("{file}: {source}")).with(remedy)
+    }
 }
 
 fn as_written(written: Option<&str>) -> String {
@@ -322,63 +379,22 @@ pub fn did_you_mean(nearest: Option<&str>) -> String {
 impl CaseError {
     /// Stable code of the message.
     pub fn code(&self) -> Code {
-        use asperity_oil::LubricantError;
         match self {
-            Self::Open { .. } | Self::Folder { .. } => Code::E201,
-            Self::Encoding { .. } | Self::Syntax { .. } => Code::E202,
-            Self::UnknownKey { .. } => Code::E203,
-            Self::Value { .. } => Code::E204,
-            Self::Conflict { .. } | Self::SeveralMeshes { .. } | Self::NoMesh { .. } => Code::E205,
-            Self::Gears { .. } => Code::E206,
-            Self::Lubricant {
-                source: LubricantError::ImplausiblePressureViscosity { .. },
-                ..
-            } => Code::E207,
-            Self::Lubricant { .. } => Code::E208,
+            Self::Conflict { .. } => Code::E205,
             Self::Domain { key, source, .. }
                 if key == "model.tolerance" && source.value > LOOSEST_TOLERANCE =>
             {
                 Code::E211
             }
-            Self::Impossible { .. } => Code::E212,
-            Self::Domain { .. } | Self::NotForTheseGears { .. } => Code::E209,
-            Self::UnknownSteel { .. } => Code::E220,
-            Self::Steels { .. } => Code::E501,
-            Self::OpenNamed { .. } => Code::E103,
-            Self::FileChanged { .. } => Code::E140,
-            Self::NoTraces { .. } => Code::E137,
-            Self::LossTable { .. } => Code::E138,
-            Self::GearboxPart { .. } => Code::E222,
-            Self::NoRecipe { .. } => Code::E223,
-            Self::Profile { source, .. } => source.code(),
-            Self::Preparation { .. } => Code::E120,
-            Self::AveragedOut { .. } => Code::E141,
+            Self::Domain { .. } => Code::E209,
+            Self::Fault(fault) => fault.code(),
         }
     }
 
     /// Remedy that is more specific than that of the code.
     pub fn remedy(&self) -> Remedy {
         match self {
-            Self::Open { .. } => Remedy::act("check the path"),
-            Self::UnknownKey {
-                nearest: Some(nearest),
-                ..
-            }
-            | Self::UnknownSteel {
-                nearest: Some(nearest),
-                ..
-            } => Remedy::act(format!("write {nearest}")),
-            Self::Profile { source, .. } => source.remedy(),
-            Self::AveragedOut { .. } => {
-                Remedy::set(Setting::Rows, Value::This("8".into())).because("in place of line")
-            }
-            Self::Preparation { source, .. } => {
-                let cutoff = match source.is_of_noise_cutoff() {
-                    true => Setting::NoiseCutoff,
-                    false => Setting::Cutoff,
-                };
-                Remedy::state(cutoff).because("to suit the trace")
-            }
+            Self::Fault(fault) => fault.remedy().clone(),
             _ => Remedy::none(),
         }
     }
@@ -386,31 +402,8 @@ impl CaseError {
     /// Place in the case file, if the error is about one.
     pub fn place(&self) -> Option<&Place> {
         match self {
-            Self::Encoding { place }
-            | Self::Syntax { place, .. }
-            | Self::UnknownKey { place, .. }
-            | Self::Value { place, .. }
-            | Self::Conflict { place, .. }
-            | Self::Domain { place, .. }
-            | Self::Gears { place, .. }
-            | Self::Impossible { place, .. }
-            | Self::NotForTheseGears { place, .. }
-            | Self::Lubricant { place, .. }
-            | Self::UnknownSteel { place, .. }
-            | Self::OpenNamed { place, .. }
-            | Self::NoTraces { place, .. }
-            | Self::LossTable { place, .. }
-            | Self::GearboxPart { place, .. }
-            | Self::NoRecipe { place, .. }
-            | Self::Profile { place, .. }
-            | Self::AveragedOut { place, .. } => Some(place),
-            Self::Open { .. }
-            | Self::Folder { .. }
-            | Self::FileChanged { .. }
-            | Self::SeveralMeshes { .. }
-            | Self::NoMesh { .. }
-            | Self::Steels { .. }
-            | Self::Preparation { .. } => None,
+            Self::Conflict { place, .. } | Self::Domain { place, .. } => Some(place),
+            Self::Fault(fault) => fault.place(),
         }
     }
 }

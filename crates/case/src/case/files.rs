@@ -156,9 +156,9 @@ impl Files {
         let reader = Reader::of(self);
         let content = |(name, sum): (&PathBuf, &String)| match reader.content(name) {
             Ok((content, now)) if now == *sum => Ok((name.clone(), content)),
-            _ => Err(CaseError::FileChanged {
-                file: self.path_of(name).display().to_string(),
-            }),
+            _ => Err(CaseError::file_changed(
+                self.path_of(name).display().to_string(),
+            )),
         };
         sums.iter().map(content).collect()
     }
@@ -274,12 +274,12 @@ impl<'a> Reader<'a> {
     ) -> Result<(Content, String), CaseError> {
         self.content(name).map_err(|reason| {
             let key = key.into();
-            CaseError::OpenNamed {
-                file: self.files.path_of(name).display().to_string(),
-                place: source.place_of(&key),
-                key,
+            CaseError::open_named(
+                self.files.path_of(name).display().to_string(),
+                source.place_of(&key),
+                &key,
                 reason,
-            }
+            )
         })
     }
 

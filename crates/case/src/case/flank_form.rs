@@ -126,11 +126,7 @@ pub(super) fn refused(
         ),
         FormError::Unsolved(reason) => reason,
     };
-    CaseError::Value {
-        place: source.place_of(key),
-        key: Some(key.to_owned()),
-        message,
-    }
+    CaseError::value(source.place_of(key), Some(key), message)
 }
 
 /// The form of a flank, with the mean line `waviness` of its trace filtered at `cutoff` and placed as `placed`.

@@ -219,9 +219,8 @@ pub(super) fn on_common_spacing(
             let own = profile.spacing();
             let whole = own * multiple(common.si(), own.si());
             is_interpolated |= common_spacing(whole, common).is_none();
-            let changed = spaced(profile, common).map_err(|source| CaseError::Preparation {
-                file: flank.report.file.clone().unwrap_or_default(),
-                source: source.into(),
+            let changed = spaced(profile, common).map_err(|source| {
+                CaseError::preparation(flank.report.file.clone().unwrap_or_default(), source.into())
             })?;
             flank.texture = Texture::Trace(changed);
         }

@@ -161,11 +161,8 @@ fn matching(
     if !is_pattern(text) {
         return Ok(vec![text.into()]);
     }
-    let refused = |folder: Option<String>| CaseError::NoTraces {
-        place: section.place("traces"),
-        key: section.key("traces"),
-        pattern: text.to_owned(),
-        folder,
+    let refused = |folder: Option<String>| {
+        CaseError::no_traces(section.place("traces"), section.key("traces"), text, folder)
     };
     let path = Path::new(text);
     let parent = path.parent().unwrap_or(Path::new(""));

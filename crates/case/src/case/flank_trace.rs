@@ -236,10 +236,7 @@ fn trace(
     } else {
         read.profile.clone()
     };
-    let refused = |source| CaseError::Preparation {
-        file: name.clone(),
-        source,
-    };
+    let refused = |source| CaseError::preparation(&name, source);
     let mut filters = Filters::of(case, &short, read.reading.as_ref());
     if let Some(place) = place.filter(|place| place.reference.is_some()) {
         filters.keep_ends(case, keys.table, &place);
@@ -362,12 +359,12 @@ fn check_mean(
     let squares: Vec<f64> = rows.filter_map(of_line).collect();
     let lines = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
     match mean.si() < LEAST * lines {
-        true => Err(CaseError::AveragedOut {
-            place: context.source.place_of(&keys.file),
-            file: name.to_owned(),
+        true => Err(CaseError::averaged_out(
+            context.source.place_of(&keys.file),
+            name,
             mean,
-            lines: Length::from_si(lines),
-        }),
+            Length::from_si(lines),
+        )),
         false => Ok(()),
     }
 }
@@ -435,17 +432,12 @@ fn read_trace(
             return Ok(None);
         };
         let cleaned = replace(profile, Outliers::beyond(deviations));
-        let cleaned = cleaned.map_err(|source| CaseError::Preparation {
-            file: file.display().to_string(),
-            source,
-        })?;
+        let cleaned =
+            cleaned.map_err(|source| CaseError::preparation(file.display().to_string(), source))?;
         Ok(Some(cleaned))
     };
     let name = file.display().to_string();
-    let refused = |error| CaseError::Profile {
-        place: source.place_of(&keys.file),
-        source: Box::new(error),
-    };
+    let refused = |error| CaseError::profile(source.place_of(&keys.file), &error);
     let (bytes, sum) = match context.files.open(file, source, keys.file.clone())? {
         (Content::Bytes(bytes), sum) => (bytes, sum),
         (Content::Heights(profile), _) => {
@@ -547,10 +539,7 @@ fn lines_across(
     };
     let name = file.display().to_string();
     let surface = read_surface_bytes(&name, &bytes, &read_options(input));
-    let refused = |error| CaseError::Profile {
-        place: source.place_of(&keys.file),
-        source: Box::new(error),
-    };
+    let refused = |error| CaseError::profile(source.place_of(&keys.file), &error);
     let surface = surface.map_err(refused)?;
     Ok(match line {
         TraceLine::Row | TraceLine::Mean => surface.rows,

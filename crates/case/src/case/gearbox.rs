@@ -321,12 +321,7 @@ fn refused<'a>(
     key: &'a str,
     part: &'a str,
 ) -> impl Fn(EfficiencyError) -> CaseError + use<'a> {
-    move |error| CaseError::GearboxPart {
-        place: section.place(key),
-        key: section.key(key),
-        part: part.to_owned(),
-        source: error,
-    }
+    move |error| CaseError::gearbox_part(section.place(key), section.key(key), part, error)
 }
 
 /// Refuses the first of keys that a part does not have.
@@ -525,12 +520,9 @@ fn table(
             return Err(section.value(key, "names a trace, not a table of losses"));
         }
     };
-    let table =
-        read(&name, &String::from_utf8_lossy(&bytes)).map_err(|error| CaseError::LossTable {
-            place: section.place(key),
-            key: section.key(key).into_owned().into(),
-            source: error,
-        })?;
+    let table = read(&name, &String::from_utf8_lossy(&bytes)).map_err(|error| {
+        CaseError::loss_table(section.place(key), &section.key(key).into_owned(), error)
+    })?;
     Ok((name.into_owned(), Arc::new(table)))
 }
 

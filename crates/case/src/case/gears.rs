@@ -135,10 +135,7 @@ pub(super) fn gears(
 fn refused(error: GearError, source: &Source) -> CaseError {
     match error {
         GearError::Domain(error) => domain(source, key_of("gears", error.name))(error),
-        error => CaseError::Gears {
-            place: source.place_of_key("gears"),
-            source: error,
-        },
+        error => CaseError::gears(source.place_of_key("gears"), error),
     }
 }
 
@@ -356,11 +353,7 @@ pub(super) fn check_load(
             GearError::Domain(_)
             | GearError::UndercutContact { .. }
             | GearError::ReliefStart { .. } => refused(error, source),
-            error => CaseError::NotForTheseGears {
-                place: source.place_of(key),
-                key: key.into(),
-                source: error,
-            },
+            error => CaseError::not_for_these_gears(source.place_of(key), key, error),
         }
     };
     let map = model

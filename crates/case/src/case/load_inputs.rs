@@ -77,7 +77,7 @@ impl LoadInputs {
         })?;
         if map.samples().iter().all(|sample| sample.load.si() == 0.0) {
             let law = law.name().to_owned();
-            return Err(GearError::NoLoad { law });
+            return Err(GearError::no_load(law));
         }
         Ok(map)
     }

@@ -282,13 +282,13 @@ pub(super) fn impossible_at(
     seen: String,
     usual: String,
 ) -> CaseError {
-    CaseError::Impossible {
-        place: source.place_of(&key),
-        written: source.written(&key).map(str::to_owned),
-        key,
+    CaseError::impossible(
+        source.place_of(&key),
+        &key,
+        source.written(&key).map(str::to_owned),
         seen,
-        usual,
-    }
+        &usual,
+    )
 }
 
 pub(super) fn with_unit(text: &str, unit: &str) -> String {

@@ -301,7 +301,9 @@ fn rheology(
     bulk: Temperature,
     (input, oil_file): (&CaseInput, Option<&OilFile>),
 ) -> Result<FilmRheology, LubricantError> {
-    let family = lubricant.base_oil().ok_or(LubricantError::NoBaseOil)?;
+    let family = lubricant
+        .base_oil()
+        .ok_or_else(LubricantError::no_base_oil)?;
     let mut constants = lubricant.traction_constants(family)?;
     if let Some(file) = oil_file {
         file.set_constants(input, &mut constants);
@@ -420,13 +422,13 @@ fn operating_temperature(
         let rule = "needs a law by which the loss heats the flanks above the oil, e.g. the line bulk = { law = \"iso\", lubrication = \"dip\" } under [operation], whose constants are unconfirmed, or \"network\" with the conductances of your gearbox; or state operation.bulk_temperature instead";
         return Err(section.conflict_of_key("oil_temperature", rule));
     }
-    operation
-        .stated_temperature()
-        .ok_or_else(|| CaseError::Value {
-            place: section.place("bulk_temperature"),
-            key: Some(section.table.to_owned()),
-            message: missing_key(section.table, "bulk_temperature"),
-        })
+    operation.stated_temperature().ok_or_else(|| {
+        CaseError::value(
+            section.place("bulk_temperature"),
+            Some(section.table),
+            missing_key(section.table, "bulk_temperature"),
+        )
+    })
 }
 
 fn lubricant_at(source: &Source, operation: &OperationInput, error: LubricantError) -> CaseError {
@@ -446,12 +448,12 @@ fn lubricant_at(source: &Source, operation: &OperationInput, error: LubricantErr
                 }
                 _ => "lubricant",
             };
-            CaseError::Lubricant {
-                place: source.place_of_key(key),
-                key: key.into(),
-                written: source.written(key).map(str::to_owned),
-                source: error,
-            }
+            CaseError::lubricant(
+                source.place_of_key(key),
+                key,
+                source.written(key).map(str::to_owned),
+                error,
+            )
         }
     }
 }

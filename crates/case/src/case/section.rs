@@ -61,11 +61,8 @@ impl<'a> Section<'a> {
 
     /// A value that cannot be used.
     pub(super) fn value(self, name: &str, message: impl Into<String>) -> CaseError {
-        CaseError::Value {
-            place: self.place(name),
-            key: Some(self.key(name).into_owned()),
-            message: message.into(),
-        }
+        let message: String = message.into();
+        CaseError::value(self.place(name), Some(&self.key(name)), message)
     }
 }
 

@@ -245,10 +245,10 @@ impl Shafting {
         let shafts = &self.shafts;
         let [first, second] = shafts.stages[k].gears;
         if torque.si() == 0.0 {
-            return Err(GearError::Train {
-                shaft: shafts.shafts[first].name.clone(),
-                rule: "carries no torque: leave out meshes that run idle",
-            });
+            return Err(GearError::train(
+                &shafts.shafts[first].name,
+                "carries no torque: leave out meshes that run idle",
+            ));
         }
         let (turns, other) = (speeds[first], speeds[second]);
         match &self.kinds[k] {

@@ -146,14 +146,14 @@ fn named(stated: &BodyInput, section: Section<'_>) -> Result<Option<SteelPreset>
         return Err(section.value("steel", message));
     }
     let refused = |error| match error {
-        PresetError::Unknown { name, known, .. } => CaseError::UnknownSteel {
-            place: section.place("steel"),
-            key: section.key("steel"),
-            nearest: nearest_name(&name, &known),
-            name,
-            known,
-        },
-        source => CaseError::Steels { source },
+        PresetError::Unknown { name, known, .. } => CaseError::unknown_steel(
+            section.place("steel"),
+            section.key("steel"),
+            &name,
+            nearest_name(&name, &known),
+            &known,
+        ),
+        source => CaseError::steels(source),
     };
     presets::steel(name).map(Some).map_err(refused)
 }

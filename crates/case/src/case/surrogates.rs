@@ -165,9 +165,8 @@ pub(super) fn surrogates(
             let made = known[body]
                 .as_ref()
                 .map(|known| known.make(recipe(body, k, known)));
-            let refused = |source| CaseError::Preparation {
-                file: format!("surrogate of {}", inputs[body].1.table),
-                source,
+            let refused = |source| {
+                CaseError::preparation(format!("surrogate of {}", inputs[body].1.table), source)
             };
             made.transpose().map_err(refused)
         };
@@ -226,10 +225,8 @@ fn known_of(
     };
     let finishes = match finish {
         Some(finish) => {
-            let recipe = finish.recipe().ok_or_else(|| CaseError::NoRecipe {
-                place: of.place("finish"),
-                key: of.key("finish"),
-                finish: finish.name(),
+            let recipe = finish.recipe().ok_or_else(|| {
+                CaseError::no_recipe(of.place("finish"), of.key("finish"), finish.name())
             })?;
             [recipe; 2]
         }

@@ -139,10 +139,10 @@ impl Trace {
 }
 
 fn refused(fault: ReadFault) -> Error {
-    CaseError::Profile {
-        place: Source::in_memory().place_of("surface"),
-        source: Box::new(fault.in_file("heights")),
-    }
+    CaseError::profile(
+        Source::in_memory().place_of("surface"),
+        &fault.in_file("heights"),
+    )
     .into()
 }
 

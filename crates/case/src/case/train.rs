@@ -149,10 +149,8 @@ impl Train {
     /// # Errors
     /// When the case has several meshes.
     pub fn only_mesh(&self) -> Result<&LoadedCase, Error> {
-        let several = || CaseError::SeveralMeshes {
-            file: self.cases().map(LoadedCase::name).take(1).collect(),
-            meshes: self.names(),
-        };
+        let file = self.cases().next().map_or("", LoadedCase::name);
+        let several = || CaseError::several_meshes(file, self.names());
         Ok(self.only().ok_or_else(several)?)
     }
 
@@ -160,7 +158,7 @@ impl Train {
     pub(super) fn into_only_mesh(mut self) -> Result<LoadedCase, Error> {
         self.only_mesh()?;
         let only = self.stages.pop().and_then(|mut stage| stage.meshes.pop());
-        let none = || Error::Whole(Box::new(PositionError::NoProfile));
+        let none = || Error::Whole(Box::new(PositionError::no_profile()));
         Ok(only.ok_or_else(none)?.case)
     }
 
@@ -172,11 +170,9 @@ impl Train {
         if let Some(mesh) = self.mesh(name).filter(|_| self.only().is_none()) {
             return Ok(mesh.case.clone().into());
         }
-        Err(CaseError::NoMesh {
-            file: self.cases().map(LoadedCase::name).take(1).collect(),
-            name: name.to_owned(),
-            meshes: self.only().is_none().then(|| self.names()),
-        })?
+        let file = self.cases().next().map_or("", LoadedCase::name);
+        let meshes = self.only().is_none().then(|| self.names());
+        Err(CaseError::no_mesh(file, name, meshes.as_deref()))?
     }
 
     /// The case of every mesh, in the order of the power.
@@ -234,7 +230,7 @@ impl Train {
     /// When the changed train cannot be run.
     pub fn with_input(&self, input: CaseInput) -> Result<Self, Error> {
         let Some(first) = self.cases().next() else {
-            return Err(Error::Whole(Box::new(PositionError::NoProfile)));
+            return Err(Error::Whole(Box::new(PositionError::no_profile())));
         };
         let changed = Self::made_of(input, &first.source(), first.reader(), &|case, mesh| {
             let before = mesh.and_then(|mesh| self.mesh(&mesh.name));

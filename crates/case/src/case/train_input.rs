@@ -167,13 +167,13 @@ impl CaseInput {
         /// Largest number of meshes of a gear train, far above that of a gearbox with many speeds.
         const MOST_MESHES: usize = 100;
         if self.mesh.len() > MOST_MESHES {
-            return Err(CaseError::Impossible {
-                place: source.place_of("mesh"),
-                key: "mesh".into(),
-                written: None,
-                seen: format!("a train of {} meshes", self.mesh.len()),
-                usual: format!("1 to 20, at most {MOST_MESHES}"),
-            });
+            return Err(CaseError::impossible(
+                source.place_of("mesh"),
+                "mesh",
+                None,
+                format!("a train of {} meshes", self.mesh.len()),
+                &format!("1 to 20, at most {MOST_MESHES}"),
+            ));
         }
         let mut stages = BTreeMap::new();
         for (name, mesh) in &self.mesh {

@@ -118,10 +118,7 @@ pub(super) fn refused<'a>(
     key: &str,
 ) -> impl Fn(GearError) -> CaseError + use<'a> {
     let place = source.place_of_key(key);
-    move |error| CaseError::Gears {
-        place: place.clone(),
-        source: error,
-    }
+    move |error| CaseError::gears(place.clone(), error)
 }
 
 /// Keys of a train that exclude or need each other, at `key`.

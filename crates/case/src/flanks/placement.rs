@@ -114,6 +114,6 @@ impl Placement {
 pub fn check_coverage(coverage: f64) -> Result<(), PositionError> {
     match coverage >= LEAST_COVERAGE {
         true => Ok(()),
-        false => Err(PositionError::NotCovered { coverage }),
+        false => Err(PositionError::not_covered(coverage)),
     }
 }

@@ -170,7 +170,7 @@ impl Surfaces {
     pub fn check_one_pair(&self) -> Result<(), PositionError> {
         match self.teeth() {
             None => Ok(()),
-            Some(teeth) => Err(PositionError::SeveralTraces { teeth }),
+            Some(teeth) => Err(PositionError::several_traces(teeth)),
         }
     }
 
@@ -376,7 +376,7 @@ impl Surfaces {
     pub fn traces(&self) -> Result<[&Profile; 2], PositionError> {
         match self.textures() {
             [Texture::Trace(first), Texture::Trace(second)] => Ok([first, second]),
-            _ => Err(PositionError::NoProfile),
+            _ => Err(PositionError::no_profile()),
         }
     }
 

@@ -101,11 +101,11 @@ impl Window {
         let spacing = first.spacing();
         let points = position.hertz.half_width / spacing;
         if points < LEAST_POINTS_PER_HALF_WIDTH {
-            return Err(PositionError::TooCoarse {
-                spacing_um: spacing.si() * 1e6,
+            return Err(PositionError::too_coarse(
+                spacing.si() * 1e6,
                 points,
-                least: LEAST_POINTS_PER_HALF_WIDTH,
-            });
+                LEAST_POINTS_PER_HALF_WIDTH,
+            ));
         }
         let reach = (window * points).ceil() as usize;
         let n = 2 * reach + 1;
@@ -139,7 +139,7 @@ impl Window {
     ) -> Result<[Profile; 2], PositionError> {
         let (surfaces, ..) = surfaces.met(zone, k, count);
         let [Texture::Trace(first), Texture::Trace(second)] = surfaces.textures() else {
-            return Err(PositionError::NoProfile);
+            return Err(PositionError::no_profile());
         };
         let part = |trace: &Profile, start: isize| {
             let heights = mirrored_window(trace.heights(), start, self.points);

@@ -178,10 +178,7 @@ impl Solver {
     /// When there are fewer than two points.
     pub fn new(points: usize, boundary: Boundary) -> Result<Self, ContactError> {
         if points < LEAST_POINTS {
-            return Err(ContactError::TooFewPoints {
-                points,
-                least: LEAST_POINTS,
-            });
+            return Err(ContactError::too_few_points(points, LEAST_POINTS));
         }
         Ok(Self {
             shape: SolverShape { points, boundary },
@@ -233,10 +230,7 @@ impl Solver {
         problem.validate()?;
         let tolerance = settings.tolerance;
         if tolerance > MAX_TOLERANCE {
-            return Err(ContactError::ToleranceTooLarge {
-                tolerance,
-                most: MAX_TOLERANCE,
-            });
+            return Err(ContactError::tolerance_too_large(tolerance, MAX_TOLERANCE));
         }
         DomainError::require(
             tolerance.is_finite() && tolerance > 0.0,
@@ -250,10 +244,7 @@ impl Solver {
             boundary: problem.boundary,
         };
         if shape != self.shape {
-            return Err(ContactError::SolverMismatch {
-                solver: self.shape,
-                problem: shape,
-            });
+            return Err(ContactError::solver_mismatch(self.shape, shape));
         }
         // What the solver solved before must not show, not even in the rounding of a result.
         self.work.coarse.forget_nodes();

@@ -154,11 +154,7 @@ impl LoadMap {
         let breaks = self.cell_breaks();
         let least = breaks.len() - 1;
         if !(least..=MAX_CELLS).contains(&count) {
-            return Err(GearError::PositionCount {
-                count,
-                least,
-                most: MAX_CELLS,
-            });
+            return Err(GearError::position_count(count, least, MAX_CELLS));
         }
         let edges = self.cell_edges(count, &breaks);
         let each = zones.count();

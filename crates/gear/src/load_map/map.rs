@@ -141,7 +141,7 @@ impl LoadMap {
         DomainError::require(torque > 0.0, "torque", torque, "N m", "must not be zero")?;
         settings.check()?;
         if !law.is_elastic() && !micro.is_unmodified() {
-            return Err(GearError::ModifiedFlanks { law: law.name() });
+            return Err(GearError::modified_flanks(law.name()));
         }
         let mut evidence = LoadMapEvidence::of_a_rigid_law();
         let force = pair.forces(Torque::from_si(torque))?.normal_base.si();

@@ -310,6 +310,6 @@ fn choice<T: DeserializeOwned>(
     let mut defaults = result.defaults.iter();
     let default = defaults
         .find(|entry| entry.key == key)
-        .ok_or(error::no_value(key))?;
+        .ok_or_else(|| error::no_value(key))?;
     serde_json::from_str(&default.value).map_err(error::of_json)
 }

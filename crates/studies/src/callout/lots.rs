@@ -344,7 +344,7 @@ fn traces(surfaces: &Surfaces, body: usize) -> Result<Vec<Profile>, Fault> {
 }
 
 fn no_profile() -> Fault {
-    PositionError::NoProfile.into()
+    PositionError::no_profile().into()
 }
 
 /// The e-drive at two positions with the first `points` of its traces, whose heights are multiplied by `factors`. Its load

@@ -187,7 +187,7 @@ pub fn compare<C: Clone + Into<Train>>(
         progress(runs.len(), finishes.len());
     }
     let Some((_, first, _)) = runs.first() else {
-        return Err(Error::Whole(Box::new(PositionError::NoProfile)));
+        return Err(Error::Whole(Box::new(PositionError::no_profile())));
     };
     let title = first.title.clone();
     let mut results: Vec<FinishResult> = Vec::with_capacity(runs.len());

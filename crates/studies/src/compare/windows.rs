@@ -57,7 +57,7 @@ pub(super) fn roughness(
         let resolved = resolved.collect::<Result<Vec<_>, _>>()?;
         let each = |of: Value| resolved.iter().map(of).sum::<f64>() / resolved.len() as f64;
         if resolved.is_empty() {
-            return Err(PositionError::NoProfile);
+            return Err(PositionError::no_profile());
         }
         Ok(WindowRoughness {
             ra_um: each(|window| window.ra_um),

@@ -134,9 +134,9 @@ pub fn evaluate(
     let mut finishes: Vec<CycleFinish> = Vec::new();
     let surfaces = map.finishes.iter();
     let surfaces = surfaces.map(|finish| finish.surface(&map.axes, temperature));
-    let surfaces: Vec<Surface> = surfaces.collect::<Option<_>>().ok_or(holes())?;
+    let surfaces: Vec<Surface> = surfaces.collect::<Option<_>>().ok_or_else(holes)?;
     // All finishes have the same nodes.
-    let first = surfaces.first().ok_or(holes())?;
+    let first = surfaces.first().ok_or_else(holes)?;
     let coverage = Coverage::of(first, cycle);
     if !takes_any {
         coverage.check()?;

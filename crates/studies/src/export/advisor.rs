@@ -14,7 +14,7 @@ pub(super) fn text(field: &Field) -> Result<String, Fault> {
     const FORMAT: &str = "ADVISOR";
     field.check_size(FORMAT)?;
     field.check_slope(FORMAT)?;
-    let ratio = field.ratio.ok_or(error::no_ratio(FORMAT))?;
+    let ratio = field.ratio.ok_or_else(|| error::no_ratio(FORMAT))?;
     let surface = field.surface();
     let torques: Vec<f64> = (field.torque_nm.iter())
         .filter(|torque| **torque != 0.0)

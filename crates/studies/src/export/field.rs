@@ -72,7 +72,7 @@ impl Field {
                         .loss_torque_nm
                         .get(index * nodes..(index + 1) * nodes);
                     let finish = of.name.clone();
-                    Some(losses.ok_or(error::holes(&finish))?.to_vec())
+                    Some(losses.ok_or_else(|| error::holes(&finish))?.to_vec())
                 }
                 (None, None) => None,
             };
@@ -84,7 +84,7 @@ impl Field {
                     1 => mesh.name.clone(),
                     count => format!("{count} {}", mesh.name),
                 };
-                Ok((name, losses.ok_or(error::holes(&finish))?))
+                Ok((name, losses.ok_or_else(|| error::holes(&finish))?))
             };
             let parts = of.meshes.iter().map(part).collect::<Result<_, Fault>>()?;
             let points = of.points.iter().skip(index * nodes).take(nodes);

@@ -70,7 +70,7 @@ pub fn c_source(fields: &[Field]) -> Result<String, Fault> {
 
 fn first(fields: &[Field]) -> Result<&Field, Fault> {
     const FORMAT: &str = "the FMU";
-    let first = fields.first().ok_or(error::too_small(FORMAT))?;
+    let first = fields.first().ok_or_else(|| error::too_small(FORMAT))?;
     first.check_size(FORMAT)?;
     Ok(first)
 }

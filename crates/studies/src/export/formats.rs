@@ -136,7 +136,7 @@ fn of_field(
         Format::Vecto => file(name, "vtlm", tables::vecto(field)?.into_bytes()),
         Format::Modelica => file(name, "txt", modelica::text(field)?.into_bytes()),
         Format::Fastsim => {
-            let cycle = with.cycle.ok_or(error::no_cycle("fastsim"))?;
+            let cycle = with.cycle.ok_or_else(|| error::no_cycle("fastsim"))?;
             let bytes = fitted::fastsim(field, cycle)?;
             file(&format!("{name}_fastsim"), "json", bytes)
         }

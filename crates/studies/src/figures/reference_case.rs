@@ -82,7 +82,7 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
     figures.push(reflected(case, folder)?);
     for &(name, id, title, table) in FIGURES {
         let drawing = drawings.iter().find(|drawing| drawing.id() == id);
-        let drawing = drawing.ok_or(figure::no_contact(table))?;
+        let drawing = drawing.ok_or_else(|| figure::no_contact(table))?;
         let drawing = renamed(drawing.clone(), title, table);
         if let Some(near) = zoomed(&drawing) {
             figures.push(near);
@@ -109,7 +109,7 @@ fn reflected(case: &LoadedCase, folder: &Path) -> Result<Figure, Fault> {
     let drawing = drawings
         .into_iter()
         .find(|drawing| drawing.id() == "pressure");
-    let drawing = drawing.ok_or(figure::no_contact(REFLECTED))?;
+    let drawing = drawing.ok_or_else(|| figure::no_contact(REFLECTED))?;
     if let Some(contact) = &tables.contact {
         write(&folder.join(REFLECTED), &contact.surface)?;
     }

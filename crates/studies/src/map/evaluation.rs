@@ -158,7 +158,9 @@ impl Prepared {
         let of_mesh = |(mesh, load): (&BTreeMap<u64, _>, &MeshLoad)| {
             let prepared: Option<&(LoadedCase, Option<Contacts>)> =
                 mesh.get(&load.torque.si().to_bits());
-            let (case, tables) = prepared.ok_or(PositionError::NoProfile).map_err(Box::new)?;
+            let (case, tables) = prepared
+                .ok_or_else(PositionError::no_profile)
+                .map_err(Box::new)?;
             at(case, tables.as_ref(), (load.speed, temperature), is_node)
         };
         let meshes = self.meshes.iter().zip(&self.loads[column]).map(of_mesh);
@@ -231,7 +233,9 @@ impl Prepared {
             let mut found = BTreeMap::new();
             for (bits, ratio) in ratios.into_iter().filter(|(_, ratio)| *ratio != 1.0) {
                 let prepared: Option<&(LoadedCase, Option<Contacts>)> = mesh.get(&bits);
-                let (case, tables) = prepared.ok_or(PositionError::NoProfile).map_err(Box::new)?;
+                let (case, tables) = prepared
+                    .ok_or_else(PositionError::no_profile)
+                    .map_err(Box::new)?;
                 let at_ratio = |ratio: f64| {
                     case.with(|input| {
                         input.operation.torque = input.operation.torque * ratio;
@@ -305,9 +309,9 @@ fn settle(
             return Ok(());
         }
     }
-    Err(Error::Whole(Box::new(PositionError::TorquesNotSettled {
+    Err(Error::Whole(Box::new(PositionError::torques_not_settled(
         change,
-    })))
+    ))))
 }
 
 /// A mesh at a lower torque: torque \[N m\], case and contacts.
@@ -316,7 +320,7 @@ type Lowered = (f64, LoadedCase, Option<Contacts>);
 /// Loads of all meshes at an operating point of the input shaft, with the loss of one mesh of each kind in each stage.
 fn loads(train: &Train, at: MeshLoad, losses: &[Vec<Power>]) -> Result<Vec<MeshLoad>, Error> {
     let flow = train.shafting.at(at).flow(losses);
-    let flow = flow.map_err(|error| Error::Whole(Box::new(PositionError::Gear(error))))?;
+    let flow = flow.map_err(|error| Error::Whole(Box::new(PositionError::from(error))))?;
     Ok(flow.loads.into_iter().flatten().collect())
 }
 

@@ -47,7 +47,7 @@ pub fn map<C: Clone + Into<Train>>(
     });
     let finishes: &[Finish<Train>] = &trains.collect::<Vec<_>>();
     let Some(Finish { case, .. }) = finishes.first() else {
-        return Err(Error::Whole(Box::new(PositionError::NoProfile)));
+        return Err(Error::Whole(Box::new(PositionError::no_profile())));
     };
     // A table that does not cover the map is an error before the computation.
     let mut gearbox = gearbox_of(case, axes, &[])?;

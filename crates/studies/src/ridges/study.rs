@@ -178,7 +178,7 @@ fn one_pair(case: &LoadedCase) -> LoadedCase {
 fn traces(case: &LoadedCase) -> Result<[Profile; 2], Error> {
     match case.surfaces.textures() {
         [Texture::Trace(pinion), Texture::Trace(wheel)] => Ok([pinion.clone(), wheel.clone()]),
-        _ => Err(Box::new(PositionError::NoProfile).into()),
+        _ => Err(Box::new(PositionError::no_profile()).into()),
     }
 }
 

@@ -151,7 +151,7 @@ pub fn sensitivity(train: &Train, progress: Progress<'_>) -> Result<Sensitivity,
     let losses: Vec<Power> = losses.collect();
     let loss_w = train.loss(&losses).si();
     let power_in = train.shafting.power_in(&train.by_stage(&losses));
-    let power_in = power_in.map_err(|error| Box::new(PositionError::Gear(error)))?;
+    let power_in = power_in.map_err(|error| Box::new(PositionError::from(error)))?;
     let mut rows: Vec<SensitivityRow> = Vec::new();
     for (mesh, study) in train.meshes().zip(&of_meshes) {
         for row in &study.rows {

@@ -74,11 +74,8 @@ pub(super) trait CaseFile: Serialize + DeserializeOwned {
 
     /// The text of a case file, which reads back to the same case.
     fn text(&self) -> Result<String, CaseError> {
-        written::long_file(self).map_err(|error| CaseError::Value {
-            place: Source::in_memory().place_of(""),
-            key: None,
-            message: error.to_string(),
-        })
+        let place = || Source::in_memory().place_of("");
+        written::long_file(self).map_err(|error| CaseError::value(place(), None, error))
     }
 
     /// Sets a key and records it in the source.
@@ -97,11 +94,7 @@ pub(super) fn refuse_unknown<'a>(
 ) -> Result<(), CaseError> {
     match first_unknown(schema, paths) {
         None => Ok(()),
-        Some((key, nearest)) => Err(CaseError::UnknownKey {
-            place: place(key),
-            key: key.to_owned(),
-            nearest,
-        }),
+        Some((key, nearest)) => Err(CaseError::unknown_key(place(key), key, nearest)),
     }
 }
 
@@ -264,11 +257,7 @@ surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" }, sun = { rq = 
 
 /// The table of the keys of a case.
 pub(super) fn table_of<T: Serialize>(case: &T, place: &Place) -> Result<Table, CaseError> {
-    written::table(case).map_err(|error| CaseError::Value {
-        place: place.clone(),
-        key: None,
-        message: error.to_string(),
-    })
+    written::table(case).map_err(|error| CaseError::value(place.clone(), None, error))
 }
 
 /// The case with `value` at `path`.
@@ -288,11 +277,11 @@ fn replaced<T: CaseFile>(
         table = match entry {
             Value::Table(inner) => inner,
             other => {
-                return Err(CaseError::Value {
-                    place: place.clone(),
-                    key: Some(path.to_owned()),
-                    message: format!("{part} is {other} and no table"),
-                });
+                return Err(CaseError::value(
+                    place.clone(),
+                    Some(path),
+                    format!("{part} is {other} and no table"),
+                ));
             }
         };
     }
@@ -351,9 +340,9 @@ fn value_error(
     schema: &Json,
     place: impl Fn(&str) -> Place,
 ) -> CaseError {
-    CaseError::Value {
-        place: place(key.as_deref().unwrap_or_default()),
-        message: plain(schema, key.as_deref(), &message),
-        key,
-    }
+    CaseError::value(
+        place(key.as_deref().unwrap_or_default()),
+        key.as_deref(),
+        plain(schema, key.as_deref(), &message),
+    )
 }

@@ -278,11 +278,11 @@ fn remove_unknown(
                 mending.blamed.insert(part_of(&meant).to_owned());
                 mending.blamed.insert(meant);
             }
-            errors.push(CaseError::UnknownKey {
-                place: source.place_of_key(key),
-                key: key.to_owned(),
+            errors.push(CaseError::unknown_key(
+                source.place_of_key(key),
+                key,
                 nearest,
-            });
+            ));
             unknown.insert(key.to_owned());
             change(table, key, None);
         }
@@ -290,11 +290,11 @@ fn remove_unknown(
 }
 
 fn value_error(source: &Source, schema: &Json, key: Option<String>, message: &str) -> CaseError {
-    CaseError::Value {
-        place: source.place_of(key.as_deref().unwrap_or_default()),
-        message: plain(schema, key.as_deref(), message),
-        key,
-    }
+    CaseError::value(
+        source.place_of(key.as_deref().unwrap_or_default()),
+        key.as_deref(),
+        plain(schema, key.as_deref(), message),
+    )
 }
 
 /// The key missing in `table`, if that is the error.

@@ -265,10 +265,10 @@ const LARGEST_CASE: u64 = 10_000_000;
 fn open(path: &Path) -> Result<Source, CaseError> {
     let file = path.display().to_string();
     if path.is_dir() {
-        return Err(CaseError::Folder { file });
+        return Err(CaseError::folder(&file));
     }
     match whole_file(path, LARGEST_CASE) {
         Ok(bytes) => Source::from_bytes(&file, &bytes),
-        Err(reason) => Err(CaseError::Open { file, reason }),
+        Err(reason) => Err(CaseError::open(file, reason)),
     }
 }

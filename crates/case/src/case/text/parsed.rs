@@ -23,24 +23,22 @@ impl Source {
         text.clone_into(&mut source.text);
         source.is_json = source.has_ending("json");
         if source.is_json {
-            let value: serde_json::Value =
-                serde_json::from_str(text).map_err(|error| CaseError::Syntax {
-                    place: source.at_line(error.line()),
-                    message: without_place(&error.to_string()),
-                })?;
+            let value: serde_json::Value = serde_json::from_str(text).map_err(|error| {
+                CaseError::syntax(
+                    source.at_line(error.line()),
+                    without_place(&error.to_string()),
+                )
+            })?;
             source.index_json("", &value);
         } else {
-            let table = DeTable::parse(text).map_err(|error| CaseError::Syntax {
-                place: source.at_span(error.span()),
-                message: match text.trim_start().starts_with('{') {
+            let table = DeTable::parse(text).map_err(|error| CaseError::syntax(source.at_span(error.span()), match text.trim_start().starts_with('{') {
                     true => format!("{} (JSON goes into a file named .json)", error.message()),
                     false if source.has_ending("toml") => error.message().to_owned(),
                     false => format!(
                         "{} (a case is a .toml or .json file; it names a trace as file of surface.pinion or surface.wheel)",
                         error.message()
                     ),
-                },
-            })?;
+                }))?;
             source.index_toml("", table.get_ref());
         }
         Ok(source)
@@ -56,9 +54,7 @@ impl Source {
             Err(error) => {
                 let good = &bytes[..error.valid_up_to()];
                 let line = 1 + good.iter().filter(|byte| **byte == b'\n').count();
-                Err(CaseError::Encoding {
-                    place: Self::without_text(name).at_line(line),
-                })
+                Err(CaseError::encoding(Self::without_text(name).at_line(line)))
             }
         }
     }
@@ -98,10 +94,12 @@ impl Source {
     /// # Errors
     /// When a value is missing or of the wrong kind, with its place.
     pub fn read<T: DeserializeOwned>(&self) -> Result<T, CaseError> {
-        from_table(self.table()?).map_err(|(key, message)| CaseError::Value {
-            place: self.place_of(key.as_deref().unwrap_or_default()),
-            message,
-            key,
+        from_table(self.table()?).map_err(|(key, message)| {
+            CaseError::value(
+                self.place_of(key.as_deref().unwrap_or_default()),
+                key.as_deref(),
+                message,
+            )
         })
     }
 
@@ -132,11 +130,7 @@ impl Source {
                 }
             },
         };
-        Err(CaseError::Value {
-            place,
-            key: None,
-            message,
-        })
+        Err(CaseError::value(place, None, message))
     }
 
     fn at_line(&self, line: usize) -> Place {
