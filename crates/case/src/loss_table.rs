@@ -95,9 +95,9 @@ pub fn read(name: &str, text: &str) -> Result<LossTable, LossTableError> {
                 .any(|(own, other)| *own == column && table.has(other))
     };
     let needed = [["speed_rpm"; 2], ["loss_torque_nm", "loss_w"]];
-    if let Some(lacking) = needed
-        .iter()
-        .find(|either| !either.iter().any(|name| there(name)))
+    let is_lacking = |either: &&[&'static str; 2]| !either.iter().any(|name| there(name));
+    if let Some(lacking) = needed.iter().find(is_lacking)
+        && table.rows().len() > 0
     {
         let heads: Vec<&str> = table.heads().collect();
         let rule = format!(

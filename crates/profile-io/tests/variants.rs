@@ -814,7 +814,7 @@ fn a_matrix_whose_rows_start_with_their_numbers_has_the_points_that_it_states() 
         assert_heights(&read("surface.txt", &body, &second), 1.25, head);
         let surface = read_surface_bytes("surface.txt", body.as_bytes(), &second).unwrap();
         assert_eq!((surface.columns, surface.rows), (POINTS, 3), "{head}");
-        // A height before the others is no number of its row.
+        // A height before the others is not the number of its row.
         let other = body.replace("\n3", "\n5");
         let error = read_bytes("surface.txt", other.as_bytes(), &second).unwrap_err();
         assert_eq!(error.code(), "E117", "{head}: {error}");

@@ -451,7 +451,9 @@ impl ReadFault {
                     .or_do("check the unit of the positions")
             }
             Self::Impossible { .. } => Remedy::act("check the unit and the columns"),
-            Self::OfFile { first, seems, .. } => seems.remedy(first),
+            Self::OfFile { first, seems, .. } => {
+                seems.remedy(first.remedy(), matches!(**first, Self::Damaged { .. }))
+            }
             Self::RepeatedPoint { .. } => Remedy::act("export one scan to a file")
                 .or_set(Setting::Columns, Value::Like("1,3".into()))
                 .because("if the three columns are not x, y and z"),

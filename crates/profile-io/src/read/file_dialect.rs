@@ -207,7 +207,7 @@ impl BadHeights {
     }
 }
 
-/// What a file seems to have if many of its heights are like `field`.
+/// The dialect that a file seems to have if many of its heights are like `field`.
 fn seems(field: &str) -> FileDialect {
     let is_unit = || field.parse::<LengthUnit>().is_ok().then_some(field);
     if let Some(unit) = unit_after(field).or_else(is_unit) {

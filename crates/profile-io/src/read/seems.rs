@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use super::error::ReadFault;
 use asperity_core::remedy::{Remedy, Setting, Value};
 
 /// Dialect that a file seems to have if many of its rows have like faults.
@@ -42,11 +41,11 @@ impl fmt::Display for FileDialect {
 }
 
 impl FileDialect {
-    /// The remedy; `single` is the first of the faults.
-    pub(super) fn remedy(&self, single: &ReadFault) -> Remedy {
+    /// The remedy; `single` is the remedy of a single fault, in the text of an instrument or in a table.
+    pub(super) fn remedy(&self, single: Remedy, is_of_instrument: bool) -> Remedy {
         match self {
             Self::Mark(_) => Remedy::act("write NaN in place of the mark"),
-            Self::Unit(unit) if matches!(single, ReadFault::Damaged { .. }) => {
+            Self::Unit(unit) if is_of_instrument => {
                 Remedy::act(format!("remove \"{unit}\" from all heights"))
             }
             Self::Unit(unit) => Remedy::act(format!(
@@ -60,7 +59,7 @@ impl FileDialect {
             },
             Self::Tables => Remedy::act("export one table to a file, or delete the others"),
             Self::Ragged => Remedy::act("export with ';' or a tab between the columns"),
-            Self::Sign => single.remedy(),
+            Self::Sign => single,
         }
     }
 }

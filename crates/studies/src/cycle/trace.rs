@@ -798,7 +798,8 @@ mod tests {
             for driving in [true, false] {
                 assert_eq!(energy(&there, driving), energy(&back, driving), "{rows:?}");
             }
-            for (one, other) in there.points.iter().zip(&back.points) {
+            let moving = |(one, _): &(&CyclePoint, &CyclePoint)| one.speed_rpm != 0.0;
+            for (one, other) in there.points.iter().zip(&back.points).filter(moving) {
                 assert_eq!(one.forwards(), other.forwards(), "{rows:?}");
             }
         }
