@@ -101,7 +101,7 @@ fn oil_temperature(case: &Case) -> Temperature {
     of_oil.unwrap_or(case.temperature)
 }
 
-/// Law of the loss of a part, with its kind.
+/// Kind of a part, with the law of its loss.
 const SEAL: (&str, &str) = ("seal", "ISO/TR 14179-2, as quoted");
 const BEARING: (&str, &str) = ("bearing", "SKF's form");
 const JET: (&str, &str) = ("jet", "Ariura, as quoted");
@@ -109,6 +109,9 @@ const TABLE: (&str, &str) = ("table", "the user's table");
 
 /// Shafts from which a part takes its torque, each with its share of the torque.
 type Drags = Vec<(usize, f64)>;
+
+/// Kind and law of a part, its loss torque, and the inputs outside the range of the law.
+type Loss = ((&'static str, &'static str), Torque, Vec<OutOfRange>);
 
 /// Speeds and torques of the shafts.
 type Turning<'a> = (&'a [AngularSpeed], &'a Torques);
@@ -263,7 +266,7 @@ impl<'a> Gears<'a> {
         (shaft, kind): (usize, &PartKind),
         turning: Turning<'_>,
         at: &At,
-    ) -> Result<((&'static str, &'static str), Torque, Vec<OutOfRange>), PositionError> {
+    ) -> Result<Loss, PositionError> {
         let inside = |law, torque| Ok((law, torque, Vec::new()));
         // A shaft that does not turn loses nothing.
         let stands = at.speed.si() == 0.0;
