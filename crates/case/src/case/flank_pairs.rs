@@ -14,7 +14,7 @@ use super::flank_trace::Flank;
 use super::resolve::Case;
 use crate::flanks::placement::{FULL_COVERAGE, Placement};
 use crate::flanks::surfaces::{PairsOfTeeth, Surfaces, Texture};
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 /// The traces of both flanks, read and prepared once, from which pairs are formed.
 pub(super) struct Meeting<'a> {

@@ -20,7 +20,7 @@ use super::train_parts::{MeshParts, TrainParts};
 use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::flanks::Surfaces;
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 /// A gear train, ready to run.
 #[derive(Debug, Clone)]

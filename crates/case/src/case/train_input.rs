@@ -32,7 +32,7 @@ use super::train_flow::StageKind;
 use super::train_gearbox::{Hand, MeshPlace, TrainGearboxInput, train_gearbox};
 use super::train_heat_input::HeatInput;
 use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, mesh_folder, refused};
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 /// A case of several meshes as the user writes it, on named shafts or of a single planetary set. Torque and speed of the
 /// operation are those of the input shaft, or of the sun.
