@@ -196,7 +196,7 @@ fn one_temperature_or_two_points_are_refused_for_the_share() {
         "Lambda* from",
     ];
     said.refused(2, "E310", &parts);
-    assert!(said.err.contains("pass --hold boundary-layer") && said.err.contains("--speed-max"));
+    assert!(said.err.contains("--hold boundary-layer") && said.err.contains("--speed-max"));
     assert!(!bench.path("results").exists());
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::bench::{Bench, E_DRIVE, has_general_advice, program};
+use crate::bench::{Bench, E_DRIVE, program};
 
 /// A refusal takes less. The fastest of some tries counts: a busy machine may stop any process for a while.
 const LIMIT: Duration = Duration::from_secs(1);
@@ -276,7 +276,7 @@ fn fault(bench: &Bench, arguments: &[&str]) -> Option<String> {
         fastest = fastest.min(begin.elapsed());
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         let code: String = said.chars().take(5).collect();
-        let is_helped = said.contains("\n  help: ") || !has_general_advice(&code);
+        let is_helped = said.contains("\n  help: ");
         let is_coded = code.starts_with('E') && code.ends_with(' ') && is_helped;
         if output.status.code() != Some(2) || !is_coded {
             return Some(format!("status {:?}: {said}", output.status.code()));

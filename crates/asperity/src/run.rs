@@ -110,7 +110,7 @@ impl<'a> Run<'a> {
         Ok((outcome, drawn, contacts))
     }
 
-    /// Losses only, equal to those of [`execute`](Self::execute) to the last digit.
+    /// Losses only, equal to the losses of [`execute`](Self::execute) to the last digit.
     ///
     /// # Errors
     /// As [`execute`](Self::execute).

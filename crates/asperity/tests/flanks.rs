@@ -110,8 +110,8 @@ fn a_finer_trace_of_the_same_flank_loses_the_same() {
             .iter()
             .any(|warning| warning.code == "W119")
     );
-    // A longer λs, none, and a contact so narrow that it needs the points.
-    for (cutoff, common) in [("\"8 um\"", 1.5), ("\"0 um\"", 0.25)] {
+    // A longer and a shorter λs, none, and a contact so narrow that it needs the points.
+    for (cutoff, common) in [("\"8 um\"", 0.5), ("\"1.3 um\"", 0.25), ("\"0 um\"", 0.25)] {
         let keys = [("surface.noise_cutoff", cutoff)];
         assert!(near(measured([0.25; 2], &keys).1, common, 1e-9));
     }

@@ -85,7 +85,7 @@ pub struct EvidenceTable {
     pub power_in_w: f64,
     /// Loss with its interval as known.
     pub loss: Quantiles,
-    /// Why no row is of traction curves, if none can be planned.
+    /// Reason why no row is of traction curves, if none can be planned.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub no_curves: Option<String>,
     /// Whether the temperature is drawn.

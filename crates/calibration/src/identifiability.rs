@@ -59,8 +59,8 @@ pub fn check_share(
     }
 }
 
-/// Conditions under which points identify the boundary layer, which determines the boundary share, and that these do not
-/// meet: several temperatures, enough points, and speeds with Λ* below 0.3 and above 1.5; none if it is not fitted.
+/// Conditions under which points identify the boundary layer, which determines the boundary share, and that are not
+/// fulfilled: several temperatures, enough points, and speeds with Λ* below 0.3 and above 1.5; none if it is not fitted.
 pub fn missing_for_share(
     parameters: &[Parameter],
     points: &[([f64; 3], Option<f64>)],

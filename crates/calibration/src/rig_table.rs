@@ -179,7 +179,7 @@ impl RigTable {
     /// assert_eq!(RigTable::read("rig.csv", text)?.rows[0].torque_nm, 183.4);
     /// let without = "torque_nm,speed_rpm,temperature_c,loss_w,sigma_w,includes\n183.4,2166,90,310,,mesh\n";
     /// assert_eq!(RigTable::read("rig.csv", without).unwrap_err().code(), "E134");
-    /// # Ok::<(), asperity_calibration::Fault>(())
+    /// # Ok::<(), asperity_core::Fault>(())
     /// ```
     pub fn read(name: &str, text: &str) -> Result<Self, Fault> {
         let table = number_table::read(name, text)?;

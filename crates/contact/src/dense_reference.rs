@@ -142,7 +142,7 @@ impl DenseProblem {
         dense
     }
 
-    /// First sets: those of a start; without one all points touching under a load, or the points that overlap before
+    /// First sets: the sets of a start; without one all points touching under a load, or the points that overlap before
     /// deformation.
     fn first_states(&self, problem: &ContactProblem) -> Vec<State> {
         let start = problem.start;

@@ -396,7 +396,7 @@ impl Lubricant {
         self.thermal_conductivity
     }
 
-    /// Constants of the film friction: those of the family `base_oil`, with the properties that the input gives.
+    /// Constants of the film friction: the constants of the family `base_oil`, with the properties that the input gives.
     ///
     /// # Errors
     /// As [`BaseOil::data`].

@@ -53,7 +53,7 @@ pub fn mesh_gears(stage: &Stage) -> Result<(&str, &str), Fault> {
     match &stage.kind {
         StageKind::Pair { pinion, stage, .. } => Ok((pinion, stage)),
         StageKind::Planetary { sun, stage, .. } => Ok((sun, stage)),
-        StageKind::Other { kind } => Err(error::not_cylindrical(stage.number, &kind)),
+        StageKind::Other { kind } => Err(error::not_cylindrical(stage.number, kind)),
     }
 }
 

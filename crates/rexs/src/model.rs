@@ -205,7 +205,7 @@ impl Model {
             .filter(move |component| component.kind == kind)
     }
 
-    /// All components with their place in the file: those of the model, then those of the load cases.
+    /// All components with their place in the file: first of the model, then of the load cases.
     pub(crate) fn all_components(&self) -> impl Iterator<Item = (Option<&LoadCase>, &Component)> {
         let own = self.components.values().map(|component| (None, component));
         let in_cases = self.load_cases.iter().flat_map(|case| {

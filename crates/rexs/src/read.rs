@@ -29,7 +29,7 @@ impl Model {
     /// </components></model>"#;
     /// let model = asperity_rexs::Model::read(xml.as_bytes())?;
     /// assert_eq!(model.components["1"].kind, "gear_casing");
-    /// # Ok::<(), asperity_rexs::Fault>(())
+    /// # Ok::<(), asperity_core::Fault>(())
     /// ```
     pub fn read(bytes: &[u8]) -> Result<Self, Fault> {
         if bytes.len() as u64 > MAX_BYTES {
@@ -103,8 +103,8 @@ fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Fault> {
     let by_ending = [".rexs", ".rexsj"].map(ending);
     let name = match by_ending.iter().find(|names| !names.is_empty()) {
         Some(names) if names.len() == 1 => names[0].clone(),
-        Some(_) => return Err(error::zip("holds several REXS files".into())),
-        None => return Err(error::zip("holds no .rexs or .rexsj file".into())),
+        Some(_) => return Err(error::zip("holds several REXS files")),
+        None => return Err(error::zip("holds no .rexs or .rexsj file")),
     };
     let entry = archive.by_name(&name).map_err(damaged)?;
     let mut content = Vec::new();

@@ -112,7 +112,7 @@ fn stage_shafts<'a>(model: &'a Model, stage: &'a Stage) -> Result<Vec<StageShaft
             }
             Ok(on)
         }
-        StageKind::Other { kind } => Err(error::not_cylindrical(stage.number, &kind)),
+        StageKind::Other { kind } => Err(error::not_cylindrical(stage.number, kind)),
     }
 }
 

@@ -13,7 +13,7 @@ pub struct Failure {
     pub code: Code,
     /// Values seen and expected, and what to write instead.
     pub message: String,
-    /// What can be done: the advice of the error, or that of its code with its keys.
+    /// The advice of the error, or the general advice of its code with its keys.
     pub help: String,
     /// Place in the text of the case.
     pub place: Option<Place>,

@@ -25,7 +25,7 @@ fn page_of(
     contact: &RoughContact,
     smooth: &SteadyFilm,
 ) -> Result<LubricatedContact, Failure> {
-    let refused = |error| Fault::from(error).about(&about.title);
+    let refused = |error| Fault::from(error).about(about.title);
     let formula = formula_film(&contact.contact, &contact.oil).map_err(refused)?;
     let scales = about.scales;
     let owned = |(code, text): (Code, String)| (code.to_string(), text);

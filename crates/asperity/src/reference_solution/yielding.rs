@@ -8,7 +8,7 @@ use super::settings::LARGEST_ROUGHNESS;
 use asperity_case::case::STEEL_FLOW_PRESSURE;
 
 /// Flow pressure of the hardest steel of the conversion table, 68 HRC or 940 HV `[Hardness-1]`: a ceiling above it
-/// stands for elastic surfaces.
+/// represents elastic surfaces.
 const HARDEST_STEEL: Pressure = Pressure::from_si(9.218_251e9);
 
 /// Codes and texts of the warnings about a record: W415 if the attenuated roughness exceeds [`LARGEST_ROUGHNESS`]

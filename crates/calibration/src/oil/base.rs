@@ -29,7 +29,7 @@ pub struct OilBase {
 /// Constants of an oil whose file states fitted ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ConstantsOf {
-    /// Those of its family, from which a fit starts.
+    /// The constants of its family, from which a fit starts.
     Family,
     /// The fitted ones.
     File,

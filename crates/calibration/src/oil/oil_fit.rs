@@ -192,7 +192,7 @@ pub struct OilFit {
     pub nuisance: Vec<NuisanceTerm>,
     /// Fitted and dropped points.
     pub points: Vec<TractionPointRow>,
-    /// What speaks against the constants, for the oil file and the runs with it.
+    /// Reasons against the constants, for the oil file and the runs with it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub doubts: Vec<String>,
     /// Warnings.

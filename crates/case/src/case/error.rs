@@ -342,7 +342,7 @@ fn rule(source: &DomainError, is_shown: bool) -> String {
     }
 }
 
-/// Where the case names a file, for the end of a message; a case in memory has no places, only keys.
+/// Place at which the case names a file, for the end of a message; a case in memory has no places, only keys.
 fn named(place: &Place, key: Option<&str>) -> String {
     let is_in_memory = place.line.is_none() && place.file == IN_MEMORY;
     match (is_in_memory, key.or(place.key.as_deref())) {
@@ -391,7 +391,7 @@ impl CaseError {
         }
     }
 
-    /// Remedy that is more specific than that of the code.
+    /// Remedy, if it is more specific than the advice of the code.
     pub fn remedy(&self) -> Remedy {
         match self {
             Self::Fault(fault) => fault.remedy().clone(),

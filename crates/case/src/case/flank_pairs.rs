@@ -18,7 +18,7 @@ use super::resolve::Case;
 use crate::flanks::LEAST_POINTS_PER_HALF_WIDTH;
 use crate::flanks::placement::{FULL_COVERAGE, Placement};
 use crate::flanks::surfaces::{FlankReport, PairsOfTeeth, Surfaces, Texture};
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 /// The traces of both flanks, read and prepared once, from which pairs are formed.
 pub(super) struct Meeting<'a> {
@@ -156,13 +156,16 @@ pub(super) fn longer_than_active(
 const SHARE_OF_NOISE_CUTOFF: f64 = 0.2;
 /// Relative rounding of a spacing.
 const ROUNDING: f64 = 1e-5;
+/// Usual spacing of a stylus instrument \[m\].
+const USUAL_SPACING: f64 = 0.5e-6;
 /// Half-width at the pitch point, with the whole load on one pair of teeth, over the narrowest on the path: more than gears have.
 const NARROWER_ON_THE_PATH: f64 = 4.0;
 
-/// Common spacing of prepared traces over the finest one: as large as the shortest λs and the narrowest contact of the case admit.
+/// Common spacing of prepared traces over the finest one: as large as the shortest λs and the narrowest contact of the case admit,
+/// and not above the usual spacing of instruments, so that another λs leaves the points of their traces.
 ///
 /// ```text
-/// k = max(1, ⌊min(λs/5, a_min/20)/dx_min⌋)                                    [Common-spacing]
+/// k = max(1, ⌊min(λs/5, 0.5 µm, a_min/20)/dx_min⌋)                                    [Common-spacing]
 /// ```
 ///
 /// 1 if a trace has no λs.
@@ -175,13 +178,16 @@ pub(super) fn common_multiple<'a>(
     let half_width = (4.0 * load * radius / (PI * case.modulus.si())).sqrt();
     let of_contacts = half_width / (NARROWER_ON_THE_PATH * LEAST_POINTS_PER_HALF_WIDTH);
     let prepared = traces.filter_map(|trace| trace.preparation.as_ref());
-    let [largest, finest] = prepared.fold([of_contacts, f64::INFINITY], |[largest, finest], of| {
-        let cutoff = of.recipe.lambda_s.unwrap_or_default().si();
-        [
-            largest.min(SHARE_OF_NOISE_CUTOFF * cutoff),
-            finest.min(of.spacing.si()),
-        ]
-    });
+    let [largest, finest] = prepared.fold(
+        [of_contacts.min(USUAL_SPACING), f64::INFINITY],
+        |[largest, finest], of| {
+            let cutoff = of.recipe.lambda_s.unwrap_or_default().si();
+            [
+                largest.min(SHARE_OF_NOISE_CUTOFF * cutoff),
+                finest.min(of.spacing.si()),
+            ]
+        },
+    );
     multiple(largest, finest)
 }
 

@@ -32,7 +32,7 @@ use super::trace_filters::Filters;
 use crate::flanks::placement::PlacedTrace;
 use crate::flanks::surfaces::{FlankReport, Texture};
 use crate::key_words::with_keys;
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 /// Case, text and files that both flanks are read with.
 #[derive(Clone, Copy)]

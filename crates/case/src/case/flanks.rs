@@ -22,7 +22,7 @@ use super::source::Source;
 use super::surrogates::{Surrogates, surrogates};
 use crate::flanks::surfaces::{FlankReport, Surfaces};
 use crate::flanks::trace_pairs::{SampledFlanks, SampledTrace};
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 /// Both flanks with the records of their reading and preparation, and the warnings.
 #[derive(Debug, Clone)]

@@ -520,9 +520,8 @@ fn table(
             return Err(section.value(key, "names a trace, not a table of losses"));
         }
     };
-    let table = read(&name, &String::from_utf8_lossy(&bytes)).map_err(|error| {
-        CaseError::loss_table(section.place(key), &section.key(key).into_owned(), error)
-    })?;
+    let table = read(&name, &String::from_utf8_lossy(&bytes))
+        .map_err(|error| CaseError::loss_table(section.place(key), &section.key(key), error))?;
     Ok((name.into_owned(), Arc::new(table)))
 }
 

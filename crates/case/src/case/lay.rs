@@ -11,7 +11,7 @@ use super::flank_sample::Listed;
 use super::flank_trace::{Context, Flank, Keys, read_options};
 use super::resolve::Case;
 use crate::flanks::flank_lay::{FlankLay, two_digits};
-use crate::message::Warning;
+use asperity_core::message::Warning;
 use asperity_ehl_regime::Lay;
 
 /// Lays of both flanks, with what `check` and `run` say about them.

@@ -36,7 +36,7 @@ use crate::fingerprint::Fingerprint;
 use crate::flanks::flank_lay::FlankLay;
 use crate::flanks::surfaces::{FlankReport, Surfaces};
 use crate::flanks::trace_pairs::SampledFlanks;
-use crate::message::Warning;
+use asperity_core::message::Warning;
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_mixed_film::InletSupply;
 use asperity_oil::LubricantInput;

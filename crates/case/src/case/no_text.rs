@@ -1,4 +1,4 @@
-//! What a build without the feature `case-files` does in place of reading texts.
+//! Refusals of a build without the feature `case-files` in place of reading texts.
 
 use std::borrow::Cow;
 use std::sync::Arc;

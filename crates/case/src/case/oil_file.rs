@@ -16,7 +16,7 @@ use super::input::CaseInput;
 use super::model::{Formulation, ModelInput};
 use super::section::Section;
 use super::source::Source;
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 /// Squares of the residuals per point above which the law explains the curves poorly.
 pub const POORLY_EXPLAINED: f64 = 1.5;

@@ -13,8 +13,8 @@ use super::input::{CaseInput, GearsInput, OperationInput, TEMPERATURE_KEYS};
 use super::ranges::{self, UNUSUAL, digits, impossible_at, with_unit, within};
 use super::section::Section;
 use super::source::Source;
-use crate::message::Warning;
 use crate::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
+use asperity_core::message::Warning;
 
 /// Code of a division of the profile shifts.
 const DIVIDED: Code = Code::W445;

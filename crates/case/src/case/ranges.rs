@@ -18,7 +18,7 @@ use super::input::{CaseInput, VehicleInput};
 use super::rows::{Judge, KeyPath, Limits, OPEN, Ranged, in_unit, limits};
 use super::source::{Source, is_within};
 use crate::error::Error;
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 /// Code of the warning about an unusual number.
 pub(super) const UNUSUAL: Code = Code::W201;

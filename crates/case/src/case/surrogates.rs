@@ -20,7 +20,7 @@ use super::resolve::Case;
 use super::section::Section;
 use crate::flanks::surfaces::{PairsOfTeeth, Surfaces, Texture};
 use crate::flanks::surrogate_record::SurrogateRecord;
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 /// Pairs that are solved.
 const PAIRS: usize = 12;

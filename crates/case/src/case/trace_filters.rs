@@ -12,7 +12,7 @@ use super::defaults::DefaultUsed;
 use super::flank_form::{FormError, is_from_trace, shortest_form};
 use super::flank_place::ReadPlace;
 use super::resolve::Case;
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 /// Filters of one trace: from the case, else from its file, else the defaults.
 pub(super) struct Filters {

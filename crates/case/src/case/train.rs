@@ -23,7 +23,7 @@ use super::train_parts::{MeshParts, TrainParts};
 use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::flanks::Surfaces;
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 pub use super::mesh_input::{MeshInput, PassedLosses, ShaftsInput};
 pub use super::train_heat_input::HeatInput;

@@ -26,7 +26,7 @@ use super::shafting::StageKind;
 use super::source::{MeshKeys, Source};
 use super::train_heat_input::HeatInput;
 use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, mesh_folder, refused};
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 /// The case of a mesh, with its keys in a case whose meshes have names.
 pub(super) type CaseOfMesh = (CaseInput, Option<Arc<MeshKeys>>);

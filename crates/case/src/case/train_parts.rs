@@ -15,7 +15,7 @@ use super::resolve::title_by_gears;
 use super::shafting::{Shafting, StageKind};
 use super::source::{MeshKeys, Source};
 use super::train_heat_input::HeatInput;
-use crate::message::Warning;
+use asperity_core::message::Warning;
 
 /// A gear train with the inputs of its meshes, before their traces are read.
 pub(super) struct TrainParts {

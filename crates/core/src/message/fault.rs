@@ -4,8 +4,10 @@ use std::borrow::Cow;
 use std::error::Error;
 use std::sync::Arc;
 
-use super::{Code, Place};
+use super::place::Place;
+use super::table::Code;
 use crate::error::DomainError;
+use crate::quantity::QuantityError;
 use crate::remedy::Remedy;
 
 /// An error with its stable code; it prints its message without the code.
@@ -48,7 +50,7 @@ impl Fault {
         }))
     }
 
-    /// An error of this code whose message is that of its cause.
+    /// An error of this code with the message of its cause.
     pub fn of(code: Code, cause: impl Error + Send + Sync + 'static) -> Self {
         Self::new(code, cause.to_string()).caused_by(cause)
     }
@@ -96,7 +98,7 @@ impl Fault {
         self
     }
 
-    /// The same error by another code: that of the work which it ended.
+    /// The same error by the code of the work which it ended.
     #[must_use]
     pub fn coded(mut self, code: Code) -> Self {
         self.0.code = code;
@@ -132,17 +134,17 @@ impl Fault {
         self.0.place.as_ref()
     }
 
-    /// What can be done, as data; empty if no more is known than the code says.
+    /// Remedy as data; empty if no more is known than the code says.
     pub fn remedy(&self) -> &Remedy {
         &self.0.remedy
     }
 
-    /// Advice as text, if it is more specific than that of the code.
+    /// Advice as text, if it is more specific than the code's.
     pub fn specific_help(&self) -> Option<&str> {
         self.0.help.as_deref()
     }
 
-    /// What can be done, in a sentence: the remedy in keys, the advice of this error, or that of its code. Never empty.
+    /// The remedy in a sentence with keys, the advice of this error, or the general advice of its code; never empty.
     pub fn help(&self) -> String {
         match (&self.0.help, self.0.remedy.is_empty()) {
             (_, false) => format!("{}.", self.0.remedy),
@@ -190,5 +192,11 @@ impl PartialEq for Fault {
 impl From<DomainError> for Fault {
     fn from(error: DomainError) -> Self {
         Self::of(Code::E209, error)
+    }
+}
+
+impl From<QuantityError> for Fault {
+    fn from(error: QuantityError) -> Self {
+        Self::of(Code::E204, error)
     }
 }

@@ -1,4 +1,4 @@
-//! Codes of errors and warnings and what each means, and the one kind of error that every program renders.
+//! Codes of errors and warnings with their meaning, and the one kind of error that every program renders.
 
 mod fault;
 mod place;
@@ -7,31 +7,10 @@ mod warning;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::remedy::Setting;
-
 pub use fault::Fault;
 pub use place::{IN_MEMORY, Place};
-pub use table::{Code, EXPLANATIONS};
+pub use table::{Code, EXPLANATIONS, Explanation};
 pub use warning::{Subject, Warning, outside_codes};
-
-/// Meaning of a code and its remedy.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct Explanation {
-    /// Stable code.
-    pub code: Code,
-    /// The message in a few words.
-    pub title: &'static str,
-    /// Cause of the message.
-    pub meaning: &'static str,
-    /// General advice.
-    pub remedy: &'static str,
-    /// The settings that the remedy is about.
-    pub settings: &'static [Setting],
-    /// Exit status of a command that ends with the error: 2 bad input, 3 not converged, 4 outside the model, 5 internal fault,
-    /// 130 interrupted; 0 of a warning.
-    #[serde(skip)]
-    pub exit_status: u8,
-}
 
 /// The explanation of `code`, in upper or lower case.
 ///
@@ -44,13 +23,13 @@ pub fn explain(code: &str) -> Option<&'static Explanation> {
     code.parse().ok().map(Code::explain)
 }
 
-/// Text that is no code of a message.
+/// Error of a text that is not the code of a message.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("no message has the code \"{0}\"")]
 pub struct UnknownCode(String);
 
 impl Code {
-    /// What the code means and what can be done.
+    /// The meaning of the code and its remedy.
     ///
     /// ```
     /// use asperity_core::message::Code;

@@ -3,8 +3,28 @@
 //! Codes are stable: E1xx files, E2xx cases, E3xx solutions, W1xx about a file, W4xx about a result.
 //! No option of a command is named here: an explanation lists its settings, and the program that shows it names them.
 
-use super::Explanation;
+use serde::Serialize;
+
 use crate::remedy::Setting;
+
+/// Meaning of a code and its remedy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Explanation {
+    /// Stable code.
+    pub code: Code,
+    /// The message in a few words.
+    pub title: &'static str,
+    /// Cause of the message.
+    pub meaning: &'static str,
+    /// General advice.
+    pub remedy: &'static str,
+    /// The settings that the remedy is about.
+    pub settings: &'static [Setting],
+    /// Exit status of a command that ends with the error: 2 bad input, 3 not converged, 4 outside the model, 5 internal fault,
+    /// 130 interrupted; 0 of a warning.
+    #[serde(skip)]
+    pub exit_status: u8,
+}
 
 macro_rules! messages {
     ($($code:ident $(exits $status:literal)? $title:literal : $meaning:literal => $remedy:literal $([$($setting:ident),+])?;)+) => {

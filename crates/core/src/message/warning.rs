@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 
-use super::Code;
+use super::table::Code;
 
 /// A warning about a result.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

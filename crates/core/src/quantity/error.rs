@@ -1,7 +1,5 @@
 //! Text that is not a quantity.
 
-use crate::message::{Code, Fault};
-
 /// Text that is not a quantity, and what was expected.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -72,10 +70,4 @@ pub(super) fn with_article(name: &str) -> String {
         false => "a",
     };
     format!("{article} {name}")
-}
-
-impl From<QuantityError> for Fault {
-    fn from(error: QuantityError) -> Self {
-        Self::of(Code::E204, error)
-    }
 }

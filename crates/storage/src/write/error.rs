@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use asperity_core::{Code, Fault};
 
-/// Why nothing was written.
+/// Error of writing; earlier files are unchanged.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum StorageError {

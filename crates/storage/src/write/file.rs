@@ -26,12 +26,12 @@ use crate::read::whole_file;
 pub fn save(file: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     let parent = parent_of(file);
     if !parent.is_dir() {
-        return Err(StorageError::no_folder(&file, &parent));
+        return Err(StorageError::no_folder(file, parent));
     }
     let refused = StorageError::io(file);
     match look(file).map_err(&refused)? {
         Some(entry) if entry.is_symlink() => {
-            return Err(StorageError::link(&file));
+            return Err(StorageError::link(file));
         }
         Some(entry) if !entry.is_file() => {
             return Err(refused(io::ErrorKind::AlreadyExists.into()));
@@ -77,6 +77,6 @@ pub fn save_new(file: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     if is_same {
         Ok(())
     } else {
-        Err(StorageError::exists(&file))
+        Err(StorageError::exists(file))
     }
 }

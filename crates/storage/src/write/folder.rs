@@ -36,7 +36,7 @@ fn check(target: &Path, kind: &'static str) -> Result<(), StorageError> {
     match look(target).map_err(StorageError::io(target))? {
         None => return Ok(()),
         Some(entry) if entry.is_symlink() => {
-            return Err(StorageError::link(&target));
+            return Err(StorageError::link(target));
         }
         Some(entry) if !entry.is_dir() => return Err(foreign),
         Some(_) => {}

@@ -49,9 +49,8 @@ impl Files {
                 continue;
             }
             let file = name.display().to_string();
-            let bytes = resolver(&file).map_err(|reason| {
-                CaseError::open_named(file, source.place_of(key), &key, reason)
-            })?;
+            let bytes = resolver(&file)
+                .map_err(|reason| CaseError::open_named(file, source.place_of(key), key, reason))?;
             self.hold(name, Content::Bytes(bytes.into()));
             // An optional file that the case does not name.
             if let Some(conditions) = conditions_of(name)
