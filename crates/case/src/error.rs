@@ -1,8 +1,6 @@
 //! The error of the orchestrator: why a case cannot be run, or a run has no result.
 
-use asperity_core::Code;
-use asperity_core::Fault;
-use asperity_core::{DomainError, decimals, number};
+use asperity_core::{Code, DomainError, Fault, Place, decimals, number};
 use std::sync::Arc;
 
 use asperity_contact::ContactError;
@@ -12,7 +10,7 @@ use asperity_efficiency::EfficiencyError;
 use asperity_ehl::EhlError;
 
 use crate::balance::Unbalanced;
-use crate::case::{CaseError, Place, Source};
+use crate::case::{CaseError, Source};
 use asperity_mixed_film::LoadShareError;
 
 /// Errors at a mesh position.

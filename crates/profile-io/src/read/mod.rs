@@ -103,7 +103,7 @@ const STANDARD_INPUT: &str = "-";
 /// ```
 /// use asperity_profile_io::read::{ReadOptions, read};
 /// let missing = read("no such file.csv".as_ref(), &ReadOptions::default());
-/// assert_eq!(missing.map_err(|error| error.code()), Err("E103"));
+/// assert_eq!(missing.map_err(|error| error.code()), Err(asperity_core::Code::E103));
 /// ```
 pub fn read(path: &Path, options: &ReadOptions) -> Result<Reading, ReadError> {
     read_trace(path, options)?.reading(options.uneven)
