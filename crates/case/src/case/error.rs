@@ -73,12 +73,14 @@ impl CaseError {
     }
 
     /// The file cannot be opened.
+    #[cfg(feature = "case-files")]
     pub(crate) fn open(file: impl Display, reason: std::io::Error) -> Self {
         Self::new(Code::E201, format!("{file}: cannot be opened: {reason}"))
             .with(Remedy::act("check the path"))
     }
 
     /// A folder in place of a case file.
+    #[cfg(feature = "case-files")]
     pub(crate) fn folder(file: &str) -> Self {
         Self::new(
             Code::E201,
@@ -87,6 +89,7 @@ impl CaseError {
     }
 
     /// Not text in UTF-8.
+    #[cfg(feature = "case-files")]
     pub(crate) fn encoding(place: Place) -> Self {
         Self::at(
             Code::E202,
@@ -96,11 +99,13 @@ impl CaseError {
     }
 
     /// Not TOML, or not JSON.
+    #[cfg(feature = "case-files")]
     pub(crate) fn syntax(place: Place, message: impl Display) -> Self {
         Self::at(Code::E202, format!("{place}: {message}"), place)
     }
 
     /// A key that does not exist in a case file.
+    #[cfg(feature = "case-files")]
     pub(crate) fn unknown_key(place: Place, key: &str, nearest: Option<String>) -> Self {
         Self::at(
             Code::E203,

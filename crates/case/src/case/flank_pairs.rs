@@ -196,7 +196,7 @@ fn multiple(largest: f64, spacing: f64) -> f64 {
     (largest / spacing * (1.0 + ROUNDING)).floor().max(1.0)
 }
 
-/// Puts all traces on one spacing: the finest of them, or a multiple of it that loses nothing.
+/// Puts all traces on one spacing: [`common_multiple`] of the finest.
 ///
 /// Traces with the finest spacing keep every k-th point; others are interpolated by straight lines.
 pub(super) fn on_common_spacing(

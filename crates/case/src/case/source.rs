@@ -12,6 +12,7 @@ use asperity_core::message::{IN_MEMORY, Place};
 pub struct Source {
     pub(super) name: String,
     /// Whether the text is JSON, not TOML.
+    #[cfg(feature = "case-files")]
     pub(super) is_json: bool,
     pub(super) text: String,
     pub(super) values: BTreeMap<String, Range<usize>>,
@@ -54,6 +55,7 @@ impl Source {
     pub(super) fn without_text(name: &str) -> Self {
         Self {
             name: name.to_owned(),
+            #[cfg(feature = "case-files")]
             is_json: false,
             text: String::new(),
             values: BTreeMap::new(),

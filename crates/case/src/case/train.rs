@@ -155,6 +155,7 @@ impl Train {
     }
 
     /// As [`only_mesh`](Self::only_mesh).
+    #[cfg(feature = "case-files")]
     pub(super) fn into_only_mesh(mut self) -> Result<LoadedCase, Error> {
         self.only_mesh()?;
         let only = self.stages.pop().and_then(|mut stage| stage.meshes.pop());

@@ -6,7 +6,6 @@ use super::format::Format;
 use super::options::ReadOptions;
 use super::text::{Start, Stream};
 use super::trace::Trace;
-use asperity_core::Code;
 
 /// Format of a zip archive whose extension names none.
 pub(super) fn content(_: &mut dyn Stream, _: u64) -> Format {
@@ -64,6 +63,8 @@ pub(super) fn trace(
 
 #[cfg(test)]
 mod tests {
+    use asperity_core::Code;
+
     use crate::read::{ReadOptions, read_bytes, read_surface_bytes};
 
     #[test]

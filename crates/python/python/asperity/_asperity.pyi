@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from os import PathLike
+from types import SimpleNamespace
 from typing import Any, Optional, Union, final
 
 import numpy as np
@@ -17,11 +18,6 @@ _Specimens = tuple[float, Optional[float], float]
 _Errors = tuple[str, float, float]
 _Tables = list[tuple[str, Optional[str]]]
 _Told = Optional[Callable[[int, int], object]]
-
-class _Codes:
-    """The codes by name: an attribute for each row of the table of messages, whose value is its text."""
-
-    def __getattr__(self, name: str) -> str: ...
 
 __all__ = [
     "Calibration",
@@ -76,7 +72,7 @@ __all__ = [
 ]
 
 __version__: str
-Code: _Codes
+Code: SimpleNamespace
 
 def axis(text: str) -> list[float]: ...
 def command(arguments: list[str]) -> int: ...

@@ -749,8 +749,8 @@ class VehicleInput(TypedDict, total=False):
     wheel_radius: Optional[Quantity]
 
 
-class TrainGearboxInput(TypedDict, total=False):
-    """Seals, bearings, jets and tables of a gear train; only the losses stated here are added to the losses of the meshes."""
+class MeshGearboxInput(TypedDict, total=False):
+    """Losses of the gearbox other than the loss of the mesh; only the losses stated here are added."""
 
     bearings: Optional[Sequence[MeshBearingInput]]
     jets: Optional[Sequence[MeshJetInput]]
@@ -821,8 +821,8 @@ class HeatInput(TypedDict, total=False):
     other_losses: Optional[Quantity]
 
 
-class TrainMaterialInput(TypedDict, total=False):
-    """Steel of pinion and wheel, or of sun, planets and ring."""
+class MeshMaterialInput(TypedDict, total=False):
+    """Steel of both gears."""
 
     pinion: Optional[BodyInput]
     planet: Optional[BodyInput]
@@ -839,10 +839,10 @@ class MeshInput(TypedDict, total=False):
     bulk: Optional[BulkInput]
     gears: Optional[GearsInput]
     hand: Optional[Literal["left", "right"]]
-    material: Optional[TrainMaterialInput]
+    material: Optional[MeshMaterialInput]
     planetary: Optional[PlanetaryInput]
     shafts: Optional[Sequence[str]]
-    surface: Optional[TrainSurfaceInput]
+    surface: Optional[MeshSurfaceInput]
 
 
 class PlanetaryInput(TypedDict, total=False):
@@ -865,8 +865,8 @@ class PlanetaryInput(TypedDict, total=False):
     tip_diameter: Optional[Sequence[Quantity]]
 
 
-class TrainSurfaceInput(TypedDict, total=False):
-    """Flanks of pinion and wheel, or of sun, planets and ring, and the preparation of their traces."""
+class MeshSurfaceInput(TypedDict, total=False):
+    """The two flanks and how their traces are prepared."""
 
     coast: Optional[CoastInput]
     cutoff: Optional[Quantity]
@@ -882,7 +882,7 @@ class TrainSurfaceInput(TypedDict, total=False):
     wheel: Optional[Union[FlankInput, str, PathLike[str], Profile]]
 
 
-class TrainInput(TypedDict, total=False):
+class ShaftsInput(TypedDict, total=False):
     """Shafts at which the power enters and leaves a gear train."""
 
     held: Optional[Sequence[str]]
@@ -895,21 +895,21 @@ class CaseTables(TypedDict, total=False):
     """Tables of a case, and its operating point as numbers."""
 
     calibration: Optional[CalibrationInput]
-    gearbox: Optional[Union[GearboxInput, TrainGearboxInput]]
+    gearbox: Optional[Union[GearboxInput, MeshGearboxInput]]
     gears: Optional[GearsInput]
     lubricant: Optional[LubricantInput]
     map: Optional[MapInput]
-    material: Optional[Union[MaterialInput, TrainMaterialInput]]
+    material: Optional[Union[MaterialInput, MeshMaterialInput]]
     micropitting: Optional[MicropittingInput]
     model: Optional[ModelInput]
     operation: Optional[OperationInput]
-    surface: Optional[Union[SurfaceInput, TrainSurfaceInput]]
+    surface: Optional[Union[SurfaceInput, MeshSurfaceInput]]
     title: Optional[str]
     vehicle: Optional[VehicleInput]
     heat: Optional[HeatInput]
     mesh: Optional[Mapping[str, MeshInput]]
     planetary: Optional[PlanetaryInput]
-    train: Optional[TrainInput]
+    train: Optional[ShaftsInput]
     torque_nm: float
     speed_rpm: float
     temperature_c: float
@@ -920,21 +920,21 @@ CaseKeys = TypedDict(
     {
         "calibration": "Optional[CalibrationInput]",
         "formulation": 'Optional[Literal["corrected", "paper"]]',
-        "gearbox": "Optional[Union[GearboxInput, TrainGearboxInput]]",
+        "gearbox": "Optional[Union[GearboxInput, MeshGearboxInput]]",
         "gears": "Optional[GearsInput]",
         "lubricant": "Optional[LubricantInput]",
         "map": "Optional[MapInput]",
-        "material": "Optional[Union[MaterialInput, TrainMaterialInput]]",
+        "material": "Optional[Union[MaterialInput, MeshMaterialInput]]",
         "micropitting": "Optional[MicropittingInput]",
         "model": "Optional[ModelInput]",
         "operation": "Optional[OperationInput]",
-        "surface": "Optional[Union[SurfaceInput, TrainSurfaceInput]]",
+        "surface": "Optional[Union[SurfaceInput, MeshSurfaceInput]]",
         "title": "Optional[str]",
         "vehicle": "Optional[VehicleInput]",
         "heat": "Optional[HeatInput]",
         "mesh": "Optional[Mapping[str, MeshInput]]",
         "planetary": "Optional[PlanetaryInput]",
-        "train": "Optional[TrainInput]",
+        "train": "Optional[ShaftsInput]",
         "torque_nm": "float",
         "speed_rpm": "float",
         "temperature_c": "float",
