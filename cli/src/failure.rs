@@ -1,6 +1,5 @@
 //! Errors of the command: code, position in the case file, remedy; with the line of the file on a terminal.
 
-use asperity_core::{Code, Fault};
 use std::borrow::Cow;
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
@@ -12,6 +11,7 @@ use annotate_snippets::{AnnotationKind, Level, Renderer};
 use asperity::Error;
 use asperity::case::Source;
 use asperity::key_words::with_keys;
+use asperity_core::{Code, Fault};
 use clap::error::{ContextKind, ContextValue};
 
 use crate::words;

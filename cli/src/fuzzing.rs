@@ -2,8 +2,7 @@
 //! Also the list of all paths on the command line. Not part of the interface.
 
 use asperity_calibration::{RigRow, RigTable};
-use asperity_core::Code;
-use asperity_core::Fault;
+use asperity_core::{Code, Fault};
 use asperity_rexs::{Flanks, Model, case_text, stages};
 use clap::{Command, CommandFactory, Parser, ValueHint};
 

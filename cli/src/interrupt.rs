@@ -1,8 +1,8 @@
 //! Ctrl-C and SIGTERM.
 
-use asperity_core::Code;
 use std::sync::{Mutex, PoisonError};
 
+use asperity_core::Code;
 use asperity_core::cancel::Token;
 
 /// Exit status of a process that was interrupted.

@@ -10,13 +10,13 @@ mod interrupt;
 mod output;
 mod words;
 
-use asperity_core::Code;
-use asperity_fixtures::worked::Worked;
 use std::ffi::OsString;
 use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 
 use args::{CaseCommand, Cli, Command, Common};
+use asperity_core::Code;
+use asperity_fixtures::worked::Worked;
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
 use failure::Failure;

@@ -1,11 +1,11 @@
 //! Standard output and progress.
 
-use asperity_core::Code;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
+use asperity_core::Code;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use serde_json::{Value, json};

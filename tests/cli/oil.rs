@@ -280,7 +280,7 @@ fn curves_that_give_no_constants_are_refused() {
     });
     fit(&scattered, &[]).refused(2, "E319", &["no law explains the curves", "curves.csv:"]);
     let low = every(6, &bench, |traction| 0.2 * traction);
-    fit(&low, &["--wide"]).refused(2, "E319", &["is the one of no known oil"]);
+    fit(&low, &["--wide"]).refused(2, "E319", &["no known oil has this"]);
     fit(&low, &["--wide", "--force"]).well();
     // A limiting stress that falls so fast that a film would have several temperatures: no case takes it, forced or not.
     let steep = table.lines().map(|line| {

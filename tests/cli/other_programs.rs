@@ -2,10 +2,10 @@
 
 use crate::bench::{Bench, E_DRIVE, trace, with_line};
 
-const VEHICLE: &str = "vehicle={ mass = \"1500 kg\", wheel_radius = \"300 mm\", ratio = 10.0, drag_area = \"0.6 m2\", rolling_resistance = 0.01 }";
+pub(crate) const VEHICLE: &str = "vehicle={ mass = \"1500 kg\", wheel_radius = \"300 mm\", ratio = 10.0, drag_area = \"0.6 m2\", rolling_resistance = 0.01 }";
 
 /// A bench with a small map of the drive.
-fn with_map() -> Bench {
+pub(crate) fn with_map() -> Bench {
     let bench = Bench::new();
     bench.write_flanks();
     let case = with_line("positions", "positions = 4\nload_share = \"lambda-star\"");

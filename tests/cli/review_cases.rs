@@ -12,7 +12,8 @@
 
 use std::fs;
 
-use crate::bench::{Bench, heights, root, rows, with_line};
+use crate::bench::{Bench, heights, root, rows};
+use crate::other_programs::{VEHICLE, with_map};
 
 /// The parameters of a profile by `profile info`, from `file` with `options`.
 fn info(bench: &Bench, file: &str, options: &[&str]) -> serde_json::Value {
@@ -68,22 +69,7 @@ fn c01_a_column_of_depths_has_the_parameters_of_its_heights() {
 
 #[test]
 fn c02_and_c12_cycles_backwards_in_metres_a_second_and_of_vecto_have_the_energy_of_one() {
-    let bench = Bench::new();
-    bench.write_flanks();
-    bench.write(
-        "case.toml",
-        with_line("positions", "positions = 4\nload_share = \"lambda-star\""),
-    );
-    let axes = [
-        "--torque=-200,-20,20,200",
-        "--speed=500,12000",
-        "--band",
-        "none",
-    ];
-    bench
-        .run(&[&["map", "case.toml", "-o", "m", "-q"][..], &axes].concat())
-        .well();
-    let vehicle = "vehicle={ mass = \"1500 kg\", wheel_radius = \"300 mm\", ratio = 10.0, drag_area = \"0.6 m2\", rolling_resistance = 0.01 }";
+    let bench = with_map();
     let energy = |name: &str, text: &str| {
         bench.write(name, text);
         let all = [
@@ -92,7 +78,7 @@ fn c02_and_c12_cycles_backwards_in_metres_a_second_and_of_vecto_have_the_energy_
             name,
             "--no-output",
             "--set",
-            vehicle,
+            VEHICLE,
             "--json",
         ];
         let json = bench.run(&all).well().json();

@@ -1,7 +1,5 @@
 //! `asperity calibrate`: boundary layer and film traction from a rig table, and the design of measurements.
 
-use asperity_core::Code;
-use asperity_core::number;
 use std::time::Instant;
 
 use asperity::LoadedCase;
@@ -9,6 +7,8 @@ use asperity::case::CalibratedName;
 use asperity_calibration::{
     Calibration, Design, Identifiability, Limits, Reach, RigFiles, Watch, before_the_fit, plan,
 };
+use asperity_core::Code;
+use asperity_core::number;
 use asperity_studies::map::axis;
 
 use super::{load_case, result_name, study};

@@ -1,8 +1,8 @@
 //! `asperity completions`: completions for shells, the man page, and the list of commands for the documents.
 
-use asperity_core::Code;
 use std::fmt::Write as _;
 
+use asperity_core::Code;
 use clap::{Command, CommandFactory};
 use clap_complete::{Shell, generate};
 use clap_mangen::Man;

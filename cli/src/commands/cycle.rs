@@ -1,12 +1,11 @@
 //! `asperity cycle`: energy lost over a cycle, from a map.
 
-use asperity_core::Code;
-use asperity_core::Fault;
-use asperity_core::number;
 use std::path::Path;
 
 use asperity::case::VehicleInput;
 use asperity::profile_io::read::read_table;
+use asperity_core::number;
+use asperity_core::{Code, Fault};
 use asperity_studies::cycle::{self, Cycle, CycleError, CycleResult};
 use asperity_studies::map::{self, Map};
 

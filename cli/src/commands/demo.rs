@@ -1,8 +1,8 @@
 //! `asperity demo`: a worked case to start from.
 
-use asperity_core::Code;
 use std::path::Path;
 
+use asperity_core::Code;
 use asperity_fixtures::TextFile;
 use asperity_fixtures::worked::{Worked, WorkedError, WorkedGears};
 use asperity_report::library::unlisted;

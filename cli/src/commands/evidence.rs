@@ -1,10 +1,10 @@
 //! `asperity evidence`: measurements that would narrow the interval of a loss.
 
-use asperity_core::Code;
 use std::time::Instant;
 
 use asperity::pipeline::KeptFields;
 use asperity_calibration::evidence::{Effort, EvidenceTable};
+use asperity_core::Code;
 
 use super::work::check_work;
 use super::{load_train, result_name, study};

@@ -1,11 +1,11 @@
 //! A case on the traces of a finish.
 
-use asperity_core::Code;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use asperity::case::CaseInput;
 use asperity::case::train::Train;
+use asperity_core::Code;
 use asperity_storage::regular_file;
 use asperity_studies::compare::Finish;
 

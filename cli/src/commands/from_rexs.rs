@@ -1,10 +1,9 @@
 //! `asperity case from-rexs`: a case from a REXS gearbox file.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
+use asperity_core::{Code, Fault};
 use asperity_rexs::{
     CaseText, Flanks, Model, OperatingPoint, Stage, StageKind, case_text, contents, lubricants,
     operating_points, stages, teeth_of, train_text,

@@ -1,12 +1,11 @@
 //! `asperity map`: losses over torque, speed and temperature.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::case::train::Train;
 use asperity::pipeline::KeptFields;
+use asperity_core::{Code, Fault};
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle::CyclePoint;
 use asperity_studies::export::{self, AddedLoss, With};

@@ -35,13 +35,13 @@ mod study;
 pub mod sweep;
 mod work;
 
-use asperity_core::Code;
-use asperity_core::number;
 use std::ffi::{OsStr, OsString};
 use std::io::Read as _;
 use std::path::Path;
 
 use asperity::case::{self, Formulation, LoadedCase, PathPoint, Source, Train};
+use asperity_core::Code;
+use asperity_core::number;
 
 use serde::Serialize;
 use serde_json::json;

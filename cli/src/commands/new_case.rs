@@ -1,12 +1,12 @@
 //! `asperity new`: ten questions, whose answers become a commented case.
 
-use asperity_core::Code;
 use std::fmt::Write as _;
 use std::io::{BufRead, Write};
 use std::path::Path;
 
 use asperity::case::CaseInput;
 use asperity::oil::library;
+use asperity_core::Code;
 use asperity_core::quantity::{Angle, AngularSpeed, Length, Temperature, Torque};
 use serde_json::json;
 

@@ -1,6 +1,5 @@
 //! `asperity oil`: oils of the library, traction of the film between ball and disc, and the constants behind it.
 
-use asperity_core::Code;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -15,8 +14,8 @@ use asperity_calibration::oil::{
     Stribeck, TractionCurves, TractionRange, read_text, source,
 };
 use asperity_calibration::table_text;
-use asperity_core::DomainError;
 use asperity_core::quantity::Temperature;
+use asperity_core::{Code, DomainError};
 use asperity_report::library::oil_named;
 use asperity_studies::map::axis;
 

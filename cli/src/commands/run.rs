@@ -1,11 +1,11 @@
 //! `asperity run`: runs a case.
 
-use asperity_core::Code;
 use std::path::{Path, PathBuf};
 
 use asperity::Error;
 use asperity::result::RunResult;
 use asperity_calibration::evidence::execute;
+use asperity_core::Code;
 use asperity_report::{self as report, Fields, Results};
 use asperity_studies::ridges::add_ridges;
 

@@ -1,11 +1,11 @@
 //! `asperity sweep`: many cases, in shards.
 
-use asperity_core::Code;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::message::{self, Warning};
+use asperity_core::Code;
 use asperity_studies::sweep::{
     self, Event, Merged, Plan, Refused, Shard, Status, Study, SweepError,
 };

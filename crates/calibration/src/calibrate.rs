@@ -1,13 +1,12 @@
 //! The steps of a calibration.
 
 use crate::error;
-use asperity_core::Code;
-use asperity_core::Fault;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::CalibratedName;
 use asperity::fingerprint::sha256;
 use asperity::message::Warning;
+use asperity_core::{Code, Fault};
 use nalgebra::DVector;
 
 use crate::birge::Scatter;

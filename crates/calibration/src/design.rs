@@ -4,9 +4,8 @@ use crate::error;
 use asperity::case::CalibratedName;
 use asperity::message::Warning;
 use asperity::{Case, LoadedCase};
-use asperity_core::Code;
-use asperity_core::Fault;
 use asperity_core::numerics::Z_975;
+use asperity_core::{Code, Fault};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 

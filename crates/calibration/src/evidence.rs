@@ -1,6 +1,5 @@
 //! Measurements that would narrow the interval of the loss of a case, with the interval that each is expected to leave.
 
-use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -11,6 +10,7 @@ use asperity::result::with_interval;
 use asperity::train::{self, Outcomes};
 use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_band};
 use asperity::{Contacts, LoadedCase};
+use asperity_core::Fault;
 use asperity_report::html::page;
 use asperity_report::{StudyResult, tables, wrapped};
 use maud::html;

@@ -1,12 +1,12 @@
 //! Rig table and its cases from files.
 
 use crate::error;
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 use asperity::profile_io::read::read_table;
+use asperity_core::Fault;
 
 use crate::calibrate::{Watch, calibrate};
 use crate::result::Calibration;

@@ -1,6 +1,5 @@
 //! The model at the points of a rig, with stored contacts.
 
-use asperity_core::Fault;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -8,6 +7,7 @@ use asperity::Contacts;
 use asperity::LoadedCase;
 use asperity::pipeline::{coldest_losses_with, contacts};
 use asperity::uncertainty::UncertainParameter;
+use asperity_core::Fault;
 use asperity_core::numerics::median;
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
 use rayon::prelude::*;

@@ -14,9 +14,9 @@
 //! The header is not case-sensitive; other columns are ignored. Lines that begin with `#` are comments.
 
 use crate::error;
-use asperity_core::Fault;
 use std::f64::consts::PI;
 
+use asperity_core::Fault;
 use serde::{Deserialize, Serialize};
 
 use asperity_table::{Row, RowFault, Table};

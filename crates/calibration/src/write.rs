@@ -1,10 +1,10 @@
 //! Folder of a calibration: `calibration.json`, `calibration.toml` (the block), `points.csv`, `calibration.html`. Folder of
 //! a design: `design.json`, `design.csv` to fill in, `design.html`, and on request `simulated.csv`.
 
-use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
+use asperity_core::Fault;
 use asperity_report::{StudyResult, tables, write_text};
 
 use crate::design::Design;

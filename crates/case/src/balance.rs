@@ -1,9 +1,8 @@
 //! Invariants of printed results: every number is finite, parts add up to their total, efficiencies lie within 0 and 1
 //! and are one minus loss over power.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use asperity_core::number;
+use asperity_core::{Code, Fault};
 
 /// Largest difference between a total and its parts, relative to the total: rounding of sums of some thousand terms.
 const TOLERANCE: f64 = 1e-9;

@@ -1,11 +1,11 @@
 //! The error of the orchestrator: why a case cannot be run, or a run has no result.
 
-use asperity_core::{Code, DomainError, Fault, Place, decimals, number};
 use std::sync::Arc;
 
 use asperity_contact::ContactError;
 use asperity_core::cancel::Cancelled;
 use asperity_core::remedy::{Remedy, Setting, Value};
+use asperity_core::{Code, DomainError, Fault, Place, decimals, number};
 use asperity_efficiency::EfficiencyError;
 use asperity_ehl::EhlError;
 
@@ -78,7 +78,7 @@ impl PositionError {
             Fault::new(
                 Code::E312,
                 format!(
-                    "the case has {} pairs of teeth, and this looks at one pair of traces",
+                    "the case has {} pairs of teeth; one pair of traces is needed here",
                     teeth[0] * teeth[1]
                 ),
             )
@@ -173,47 +173,25 @@ impl PositionError {
     }
 }
 
-impl From<asperity_gear::GearError> for PositionError {
-    fn from(error: asperity_gear::GearError) -> Self {
-        Self::Fault(Fault::of(Code::E305, error))
-    }
+macro_rules! outside_the_model {
+    ($($cause:ty),+) => {
+        $(impl From<$cause> for PositionError {
+            fn from(error: $cause) -> Self {
+                Self::Fault(Fault::of(Code::E305, error))
+            }
+        })+
+    };
 }
 
-impl From<asperity_ehl_regime::RegimeError> for PositionError {
-    fn from(error: asperity_ehl_regime::RegimeError) -> Self {
-        Self::Fault(Fault::of(Code::E305, error))
-    }
-}
-
-impl From<asperity_tribo_friction::FrictionError> for PositionError {
-    fn from(error: asperity_tribo_friction::FrictionError) -> Self {
-        Self::Fault(Fault::of(Code::E305, error))
-    }
-}
-
-impl From<asperity_ns_film::FilmError> for PositionError {
-    fn from(error: asperity_ns_film::FilmError) -> Self {
-        Self::Fault(Fault::of(Code::E305, error))
-    }
-}
-
-impl From<asperity_roughness::RoughnessError> for PositionError {
-    fn from(error: asperity_roughness::RoughnessError) -> Self {
-        Self::Fault(Fault::of(Code::E305, error))
-    }
-}
-
-impl From<asperity_oil::LubricantError> for PositionError {
-    fn from(error: asperity_oil::LubricantError) -> Self {
-        Self::Fault(Fault::of(Code::E305, error))
-    }
-}
-
-impl From<DomainError> for PositionError {
-    fn from(error: DomainError) -> Self {
-        Self::Fault(Fault::of(Code::E305, error))
-    }
-}
+outside_the_model!(
+    asperity_gear::GearError,
+    asperity_ehl_regime::RegimeError,
+    asperity_tribo_friction::FrictionError,
+    asperity_ns_film::FilmError,
+    asperity_roughness::RoughnessError,
+    asperity_oil::LubricantError,
+    DomainError
+);
 
 /// The rough contact that was not solved.
 #[derive(Debug, Clone, thiserror::Error)]

@@ -1,7 +1,6 @@
 //! Tables of gearbox losses, as files.
 
-use asperity_core::Code;
-use asperity_core::Fault;
+use asperity_core::{Code, Fault};
 use asperity_efficiency::EfficiencyError;
 use asperity_efficiency::loss_table::{LossRow, LossTable};
 use asperity_table::{Ragged, Row, RowFault, Table};

@@ -1,7 +1,6 @@
 //! Refusal of tables of gearbox losses, in a build without the feature `case-files`.
 
-use asperity_core::Code;
-use asperity_core::Fault;
+use asperity_core::{Code, Fault};
 use asperity_efficiency::loss_table::LossTable;
 
 /// Reasons why a file is not a table of losses.

@@ -1,11 +1,9 @@
 //! Errors of contact computations.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use asperity_core::cancel::Cancelled;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use asperity_core::remedy::{Remedy, Setting, Value};
-use asperity_core::{DomainError, number};
+use asperity_core::{Code, DomainError, Fault, number};
 
 use crate::boundary::Boundary;
 use crate::certificate::Certificate;

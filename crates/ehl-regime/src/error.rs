@@ -1,8 +1,6 @@
 //! Errors of a film or a regime.
 
-use asperity_core::Code;
-use asperity_core::DomainError;
-use asperity_core::Fault;
+use asperity_core::{Code, DomainError, Fault};
 
 /// Errors of film thickness and regime.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -1,12 +1,10 @@
 //! Reasons why a lubricated contact has no solution here.
 
 use asperity_contact::ContactError;
-use asperity_core::Code;
-use asperity_core::Fault;
 use asperity_core::cancel::Cancelled;
 use asperity_core::quantity::Pressure;
 use asperity_core::remedy::{Remedy, Setting, Value};
-use asperity_core::{DomainError, decimals};
+use asperity_core::{Code, DomainError, Fault, decimals};
 
 /// Errors of a lubricated line contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -1,9 +1,9 @@
 //! Warnings about a file that was read.
 
-use asperity_core::Code;
-use asperity_core::number;
 use std::borrow::Cow;
 
+use asperity_core::Code;
+use asperity_core::number;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
 use serde::{Deserialize, Serialize};

@@ -1,11 +1,11 @@
 //! Calibrations from the losses of a rig.
 
-use asperity::core::number;
-use asperity::message::Code;
 use std::path::{Path, PathBuf};
 
 use asperity::LoadedCase;
 use asperity::case::{self, CalibratedName};
+use asperity::core::number;
+use asperity::message::Code;
 use asperity_calibration as calibrating;
 use asperity_calibration::evidence::{Effort, EvidenceTable};
 use asperity_calibration::{Limits, Reach, RigFiles, Watch, error, plan};

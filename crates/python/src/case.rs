@@ -1,7 +1,5 @@
 //! Cases: loaded, changed, run.
 
-use asperity::core::number;
-use asperity::message::Code;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -11,6 +9,8 @@ use asperity::case::{
 };
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
+use asperity::core::number;
+use asperity::message::Code;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{self, RegimeRow};
 use asperity::quantity::Length;

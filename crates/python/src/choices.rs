@@ -1,11 +1,11 @@
 //! Names that Python passes as text: read by serde, and listed for the types of the package.
 
-use asperity::message::Code;
 use std::cell::Cell;
 
 use asperity::case::{CalibratedName, Formulation};
 use asperity::ehl_regime::FilmLaw;
 use asperity::ehl_regime::thermal_reduction::ThermalLaw;
+use asperity::message::Code;
 use asperity::profile_io::read::{
     Abscissa, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, Uneven,
 };

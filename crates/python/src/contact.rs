@@ -1,6 +1,5 @@
 //! Rough line contacts: over a gap, of two flanks, and the stress below.
 
-use asperity::message::Code;
 use std::sync::Mutex;
 
 use asperity::contact::running_in::RunningIn;
@@ -10,6 +9,7 @@ use asperity::contact::{
     Boundary, ContactError, ContactProblem, ContactSolution, ContactWarning, Control,
     PeriodicKernel, Solver, SolverSettings,
 };
+use asperity::message::Code;
 use asperity::quantity::{Length, LineLoad, Pressure};
 use asperity::remedy::Remedy;
 use pyo3::prelude::*;

@@ -1,8 +1,8 @@
 //! Gears, steels and oils of the library, worked cases, cases from gearbox files.
 
-use asperity::message::{Code, Fault};
 use std::path::{Path, PathBuf};
 
+use asperity::message::{Code, Fault};
 use asperity_fixtures::worked::{Worked, WorkedError};
 use asperity_report::library::{
     gears_named, listed_gears, listed_oil, listed_steel, oils_named, steels_named, unlisted,

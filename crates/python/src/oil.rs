@@ -1,9 +1,9 @@
 //! Oils: traction of ball and disc, constants from traction curves, plans, boundary friction.
 
-use asperity::message::Code;
 use std::path::Path;
 
 use asperity::case::LoadedCase;
+use asperity::message::Code;
 use asperity::quantity::{Force, Length, Speed, Temperature};
 use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
 use asperity_calibration::oil::error::of_table;

@@ -1,9 +1,9 @@
 //! Outcome of a run.
 
-use asperity::message::Code;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use asperity::message::Code;
 use asperity::result::{Losses, Outcome as OfMesh, PositionFields};
 use asperity::train::Outcomes;
 use asperity_report::{Fields, write_folder};

@@ -1,8 +1,8 @@
 //! Results read back from their folders.
 
-use asperity::message::Code;
 use std::path::PathBuf;
 
+use asperity::message::Code;
 use asperity::result::RunResult;
 use pyo3::prelude::*;
 

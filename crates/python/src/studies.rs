@@ -1,10 +1,10 @@
 //! Comparisons of finishes, changes of one thing at a time, and maps.
 
-use asperity::message::Code;
 use std::path::{Path, PathBuf};
 
 use asperity::case::Train;
 use asperity::core::quantity::Power;
+use asperity::message::Code;
 use asperity::profile_io::read::read_table;
 use asperity_report::StudyResult;
 use asperity_studies::callout::{self as limits, CallOutSettings};
@@ -182,8 +182,7 @@ pub fn cycle(
         let file = Path::new(&name);
         let table = table.map_or_else(|| text(file), Ok)?;
         let trace = driving::cycle(&table, map.input.vehicle.as_ref());
-        let trace =
-            trace.map_err(|error| Failure::from(error).about(&name))?;
+        let trace = trace.map_err(|error| Failure::from(error).about(&name))?;
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
         let found = driving::evaluate(&map, temperature, (&trace, &stem), allow_outside);
         let found = found.map_err(|error| match error.code() {
@@ -315,9 +314,7 @@ impl Map {
                 Some(file) => {
                     let found = driving::cycle(&text(file)?, self.0.input.vehicle.as_ref());
                     let name = file.display().to_string();
-                    Some(found.map_err(|error| {
-                        Failure::from(error).about(&name)
-                    })?)
+                    Some(found.map_err(|error| Failure::from(error).about(&name))?)
                 }
                 None => None,
             };

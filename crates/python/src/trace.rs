@@ -1,10 +1,10 @@
 //! Profiles: read, generated, prepared, evaluated, written.
 
-use asperity::message::Code;
 use std::path::{Path, PathBuf};
 
 use asperity::case::Trace as CaseTrace;
 use asperity::core::Profile;
+use asperity::message::Code;
 use asperity::profile_io::read::{FilterState, Metadata, ReadOptions, Reading, read};
 use asperity::profile_io::write::{WrittenFormat, write};
 use asperity::quantity::Length;

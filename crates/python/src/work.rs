@@ -1,6 +1,5 @@
 //! Work outside of Python: without its lock, ended by Ctrl-C, with progress reported on the calling thread.
 
-use asperity::message::Code;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -9,6 +8,7 @@ use std::thread;
 use std::time::Duration;
 
 use asperity::core::cancel::Token;
+use asperity::message::Code;
 use pyo3::prelude::*;
 
 use crate::failure::Failure;

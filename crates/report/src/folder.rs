@@ -1,7 +1,6 @@
 //! The result folder: written as a whole, next to its target and then moved there, and read back.
 
 use crate::error;
-use asperity_core::Fault;
 use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -9,6 +8,7 @@ use std::path::{Path, PathBuf};
 use asperity::UnsolvedContact;
 use asperity::pipeline::KeptFields;
 use asperity::result::{Outcome, RunResult};
+use asperity_core::Fault;
 use asperity_storage::{check_finite, save, whole_file, write_among};
 use serde::Serialize;
 use serde::de::DeserializeOwned;

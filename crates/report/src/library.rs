@@ -1,6 +1,5 @@
 //! Gears, steels and oils of the library as JSON, with numbers that follow from theirs.
 
-use asperity_core::{Code, Fault};
 use std::collections::BTreeSet;
 
 use asperity::case::nearest_name;
@@ -11,6 +10,7 @@ use asperity_core::presets::{
     steels,
 };
 use asperity_core::quantity::{Length, Temperature};
+use asperity_core::{Code, Fault};
 use serde_json::{Value, json};
 
 /// Temperatures \[°C\] at which the viscosities of an oil are listed.

@@ -1,8 +1,8 @@
 //! Folders of study results: a JSON file, tables and a page, written completely or not at all.
 
-use asperity_core::Fault;
 use std::path::Path;
 
+use asperity_core::Fault;
 use asperity_storage::{check_folder, replace_folder};
 use serde::Serialize;
 

@@ -1,6 +1,5 @@
 //! The summary for the terminal, in 80 columns.
 
-use asperity_core::Code;
 use std::fmt::Write as _;
 
 use crate::printed::{
@@ -15,6 +14,7 @@ use asperity::result::{
     BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, PublishedOutcome,
     Regime, RunResult, Summary,
 };
+use asperity_core::Code;
 use asperity_storage::one_line;
 
 /// Indentation of the text of a message, behind its code.

@@ -1,11 +1,11 @@
 //! Result of a gear train as a whole: its tables, its page, its summary and its headline.
 
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::case::train::mesh_folder;
 use asperity::message::Warning;
 use asperity::train::Whole;
+use asperity_core::Fault;
 use maud::{Markup, html};
 
 use crate::folder::{FileText, PAGE, PLANETARY_MARK, TRAIN_MARK, json_text};

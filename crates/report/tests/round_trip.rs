@@ -3,13 +3,13 @@
 #![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
-use asperity_core::{Code, Fault};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use asperity::case::{Formulation, load_with};
 use asperity::result::{Outcome, RunResult};
+use asperity_core::{Code, Fault};
 use asperity_report::tables::{SurfaceRow, TraceRow};
 use asperity_report::{Fields, PageTables, read_result, redraw, texts, write_folder};
 

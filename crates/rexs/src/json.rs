@@ -1,9 +1,9 @@
 //! Reader of REXS in JSON.
 
 use crate::error;
-use asperity_core::Fault;
 use std::collections::BTreeMap;
 
+use asperity_core::Fault;
 use serde_json::{Map, Value};
 
 use crate::model::{Attribute, Component, LoadCase, Model, Relation};

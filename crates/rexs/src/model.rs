@@ -1,11 +1,11 @@
 //! Components, relations and load cases of a REXS file.
 
 use crate::error;
-use asperity_core::Fault;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use crate::units::{Unit, UnitError, converted};
+use asperity_core::Fault;
 
 /// An attribute of a component, as written.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

@@ -1,12 +1,12 @@
 //! Torque, speed and temperature of a stage in every load case.
 
-use asperity_core::Fault;
 use std::collections::{BTreeMap, VecDeque};
 
 use crate::model::{Component, LoadCase, Model};
 use crate::shafts::shaft_of;
 use crate::stages::{Stage, StageKind, stages, teeth};
 use crate::units::Unit;
+use asperity_core::Fault;
 
 /// An operating point of the pinion or the sun of a stage.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,10 +1,10 @@
 //! Reading a REXS file of any of the three formats.
 
 use crate::error;
-use asperity_core::Fault;
 use std::borrow::Cow;
 use std::io::{Cursor, Read};
 
+use asperity_core::Fault;
 use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
 use zip::ZipArchive;
 

@@ -1,7 +1,6 @@
 //! Case of a whole gearbox as commented TOML: a gear train of all its stages.
 
 use crate::error;
-use asperity_core::Fault;
 use std::collections::BTreeMap;
 
 use crate::case_text::{Flanks, mesh_gears, mesh_tables};
@@ -10,6 +9,7 @@ use crate::operating_points::{OperatingPoint, operating_points_of};
 use crate::shafts::{carrier_shaft, is_held, joined, shaft_of};
 use crate::stages::{Stage, StageKind, stages};
 use crate::writer::{CaseText, Text, quoted};
+use asperity_core::Fault;
 
 /// Shaft of a stage: its number if the file has one, its name in the case, and the gear on it.
 struct StageShaft<'a> {

@@ -1,7 +1,6 @@
 //! Text of a case: the tables that pairs and planetary sets share.
 
 use crate::error;
-use asperity_core::Fault;
 use std::fmt::Write as _;
 
 use crate::model::{Component, Model};
@@ -9,6 +8,7 @@ use crate::operating_points::OperatingPoint;
 use crate::stages::Stage;
 use crate::units::Unit;
 use crate::unread::unread;
+use asperity_core::Fault;
 
 /// Default temperature \[°C\].
 const TEMPERATURE: f64 = 60.0;

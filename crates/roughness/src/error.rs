@@ -1,9 +1,7 @@
 //! Errors of filters, parameters and generators.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use asperity_core::quantity::Length;
-use asperity_core::{DomainError, number};
+use asperity_core::{Code, DomainError, Fault, number};
 use serde::Serialize;
 
 /// Errors of filters, parameters and generators.

@@ -12,9 +12,9 @@
 //! The weights extend to ±1.0 λ_c; with ±0.5 λ_c, which the standard permits, the error of Rq is up to 2.7 %. Sums over
 //! many weights are convolutions by fast Fourier transform in blocks: n log m operations.
 
-use asperity_core::cite;
 use std::f64::consts::{LN_2, PI};
 
+use asperity_core::cite;
 use asperity_core::numerics::SymmetricToeplitz;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};

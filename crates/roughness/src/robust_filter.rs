@@ -23,9 +23,9 @@
 //! line within the feature depends on a few points, and a change of the heights by 10⁻¹⁸ m grows to micrometres in 100
 //! iterations. Such a trace is an error, because its robust line is not defined.
 
-use asperity_core::cite;
 use std::f64::consts::PI;
 
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use serde::{Deserialize, Serialize};

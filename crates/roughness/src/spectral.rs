@@ -11,9 +11,9 @@
 //! Without a λ_s filter m₄ increases without bound as the spacing decreases: moments are stated with λ_s and dx. They
 //! are not computed from a periodogram without a window, whose leakage would make m₄ up to three times too large.
 
-use asperity_core::cite;
 use std::f64::consts::{PI, TAU};
 
+use asperity_core::cite;
 use asperity_core::numerics::{real_transforms, sum};
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};

@@ -1,9 +1,7 @@
 //! Errors of a friction coefficient or force.
 
-use asperity_core::Code;
-use asperity_core::DomainError;
-use asperity_core::Fault;
 use asperity_core::numerics::RootError;
+use asperity_core::{Code, DomainError, Fault};
 use asperity_oil::LubricantError;
 
 /// Errors of friction laws.

@@ -1,8 +1,8 @@
 //! What the worker of the page sees: text and bytes, errors as JSON.
 
-use asperity::message::Code;
 use std::cell::RefCell;
 
+use asperity::message::Code;
 use js_sys::{Error, Function};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;

@@ -1,7 +1,5 @@
 //! Contacts without a case: a gap file, or two profiles.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity_contact::running_in::{Cycle, RunningIn};
@@ -10,6 +8,7 @@ use asperity_contact::{
     Boundary, ContactError, ContactProblem, Control, PeriodicKernel, SolverSettings, solve,
 };
 use asperity_core::profile::common_spacing;
+use asperity_core::{Code, Fault};
 
 use super::column_file::{self, Columns};
 use super::solved::SolvedContact;

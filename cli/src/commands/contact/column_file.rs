@@ -1,12 +1,11 @@
 //! Text file with two columns on an even grid: positions x and a gap, a profile or a pressure, with units in the
 //! header.
 
-use asperity_core::Code;
 use std::io::Read;
 use std::path::Path;
 
-use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_core::{Code, Profile};
 use asperity_storage::regular_file;
 
 use crate::failure::Failure;

@@ -5,11 +5,11 @@ pub mod column_file;
 mod solved;
 mod stress;
 
-use asperity_core::Code;
 use std::path::Path;
 
 use asperity::contacts::dry_contact::{DryContact, dry_contact};
 use asperity_contact::problem::MAX_TOLERANCE;
+use asperity_core::Code;
 use asperity_core::quantity::Length;
 
 use super::{load_case, on_the_path};

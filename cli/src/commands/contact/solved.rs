@@ -1,10 +1,10 @@
 //! A solved contact: text, JSON and file of points.
 
-use asperity_core::Code;
 use std::path::Path;
 
 use asperity_contact::running_in::Cycle;
 use asperity_contact::{ContactSolution, ContactWarning};
+use asperity_core::Code;
 use asperity_core::quantity::Length;
 use serde_json::{Value, json};
 

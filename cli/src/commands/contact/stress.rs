@@ -1,12 +1,12 @@
 //! Subsurface stress of a solved contact.
 
-use asperity_core::Code;
-use asperity_core::number;
 use std::path::Path;
 
 use asperity_contact::subsurface::{
     Peak, StressField, YieldZone, graded_depths, subsurface_stress,
 };
+use asperity_core::Code;
+use asperity_core::number;
 use asperity_core::quantity::Length;
 use serde_json::{Value, json};
 

@@ -1,7 +1,5 @@
 //! Lubricated contact from numbers and profiles on the command line.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::ehl::traction::Heat;
@@ -9,12 +7,12 @@ use asperity::ehl::{FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling
 use asperity::oil::{AMBIENT_LIMIT, DensityLaw, LubricantInput, PressureViscosityLaw, ShearLaw};
 use asperity::reference_solution::attenuated_roughness;
 use asperity::tribo_friction::boundary::BOUNDARY_LAYER;
-use asperity_core::Profile;
 use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, DynamicViscosity, Length, Pressure, PressureViscosity, SpecificHeat,
     ThermalConductivity,
 };
+use asperity_core::{Code, Fault, Profile};
 
 use crate::args::{EhlArgs, ViscosityLawArg};
 use crate::commands::contact::column_file;

@@ -6,7 +6,6 @@ mod page;
 mod rough;
 mod smooth;
 
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::ehl::RecordSettings;
@@ -14,6 +13,7 @@ use asperity::ehl::traction::Heat;
 use asperity::lubrication::shares;
 use asperity::pipeline;
 use asperity::reference_solution::{Inlet, ReferenceContact, ReferenceSettings};
+use asperity_core::Fault;
 
 use super::{load_case, on_the_path};
 use crate::args::{Common, EhlArgs};

@@ -3,8 +3,7 @@
 use asperity::ehl::transient::Moment;
 use asperity::ehl::{RoughContact, Scales, SteadyFilm, SteadySettings, steady};
 use asperity::reference_solution::formula_film;
-use asperity_core::Code;
-use asperity_core::Fault;
+use asperity_core::{Code, Fault};
 use asperity_report::html::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };

@@ -1,7 +1,5 @@
 //! Record of two rough surfaces: text, JSON and points.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use asperity::ehl::several_records::{mean_of, record_several};
@@ -12,6 +10,7 @@ use asperity::ehl::{
 use asperity::lubrication::{HIGHEST_PRESSURE, ShareComparison};
 use asperity::reference_solution::{estimate_json, nanometres, record_json, record_warnings};
 use asperity_core::quantity::Length;
+use asperity_core::{Code, Fault};
 use asperity_storage::one_line;
 use serde_json::{Value, json};
 

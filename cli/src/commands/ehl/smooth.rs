@@ -5,8 +5,7 @@ use asperity::ehl::{
     FrictionLaw, RoughContact, Solved, SteadyFilm, SteadySettings, Warning, steady,
 };
 use asperity::oil::ShearLaw;
-use asperity_core::Code;
-use asperity_core::Fault;
+use asperity_core::{Code, Fault};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;

@@ -1,13 +1,12 @@
 //! Reading, preparation and evaluation of a profile file, and writing of profiles.
 
-use asperity_core::Code;
-use asperity_core::number;
 use std::path::Path;
 
-use asperity_core::Profile;
+use asperity_core::number;
 use asperity_core::numerics::extremes;
 use asperity_core::quantity::Length;
 use asperity_core::unique;
+use asperity_core::{Code, Profile};
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::{
     FilterState, Metadata, ReadError, ReadOptions, Reading, Surface, Trace, read_surface,

@@ -1,9 +1,9 @@
 //! `asperity profile info` and `compare`: one report, or a table of many.
 
-use asperity_core::Code;
 use std::fmt::Write as _;
 use std::path::Path;
 
+use asperity_core::Code;
 use asperity_report::profile_json::um;
 use asperity_report::wrapped;
 

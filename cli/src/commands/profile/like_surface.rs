@@ -1,8 +1,8 @@
 //! `asperity profile generate --like` with surfaces: a surface of their kind.
 
-use asperity_core::Code;
 use std::path::Path;
 
+use asperity_core::Code;
 use asperity_profile_io::read::Surface;
 use asperity_profile_io::write::{WrittenFormat, write_surface};
 use asperity_report::profile_json::um;

@@ -1,8 +1,7 @@
 //! Preparation of a trace by the options of the command.
 
-use asperity_core::Code;
-use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_core::{Code, Profile};
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::{FilterState, Reading};
 use asperity_roughness::ambiguity::Sections;

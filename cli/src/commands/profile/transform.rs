@@ -1,9 +1,8 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
-use asperity_core::Code;
 use std::path::{Path, PathBuf};
 
-use asperity_core::Profile;
+use asperity_core::{Code, Profile};
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{FilterState, Metadata, Positions, Trace};
 use asperity_report::profile_json::um;

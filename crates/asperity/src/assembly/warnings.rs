@@ -1,12 +1,11 @@
 //! Warnings raised from a finished result.
 
-use asperity_core::Code;
 use std::collections::{BTreeMap, BTreeSet};
 
 use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure, softer_flow_pressure};
 use asperity_contact::{ContactWarning, SUSPECT_GAP};
 use asperity_core::quantity::{Length, Pressure};
-use asperity_core::{OutOfRange, Treatment};
+use asperity_core::{Code, OutOfRange, Treatment};
 use asperity_efficiency::equivalent_friction;
 use asperity_ehl::PlasticCeiling;
 use asperity_gear::{EdgeContactNote, Gear, LoadMapEvidence, StiffnessSource};

@@ -1,7 +1,6 @@
 //! Errors of the reference solution.
 
-use asperity_core::Code;
-use asperity_core::Fault;
+use asperity_core::{Code, Fault};
 use asperity_ehl::EhlError;
 use asperity_oil::LubricantError;
 

@@ -24,10 +24,10 @@ mod evaluations;
 mod other_models;
 mod recorded;
 
-use asperity_core::Code;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use asperity_core::Code;
 use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::Z_95;
 use asperity_core::provenance::Provenance;

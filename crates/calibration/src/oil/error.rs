@@ -161,7 +161,7 @@ pub(crate) fn no_oil(
     Fault::new(
         Code::E319,
         format!(
-            "{name} = {value} {unit} is the one of no known oil: {low} to {high} {unit}",
+            "{name} = {value} {unit}: no known oil has this; known oils have {low} to {high} {unit}",
             low = number(low),
             high = number(high),
             value = decimals(value, 4)

@@ -1,10 +1,10 @@
 //! Page, tables and summary of a fit to traction curves.
 
-use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity::result::loss_band::Digits;
+use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use asperity_report::{StudyResult, tables};

@@ -1,15 +1,14 @@
 //! Oil constants from traction curves: selection, fit by both laws of pressure, decision, refusals and warnings.
 
 use super::error as oil_error;
-use asperity_core::Code;
-use asperity_core::Fault;
-use asperity_core::number;
 use std::fmt::Write as _;
 
 use asperity::case::{DECISIVE, POORLY_EXPLAINED, STEEPEST_FALL, law_error};
 use asperity::message::Warning;
 use asperity::oil::{LubricantInput, PressureLaw, TractionConstants};
+use asperity_core::number;
 use asperity_core::numerics::{Z_95, Z_975};
+use asperity_core::{Code, Fault};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 

@@ -1,9 +1,9 @@
 //! Page, tables and summary of predicted traction curves.
 
-use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
+use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use asperity_report::{StudyResult, tables, wrapped};

@@ -1,8 +1,8 @@
 //! Selection of the set points that the law of the film describes, never by the measured friction.
 
-use asperity_core::Fault;
 use std::fmt;
 
+use asperity_core::Fault;
 use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;

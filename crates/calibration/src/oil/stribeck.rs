@@ -8,9 +8,8 @@
 
 use super::error as oil_error;
 use asperity::message::Warning;
-use asperity_core::Code;
-use asperity_core::Fault;
 use asperity_core::numerics::{Z_95, Z_975};
+use asperity_core::{Code, Fault};
 use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;

@@ -1,10 +1,10 @@
 //! Page, tables and summary of a boundary friction from Stribeck curves.
 
-use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity::case::CalibratedName;
+use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 use asperity_report::html::{figure, page};
 use asperity_report::{StudyResult, tables, write_text};

@@ -5,10 +5,9 @@
 //! band and is in no file.
 
 use asperity::mixed_film::LoadShareError;
-use asperity_core::DomainError;
-use asperity_core::Fault;
 use asperity_core::numerics::Z_95;
 use asperity_core::quantity::{Force, Length, Speed, Temperature};
+use asperity_core::{DomainError, Fault};
 use rayon::prelude::*;
 use serde::Serialize;
 

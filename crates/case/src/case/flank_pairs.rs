@@ -1,9 +1,9 @@
 //! The traces of both flanks: their common spacing, their places, and every pair of teeth in contact.
 
-use asperity_core::Code;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
+use asperity_core::Code;
 use asperity_core::cite;
 use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;

@@ -1,10 +1,9 @@
 //! The two flanks of a case: traces read and prepared, or roughness values.
 
-use asperity_core::Code;
 use std::sync::Arc;
 
-use asperity_core::DomainError;
 use asperity_core::provenance::Provenance;
+use asperity_core::{Code, DomainError};
 use asperity_gear::MeasuredForm;
 
 use super::defaults::DefaultUsed;

@@ -1,11 +1,10 @@
 //! A case with its traces: from a file, from a text with a resolver, from a value, or changed from another.
 
-use asperity_core::Code;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use asperity_core::Profile;
 use asperity_core::provenance::Provenance;
+use asperity_core::{Code, Profile};
 use asperity_gear::LoadConditions;
 use asperity_tribo_friction::XuCalibration;
 

@@ -1,9 +1,9 @@
 //! The oil file: constants of the film friction of one oil, fitted to traction curves, with their 95 % bands.
 
-use asperity_core::Code;
 use std::path::Path;
 use std::sync::Arc;
 
+use asperity_core::Code;
 use asperity_core::numerics::range;
 use asperity_core::quantity::{PerKelvin, Pressure, Temperature};
 use asperity_oil::{LubricantError, LubricantInput, PressureLaw, TractionConstants};

@@ -1,8 +1,8 @@
 //! Quantities that follow from the numbers of a case and show a wrong one: W201 and E212 as for [`ranges`].
 
-use asperity_core::Code;
 use std::f64::consts::PI;
 
+use asperity_core::Code;
 use asperity_core::decimals;
 use asperity_core::quantity::{AngularSpeed, Pressure, Torque};
 use asperity_gear::GearPair;

@@ -5,9 +5,9 @@
 //! design. Modifications of the flanks are judged as shares of the module. Zero, negative and missing numbers are judged
 //! by the equations that take them, unless a range has negative numbers.
 
-use asperity_core::Code;
 use std::borrow::Cow;
 
+use asperity_core::Code;
 use asperity_core::quantity::Length;
 use asperity_gear::LoadLaw;
 use asperity_oil::viscosity_index::viscosity_index;

@@ -2,11 +2,10 @@
 
 use std::borrow::Cow;
 
-use asperity_core::DomainError;
+use asperity_core::{DomainError, Place};
 
 use super::error::CaseError;
 use super::source::Source;
-use asperity_core::Place;
 
 /// A table of the case, as `surface.pinion`, or a single key.
 #[derive(Debug, Clone, Copy)]

@@ -3,9 +3,8 @@
 //! The load share needs the heights of both flanks. Where a flank has no trace, profiles of its finish are generated and
 //! scaled to the stated values. Their shape is not known, so the loss is the mean over pairs of several shapes.
 
-use asperity_core::Code;
-use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_core::{Code, Profile};
 use asperity_roughness::generate::{Finish, LAMBDA_S, Surrogate};
 use asperity_roughness::{Parameters, RoughnessError};
 

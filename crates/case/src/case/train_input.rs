@@ -1,10 +1,10 @@
 //! Keys of a gear train, and the case of each mesh that they state.
 
-use asperity_core::Code;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use asperity_core::Code;
 use asperity_core::quantity::{AngularSpeed, Torque};
 use asperity_gear::gear_train::{GearTrain, Shaft, Stage};
 use serde_json::Value;

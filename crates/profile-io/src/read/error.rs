@@ -1,10 +1,8 @@
 //! Errors of reading a file.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
-use asperity_core::{RepeatedFault, decimals, number};
+use asperity_core::{Code, Fault, RepeatedFault, decimals, number};
 
 use super::format::Format;
 use super::layout::Dialect;

@@ -1,10 +1,10 @@
 //! Tables of one mesh position: fields along the contact, subsurface stress, steps of the solution.
 
 use crate::error;
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::result::{PositionFields, PositionRow, SubsurfaceFields};
+use asperity_core::Fault;
 use asperity_core::numerics::range;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 

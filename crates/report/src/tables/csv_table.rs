@@ -1,10 +1,10 @@
 //! Tables of a result in their files.
 
 use crate::error;
-use asperity_core::Fault;
 use std::io::BufWriter;
 use std::path::Path;
 
+use asperity_core::Fault;
 use asperity_storage::whole_file;
 use asperity_table::own::{self, OwnFault};
 use serde::Serialize;

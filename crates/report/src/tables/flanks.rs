@@ -1,10 +1,9 @@
 //! Tables of a flank: trace as measured, levelled and filtered, material ratio curve, spectrum.
 
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::result::FlankRecord;
-use asperity_core::Profile;
+use asperity_core::{Fault, Profile};
 use asperity_roughness::RoughnessError;
 use asperity_roughness::form;
 use asperity_roughness::material_ratio::abbott_curve;

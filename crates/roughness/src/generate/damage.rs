@@ -5,9 +5,9 @@
 //! | x_c | middle of a pit or scratch | m |
 //! | w, d | width and depth of a pit or scratch | m |
 
-use asperity_core::cite;
 use std::f64::consts::PI;
 
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use serde::{Deserialize, Serialize};

@@ -9,9 +9,9 @@
 //! | H | Hurst exponent, 0 < H < 1 | - |
 //! | λ_r, λ_s | wavelengths of roll-off and short cut-off | m |
 
-use asperity_core::cite;
 use std::f64::consts::TAU;
 
+use asperity_core::cite;
 use asperity_core::numerics::real_transforms;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};

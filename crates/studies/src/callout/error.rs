@@ -1,8 +1,7 @@
 //! Errors of a call-out.
 
 use asperity::result::loss_band::rounded;
-use asperity_core::Code;
-use asperity_core::Fault;
+use asperity_core::{Code, Fault};
 use asperity_roughness::RoughnessError;
 
 /// Uncertainty of a printed loss over it: the lots of the curve.

@@ -1,15 +1,14 @@
 //! Computation of a call-out.
 
-use asperity_core::Fault;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::pipeline::Progress;
-use asperity_core::DomainError;
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 use asperity_core::quantity::Power;
+use asperity_core::{DomainError, Fault};
 use rayon::prelude::*;
 use serde::Serialize;
 

@@ -1,8 +1,8 @@
 //! Output of a call-out: `callout.json`, tables, page and summary.
 
-use asperity_core::Fault;
 use std::path::Path;
 
+use asperity_core::Fault;
 use asperity_report::StudyResult;
 use asperity_report::tables::write as write_table;
 

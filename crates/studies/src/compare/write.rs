@@ -1,9 +1,9 @@
 //! Output of a comparison: `compare.json`, tables, page and summary.
 
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::result::Regime;
+use asperity_core::Fault;
 use asperity_report::StudyResult;
 use asperity_report::tables::{BODIES, FlankTables, write as write_table};
 use serde::Serialize;

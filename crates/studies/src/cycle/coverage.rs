@@ -2,8 +2,7 @@
 
 use super::trace::{Cycle, CyclePoint};
 use crate::map::Surface;
-use asperity_core::Code;
-use asperity_core::Fault;
+use asperity_core::{Code, Fault};
 
 /// Largest share of the energy at the pinion outside of a map, where losses are extrapolated: a choice of this program.
 const MOST_OUTSIDE: f64 = 0.05;

@@ -1,12 +1,11 @@
 //! Energies of a cycle on a map.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use std::f64::consts::PI;
 
 use asperity::balance::{Unbalanced, efficiency, sum};
 use asperity::message::Warning;
 use asperity::uncertainty::Quantiles;
+use asperity_core::{Code, Fault};
 use serde::Serialize;
 
 use super::coverage::{Coverage, moving_time, share};

@@ -1,11 +1,11 @@
 //! Reading of a cycle, and conversion to the pinion.
 
-use asperity_core::number;
-use asperity_core::{Code, Fault};
 use std::f64::consts::PI;
 
 use asperity::case::{VehicleInput, range_of};
 use asperity::message::Warning;
+use asperity_core::number;
+use asperity_core::{Code, Fault};
 use asperity_table::{Ragged, RowFault, Table};
 
 use crate::map::forwards;

@@ -1,8 +1,8 @@
 //! Output of a cycle: `cycle.json`, `cycle.csv`, `cycle.html` and summary.
 
-use asperity_core::Fault;
 use std::path::Path;
 
+use asperity_core::Fault;
 use asperity_report::{StudyResult, tables};
 use serde::Serialize;
 

@@ -1,13 +1,12 @@
 //! Loss torque of bearings, seals and churning, from a user's table.
 
-use asperity::efficiency::EfficiencyError;
-use asperity::efficiency::loss_table::LossTable;
-use asperity::loss_table::{LossTableError, read};
-use asperity_core::Code;
-use asperity_core::Fault;
 use std::fmt::Display;
 
 use crate::map::Axes;
+use asperity::efficiency::EfficiencyError;
+use asperity::efficiency::loss_table::LossTable;
+use asperity::loss_table::{LossTableError, read};
+use asperity_core::{Code, Fault};
 
 /// Loss torque in addition to the mesh.
 #[derive(Debug, Clone, PartialEq)]

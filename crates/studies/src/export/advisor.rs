@@ -1,11 +1,11 @@
 //! Transmission of ADVISOR: efficiency over speed and torque of the output shaft.
 
-use asperity_core::Fault;
 use std::fmt::Write as _;
 
 use super::error;
 use super::field::Field;
 use crate::map::Surface;
+use asperity_core::Fault;
 
 /// Variables `tx_map_spd` \[rad/s\], `tx_map_trq` \[N m\] and `tx_eff_map`, speeds down and torques across.
 ///

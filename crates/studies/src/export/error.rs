@@ -1,8 +1,7 @@
 //! Errors of exports.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use asperity_core::number;
+use asperity_core::{Code, Fault};
 
 /// A point has no result.
 pub(crate) fn holes(finish: &str) -> Fault {

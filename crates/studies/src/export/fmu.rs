@@ -1,11 +1,11 @@
 //! Functional mock-up unit: table in C, description and, if a compiler is available, a library for this machine.
 
-use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::io::{Cursor, Write as _};
 use std::path::Path;
 use std::process::Command;
 
+use asperity_core::Fault;
 use asperity_storage::{Draft, sha256, whole_file};
 use zip::ZipWriter;
 use zip::result::ZipResult;

@@ -1,8 +1,8 @@
 //! Export formats, and the files of a map in a format.
 
-use asperity_core::Fault;
 use std::path::{Path, PathBuf};
 
+use asperity_core::Fault;
 use serde::Deserialize;
 
 use super::added::AddedLoss;

@@ -1,9 +1,9 @@
 //! Tables of the Modelica Standard Library as text, for `CombiTable2Ds`.
 
-use asperity_core::Fault;
 use std::fmt::Write as _;
 
 use super::field::Field;
+use asperity_core::Fault;
 
 /// Table `lossTorque` over torque \[N m\] and speed \[rad/s\]; with an added loss also separate tables of the mesh and of
 /// the added loss.

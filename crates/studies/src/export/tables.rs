@@ -1,10 +1,10 @@
 //! Tables with one row per node: CSV, and the transmission loss map of VECTO.
 
 use super::error;
-use asperity_core::Fault;
 use std::fmt::Write as _;
 use std::path::Path;
 
+use asperity_core::Fault;
 use asperity_report::tables::text;
 use serde::Serialize;
 

@@ -1,7 +1,6 @@
 //! Figures.
 
-use asperity_core::Code;
-use asperity_core::Fault;
+use asperity_core::{Code, Fault};
 use asperity_report::chart::{Chart, Drawing};
 
 /// The reference case has no rough contact to draw.

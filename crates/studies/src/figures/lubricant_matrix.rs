@@ -1,6 +1,5 @@
 //! Fig. 7: oils of various densities and viscosities, with and without the pressure variation across the film.
 
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::PositionError;
@@ -8,6 +7,7 @@ use asperity::case::LoadedCase;
 use asperity::lubrication::formula_film;
 use asperity::mesh::Mesh;
 use asperity::paper::film_at;
+use asperity_core::Fault;
 use asperity_core::numerics::range;
 use asperity_core::quantity::{Density, DynamicViscosity, KinematicViscosity};
 use asperity_ns_film::{FluidModel, pressure_difference_across};

@@ -9,11 +9,11 @@ mod random_contact;
 mod reference_case;
 mod thick_films;
 
-use asperity_core::Fault;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use asperity::case::LoadedCase;
+use asperity_core::Fault;
 use asperity_report::chart::Dress;
 use asperity_report::write_bytes;
 use asperity_storage::{

@@ -5,10 +5,10 @@
 //! are the same in both. Eq. 19 counts a patch of one cell by one cell once per revolution; a third panel has the
 //! deformation after contact over the face width in every engagement of a tooth, b z₁/a of the printed value.
 
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::result::Summary;
+use asperity_core::Fault;
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::tables::write;
 use serde::Serialize;

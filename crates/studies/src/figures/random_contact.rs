@@ -2,16 +2,15 @@
 //!
 //! The paper does not give its surfaces; these are self-affine with the roughness of ground flanks.
 
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::PositionError;
 use asperity_contact::subsurface::{graded_depths, subsurface_stress};
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::{ContactSolution, SolverSettings};
-use asperity_core::Profile;
 use asperity_core::numerics::range;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_core::{Fault, Profile};
 use asperity_report::chart::{Axis, Chart, Contour, Drawing, Line, Series};
 use asperity_report::tables::write;
 use asperity_report::thin;

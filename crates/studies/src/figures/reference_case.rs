@@ -1,10 +1,10 @@
 //! Fig. 9 to 13: reference case of the paper's Table 2.
 
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::case::LoadedCase;
 use asperity::result::PositionFields;
+use asperity_core::Fault;
 use asperity_report::PageTables;
 use asperity_report::chart::{Axis, Chart, Drawing};
 use asperity_report::html::drawings_of_contact;

@@ -1,10 +1,10 @@
 //! Fig. 8: pressure difference across thin and thick films.
 
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::case::LoadedCase;
 use asperity::pipeline::{FilmRow, film};
+use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Line, Series};
 use asperity_report::tables::write;
 

@@ -1,10 +1,9 @@
 //! Axes of a map.
 
 use asperity::case::train::Train;
-use asperity_core::Code;
-use asperity_core::Fault;
 use asperity_core::number;
 use asperity_core::numerics::distinct;
+use asperity_core::{Code, Fault};
 use serde::{Deserialize, Serialize};
 
 /// Nodes of a map, ascending along each axis.

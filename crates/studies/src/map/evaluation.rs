@@ -1,6 +1,5 @@
 //! Losses of one torque at every speed and temperature of a map.
 
-use asperity_core::Code;
 use std::collections::BTreeMap;
 
 use asperity::Reversed;
@@ -15,6 +14,7 @@ use asperity::pipeline::{contacts_beside, losses, losses_with};
 use asperity::result::Losses;
 use asperity::uncertainty::{Predictive, predictive};
 use asperity::{Contacts, Error, PositionError};
+use asperity_core::Code;
 use asperity_core::numerics::distinct;
 use asperity_core::quantity::{AngularSpeed, Power, Temperature, Torque};
 use rayon::prelude::*;

@@ -1,6 +1,5 @@
 //! Computation of a map.
 
-use asperity_core::Code;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -13,6 +12,7 @@ use asperity::flanks::Surfaces;
 use asperity::pipeline::Progress;
 use asperity::result::{Losses, OffsetRow};
 use asperity::{Error, PositionError};
+use asperity_core::Code;
 use asperity_core::numerics::{deviation, distinct};
 use asperity_core::quantity::{AngularSpeed, Power};
 use asperity_core::unique;

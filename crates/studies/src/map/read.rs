@@ -1,10 +1,9 @@
 //! Reading of a map from its folder.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use std::fmt::Display;
 use std::path::Path;
 
+use asperity_core::{Code, Fault};
 use asperity_storage::{check_written, whole_file};
 use asperity_table::own::{self, OwnFault};
 

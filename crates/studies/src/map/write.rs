@@ -1,8 +1,8 @@
 //! Output of a map: `map.json`, `map.csv`, `map.html`, and its exports in `export`.
 
-use asperity_core::Fault;
 use std::path::{Path, PathBuf};
 
+use asperity_core::Fault;
 use asperity_report::{StudyResult, make_folder, write_bytes};
 
 use super::page;

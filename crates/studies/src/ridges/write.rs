@@ -1,9 +1,9 @@
 //! Output of a study of ridges: `ridges.json`, tables, page and summary.
 
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::result::ridges::FlankWatts;
+use asperity_core::Fault;
 use asperity_report::StudyResult;
 use asperity_report::tables::{BODIES, write as write_table};
 use serde::Serialize;

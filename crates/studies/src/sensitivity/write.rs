@@ -1,9 +1,8 @@
 //! Output of a sensitivity study: `sensitivity.json`, table, page and summary.
 
-use asperity_core::Code;
-use asperity_core::Fault;
 use std::path::Path;
 
+use asperity_core::{Code, Fault};
 use asperity_report::StudyResult;
 use asperity_report::tables::write as write_table;
 use serde::Serialize;

@@ -1,11 +1,11 @@
 //! The cases of a study by number.
 
-use asperity_core::Code;
 use std::collections::BTreeSet;
 
 use asperity::case::nearest_name;
 use asperity::case::train::Train;
 use asperity::profile_io::read::table_text;
+use asperity_core::Code;
 use asperity_core::numerics::standard_normal_quantile;
 use asperity_table::Table;
 use toml::Value;

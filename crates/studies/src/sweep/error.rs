@@ -1,12 +1,11 @@
 //! Errors of studies.
 
-use asperity_core::Code;
-use asperity_core::Fault;
-use asperity_storage::StorageError;
 use std::path::{Path, PathBuf};
 
 use asperity::PositionError;
 use asperity::case::did_you_mean;
+use asperity_core::{Code, Fault};
+use asperity_storage::StorageError;
 
 fn with_other_inputs(others: &[PathBuf]) -> String {
     let others: Vec<_> = others

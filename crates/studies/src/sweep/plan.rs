@@ -1,9 +1,9 @@
 //! Plan of a study before it runs.
 
-use asperity_core::Code;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
+use asperity_core::Code;
 use serde::Serialize;
 
 use super::case_list::CaseList;

@@ -1,11 +1,11 @@
 //! Cases that cannot be resolved, determined before any case is run.
 
-use asperity_core::Code;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::Error;
 use asperity::core::cancel::checkpoint;
+use asperity_core::Code;
 use rayon::prelude::*;
 use serde::Serialize;
 

@@ -1,6 +1,5 @@
 //! The work of a shard.
 
-use asperity_core::Code;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -16,6 +15,7 @@ use asperity::result::Losses;
 use asperity::train;
 use asperity::uncertainty::{Predictive, predictive};
 use asperity::{ContactStore, Error};
+use asperity_core::Code;
 use rayon::prelude::*;
 use serde_json::Value;
 

@@ -1,9 +1,9 @@
 //! Output of a merged study: `sweep.csv`, `sweep.json`, `effects.csv`, `sweep.html` and summary.
 
-use asperity_core::Fault;
 use std::path::Path;
 
 use asperity::message::explain;
+use asperity_core::Fault;
 use asperity_report::{StudyResult, tables, write_bytes};
 use asperity_storage::one_line;
 use serde::Serialize;
