@@ -131,7 +131,11 @@ fn c04_a_phase_map_of_zygo_has_its_spacing_units_and_missing_points() {
         (Some(300), Some(2.5))
     );
     let refused = bench.run(&["profile", "info", "nodata.xyz", "--row", "3"]);
-    refused.refused(2, "E107", &["3 of 300 points have no height"]);
+    refused.refused(
+        2,
+        "E107",
+        &["nodata.xyz: 3 of 300 points have no height, the first is column 41 of row 3"],
+    );
     let filled = info(
         &bench,
         "nodata.xyz",
@@ -164,7 +168,11 @@ fn c05_points_that_are_left_out_are_missing_on_their_grid() {
     assert_eq!(text.lines().count(), 1 + 30 * 420 - 125);
     bench.write("holes.xyz", text);
     let refused = bench.run(&["profile", "info", "holes.xyz", "--row", "7"]);
-    refused.refused(2, "E107", &["5 of 420 points have no height"]);
+    refused.refused(
+        2,
+        "E107",
+        &["holes.xyz: 5 of 420 points have no height, the first is column 11 of row 7"],
+    );
     column(&bench, "row10.txt", &surface(420, 10));
     let alone = info(&bench, "row10.txt", &["--dx", "1.5um", "--z-unit", "um"]);
     same(&info(&bench, "holes.xyz", &["--row", "11"]), &alone);

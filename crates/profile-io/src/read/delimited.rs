@@ -65,7 +65,7 @@ pub(super) fn read(
         Some(columns) => points::read(text, first, &lines, &sniffed, columns)?.zip(Some(columns)),
         None => None,
     };
-    let (chosen, rows, before, format) = match &points {
+    let (chosen, rows, before, is_listed, format) = match &points {
         Some((points, [x, y, z])) => {
             let trace = points.trace(options)?;
             let along = if points.runs_along_y(options) { y } else { x };
@@ -75,12 +75,18 @@ pub(super) fn read(
                 valid: None,
                 count: sniffed.columns,
             };
-            (chosen, trace.rows, trace.before, Format::PointText)
+            (
+                chosen,
+                trace.rows,
+                trace.before,
+                trace.is_listed,
+                Format::PointText,
+            )
         }
         None => {
             let chosen = table::choose(sniffed.columns, &labels, options)?;
             let rows = rows::read(text, first, &lines, &sniffed, chosen)?;
-            (chosen, rows, 0, Format::DelimitedText)
+            (chosen, rows, 0, true, Format::DelimitedText)
         }
     };
     let parsed = Parsed {
@@ -94,6 +100,7 @@ pub(super) fn read(
         values,
         first,
         before,
+        is_listed,
         sniffed,
         labels,
         chosen,
@@ -168,6 +175,8 @@ struct Parsed<'a> {
     first: usize,
     /// Number of rows of the table above the first row of the trace.
     before: usize,
+    /// Whether the points of the trace are successive rows of the table.
+    is_listed: bool,
     sniffed: Sniffed,
     labels: Vec<Label>,
     chosen: Chosen,
@@ -253,14 +262,21 @@ impl Parsed<'_> {
             column = Some(spacing);
         }
         let falls = column.as_ref().is_some_and(|spacing| spacing.falls);
-        let mut place = |row: usize| place(if falls { count - 1 - row } else { row });
+        let first = |row: usize| {
+            let row = if falls { count - 1 - row } else { row };
+            if !self.is_listed {
+                return Ok((None, grid::node(row, self.options)));
+            }
+            let (line, text) = place(row)?;
+            Ok((Some(line), format!("reads \"{text}\"")))
+        };
         let gaps = self.options.gaps;
         let unevenness = column.as_ref().and_then(|spacing| spacing.unevenness);
         let mut left_out = 0;
         if let (Some(x), true) = (&mut x, unevenness.is_some() || base_radius.is_some()) {
             left_out = grid::leave_out(x, &mut z, gaps, &mut warnings)?;
         }
-        let (heights, filled) = grid::heights(z, gaps, &mut place, &mut warnings)?;
+        let (heights, filled) = grid::heights(z, gaps, first, &mut warnings)?;
         let measured = self.measure(x.as_deref(), &heights, column, &special, &mut warnings)?;
         let mut metadata = self.metadata();
         let positions = match (x, measured.x_unit, base_radius, unevenness) {

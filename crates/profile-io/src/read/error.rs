@@ -113,12 +113,12 @@ pub enum ReadFault {
         needed: usize,
     },
     /// Points without a height.
-    #[error("{missing} of {points} points have no height, the first reads \"{text}\"{}", if *fillable { "" } else { ": too many to interpolate" })]
+    #[error("{missing} of {points} points have no height, the first {first}{}", if *fillable { "" } else { ": too many to interpolate" })]
     MissingPoints {
-        /// Line of the first missing point.
-        line: usize,
-        /// Text of the first missing point.
-        text: String,
+        /// Line of the first missing point, if the file has one for it.
+        line: Option<usize>,
+        /// What that line reads, or which point of the trace or surface it is.
+        first: String,
         /// Number of missing points.
         missing: usize,
         /// Number of rows.
@@ -343,11 +343,11 @@ impl ReadFault {
         match self {
             Self::UnreadableNumber { line, .. }
             | Self::NotMonotone { line, .. }
-            | Self::MissingPoints { line, .. }
             | Self::UnevenSpacing { line, .. }
             | Self::RaggedRow { line, .. }
             | Self::RepeatedPoint { line, .. }
             | Self::AmbiguousComma { line, .. } => Some(*line),
+            Self::MissingPoints { line, .. } => *line,
             Self::OfFile { first, .. } => first.line(),
             _ => None,
         }

@@ -30,8 +30,8 @@ pub(super) struct Found {
     pub warnings: Vec<Warning>,
     pub encoding: Option<Encoding>,
     pub table: Option<TableLayout>,
-    /// Line of the first height in the file; 1 in binary files.
-    pub first_line: usize,
+    /// Line of the first height in the file, if each height has its line.
+    pub first_line: Option<usize>,
 }
 
 impl Found {
@@ -50,7 +50,7 @@ impl Found {
             warnings: Vec::new(),
             encoding: None,
             table: None,
-            first_line: 1,
+            first_line: None,
         }
     }
 
@@ -67,7 +67,7 @@ impl Found {
         let mut x = self.x.filter(|_| stated.is_none());
         let column = match &mut x {
             Some(x) => Some(grid::spacing(x, &mut |row| {
-                Ok((first_line + row, String::new()))
+                Ok((first_line.unwrap_or(1) + row, String::new()))
             })?),
             None => None,
         };
@@ -115,11 +115,14 @@ impl Found {
         if let (Some(x), Some(_)) = (&mut x, unevenness) {
             left_out = grid::leave_out(x, &mut heights, options.gaps, &mut warnings)?;
         }
-        let mut place = |row: usize| {
+        let first = |row: usize| {
             let row = if falls { count - 1 - row } else { row };
-            Ok((first_line + row, "missing".to_owned()))
+            Ok(match first_line {
+                Some(line) => (Some(line + row), "reads \"missing\"".to_owned()),
+                None => (None, grid::node(row, options)),
+            })
         };
-        let (heights, filled) = grid::heights(heights, options.gaps, &mut place, &mut warnings)?;
+        let (heights, filled) = grid::heights(heights, options.gaps, first, &mut warnings)?;
         let positions = match (x, unevenness) {
             (Some(x), Some(unevenness)) => own(metres(x, x_unit)?, unevenness),
             _ => Positions::Even { spacing },

@@ -6,8 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::error::ReadFault;
-use super::options::FEWEST_POINTS;
-use super::options::Gaps;
+use super::options::{FEWEST_POINTS, Gaps, ReadOptions, TraceLine};
 use crate::warning::Warning;
 
 /// Maximum fraction of missing points that may be interpolated.
@@ -243,11 +242,22 @@ pub(super) fn counts_points(x: &[f64]) -> bool {
     matches!(x.first(), Some(0.0 | 1.0)) && x.windows(2).all(|pair| pair[1] == pair[0] + 1.0)
 }
 
-/// Fills gaps in heights, where missing heights are not finite; returns the heights and the number of filled points.
+/// The point `at`, from 0, of the trace that `options` ask for, in words: a missing point that no line of the file has.
+pub(super) fn node(at: usize, options: &ReadOptions) -> String {
+    let point = at + 1;
+    match (options.line, options.row) {
+        (TraceLine::Row, Some(row)) => format!("is column {point} of row {row}"),
+        (TraceLine::Column, Some(column)) => format!("is row {point} of column {column}"),
+        _ => format!("is point {point}"),
+    }
+}
+
+/// Fills gaps in heights, where missing heights are not finite; returns the heights and the number of filled points. A refusal
+/// names the line and the words that `first` has for the first gap.
 pub(super) fn heights(
     z: Vec<f64>,
     gaps: Gaps,
-    place: &mut Place<'_>,
+    first: impl FnOnce(usize) -> Result<(Option<usize>, String), ReadFault>,
     warnings: &mut Vec<Warning>,
 ) -> Result<(Vec<f64>, usize), ReadFault> {
     let Some(gap) = z.iter().position(|z| !z.is_finite()) else {
@@ -263,10 +273,10 @@ pub(super) fn heights(
     let inner = z[known..end].iter().filter(|z| !z.is_finite()).count();
     let fillable = known < end && fillable(inner, end - known);
     if gaps == Gaps::Refuse || !fillable {
-        let (line, text) = place(gap)?;
+        let (line, first) = first(gap)?;
         return Err(ReadFault::MissingPoints {
             line,
-            text,
+            first,
             missing,
             points: z.len(),
             fillable,

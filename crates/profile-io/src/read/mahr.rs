@@ -70,7 +70,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
         spacing: header.interval.map(|dx| (dx, SpacingSource::Header)),
         filter_state: header.state,
         metadata: header.metadata,
-        first_line: first_line.unwrap_or(1),
+        first_line,
         ..Found::new(FORMAT, heights)
     })
 }

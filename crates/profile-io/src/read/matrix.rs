@@ -131,7 +131,7 @@ pub(super) fn read(
             }
         };
     }
-    let Some((first_line, mut heights)) = chosen else {
+    let Some((_, mut heights)) = chosen else {
         return Err(ReadFault::SeveralProfiles {
             rows,
             points: columns,
@@ -156,7 +156,7 @@ pub(super) fn read(
         spacing: spacing.map(|dx| (dx, SpacingSource::Header)),
         warnings: assumed.into_iter().collect(),
         z_unit,
-        first_line,
+        first_line: None,
         table: Some(TableLayout {
             separator: dialect.separator,
             decimal: dialect.decimal,

@@ -36,12 +36,16 @@ pub(super) struct Points {
     heights: Vec<f64>,
     /// Whether the lines run along x.
     along_x: bool,
+    /// Whether points of the grid are left out of the file.
+    has_holes: bool,
 }
 
 /// A trace of points, with the number of rows of the table above its first point.
 pub(super) struct PointTrace {
     pub rows: Rows,
     pub before: usize,
+    /// Whether its points are successive rows of the table.
+    pub is_listed: bool,
 }
 
 /// The points of a table; `None` if they are on no grid.
@@ -141,6 +145,7 @@ impl Points {
             across,
             heights: z.to_vec(),
             along_x,
+            has_holes: false,
         })
     }
 
@@ -169,6 +174,7 @@ impl Points {
             across: along(&rows),
             heights,
             along_x: true,
+            has_holes: true,
         }))
     }
 
@@ -233,6 +239,7 @@ impl Points {
                 empty: 0,
             },
             before,
+            is_listed: as_stored && !self.has_holes && !options.line.is_mean(),
         })
     }
 

@@ -63,7 +63,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
             title: short(title.trim_start_matches("Profil ")),
             ..Metadata::default()
         },
-        first_line: HEADER_LINES + 1,
+        first_line: Some(HEADER_LINES + 1),
         ..Found::new(FORMAT, heights)
     })
 }

@@ -60,7 +60,7 @@ pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Found, 
     Ok(Found {
         spacing: header.x_scale.map(|dx| (dx, SpacingSource::Header)),
         metadata: header.metadata,
-        first_line,
+        first_line: Some(first_line),
         scaled: true,
         ..Found::new(FORMAT, heights)
     })

@@ -54,7 +54,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
         x_unit: LengthUnit::Micrometre,
         spacing: spacing.map(|dx| (dx, SpacingSource::Header)),
         metadata,
-        first_line,
+        first_line: Some(first_line),
         ..Found::new(FORMAT, heights)
     })
 }

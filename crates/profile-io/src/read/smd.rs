@@ -131,7 +131,7 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault>
         filter_state: filter_state(&metadata),
         metadata,
         warnings: checksum.flatten().into_iter().collect(),
-        first_line,
+        first_line: Some(first_line),
         ..Found::new(FORMAT, heights)
     })
 }

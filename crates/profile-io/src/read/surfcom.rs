@@ -106,7 +106,7 @@ pub(super) fn read(
         },
         metadata,
         warnings,
-        first_line: HEADER_LINES + 1,
+        first_line: Some(HEADER_LINES + 1),
         ..Found::new(FORMAT, heights)
     })
 }

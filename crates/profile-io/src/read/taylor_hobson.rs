@@ -105,7 +105,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
             .filter(|dx| *dx > 0.0)
             .map(|dx| (dx, SpacingSource::Header)),
         metadata: header.metadata,
-        first_line,
+        first_line: Some(first_line),
         ..Found::new(FORMAT, heights)
     })
 }

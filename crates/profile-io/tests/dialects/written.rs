@@ -171,7 +171,7 @@ fn an_absolute_offset_and_a_valid_flag_are_understood() {
         matches!(
             refused.fault,
             ReadFault::MissingPoints {
-                line: 6,
+                line: Some(6),
                 missing: 1,
                 fillable: true,
                 ..
