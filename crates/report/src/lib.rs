@@ -10,8 +10,10 @@
 //! | read a result back | [`read_result`] |
 //! | draw its page | [`html::render`], [`redraw`] |
 //! | print it in 80 columns | [`summary`] |
+//! | make a table for page and terminal | [`columns!`] |
 
 pub mod chart;
+mod columns;
 mod error;
 mod folder;
 pub mod html;
@@ -30,6 +32,7 @@ pub mod units;
 mod whole;
 mod wrap;
 
+pub use columns::{Cell, Column, Kind, Number, Table};
 pub use folder::{
     Fields, PAGE, make_folder, parse_result, read_result, redraw, title_of, write_bytes,
     write_json, write_text, write_unsolved,

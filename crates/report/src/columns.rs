@@ -1,0 +1,338 @@
+//! Tables of numbers and texts, described once for the page and for the terminal.
+//!
+//! A table is a list of columns; [`columns!`](crate::columns) makes one from rows with one line for each column: its heading, unit,
+//! digits and value. [`Table::text`] prints it with aligned columns, and on a page it is written into the markup by `(table)`.
+
+use maud::{Markup, Render, html};
+
+/// A cell of a table.
+#[derive(Debug, Clone, Default)]
+pub struct Cell {
+    /// Its text in the terminal.
+    text: String,
+    /// Its markup on a page; `None` for the text.
+    markup: Option<Markup>,
+}
+
+impl Cell {
+    /// A number by `format`, or "-" if there is none.
+    pub fn number(value: impl Number, format: impl Fn(f64) -> String) -> Self {
+        value.number().map_or("-".to_owned(), format).into()
+    }
+
+    /// `text`, on a page with `markup`.
+    pub fn marked(text: impl Into<String>, markup: Markup) -> Self {
+        Self {
+            text: text.into(),
+            markup: Some(markup),
+        }
+    }
+
+    /// `text` as code.
+    pub fn code(text: impl Into<String>) -> Self {
+        let text = text.into();
+        let markup = html! { code { (text) } };
+        Self::marked(text, markup)
+    }
+
+    fn width(&self) -> usize {
+        self.text.chars().count()
+    }
+}
+
+impl<T: ToString> From<T> for Cell {
+    fn from(text: T) -> Self {
+        Self {
+            text: text.to_string(),
+            markup: None,
+        }
+    }
+}
+
+impl Render for Cell {
+    fn render(&self) -> Markup {
+        match &self.markup {
+            Some(markup) => markup.clone(),
+            None => html! { (self.text) },
+        }
+    }
+}
+
+/// A number that may be missing.
+pub trait Number {
+    /// The number; `None` if it is missing.
+    fn number(self) -> Option<f64>;
+}
+
+impl Number for f64 {
+    fn number(self) -> Option<f64> {
+        Some(self)
+    }
+}
+
+impl Number for usize {
+    fn number(self) -> Option<f64> {
+        Some(self as f64)
+    }
+}
+
+impl<T: Number> Number for Option<T> {
+    fn number(self) -> Option<f64> {
+        self.and_then(T::number)
+    }
+}
+
+impl<T: Number + Copy> Number for &T {
+    fn number(self) -> Option<f64> {
+        (*self).number()
+    }
+}
+
+/// How the cells of a column are set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Names of the rows, at the left.
+    Head,
+    /// Text, at the left.
+    Text,
+    /// Numbers, at the right.
+    Number,
+}
+
+/// A column of a table.
+#[derive(Debug, Clone)]
+pub struct Column {
+    kind: Kind,
+    /// Heading with the unit in square brackets.
+    heading: String,
+    cells: Vec<Cell>,
+}
+
+impl Column {
+    /// A column of `cells`; without a `unit` the heading has none.
+    pub fn new<C: Into<Cell>>(
+        kind: Kind,
+        heading: &str,
+        unit: &str,
+        cells: impl IntoIterator<Item = C>,
+    ) -> Self {
+        let heading = match (heading, unit) {
+            (heading, "") => heading.to_owned(),
+            ("", unit) => format!("[{unit}]"),
+            (heading, unit) => format!("{heading} [{unit}]"),
+        };
+        Self {
+            kind,
+            heading,
+            cells: cells.into_iter().map(Into::into).collect(),
+        }
+    }
+
+    /// Lines of the heading in the terminal: its words, as many in a line as the cells or the longest word are wide. A unit with
+    /// spaces is one word.
+    fn heading_lines(&self) -> (Vec<String>, usize) {
+        let mut words: Vec<String> = Vec::new();
+        for word in self.heading.split(' ') {
+            match words.last_mut() {
+                Some(unit) if unit.starts_with('[') && !unit.ends_with(']') => {
+                    *unit += " ";
+                    *unit += word;
+                }
+                _ => words.push(word.to_owned()),
+            }
+        }
+        let length = |text: &str| text.chars().count();
+        let of_cells = self.cells.iter().map(Cell::width);
+        let of_words = words.iter().map(|word| length(word));
+        let width = of_cells.chain(of_words).max().unwrap_or(0);
+        let mut lines: Vec<String> = Vec::new();
+        for word in words {
+            match lines.last_mut() {
+                Some(line) if length(line) + 1 + length(&word) <= width => {
+                    *line += " ";
+                    *line += &word;
+                }
+                _ => lines.push(word),
+            }
+        }
+        (lines, width)
+    }
+}
+
+/// A table: columns of equally many cells.
+#[derive(Debug, Clone, Default)]
+pub struct Table {
+    columns: Vec<Column>,
+    class: &'static str,
+}
+
+impl Table {
+    /// A table of `columns`.
+    #[must_use]
+    pub fn new(columns: impl IntoIterator<Item = Column>) -> Self {
+        Self {
+            columns: columns.into_iter().collect(),
+            class: "",
+        }
+    }
+
+    /// The table with further columns at the right.
+    #[must_use]
+    pub fn with(mut self, columns: impl IntoIterator<Item = Column>) -> Self {
+        self.columns.extend(columns);
+        self
+    }
+
+    /// The table without the columns `headings`, for a face that has no room for them.
+    #[must_use]
+    pub fn without(mut self, headings: &[&str]) -> Self {
+        let names = |column: &Column| {
+            let name = column.heading.split(" [").next();
+            name.is_some_and(|name| headings.contains(&name))
+        };
+        self.columns.retain(|column| !names(column));
+        self
+    }
+
+    /// The table with a class of the page's style.
+    #[must_use]
+    pub fn classed(mut self, class: &'static str) -> Self {
+        self.class = class;
+        self
+    }
+
+    /// Whether it has no rows.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.rows() == 0
+    }
+
+    fn rows(&self) -> usize {
+        let columns = self.columns.iter();
+        columns.map(|column| column.cells.len()).max().unwrap_or(0)
+    }
+
+    /// The table for the terminal: aligned columns, two spaces between them, each line after `indent`. The last column is not
+    /// padded.
+    ///
+    /// ```
+    /// use asperity_report::columns;
+    /// struct Point { name: &'static str, load_n: f64, film_ratio: Option<f64> }
+    /// let points = [
+    ///     Point { name: "first", load_n: 30.0, film_ratio: Some(3.14) },
+    ///     Point { name: "second", load_n: 75.0, film_ratio: None },
+    /// ];
+    /// let table = columns! { point in &points;
+    ///     head name "point" "";
+    ///     number load_n "load" "N" "{:.0}";
+    ///     number film_ratio "film over roughness" "" "{:.1}";
+    /// };
+    /// let lines = [
+    ///     "        load  film over",
+    ///     "point    [N]  roughness",
+    ///     "first     30        3.1",
+    ///     "second    75          -",
+    /// ];
+    /// assert_eq!(table.text("").lines().collect::<Vec<_>>(), lines);
+    /// ```
+    #[must_use]
+    pub fn text(&self, indent: &str) -> String {
+        let headings: Vec<_> = self.columns.iter().map(Column::heading_lines).collect();
+        let tall = headings.iter().map(|(lines, _)| lines.len()).max();
+        let tall = tall.unwrap_or(0);
+        let blank = String::new();
+        let of_headings = (0..tall).map(|line| {
+            // Headings stand at the bottom.
+            let cell = |(lines, _): &(Vec<String>, usize)| {
+                let above = tall - lines.len();
+                line.checked_sub(above)
+                    .map_or(blank.clone(), |k| lines[k].clone())
+            };
+            headings.iter().map(cell).collect::<Vec<String>>()
+        });
+        let of_rows = (0..self.rows()).map(|row| {
+            let cells = self.columns.iter();
+            let cell = |column: &Column| {
+                column
+                    .cells
+                    .get(row)
+                    .map_or(blank.clone(), |cell| cell.text.clone())
+            };
+            cells.map(cell).collect()
+        });
+        let mut text = String::new();
+        for cells in of_headings.chain(of_rows) {
+            let mut line = indent.to_owned();
+            for ((cell, column), (_, width)) in cells.iter().zip(&self.columns).zip(&headings) {
+                let padding = " ".repeat(width - cell.chars().count().min(*width));
+                line += &match column.kind {
+                    Kind::Number => format!("{padding}{cell}  "),
+                    Kind::Head | Kind::Text => format!("{cell}{padding}  "),
+                };
+            }
+            text += line.trim_end();
+            text.push('\n');
+        }
+        text
+    }
+}
+
+impl IntoIterator for Table {
+    type Item = Column;
+    type IntoIter = std::vec::IntoIter<Column>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.columns.into_iter()
+    }
+}
+
+impl Render for Table {
+    fn render(&self) -> Markup {
+        let class = |column: &Column| (column.kind == Kind::Number).then_some("number");
+        html! { div.scroll { table class=[(!self.class.is_empty()).then_some(self.class)] {
+            thead { tr { @for column in &self.columns { th class=[class(column)] { (column.heading) } } } }
+            tbody { @for row in 0..self.rows() { tr { @for column in &self.columns {
+                @let cell = column.cells.get(row).cloned().unwrap_or_default();
+                @match column.kind {
+                    Kind::Head => th scope="row" { (cell) },
+                    _ => td class=[class(column)] { (cell) },
+                }
+            } } } }
+        } } }
+    }
+}
+
+/// A [`Table`](crate::Table) of rows, with one line for each column.
+///
+/// A line is `kind field "heading" "unit"`, for a number with its digits, and `= value` where the value is not the field of
+/// this name: `number temperature_c "temperature" "°C" "{:.0}";`, `text slides "slide-to-roll ratios" "" = slides(row);`. The kind is
+/// `head`, `text`, `code` or `number`; a number without digits is a text that has its digits already.
+#[macro_export]
+macro_rules! columns {
+    ($row:ident in $rows:expr; $($kind:ident $name:ident $heading:literal $unit:literal $($digits:literal)? $(= $value:expr)?;)+) => {{
+        let rows: Vec<_> = IntoIterator::into_iter($rows).collect();
+        $crate::Table::new([$(
+            $crate::Column::new(
+                $crate::columns!(@kind $kind),
+                $heading,
+                $unit,
+                rows.iter().map(|$row| $crate::columns!(@cell $kind, $row, $name, [$($digits)?] [$($value)?])),
+            ),
+        )+])
+    }};
+    (@kind head) => { $crate::Kind::Head };
+    (@kind text) => { $crate::Kind::Text };
+    (@kind code) => { $crate::Kind::Text };
+    (@kind number) => { $crate::Kind::Number };
+    (@cell code, $row:ident, $name:ident, [] $value:tt) => {
+        $crate::Cell::code($crate::columns!(@value $row, $name, $value))
+    };
+    (@cell $kind:ident, $row:ident, $name:ident, [] $value:tt) => {
+        $crate::Cell::from($crate::columns!(@value $row, $name, $value))
+    };
+    (@cell $kind:ident, $row:ident, $name:ident, [$digits:literal] $value:tt) => {
+        $crate::Cell::number($crate::columns!(@value $row, $name, $value), |value| format!($digits, value))
+    };
+    (@value $row:ident, $name:ident, []) => { &$row.$name };
+    (@value $row:ident, $name:ident, [$value:expr]) => { $value };
+}
