@@ -5,6 +5,8 @@
 
 use maud::{Markup, Render, html};
 
+use crate::wrap::{COLUMNS, wrapped};
+
 /// A cell of a table.
 #[derive(Debug, Clone, Default)]
 pub struct Cell {
@@ -212,8 +214,8 @@ impl Table {
         columns.map(|column| column.cells.len()).max().unwrap_or(0)
     }
 
-    /// The table for the terminal: aligned columns, two spaces between them, each line after `indent`. The last column is not
-    /// padded.
+    /// The table for the terminal: aligned columns, two spaces between them, each line after `indent`. Text of the last column
+    /// goes on in further lines.
     ///
     /// ```
     /// use asperity_report::columns;
@@ -260,6 +262,14 @@ impl Table {
             };
             cells.map(cell).collect()
         });
+        let before_last = headings.iter().rev().skip(1).map(|(_, width)| width + 2);
+        let further = match before_last.sum() {
+            offset if offset > COLUMNS / 2 => 4,
+            offset => offset,
+        };
+        let further = indent.to_owned() + &" ".repeat(further);
+        let last = self.columns.last();
+        let is_text = last.is_some_and(|last| last.kind != Kind::Number);
         let mut text = String::new();
         for cells in of_headings.chain(of_rows) {
             let mut line = indent.to_owned();
@@ -270,7 +280,10 @@ impl Table {
                     Kind::Head | Kind::Text => format!("{cell}{padding}  "),
                 };
             }
-            text += line.trim_end();
+            text += &match is_text {
+                true => wrapped(line.trim_end(), &further),
+                false => line.trim_end().to_owned(),
+            };
             text.push('\n');
         }
         text

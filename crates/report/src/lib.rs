@@ -18,6 +18,7 @@ mod error;
 mod folder;
 pub mod html;
 pub mod library;
+mod other_models;
 mod page_tables;
 mod printed;
 pub mod profile_json;

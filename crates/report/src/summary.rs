@@ -1,18 +1,17 @@
 //! The summary for the terminal, in 80 columns.
 
-use std::fmt::Write as _;
-
+use crate::other_models;
 use crate::printed::{
     BOUNDARY, LUBRICATED, PrintedLoss, gearbox_with_interval, of_mesh, stated, stated_parts, watts,
 };
 use crate::ridges;
 use crate::tables::BODIES;
-use crate::wrap::{COLUMNS, wrapped, wrapped_within};
+use crate::wrap::{COLUMNS, wrapped_within};
 use asperity::message::{Subject, Warning};
 use asperity::result::loss_band::{Digits, Trust, Uncertainty, UncertaintyPart, rounded};
 use asperity::result::{
-    BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, PublishedOutcome,
-    Regime, RunResult, Summary,
+    BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, Regime, RunResult,
+    Summary,
 };
 use asperity_core::Code;
 use asperity_storage::one_line;
@@ -450,7 +449,7 @@ fn run_in(result: &RunResult) -> Vec<String> {
     ];
     let state = |(name, s, [pinion, wheel]): (&str, &Summary, [f64; 2])| {
         format!(
-            "{name:<11}  loss {}, {:.4} %, boundary layer on {:.1} % of the load, Rq {pinion:.3} and {wheel:.3} um",
+            "{name}: loss {}, {:.4} %, boundary layer on {:.1} % of the load, Rq {pinion:.3} and {wheel:.3} um",
             watts(s.loss_w),
             100.0 * s.efficiency,
             100.0 * s.boundary_share,
@@ -541,48 +540,14 @@ pub fn models(result: &RunResult) -> String {
     let Some(uncertainty) = &result.uncertainty else {
         return "no other models without an uncertainty\n".to_owned();
     };
-    let digits = uncertainty.digits();
-    let rows = uncertainty.models().map(|row| {
-        let loss = row.loss_w.map(|loss| digits.rounded(loss) + " W");
-        let loss = loss.unwrap_or("-".to_owned());
-        let line = format!("{:<52}  {loss:>8}  {}", row.name, row.standing());
-        wrapped(&line, "    ") + "\n"
-    });
-    std::iter::once("other models, and the evidence against them\n".to_owned())
-        .chain(rows)
-        .collect()
+    let table = other_models::models(uncertainty).text("");
+    format!("other models, and the evidence against them\n{table}")
 }
 
 /// Table of the published laws, each in place of film and asperity friction.
 pub fn published_laws(result: &RunResult) -> String {
-    let mut text = String::from(
-        "published laws, each in place of film and asperity friction\n\
-         law              loss      asperities  range\n",
-    );
-    for entry in &result.published_laws {
-        let loss = match &entry.outcome {
-            PublishedOutcome::Applied { loss_w, .. } => watts(*loss_w),
-            _ => "-".to_owned(),
-        };
-        let asperities = if entry.includes_asperities {
-            "in"
-        } else {
-            "out"
-        };
-        let range = match (entry.inside_its_range, &entry.outcome) {
-            (_, PublishedOutcome::Refused(why)) => why.clone(),
-            (true, _) => "inside".to_owned(),
-            (false, _) => format!("outside: {}", entry.outside.join("; ")),
-        };
-        let line = format!("{:<15}  {loss:<8}  {asperities:<10}  {range}", entry.law);
-        // Writing into a string cannot fail.
-        let _ = writeln!(
-            text,
-            "{}",
-            wrapped(&line, "                                       ")
-        );
-    }
-    text
+    let table = other_models::published_laws(result).text("");
+    format!("published laws, each in place of film and asperity friction\n{table}")
 }
 
 #[cfg(test)]

@@ -18,6 +18,7 @@ use crate::summary::besides_the_mesh;
 use crate::tables as csv;
 use crate::tiles::{Tile, TileKind};
 use crate::wrap::wrapped;
+use crate::{Cell, Table, columns};
 
 /// The files of a train without the folders of its meshes; its page shows `warnings`.
 pub(crate) fn texts(result: &Whole, warnings: &[Warning]) -> Result<Vec<FileText>, Fault> {
@@ -70,57 +71,11 @@ pub(crate) fn tables(result: &Whole) -> String {
             1e-3 * set.rolling_power_w,
         ));
     }
-    let width = |names: &mut dyn Iterator<Item = &String>| {
-        names
-            .map(|name| name.chars().count())
-            .max()
-            .unwrap_or(0)
-            .max(16)
-    };
     if let Some(heat) = &result.heat {
         text.push_str(&format!("{}\n", heat.line()));
     }
-    let wide = width(&mut result.meshes.iter().map(|row| &row.mesh));
-    text.push_str(&format!(
-        "{:<wide$} {:>2} {:>10} {:>8} {:>18} {:>8} {:>8} {:>12} {:>7} {:>8} {:>7}\n",
-        "mesh",
-        "n",
-        "T N m",
-        "1/min",
-        "loss W",
-        "sliding",
-        "rolling",
-        "efficiency",
-        "H_V",
-        "mu_eq",
-        "p0 MPa",
-    ));
-    for row in &result.meshes {
-        let [loss, efficiency, mu] = row.with_digits();
-        let parts: String = row
-            .parts_with_digits()
-            .iter()
-            .map(|part| format!(" {part:>8}"))
-            .collect();
-        text.push_str(&format!(
-            "{:<wide$} {:>2} {:>10.3} {:>8} {loss:>18}{parts} {efficiency:>10} % {:>7.4} {mu:>8} {:>7.0}\n",
-            row.mesh, row.count, row.torque_nm, rpm(row.speed_rad_per_s), row.loss_factor, row.hertz_pressure_mpa,
-        ));
-    }
-    let wide = width(&mut result.shafts.iter().map(|row| &row.shaft));
-    text.push_str(&format!(
-        "{:<wide$} {:>13} {:>8} {:>13} {:>9}\n",
-        "shaft", "T N m", "1/min", "T into N m", "kW",
-    ));
-    for row in &result.shafts {
-        let [carried, torque, power] = result.shaft_with_digits(row);
-        text.push_str(&format!(
-            "{:<wide$} {carried:>13} {:>8} {torque:>13} {power:>9}\n",
-            row.shaft,
-            rpm(row.speed_rad_per_s),
-        ));
-    }
-    text
+    let wide = ["sliding", "rolling", "p₀ at K_γ"];
+    text + &meshes(result).without(&wide).text("") + &shafts(result).text("")
 }
 
 fn rpm(speed: f64) -> String {
@@ -202,38 +157,40 @@ fn summary_page(result: &Whole, warnings: &[Warning]) -> String {
         &result.program,
         &[
             ("Summary", summary),
-            ("Meshes", meshes(result)),
-            ("Losses by kind", kinds(result)),
-            ("Shafts", shafts(result)),
+            ("Meshes", meshes_section(result)),
+            ("Losses by kind", html! { (kinds(result)) }),
+            ("Shafts", shafts_section(result)),
         ],
     )
 }
 
-fn meshes(result: &Whole) -> Markup {
+/// The meshes, each with its loss, speeds and pressure.
+fn meshes(result: &Whole) -> Table {
+    columns! { row in &result.meshes;
+        head mesh "mesh" "" = linked(&row.mesh);
+        number count "number" "";
+        number torque_nm "torque" "N m" "{:.3}";
+        number speed "speed" "1/min" = rpm(row.speed_rad_per_s);
+        number loss "loss of one" "W" = &row.with_digits()[0];
+        number sliding "sliding" "W" = &row.parts_with_digits()[0];
+        number rolling "rolling" "W" = &row.parts_with_digits()[1];
+        number efficiency "efficiency" "%" = &row.with_digits()[1];
+        number loss_factor "H_V" "" "{:.4}";
+        number mu "μ_eq" "" = &row.with_digits()[2];
+        number hertz_pressure_mpa "p₀" "MPa" "{:.0}";
+        number hertz_pressure_most_loaded_mpa "p₀ at K_γ" "MPa" "{:.0}";
+    }
+}
+
+/// Name of a mesh, on the page with a link to its own page.
+fn linked(mesh: &str) -> Cell {
+    let page = format!("{}/{PAGE}", mesh_folder(mesh));
+    Cell::marked(mesh, html! { a href=(page) { (mesh) } })
+}
+
+fn meshes_section(result: &Whole) -> Markup {
     html! {
-        div.scroll { table {
-            thead { tr {
-                th { "mesh" } th.number { "number" } th.number { "torque [N m]" } th.number { "speed [1/min]" } th.number { "loss of one [W]" }
-                th.number { "sliding [W]" } th.number { "rolling [W]" } th.number { "efficiency [%]" }
-                th.number { "H_V" } th.number { "μ_eq" } th.number { "p₀ [MPa]" } th.number { "p₀ at K_γ [MPa]" }
-            } }
-            tbody { @for row in &result.meshes {
-                @let [loss, efficiency, mu] = row.with_digits();
-                tr {
-                    td { a href={ (mesh_folder(&row.mesh)) "/report.html" } { (row.mesh) } }
-                    td.number { (row.count) }
-                    td.number { (format!("{:.3}", row.torque_nm)) }
-                    td.number { (rpm(row.speed_rad_per_s)) }
-                    td.number { (loss) }
-                    @for part in row.parts_with_digits() { td.number { (part) } }
-                    td.number { (efficiency) }
-                    td.number { (format!("{:.4}", row.loss_factor)) }
-                    td.number { (mu) }
-                    td.number { (format!("{:.0}", row.hertz_pressure_mpa)) }
-                    td.number { (format!("{:.0}", row.hertz_pressure_most_loaded_mpa)) }
-                }
-            } }
-        } }
+        (meshes(result))
         p { "Torque and speed of the pinion, in a planetary set relative to the carrier." }
         @if result.loss_distribution.is_some() {
             p { "In brackets 5 and 95 % over the same draws of oil and boundary layer for all meshes, with the sampling of
@@ -243,36 +200,29 @@ fn meshes(result: &Whole) -> Markup {
     }
 }
 
-fn kinds(result: &Whole) -> Markup {
-    html! {
-        div.scroll { table {
-            thead { tr { th { "loss of all meshes" } th.number { "[W]" } th.number { "share [%]" } } }
-            tbody { @for (name, loss, share) in result.kinds_with_digits() { tr {
-                td { (name) }
-                td.number { (loss) }
-                td.number { (format!("{:.1}", 100.0 * share)) }
-            } } }
-        } }
+fn kinds(result: &Whole) -> Table {
+    columns! { row in result.kinds_with_digits();
+        head kind "kind" "" = row.0;
+        number loss "loss of all meshes" "W" = &row.1;
+        number share "share" "%" "{:.1}" = 100.0 * row.2;
     }
 }
 
-fn shafts(result: &Whole) -> Markup {
+/// The shafts with the torque that they carry, and torque and power into the train.
+fn shafts(result: &Whole) -> Table {
+    columns! { row in &result.shafts;
+        head shaft "shaft" "";
+        number speed "speed" "1/min" = rpm(row.speed_rad_per_s);
+        number carried "torque carried" "N m" = &result.shaft_with_digits(row)[0];
+        number torque "torque into the train" "N m" = &result.shaft_with_digits(row)[1];
+        number power "power" "kW" = &result.shaft_with_digits(row)[2];
+    }
+}
+
+fn shafts_section(result: &Whole) -> Markup {
     let [power_in, power_out] = result.powers_with_digits();
     html! {
-        div.scroll { table {
-            thead { tr { th { "shaft" } th.number { "speed [1/min]" } th.number { "torque carried [N m]" } th.number { "torque into the train [N m]" }
-                th.number { "power [kW]" } } }
-            tbody { @for row in &result.shafts {
-                @let [carried, torque, power] = result.shaft_with_digits(row);
-                tr {
-                    td { (row.shaft) }
-                    td.number { (rpm(row.speed_rad_per_s)) }
-                    td.number { (carried) }
-                    td.number { (torque) }
-                    td.number { (power) }
-                }
-            } }
-        } }
+        (shafts(result))
         p { "Torque and power into the train, with all losses; negative where the power leaves. The power in is " (power_in)
             " kW and the power out " (power_out) " kW." }
         p { "data: " a href="shafts.csv" { "shafts.csv" } }

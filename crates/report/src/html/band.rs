@@ -1,11 +1,11 @@
 //! The uncertainty of the loss: its components, constants and structures, and the losses of other models.
 
-use asperity::result::loss_band::{
-    AlternativeRow, DrawnConstant, EvidenceRow, SamplingPart, Uncertainty,
-};
+use asperity::result::loss_band::{DrawnConstant, EvidenceRow, SamplingPart, Uncertainty};
 use maud::{Markup, html};
 
 use crate::chart::{Axis, Drawing, Interval, Tornado};
+use crate::columns;
+use crate::other_models::models;
 
 /// The measurements that narrow each component: the fold below the chart.
 pub(super) fn remedies(uncertainty: &Uncertainty) -> Markup {
@@ -13,17 +13,12 @@ pub(super) fn remedies(uncertainty: &Uncertainty) -> Markup {
     html! {
         details {
             summary { "All components, and what narrows them" }
-            div.scroll { table {
-                thead { tr { th { "component" } th.number { "5 %" } th.number { "95 %" } th { "narrower with" } } }
-                tbody { @for part in &uncertainty.loss.parts {
-                    @let [low, high] = part.quantiles_w;
-                    tr {
-                        th scope="row" { (part.name) }
-                        td.number { (digits.rounded(low)) " W" } td.number { (digits.rounded(high)) " W" }
-                        td { (part.remedy) }
-                    }
-                } }
-            } }
+            (columns! { part in &uncertainty.loss.parts;
+                head name "component" "";
+                number low "5 %" "W" = digits.rounded(part.quantiles_w[0]);
+                number high "95 %" "W" = digits.rounded(part.quantiles_w[1]);
+                text remedy "narrower with" "";
+            })
         }
     }
 }
@@ -33,17 +28,12 @@ pub(crate) fn evidence(rows: &[EvidenceRow], loss: &dyn Fn(f64) -> String) -> Ma
     const SHOWN: usize = 3;
     html! { @if !rows.is_empty() {
         h3 { "What would narrow the interval most" }
-        div.scroll { table {
-            thead { tr { th { "measurement" } th.number { "hours" } th.number { "width" } th.number { "loss" } } }
-            tbody { @for row in rows.iter().take(SHOWN) {
-                @let [low, high] = row.interval();
-                tr {
-                    th scope="row" { (row.measurement) }
-                    td.number { (row.hours) } td.number { (row.width_percent()) }
-                    td.number { (loss(low)) " to " (loss(high)) " W" }
-                }
-            } }
-        } }
+        (columns! { row in rows.iter().take(SHOWN);
+            head measurement "measurement" "";
+            number hours "hours" "";
+            number width "width" "" = row.width_percent();
+            number loss "loss" "W" = row.interval().map(loss).join(" to ");
+        })
         p.note { "Width: expected over present interval, in logarithms. " code { "asperity evidence" } " has all measurements." }
     } }
 }
@@ -58,30 +48,17 @@ pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
         }
         p { "Sampling of the flanks: " (sampling(&uncertainty.sampling)) "." }
         h3 { "Constants" }
-        div.scroll { table {
-            thead { tr { th { "constant" } th.number { "median" } th.number { "from" } th.number { "to" } } }
-            tbody { @for constant in &uncertainty.constants {
-                @let [value, low, high] = values(constant);
-                tr {
-                    th scope="row" { (constant.name) @if constant.is_calibrated { " (calibrated)" } }
-                    td.number { (value) } td.number { (low) } td.number { (high) }
-                }
-            } }
-        } }
+        (columns! { constant in &uncertainty.constants;
+            head name "constant" "" = format!("{}{}", constant.name, if constant.is_calibrated { " (calibrated)" } else { "" });
+            number value "median" "" = &values(constant)[0];
+            number low "from" "" = &values(constant)[1];
+            number high "to" "" = &values(constant)[2];
+        })
         @if !uncertainty.held.is_empty() {
             p { "Not varied, because the case states it: " (uncertainty.held.join(", ")) "." }
         }
         h3 { "Other models, and the evidence against them" }
-        div.scroll { table {
-            thead { tr { th { "model" } th.number { "loss" } th { "against it" } } }
-            tbody { @for row in uncertainty.models() {
-                tr {
-                    th scope="row" { (row.name) }
-                    td.number { (loss(row, uncertainty)) }
-                    td { (row.standing()) }
-                }
-            } }
-        } }
+        (models(uncertainty))
     }
 }
 
@@ -127,13 +104,6 @@ pub(super) fn values(constant: &DrawnConstant) -> [String; 3] {
     };
     [constant.value, constant.low, constant.high]
         .map(|value| format!("{:.digits$}{unit}", factor * value))
-}
-
-fn loss(row: &AlternativeRow, uncertainty: &Uncertainty) -> String {
-    let digits = uncertainty.digits();
-    row.loss_w.map_or("no solution".to_owned(), |loss| {
-        format!("{} W", digits.rounded(loss))
-    })
 }
 
 /// Components in the picture; the table below it has all.

@@ -8,6 +8,7 @@ use maud::{Markup, html};
 
 use super::band::values;
 use super::temperatures;
+use crate::{Column, Kind, Table, columns};
 
 /// Name, value, and key in `result.json` of a number; an empty key for a number that is derived from several.
 type Row = (&'static str, String, &'static str);
@@ -81,17 +82,15 @@ fn gears(result: &RunResult) -> Markup {
     let second = if gears.internal { "ring" } else { "wheel" };
     html! {
         h3 { "Gears" }
-        div.scroll { table {
-            thead { tr { td {} th.number { "pinion" } th.number { (second) } } }
-            tbody {
-                @for (name, [pinion, wheel]) in &each {
-                    tr { th scope="row" { (name) } td.number { (pinion) } td.number { (wheel) } }
-                }
-                @for (name, value) in &pair {
-                    tr { th scope="row" { (name) } td.number colspan="2" { (value) } }
-                }
-            }
-        } }
+        (Table::new([
+            Column::new(Kind::Head, "", "", each.iter().map(|(name, _)| name)),
+            Column::new(Kind::Number, "pinion", "", each.iter().map(|(_, values)| &values[0])),
+            Column::new(Kind::Number, second, "", each.iter().map(|(_, values)| &values[1])),
+        ]))
+        (columns! { row in &pair;
+            head name "of the pair" "" = row.0;
+            number value "" "" = &row.1;
+        })
     }
 }
 
@@ -214,32 +213,37 @@ fn oil(result: &RunResult) -> Markup {
             origin("lubricant.pressure_viscosity"),
         ),
     ];
-    const ALPHA: usize = 3;
     let temperature = format!("{:.1} °C", oil.temperature.celsius());
     let drawn = result.uncertainty.iter().flat_map(|band| &band.constants);
     let alpha = { drawn }.find(|constant| constant.name == Constant::PressureViscosity.name());
-    let alpha = alpha.map(|alpha| {
+    let of_alpha = alpha.map(|alpha| {
         let [_, low, high] = values(alpha);
         format!("{low} to {high}")
     });
+    let none = || "–".to_owned();
+    let bands = [none(), none(), none(), of_alpha.unwrap_or_else(none)];
+    let state = state.into_iter().zip(bands);
+    let state = state.map(|((name, value, source), band)| {
+        [
+            name.to_owned(),
+            format!("{value} at {temperature}"),
+            band,
+            source,
+        ]
+    });
+    let constants = result.film_constants.iter().map(|constant| {
+        let [value, band] = texts(constant);
+        let source = format!("{}{}", constant.source, confidence(constant));
+        [shown(constant.name).0.to_owned(), value, band, source]
+    });
     html! {
         h3 { "Oil at " (temperature) }
-        div.scroll { table {
-            thead { tr { th { "quantity" } th.number { "value" } th.number { "band" } th { "source" } } }
-            tbody {
-                @for (row, (name, value, source)) in state.iter().enumerate() {
-                    @let band = alpha.as_deref().filter(|_| row == ALPHA).unwrap_or("–");
-                    tr { th scope="row" { (name) } td.number { (value) " at " (temperature) } td.number { (band) } td { (source) } }
-                }
-                @for constant in &result.film_constants {
-                    @let [value, band] = texts(constant);
-                    tr {
-                        th scope="row" { (shown(constant.name).0) } td.number { (value) } td.number { (band) }
-                        td { (constant.source) (confidence(constant)) }
-                    }
-                }
-            }
-        } }
+        (columns! { row in state.chain(constants);
+            head name "quantity" "" = &row[0];
+            number value "value" "" = &row[1];
+            number band "band" "" = &row[2];
+            text source "source" "" = &row[3];
+        })
     }
 }
 

@@ -14,6 +14,7 @@ use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 use crate::page_tables::PageTables;
 use crate::tables::{BODIES, FlankTables, MaterialRatioRow, TraceRow, files_of};
 use crate::units::MICRO;
+use crate::{Cell, Column, Kind, Table, columns};
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     // Pinion and wheel in two columns.
@@ -224,29 +225,25 @@ const RATIOS: &[(&str, OfRatio)] = &[
     ("Mr2", |parameters| parameters.material.mr2),
 ];
 
-fn parameters(result: &RunResult) -> Markup {
-    let of = |index: usize| result.flanks[index].parameters.as_ref();
-    let length = |index: usize, value: OfLength| {
-        of(index).and_then(value).map_or("–".to_owned(), |length| {
-            format!("{:.4}", length.si() * MICRO)
-        })
+fn parameters(result: &RunResult) -> Table {
+    let of_flank = |index: usize| {
+        let parameters = result.flanks[index].parameters.as_ref();
+        let lengths = LENGTHS.iter().map(move |(_, value)| {
+            let length = parameters.and_then(value);
+            Cell::number(length.map(|length| length.si() * MICRO), |um| {
+                format!("{um:.4}")
+            })
+        });
+        let ratios = RATIOS.iter().map(move |(_, value)| {
+            Cell::number(parameters.map(value), |percent| format!("{percent:.2}"))
+        });
+        Column::new(Kind::Number, BODIES[index], "", lengths.chain(ratios))
     };
-    let ratio = |index: usize, value: OfRatio| {
-        of(index).map_or("–".to_owned(), |parameters| {
-            format!("{:.2}", value(parameters))
-        })
+    let lengths = LENGTHS.iter().map(|(name, _)| (name, "µm"));
+    let names = lengths.chain(RATIOS.iter().map(|(name, _)| (name, "%")));
+    let names = columns! { row in names;
+        head name "parameter" "" = row.0;
+        text unit "unit" "" = row.1;
     };
-    html! {
-        div.scroll { table {
-            thead { tr { th { "parameter" } th { "unit" } @for body in BODIES { th.number { (body) } } } }
-            tbody {
-                @for (name, value) in LENGTHS {
-                    tr { th scope="row" { (name) } td { "µm" } @for index in 0..2 { td.number { (length(index, *value)) } } }
-                }
-                @for (name, value) in RATIOS {
-                    tr { th scope="row" { (name) } td { "%" } @for index in 0..2 { td.number { (ratio(index, *value)) } } }
-                }
-            }
-        } }
-    }
+    names.with([0, 1].map(of_flank))
 }

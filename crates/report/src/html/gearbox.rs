@@ -4,6 +4,7 @@ use asperity::result::gearbox::GearboxReport;
 use asperity::result::loss_band::Uncertainty;
 use maud::{Markup, html};
 
+use crate::columns;
 use crate::printed::{gearbox_with_interval, stated, stated_parts, watts};
 
 /// Name, formatted value and key in `result.json` of a number.
@@ -36,17 +37,13 @@ pub(crate) fn section(gearbox: &GearboxReport, has_band: bool) -> Markup {
             subtracted from the power in."
             @if has_band { " The other parts add no uncertainty." }
         }
-        div.scroll { table {
-            thead { tr { th { "part" } th { "kind" } th { "law" } th.number { "torque [N m]" } th.number { "loss" } } }
-            tbody {
-                @for (part, loss) in gearbox.parts.iter().zip(&losses) {
-                    tr {
-                        th scope="row" { (part.name) } td { (part.kind) } td { (part.law) }
-                        td.number { (format!("{:.3}", part.torque_nm)) } td.number { (loss) }
-                    }
-                }
-                tr { th scope="row" { "total" } td {} td {} td {} td.number { (stated(gearbox.parts_w)) } }
-            }
-        } }
+        (columns! { row in gearbox.parts.iter().zip(&losses);
+            head name "part" "" = &row.0.name;
+            text kind "kind" "" = &row.0.kind;
+            text law "law" "" = &row.0.law;
+            number torque_nm "torque" "N m" "{:.3}" = row.0.torque_nm;
+            number loss "loss" "" = row.1;
+        })
+        p { "Together " (stated(gearbox.parts_w)) "." }
     }
 }

@@ -1,6 +1,6 @@
 //! Inputs: the case with its defaults, files, equations and sources.
 
-use crate::error;
+use crate::{Cell, columns, error};
 use asperity::result::FlankRecord;
 use asperity::result::RunResult;
 use asperity_core::Fault;
@@ -11,24 +11,23 @@ pub(super) fn section(result: &RunResult) -> Result<Markup, Fault> {
     let rows = keys(result)?;
     Ok(html! {
         p { (result.defaults.len()) " defaults. Values marked " span.default { "default" } " are not stated in the case." }
-        div.scroll { table.inputs {
-            thead { tr { th { "key" } th { "value" } th { "from" } } }
-            tbody {
-                @for row in &rows {
-                    tr {
-                        th scope="row" { code { (row.key) } } td { (row.value) }
-                        td { @match &row.origin {
-                            None => "stated",
-                            Some(source) if source.is_empty() => span.default { "default" },
-                            Some(source) => { span.default { "default" } " " (source) },
-                        } }
-                    }
-                }
-            }
-        } }
+        (columns! { row in &rows;
+            head key "key" "" = Cell::code(&row.key);
+            text value "value" "";
+            text origin "from" "" = from(row.origin.as_deref());
+        }.classed("inputs"))
         (files(result))
         (equations(result))
     })
+}
+
+/// "stated", or the mark of a default with its source.
+fn from(origin: Option<&str>) -> Cell {
+    let Some(source) = origin else {
+        return "stated".into();
+    };
+    let markup = html! { span.default { "default" } @if !source.is_empty() { " " (source) } };
+    Cell::marked(format!("default {source}"), markup)
 }
 
 struct KeyRow {
@@ -118,12 +117,10 @@ fn files(result: &RunResult) -> Markup {
     html! {
         h3 { "Provenance" }
         p { "Made by " (result.program) ", schema version " (result.schema_version) "." }
-        div.scroll { table {
-            thead { tr { th { "file" } th { "SHA-256" } } }
-            tbody { @for (file, sum) in flanks {
-                tr { td { code { (file) } } td { code { (sum) } } }
-            } }
-        } }
+        (columns! { row in flanks;
+            code file "file" "" = row.0;
+            code sum "SHA-256" "" = row.1;
+        })
     }
 }
 

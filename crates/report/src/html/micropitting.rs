@@ -3,12 +3,11 @@
 use asperity::result::MicropittingReport;
 use maud::{Markup, html};
 
+use crate::columns;
+
 /// The smallest specific film and all positions.
 pub(super) fn section(report: &MicropittingReport) -> Markup {
     let [pinion, wheel] = report.ra_um;
-    let text = |value: Option<f64>, digits: usize| {
-        value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
-    };
     html! {
         h3 { "Micropitting: specific film" }
         p {
@@ -31,23 +30,16 @@ pub(super) fn section(report: &MicropittingReport) -> Markup {
             on touching asperities, and at the first offset the pressure that 99 % of the touching points stay below and the share of the \
             nominal contact at the flow pressure. The columns do not combine to one rating."
         }
-        div.scroll { table {
-            thead { tr {
-                th.number { "path [%]" } th.number { "p [MPa]" } th.number { "flash [K]" } th.number { "h [µm]" } th.number { "λ_GF" }
-                th.number { "λ, Rq below 0.08 mm" } th.number { "on asperities [%]" } th.number { "99 % pressure [MPa]" }
-                th.number { "flowing [%]" }
-            } }
-            tbody { @for cell in &report.cells { tr {
-                td.number { (format!("{:.1}", 100.0 * cell.path_fraction)) }
-                td.number { (format!("{:.0}", cell.pressure_mpa)) }
-                td.number { (format!("{:.1}", cell.flash_k)) }
-                td.number { (format!("{:.4}", cell.film_um)) }
-                td.number { (format!("{:.3}", cell.lambda)) }
-                td.number { (text(cell.lambda_short, 3)) }
-                td.number { (text(Some(100.0 * cell.solid_share), 1)) }
-                td.number { (text(cell.solid_pressure_99_mpa, 0)) }
-                td.number { (text(cell.flowing_area.map(|area| 100.0 * area), 2)) }
-            } } }
-        } }
+        (columns! { cell in &report.cells;
+            number path "path" "%" "{:.1}" = 100.0 * cell.path_fraction;
+            number pressure_mpa "p" "MPa" "{:.0}";
+            number flash_k "flash" "K" "{:.1}";
+            number film_um "h" "µm" "{:.4}";
+            number lambda "λ_GF" "" "{:.3}";
+            number lambda_short "λ, Rq below 0.08 mm" "" "{:.3}";
+            number solid_share "on asperities" "%" "{:.1}" = 100.0 * cell.solid_share;
+            number solid_pressure_99_mpa "99 % pressure" "MPa" "{:.0}";
+            number flowing_area "flowing" "%" "{:.2}" = cell.flowing_area.map(|area| 100.0 * area);
+        })
     }
 }

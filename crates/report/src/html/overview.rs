@@ -3,11 +3,12 @@
 use asperity::key_words::advice;
 use asperity::message::Warning;
 use asperity::result::loss_band::Digits;
-use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, Summary};
+use asperity::result::{FlankHeights, RunInFlanks, RunResult, Summary};
 use maud::{Markup, html};
 
 use super::page::{figure, source};
 use crate::printed::{PrintedLoss, PrintedPart, of_mesh};
+use crate::{columns, other_models};
 
 /// The first screen: headline, parts, band, losses along the path, and the pair in mesh; then what the case requests.
 pub(super) fn section(result: &RunResult) -> Markup {
@@ -120,12 +121,11 @@ fn as_measured_and_run_in(result: &RunResult, run_in: &RunInFlanks) -> Markup {
             "The flanks ran in over " (passes) " contacts under the full load without a film; the rest of this page is for \
             the flanks as measured."
         }
-        div.scroll { table {
-            thead { tr { th { "number" } th { "as measured" } th { "run in" } } }
-            tbody { @for (name, [measured, after]) in &rows {
-                tr { th scope="row" { (name) } td { (measured) } td { (after) } }
-            } }
-        } }
+        (columns! { row in &rows;
+            head name "number" "" = row.0;
+            text measured "as measured" "" = &row.1[0];
+            text after "run in" "" = &row.1[1];
+        })
     }
 }
 
@@ -221,24 +221,7 @@ fn shares_of_loss(parts: &[f64], result: &RunResult) -> Vec<String> {
 pub(super) fn laws(result: &RunResult) -> Markup {
     html! {
         h3 { "Published friction laws, each in place of film and asperity friction" }
-        div.scroll { table {
-            thead { tr { th { "law" } th.number { "loss" } th { "asperities" } th { "range" } } }
-            tbody { @for entry in &result.published_laws {
-                tr {
-                    th scope="row" { (entry.law) }
-                    td.number { @match &entry.outcome {
-                        PublishedOutcome::Applied { loss_w, .. } => { (significant(*loss_w)) " W" }
-                        _ => "-",
-                    } }
-                    td { @if entry.includes_asperities { "included" } @else { "film only" } }
-                    td { @match (&entry.outcome, entry.inside_its_range) {
-                        (PublishedOutcome::Refused(why), _) => (why),
-                        (_, true) => "inside",
-                        _ => { "outside: " (entry.outside.join("; ")) },
-                    } }
-                }
-            } }
-        } }
+        (other_models::published_laws(result))
         (source("friction_laws.csv"))
     }
 }

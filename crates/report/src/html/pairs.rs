@@ -2,9 +2,14 @@
 
 use asperity::result::loss_band::{PairSampling, rounded};
 use asperity::result::{ToothTrace, TracePairs};
+use asperity::roughness::Parameters;
+use asperity_core::quantity::Length;
 use maud::{Markup, html};
 
 use crate::summary::two_digits;
+use crate::tables::BODIES;
+use crate::units::MICRO;
+use crate::{Cell, Column, Kind, Table, columns};
 
 pub(super) fn section(pairs: &TracePairs, sampling: &PairSampling) -> Markup {
     let watts = |power: f64| rounded(power, sampling.half_width_w);
@@ -18,43 +23,55 @@ pub(super) fn section(pairs: &TracePairs, sampling: &PairSampling) -> Markup {
             " Between the teeth of the pinion the loss scatters by " (two_digits(s1)) " W (s₁), between those of the wheel by "
             (two_digits(s2)) " W (s₂), and from pair to pair by further " (two_digits(sampling.interaction_w)) " W (s₁₂)."
         }
-        div.scroll { table {
-            thead { tr {
-                th { "loss, W" }
-                @for tooth in 1..=wheel { th.number { "wheel " (tooth) } }
-            } }
-            tbody { @for (k, row) in pairs.losses_w.iter().enumerate() { tr {
-                th scope="row" { "pinion " (k + 1) }
-                @for loss in row { td.number { (format!("{loss:.2}")) } }
-            } } }
-        } }
+        (losses(pairs, wheel))
     }
+}
+
+/// Loss of each traced tooth of the pinion on each of the wheel.
+fn losses(pairs: &TracePairs, wheel: usize) -> Table {
+    let pinions = (1..=pairs.losses_w.len()).map(|tooth| format!("pinion {tooth}"));
+    let names = Column::new(Kind::Head, "loss", "W", pinions);
+    let of_wheel = (0..wheel).map(|tooth| {
+        let losses = pairs
+            .losses_w
+            .iter()
+            .map(|row| Cell::number(row.get(tooth), |loss| format!("{loss:.2}")));
+        Column::new(Kind::Number, &format!("wheel {}", tooth + 1), "", losses)
+    });
+    Table::new(std::iter::once(names).chain(of_wheel))
 }
 
 /// The traces with their roughness parameters.
 pub(super) fn traces(pairs: &TracePairs) -> Markup {
-    let flanks = ["pinion", "wheel"].into_iter().zip(&pairs.traces);
-    let um = |value: f64| format!("{:.3}", 1e6 * value);
+    let flanks = BODIES.iter().zip(&pairs.traces);
+    let all = flanks.flat_map(|(body, traces)| traces.iter().map(move |trace| (body, trace)));
+    let rows = all.map(|(body, trace)| Traced {
+        tooth: match trace.tooth_number {
+            Some(number) => format!("{body} {} (tooth {number})", trace.tooth),
+            None => format!("{body} {}", trace.tooth),
+        },
+        trace,
+        parameters: trace.record.parameters.as_ref(),
+    });
+    let um = |length: Length| length.si() * MICRO;
     html! {
         p { "The charts below are of the first trace of each flank." }
-        div.scroll { table {
-            thead { tr {
-                th { "tooth" } th { "trace" } th.number { "y, mm" } th.number { "Rq, µm" } th.number { "Rz, µm" } th.number { "Rpk, µm" }
-            } }
-            tbody { @for (name, traces) in flanks { @for trace in traces { tr {
-                th scope="row" { (name) " " (trace.tooth) @if let Some(number) = trace.tooth_number { " (tooth " (number) ")" } }
-                td { code { (file(trace)) } }
-                td.number { @match trace.y_mm { Some(y) => (format!("{y:.2}")), None => "-" } }
-                @match &trace.record.parameters {
-                    Some(parameters) => {
-                        td.number { (um(parameters.heights.rq.si())) } td.number { (um(parameters.heights.rz.si())) }
-                        td.number { (um(parameters.material.rpk.si())) }
-                    }
-                    None => { td.number { "-" } td.number { "-" } td.number { "-" } }
-                }
-            } } } }
-        } }
+        (columns! { row in rows;
+            head tooth "tooth" "";
+            code trace "trace" "" = file(row.trace);
+            number y_mm "y" "mm" "{:.2}" = row.trace.y_mm;
+            number rq "Rq" "µm" "{:.3}" = row.parameters.map(|of| um(of.heights.rq));
+            number rz "Rz" "µm" "{:.3}" = row.parameters.map(|of| um(of.heights.rz));
+            number rpk "Rpk" "µm" "{:.3}" = row.parameters.map(|of| um(of.material.rpk));
+        })
     }
+}
+
+/// A trace of a tooth.
+struct Traced<'a> {
+    tooth: String,
+    trace: &'a ToothTrace,
+    parameters: Option<&'a Parameters>,
 }
 
 fn file(trace: &ToothTrace) -> &str {

@@ -7,6 +7,7 @@ use super::along::{SOURCE, along, points};
 use super::page::figure;
 use super::{facing, load, relief, temperatures};
 use crate::chart::{Axis, Chart, Drawing, Line, Strip};
+use crate::columns;
 use crate::page_tables::PageTables;
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
@@ -42,34 +43,19 @@ fn records(result: &RunResult) -> Markup {
     html! {
         h3 { "Records of mixed lubrication" }
         p { "Means over the travel, in brackets their standard errors; values are interpolated between the records." }
-        div.scroll {
-            table {
-                thead {
-                    tr {
-                        th { "place, A to E" } th { "p₀ MPa" } th { "slide-to-roll" } th { "smooth film µm" }
-                        th { "load below 20 nm" } th { "below 50 nm" } th { "mean gap µm" } th { "friction, isothermal" }
-                        th { "largest p, mean MPa" } th { "travel" } th { "steps, cut" }
-                    }
-                }
-                tbody {
-                    @for row in &result.records {
-                        tr {
-                            td { (format!("{:.3}", row.path_fraction)) }
-                            td { (format!("{:.0}", row.hertz_pressure_mpa)) }
-                            td { (format!("{:.3}", row.slide_to_roll)) }
-                            td { (format!("{:.3}", row.smooth_film_um)) }
-                            td { (with_error(row.solid_share, row.solid_share_standard_error, 3)) }
-                            td { (format!("{:.3}", row.share_below_50_nm)) }
-                            td { (with_error(row.mean_gap_um, row.mean_gap_standard_error_um, 3)) }
-                            td { (with_error(row.friction, row.friction_standard_error, 4)) }
-                            td { (format!("{:.0}", row.mean_p_max_mpa)) }
-                            td { (format!("{:.0}", row.travel_half_widths)) }
-                            td { (row.steps) ", " (row.steps_cut) }
-                        }
-                    }
-                }
-            }
-        }
+        (columns! { row in &result.records;
+            number path_fraction "place, A to E" "" "{:.3}";
+            number hertz_pressure_mpa "p₀" "MPa" "{:.0}";
+            number slide_to_roll "slide-to-roll" "" "{:.3}";
+            number smooth_film_um "smooth film" "µm" "{:.3}";
+            number share "load below 20 nm" "" = with_error(row.solid_share, row.solid_share_standard_error, 3);
+            number share_below_50_nm "below 50 nm" "" "{:.3}";
+            number gap "mean gap" "µm" = with_error(row.mean_gap_um, row.mean_gap_standard_error_um, 3);
+            number friction "friction, isothermal" "" = with_error(row.friction, row.friction_standard_error, 4);
+            number mean_p_max_mpa "largest p, mean" "MPa" "{:.0}";
+            number travel_half_widths "travel" "half-widths" "{:.0}";
+            number steps "steps, cut" "" = format!("{}, {}", row.steps, row.steps_cut);
+        })
     }
 }
 

@@ -8,6 +8,7 @@ use super::page::figure;
 use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 use crate::ridges::{NOTE, measured, notes, saving, saving_of, watts};
 use crate::tables::BODIES;
+use crate::{Table, columns};
 
 /// Explanation of the colours.
 const COLOURS: &str = "Colours: height above the mean line times the gradient of the loss, per length of the trace; its integral \
@@ -33,16 +34,18 @@ pub(super) fn section(result: &RunResult) -> Markup {
 }
 
 /// Table of ridges, numbered from 1.
-pub fn table(rows: &[RidgeRow]) -> Markup {
-    html! { div.scroll { table {
-        thead { tr { th.number { "ridge" } th { "flank" } th.number { "place [mm]" } th.number { "width [µm]" } th.number { "height [µm]" }
-            th.number { "first [W]" } th.number { "measured [W]" } th.number { "mean [W]" } } }
-        tbody { @for (k, row) in rows.iter().enumerate() { tr {
-            td.number { (k + 1) } td { (row.flank) } td.number { (format!("{:.4}", row.place_mm)) }
-            td.number { (format!("{:.1}", row.width_um)) } td.number { (format!("{:.3}", row.height_um)) }
-            td.number { (watts(row.first_order_w)) } td.number { (measured(row)) } td.number { (saving_of(row)) }
-        } } }
-    } } }
+#[must_use]
+pub fn table(rows: &[RidgeRow]) -> Table {
+    columns! { row in (1..).zip(rows);
+        number ridge "ridge" "" = row.0;
+        text flank "flank" "" = &row.1.flank;
+        number place_mm "place" "mm" "{:.4}" = row.1.place_mm;
+        number width_um "width" "µm" "{:.1}" = row.1.width_um;
+        number height_um "height" "µm" "{:.3}" = row.1.height_um;
+        number first "first" "W" = watts(row.1.first_order_w);
+        number measured "measured" "W" = measured(row.1);
+        number mean "mean" "W" = saving_of(row.1);
+    }
 }
 
 /// Both traces and close-ups of the costliest ridges, coloured on one scale; `file` holds their data, or the table of each trace.

@@ -1,0 +1,43 @@
+//! Losses by other models and by published friction laws.
+
+use asperity::result::loss_band::Uncertainty;
+use asperity::result::{PublishedLawRow, PublishedOutcome, RunResult};
+
+use crate::printed::watts;
+use crate::{Table, columns};
+
+/// The loss by models that records or measurements contradict, and over the boundary share that is drawn.
+pub(crate) fn models(uncertainty: &Uncertainty) -> Table {
+    let digits = uncertainty.digits();
+    columns! { row in uncertainty.models();
+        head name "model" "";
+        number loss "loss" "W" = row.loss_w.map_or("no solution".to_owned(), |loss| digits.rounded(loss));
+        text standing "against it" "" = row.standing();
+    }
+}
+
+/// The loss by published laws, each in place of film and asperity friction.
+pub(crate) fn published_laws(result: &RunResult) -> Table {
+    columns! { entry in &result.published_laws;
+        head law "law" "";
+        number loss "loss" "" = loss(entry);
+        text asperities "asperities" "" = if entry.includes_asperities { "included" } else { "film only" };
+        text range "range" "" = range(entry);
+    }
+}
+
+fn loss(entry: &PublishedLawRow) -> String {
+    match &entry.outcome {
+        PublishedOutcome::Applied { loss_w, .. } => watts(*loss_w),
+        _ => "-".to_owned(),
+    }
+}
+
+/// Whether the law applies here, and why not.
+fn range(entry: &PublishedLawRow) -> String {
+    match (&entry.outcome, entry.inside_its_range) {
+        (PublishedOutcome::Refused(why), _) => why.clone(),
+        (_, true) => "inside".to_owned(),
+        (_, false) => format!("outside: {}", entry.outside.join("; ")),
+    }
+}
