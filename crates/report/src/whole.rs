@@ -214,7 +214,7 @@ fn shafts(result: &Whole) -> Table {
         head shaft "shaft" "";
         number speed "speed" "1/min" = rpm(row.speed_rad_per_s);
         number carried "torque carried" "N m" = &result.shaft_with_digits(row)[0];
-        number torque "torque into the train" "N m" = &result.shaft_with_digits(row)[1];
+        number torque "torque in" "N m" = &result.shaft_with_digits(row)[1];
         number power "power" "kW" = &result.shaft_with_digits(row)[2];
     }
 }
