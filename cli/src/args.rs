@@ -8,14 +8,14 @@ mod map;
 mod oil;
 mod profile;
 mod set;
+mod study;
 mod values;
 mod work;
 
 use std::path::PathBuf;
 
 use asperity::case::PathPoint;
-use asperity_core::quantity::{Length, LineLoad, Power, Pressure, Ratio};
-use asperity_studies::callout::Parameter;
+use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub use calibrate::CalibrateArgs;
@@ -35,7 +35,7 @@ pub use profile::{
     Wavelengths,
 };
 pub use set::SetArgs;
-use values::choice;
+pub use study::{StudyArgs, StudyCommand};
 pub use values::name_of;
 pub use work::WorkArgs;
 
@@ -149,24 +149,9 @@ pub enum Command {
         asperity cycle results/demo-case-map trace.csv --set vehicle.mass=\"1600 kg\" --temperature 90"
     )]
     Cycle(CycleArgs),
-    /// Sensitivity of the loss to single changes: heights, wavelengths, boundary layer, oil, tip relief
-    #[command(after_help = "Example:\n  asperity sensitivity demo/case.toml\n\n\
-        Each row is a run of the model with one thing changed, at the same windows of the traces. To vary\n\
-        keys of your own choice, with distributions, see asperity sweep.")]
-    Sensitivity(SensitivityArgs),
-    /// Ridges of both flanks that cost most, and the loss by wavelength
-    #[command(after_help = "Example:\n  asperity ridges demo/case.toml\n\n\
-        The gradient of the loss over every height of both traces, by ridge and by octave of wavelength, and\n\
-        a run with the twenty costliest ridges pressed to the mean line.")]
-    Ridges(RidgesArgs),
-    /// Limit of Rpk, Rq or Rdq on the drawing, and traces to inspect, for a stated loss
-    #[command(
-        after_help = "Examples:\n  asperity callout demo/case.toml --loss \"560 W\"\n  \
-        asperity callout demo/case.toml --loss \"560 W\" --confidence \"95 %\" --parameter rq --traces 5\n\n\
-        Lots of flanks like the traces of the case are simulated, inspected and run. A lot whose inspected mean\n\
-        is at the limit meets the loss with the confidence."
-    )]
-    Callout(CalloutArgs),
+    /// Studies of one case
+    #[command(flatten)]
+    Study(StudyCommand),
     /// Measurements that would narrow the interval of the loss most, with their hours
     #[command(after_help = "Example:\n  asperity evidence demo/case.toml --hours traction-plan=3")]
     Evidence(EvidenceArgs),
@@ -365,75 +350,6 @@ pub struct CompareArgs {
     #[arg(long)]
     pub offsets: Option<usize>,
     /// Folder of the comparison [default: results/<name of the case>-compare, named as for run]
-    #[arg(long, short)]
-    pub output: Option<PathBuf>,
-    /// Limits of time and memory.
-    #[command(flatten)]
-    pub work: WorkArgs,
-}
-
-/// Case of a sensitivity study.
-#[derive(Debug, Args)]
-pub struct SensitivityArgs {
-    /// Case file; - reads standard input
-    pub case: PathBuf,
-    /// Keys of the case set on the command line.
-    #[command(flatten)]
-    pub set: SetArgs,
-    /// Folder of the study [default: results/<name of the case>-sensitivity, named as for run]
-    #[arg(long, short)]
-    pub output: Option<PathBuf>,
-    /// Limits of time and memory.
-    #[command(flatten)]
-    pub work: WorkArgs,
-}
-
-/// Case of a study of ridges.
-#[derive(Debug, Args)]
-pub struct RidgesArgs {
-    /// Case file; - reads standard input
-    pub case: PathBuf,
-    /// Keys of the case set on the command line.
-    #[command(flatten)]
-    pub set: SetArgs,
-    /// Folder of the study [default: results/<name of the case>-ridges, named as for run]
-    #[arg(long, short)]
-    pub output: Option<PathBuf>,
-    /// Limits of time and memory.
-    #[command(flatten)]
-    pub work: WorkArgs,
-}
-
-/// Case and loss of a call-out.
-#[derive(Debug, Args)]
-pub struct CalloutArgs {
-    /// Case file; - reads standard input
-    pub case: PathBuf,
-    /// Loss of the mesh that a lot has to meet, the mean over 16 pairs of its flanks
-    #[arg(long)]
-    pub loss: Power,
-    /// Share of the lots at the limit that meet the loss
-    #[arg(long, default_value = "90 %")]
-    pub confidence: Ratio,
-    /// Standard deviation of heights, wavelengths and peaks about the median of their lot
-    #[arg(long, default_value = "10 %")]
-    pub scatter: Ratio,
-    /// Parameter: rpk, rq or rdq [default: the one that predicts the loss best]
-    #[arg(long, value_parser = choice::<Parameter>)]
-    pub parameter: Option<Parameter>,
-    /// Number of traces to inspect [default: as many as further ones change the limit by 2 %]
-    #[arg(long)]
-    pub traces: Option<usize>,
-    /// Number of simulated lots
-    #[arg(long, default_value_t = 200)]
-    pub lots: usize,
-    /// Seed of the random numbers
-    #[arg(long, default_value_t = 1)]
-    pub seed: u64,
-    /// Keys of the case set on the command line.
-    #[command(flatten)]
-    pub set: SetArgs,
-    /// Folder of the study [default: results/<name of the case>-callout, named as for run]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
     /// Limits of time and memory.

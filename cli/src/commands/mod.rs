@@ -2,7 +2,6 @@
 
 mod bibtex;
 pub mod calibrate;
-pub mod callout;
 pub mod check;
 pub mod compare;
 pub mod completions;
@@ -27,11 +26,9 @@ pub mod profile;
 pub mod reference;
 pub mod regime;
 pub mod report;
-pub mod ridges;
 pub mod run;
-pub mod sensitivity;
 pub mod steels;
-mod study;
+pub mod study;
 pub mod sweep;
 mod work;
 
@@ -116,8 +113,12 @@ fn load_case(
     formulation: Option<FormulationArg>,
 ) -> Result<LoadedCase, Failure> {
     let train = load_train(path, set, formulation)?;
-    let only = train.only_mesh().cloned();
-    only.map_err(|error| {
+    one_mesh(&train).cloned()
+}
+
+/// The only mesh of a case.
+fn one_mesh(train: &Train) -> Result<&LoadedCase, Failure> {
+    train.only_mesh().map_err(|error| {
         Failure::of(&error).advising("Name it with --mesh; run, check, gear, regime, map, compare, sweep, sensitivity and evidence take all meshes.")
     })
 }

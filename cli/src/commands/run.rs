@@ -11,7 +11,6 @@ use asperity_studies::ridges::add_ridges;
 
 use super::bibtex::bibtex;
 use super::check::defaults;
-use super::ridges::{GRADIENTS, RUNS};
 use super::work::check_work;
 use super::{load_train, refuse_other, result_name};
 use crate::args::{Common, RunArgs};
@@ -19,6 +18,8 @@ use crate::failure::Failure;
 use crate::output::{
     Progress, READING, WRITING, columns, print_json, print_text, print_verdict, shown,
 };
+use asperity_studies::ridges::{RUNS, RidgeSettings};
+use asperity_studies::study::CaseStudy as _;
 
 /// Counted work of a run.
 const POSITIONS: &str = "mesh positions";
@@ -42,7 +43,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let outcome = execute(&train, &kept, !args.no_band, &at);
     let mut outcome = outcome.map_err(|error| failed(&error, args, folder))?;
     if args.ridges {
-        progress.begin(GRADIENTS);
+        progress.begin(RidgeSettings::STEPS);
         for (mesh, case) in outcome.meshes.iter_mut().zip(outcome.settled.cases()) {
             add_ridges(&mut mesh.result, case, &at)
                 .map_err(|error| Failure::about(&args.case, &error))?;

@@ -1,15 +1,44 @@
-//! Target and output of a study.
+//! Studies of one case; target and output of every study.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use asperity::pipeline::KeptFields;
 use asperity_report::StudyResult;
+use asperity_studies::study::CaseStudy;
+use clap::Args;
 
-use super::refuse_other;
-use crate::args::Common;
+use super::work::check_work;
+use super::{load_train, one_mesh, refuse_other, result_name};
+use crate::args::{Common, StudyArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, shown};
+use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
+
+/// Runs a study of one case, writes its folder and prints it.
+pub fn case_study<S: CaseStudy + Args>(
+    args: &StudyArgs<S>,
+    common: &Common,
+) -> Result<(), Failure> {
+    let progress = Progress::of(common.quiet, READING);
+    let train = load_train(&args.case, &args.set, None)?;
+    if !S::TAKES_TRAINS {
+        one_mesh(&train)?;
+    }
+    let work = args.settings.work(&train)?;
+    check_work(&args.work, &work.meshes, &KeptFields::Highest, work.runs)?;
+    let output = args.output.as_deref();
+    let folder = folder::<S::Found>(output, &result_name(&args.case), S::COMMAND, &train.title)?;
+    progress.begin(S::STEPS);
+    let found = args
+        .settings
+        .run(&train, &|done, total| progress.at(done, total));
+    let found = found.map_err(|error| error.about(args.case.display()))?;
+    progress.begin(WRITING);
+    write(&found, (), &folder)?;
+    drop(progress);
+    print(&found, (), Some(&folder), None, common)
+}
 
 /// Folder of a study with `title`, checked before the computation: `output`, or by default `results/NAME-KIND`, which is
 /// refused if it holds a study of this kind with another title.

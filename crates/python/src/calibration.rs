@@ -172,7 +172,7 @@ pub fn evidence(
     }
     let case = case.train();
     in_parallel(py, threads, None, |_| {
-        let table = EvidenceTable::of(&case, &efforts)?;
+        let table = EvidenceTable::of(case, &efforts)?;
         let none = || Failure::new(Code::E205, "the loss of this case has no interval");
         Study::of(table.ok_or_else(none)?)
     })

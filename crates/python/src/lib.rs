@@ -54,7 +54,7 @@ mod _asperity {
     #[pymodule_export]
     use super::stored::{diff, read_result, summary};
     #[pymodule_export]
-    use super::studies::{Map, axis, callout, compare, cycle, map, read_map, ridges, sensitivity};
+    use super::studies::{Map, axis, compare, cycle, map, read_map, study};
     #[pymodule_export]
     use super::study::Study;
     #[pymodule_export]

@@ -3,20 +3,20 @@
 use std::path::{Path, PathBuf};
 
 use asperity::case::Train;
-use asperity::core::quantity::Power;
 use asperity::message::Code;
+use asperity::pipeline::Progress;
 use asperity::profile_io::read::read_table;
 use asperity_report::StudyResult;
-use asperity_studies::callout::{self as limits, CallOutSettings};
 use asperity_studies::compare::{self as comparing, Finish};
 use asperity_studies::cycle as driving;
 use asperity_studies::export::{AddedLoss, Format, With, export};
 use asperity_studies::map::{self as mapping, Axes, MapBand, MapExtras, Numbers, Point};
-use asperity_studies::ridges as dearest;
-use asperity_studies::sensitivity as changing;
+use asperity_studies::every_study;
+use asperity_studies::study::CaseStudy;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use serde_json::Value;
 
 use crate::arrays::owned;
 use crate::case::Case;
@@ -55,68 +55,35 @@ pub fn compare(
     })
 }
 
-/// Runs a case, then every change of it.
+/// A study of one case that runs by its settings.
+type Run = fn(&Train, Value, Progress<'_>) -> Result<Study, Failure>;
+
+fn registered<S: CaseStudy>() -> (&'static str, Run) {
+    (S::COMMAND, |train, settings, progress| {
+        let settings = S::of_json(settings)?;
+        Study::of(settings.run(train, progress)?)
+    })
+}
+
+/// Runs the study `name` of a case with `settings`, an object of JSON.
 #[pyfunction]
-pub fn sensitivity(
+pub fn study(
     py: Python<'_>,
+    name: &str,
     case: PyRef<'_, Case>,
+    settings: &str,
     threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Study> {
+    let settings = serde_json::from_str(settings)
+        .map_err(|error| Failure::new(Code::E204, format!("settings: {error}")))?;
+    let mut all = every_study!(registered).into_iter();
+    let (_, run) = all
+        .find(|(known, _)| *known == name)
+        .ok_or_else(|| Failure::new(Code::E204, format!("there is no study {name}")))?;
     let train = case.train();
     in_parallel(py, threads, progress.as_ref(), |told| {
-        let shown = |done, total| told.tell(done, total);
-        Study::of(changing::sensitivity(train, &shown)?)
-    })
-}
-
-/// The ridges of both flanks that cost most.
-#[pyfunction]
-pub fn ridges(
-    py: Python<'_>,
-    case: PyRef<'_, Case>,
-    threads: Option<isize>,
-    progress: Option<Bound<'_, PyAny>>,
-) -> PyResult<Study> {
-    let case = case.only()?;
-    in_parallel(py, threads, progress.as_ref(), |told| {
-        let shown = |done, total| told.tell(done, total);
-        Study::of(dearest::ridges(case, &shown)?)
-    })
-}
-
-/// Limit of a roughness parameter for a loss in W; `shares` are confidence and scatter, `counts` traces, lots and seed.
-#[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "those of the function in Python")]
-pub fn callout(
-    py: Python<'_>,
-    case: PyRef<'_, Case>,
-    loss: f64,
-    shares: (f64, f64),
-    parameter: Option<String>,
-    counts: (Option<usize>, usize, u64),
-    threads: Option<isize>,
-    progress: Option<Bound<'_, PyAny>>,
-) -> PyResult<Study> {
-    let parameter = parameter
-        .map(|name| named("parameter", &name))
-        .transpose()?;
-    let (confidence, scatter) = shares;
-    let (traces, lots, seed) = counts;
-    let settings = CallOutSettings {
-        loss: Power::from_si(loss),
-        confidence,
-        scatter,
-        parameter,
-        traces,
-        lots,
-        seed,
-    };
-    let case = case.only()?;
-    in_parallel(py, threads, progress.as_ref(), |told| {
-        let shown = |done, total| told.tell(done, total);
-        let found = limits::callout(case, &settings, &shown)?;
-        Study::of(found)
+        run(train, settings, &|done, total| told.tell(done, total))
     })
 }
 

@@ -12,4 +12,5 @@ pub mod figures;
 pub mod map;
 pub mod ridges;
 pub mod sensitivity;
+pub mod study;
 pub mod sweep;

@@ -31,7 +31,6 @@ __all__ = [
     "__version__",
     "axis",
     "calibrate",
-    "callout",
     "choices",
     "command",
     "compare",
@@ -59,12 +58,11 @@ __all__ = [
     "read_result",
     "rexs_contents",
     "schema",
-    "ridges",
-    "sensitivity",
     "si_units",
     "solve_contact",
     "steels",
     "stribeck",
+    "study",
     "subsurface_stress",
     "summary",
     "thermal_reduction",
@@ -101,17 +99,7 @@ def subsurface_stress(
 def compare(
     named: list[tuple[str, Case]], threads: Optional[int], progress: _Told
 ) -> tuple[Study, str, list[str]]: ...
-def callout(
-    case: Case,
-    loss: float,
-    shares: tuple[float, float],
-    parameter: Optional[str],
-    counts: tuple[Optional[int], int, int],
-    threads: Optional[int],
-    progress: _Told,
-) -> Study: ...
-def ridges(case: Case, threads: Optional[int], progress: _Told) -> Study: ...
-def sensitivity(case: Case, threads: Optional[int], progress: _Told) -> Study: ...
+def study(name: str, case: Case, settings: str, threads: Optional[int], progress: _Told) -> Study: ...
 def gears(name: Optional[str]) -> str: ...
 def steels(name: Optional[str]) -> str: ...
 def oils(name: Optional[str]) -> str: ...

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Optional
 
-from . import _asperity
-from ._case import CaseLike, as_case
-from ._progress import Progress, Told
+from ._case import CaseLike
+from ._progress import Progress
 from ._quantity import Quantity, stated
 from ._record import Table
-from ._study import Study
+from ._study import Study, of_case
 
 if TYPE_CHECKING:
     import pandas
@@ -69,8 +68,8 @@ def callout(
         seed: of the random numbers.
         threads, progress: as in `Case.run`.
     """
-    watts = stated(loss, "Power", "loss")
-    with Told(progress, "lots") as told:
-        return CallOut(
-            _asperity.callout(as_case(case)._raw, watts, (confidence, scatter), parameter, (traces, lots, seed), threads, told)
-        )
+    settings = {
+        "loss": f"{stated(loss, 'Power', 'loss')!r} W", "confidence": confidence, "scatter": scatter, "parameter": parameter,
+        "traces": traces, "lots": lots, "seed": seed,
+    }
+    return CallOut(of_case("callout", case, settings, threads, progress, "lots"))

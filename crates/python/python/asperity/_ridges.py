@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Optional
 
-from . import _asperity
-from ._case import CaseLike, as_case
-from ._progress import Progress, Told
+from ._case import CaseLike
+from ._progress import Progress
 from ._record import Table
-from ._study import Study
+from ._study import Study, of_case
 
 if TYPE_CHECKING:
     import pandas
@@ -46,5 +45,4 @@ def ridges(case: CaseLike, *, threads: Optional[int] = None, progress: Optional[
         case: the case; of several traces of a flank, the first.
         threads, progress: as in `Case.run`.
     """
-    with Told(progress, "gradients") as told:
-        return Ridges(_asperity.ridges(as_case(case)._raw, threads, told))
+    return Ridges(of_case("ridges", case, {}, threads, progress, "gradients"))

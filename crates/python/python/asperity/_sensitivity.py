@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Optional
 
-from . import _asperity
-from ._case import CaseLike, as_case
-from ._progress import Progress, Told
+from ._case import CaseLike
+from ._progress import Progress
 from ._record import Table
-from ._study import Study
+from ._study import Study, of_case
 
 if TYPE_CHECKING:
     import pandas
@@ -59,5 +58,4 @@ def sensitivity(
         case: the case.
         threads, progress: as in `Case.run`.
     """
-    with Told(progress, "changes") as told:
-        return Sensitivity(_asperity.sensitivity(as_case(case)._raw, threads, told))
+    return Sensitivity(of_case("sensitivity", case, {}, threads, progress, "changes"))

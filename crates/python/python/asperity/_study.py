@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import Any, Protocol, Union
+from typing import Any, Optional, Protocol, Union
 
+from . import _asperity
+from ._case import CaseLike, as_case
 from ._errors import AsperityError, Code
 from ._html import page
+from ._progress import Progress, Told
 from ._record import Record
 
 
@@ -84,3 +88,16 @@ class Study(Record):
 
     def _rows(self) -> list[tuple[str, str]]:
         return []
+
+
+def of_case(
+    name: str,
+    case: CaseLike,
+    settings: Mapping[str, Any],
+    threads: Optional[int],
+    progress: Optional[Progress],
+    steps: str,
+) -> RawStudy:
+    """The study of a case that the command ``name`` makes."""
+    with Told(progress, steps) as told:
+        return _asperity.study(name, as_case(case)._raw, json.dumps(settings), threads, told)

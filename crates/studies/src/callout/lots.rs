@@ -17,6 +17,7 @@ use asperity_roughness::height_parameters::Mode;
 use chacha20::ChaCha8Rng;
 use rand_core::Rng;
 use rayon::prelude::*;
+use serde::de::IntoDeserializer;
 use serde::{Deserialize, Serialize};
 
 use crate::sweep::{stream, uniform};
@@ -45,6 +46,14 @@ pub enum Parameter {
     Rq,
     /// Root mean square slope.
     Rdq,
+}
+
+impl std::str::FromStr for Parameter {
+    type Err = serde::de::value::Error;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        Self::deserialize(name.into_deserializer())
+    }
 }
 
 impl Parameter {

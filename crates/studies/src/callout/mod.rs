@@ -22,10 +22,11 @@
 //! ```no_run
 //! use asperity::case;
 //! use asperity_studies::callout::{CallOutSettings, Parameter, callout};
+//! use asperity_studies::study::Settings;
 //! let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
 //! let case = case::load_with(file, &|input| input.model.positions = Some(3))?;
-//! let mut settings = CallOutSettings::of("600 W".parse()?);
-//! (settings.lots, settings.parameter) = (20, Some(Parameter::Rq));
+//! let stated = serde_json::json!({ "loss": "600 W", "lots": 20, "parameter": "rq" });
+//! let settings = CallOutSettings::of_json(stated)?;
 //! let found = callout(&case, &settings, &|_, _| {})?;
 //! assert_eq!(found.parameter, Parameter::Rq);
 //! assert!(found.smooth_loss_w < 600.0 && found.limits[0].limit < found.limits[0].recipe);

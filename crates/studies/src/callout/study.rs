@@ -3,17 +3,21 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::LoadedCase;
+use asperity::case::train::Train;
 use asperity::core::cancel::checkpoint;
 use asperity::pipeline::Progress;
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
-use asperity_core::quantity::Power;
+use asperity_core::quantity::{Power, Ratio};
 use asperity_core::{DomainError, Fault};
 use rayon::prelude::*;
 use serde::Serialize;
 
 use super::error;
 use super::lots::{Lot, OFFSETS, PAIRS, Parameter, Process, Values};
+
+use crate::settings;
+use crate::study::{CaseStudy, Work};
 
 /// Most traces to inspect.
 const MOST_TRACES: usize = 64;
@@ -29,57 +33,72 @@ const NOMINAL_LOTS: usize = 3;
 /// Estimated points of the curve, for the estimate of the time.
 const CURVE: usize = 10;
 
-/// Choices of a call-out.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CallOutSettings {
-    /// Largest permissible loss of a lot.
-    pub loss: Power,
-    /// Share of the lots at the limit that lose at most this.
-    pub confidence: f64,
-    /// Standard deviation of the logarithms of heights, wavelengths and peaks.
-    pub scatter: f64,
-    /// Parameter on the drawing; by default the one that predicts the loss best.
-    pub parameter: Option<Parameter>,
-    /// Traces to inspect; by default as many as further ones change the limit by 2 %.
-    pub traces: Option<usize>,
-    /// Simulated lots.
-    pub lots: usize,
-    /// Seed of all random numbers.
-    pub seed: u64,
+settings! {
+    /// Settings of a call-out.
+    pub struct CallOutSettings {
+        /// Loss of the mesh that a lot has to meet, the mean over 16 pairs of its flanks
+        loss: Power,
+        /// Share of the lots at the limit that meet the loss
+        confidence: Ratio = "90 %",
+        /// Standard deviation of heights, wavelengths and peaks about the median of their lot
+        scatter: Ratio = "10 %",
+        /// Parameter: rpk, rq or rdq [default: the one that predicts the loss best]
+        parameter: Option<Parameter>,
+        /// Number of traces to inspect [default: as many as further ones change the limit by 2 %]
+        traces: Option<usize>,
+        /// Number of simulated lots
+        lots: usize = 200,
+        /// Seed of the random numbers
+        seed: u64 = 1,
+    }
+}
+
+impl CaseStudy for CallOutSettings {
+    type Found = CallOut;
+    const COMMAND: &'static str = "callout";
+    const ABOUT: &'static str =
+        "Limit of Rpk, Rq or Rdq on the drawing, and traces to inspect, for a stated loss";
+    const HELP: &'static str = "Examples:\n  asperity callout demo/case.toml --loss \"560 W\"\n  \
+        asperity callout demo/case.toml --loss \"560 W\" --confidence \"95 %\" --parameter rq --traces 5\n\n\
+        Lots of flanks like the traces of the case are simulated, inspected and run. A lot whose inspected mean \
+        is at the limit meets the loss with the confidence.";
+    const STEPS: &'static str = "lots";
+    const TAKES_TRAINS: bool = false;
+
+    fn work(&self, train: &Train) -> Result<Work, Fault> {
+        let mut pair = train.only_mesh()?.first_pair();
+        pair.case.model.offsets = OFFSETS;
+        Ok(Work::new(
+            vec![pair],
+            PAIRS * (self.lots + CURVE * NOMINAL_LOTS),
+        ))
+    }
+
+    fn run(&self, train: &Train, progress: Progress<'_>) -> Result<CallOut, Fault> {
+        callout(train.only_mesh()?, self, progress)
+    }
 }
 
 impl CallOutSettings {
-    /// Defaults: 90 % confidence, 10 % scatter, 200 lots.
-    #[must_use]
-    pub fn of(loss: Power) -> Self {
-        Self {
-            loss,
-            confidence: 0.9,
-            scatter: 0.1,
-            parameter: None,
-            traces: None,
-            lots: 200,
-            seed: 1,
-        }
+    fn check(&self) -> Result<(), Fault> {
+        let [confidence, scatter] = [self.confidence, self.scatter].map(Ratio::value);
+        let checked = self.checked(confidence, scatter).map_err(Fault::from);
+        checked.map_err(|fault| match confidence.max(scatter) > 1.0 {
+            true => fault.helping("A share without % is a fraction: write 0.9 or \"90 %\"."),
+            false => fault,
+        })
     }
 
-    /// Pairs of flanks whose offsets are computed, and the number of these offsets.
-    #[must_use]
-    pub fn work(&self) -> [usize; 2] {
-        [PAIRS * (self.lots + CURVE * NOMINAL_LOTS), OFFSETS]
-    }
-
-    fn check(&self) -> Result<(), DomainError> {
+    fn checked(&self, confidence: f64, scatter: f64) -> Result<(), DomainError> {
         let loss = self.loss.si();
         let rule = "must be positive and finite";
         DomainError::require(loss > 0.0 && loss.is_finite(), "loss", loss, "W", rule)?;
         let rule = "must lie between 50 and 99 %";
-        let confidence = self.confidence;
         let is_one = (0.5..=0.99).contains(&confidence);
         DomainError::require(is_one, "confidence", 100.0 * confidence, "%", rule)?;
         let rule = "must lie between 0 and 30 %";
-        let is_one = (0.0..=0.3).contains(&self.scatter);
-        DomainError::require(is_one, "scatter", 100.0 * self.scatter, "%", rule)?;
+        let is_one = (0.0..=0.3).contains(&scatter);
+        DomainError::require(is_one, "scatter", 100.0 * scatter, "%", rule)?;
         let traces = self.traces.unwrap_or(1);
         let rule = "must be 1 to 64";
         let is_one = (1..=MOST_TRACES).contains(&traces);
@@ -195,7 +214,11 @@ pub fn callout(
     progress: Progress<'_>,
 ) -> Result<CallOut, Fault> {
     settings.check()?;
-    let process = Process::of(case, (settings.scatter, settings.seed), settings.lots)?;
+    let process = Process::of(
+        case,
+        (settings.scatter.value(), settings.seed),
+        settings.lots,
+    )?;
     of_process(&process, settings, progress)
 }
 
@@ -252,8 +275,8 @@ fn of_process(
     Ok(CallOut {
         title: case.title.clone(),
         loss_w: curve.target,
-        confidence: settings.confidence,
-        scatter: settings.scatter,
+        confidence: settings.confidence.value(),
+        scatter: settings.scatter.value(),
         parameter,
         traces,
         limits: limits.collect(),
@@ -275,7 +298,8 @@ fn of_process(
         by_traces: inspected_numbers(traces)
             .map(|traces| TracesRow {
                 traces,
-                limit_over_recipe: Quantile::of(&met, chosen, traces, settings.confidence).limit,
+                limit_over_recipe: Quantile::of(&met, chosen, traces, settings.confidence.value())
+                    .limit,
             })
             .collect(),
         curve: curve.points(),
@@ -478,13 +502,13 @@ impl Evaluated {
             (deviation / mean).powi(2)
         });
         let of_traces = (within.sum::<f64>() / lots.len() as f64).sqrt();
-        let all = Quantile::of(lots, parameter, MOST_TRACES, settings.confidence);
+        let all = Quantile::of(lots, parameter, MOST_TRACES, settings.confidence.value());
         let needed = traces_needed(&all, of_traces);
         let traces = settings.traces.unwrap_or(needed);
         Self {
             traces,
             of_traces,
-            quantile: Quantile::of(lots, parameter, traces, settings.confidence),
+            quantile: Quantile::of(lots, parameter, traces, settings.confidence.value()),
         }
     }
 }
@@ -516,6 +540,7 @@ mod tests {
     use asperity::case::load_with;
 
     use super::*;
+    use crate::study::Settings;
     use crate::sweep::{stream, uniform};
 
     /// Lots with ln s* and ln u normal, of standard deviations 0.05 and, over one trace, 0.16.
@@ -534,17 +559,21 @@ mod tests {
         (0..count).map(lot).collect()
     }
 
+    fn for_loss(loss: &str) -> CallOutSettings {
+        CallOutSettings::of_json(serde_json::json!({ "loss": loss })).unwrap()
+    }
+
     #[test]
     fn limit_and_number_of_traces_of_normal_lots_are_those_of_the_closed_form() {
         let lots = lots(4000);
-        let mut settings = CallOutSettings::of("500 W".parse().unwrap());
+        let mut settings = for_loss("500 W");
         let found = Evaluated::of(&lots, 0, &settings);
         // z = 1.2816: (0.05 + ln 1.02/1.2816)² − 0.05² = 0.001784, and 0.16² over it is 14.4.
         assert!((14..=16).contains(&found.traces), "{}", found.traces);
         let all =
             [(0.9, 1.2816), (0.98, 2.0537)].map(|way| [1, 4, 16, 64].map(|traces| (way, traces)));
         for ((confidence, z), traces) in all.into_iter().flatten() {
-            settings.confidence = confidence;
+            settings.confidence = Ratio::new(confidence);
             settings.traces = Some(traces);
             let found = Evaluated::of(&lots, 1, &settings).quantile;
             // The mean of n lognormal numbers is above their median by half their variance.
@@ -563,8 +592,8 @@ mod tests {
 
     #[test]
     fn one_trace_suffices_without_confidence_or_scatter() {
-        let mut settings = CallOutSettings::of("500 W".parse().unwrap());
-        settings.confidence = 0.5;
+        let mut settings = for_loss("500 W");
+        settings.confidence = Ratio::new(0.5);
         assert_eq!(Evaluated::of(&lots(100), 0, &settings).traces, 1);
     }
 
@@ -605,7 +634,7 @@ mod tests {
     #[test]
     fn a_loss_that_no_finish_has_is_refused_with_the_losses_that_finishes_have() {
         let of = |loss: &str| {
-            let settings = CallOutSettings::of(loss.parse().unwrap());
+            let settings = for_loss(loss);
             of_process(shared(), &settings, &|_, _| {}).unwrap_err()
         };
         let watts = |text: &str, before: &str| -> f64 {
@@ -626,7 +655,7 @@ mod tests {
 
     #[test]
     fn most_lots_at_the_limit_meet_the_loss_and_few_of_those_above_it() {
-        let mut settings = CallOutSettings::of("560 W".parse().unwrap());
+        let mut settings = for_loss("560 W");
         settings.lots = 20;
         let mut found = of_process(shared(), &settings, &|_, _| {}).unwrap();
         assert!(found.limits.len() == 1 && found.limits[0].limit < found.limits[0].recipe);
@@ -648,7 +677,7 @@ mod tests {
         let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
         let case = load_with(file, &|input| input.model.positions = Some(16)).unwrap();
         let others = Process::of(&case, (0.1, 1001), 500).unwrap();
-        let settings = CallOutSettings::of("560 W".parse().unwrap());
+        let settings = for_loss("560 W");
         let found = callout(&case, &settings, &|_, _| {}).unwrap();
         let met = share(&others, &found, 500);
         println!(

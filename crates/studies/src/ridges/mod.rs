@@ -19,4 +19,4 @@ mod study;
 mod summary;
 mod write;
 
-pub use study::{RidgeStudy, add_ridges, ridges};
+pub use study::{RUNS, RidgeSettings, RidgeStudy, add_ridges, ridges};

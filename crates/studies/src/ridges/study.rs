@@ -1,6 +1,7 @@
 //! Computation of a study of ridges.
 
 use asperity::case::LoadedCase;
+use asperity::case::train::Train;
 use asperity::core::cancel::checkpoint;
 use asperity::flanks::Texture;
 use asperity::pipeline::{
@@ -10,12 +11,15 @@ use asperity::result::RunResult;
 use asperity::result::ridges::{FlankWatts, OctaveRow, RidgeRow, Ridges, height_of_mean_line};
 use asperity::uncertainty::{ChangeDraws, UncertainParameter, few_offsets_of, sampling_interval};
 use asperity::{Error, PositionError};
-use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_core::{Fault, Profile};
 use asperity_report::tables::BODIES;
 use asperity_roughness::composite::spaced;
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 use serde::Serialize;
+
+use crate::settings;
+use crate::study::{CaseStudy, Work};
 
 /// Ridges listed and pressed.
 const COSTLIEST: usize = 20;
@@ -27,6 +31,10 @@ const SHORTEST: f64 = 2.5e-6;
 const COVERED: f64 = 0.25;
 /// Steps of a study: the gradients before, half-way and after pressing, the draws, and the gradients at both ends of the lay.
 const STEPS: usize = 5;
+
+/// Runs whose time a study takes: three with exact contacts, the gradient of each, draws of two, and two gradients at the ends of
+/// the lay.
+pub const RUNS: usize = 10;
 
 /// The costliest ridges, with the whole traces.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -50,6 +58,30 @@ pub struct RidgeStudy {
 /// As [`gradient`].
 pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, Error> {
     study(case, true, progress)
+}
+
+settings! {
+    /// Settings of a study of ridges: none.
+    pub struct RidgeSettings {}
+}
+
+impl CaseStudy for RidgeSettings {
+    type Found = RidgeStudy;
+    const COMMAND: &'static str = "ridges";
+    const ABOUT: &'static str = "Ridges of both flanks that cost most, and the loss by wavelength";
+    const HELP: &'static str = "Example:\n  asperity ridges demo/case.toml\n\n\
+        The gradient of the loss over every height of both traces, by ridge and by octave of wavelength, and \
+        a run with the twenty costliest ridges pressed to the mean line.";
+    const STEPS: &'static str = "gradients";
+    const TAKES_TRAINS: bool = false;
+
+    fn work(&self, train: &Train) -> Result<Work, Fault> {
+        Ok(Work::new(vec![train.only_mesh()?.clone()], RUNS))
+    }
+
+    fn run(&self, train: &Train, progress: Progress<'_>) -> Result<RidgeStudy, Fault> {
+        Ok(ridges(train.only_mesh()?, progress)?)
+    }
 }
 
 /// The study, with intervals if `band` is set.

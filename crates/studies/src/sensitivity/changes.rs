@@ -33,7 +33,7 @@ const BASE_OILS: [BaseOil; 4] = [
 ];
 
 /// Approximate number of changes of a case.
-pub const CHANGES: usize = 24;
+pub(super) const CHANGES: usize = 24;
 
 /// Change of a case.
 pub(super) struct Change {

@@ -22,5 +22,4 @@ mod summary;
 mod write;
 
 pub use bands::wavelength_bands;
-pub use changes::CHANGES;
-pub use study::{Effect, Refused, Sensitivity, SensitivityRow, sensitivity};
+pub use study::{Effect, Refused, Sensitivity, SensitivityRow, SensitivitySettings, sensitivity};

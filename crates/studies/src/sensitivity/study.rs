@@ -8,11 +8,13 @@ use asperity::result::{Losses, Summary};
 use asperity::train::settled;
 use asperity::uncertainty::sampling_interval;
 use asperity::{Contacts, Error, PositionError};
-use asperity_core::Code;
 use asperity_core::quantity::Power;
+use asperity_core::{Code, Fault};
 use serde::Serialize;
 
-use super::changes::{Change, changes};
+use super::changes::{CHANGES, Change, changes};
+use crate::settings;
+use crate::study::{CaseStudy, Work};
 
 /// Sensitivity of the loss of a case to single changes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -130,6 +132,30 @@ fn of_mesh(case: &LoadedCase, progress: Progress<'_>) -> Result<OfMesh, Error> {
         loss_w: base.summary.loss_w,
         rows,
     })
+}
+
+settings! {
+    /// Settings of a study of single changes: none.
+    pub struct SensitivitySettings {}
+}
+
+impl CaseStudy for SensitivitySettings {
+    type Found = Sensitivity;
+    const COMMAND: &'static str = "sensitivity";
+    const ABOUT: &'static str = "Sensitivity of the loss to single changes: heights, wavelengths, boundary layer, oil, tip relief";
+    const HELP: &'static str = "Example:\n  asperity sensitivity demo/case.toml\n\n\
+        Each row is a run of the model with one thing changed, at the same windows of the traces. To vary \
+        keys of your own choice, with distributions, see asperity sweep.";
+    const STEPS: &'static str = "changes";
+    const TAKES_TRAINS: bool = true;
+
+    fn work(&self, train: &Train) -> Result<Work, Fault> {
+        Ok(Work::new(train.cases().cloned().collect(), 1 + CHANGES))
+    }
+
+    fn run(&self, train: &Train, progress: Progress<'_>) -> Result<Sensitivity, Fault> {
+        Ok(sensitivity(train, progress)?)
+    }
 }
 
 /// Runs every mesh of a case and all its changes; `progress` is called with the number of completed runs. A change that all meshes have is made in all of them, another one
