@@ -6,19 +6,28 @@ use asperity_report::wrapped_within;
 use clap::builder::StyledStr;
 use clap::{Command, CommandFactory};
 
-use crate::args::Cli;
+use crate::args::{Cli, StudyCommand};
 use crate::output::columns;
 
-/// Questions, and the commands that answer each.
-pub const QUESTIONS: [(&str, &[&str]); 7] = [
+/// Questions, and the commands that answer each; the studies of one case are among the comparisons.
+pub fn questions() -> Vec<(&'static str, Vec<&'static str>)> {
+    let with_studies = |(question, names): (&'static str, &[&'static str])| {
+        let mut names = names.to_vec();
+        if question == COMPARE {
+            names.splice(1..1, StudyCommand::names());
+        }
+        (question, names)
+    };
+    QUESTIONS.into_iter().map(with_studies).collect()
+}
+
+const COMPARE: &str = "Compare";
+const QUESTIONS: [(&str, &[&str]); 7] = [
     (
         "One loss",
         &["demo", "new", "check", "run", "report", "diff"],
     ),
-    (
-        "Compare",
-        &["compare", "sensitivity", "ridges", "callout", "sweep"],
-    ),
+    (COMPARE, &["compare", "sweep"]),
     ("Narrow the interval", &["evidence", "calibrate"]),
     ("Torque, speed and drive cycles", &["map", "cycle"]),
     (
@@ -44,7 +53,7 @@ pub fn command_line() -> Command {
     let header = *command.get_styles().get_header();
     let name_style = *command.get_styles().get_literal();
     let mut help = String::from("{about-with-newline}\n{usage-heading} {usage}\n");
-    for (question, names) in QUESTIONS {
+    for (question, names) in questions() {
         let _ = writeln!(help, "\n{header}{question}:{header:#}");
         for inner in names
             .iter()

@@ -66,6 +66,13 @@ fn registered<S: CaseStudy + Args + std::panic::RefUnwindSafe + 'static>() -> Re
     }
 }
 
+impl StudyCommand {
+    /// Names of the studies.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        every_study!(registered).into_iter().map(|study| study.name)
+    }
+}
+
 impl FromArgMatches for StudyCommand {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let (name, inner) = matches.subcommand().unwrap_or(("", matches));

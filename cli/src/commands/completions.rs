@@ -9,7 +9,7 @@ use clap_mangen::Man;
 
 use crate::args::{Cli, Common, CompletionKind};
 use crate::failure::Failure;
-use crate::help::QUESTIONS;
+use crate::help::questions;
 use crate::output::print_text;
 
 /// `asperity completions`
@@ -67,7 +67,7 @@ fn markdown() -> String {
         "# Commands\n\nWritten by `asperity completions markdown > docs/COMMANDS.md`; `asperity COMMAND --help` prints the same.\n",
     );
     let mut details = String::new();
-    for (question, names) in QUESTIONS {
+    for (question, names) in questions() {
         let _ = write!(text, "\n## {question}\n\n| command | does |\n|---|---|\n");
         for command in names.iter().filter_map(|name| root.find_subcommand(name)) {
             let inner: Vec<&Command> = command.get_subcommands().collect();
@@ -103,9 +103,9 @@ mod tests {
     #[test]
     fn every_command_answers_one_question() {
         let command = Cli::command();
-        let mut listed: Vec<&str> = QUESTIONS
-            .iter()
-            .flat_map(|(_, names)| names.iter().copied())
+        let mut listed: Vec<&str> = questions()
+            .into_iter()
+            .flat_map(|(_, names)| names)
             .collect();
         let mut all: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
         listed.sort_unstable();
