@@ -1,4 +1,5 @@
-"""Writes python/asperity/keys.py: the types of case keys, choices and columns, from the lists of the compiled part.
+"""Writes what follows from the lists of the compiled part: python/asperity/keys.py, the types of case keys, choices and columns, and
+python/asperity/_studies.py, the studies of one case with their settings.
 
     python crates/python/typed.py          # after building the module
 """
@@ -11,7 +12,9 @@ from pathlib import Path
 import asperity
 from asperity import _asperity
 
-FILE = Path(__file__).parent / "python" / "asperity" / "keys.py"
+FOLDER = Path(__file__).parent / "python" / "asperity"
+RESULTS = {"callout": "CallOut", "ridges": "Ridges", "sensitivity": "Sensitivity"}
+"""Classes of the results of studies that have attributes of their own, each in the module of its study."""
 KINDS = ("gears", "mesh")
 QUANTITIES = {name for name, _ in _asperity.si_units()}
 PLAIN = {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "null": "None"}
@@ -217,6 +220,85 @@ def written():
     return "\n\n".join(blocks)
 
 
+HEAD_OF_STUDIES = '''"""Studies of one case.
+
+Written by crates/python/typed.py from the settings of the compiled part.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Optional, Union
+
+if TYPE_CHECKING:
+%s
+__all__ = %s
+'''
+TYPES = {"usize": "int", "u64": "int", "f64": "float", "bool": "bool", "String": "str", "Ratio": "Union[float, str]"}
+
+
+def argument(setting):
+    """Type, default and value of a setting as texts."""
+    name, kind = setting["name"], setting["kind"].replace(" ", "")
+    optional = kind.startswith("Option<")
+    kind = kind.removeprefix("Option<").removesuffix(">") if optional else kind
+    value = f'written(settled, "{kind}", "{name}")'.replace("settled", name) if kind in QUANTITIES else name
+    value = f"None if {name} is None else {value}" if optional and value != name else value
+    kind = TYPES.get(kind, "Quantity" if kind in QUANTITIES else kind)
+    default = "None" if optional else repr(setting["default"]).replace("'", '"')
+    is_stated = setting["default"] is None and not optional
+    return (f"Optional[{kind}]" if optional else kind), (None if is_stated else default), value
+
+
+def study(found):
+    """The function of a study."""
+    name, result = found["name"], RESULTS.get(found["name"], "Study")
+    rows = [(setting, *argument(setting)) for setting in found["settings"]]
+    stated = [f"    {setting['name']}: {kind},\n" for setting, kind, default, _ in rows if default is None]
+    others = [f"    {setting['name']}: {kind} = {default},\n" for setting, kind, default, _ in rows if default is not None]
+    about = "".join(
+        f"        {setting['name']}: {setting['about'][0].lower()}{setting['about'][1:].split(' [default')[0]}"
+        f"{' [default' + setting['about'].split(' [default')[1] if ' [default' in setting['about'] else ''}.\n" for setting, *_ in rows
+    )
+    values = "".join(f'        "{setting["name"]}": {value},\n' for setting, _, _, value in rows)
+    quantity = "    from ._quantity import written\n" if "written(" in values else ""
+    home = f"_{name}" if name in RESULTS else "_study"
+    names = ["Study", "of_case"] if result == "Study" else ["of_case"]
+    imports = ([] if result == "Study" else [f"    from .{home} import {result}\n"]) + [quantity, f"    from ._study import {', '.join(names)}\n"]
+    return f'''
+def {name}(
+    case: CaseLike,
+{"".join(stated)}    *,
+{"".join(others)}    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> {result}:
+    """{found["about"]}.
+
+    Args:
+        case: the case.
+{about}        threads, progress: as in `Case.run`.
+    """
+{"".join(imports)}
+    settings = {{{chr(10) + values + "    " if values else ""}}}
+    return {result}(of_case("{name}", case, settings, threads, progress, "{found["steps"]}"))
+'''
+
+
+def studies():
+    """The text of the studies."""
+    every = json.loads(_asperity.studies())
+    functions = "\n".join(study(found) for found in every)
+    choices = [name for name, _ in _asperity.choices() if f"{name}]" in functions or f": {name} " in functions]
+    results = {f"_{name}": RESULTS[name] for name in RESULTS}
+    homes = {"_case": "CaseLike", "_progress": "Progress", "_quantity": "Quantity", "_study": "Study", "keys": ", ".join(choices), **results}
+    imports = "".join(f"    from .{home} import {names}\n" for home, names in sorted(homes.items()) if any(name in functions for name in names.split(", ")) and names)
+    names = "[\n" + "".join(f'    "{name}",\n' for name in sorted(found["name"] for found in every)) + "]"
+    return HEAD_OF_STUDIES % (imports, names) + "\n" + functions
+
+
+FILES = {FOLDER / "keys.py": written, FOLDER / "_studies.py": studies}
+"""Each file with the function that makes its text."""
+
 if __name__ == "__main__":
-    FILE.write_text(written(), encoding="utf-8")
+    for file, text in FILES.items():
+        file.write_text(text(), encoding="utf-8")
     sys.exit()

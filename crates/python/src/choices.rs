@@ -16,7 +16,7 @@ use asperity::roughness::height_parameters::Mode;
 use asperity::tribo_friction::friction_law::FrictionLaw;
 use asperity_calibration::oil::Probe;
 use asperity_calibration::oil::problem::Zero;
-use asperity_studies::callout::Parameter;
+use asperity_studies::callout::RoughnessParameter;
 use asperity_studies::export::Format;
 use asperity_studies::map::MapBand;
 use pyo3::prelude::*;
@@ -120,7 +120,7 @@ pub fn choices() -> Vec<Listed> {
         ("Zero", names::<Zero>()),
         ("TemperatureColumn", names::<Probe>()),
         ("CalibratedParameter", names::<CalibratedName>()),
-        ("RoughnessParameter", names::<Parameter>()),
+        ("RoughnessParameter", names::<RoughnessParameter>()),
         ("SurfaceKind", names::<Surface>()),
         ("Amplitudes", names::<Amplitudes>()),
         ("LengthUnit", names::<LengthUnit>()),

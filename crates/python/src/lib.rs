@@ -54,7 +54,7 @@ mod _asperity {
     #[pymodule_export]
     use super::stored::{diff, read_result, summary};
     #[pymodule_export]
-    use super::studies::{Map, axis, compare, cycle, map, read_map, study};
+    use super::studies::{Map, axis, compare, cycle, map, read_map, studies, study};
     #[pymodule_export]
     use super::study::Study;
     #[pymodule_export]

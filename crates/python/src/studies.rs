@@ -12,7 +12,7 @@ use asperity_studies::cycle as driving;
 use asperity_studies::export::{AddedLoss, Format, With, export};
 use asperity_studies::map::{self as mapping, Axes, MapBand, MapExtras, Numbers, Point};
 use asperity_studies::every_study;
-use asperity_studies::study::CaseStudy;
+use asperity_studies::study::{CaseStudy, studies as described};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -63,6 +63,12 @@ fn registered<S: CaseStudy>() -> (&'static str, Run) {
         let settings = S::of_json(settings)?;
         Study::of(settings.run(train, progress)?)
     })
+}
+
+/// The studies of one case with their settings, as JSON.
+#[pyfunction]
+pub fn studies() -> PyResult<String> {
+    Ok(failure::json(&described())?)
 }
 
 /// Runs the study `name` of a case with `settings`, an object of JSON.

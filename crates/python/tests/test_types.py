@@ -96,7 +96,8 @@ def script(name):
 
 def test_the_types_of_keys_choices_and_columns_are_those_of_the_compiled_part():
     typed = script("typed")
-    assert typed.written() == (PLACE / "asperity" / "keys.py").read_text(encoding="utf-8"), "run crates/python/typed.py"
+    for file, text in typed.FILES.items():
+        assert text() == (PLACE / "asperity" / file.name).read_text(encoding="utf-8"), "run crates/python/typed.py"
 
 
 def test_tables_that_differ_by_the_kind_of_the_case_are_different_classes():

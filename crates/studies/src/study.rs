@@ -5,11 +5,24 @@ use asperity::case::train::Train;
 use asperity::pipeline::Progress;
 use asperity_core::{Code, Fault};
 use asperity_report::StudyResult;
+use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
+/// The values of `$visit::<S>()` for every study `S` of one case.
+#[macro_export]
+macro_rules! every_study {
+    ($visit:ident) => {
+        [
+            $visit::<$crate::sensitivity::SensitivitySettings>(),
+            $visit::<$crate::ridges::RidgeSettings>(),
+            $visit::<$crate::callout::CallOutSettings>(),
+        ]
+    };
+}
+
 /// Description of a setting, from which the faces make an option or an argument.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Setting {
     /// Name of the field.
@@ -87,16 +100,33 @@ pub trait CaseStudy: Settings {
     fn run(&self, train: &Train, progress: Progress<'_>) -> Result<Self::Found, Fault>;
 }
 
-/// The values of `$visit::<S>()` for every study `S` of one case.
-#[macro_export]
-macro_rules! every_study {
-    ($visit:ident) => {
-        [
-            $visit::<$crate::sensitivity::SensitivitySettings>(),
-            $visit::<$crate::ridges::RidgeSettings>(),
-            $visit::<$crate::callout::CallOutSettings>(),
-        ]
-    };
+/// Description of a study of one case.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Described {
+    /// Name of the command, and of the function in Python.
+    pub name: &'static str,
+    /// What it answers.
+    pub about: &'static str,
+    /// What its progress counts.
+    pub steps: &'static str,
+    /// Its settings.
+    pub settings: Vec<Setting>,
+}
+
+/// The studies of one case.
+#[must_use]
+pub fn studies() -> Vec<Described> {
+    crate::every_study!(described).into()
+}
+
+fn described<S: CaseStudy>() -> Described {
+    Described {
+        name: S::COMMAND,
+        about: S::ABOUT,
+        steps: S::STEPS,
+        settings: S::described(),
+    }
 }
 
 /// The settings of a study, each stated once: `name: type` for one that must be stated or is optional, `name: type = default` for
@@ -154,13 +184,12 @@ mod tests {
 
     #[test]
     fn every_study_has_a_name_of_its_own_and_every_setting_is_described() {
-        fn described<S: CaseStudy>() -> (&'static str, Vec<Setting>) {
-            (S::COMMAND, S::described())
-        }
-        let all = crate::every_study!(described);
-        for (k, (name, settings)) in all.iter().enumerate() {
-            assert!(all[..k].iter().all(|(other, _)| other != name));
-            assert!(settings.iter().all(|setting| !setting.about.is_empty()));
+        let all = studies();
+        for (k, study) in all.iter().enumerate() {
+            assert!(all[..k].iter().all(|other| other.name != study.name));
+            assert!(!study.about.is_empty() && !study.steps.is_empty());
+            let mut settings = study.settings.iter();
+            assert!(settings.all(|setting| !setting.about.is_empty()));
         }
     }
 }

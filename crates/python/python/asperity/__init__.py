@@ -14,12 +14,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple, Optional
 
-from . import _asperity
+from . import _asperity, _studies
 from ._asperity import __version__
+from ._studies import *
 
 if TYPE_CHECKING:
     from ._calibration import Calibration, Design, Evidence, calibrate, design, evidence
-    from ._callout import CallOut, callout
+    from ._callout import CallOut
     from ._case import Case
     from ._compare import Comparison, compare
     from ._contact import Contact, Stress, press_flanks, solve_contact, subsurface_stress
@@ -34,14 +35,14 @@ if TYPE_CHECKING:
     from ._profile import Parameters, Parts, Profile, generate, read_profile
     from ._record import Record, Table
     from ._result import Fields, Path, Regime, RunResult, Summary
-    from ._ridges import Ridges, ridges
-    from ._sensitivity import Sensitivity, sensitivity
+    from ._ridges import Ridges
+    from ._sensitivity import Sensitivity
     from ._stored import read_result
     from ._sweep import Sweep, sweep
 else:
     _HOMES = {
         "_calibration": "Calibration Design Evidence calibrate design evidence",
-        "_callout": "CallOut callout",
+        "_callout": "CallOut",
         "_case": "Case",
         "_compare": "Comparison compare",
         "_contact": "Contact Stress press_flanks solve_contact subsurface_stress",
@@ -55,8 +56,8 @@ else:
         "_profile": "Parameters Parts Profile generate read_profile",
         "_record": "Record Table",
         "_result": "Fields Path Regime RunResult Summary",
-        "_ridges": "Ridges ridges",
-        "_sensitivity": "Sensitivity sensitivity",
+        "_ridges": "Ridges",
+        "_sensitivity": "Sensitivity",
         "_stored": "read_result",
         "_sweep": "Sweep sweep",
     }
@@ -112,7 +113,6 @@ __all__ = [
     "Traction",
     "__version__",
     "calibrate",
-    "callout",
     "compare",
     "cycle",
     "demo",
@@ -135,8 +135,6 @@ __all__ = [
     "read_profile",
     "read_result",
     "rexs_contents",
-    "ridges",
-    "sensitivity",
     "solve_contact",
     "steels",
     "stribeck",
@@ -144,6 +142,7 @@ __all__ = [
     "sweep",
     "thermal_reduction",
 ]
+__all__ += _studies.__all__
 
 
 class Explanation(NamedTuple):

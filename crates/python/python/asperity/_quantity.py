@@ -137,6 +137,11 @@ def stated(value: Quantity, quantity: str, name: str) -> float:
     raise _without_unit(name, value, quantity)
 
 
+def written(value: Quantity, quantity: str, name: str) -> str:
+    """The same as text in SI units."""
+    return f"{stated(value, quantity, name)!r} {SI_UNITS[quantity]}"
+
+
 def stated_or_none(value: Optional[Quantity], quantity: str, name: str) -> Optional[float]:
     """The same of a value that can be missing."""
     return None if value is None else stated(value, quantity, name)

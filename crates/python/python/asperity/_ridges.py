@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
-from ._case import CaseLike
-from ._progress import Progress
 from ._record import Table
-from ._study import Study, of_case
+from ._study import Study
 
 if TYPE_CHECKING:
     import pandas
@@ -36,13 +34,3 @@ class Ridges(Study):
     def __repr__(self) -> str:
         saved = self._values["loss_w"] - self._values["pressed_loss_w"]
         return f"<Ridges {self._values['title']!r}: pressing {len(self._values['rows'])} ridges saves {saved:.3g} W>"
-
-
-def ridges(case: CaseLike, *, threads: Optional[int] = None, progress: Optional[Progress] = None) -> Ridges:
-    """The ridges of both flanks that cost most, and the loss of a run with all of them pressed to the mean line.
-
-    Args:
-        case: the case; of several traces of a flank, the first.
-        threads, progress: as in `Case.run`.
-    """
-    return Ridges(of_case("ridges", case, {}, threads, progress, "gradients"))

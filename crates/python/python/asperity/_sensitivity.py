@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Optional
 
-from ._case import CaseLike
-from ._progress import Progress
 from ._record import Table
-from ._study import Study, of_case
+from ._study import Study
 
 if TYPE_CHECKING:
     import pandas
@@ -46,16 +44,3 @@ class Sensitivity(Study):
     def _rows(self) -> list[tuple[str, str]]:
         effects = [(row, row["effect"]) for row in self._values["rows"] if row["effect"]]
         return [(f"{row['what']} → {row['to']}", f"{100 * effect['change']:+.1f} %") for row, effect in effects]
-
-
-def sensitivity(
-    case: CaseLike, *, threads: Optional[int] = None, progress: Optional[Progress] = None
-) -> Sensitivity:
-    """Runs a case, then again with one thing changed each time: heights and wavelengths of the flanks, boundary layer,
-    oil, tip relief.
-
-    Args:
-        case: the case.
-        threads, progress: as in `Case.run`.
-    """
-    return Sensitivity(of_case("sensitivity", case, {}, threads, progress, "changes"))

@@ -39,7 +39,7 @@ const NOMINAL_STREAM: u64 = 1 << 40;
 /// Roughness parameter of a call-out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Parameter {
+pub enum RoughnessParameter {
     /// Reduced peak height.
     Rpk,
     /// Root mean square height.
@@ -48,7 +48,7 @@ pub enum Parameter {
     Rdq,
 }
 
-impl std::str::FromStr for Parameter {
+impl std::str::FromStr for RoughnessParameter {
     type Err = serde::de::value::Error;
 
     fn from_str(name: &str) -> Result<Self, Self::Err> {
@@ -56,7 +56,7 @@ impl std::str::FromStr for Parameter {
     }
 }
 
-impl Parameter {
+impl RoughnessParameter {
     /// All parameters; the first is preferred.
     pub const ALL: [Self; 3] = [Self::Rpk, Self::Rq, Self::Rdq];
 
@@ -80,7 +80,7 @@ impl Parameter {
     }
 }
 
-/// Values of [`Parameter::ALL`] in their units.
+/// Values of [`RoughnessParameter::ALL`] in their units.
 pub(super) type Values = [f64; 3];
 
 /// Factors on heights, wavelengths and peaks.

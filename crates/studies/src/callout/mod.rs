@@ -21,14 +21,14 @@
 //!
 //! ```no_run
 //! use asperity::case;
-//! use asperity_studies::callout::{CallOutSettings, Parameter, callout};
+//! use asperity_studies::callout::{CallOutSettings, RoughnessParameter, callout};
 //! use asperity_studies::study::Settings;
 //! let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
 //! let case = case::load_with(file, &|input| input.model.positions = Some(3))?;
 //! let stated = serde_json::json!({ "loss": "600 W", "lots": 20, "parameter": "rq" });
 //! let settings = CallOutSettings::of_json(stated)?;
 //! let found = callout(&case, &settings, &|_, _| {})?;
-//! assert_eq!(found.parameter, Parameter::Rq);
+//! assert_eq!(found.parameter, RoughnessParameter::Rq);
 //! assert!(found.smooth_loss_w < 600.0 && found.limits[0].limit < found.limits[0].recipe);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -40,5 +40,5 @@ mod study;
 mod summary;
 mod write;
 
-pub use lots::Parameter;
+pub use lots::RoughnessParameter;
 pub use study::{CallOut, CallOutSettings, CurvePoint, LimitRow, ParameterRow, TracesRow, callout};

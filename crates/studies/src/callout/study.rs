@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::error;
-use super::lots::{Lot, OFFSETS, PAIRS, Parameter, Process, Values};
+use super::lots::{Lot, OFFSETS, PAIRS, Process, RoughnessParameter, Values};
 
 use crate::settings;
 use crate::study::{CaseStudy, Work};
@@ -43,7 +43,7 @@ settings! {
         /// Standard deviation of heights, wavelengths and peaks about the median of their lot
         scatter: Ratio = "10 %",
         /// Parameter: rpk, rq or rdq [default: the one that predicts the loss best]
-        parameter: Option<Parameter>,
+        parameter: Option<RoughnessParameter>,
         /// Number of traces to inspect [default: as many as further ones change the limit by 2 %]
         traces: Option<usize>,
         /// Number of simulated lots
@@ -123,7 +123,7 @@ pub struct CallOut {
     /// Standard deviation of the logarithms of heights, wavelengths and peaks.
     pub scatter: f64,
     /// Parameter of the call-out.
-    pub parameter: Parameter,
+    pub parameter: RoughnessParameter,
     /// Traces to inspect; of each gear if the gears have separate limits.
     pub traces: usize,
     /// Limits of the mean over these traces.
@@ -248,11 +248,13 @@ fn of_process(
     let parameters = [0, 1, 2].map(|k| Evaluated::of(&met, k, settings));
     let best = |k: &usize| parameters[*k].quantile.deviation;
     let chosen = match settings.parameter {
-        Some(stated) => Parameter::ALL.iter().position(|known| *known == stated),
+        Some(stated) => RoughnessParameter::ALL
+            .iter()
+            .position(|known| *known == stated),
         None => (0..3).min_by(|a, b| best(a).total_cmp(&best(b))),
     };
     let chosen = chosen.unwrap_or(0);
-    let parameter = Parameter::ALL[chosen];
+    let parameter = RoughnessParameter::ALL[chosen];
     let Evaluated {
         traces, quantile, ..
     } = parameters[chosen];
@@ -286,7 +288,7 @@ fn of_process(
         smooth_loss_w: curve.smooth,
         parameters: parameters
             .iter()
-            .zip(Parameter::ALL)
+            .zip(RoughnessParameter::ALL)
             .map(|(found, parameter)| ParameterRow {
                 parameter: parameter.symbol(),
                 traces: found.traces,
@@ -614,7 +616,7 @@ mod tests {
     fn share(process: &Process, found: &CallOut, count: usize) -> f64 {
         /// Half-width of the limit.
         const NEAR: f64 = 0.01;
-        let chosen = Parameter::ALL
+        let chosen = RoughnessParameter::ALL
             .iter()
             .position(|known| *known == found.parameter)
             .unwrap();
