@@ -3,6 +3,9 @@
 //! A table is a list of columns; [`columns!`](crate::columns) makes one from rows with one line for each column: its heading, unit,
 //! digits and value. [`Table::text`] prints it with aligned columns, and on a page it is written into the markup by `(table)`.
 
+use std::borrow::Cow;
+
+use asperity_storage::one_line;
 use maud::{Markup, Render, html};
 
 /// A cell of a table.
@@ -20,6 +23,11 @@ impl Cell {
         value.number().map_or("-".to_owned(), format).into()
     }
 
+    /// The text of `value`, or "-" if there is none.
+    pub fn optional(value: Option<impl ToString>) -> Self {
+        value.map_or_else(|| "-".into(), Self::from)
+    }
+
     /// `text`, on a page with `markup`.
     pub fn marked(text: impl Into<String>, markup: Markup) -> Self {
         Self {
@@ -35,8 +43,13 @@ impl Cell {
         Self::marked(text, markup)
     }
 
+    /// Its text in the terminal, on one line.
+    fn line(&self) -> Cow<'_, str> {
+        one_line(&self.text)
+    }
+
     fn width(&self) -> usize {
-        self.text.chars().count()
+        self.line().chars().count()
     }
 }
 
@@ -159,7 +172,7 @@ impl Column {
     }
 }
 
-/// A table: columns of equally many cells.
+/// A table: columns of equally many cells. Without rows neither face shows it.
 #[derive(Debug, Clone, Default)]
 pub struct Table {
     columns: Vec<Column>,
@@ -174,6 +187,17 @@ impl Table {
             columns: columns.into_iter().collect(),
             class: "",
         }
+    }
+
+    /// The table with further rows, each with a cell for every column.
+    #[must_use]
+    pub fn with_rows<const N: usize>(mut self, rows: impl IntoIterator<Item = [Cell; N]>) -> Self {
+        for row in rows {
+            for (column, cell) in self.columns.iter_mut().zip(row) {
+                column.cells.push(cell);
+            }
+        }
+        self
     }
 
     /// The table with further columns at the right.
@@ -237,6 +261,9 @@ impl Table {
     /// ```
     #[must_use]
     pub fn text(&self, indent: &str) -> String {
+        if self.is_empty() {
+            return String::new();
+        }
         let headings: Vec<_> = self.columns.iter().map(Column::heading_lines).collect();
         let tall = headings.iter().map(|(lines, _)| lines.len()).max();
         let tall = tall.unwrap_or(0);
@@ -256,7 +283,7 @@ impl Table {
                 column
                     .cells
                     .get(row)
-                    .map_or(blank.clone(), |cell| cell.text.clone())
+                    .map_or(blank.clone(), |cell| cell.line().into_owned())
             };
             cells.map(cell).collect()
         });
@@ -289,7 +316,7 @@ impl IntoIterator for Table {
 impl Render for Table {
     fn render(&self) -> Markup {
         let class = |column: &Column| (column.kind == Kind::Number).then_some("number");
-        html! { div.scroll { table class=[(!self.class.is_empty()).then_some(self.class)] {
+        html! { @if !self.is_empty() { div.scroll { table class=[(!self.class.is_empty()).then_some(self.class)] {
             thead { tr { @for column in &self.columns { th class=[class(column)] { (column.heading) } } } }
             tbody { @for row in 0..self.rows() { tr { @for column in &self.columns {
                 @let cell = column.cells.get(row).cloned().unwrap_or_default();
@@ -298,7 +325,7 @@ impl Render for Table {
                     _ => td class=[class(column)] { (cell) },
                 }
             } } } }
-        } } }
+        } } } }
     }
 }
 
@@ -306,33 +333,30 @@ impl Render for Table {
 ///
 /// A line is `kind field "heading" "unit"`, for a number with its digits, and `= value` where the value is not the field of
 /// this name: `number temperature_c "temperature" "°C" "{:.0}";`, `text slides "slide-to-roll ratios" "" = slides(row);`. The kind is
-/// `head`, `text`, `code` or `number`; a number without digits is a text that has its digits already.
+/// `head`, `text`, `code` or `number`; a number without digits is a text that has its digits already. The row is a name, or a
+/// pattern in parentheses whose parts the values name: `columns! { (name, [low, high]) in rows; ... }`.
 #[macro_export]
 macro_rules! columns {
-    ($row:ident in $rows:expr; $($kind:ident $name:ident $heading:literal $unit:literal $($digits:literal)? $(= $value:expr)?;)+) => {{
-        let rows: Vec<_> = IntoIterator::into_iter($rows).collect();
-        $crate::Table::new([$(
-            $crate::Column::new(
-                $crate::columns!(@kind $kind),
-                $heading,
-                $unit,
-                rows.iter().map(|$row| $crate::columns!(@cell $kind, $row, $name, [$($digits)?] [$($value)?])),
-            ),
-        )+])
+    ($row:tt in $rows:expr; $($kind:ident $name:ident $heading:literal $unit:literal $($digits:literal)? $(= $value:expr)?;)+) => {{
+        let columns = [$($crate::Column::new($crate::columns!(@kind $kind), $heading, $unit, [""; 0])),+];
+        let rows = IntoIterator::into_iter($rows);
+        $crate::Table::new(columns).with_rows(
+            rows.map(|$row| [$($crate::columns!(@cell $kind, $row, $name, [$($digits)?] [$($value)?])),+]),
+        )
     }};
     (@kind head) => { $crate::Kind::Head };
     (@kind text) => { $crate::Kind::Text };
     (@kind code) => { $crate::Kind::Text };
     (@kind number) => { $crate::Kind::Number };
-    (@cell code, $row:ident, $name:ident, [] $value:tt) => {
+    (@cell code, $row:tt, $name:ident, [] $value:tt) => {
         $crate::Cell::code($crate::columns!(@value $row, $name, $value))
     };
-    (@cell $kind:ident, $row:ident, $name:ident, [] $value:tt) => {
+    (@cell $kind:ident, $row:tt, $name:ident, [] $value:tt) => {
         $crate::Cell::from($crate::columns!(@value $row, $name, $value))
     };
-    (@cell $kind:ident, $row:ident, $name:ident, [$digits:literal] $value:tt) => {
+    (@cell $kind:ident, $row:tt, $name:ident, [$digits:literal] $value:tt) => {
         $crate::Cell::number($crate::columns!(@value $row, $name, $value), |value| format!($digits, value))
     };
-    (@value $row:ident, $name:ident, []) => { &$row.$name };
-    (@value $row:ident, $name:ident, [$value:expr]) => { $value };
+    (@value $row:tt, $name:ident, []) => { &$row.$name };
+    (@value $row:tt, $name:ident, [$value:expr]) => { $value };
 }

@@ -6,8 +6,9 @@ use maud::{Markup, html};
 
 use super::page::figure;
 use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
-use crate::ridges::{NOTE, measured, notes, saving, saving_of, watts};
+use crate::ridges::{NOTE, notes, saving, saving_of, watts};
 use crate::tables::BODIES;
+use crate::{Cell, Table, columns};
 
 /// Explanation of the colours.
 const COLOURS: &str = "Colours: height above the mean line times the gradient of the loss, per length of the trace; its integral \
@@ -33,16 +34,17 @@ pub(super) fn section(result: &RunResult) -> Markup {
 }
 
 /// Table of ridges, numbered from 1.
-pub fn table(rows: &[RidgeRow]) -> Markup {
-    html! { div.scroll { table {
-        thead { tr { th.number { "ridge" } th { "flank" } th.number { "place [mm]" } th.number { "width [µm]" } th.number { "height [µm]" }
-            th.number { "first [W]" } th.number { "measured [W]" } th.number { "mean [W]" } } }
-        tbody { @for (k, row) in rows.iter().enumerate() { tr {
-            td.number { (k + 1) } td { (row.flank) } td.number { (format!("{:.4}", row.place_mm)) }
-            td.number { (format!("{:.1}", row.width_um)) } td.number { (format!("{:.3}", row.height_um)) }
-            td.number { (watts(row.first_order_w)) } td.number { (measured(row)) } td.number { (saving_of(row)) }
-        } } }
-    } } }
+pub fn table(rows: &[RidgeRow]) -> Table {
+    columns! { (k, row) in rows.iter().enumerate();
+        number ridge "ridge" "" = k + 1;
+        text flank "flank" "" = &row.flank;
+        number place_mm "place" "mm" "{:.4}" = row.place_mm;
+        number width_um "width" "µm" "{:.1}" = row.width_um;
+        number height_um "height" "µm" "{:.3}" = row.height_um;
+        number first "first" "W" = watts(row.first_order_w);
+        number measured "measured" "W" = Cell::optional(row.measured_first_order_w.map(watts));
+        number mean "mean" "W" = saving_of(row);
+    }
 }
 
 /// Both traces and close-ups of the costliest ridges, coloured on one scale; `file` holds their data, or the table of each trace.
