@@ -8,6 +8,8 @@ use std::borrow::Cow;
 use asperity_storage::one_line;
 use maud::{Markup, Render, html};
 
+use crate::COLUMNS;
+
 /// A cell of a table.
 #[derive(Debug, Clone, Default)]
 pub struct Cell {
@@ -101,6 +103,14 @@ impl<T: Number + Copy> Number for &T {
     }
 }
 
+/// Lines of a heading in the terminal that need no wider column.
+const USUAL: usize = 2;
+
+/// Lines of the tallest of the `headings`.
+fn tallest(headings: &[Vec<String>]) -> usize {
+    headings.iter().map(Vec::len).max().unwrap_or(0)
+}
+
 /// How the cells of a column are set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
@@ -141,9 +151,8 @@ impl Column {
         }
     }
 
-    /// Lines of the heading in the terminal: its words, as many in a line as the cells or the longest word are wide. A unit with
-    /// spaces is one word.
-    fn heading_lines(&self) -> (Vec<String>, usize) {
+    /// Words of the heading; a unit with spaces is one.
+    fn words(&self) -> Vec<String> {
         let mut words: Vec<String> = Vec::new();
         for word in self.heading.split(' ') {
             match words.last_mut() {
@@ -154,12 +163,21 @@ impl Column {
                 _ => words.push(word.to_owned()),
             }
         }
-        let length = |text: &str| text.chars().count();
+        words
+    }
+
+    /// Width of the cells and of the longest word of the heading.
+    fn least_width(&self) -> usize {
         let of_cells = self.cells.iter().map(Cell::width);
-        let of_words = words.iter().map(|word| length(word));
-        let width = of_cells.chain(of_words).max().unwrap_or(0);
+        let of_words = self.words().into_iter().map(|word| word.chars().count());
+        of_cells.chain(of_words).max().unwrap_or(0)
+    }
+
+    /// Lines of the heading in the terminal, of at most `width` characters.
+    fn heading_lines(&self, width: usize) -> Vec<String> {
+        let length = |text: &str| text.chars().count();
         let mut lines: Vec<String> = Vec::new();
-        for word in words {
+        for word in self.words() {
             match lines.last_mut() {
                 Some(line) if length(line) + 1 + length(&word) <= width => {
                     *line += " ";
@@ -168,7 +186,7 @@ impl Column {
                 _ => lines.push(word),
             }
         }
-        (lines, width)
+        lines
     }
 }
 
@@ -236,8 +254,39 @@ impl Table {
         columns.map(|column| column.cells.len()).max().unwrap_or(0)
     }
 
-    /// The table for the terminal: aligned columns, two spaces between them, each line after `indent`. The last column is not
-    /// padded.
+    fn headings(&self, widths: &[usize]) -> Vec<Vec<String>> {
+        let columns = self.columns.iter().zip(widths);
+        columns
+            .map(|(column, width)| column.heading_lines(*width))
+            .collect()
+    }
+
+    /// Widths of the columns in the terminal: as of their cells, wider where that makes the headings lower and there is room.
+    fn widths(&self, indent: &str) -> Vec<usize> {
+        let mut widths: Vec<usize> = self.columns.iter().map(Column::least_width).collect();
+        loop {
+            let headings = self.headings(&widths);
+            let tall = tallest(&headings);
+            if tall <= USUAL {
+                return widths;
+            }
+            let columns = self.columns.iter().zip(&widths).zip(headings);
+            let lower = columns.map(|((column, width), lines)| match lines.len() == tall {
+                true => (*width..)
+                    .find(|width| column.heading_lines(*width).len() < tall)
+                    .unwrap_or(*width),
+                false => *width,
+            });
+            let lower: Vec<usize> = lower.collect();
+            let total = indent.len() + lower.iter().map(|width| width + 2).sum::<usize>() - 2;
+            if total > COLUMNS {
+                return widths;
+            }
+            widths = lower;
+        }
+    }
+
+    /// The table for the terminal: aligned columns, two spaces between them, each line after `indent`.
     ///
     /// ```
     /// use asperity_report::columns;
@@ -264,13 +313,13 @@ impl Table {
         if self.is_empty() {
             return String::new();
         }
-        let headings: Vec<_> = self.columns.iter().map(Column::heading_lines).collect();
-        let tall = headings.iter().map(|(lines, _)| lines.len()).max();
-        let tall = tall.unwrap_or(0);
+        let widths = self.widths(indent);
+        let headings = self.headings(&widths);
+        let tall = tallest(&headings);
         let blank = String::new();
         let of_headings = (0..tall).map(|line| {
             // Headings stand at the bottom.
-            let cell = |(lines, _): &(Vec<String>, usize)| {
+            let cell = |lines: &Vec<String>| {
                 let above = tall - lines.len();
                 line.checked_sub(above)
                     .map_or(blank.clone(), |k| lines[k].clone())
@@ -290,7 +339,7 @@ impl Table {
         let mut text = String::new();
         for cells in of_headings.chain(of_rows) {
             let mut line = indent.to_owned();
-            for ((cell, column), (_, width)) in cells.iter().zip(&self.columns).zip(&headings) {
+            for ((cell, column), width) in cells.iter().zip(&self.columns).zip(&widths) {
                 let padding = " ".repeat(width - cell.chars().count().min(*width));
                 line += &match column.kind {
                     Kind::Number => format!("{padding}{cell}  "),
@@ -359,4 +408,41 @@ macro_rules! columns {
     };
     (@value $row:tt, $name:ident, []) => { &$row.$name };
     (@value $row:tt, $name:ident, [$value:expr]) => { $value };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn headings_are_low_where_there_is_room_and_a_cell_stays_on_its_line() {
+        let table = |name: &'static str| {
+            let rows = [(name, 22.0)];
+            columns! { (name, share) in rows; head name "name" "" = name; number share "standard deviation of single traces" "%" "{:.0}" = share; }
+        };
+        let room = table("first").text("");
+        let lines: Vec<&str> = room.lines().collect();
+        assert_eq!(
+            lines,
+            [
+                "         standard deviation",
+                "name   of single traces [%]",
+                "first                    22"
+            ]
+        );
+        let name: &'static str =
+            "a name of seventy characters, which leaves no room for wide headings..";
+        let none = table(name).text("");
+        assert_eq!(none.lines().count(), 6, "{none}");
+        assert!(none.lines().all(|line| line.chars().count() <= 81));
+        assert!(table("a\nb").text("").contains("a\\u{a}b "));
+    }
+
+    #[test]
+    fn a_table_without_rows_is_not_shown() {
+        let none: [&str; 0] = [];
+        let table = columns! { name in none; head name "name" "" = name; };
+        assert_eq!(table.text(""), "");
+        assert_eq!(table.render().into_string(), "");
+    }
 }

@@ -38,7 +38,7 @@ pub(super) fn extremes(map: &Map) -> Table {
     columns! { (finish, extremes) in rows;
         head name "finish" "" = &finish.name;
         number loss "largest loss" "W" = extremes.loss();
-        number share "share of the power" "%" = extremes.share();
+        number share "share of power" "%" = extremes.share();
         number at_torque "at torque" "N m" "{:.2}" = extremes.at.torque_nm;
         number at_speed "and speed" "1/min" "{:.0}" = extremes.at.speed_rpm;
         number efficiency "best efficiency" "%" = extremes.efficiency();
