@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use asperity_storage::one_line;
 use maud::{Markup, Render, html};
 
-use crate::COLUMNS;
+use crate::wrap::{COLUMNS, wrapped_within};
 
 /// A cell of a table.
 #[derive(Debug, Clone, Default)]
@@ -51,7 +51,7 @@ impl Cell {
     }
 
     fn width(&self) -> usize {
-        self.line().chars().count()
+        length(&self.line())
     }
 }
 
@@ -106,9 +106,16 @@ impl<T: Number + Copy> Number for &T {
 /// Lines of a heading in the terminal that need no wider column.
 const USUAL: usize = 2;
 
+/// Least width in which a text of the last column is wrapped.
+const LEAST_ROOM: usize = 20;
+
 /// Lines of the tallest of the `headings`.
 fn tallest(headings: &[Vec<String>]) -> usize {
     headings.iter().map(Vec::len).max().unwrap_or(0)
+}
+
+fn length(text: &str) -> usize {
+    text.chars().count()
 }
 
 /// How the cells of a column are set.
@@ -151,42 +158,37 @@ impl Column {
         }
     }
 
-    /// Words of the heading; a unit with spaces is one.
+    /// Words of the heading, parted at spaces and after hyphens; a unit is one word.
     fn words(&self) -> Vec<String> {
-        let mut words: Vec<String> = Vec::new();
-        for word in self.heading.split(' ') {
-            match words.last_mut() {
-                Some(unit) if unit.starts_with('[') && !unit.ends_with(']') => {
-                    *unit += " ";
-                    *unit += word;
-                }
-                _ => words.push(word.to_owned()),
-            }
-        }
-        words
+        let (name, unit) = match self.heading.rfind('[') {
+            Some(at) => self.heading.split_at(at),
+            None => (self.heading.as_str(), ""),
+        };
+        let words = name.split_inclusive([' ', '-']).chain([unit]);
+        let words = words.filter(|word| !word.is_empty());
+        words.map(str::to_owned).collect()
     }
 
     /// Width of the cells and of the longest word of the heading.
     fn least_width(&self) -> usize {
         let of_cells = self.cells.iter().map(Cell::width);
-        let of_words = self.words().into_iter().map(|word| word.chars().count());
+        let of_words = self.words().into_iter().map(|word| length(word.trim_end()));
         of_cells.chain(of_words).max().unwrap_or(0)
     }
 
     /// Lines of the heading in the terminal, of at most `width` characters.
     fn heading_lines(&self, width: usize) -> Vec<String> {
-        let length = |text: &str| text.chars().count();
         let mut lines: Vec<String> = Vec::new();
         for word in self.words() {
             match lines.last_mut() {
-                Some(line) if length(line) + 1 + length(&word) <= width => {
-                    *line += " ";
-                    *line += &word;
-                }
+                Some(line) if length(line) + length(word.trim_end()) <= width => *line += &word,
                 _ => lines.push(word),
             }
         }
         lines
+            .into_iter()
+            .map(|line| line.trim_end().to_owned())
+            .collect()
     }
 }
 
@@ -264,6 +266,15 @@ impl Table {
     /// Widths of the columns in the terminal: as of their cells, wider where that makes the headings lower and there is room.
     fn widths(&self, indent: &str) -> Vec<usize> {
         let mut widths: Vec<usize> = self.columns.iter().map(Column::least_width).collect();
+        if let (Some(Kind::Text), Some((last, others))) =
+            (self.last_kind(), widths.split_last_mut())
+        {
+            let left = others.iter().map(|width| width + 2).sum::<usize>() + length(indent);
+            let room = COLUMNS.saturating_sub(left);
+            if room >= LEAST_ROOM {
+                *last = (*last).min(room);
+            }
+        }
         loop {
             let headings = self.headings(&widths);
             let tall = tallest(&headings);
@@ -278,7 +289,7 @@ impl Table {
                 false => *width,
             });
             let lower: Vec<usize> = lower.collect();
-            let total = indent.len() + lower.iter().map(|width| width + 2).sum::<usize>() - 2;
+            let total = length(indent) + lower.iter().map(|width| width + 2).sum::<usize>() - 2;
             if total > COLUMNS {
                 return widths;
             }
@@ -286,7 +297,32 @@ impl Table {
         }
     }
 
-    /// The table for the terminal: aligned columns, two spaces between them, each line after `indent`.
+    fn last_kind(&self) -> Option<Kind> {
+        self.columns.last().map(|column| column.kind)
+    }
+
+    /// Lines of a row in the terminal: a long text in the last column has several.
+    fn lines(&self, row: usize, widths: &[usize]) -> Vec<Vec<String>> {
+        let cells = self.columns.iter().map(|column| column.cells.get(row));
+        let cells = cells.map(|cell| cell.map_or(String::new(), |cell| cell.line().into_owned()));
+        let mut cells: Vec<String> = cells.collect();
+        let is_long = |(text, width): (&String, &usize)| length(text) > *width;
+        if !cells.last().zip(widths.last()).is_some_and(is_long) {
+            return vec![cells];
+        }
+        let last = cells.pop().unwrap_or_default();
+        let text = wrapped_within(&last, "", widths[cells.len()]);
+        let lines = text.lines().map(|line| {
+            let blank = vec![String::new(); cells.len()];
+            let mut all = std::mem::replace(&mut cells, blank);
+            all.push(line.to_owned());
+            all
+        });
+        lines.collect()
+    }
+
+    /// The table for the terminal: aligned columns, two spaces between them, each line after `indent`. A long text in the last
+    /// column is wrapped if there is room for it.
     ///
     /// ```
     /// use asperity_report::columns;
@@ -326,16 +362,7 @@ impl Table {
             };
             headings.iter().map(cell).collect::<Vec<String>>()
         });
-        let of_rows = (0..self.rows()).map(|row| {
-            let cells = self.columns.iter();
-            let cell = |column: &Column| {
-                column
-                    .cells
-                    .get(row)
-                    .map_or(blank.clone(), |cell| cell.line().into_owned())
-            };
-            cells.map(cell).collect()
-        });
+        let of_rows = (0..self.rows()).flat_map(|row| self.lines(row, &widths));
         let mut text = String::new();
         for cells in of_headings.chain(of_rows) {
             let mut line = indent.to_owned();
