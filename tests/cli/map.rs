@@ -125,7 +125,7 @@ fn quantiles_at_the_nodes_of_a_map_are_those_of_runs() {
     };
     let best = rows.iter().map(efficiency).fold(0.0, f64::max);
     let line = said.lines().find(|line| line.starts_with("case")).unwrap();
-    let printed = line.split(" %").next().unwrap().split(' ').next_back();
+    let printed = line.split_whitespace().rev().nth(1);
     let printed: f64 = printed.unwrap().parse().unwrap();
     assert!((printed - best).abs() < 0.006, "{line} {best}");
     // The same flanks carry the load at negative torque.

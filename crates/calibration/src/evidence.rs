@@ -1,6 +1,5 @@
 //! Measurements that would narrow the interval of the loss of a case, with the interval that each is expected to leave.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity::case::train::Train;
@@ -12,7 +11,7 @@ use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_ban
 use asperity::{Contacts, LoadedCase};
 use asperity_core::Fault;
 use asperity_report::html::page;
-use asperity_report::{StudyResult, tables, wrapped};
+use asperity_report::{StudyResult, Table, columns, tables, wrapped};
 use maud::html;
 use serde::{Deserialize, Serialize};
 
@@ -317,10 +316,21 @@ impl EvidenceTable {
         notes
     }
 
-    fn loss_text(&self, [low, high]: [f64; 2]) -> String {
-        let units = [" W", " %"];
-        let [loss, _] = with_interval(self.loss.median_w, [low, high], self.power_in_w, units);
+    /// The present median with an interval and a unit.
+    fn loss_text(&self, interval: [f64; 2], unit: &str) -> String {
+        let units = [unit, ""];
+        let [loss, _] = with_interval(self.loss.median_w, interval, self.power_in_w, units);
         loss
+    }
+
+    /// The measurements.
+    fn table(&self) -> Table {
+        columns! { row in &self.rows;
+            head measurement "measurement" "";
+            number hours "hours" "";
+            number width "relative width" "%" "{:.0}" = 100.0 * row.width;
+            number loss "loss" "W" = self.loss_text(row.interval(), "");
+        }
     }
 }
 
@@ -335,25 +345,8 @@ impl StudyResult for EvidenceTable {
     type Context<'a> = ();
 
     fn summary(&self, (): ()) -> String {
-        let mut text = format!(
-            "{}\nloss {}\n{:<62} {:>6} {:>6}  loss\n",
-            self.title,
-            self.loss_text(self.loss.quantiles_w),
-            "measurement",
-            "hours",
-            "width"
-        );
-        for row in &self.rows {
-            // Writing into a string cannot fail.
-            let _ = writeln!(
-                text,
-                "{:<62} {:>6} {:>6}  {}",
-                row.measurement,
-                row.hours,
-                row.width_percent(),
-                self.loss_text(row.interval()),
-            );
-        }
+        let loss = self.loss_text(self.loss.quantiles_w, " W");
+        let mut text = format!("{}\nloss {loss}\n{}", self.title, self.table().text(""));
         for line in self.notes() {
             text.push_str(&wrapped(&line, "  "));
             text.push('\n');
@@ -363,16 +356,8 @@ impl StudyResult for EvidenceTable {
 
     fn page(&self, (): ()) -> String {
         let table = html! {
-            p { "Loss as known: " strong { (self.loss_text(self.loss.quantiles_w)) } }
-            div.scroll { table {
-                thead { tr { th { "measurement" } th.number { "hours" } th.number { "width over the present one" } th.number { "loss" } } }
-                tbody { @for row in &self.rows { tr {
-                    th scope="row" { (row.measurement) }
-                    td.number { (row.hours) }
-                    td.number { (row.width_percent()) }
-                    td.number { (self.loss_text(row.interval())) }
-                } } }
-            } }
+            p { "Loss as known: " strong { (self.loss_text(self.loss.quantiles_w, " W")) } }
+            (self.table())
             @for line in self.notes() { p { (line) } }
             p { "data: " a href=(TABLE) { (TABLE) } }
         };

@@ -4,15 +4,18 @@ use asperity::message::Warning;
 use asperity_core::numerics::distinct;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
-use asperity_report::wrapped;
-use maud::{Markup, html};
+use asperity_report::{Column, Kind, Table, columns, wrapped};
+use maud::{Markup, Render, html};
 
 use crate::birge::Scatter;
 use crate::design::Design;
 use crate::oil::is_simulated_source;
 use crate::result::{Calibration, FittedParameter, FittedPoint, Verdict};
 use crate::rig_table::SIMULATED;
-use crate::summary::{percent, range, scatter, shown, tenths, unit_of};
+use crate::summary::{
+    HELD_OUT, design_bands, design_points, fitted, held_out, identified, range, scatter, shown,
+    unit_of,
+};
 
 /// Table of the points.
 const POINTS: &str = "points.csv";
@@ -24,7 +27,7 @@ pub(crate) fn render(calibration: &Calibration) -> String {
         ("Residuals", residuals(calibration)),
         ("Profiles", profiles(calibration)),
         ("Identifiability", identifiability(calibration)),
-        ("Nuisance terms", nuisance(calibration)),
+        ("Nuisance terms", nuisance(calibration).render()),
         (
             "For the case",
             html! { pre { code { (calibration.block) } } },
@@ -41,27 +44,18 @@ pub(crate) fn render(calibration: &Calibration) -> String {
 }
 
 fn parameters(calibration: &Calibration) -> Markup {
+    let parameters = calibration.parameters.iter();
+    let names: Vec<&str> = parameters.map(|one| one.name.as_str()).collect();
     html! {
         p { strong { (verdict(calibration)) } }
         @if calibration.is_simulated {
             p { strong { "The losses of this table are simulated: " } "a rehearsal of a rig, not a measurement." }
         }
-        div.scroll { table {
-            thead { tr { th { "parameter" } th.number { "value" } th.number { "95 % band" } th.number { "profile likelihood" }
-                th.number { "bootstrap over assemblies" } th.number { "default" } th.number { "range without calibration" } th { "by the points" } } }
-            tbody { @for one in &calibration.parameters { tr {
-                th scope="row" { (one.name) }
-                td.number { (shown(&one.key, one.value)) }
-                td.number { (with_unit(&one.key, one.band)) }
-                td.number { (with_unit(&one.key, one.profile_band)) @if one.is_open.contains(&true) { " (open)" } }
-                td.number { (one.bootstrap.map_or("-".to_owned(), |band| with_unit(&one.key, band))) }
-                td.number { (shown(&one.key, one.default)) }
-                td.number { (with_unit(&one.key, one.default_range)) }
-                td { (one.verdict.text()) }
-            } } }
-        } }
+        (fitted(calibration))
         p { "Fit: " (scatter(calibration)) ". The bands include scatter and nuisance terms, but not the structure of the model: alternative models are listed with a run." }
-        (correlations(calibration))
+        h3 { "Correlations of the logarithms" }
+        (correlations("parameter", &names, &calibration.correlations))
+        @if !calibration.held_out.is_empty() { h3 { (HELD_OUT) } }
         (held_out(calibration))
         (warnings(&calibration.warnings))
     }
@@ -92,12 +86,6 @@ fn verdict(calibration: &Calibration) -> String {
     }
 }
 
-/// A range with its unit.
-fn with_unit(key: &str, band: [f64; 2]) -> String {
-    let (unit, ..) = unit_of(key);
-    format!("{} {unit}", range(key, band)).trim_end().to_owned()
-}
-
 /// Last lines of the summary of a fit to curves: sentences, note on simulated sources, warnings.
 pub(crate) fn notes(sentences: &[String], sources: &[[String; 2]], warnings: &[Warning]) -> String {
     let mut text = String::new();
@@ -126,31 +114,14 @@ pub(crate) fn files(sources: &[[String; 2]]) -> Markup {
     html! { @for [file, sum] in sources { p { (file) ", SHA-256 " code { (sum) } } } }
 }
 
-fn correlations(calibration: &Calibration) -> Markup {
-    html! {
-        h3 { "Correlations of the logarithms" }
-        div.scroll { table {
-            thead { tr { th { "parameter" } @for one in &calibration.parameters { th.number { (one.name) } } } }
-            tbody { @for (one, row) in calibration.parameters.iter().zip(&calibration.correlations) { tr {
-                th scope="row" { (one.name) }
-                @for value in row { td.number { (format!("{value:+.2}")) } }
-            } } }
-        } }
-    }
-}
-
-fn held_out(calibration: &Calibration) -> Markup {
-    let share = |value: f64| format!("{:.1} %", 100.0 * value);
-    html! { @if !calibration.held_out.is_empty() {
-        h3 { "Every temperature predicted from the others" }
-        div.scroll { table {
-            thead { tr { th.number { "temperature" } th.number { "points" } th.number { "deviation (rms)" } th.number { "expected" } th.number { "mean" } } }
-            tbody { @for one in &calibration.held_out { tr {
-                td.number { (format!("{:.0} °C", one.temperature_c)) } td.number { (one.points) }
-                td.number { (share(one.rms_error)) } td.number { (share(one.expected_error)) } td.number { (share(one.mean_error)) }
-            } } }
-        } }
-    } }
+/// Correlations of named quantities with each other.
+pub(crate) fn correlations(first: &str, names: &[&str], rows: &[Vec<f64>]) -> Table {
+    let names_of_rows = Column::new(Kind::Head, first, "", names);
+    let columns = names.iter().enumerate().map(|(k, name)| {
+        let cells = rows.iter().map(|row| format!("{:+.2}", row[k]));
+        Column::new(Kind::Number, name, "", cells)
+    });
+    Table::new([names_of_rows]).with(columns)
 }
 
 /// Points grouped by temperature.
@@ -261,34 +232,29 @@ fn identifiability(calibration: &Calibration) -> Markup {
         p { (design.points) " operating points"
             @if let Some([low, high]) = design.lambda_star { (format!(", Lambda* from {low:.2} to {high:.2}")) }
             ". Before the fit, from the derivatives of the model; each parameter without its own prior." }
-        div.scroll { table {
-            thead { tr { th { "parameter" } th.number { "standard deviation by the points" } th.number { "of the prior" } th { "verdict" } } }
-            tbody { @for one in &design.parameters { tr {
-                th scope="row" { (one.name) } td.number { (percent(one.deviation)) } td.number { (percent(Some(one.prior))) } td { (one.verdict.text()) }
-            } } }
-        } }
+        (identified(&design.parameters))
         @if !design.helpful.is_empty() {
             h3 { "Further measurements that would help most" }
-            div.scroll { table {
-                thead { tr { th.number { "torque" } th.number { "speed" } th.number { "temperature" } th { "helps most" } th.number { "standard deviation now" } th.number { "with the point" } } }
-                tbody { @for one in &design.helpful { tr {
-                    td.number { (format!("{:.0} N m", one.torque_nm)) } td.number { (format!("{:.0} 1/min", one.speed_rpm)) }
-                    td.number { (format!("{:.0} °C", one.temperature_c)) } td { (one.gains_most) }
-                    td.number { (tenths(one.deviation[0])) } td.number { (tenths(one.deviation[1])) }
-                } } }
-            } }
+            (columns! { one in &design.helpful;
+                number torque_nm "torque" "N m" "{:.0}";
+                number speed_rpm "speed" "1/min" "{:.0}";
+                number temperature_c "temperature" "°C" "{:.0}";
+                text gains_most "helps most" "";
+                number now "standard deviation now" "%" "{:.1}" = 100.0 * one.deviation[0];
+                number then "with the point" "%" "{:.1}" = 100.0 * one.deviation[1];
+            })
         }
     }
 }
 
-fn nuisance(calibration: &Calibration) -> Markup {
-    html! { div.scroll { table {
-        thead { tr { th { "term" } th.number { "value" } th.number { "standard deviation" } th.number { "of the prior" } th { "unit" } } }
-        tbody { @for row in &calibration.nuisance { tr {
-            th scope="row" { (row.name) } td.number { (format!("{:.3}", row.value)) } td.number { (format!("{:.3}", row.deviation)) }
-            td.number { (format!("{:.3}", row.prior)) } td { (row.unit) }
-        } } }
-    } } }
+fn nuisance(calibration: &Calibration) -> Table {
+    columns! { row in &calibration.nuisance;
+        head name "term" "";
+        number value "value" "" "{:.3}";
+        number deviation "standard deviation" "" "{:.3}";
+        number prior "of the prior" "" "{:.3}";
+        text unit "unit" "";
+    }
 }
 
 fn provenance(calibration: &Calibration) -> Markup {
@@ -329,31 +295,8 @@ pub(crate) fn render_design(design: &Design) -> String {
             "Points",
             html! { (warnings(&design.warnings)) div.charts { @for at in &temperatures { (at_temperature(at)) } } (design_points(design)) },
         ),
-        ("Expected bands", design_bands(design)),
+        ("Expected bands", design_bands(design).render()),
     ];
     let subtitle = format!("{} · design of a calibration", design.program);
     page(&design.title, &subtitle, &sections)
-}
-
-fn design_points(design: &Design) -> Markup {
-    html! { div.scroll { table {
-        thead { tr { th.number { "torque" } th.number { "speed" } th.number { "temperature" } th.number { "repeats" } th.number { "loss of the mesh" } th.number { "Λ*" } } }
-        tbody { @for one in &design.points { tr {
-            td.number { (format!("{:.1} N m", one.torque_nm)) } td.number { (format!("{:.0} 1/min", one.speed_rpm)) }
-            td.number { (format!("{:.0} °C", one.temperature_c)) } td.number { (one.repeats) }
-            td.number { (format!("{:.1} W", one.loss_w)) }
-            td.number { (one.lambda_star.map_or("-".to_owned(), |value| format!("{value:.2}"))) }
-        } } }
-    } } }
-}
-
-fn design_bands(design: &Design) -> Markup {
-    html! { div.scroll { table {
-        thead { tr { th { "parameter" } th.number { "standard deviation by the points" } th.number { "95 % band" } th.number { "range without calibration" } th { "verdict" } } }
-        tbody { @for one in &design.parameters { tr {
-            th scope="row" { (one.identified.name) } td.number { (percent(one.identified.deviation)) }
-            td.number { (with_unit(&one.identified.key, one.band)) } td.number { (with_unit(&one.identified.key, one.default_range)) }
-            td { (one.identified.verdict.text()) }
-        } } }
-    } } }
 }

@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 
 use asperity::message::Warning;
-use asperity_report::wrapped;
+use asperity_report::{Cell, Table, columns, wrapped};
 
 use crate::design::Design;
-use crate::result::{Calibration, FittedParameter, Identifiability, IdentifiedParameter};
+use crate::result::{Calibration, Identifiability, IdentifiedParameter};
 
 /// Display unit of a key with its size in units of SI, and the decimals of its values.
 pub(crate) fn unit_of(key: &str) -> (&'static str, f64, usize) {
@@ -33,14 +33,12 @@ pub(crate) fn range(key: &str, [low, high]: [f64; 2]) -> String {
     format!("({}..{})", bare(key, low), bare(key, high))
 }
 
-/// A standard deviation of a logarithm.
-pub(crate) fn percent(deviation: Option<f64>) -> String {
-    deviation.map_or("-".to_owned(), |value| format!("{:.0} %", 100.0 * value))
-}
-
-/// A standard deviation of a logarithm with the digits that show the gain of a single point.
-pub(crate) fn tenths(deviation: f64) -> String {
-    format!("{:.1} %", 100.0 * deviation)
+/// A name with its unit.
+pub(crate) fn in_unit(name: &str, unit: &str) -> String {
+    match unit {
+        "" => name.to_owned(),
+        unit => format!("{name} [{unit}]"),
+    }
 }
 
 /// The scatter of a fit relative to the stated errors.
@@ -73,13 +71,11 @@ pub fn before_the_fit(identifiability: &Identifiability) -> String {
     // Writing into a string cannot fail.
     let _ = writeln!(
         text,
-        "identifiability by {} operating points (temperatures {} °C, Lambda* {lambda_star}): standard deviations",
+        "identifiability by {} operating points (temperatures {} °C, Lambda* {lambda_star})",
         identifiability.points,
         temperatures.join(", ")
     );
-    for parameter in &identifiability.parameters {
-        text.push_str(&identified(parameter));
-    }
+    text.push_str(&identified(&identifiability.parameters).text("  "));
     if let Some((first, other, value)) = &identifiability.worst_correlation {
         let _ = writeln!(
             text,
@@ -88,13 +84,13 @@ pub fn before_the_fit(identifiability: &Identifiability) -> String {
     }
     if let Some(best) = identifiability.helpful.first() {
         let line = format!(
-            "  would help most: {:.0} N m, {:.0} 1/min, {:.0} °C ({} {} instead of {})",
+            "  would help most: {:.0} N m, {:.0} 1/min, {:.0} °C ({} {:.1} % instead of {:.1} %)",
             best.torque_nm,
             best.speed_rpm,
             best.temperature_c,
             best.gains_most,
-            tenths(best.deviation[1]),
-            tenths(best.deviation[0]),
+            share(best.deviation[1]),
+            share(best.deviation[0]),
         );
         text.push_str(&wrapped(&line, "    "));
         text.push('\n');
@@ -102,13 +98,52 @@ pub fn before_the_fit(identifiability: &Identifiability) -> String {
     text
 }
 
-fn identified(parameter: &IdentifiedParameter) -> String {
-    format!(
-        "  {:<18} {:>8}   {}\n",
-        parameter.name,
-        percent(parameter.deviation),
-        parameter.verdict.text()
-    )
+/// Standard deviations of the logarithms of the parameters, each without its own prior.
+pub(crate) fn identified(parameters: &[IdentifiedParameter]) -> Table {
+    columns! { one in parameters;
+        head name "parameter" "";
+        number deviation "standard deviation by the points" "%" "{:.0}" = one.deviation.map(share);
+        number prior "of the prior" "%" "{:.0}" = share(one.prior);
+        text verdict "verdict" "" = one.verdict.text();
+    }
+}
+
+/// A share in percent.
+fn share(share: f64) -> f64 {
+    100.0 * share
+}
+
+/// Columns of the fitted parameters that the page has and the terminal has no room for.
+const FOLDED: [&str; 3] = ["profile likelihood", "bootstrap over assemblies", "default"];
+/// Heading of the temperatures held out.
+pub(crate) const HELD_OUT: &str = "Every temperature predicted from the others";
+
+/// Fitted parameters with their bands.
+pub(crate) fn fitted(calibration: &Calibration) -> Table {
+    columns! { one in &calibration.parameters;
+        head name "parameter" "" = in_unit(&one.name, unit_of(&one.key).0);
+        number value "value" "" = bare(&one.key, one.value);
+        number band "95 % band" "" = range(&one.key, one.band);
+        number profile "profile likelihood" "" = range(&one.key, one.profile_band);
+        number bootstrap "bootstrap over assemblies" "" = Cell::optional(one.bootstrap.map(|band| range(&one.key, band)));
+        number default "default" "" = bare(&one.key, one.default);
+        number default_range "range without calibration" "" = range(&one.key, one.default_range);
+        text verdict "by the points" "" = match one.is_open.contains(&true) {
+            true => format!("{} (open)", one.verdict.text()),
+            false => one.verdict.text().to_owned(),
+        };
+    }
+}
+
+/// Deviations of the losses at each temperature from the prediction by the others.
+pub(crate) fn held_out(calibration: &Calibration) -> Table {
+    columns! { one in &calibration.held_out;
+        number temperature_c "temperature" "°C" "{:.0}";
+        number points "points" "";
+        number rms_error "deviation (rms)" "%" "{:.1}" = share(one.rms_error);
+        number expected_error "expected" "%" "{:.1}" = share(one.expected_error);
+        number mean_error "mean" "%" "{:+.1}" = share(one.mean_error);
+    }
 }
 
 /// Summary of a calibration: parameters with bands, quality of the fit, and the block.
@@ -117,51 +152,19 @@ pub(crate) fn summary(calibration: &Calibration) -> String {
     if calibration.is_simulated {
         text.push_str("SIMULATED losses: a rehearsal, not a measurement\n");
     }
-    let _ = writeln!(
-        text,
-        "parameter                value   95 % band            default range"
-    );
-    for parameter in &calibration.parameters {
-        text.push_str(&row(parameter));
-    }
+    text.push_str(&fitted(calibration).without(&FOLDED).text(""));
     let fit = format!("fit  {}", scatter(calibration));
     text.push_str(&wrapped(&fit, "     "));
     text.push('\n');
-    for held in &calibration.held_out {
-        let _ = writeln!(
-            text,
-            "held out  {:.0} °C: {:.1} % from the prediction by the others ({:.1} % expected, mean {:+.1} %)",
-            held.temperature_c,
-            100.0 * held.rms_error,
-            100.0 * held.expected_error,
-            100.0 * held.mean_error,
-        );
+    if !calibration.held_out.is_empty() {
+        text.push_str(HELD_OUT);
+        text.push('\n');
+        text.push_str(&held_out(calibration).text(""));
     }
     text.push_str(&listed(&calibration.warnings));
     text.push_str("for the case:\n");
     text.push_str(&calibration.block);
     text
-}
-
-fn row(parameter: &FittedParameter) -> String {
-    let key = parameter.key.as_str();
-    let open = if parameter.is_open.contains(&true) {
-        " (open)"
-    } else {
-        ""
-    };
-    let verdict = match parameter.verdict {
-        crate::result::Verdict::Identified => String::new(),
-        other => format!("   {}", other.text()),
-    };
-    let text = format!(
-        "{:<18} {:>11}   {:<18}   {:<15}{open}{verdict}",
-        parameter.name,
-        shown(key, parameter.value),
-        range(key, parameter.band),
-        range(key, parameter.default_range),
-    );
-    format!("{}\n", text.trim_end())
 }
 
 /// Summary of a design: points and expected bands.
@@ -172,39 +175,38 @@ pub(crate) fn design_summary(design: &Design) -> String {
         design.limits.assemblies,
         design.candidates
     );
+    text.push_str(&design_points(design).text(""));
     let _ = writeln!(
         text,
-        "   torque    speed  temperature  repeats   loss W  Lambda*"
-    );
-    for point in &design.points {
-        let ratio = point
-            .lambda_star
-            .map_or("-".to_owned(), |value| format!("{value:.2}"));
-        let _ = writeln!(
-            text,
-            "{:>9.1} {:>8.0} {:>12.0} {:>8} {:>8.1} {ratio:>8}",
-            point.torque_nm, point.speed_rpm, point.temperature_c, point.repeats, point.loss_w
-        );
-    }
-    let _ = writeln!(
-        text,
-        "expected with {:.1} % per point   95 % band            default range",
+        "expected with {:.1} % per point",
         100.0 * design.limits.sigma
     );
-    for parameter in &design.parameters {
-        let identified = &parameter.identified;
-        let _ = writeln!(
-            text,
-            "{:<18} {:>9}   {:<18}   {:<15}   {}",
-            identified.name,
-            percent(identified.deviation),
-            range(&identified.key, parameter.band),
-            range(&identified.key, parameter.default_range),
-            identified.verdict.text(),
-        );
-    }
+    text.push_str(&design_bands(design).text(""));
     text.push_str(&listed(&design.warnings));
     text
+}
+
+/// Points of a design.
+pub(crate) fn design_points(design: &Design) -> Table {
+    columns! { point in &design.points;
+        number torque_nm "torque" "N m" "{:.1}";
+        number speed_rpm "speed" "1/min" "{:.0}";
+        number temperature_c "temperature" "°C" "{:.0}";
+        number repeats "repeats" "";
+        number loss_w "loss of the mesh" "W" "{:.1}";
+        number lambda_star "Λ*" "" "{:.2}";
+    }
+}
+
+/// Bands of the parameters that a design is expected to leave.
+pub(crate) fn design_bands(design: &Design) -> Table {
+    columns! { one in &design.parameters;
+        head name "parameter" "" = in_unit(&one.identified.name, unit_of(&one.identified.key).0);
+        number deviation "standard deviation" "%" "{:.0}" = one.identified.deviation.map(share);
+        number band "95 % band" "" = range(&one.identified.key, one.band);
+        number default_range "range without calibration" "" = range(&one.identified.key, one.default_range);
+        text verdict "verdict" "" = one.identified.verdict.text();
+    }
 }
 
 fn listed(warnings: &[Warning]) -> String {

@@ -28,7 +28,7 @@ def rubbed(speed):
 def test_traction_is_that_of_the_command(command, tmp_path):
     ours = asperity.oil_traction("m100", temperature_c=[40, 100])
     theirs = json_of(command, "oil", "traction", "m100", "--temperature", "40,100", "-o", tmp_path / "out")
-    assert ours.to_dict() == theirs and "m100" in repr(ours) and "h/Rq" in str(ours) and "<table" in ours._repr_html_()
+    assert ours.to_dict() == theirs and "m100" in repr(ours) and "film over" in str(ours) and "<table" in ours._repr_html_()
     ours.write(tmp_path / "ours")
     assert (tmp_path / "ours" / "traction.html").is_file()
     assert "m100" in asperity.oils().name

@@ -3,9 +3,12 @@
 //! A table is a list of columns; [`columns!`](crate::columns) makes one from rows with one line for each column: its heading, unit,
 //! digits and value. [`Table::text`] prints it with aligned columns, and on a page it is written into the markup by `(table)`.
 
+use std::borrow::Cow;
+
+use asperity_storage::one_line;
 use maud::{Markup, Render, html};
 
-use crate::wrap::{COLUMNS, wrapped};
+use crate::wrap::{COLUMNS, wrapped_within};
 
 /// A cell of a table.
 #[derive(Debug, Clone, Default)]
@@ -20,6 +23,11 @@ impl Cell {
     /// A number by `format`, or "-" if there is none.
     pub fn number(value: impl Number, format: impl Fn(f64) -> String) -> Self {
         value.number().map_or("-".to_owned(), format).into()
+    }
+
+    /// The text of `value`, or "-" if there is none.
+    pub fn optional(value: Option<impl ToString>) -> Self {
+        value.map_or_else(|| "-".into(), Self::from)
     }
 
     /// `text`, on a page with `markup`.
@@ -37,8 +45,13 @@ impl Cell {
         Self::marked(text, markup)
     }
 
+    /// Its text in the terminal, on one line.
+    fn line(&self) -> Cow<'_, str> {
+        one_line(&self.text)
+    }
+
     fn width(&self) -> usize {
-        self.text.chars().count()
+        length(&self.line())
     }
 }
 
@@ -90,6 +103,21 @@ impl<T: Number + Copy> Number for &T {
     }
 }
 
+/// Lines of a heading in the terminal that need no wider column.
+const USUAL: usize = 2;
+
+/// Least width in which a text of the last column is wrapped.
+const LEAST_ROOM: usize = 20;
+
+/// Lines of the tallest of the `headings`.
+fn tallest(headings: &[Vec<String>]) -> usize {
+    headings.iter().map(Vec::len).max().unwrap_or(0)
+}
+
+fn length(text: &str) -> usize {
+    text.chars().count()
+}
+
 /// How the cells of a column are set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
@@ -130,38 +158,41 @@ impl Column {
         }
     }
 
-    /// Lines of the heading in the terminal: its words, as many in a line as the cells or the longest word are wide. A unit with
-    /// spaces is one word.
-    fn heading_lines(&self) -> (Vec<String>, usize) {
-        let mut words: Vec<String> = Vec::new();
-        for word in self.heading.split(' ') {
-            match words.last_mut() {
-                Some(unit) if unit.starts_with('[') && !unit.ends_with(']') => {
-                    *unit += " ";
-                    *unit += word;
-                }
-                _ => words.push(word.to_owned()),
-            }
-        }
-        let length = |text: &str| text.chars().count();
+    /// Words of the heading, parted at spaces and after hyphens; a unit is one word.
+    fn words(&self) -> Vec<String> {
+        let (name, unit) = match self.heading.rfind('[') {
+            Some(at) => self.heading.split_at(at),
+            None => (self.heading.as_str(), ""),
+        };
+        let words = name.split_inclusive([' ', '-']).chain([unit]);
+        let words = words.filter(|word| !word.is_empty());
+        words.map(str::to_owned).collect()
+    }
+
+    /// Width of the cells and of the longest word of the heading.
+    fn least_width(&self) -> usize {
         let of_cells = self.cells.iter().map(Cell::width);
-        let of_words = words.iter().map(|word| length(word));
-        let width = of_cells.chain(of_words).max().unwrap_or(0);
+        let of_words = self.words().into_iter().map(|word| length(word.trim_end()));
+        of_cells.chain(of_words).max().unwrap_or(0)
+    }
+
+    /// Lines of the heading in the terminal, of at most `width` characters.
+    fn heading_lines(&self, width: usize) -> Vec<String> {
         let mut lines: Vec<String> = Vec::new();
-        for word in words {
+        for word in self.words() {
             match lines.last_mut() {
-                Some(line) if length(line) + 1 + length(&word) <= width => {
-                    *line += " ";
-                    *line += &word;
-                }
+                Some(line) if length(line) + length(word.trim_end()) <= width => *line += &word,
                 _ => lines.push(word),
             }
         }
-        (lines, width)
+        lines
+            .into_iter()
+            .map(|line| line.trim_end().to_owned())
+            .collect()
     }
 }
 
-/// A table: columns of equally many cells.
+/// A table: columns of equally many cells. Without rows neither face shows it.
 #[derive(Debug, Clone, Default)]
 pub struct Table {
     columns: Vec<Column>,
@@ -176,6 +207,17 @@ impl Table {
             columns: columns.into_iter().collect(),
             class: "",
         }
+    }
+
+    /// The table with further rows, each with a cell for every column.
+    #[must_use]
+    pub fn with_rows<const N: usize>(mut self, rows: impl IntoIterator<Item = [Cell; N]>) -> Self {
+        for row in rows {
+            for (column, cell) in self.columns.iter_mut().zip(row) {
+                column.cells.push(cell);
+            }
+        }
+        self
     }
 
     /// The table with further columns at the right.
@@ -214,8 +256,73 @@ impl Table {
         columns.map(|column| column.cells.len()).max().unwrap_or(0)
     }
 
-    /// The table for the terminal: aligned columns, two spaces between them, each line after `indent`. Text of the last column
-    /// goes on in further lines.
+    fn headings(&self, widths: &[usize]) -> Vec<Vec<String>> {
+        let columns = self.columns.iter().zip(widths);
+        columns
+            .map(|(column, width)| column.heading_lines(*width))
+            .collect()
+    }
+
+    /// Widths of the columns in the terminal: as of their cells, wider where that makes the headings lower and there is room.
+    fn widths(&self, indent: &str) -> Vec<usize> {
+        let mut widths: Vec<usize> = self.columns.iter().map(Column::least_width).collect();
+        if let (Some(Kind::Text), Some((last, others))) =
+            (self.last_kind(), widths.split_last_mut())
+        {
+            let left = others.iter().map(|width| width + 2).sum::<usize>() + length(indent);
+            let room = COLUMNS.saturating_sub(left);
+            if room >= LEAST_ROOM {
+                *last = (*last).min(room);
+            }
+        }
+        loop {
+            let headings = self.headings(&widths);
+            let tall = tallest(&headings);
+            if tall <= USUAL {
+                return widths;
+            }
+            let columns = self.columns.iter().zip(&widths).zip(headings);
+            let lower = columns.map(|((column, width), lines)| match lines.len() == tall {
+                true => (*width..)
+                    .find(|width| column.heading_lines(*width).len() < tall)
+                    .unwrap_or(*width),
+                false => *width,
+            });
+            let lower: Vec<usize> = lower.collect();
+            let total = length(indent) + lower.iter().map(|width| width + 2).sum::<usize>() - 2;
+            if total > COLUMNS {
+                return widths;
+            }
+            widths = lower;
+        }
+    }
+
+    fn last_kind(&self) -> Option<Kind> {
+        self.columns.last().map(|column| column.kind)
+    }
+
+    /// Lines of a row in the terminal: a long text in the last column has several.
+    fn lines(&self, row: usize, widths: &[usize]) -> Vec<Vec<String>> {
+        let cells = self.columns.iter().map(|column| column.cells.get(row));
+        let cells = cells.map(|cell| cell.map_or(String::new(), |cell| cell.line().into_owned()));
+        let mut cells: Vec<String> = cells.collect();
+        let is_long = |(text, width): (&String, &usize)| length(text) > *width;
+        if !cells.last().zip(widths.last()).is_some_and(is_long) {
+            return vec![cells];
+        }
+        let last = cells.pop().unwrap_or_default();
+        let text = wrapped_within(&last, "", widths[cells.len()]);
+        let lines = text.lines().map(|line| {
+            let blank = vec![String::new(); cells.len()];
+            let mut all = std::mem::replace(&mut cells, blank);
+            all.push(line.to_owned());
+            all
+        });
+        lines.collect()
+    }
+
+    /// The table for the terminal: aligned columns, two spaces between them, each line after `indent`. A long text in the last
+    /// column is wrapped if there is room for it.
     ///
     /// ```
     /// use asperity_report::columns;
@@ -239,51 +346,34 @@ impl Table {
     /// ```
     #[must_use]
     pub fn text(&self, indent: &str) -> String {
-        let headings: Vec<_> = self.columns.iter().map(Column::heading_lines).collect();
-        let tall = headings.iter().map(|(lines, _)| lines.len()).max();
-        let tall = tall.unwrap_or(0);
+        if self.is_empty() {
+            return String::new();
+        }
+        let widths = self.widths(indent);
+        let headings = self.headings(&widths);
+        let tall = tallest(&headings);
         let blank = String::new();
         let of_headings = (0..tall).map(|line| {
             // Headings stand at the bottom.
-            let cell = |(lines, _): &(Vec<String>, usize)| {
+            let cell = |lines: &Vec<String>| {
                 let above = tall - lines.len();
                 line.checked_sub(above)
                     .map_or(blank.clone(), |k| lines[k].clone())
             };
             headings.iter().map(cell).collect::<Vec<String>>()
         });
-        let of_rows = (0..self.rows()).map(|row| {
-            let cells = self.columns.iter();
-            let cell = |column: &Column| {
-                column
-                    .cells
-                    .get(row)
-                    .map_or(blank.clone(), |cell| cell.text.clone())
-            };
-            cells.map(cell).collect()
-        });
-        let before_last = headings.iter().rev().skip(1).map(|(_, width)| width + 2);
-        let further = match before_last.sum() {
-            offset if offset > COLUMNS / 2 => 4,
-            offset => offset,
-        };
-        let further = indent.to_owned() + &" ".repeat(further);
-        let last = self.columns.last();
-        let is_text = last.is_some_and(|last| last.kind != Kind::Number);
+        let of_rows = (0..self.rows()).flat_map(|row| self.lines(row, &widths));
         let mut text = String::new();
         for cells in of_headings.chain(of_rows) {
             let mut line = indent.to_owned();
-            for ((cell, column), (_, width)) in cells.iter().zip(&self.columns).zip(&headings) {
+            for ((cell, column), width) in cells.iter().zip(&self.columns).zip(&widths) {
                 let padding = " ".repeat(width - cell.chars().count().min(*width));
                 line += &match column.kind {
                     Kind::Number => format!("{padding}{cell}  "),
                     Kind::Head | Kind::Text => format!("{cell}{padding}  "),
                 };
             }
-            text += &match is_text {
-                true => wrapped(line.trim_end(), &further),
-                false => line.trim_end().to_owned(),
-            };
+            text += line.trim_end();
             text.push('\n');
         }
         text
@@ -302,7 +392,7 @@ impl IntoIterator for Table {
 impl Render for Table {
     fn render(&self) -> Markup {
         let class = |column: &Column| (column.kind == Kind::Number).then_some("number");
-        html! { div.scroll { table class=[(!self.class.is_empty()).then_some(self.class)] {
+        html! { @if !self.is_empty() { div.scroll { table class=[(!self.class.is_empty()).then_some(self.class)] {
             thead { tr { @for column in &self.columns { th class=[class(column)] { (column.heading) } } } }
             tbody { @for row in 0..self.rows() { tr { @for column in &self.columns {
                 @let cell = column.cells.get(row).cloned().unwrap_or_default();
@@ -311,7 +401,7 @@ impl Render for Table {
                     _ => td class=[class(column)] { (cell) },
                 }
             } } } }
-        } } }
+        } } } }
     }
 }
 
@@ -319,33 +409,67 @@ impl Render for Table {
 ///
 /// A line is `kind field "heading" "unit"`, for a number with its digits, and `= value` where the value is not the field of
 /// this name: `number temperature_c "temperature" "°C" "{:.0}";`, `text slides "slide-to-roll ratios" "" = slides(row);`. The kind is
-/// `head`, `text`, `code` or `number`; a number without digits is a text that has its digits already.
+/// `head`, `text`, `code` or `number`; a number without digits is a text that has its digits already. The row is a name, or a
+/// pattern in parentheses whose parts the values name: `columns! { (name, [low, high]) in rows; ... }`.
 #[macro_export]
 macro_rules! columns {
-    ($row:ident in $rows:expr; $($kind:ident $name:ident $heading:literal $unit:literal $($digits:literal)? $(= $value:expr)?;)+) => {{
-        let rows: Vec<_> = IntoIterator::into_iter($rows).collect();
-        $crate::Table::new([$(
-            $crate::Column::new(
-                $crate::columns!(@kind $kind),
-                $heading,
-                $unit,
-                rows.iter().map(|$row| $crate::columns!(@cell $kind, $row, $name, [$($digits)?] [$($value)?])),
-            ),
-        )+])
+    ($row:tt in $rows:expr; $($kind:ident $name:ident $heading:literal $unit:literal $($digits:literal)? $(= $value:expr)?;)+) => {{
+        let columns = [$($crate::Column::new($crate::columns!(@kind $kind), $heading, $unit, [""; 0])),+];
+        let rows = IntoIterator::into_iter($rows);
+        $crate::Table::new(columns).with_rows(
+            rows.map(|$row| [$($crate::columns!(@cell $kind, $row, $name, [$($digits)?] [$($value)?])),+]),
+        )
     }};
     (@kind head) => { $crate::Kind::Head };
     (@kind text) => { $crate::Kind::Text };
     (@kind code) => { $crate::Kind::Text };
     (@kind number) => { $crate::Kind::Number };
-    (@cell code, $row:ident, $name:ident, [] $value:tt) => {
+    (@cell code, $row:tt, $name:ident, [] $value:tt) => {
         $crate::Cell::code($crate::columns!(@value $row, $name, $value))
     };
-    (@cell $kind:ident, $row:ident, $name:ident, [] $value:tt) => {
+    (@cell $kind:ident, $row:tt, $name:ident, [] $value:tt) => {
         $crate::Cell::from($crate::columns!(@value $row, $name, $value))
     };
-    (@cell $kind:ident, $row:ident, $name:ident, [$digits:literal] $value:tt) => {
+    (@cell $kind:ident, $row:tt, $name:ident, [$digits:literal] $value:tt) => {
         $crate::Cell::number($crate::columns!(@value $row, $name, $value), |value| format!($digits, value))
     };
-    (@value $row:ident, $name:ident, []) => { &$row.$name };
-    (@value $row:ident, $name:ident, [$value:expr]) => { $value };
+    (@value $row:tt, $name:ident, []) => { &$row.$name };
+    (@value $row:tt, $name:ident, [$value:expr]) => { $value };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn headings_are_low_where_there_is_room_and_a_cell_stays_on_its_line() {
+        let table = |name: &'static str| {
+            let rows = [(name, 22.0)];
+            columns! { (name, share) in rows; head name "name" "" = name; number share "standard deviation of single traces" "%" "{:.0}" = share; }
+        };
+        let room = table("first").text("");
+        let lines: Vec<&str> = room.lines().collect();
+        assert_eq!(
+            lines,
+            [
+                "         standard deviation",
+                "name   of single traces [%]",
+                "first                    22"
+            ]
+        );
+        let name: &'static str =
+            "a name of seventy characters, which leaves no room for wide headings..";
+        let none = table(name).text("");
+        assert_eq!(none.lines().count(), 6, "{none}");
+        assert!(none.lines().all(|line| line.chars().count() <= 81));
+        assert!(table("a\nb").text("").contains("a\\u{a}b "));
+    }
+
+    #[test]
+    fn a_table_without_rows_is_not_shown() {
+        let none: [&str; 0] = [];
+        let table = columns! { name in none; head name "name" "" = name; };
+        assert_eq!(table.text(""), "");
+        assert_eq!(table.render().into_string(), "");
+    }
 }

@@ -21,11 +21,6 @@ pub fn watts(value: f64) -> String {
     rounded(value, (0.1 * value.abs()).max(LEAST_W))
 }
 
-/// Saving by taking a ridge off the measured trace, according to the gradient before.
-pub fn measured(row: &RidgeRow) -> String {
-    row.measured_first_order_w.map_or("-".to_owned(), watts)
-}
-
 /// The saving of all listed ridges together, by a run.
 pub fn saving(ridges: &Ridges) -> String {
     let saved = ridges.loss_w - ridges.pressed_loss_w;

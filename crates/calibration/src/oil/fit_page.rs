@@ -7,12 +7,13 @@ use asperity::result::loss_band::Digits;
 use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
-use asperity_report::{StudyResult, tables};
-use maud::{Markup, html};
+use asperity_report::{Cell, StudyResult, Table, columns, tables};
+use maud::{Markup, Render, html};
 
 use super::oil_fit::{FittedConstant, OilFit, TractionPointRow};
 use super::selection::Dropped;
-use crate::page::{files, notes, warnings};
+use crate::page::{correlations, files, notes, warnings};
+use crate::summary::in_unit;
 
 /// The oil file.
 const FILE: &str = "oil.toml";
@@ -27,29 +28,15 @@ impl StudyResult for OilFit {
     type Context<'a> = ();
 
     fn summary(&self, (): ()) -> String {
-        let mut text = String::new();
-        // Writing into a string cannot fail.
-        let _ = writeln!(
-            text,
-            "{:<38} {:>10}   {:<20} {:<20}",
-            "constant", "value", "5 to 95 %", "family, 5 to 95 %"
-        );
-        text.extend(self.constants.iter().map(row));
+        let mut text = constants(&self.constants).without(&["family"]).text("");
         if !self.is_law_decided {
             let other = &self.other_law;
             let law = other.pressure_law.name();
             let _ = writeln!(text, "by the other law of pressure ({law})");
-            text.extend(other.constants.iter().map(row));
+            text += &constants(&other.constants).without(&["family"]).text("");
         }
         let mut lines = self.sentences();
-        for constant in &self.constants {
-            if let Some(further) = &constant.would_help {
-                lines.push(format!(
-                    "{}: ten readings would help most at {further}",
-                    constant.name
-                ));
-            }
-        }
+        lines.extend(self.helpful());
         text += &notes(&lines, &self.sources, &self.warnings);
         let _ = writeln!(
             text,
@@ -61,10 +48,10 @@ impl StudyResult for OilFit {
 
     fn page(&self, (): ()) -> String {
         let sections = [
-            ("Constants", constants(self)),
+            ("Constants", fitted(self)),
             ("Measured and fitted", curves(self)),
             ("Residuals", residuals(self)),
-            ("Dropped points", dropped(self)),
+            ("Dropped points", dropped(self).render()),
             ("Nuisance terms", nuisance(self)),
             (
                 "Oil file",
@@ -126,6 +113,15 @@ impl OilFit {
         lines
     }
 
+    /// Further readings that would determine a constant.
+    fn helpful(&self) -> impl Iterator<Item = String> {
+        self.constants.iter().filter_map(|constant| {
+            let further = constant.would_help.as_ref()?;
+            let name = &constant.name;
+            Some(format!("{name}: ten readings would help most at {further}"))
+        })
+    }
+
     /// The text of the oil file.
     fn written(&self) -> String {
         self.oil_file()
@@ -134,26 +130,18 @@ impl OilFit {
     }
 }
 
-/// Line of a constant.
-fn row(constant: &FittedConstant) -> String {
-    let verdict = match constant.is_identified {
-        true => "",
-        false => "not identified",
-    };
-    let text = format!(
-        "{:<38} {:>10}   {:<20} {:<20}  {verdict}",
-        named(constant),
-        by_interval(constant.value, constant.range),
-        range(constant.range),
-        range(constant.prior_range)
-    );
-    text.trim_end().to_owned() + "\n"
-}
-
-fn named(constant: &FittedConstant) -> String {
-    match constant.unit.is_empty() {
-        true => constant.name.clone(),
-        false => format!("{} [{}]", constant.name, constant.unit),
+/// Fitted constants and those of the family.
+fn constants(constants: &[FittedConstant]) -> Table {
+    columns! { one in constants;
+        head name "constant" "" = in_unit(&one.name, &one.unit);
+        number value "value" "" = by_interval(one.value, one.range);
+        number range "5 to 95 %" "" = range(one.range);
+        number prior "family" "" = by_interval(one.prior, one.prior_range);
+        number prior_range "5 to 95 % of the family" "" = range(one.prior_range);
+        text verdict "by the points" "" = match one.is_identified {
+            true => "identified",
+            false => "not identified",
+        };
     }
 }
 
@@ -167,32 +155,22 @@ pub(super) fn range(ends: [f64; 2]) -> String {
     format!("({low}..{high})")
 }
 
-fn constants(fit: &OilFit) -> Markup {
-    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+fn fitted(fit: &OilFit) -> Markup {
+    let names: Vec<&str> = fit.constants.iter().map(|one| one.name.as_str()).collect();
+    let further = fit.constants.iter().zip(&fit.other_law.constants);
+    let further = columns! { (one, other) in further;
+        number other "by the other law" "" = by_interval(other.value, other.range);
+        number expected "error left, expected" "%" "{:.0}" = 100.0 * one.expected;
+        number posterior "error left" "%" "{:.0}" = 100.0 * one.posterior;
+    };
     html! {
         @for line in fit.sentences() { p { (line) "." } }
-        div.scroll { table {
-            thead { tr { th { "constant" } th.number { "value" } th.number { "5 to 95 %" } th.number { "family" } th.number { "5 to 95 % of the family" }
-                th.number { "by the other law" } th.number { "error left, expected" } th.number { "error left" } th { "by the points" } } }
-            tbody { @for (one, other) in fit.constants.iter().zip(&fit.other_law.constants) { tr {
-                th scope="row" { (named(one)) }
-                td.number { (by_interval(one.value, one.range)) } td.number { (range(one.range)) }
-                td.number { (by_interval(one.prior, one.prior_range)) } td.number { (range(one.prior_range)) }
-                td.number { (by_interval(other.value, other.range)) }
-                td.number { (percent(one.expected)) } td.number { (percent(one.posterior)) }
-                td { @if one.is_identified { "identified" } @else { "not identified: the error of the family remains" }
-                    @if let Some(further) = &one.would_help { "; ten readings would help most at " (further) } }
-            } } }
-        } }
-        p { "5 to 95 %: the constant lies between these quantiles with a probability of 90 %. The oil file states the 2.5 % and 97.5 % quantiles. Error left: standard deviation after the points over the one of the family." }
+        (constants(&fit.constants).with(further))
+        @for line in fit.helpful() { p { (line) "." } }
+        p { "5 to 95 %: the constant lies between these quantiles with a probability of 90 %. The oil file states the 2.5 % and 97.5 % quantiles. Error left: standard deviation after the points over the one of the family. Not identified: the error of the family remains." }
         (warnings(&fit.warnings))
         h3 { "Correlations" }
-        div.scroll { table {
-            thead { tr { th { "constant" } @for one in &fit.constants { th.number { (one.name) } } } }
-            tbody { @for (one, row) in fit.constants.iter().zip(&fit.correlations) { tr {
-                th scope="row" { (one.name) } @for value in row { td.number { (format!("{value:+.2}")) } }
-            } } }
-        } }
+        (correlations("constant", &names, &fit.correlations))
     }
 }
 
@@ -274,30 +252,27 @@ fn residuals(fit: &OilFit) -> Markup {
     } }
 }
 
-fn dropped(fit: &OilFit) -> Markup {
-    let rows: Vec<&TractionPointRow> = fit
-        .points
-        .iter()
-        .filter(|row| row.dropped.is_some())
-        .collect();
-    html! { @if !rows.is_empty() { div.scroll { table {
-        thead { tr { th { "reading" } th.number { "load" } th.number { "speed" } th.number { "slide-to-roll" } th.number { "temperature" } th.number { "friction" } th.number { "film over roughness" } th { "rule" } } }
-        tbody { @for row in rows { tr {
-            th scope="row" { (row.file) ":" (row.line) }
-            td.number { (format!("{:.0} N", row.load_n)) } td.number { (row.mean_speed_m_s) " m/s" }
-            td.number { (format!("{:.1} %", row.slide_roll_percent)) } td.number { (format!("{:.0} °C", row.temperature_c)) }
-            td.number { (format!("{:.4}", row.traction)) } td.number { (format!("{:.1}", row.film_ratio)) }
-            td { @if let Some(rule) = row.dropped { (rule.to_string()) } }
-        } } }
-    } } } }
+fn dropped(fit: &OilFit) -> Table {
+    let points = fit.points.iter();
+    let rows = points.filter(|row| row.dropped.is_some());
+    columns! { row in rows;
+        head reading "reading" "" = format!("{}:{}", row.file, row.line);
+        number load_n "load" "N" "{:.0}";
+        number mean_speed_m_s "speed" "m/s" = row.mean_speed_m_s;
+        number slide_roll_percent "slide-to-roll ratio" "%" "{:.1}";
+        number temperature_c "temperature" "°C" "{:.0}";
+        number traction "friction" "" "{:.4}";
+        number film_ratio "film over roughness" "" "{:.1}";
+        text dropped "rule" "" = Cell::optional(row.dropped);
+    }
 }
 
 fn nuisance(fit: &OilFit) -> Markup {
     html! {
         p { "For the fit to hold:" }
-        div.scroll { table {
-            thead { tr { th { "term" } th.number { "standard deviations" } } }
-            tbody { @for term in &fit.nuisance { tr { td { (term.text) } td.number { (format!("{:+.2}", term.deviations)) } } } }
-        } }
+        (columns! { term in &fit.nuisance;
+            text text "term" "";
+            number deviations "standard deviations" "" "{:+.2}";
+        })
     }
 }

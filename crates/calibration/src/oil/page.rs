@@ -1,12 +1,11 @@
 //! Page, tables and summary of predicted traction curves.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
-use asperity_report::{StudyResult, tables, wrapped};
+use asperity_report::{Cell, Column, Kind, StudyResult, Table, columns, tables, wrapped};
 use maud::{Markup, html};
 
 use super::traction::{Curves, LEAST_RATIO, PredictedPoint, TractionCurves};
@@ -23,32 +22,7 @@ impl StudyResult for TractionCurves {
 
     fn summary(&self, (): ()) -> String {
         let mut text = conditions(self) + "\n";
-        let heads = SHOWN.map(|percent| format!("{:>10}", format!("at {percent} %")));
-        // Writing into a string cannot fail.
-        let _ = writeln!(
-            text,
-            "{:>6} {:>8} {:>6} {}",
-            "°C",
-            "film nm",
-            "h/Rq",
-            heads.concat()
-        );
-        for curves in &self.curves {
-            let found = SHOWN.map(|percent| {
-                let point = nearest(&curves.over_slide, percent);
-                point.map_or(format!("{:>10}", "-"), |point| {
-                    format!("{:>10.4}", point.traction)
-                })
-            });
-            let film = curves.film_ratio * self.roughness_nm;
-            let _ = writeln!(
-                text,
-                "{:>6.0} {film:>8.0} {:>6.1} {}",
-                curves.temperature_c,
-                curves.film_ratio,
-                found.concat()
-            );
-        }
+        text += &table(self).text("");
         for line in notes(self) {
             text.push_str(&wrapped(&line, "  "));
             text.push('\n');
@@ -72,6 +46,25 @@ impl StudyResult for TractionCurves {
         tables::write(&folder.join(OVER_SLIDE), self.over_slide.iter())?;
         tables::write(&folder.join(OVER_SPEED), self.over_speed.iter())
     }
+}
+
+/// Film and friction at each temperature.
+fn table(traction: &TractionCurves) -> Table {
+    let table = columns! { curves in &traction.curves;
+        number temperature_c "temperature" "°C" "{:.0}";
+        number film "film" "nm" "{:.0}" = curves.film_ratio * traction.roughness_nm;
+        number film_ratio "film over roughness" "" "{:.1}";
+    };
+    table.with(SHOWN.map(|percent| {
+        let heading = format!("friction at {percent} %");
+        let cells = traction.curves.iter().map(|curves| {
+            let point = nearest(&curves.over_slide, percent);
+            Cell::number(point.map(|point| point.traction), |friction| {
+                format!("{friction:.4}")
+            })
+        });
+        Column::new(Kind::Number, &heading, "", cells)
+    }))
 }
 
 fn conditions(traction: &TractionCurves) -> String {

@@ -7,12 +7,14 @@ use asperity::case::law_error;
 use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
-use asperity_report::{StudyResult, tables, wrapped, write_bytes};
-use maud::{Markup, html};
+use asperity_report::{
+    Cell, Column, Kind, StudyResult, Table, columns, tables, wrapped, write_bytes,
+};
+use maud::{Markup, Render, html};
 use serde::Serialize;
 
-use super::plan::{ExpectedError, OilPlan, PlannedCurve, PlannedPoint, Stage, WHOLE};
-use super::problem::STATED_CONSTANTS;
+use super::plan::{OilPlan, PlannedCurve, PlannedPoint, Stage, WHOLE};
+use super::problem::{FALL, STATED_CONSTANTS};
 use crate::rig_table::SIMULATED;
 
 const TO_FILL_IN: &str = "plan.csv";
@@ -48,59 +50,13 @@ impl StudyResult for OilPlan {
     type Context<'a> = ();
 
     fn summary(&self, (): ()) -> String {
-        let mut text = String::new();
-        // Writing into a string cannot fail.
-        let _ = writeln!(
-            text,
-            "{:<16} {:>14} {:>6} {:>12}  slide-to-roll ratio, both signs",
-            WHOLE, "speed", "h/Rq", "pressure"
-        );
-        for curve in &self.curves {
-            let line = format!(
-                "{:>5.0} °C {:>5.0} N {:>10} m/s {:>6.1} {:>8.2} GPa  {}",
-                curve.temperature_c,
-                curve.load_n,
-                curve.mean_speed_m_s,
-                curve.film_ratio,
-                curve.pressure_gpa,
-                slides(curve)
-            );
-            let _ = writeln!(text, "{line}");
-        }
-        text.push('\n');
-        let heads = HEADS.map(|head| format!("{head:>9}"));
-        let _ = writeln!(
-            text,
-            "{:<28} {:>6} {:>5}{}{}",
-            "expected standard deviation",
-            "points",
-            "min",
-            heads.concat(),
-            self.case.as_ref().map_or("", |_| "     loss")
-        );
-        for stage in &self.stages {
-            let cells = cells(stage).map(|cell| format!("{cell:>9}"));
-            let _ = writeln!(
-                text,
-                "{:<38} {:>6} {:>5.0}{}",
-                stage.name,
-                stage.points,
-                stage.minutes,
-                cells.collect::<String>()
-            );
-        }
-        for line in [SYMBOLS.to_owned()].into_iter().chain(notes(self)) {
+        let mut text = format!("{WHOLE}\n{}\n", curves(self).text(""));
+        text += &stages(self).text("");
+        for line in notes(self) {
             text.push_str(&wrapped(&line, "  "));
             text.push('\n');
         }
-        let _ = writeln!(text, "\n{}:", choice(self));
-        for point in &self.chosen {
-            let _ = writeln!(
-                text,
-                "{:>5.0} °C {:>5.0} N {:>10} m/s {:>6} %",
-                point.temperature_c, point.load_n, point.mean_speed_m_s, point.slide_roll_percent
-            );
-        }
+        text += &format!("\n{}\n{}", choice(self), chosen(self).text(""));
         if self.is_simulated() {
             let _ = writeln!(
                 text,
@@ -113,8 +69,8 @@ impl StudyResult for OilPlan {
     fn page(&self, (): ()) -> String {
         let sections = [
             ("Expected errors", errors(self)),
-            ("Minimal plan", curves(self)),
-            (choice(self), chosen(self)),
+            ("Minimal plan", minimal(self)),
+            (choice(self), chosen(self).render()),
         ];
         let subtitle = format!("{} · traction plan", self.program);
         page(&self.title, &subtitle, &sections)
@@ -177,22 +133,38 @@ fn error_rows(stage: &Stage) -> impl Iterator<Item = ErrorRow<'_>> {
     constants.chain(stage.loss_deviation.map(|loss| row("loss", loss)))
 }
 
-/// Meaning of the heads.
-const SYMBOLS: &str = "tau_0: Eyring stress; Lambda: limiting shear stress over pressure at 90 °C, b_L: its fall with temperature; f: pressure-viscosity coefficient in friction over the one in the film.";
-/// Heads of the columns of the constants.
-const HEADS: [&str; 4] = ["tau_0", "Lambda", "b_L 1/K", "f"];
-
-/// Errors of a stage in the order of the heads, then of the loss.
-fn cells(stage: &Stage) -> impl Iterator<Item = String> {
-    let percent = |deviation: f64| format!("{:.1} %", 100.0 * deviation);
-    let cell = move |one: &ExpectedError| match one.key.as_str() {
-        "limiting_shear_temperature" => format!("{:.4}", one.deviation),
-        _ => percent(one.deviation),
+/// Errors of the constants and of the loss that each stage is expected to leave.
+fn stages(plan: &OilPlan) -> Table {
+    let table = columns! { stage in &plan.stages;
+        head name "expected standard deviation" "";
+        number points "points" "";
+        number minutes "duration" "min" "{:.0}";
     };
-    let constants: Vec<String> = stage.constants.iter().map(cell).collect();
-    constants
-        .into_iter()
-        .chain(stage.loss_deviation.map(percent))
+    let constants = STATED_CONSTANTS
+        .iter()
+        .enumerate()
+        .map(|(k, (_, name, _))| {
+            let deviations = plan.stages.iter().map(|stage| stage.constants.get(k));
+            let deviations = deviations.map(|one| one.map(|one| one.deviation));
+            match k == FALL {
+                true => Column::new(
+                    Kind::Number,
+                    name,
+                    "1/K",
+                    deviations.map(|one| Cell::number(one, |one| format!("{one:.4}"))),
+                ),
+                false => percent(name, deviations),
+            }
+        });
+    let losses = plan.stages.iter().map(|stage| stage.loss_deviation);
+    let loss = plan.case.as_ref().map(|_| percent("loss", losses));
+    table.with(constants).with(loss)
+}
+
+/// Column of standard deviations of logarithms.
+fn percent(name: &str, deviations: impl Iterator<Item = Option<f64>>) -> Column {
+    let cells = deviations.map(|one| Cell::number(one, |one| format!("{:.1}", 100.0 * one)));
+    Column::new(Kind::Number, name, "%", cells)
 }
 
 /// Slide-to-roll ratios of a curve, or why it has none.
@@ -208,7 +180,7 @@ fn slides(curve: &PlannedCurve) -> String {
 
 fn joined(percents: &[f64]) -> String {
     let texts = percents.iter().map(ToString::to_string);
-    texts.collect::<Vec<String>>().join(" ") + " %"
+    texts.collect::<Vec<String>>().join(" ")
 }
 
 fn choice(plan: &OilPlan) -> &'static str {
@@ -257,40 +229,37 @@ fn errors(plan: &OilPlan) -> Markup {
     }
     html! {
         div.charts { (figure(&Drawing::Curves(chart))) }
-        div.scroll { table {
-            thead { tr { th { "expected standard deviation" } th.number { "points" } th.number { "min" }
-                @for (_, name, unit) in STATED_CONSTANTS { th.number { (name) @if !unit.is_empty() && unit != "MPa" { " [" (unit) "]" } } }
-                @if plan.case.is_some() { th.number { "loss of the case" } } } }
-            tbody { @for stage in &plan.stages { tr {
-                th scope="row" { (stage.name) } td.number { (stage.points) } td.number { (format!("{:.0}", stage.minutes)) }
-                @for cell in cells(stage) { td.number { (cell) } }
-            } } }
-        } }
+        (stages(plan))
         @for note in notes(plan) { p { (note) } }
     }
 }
 
-fn curves(plan: &OilPlan) -> Markup {
+/// Curves of the minimal plan.
+fn curves(plan: &OilPlan) -> Table {
+    columns! { curve in &plan.curves;
+        number temperature_c "temperature" "°C" "{:.0}";
+        number load_n "load" "N" "{:.0}";
+        number mean_speed_m_s "speed" "m/s" = curve.mean_speed_m_s;
+        number pressure_gpa "Hertz pressure" "GPa" "{:.2}";
+        number film_ratio "film over roughness" "" "{:.1}";
+        text slides "slide-to-roll ratios, both signs" "%" = slides(curve);
+    }
+}
+
+fn minimal(plan: &OilPlan) -> Markup {
     html! {
-        div.scroll { table {
-            thead { tr { th.number { "temperature" } th.number { "load" } th.number { "speed" } th.number { "Hertz pressure" } th.number { "film over roughness" } th { "slide-to-roll ratios, both signs" } } }
-            tbody { @for curve in &plan.curves { tr {
-                td.number { (format!("{:.0} °C", curve.temperature_c)) } td.number { (format!("{:.0} N", curve.load_n)) }
-                td.number { (curve.mean_speed_m_s) " m/s" } td.number { (format!("{:.2} GPa", curve.pressure_gpa)) }
-                td.number { (format!("{:.1}", curve.film_ratio)) } td { (slides(curve)) }
-            } } }
-        } }
+        (curves(plan))
         p { code { (TO_FILL_IN) } " is the table to fill in, with the friction expected before any test." }
     }
 }
 
-fn chosen(plan: &OilPlan) -> Markup {
-    html! { div.scroll { table {
-        thead { tr { th.number { "temperature" } th.number { "load" } th.number { "speed" } th.number { "slide-to-roll ratio" } th.number { "expected friction" } th.number { "film over roughness" } } }
-        tbody { @for point in &plan.chosen { tr {
-            td.number { (format!("{:.0} °C", point.temperature_c)) } td.number { (format!("{:.0} N", point.load_n)) }
-            td.number { (point.mean_speed_m_s) " m/s" } td.number { (point.slide_roll_percent) " %" }
-            td.number { (format!("{:.4}", point.expected_traction)) } td.number { (format!("{:.1}", point.film_ratio)) }
-        } } }
-    } } }
+fn chosen(plan: &OilPlan) -> Table {
+    columns! { point in &plan.chosen;
+        number temperature_c "temperature" "°C" "{:.0}";
+        number load_n "load" "N" "{:.0}";
+        number mean_speed_m_s "speed" "m/s" = point.mean_speed_m_s;
+        number slide_roll_percent "slide-to-roll ratio" "%" = point.slide_roll_percent;
+        number expected_traction "expected friction" "" "{:.4}";
+        number film_ratio "film over roughness" "" "{:.1}";
+    }
 }

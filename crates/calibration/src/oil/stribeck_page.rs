@@ -1,13 +1,12 @@
 //! Page, tables and summary of a boundary friction from Stribeck curves.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity::case::CalibratedName;
 use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 use asperity_report::html::{figure, page};
-use asperity_report::{StudyResult, tables, write_text};
+use asperity_report::{Cell, StudyResult, Table, columns, tables, write_text};
 use maud::{Markup, html};
 
 use super::stribeck::{BoundaryState, Stribeck};
@@ -24,11 +23,7 @@ impl StudyResult for Stribeck {
     type Context<'a> = ();
 
     fn summary(&self, (): ()) -> String {
-        let mut text = String::new();
-        // Writing into a string cannot fail.
-        for state in &self.states {
-            let _ = writeln!(text, "{:<28} {}", named(state), values(state));
-        }
+        let mut text = states(self).text("");
         text += &notes(&sentences(self), &self.sources, &self.warnings);
         text.push_str("for the case (low and high are the 2.5 % and 97.5 % quantiles):\n");
         text.push_str(&self.block());
@@ -78,19 +73,15 @@ fn named(state: &BoundaryState) -> String {
     }
 }
 
-fn values(state: &BoundaryState) -> String {
-    let Some(friction) = state.boundary_friction else {
-        return "no point in boundary lubrication".to_owned();
-    };
-    let slope = state.slope_per_decade.map_or(String::new(), |slope| {
-        format!(", {:+.1} % per decade of speed", 100.0 * slope)
-    });
-    format!(
-        "{}, {} points, scatter {:.1} %{slope}",
-        digits(friction),
-        state.points,
-        100.0 * state.scatter
-    )
+/// Boundary friction before and after rubbing.
+fn states(stribeck: &Stribeck) -> Table {
+    columns! { state in &stribeck.states;
+        head state "state" "" = named(state);
+        number friction "boundary friction" "" = Cell::optional(state.boundary_friction.map(digits));
+        number points "points" "";
+        number scatter "scatter" "%" "{:.1}" = state.boundary_friction.map(|_| 100.0 * state.scatter);
+        number slope "per decade of speed" "%" "{:+.1}" = state.slope_per_decade.map(|slope| 100.0 * slope);
+    }
 }
 
 fn sentences(stribeck: &Stribeck) -> Vec<String> {
@@ -137,9 +128,6 @@ fn friction(stribeck: &Stribeck) -> Markup {
         (warnings(&stribeck.warnings))
         @for line in sentences(stribeck) { p { (line) "." } }
         div.charts { (figure(&Drawing::Curves(chart))) }
-        div.scroll { table {
-            thead { tr { th { "state" } th { "boundary friction" } } }
-            tbody { @for state in &stribeck.states { tr { th scope="row" { (named(state)) } td { (values(state)) } } } }
-        } }
+        (states(stribeck))
     }
 }

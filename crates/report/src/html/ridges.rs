@@ -6,9 +6,9 @@ use maud::{Markup, html};
 
 use super::page::figure;
 use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
-use crate::ridges::{NOTE, measured, notes, saving, saving_of, watts};
+use crate::ridges::{NOTE, notes, saving, saving_of, watts};
 use crate::tables::BODIES;
-use crate::{Table, columns};
+use crate::{Cell, Table, columns};
 
 /// Explanation of the colours.
 const COLOURS: &str = "Colours: height above the mean line times the gradient of the loss, per length of the trace; its integral \
@@ -34,17 +34,16 @@ pub(super) fn section(result: &RunResult) -> Markup {
 }
 
 /// Table of ridges, numbered from 1.
-#[must_use]
 pub fn table(rows: &[RidgeRow]) -> Table {
-    columns! { row in (1..).zip(rows);
-        number ridge "ridge" "" = row.0;
-        text flank "flank" "" = &row.1.flank;
-        number place_mm "place" "mm" "{:.4}" = row.1.place_mm;
-        number width_um "width" "µm" "{:.1}" = row.1.width_um;
-        number height_um "height" "µm" "{:.3}" = row.1.height_um;
-        number first "first" "W" = watts(row.1.first_order_w);
-        number measured "measured" "W" = measured(row.1);
-        number mean "mean" "W" = saving_of(row.1);
+    columns! { (k, row) in rows.iter().enumerate();
+        number ridge "ridge" "" = k + 1;
+        text flank "flank" "" = &row.flank;
+        number place_mm "place" "mm" "{:.4}" = row.place_mm;
+        number width_um "width" "µm" "{:.1}" = row.width_um;
+        number height_um "height" "µm" "{:.3}" = row.height_um;
+        number first "first" "W" = watts(row.first_order_w);
+        number measured "measured" "W" = Cell::optional(row.measured_first_order_w.map(watts));
+        number mean "mean" "W" = saving_of(row);
     }
 }
 

@@ -2,10 +2,10 @@
 
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
-use maud::{Markup, html};
+use maud::html;
 
 use super::study::CallOut;
-use super::summary::{NOTE, cells, headline, inspection, limit_line, losses};
+use super::summary::{NOTE, headline, inspection, limit_line, losses, table};
 
 pub(super) fn render(study: &CallOut) -> String {
     let limit = html! {
@@ -52,16 +52,4 @@ fn curve_chart(study: &CallOut) -> Drawing {
         .with(Series::through("loss", Line::Dots, points))
         .level(study.loss_w, "stated loss");
     Drawing::Curves(chart)
-}
-
-fn table(study: &CallOut) -> Markup {
-    html! { div.scroll { table {
-        thead { tr { th { "parameter" } th.number { "traces" } th.number { "limit over recipe" }
-            th.number { "sd of the limit" } th.number { "sd of single traces" } } }
-        tbody { @for row in &study.parameters {
-            @let [limit, deviation, of_traces] = cells(study, row);
-            tr { td { (row.parameter) } td.number { (row.traces) } td.number { (limit) } td.number { (deviation) }
-                td.number { (of_traces) } }
-        } }
-    } } }
 }

@@ -1,7 +1,7 @@
 //! Summary of a call-out for the terminal.
 
 use asperity::result::loss_band::rounded;
-use asperity_report::wrapped;
+use asperity_report::{Table, columns, wrapped};
 use asperity_storage::one_line;
 
 use super::error::watts;
@@ -22,17 +22,7 @@ pub(super) fn summary(study: &CallOut) -> String {
     }
     text.push_str(&format!("{}\n", inspection(study)));
     text.push_str(&format!("{}\n\n", losses(study)));
-    text.push_str(&format!(
-        "{:9} {:>6} {:>17} {:>16} {:>18}\n",
-        "parameter", "traces", "limit over recipe", "sd of the limit", "sd of single traces"
-    ));
-    for row in &study.parameters {
-        let [limit, deviation, of_traces] = cells(study, row);
-        text.push_str(&format!(
-            "{:9} {:>6} {limit:>17} {deviation:>16} {of_traces:>18}\n",
-            row.parameter, row.traces
-        ));
-    }
+    text.push_str(&table(study).text(""));
     text.push_str(&format!("{}\n", wrapped(NOTE, "")));
     text
 }
@@ -102,13 +92,14 @@ pub(super) fn losses(study: &CallOut) -> String {
     )
 }
 
-/// Limit, deviation of ln(s* u), and relative deviation of single traces, in percent.
-pub(super) fn cells(study: &CallOut, row: &ParameterRow) -> [String; 3] {
-    let error = row.deviation / (study.lots as f64).sqrt();
-    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
-    [
-        rounded(row.limit_over_recipe, 1.4 * error),
-        percent(row.deviation),
-        percent(row.of_traces),
-    ]
+/// The limit by every parameter, with the standard deviations of ln(limit) and of single traces about their flank.
+pub(super) fn table(study: &CallOut) -> Table {
+    let error = |row: &ParameterRow| row.deviation / (study.lots as f64).sqrt();
+    columns! { row in &study.parameters;
+        head parameter "parameter" "";
+        number traces "traces" "";
+        number limit "limit over recipe" "" = rounded(row.limit_over_recipe, 1.4 * error(row));
+        number deviation "standard deviation of the limit" "%" "{:.0}" = 100.0 * row.deviation;
+        number of_traces "standard deviation of single traces" "%" "{:.0}" = 100.0 * row.of_traces;
+    }
 }

@@ -6,10 +6,11 @@ use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
 use asperity_report::html::{along, figure, page, points};
 use asperity_report::tables::BODIES;
 use asperity_report::units::MICRO;
+use asperity_report::{Cell, Column, Kind, columns};
 use maud::{Markup, html};
 
-use super::comparison::{Comparison, PairOfFinish};
-use super::summary::{cells, efficiency, mesh_rows, note, run_in, scope};
+use super::comparison::Comparison;
+use super::summary::{cells, meshes as meshes_table, note, run_in, scope, table};
 use super::windows::PARAMETERS;
 
 pub(super) fn render(comparison: &Comparison) -> String {
@@ -39,12 +40,7 @@ pub(super) fn render(comparison: &Comparison) -> String {
 /// Losses of the meshes of a gear train.
 fn meshes(comparison: &Comparison) -> Markup {
     html! {
-        div.scroll { table {
-            thead { tr { th { "mesh and finish" } th.number { "loss [W]" } th.number { "minus the first [W]" } th.number { "change [%]" } } }
-            tbody { @for [mesh, loss, difference, change] in mesh_rows(comparison) {
-                tr { th scope="row" { (mesh) } td.number { (loss) } td.number { (difference) } td.number { (change) } }
-            } }
-        } }
+        (meshes_table(comparison))
         p.sub { "Losses of one mesh of each kind. A comparison of a single mesh shows its flanks, its spectra and the correlation of their "
             "roughness with the loss." }
     }
@@ -54,27 +50,7 @@ fn verdict(comparison: &Comparison) -> Markup {
     let of_pair = comparison.pairs().next().is_some();
     html! {
         @for verdict in comparison.verdicts() { p { strong { (verdict) "." } } }
-        div.scroll { table {
-            thead { tr {
-                th { "finish" } th.number { "efficiency" } th.number { "loss [W]" }
-                th.number { "minus the first [W]" } th.number { "change [%]" }
-                @if of_pair { th.number { "mixed" } th { "regime" } }
-            } }
-            tbody { @for finish in &comparison.finishes {
-                @let [loss, difference, change] = cells(comparison, finish);
-                tr {
-                    th scope="row" { (finish.name) }
-                    td.number { (efficiency(finish)) " %" }
-                    td.number { (loss) }
-                    td.number { (difference) }
-                    td.number { (change) }
-                    @if let (Some(share), Some(regime)) = (finish.mixed_share, finish.regime) {
-                        td.number { (format!("{:.0} %", 100.0 * share)) }
-                        td { (regime.name()) }
-                    }
-                }
-            } }
-        } }
+        (table(comparison))
         p.sub { "Losses are " (note(comparison)) ". Common contributions, such as the friction of the oil, cancel in the "
             "differences; " (scope(comparison)) "." }
         @for line in run_in(comparison) { p.sub { (line) } }
@@ -127,29 +103,26 @@ fn flanks(comparison: &Comparison) -> Markup {
     if drawings.is_empty() {
         return html! { p { "The flanks are given only by roughness values: no trace was measured." } };
     }
-    let parameters = |pair: &PairOfFinish, body: usize| {
-        let parameters = pair.result.flanks[body].parameters.as_ref()?;
-        let (heights, material) = (&parameters.heights, &parameters.material);
-        let um = |length: Length| format!("{:.3}", length.si() * MICRO);
-        let of_heights = [heights.ra, heights.rq, heights.rz];
-        let of_material = [material.rpk, material.rk, material.rvk];
-        Some(
-            of_heights
-                .into_iter()
-                .chain(of_material)
-                .map(um)
-                .collect::<Vec<String>>(),
-        )
+    let flanks = comparison.pairs().flat_map(|(finish, pair)| {
+        [0, 1].map(|body| (finish, BODIES[body], &pair.result.flanks[body]))
+    });
+    let rows = flanks.filter_map(|(finish, body, flank)| {
+        let parameters = flank.parameters.as_ref()?;
+        Some((finish, body, &parameters.heights, &parameters.material))
+    });
+    let um = |length: Length| length.si() * MICRO;
+    let table = columns! { (finish, body, heights, material) in rows;
+        head name "finish" "" = &finish.name;
+        text body "flank" "" = body;
+        number ra "Ra" "µm" "{:.3}" = um(heights.ra);
+        number rq "Rq" "µm" "{:.3}" = um(heights.rq);
+        number rz "Rz" "µm" "{:.3}" = um(heights.rz);
+        number rpk "Rpk" "µm" "{:.3}" = um(material.rpk);
+        number rk "Rk" "µm" "{:.3}" = um(material.rk);
+        number rvk "Rvk" "µm" "{:.3}" = um(material.rvk);
     };
     html! {
-        div.scroll { table {
-            thead { tr { th { "finish" } th { "flank" } @for name in ["Ra", "Rq", "Rz", "Rpk", "Rk", "Rvk"] { th.number { (name) " [µm]" } } } }
-            tbody { @for (finish, pair) in comparison.pairs() { @for (body, name) in BODIES.iter().enumerate() {
-                @if let Some(values) = parameters(pair, body) {
-                    tr { th scope="row" { (finish.name) } td { (name) } @for value in &values { td.number { (value) } } }
-                }
-            } } }
-        } }
+        (table)
         div.charts { @for drawing in &drawings { (figure(drawing)) } }
     }
 }
@@ -213,40 +186,36 @@ fn contributions(comparison: &Comparison) -> Markup {
     let part = |of: &Uncertainty, name: &str| {
         let digits = of.digits();
         let entry = of.loss.parts.iter().find(|part| part.name == name);
-        entry.map_or("-".to_owned(), |part| {
+        Cell::optional(entry.map(|part| {
             let [low, high] = part.quantiles_w.map(|loss| digits.rounded(loss));
             match low == high {
-                true => format!("{low} W"),
-                false => format!("{low}..{high} W"),
+                true => low,
+                false => format!("{low}..{high}"),
             }
-        })
+        }))
     };
     let other = |of: &Uncertainty, name: &str| {
         let row = of.models().find(|row| row.name == name);
         let loss = row.and_then(|row| row.loss_w);
-        loss.map_or("-".to_owned(), |loss| {
-            format!("{} W", of.digits().rounded(loss))
-        })
+        Cell::optional(loss.map(|loss| of.digits().rounded(loss)))
     };
+    let components = columns! { row in &first.loss.parts; head name "component" ""; };
+    let components = components.with(drawn.iter().map(|(finish, of)| {
+        let cells = first.loss.parts.iter().map(|row| part(of, &row.name));
+        Column::new(Kind::Number, &finish.name, "W", cells)
+    }));
+    let models = columns! { row in first.models(); head name "model" ""; };
+    let models = models.with(drawn.iter().map(|(finish, of)| {
+        let cells = first.models().map(|row| other(of, &row.name));
+        Column::new(Kind::Number, &finish.name, "W", cells)
+    }));
+    let models = models
+        .with(columns! { row in first.models(); text standing "against it" "" = row.standing(); });
     html! {
         h3 { "Components of the uncertainty, each drawn alone, 5 to 95 %" }
-        div.scroll { table {
-            thead { tr { th { "component" } @for (finish, _) in &drawn { th.number { (finish.name) } } } }
-            tbody { @for row in &first.loss.parts {
-                tr { th scope="row" { (row.name) } @for (_, of) in &drawn { td.number { (part(of, &row.name)) } } }
-            } }
-        } }
+        (components)
         h3 { "Other models, and the evidence against them" }
-        div.scroll { table {
-            thead { tr { th { "model" } @for (finish, _) in &drawn { th.number { (finish.name) } } th { "against it" } } }
-            tbody { @for row in first.models() {
-                tr {
-                    th scope="row" { (row.name) }
-                    @for (_, of) in &drawn { td.number { (other(of, &row.name)) } }
-                    td { (row.standing()) }
-                }
-            } }
-        } }
+        (models)
     }
 }
 
@@ -276,16 +245,15 @@ fn roughness(comparison: &Comparison) -> Markup {
     if comparison.correlations.is_empty() {
         return html! {};
     }
+    let table = columns! { entry in &comparison.correlations;
+        head parameter "parameter" "";
+        number with_loss "with the loss" "" "{:+.3}";
+        number within_finishes "within finishes" "" "{:+.3}";
+    };
     html! {
         p { "Rank correlation of Spearman of the roughness under the contact with the loss, over " (comparison.windows)
             " windows. It shows which parameter orders the finishes like their losses, not a cause." }
-        div.scroll { table {
-            thead { tr { th { "parameter" } th.number { "with the loss" } th.number { "within finishes" } } }
-            tbody { @for entry in &comparison.correlations {
-                tr { th scope="row" { (entry.parameter) }
-                    td.number { (format!("{:+.3}", entry.with_loss)) } td.number { (format!("{:+.3}", entry.within_finishes)) } }
-            } }
-        } }
+        (table)
         div.charts { @for chart in &best { (figure(chart)) } }
     }
 }
@@ -309,13 +277,15 @@ fn scatter(comparison: &Comparison, parameter: &str) -> Option<Drawing> {
 }
 
 fn provenance(comparison: &Comparison) -> Markup {
+    let finishes = comparison.finishes.iter();
+    let files = finishes.flat_map(|finish| finish.files.iter().map(move |file| (finish, file)));
+    let table = columns! { (finish, [file, sum]) in files;
+        text finish "finish" "" = &finish.name;
+        code file "file" "" = file;
+        code sum "SHA-256" "" = sum;
+    };
     html! {
-        div.scroll { table {
-            thead { tr { th { "finish" } th { "file" } th { "SHA-256" } } }
-            tbody { @for finish in &comparison.finishes { @for [file, sum] in &finish.files {
-                tr { td { (finish.name) } td { code { (file) } } td { code { (sum) } } }
-            } } }
-        } }
+        (table)
         @for finish in &comparison.finishes { @if !finish.warnings.is_empty() {
             h3 { "Warnings: " (finish.name) }
             ul.warnings { @for warning in &finish.warnings { li { (warning) } } }

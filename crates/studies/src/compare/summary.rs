@@ -1,6 +1,6 @@
 //! Summary of a comparison for the terminal.
 
-use asperity_report::{stated, stated_parts, wrapped};
+use asperity_report::{Cell, Table, columns, stated, stated_parts, wrapped};
 use asperity_storage::one_line;
 
 use asperity::result::loss_band::Digits;
@@ -11,26 +11,8 @@ use super::comparison::{Comparison, FinishResult};
 /// Summary of a comparison for the terminal.
 pub(super) fn summary(comparison: &Comparison) -> String {
     let mut text = format!("{}\n", one_line(&comparison.title));
-    let width = comparison
-        .finishes
-        .iter()
-        .map(|f| f.name.chars().count())
-        .max()
-        .unwrap_or(0)
-        .max(8);
-    text.push_str(&format!(
-        "{:width$}  {:>10}  {:>18}  {:>20}  {:>22}\n",
-        "finish", "efficiency", "loss W", "minus the first W", "change %"
-    ));
-    for finish in &comparison.finishes {
-        let [loss, difference, change] = cells(comparison, finish);
-        text.push_str(&format!(
-            "{:width$}  {:>8} %  {loss:>18}  {difference:>20}  {change:>22}\n",
-            one_line(&finish.name),
-            efficiency(finish),
-        ));
-    }
-    text.push_str(&meshes(comparison));
+    text.push_str(&table(comparison).without(&["mixed", "regime"]).text(""));
+    text.push_str(&meshes(comparison).text(""));
     for verdict in comparison.verdicts() {
         text.push_str(&format!("{}\n", wrapped(&one_line(&verdict), "  ")));
     }
@@ -56,28 +38,37 @@ pub(super) fn summary(comparison: &Comparison) -> String {
     text
 }
 
-/// The meshes of a gear train; empty of a pair of gears.
-fn meshes(comparison: &Comparison) -> String {
-    let rows = mesh_rows(comparison);
-    let width = rows.iter().map(|[mesh, ..]| mesh.chars().count()).max();
-    let width = width.unwrap_or(0);
-    let line = |[mesh, loss, difference, change]: &[String; 4]| {
-        format!(
-            "  {:width$}  {loss:>18}  {difference:>20}  {change:>22}\n",
-            one_line(mesh)
-        )
+/// Efficiency and loss of each finish; of a single mesh also its lubrication.
+pub(super) fn table(comparison: &Comparison) -> Table {
+    let rows = || {
+        let finishes = comparison.finishes.iter();
+        finishes.map(|finish| (finish, cells(comparison, finish)))
     };
-    rows.iter().map(line).collect()
+    let table = columns! { (finish, [loss, difference, change]) in rows();
+        head name "finish" "" = &finish.name;
+        number efficiency "efficiency" "%" = efficiency(finish);
+        number loss "loss" "W" = loss;
+        number difference "minus the first" "W" = difference;
+        number change "change" "%" = change;
+    };
+    if comparison.pairs().next().is_none() {
+        return table;
+    }
+    table.with(columns! { (finish, _) in rows();
+        number mixed "mixed" "%" "{:.0}" = finish.mixed_share.map(|share| 100.0 * share);
+        text regime "regime" "" = Cell::optional(finish.regime.map(|regime| regime.name()));
+    })
 }
 
-/// Name, loss, difference and change of every mesh with every finish, mesh by mesh.
-pub(super) fn mesh_rows(comparison: &Comparison) -> Vec<[String; 4]> {
+/// Loss of every mesh of a gear train with every finish, mesh by mesh.
+pub(super) fn meshes(comparison: &Comparison) -> Table {
     let count = comparison
         .finishes
         .first()
         .map_or(0, |first| first.meshes.len());
-    let of_mesh = |k: usize| {
-        comparison.finishes.iter().filter_map(move |finish| {
+    let finishes = comparison.finishes.iter();
+    let rows = (0..count).flat_map(|k| {
+        finishes.clone().filter_map(move |finish| {
             let mesh = finish.meshes.get(k)?;
             let times = match mesh.count {
                 1 => String::new(),
@@ -86,20 +77,22 @@ pub(super) fn mesh_rows(comparison: &Comparison) -> Vec<[String; 4]> {
             let drawn = mesh.loss_median_w.zip(mesh.loss_quantiles_w);
             let first = comparison
                 .is_later(finish)
-                .then(|| &comparison.finishes[0].meshes[k]);
-            let first = first.map(|first| first.loss_w);
-            let [loss, difference, change] =
-                texts((mesh.loss_w, first), drawn, mesh.difference.as_ref());
-            let name = format!("{times}{}, {}", mesh.mesh, finish.name);
-            Some([name, loss, difference, change])
+                .then(|| comparison.finishes[0].meshes[k].loss_w);
+            let cells = texts((mesh.loss_w, first), drawn, mesh.difference.as_ref());
+            Some((format!("{times}{}, {}", mesh.mesh, finish.name), cells))
         })
-    };
-    (0..count).flat_map(of_mesh).collect()
+    });
+    columns! { (name, [loss, difference, change]) in rows;
+        head name "mesh and finish" "" = name;
+        number loss "loss" "W" = loss;
+        number difference "minus the first" "W" = difference;
+        number change "change" "%" = change;
+    }
 }
 
 /// Median of the efficiency in percent, with the digits that its interval leaves; without an interval the efficiency of
 /// the run.
-pub(super) fn efficiency(finish: &FinishResult) -> String {
+fn efficiency(finish: &FinishResult) -> String {
     match finish.drawn_w() {
         Some((median, quantiles)) => {
             let percent = Digits::of_interval(quantiles).of_percent(finish.power_in_w);

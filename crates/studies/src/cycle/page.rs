@@ -7,9 +7,7 @@ use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
 use super::energy::CycleResult;
-use super::summary::{
-    difference, is_banded, left_aside, lost, per_100_km, share_of_drive, verdicts,
-};
+use super::summary::{is_banded, left_aside, table, verdicts};
 use super::trace::CyclePoint;
 use crate::map::{Map, loss_fields, round_step};
 
@@ -32,7 +30,6 @@ pub(super) fn render(result: &CycleResult, map: &Map) -> String {
 fn energy(result: &CycleResult, map: &Map) -> Markup {
     let [pinion, wheel] = map.shafts();
     let percent = |share: f64| format!("{:.1} %", 100.0 * share);
-    let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
     html! {
         @for verdict in verdicts(result) { p { strong { (verdict) } } }
         @if let Some(note) = left_aside(result) { p { (note) "." } }
@@ -47,17 +44,7 @@ fn energy(result: &CycleResult, map: &Map) -> Markup {
             @if result.extended_share > 0.0 {
                 " At torques whose sliding loss is scaled from the smallest resolved one: " (percent(result.extended_share)) " of the moving time."
             } }
-        div.scroll { table {
-            thead { tr { th { "finish" } th.number { "lost" } th.number { "driving" } th.number { "braking" }
-                th.number { "of drive energy" } th.number { "per 100 km" } th.number { "minus the first" } } }
-            tbody { @for finish in &result.finishes { tr {
-                th scope="row" { (finish.name) }
-                @for text in lost(finish) { td.number { (text) " Wh" } }
-                td.number { (or_none(share_of_drive(finish))) }
-                td.number { (or_none(per_100_km(finish).map(|value| format!("{value} Wh")))) }
-                td.number { (difference(finish)) @if finish.difference_wh.is_some() { " Wh" } }
-            } } }
-        } }
+        (table(result))
         @if is_banded(result) {
             p { "Medians, in brackets 5 and 95 % quantiles over the draws of the map, which are common to all points of the cycle and to "
                 "both finishes of a difference." }

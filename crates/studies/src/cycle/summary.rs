@@ -2,7 +2,7 @@
 
 use asperity::result::loss_band::Digits;
 use asperity_core::{decimals, number};
-use asperity_report::wrapped;
+use asperity_report::{Cell, Table, columns, wrapped};
 use asperity_storage::one_line;
 
 use super::energy::{CycleFinish, CycleResult};
@@ -23,24 +23,7 @@ pub(super) fn summary(result: &CycleResult) -> String {
         number(result.temperature_c),
         result.scope
     );
-    text.push_str(&format!(
-        "{:<16} {:>22} {:>10} {:>10} {:>10} {:>12} {:>24}\n",
-        "finish", "lost Wh", "driving", "braking", "of drive", "Wh/100 km", "minus the first Wh"
-    ));
-    for finish in &result.finishes {
-        let (share, way) = (share_of_drive(finish), per_100_km(finish));
-        let [lost, drive, coast] = lost(finish);
-        text.push_str(&format!(
-            "{:<16} {:>22} {:>10} {:>10} {:>10} {:>12} {:>24}\n",
-            one_line(&finish.name),
-            lost,
-            drive,
-            coast,
-            share.unwrap_or_else(|| "-".to_owned()),
-            way.unwrap_or_else(|| "-".to_owned()),
-            difference(finish)
-        ));
-    }
+    text.push_str(&table(result).text(""));
     let brackets = match is_banded(result) {
         true => "in brackets 5 and 95 % quantiles; ",
         false => "",
@@ -60,6 +43,20 @@ pub(super) fn summary(result: &CycleResult) -> String {
     text
 }
 
+/// The energies of each finish.
+pub(super) fn table(result: &CycleResult) -> Table {
+    let rows = result.finishes.iter().map(|finish| (finish, lost(finish)));
+    columns! { (finish, [lost, drive, coast]) in rows;
+        head name "finish" "" = &finish.name;
+        number lost "lost" "Wh" = lost;
+        number drive "driving" "Wh" = drive;
+        number coast "braking" "Wh" = coast;
+        number share "of drive energy" "%" = Cell::optional(share_of_drive(finish));
+        number way "per 100 km" "Wh" = Cell::optional(per_100_km(finish));
+        number difference "minus the first" "Wh" = difference(finish);
+    }
+}
+
 /// Whether the energies have quantiles.
 pub(super) fn is_banded(result: &CycleResult) -> bool {
     let mut finishes = result.finishes.iter();
@@ -67,7 +64,7 @@ pub(super) fn is_banded(result: &CycleResult) -> bool {
 }
 
 /// Energy lost with its quantiles, and its parts while the pinion and while the wheel drives, which add up to it as printed.
-pub(super) fn lost(finish: &CycleFinish) -> [String; 3] {
+fn lost(finish: &CycleFinish) -> [String; 3] {
     let parts = [finish.lost_drive_wh, finish.lost_coast_wh];
     let drawn = finish.lost_median_wh.zip(finish.lost_quantiles_wh);
     let digits = match drawn {
@@ -94,14 +91,13 @@ fn proportional(finish: &CycleFinish, value: f64) -> String {
     Digits::of_uncertainty(half).rounded(median)
 }
 
-/// The energy lost over the energy at the pinion while it drives.
-pub(super) fn share_of_drive(finish: &CycleFinish) -> Option<String> {
-    let share = finish.share_of_drive?;
-    Some(format!("{} %", proportional(finish, 100.0 * share)))
+/// The energy lost over the energy at the pinion while it drives \[%\].
+fn share_of_drive(finish: &CycleFinish) -> Option<String> {
+    Some(proportional(finish, 100.0 * finish.share_of_drive?))
 }
 
 /// The energy lost per 100 km \[Wh\].
-pub(super) fn per_100_km(finish: &CycleFinish) -> Option<String> {
+fn per_100_km(finish: &CycleFinish) -> Option<String> {
     Some(proportional(finish, finish.wh_per_100_km?))
 }
 
@@ -109,7 +105,7 @@ pub(super) fn per_100_km(finish: &CycleFinish) -> Option<String> {
 pub(super) fn verdicts(result: &CycleResult) -> Vec<String> {
     let verdict = |finish: &CycleFinish| {
         let [whole, ..] = lost(finish);
-        let share = share_of_drive(finish).map(|share| format!(", {share} of the drive energy"));
+        let share = share_of_drive(finish).map(|share| format!(", {share} % of the drive energy"));
         let against = finish.difference_wh.and_then(|_| {
             let first = result.finishes.first()?;
             Some(format!(
@@ -125,7 +121,7 @@ pub(super) fn verdicts(result: &CycleResult) -> Vec<String> {
 }
 
 /// Difference from the first finish with its quantiles.
-pub(super) fn difference(finish: &CycleFinish) -> String {
+fn difference(finish: &CycleFinish) -> String {
     let Some(value) = finish.difference_wh else {
         return "reference".to_owned();
     };

@@ -3,11 +3,12 @@
 use asperity_core::numerics::range;
 use asperity_report::chart::{Axis, Contour, Drawing};
 use asperity_report::html::{figure, page};
-use maud::{Markup, html};
+use asperity_report::{Table, columns};
+use maud::{Markup, Render, html};
 
 use super::axes::Axes;
 use super::point::{FinishMap, Map, Numbers, Point};
-use super::summary::{Extremes, banded, left_aside, parts_at_largest, words};
+use super::summary::{banded, extremes, left_aside, of_meshes, words};
 
 /// Approximate number of bands of a field.
 const BANDS: usize = 10;
@@ -100,7 +101,7 @@ pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
         (
             "Loss",
             html! {
-                (largest(map))
+                (extremes(map))
                 (of_meshes(map))
                 p { "Loss of the " (map.scope) " over torque and speed of the " (pinion) "; negative torque: the "
                     (wheel) " drives. "
@@ -126,41 +127,12 @@ pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
                 (bands(map))
             },
         ),
-        ("Ranges", ranges(map)),
+        ("Ranges", ranges(map).render()),
         ("Provenance", provenance(map)),
     ];
     let names: Vec<&str> = map.finishes.iter().map(|f| f.name.as_str()).collect();
     let subtitle = format!("{} · map of {}", map.program, names.join(", "));
     page(&map.title, &subtitle, &sections)
-}
-
-/// Loss of each mesh at the largest loss of its finish.
-fn of_meshes(map: &Map) -> Markup {
-    if map.finishes.iter().all(|finish| finish.meshes.is_empty()) {
-        return html! {};
-    }
-    html! { div.scroll { table {
-        thead { tr { th { "finish" } th { "mesh" } th.number { "equal meshes" } th.number { "loss of them [W]" } } }
-        tbody { @for finish in &map.finishes { @for [mesh, count, loss] in parts_at_largest(finish) { tr {
-            th scope="row" { (finish.name) } td { (mesh) } td.number { (count) } td.number { (loss) }
-        } } } }
-    } } }
-}
-
-/// Largest loss and best efficiency of each finish.
-fn largest(map: &Map) -> Markup {
-    html! { div.scroll { table {
-        thead { tr {
-            th { "finish" } th.number { "largest loss [W]" } th.number { "at torque [N m]" }
-            th.number { "and speed [1/min]" } th.number { "best efficiency [%]" }
-        } }
-        tbody { @for finish in &map.finishes { @if let Some(extremes) = Extremes::of(finish) { tr {
-            th scope="row" { (finish.name) } td.number { (extremes.loss()) }
-            td.number { (format!("{:.2}", extremes.at.torque_nm)) }
-            td.number { (format!("{:.0}", extremes.at.speed_rpm)) }
-            td.number { (extremes.efficiency()) }
-        } } } }
-    } } }
 }
 
 /// The extrapolations of `finish` beyond those at the operating point of the case, in words; `None` if there are none.
@@ -403,35 +375,28 @@ fn bands(map: &Map) -> Markup {
     if rows.is_empty() {
         return html! {};
     }
+    let table = columns! { (finish, point, loss) in rows.iter().take(MOST_BANDS);
+        head name "finish" "" = &finish.name;
+        number torque_nm "torque" "N m" "{:.2}" = point.torque_nm;
+        number speed_rpm "speed" "1/min" "{:.0}" = point.speed_rpm;
+        number temperature_c "temperature" "°C" = point.temperature_c;
+        number loss "loss" "W" = loss;
+    };
     html! {
         p { "Median of the loss with its 5 and 95 % quantiles, as for a run, at the nodes of torque and speed whose draws were "
             "computed; between them the logarithms of the draws are interpolated. The same at negative torque, unless there are "
             "coast flanks. All points are in map.csv." }
-        div.scroll { table {
-            thead { tr { th { "finish" } th.number { "torque [N m]" } th.number { "speed [1/min]" }
-                th.number { "temperature [°C]" } th.number { "loss [W]" } } }
-            tbody { @for (finish, point, loss) in rows.iter().take(MOST_BANDS) { tr {
-                td { (finish.name) }
-                td.number { (format!("{:.2}", point.torque_nm)) } td.number { (format!("{:.0}", point.speed_rpm)) }
-                td.number { (point.temperature_c) } td.number { (loss) }
-            } } }
-        } }
+        (table)
         @if rows.len() > MOST_BANDS { p { (rows.len() - MOST_BANDS) " more in map.csv." } }
     }
 }
 
-fn ranges(map: &Map) -> Markup {
-    if map.warnings.is_empty() {
-        return html! {};
-    }
-    html! {
-        div.scroll { table {
-            thead { tr { th { "what" } th { "finish" } th.number { "points" } th { "rows of map.csv" } } }
-            tbody { @for warning in &map.warnings { tr {
-                td { (words(&warning.text)) } td { (warning.finish) } td.number { (warning.count) }
-                td { (shortened(&warning.points)) }
-            } } }
-        } }
+fn ranges(map: &Map) -> Table {
+    columns! { warning in &map.warnings;
+        text what "what" "" = words(&warning.text);
+        text finish "finish" "";
+        number count "points" "";
+        text points "rows of map.csv" "" = shortened(&warning.points);
     }
 }
 
@@ -446,13 +411,16 @@ fn shortened(points: &str) -> String {
 }
 
 fn provenance(map: &Map) -> Markup {
-    let pairs = |finish: &FinishMap| {
-        let drive = finish.files.iter().map(|pair| ("drive", pair.clone()));
-        let coast = finish
-            .coast_files
-            .iter()
-            .map(|pair| ("coast", pair.clone()));
-        drive.chain(coast).collect::<Vec<_>>()
+    let files = map.finishes.iter().flat_map(|finish| {
+        let drive = finish.files.iter().map(|pair| ("drive", pair));
+        let coast = finish.coast_files.iter().map(|pair| ("coast", pair));
+        drive.chain(coast).map(move |file| (finish, file))
+    });
+    let table = columns! { (finish, (side, [file, sum])) in files;
+        text finish "finish" "" = &finish.name;
+        text flanks "flanks" "" = side;
+        code file "file" "" = file;
+        code sum "SHA-256" "" = sum;
     };
     html! {
         p { "Scope: " (map.scope) " only; no bearings, seals, churning. Points below "
@@ -460,12 +428,7 @@ fn provenance(map: &Map) -> Markup {
                 @if k > 0 { ", " } (format!("{:.3} N m ({})", finish.resolved_from_nm[0], finish.name))
             } " are extrapolated: the traces do not resolve their contact." }
         @if let Some(note) = left_aside(map) { p { (note) "." } }
-        div.scroll { table {
-            thead { tr { th { "finish" } th { "flanks" } th { "file" } th { "SHA-256" } } }
-            tbody { @for finish in &map.finishes { @for (side, [file, sum]) in pairs(finish) {
-                tr { td { (finish.name) } td { (side) } td { code { (file) } } td { code { (sum) } } }
-            } } }
-        } }
+        (table)
     }
 }
 

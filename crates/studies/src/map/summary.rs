@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use asperity::result::loss_band::Digits;
 use asperity_core::numerics::range;
-use asperity_report::wrapped;
+use asperity_report::{Table, columns, wrapped};
 use asperity_storage::one_line;
 
 use super::point::{EXTENDED, FinishMap, Map, MeshPart, Numbers, Point};
@@ -21,40 +21,8 @@ pub(super) fn summary(map: &Map) -> String {
         axes.temperature_c.len(),
         map.scope
     );
-    text.push_str(&format!(
-        "{:<16} {:>22} {:>12} {:>16} {:>18}\n",
-        "finish", "largest loss W", "share %", "best efficiency", "largest torque N m"
-    ));
-    for finish in &map.finishes {
-        let Some(extremes) = Extremes::of(finish) else {
-            continue;
-        };
-        text.push_str(&format!(
-            "{:<16} {:>22} {:>12} {:>14} % {:>18}\n",
-            finish.name,
-            extremes.loss(),
-            extremes.share(),
-            extremes.efficiency(),
-            extremes.torque(),
-        ));
-    }
-    for finish in &map.finishes {
-        let parts = parts_at_largest(finish);
-        if !parts.is_empty() {
-            let parts = parts
-                .into_iter()
-                .map(|[mesh, count, loss]| match count.as_str() {
-                    "1" => format!("{mesh} {loss} W"),
-                    _ => format!("{count} {mesh} {loss} W"),
-                });
-            let text_of_finish = format!(
-                "{} at the largest loss: {}",
-                finish.name,
-                parts.collect::<Vec<_>>().join(", ")
-            );
-            text.push_str(&format!("{}\n", wrapped(&text_of_finish, "     ")));
-        }
-    }
+    text.push_str(&extremes(map).text(""));
+    text.push_str(&of_meshes(map).text(""));
     if let Some(note) = left_aside(map) {
         text.push_str(&format!("{}\n", wrapped(&note, "     ")));
     }
@@ -63,10 +31,39 @@ pub(super) fn summary(map: &Map) -> String {
     text
 }
 
+/// Largest loss, best efficiency and largest loss torque of each finish.
+pub(super) fn extremes(map: &Map) -> Table {
+    let finishes = map.finishes.iter();
+    let rows = finishes.filter_map(|finish| Some((finish, Extremes::of(finish)?)));
+    columns! { (finish, extremes) in rows;
+        head name "finish" "" = &finish.name;
+        number loss "largest loss" "W" = extremes.loss();
+        number share "share of power" "%" = extremes.share();
+        number at_torque "at torque" "N m" "{:.2}" = extremes.at.torque_nm;
+        number at_speed "and speed" "1/min" "{:.0}" = extremes.at.speed_rpm;
+        number efficiency "best efficiency" "%" = extremes.efficiency();
+        number torque "largest loss torque" "N m" = extremes.torque();
+    }
+}
+
+/// Loss of each mesh of a gear train at the largest loss of its finish.
+pub(super) fn of_meshes(map: &Map) -> Table {
+    let rows = map.finishes.iter().flat_map(|finish| {
+        let parts = parts_at_largest(finish).into_iter();
+        parts.map(move |part| (finish, part))
+    });
+    columns! { (finish, [mesh, count, loss]) in rows;
+        head name "finish" "" = &finish.name;
+        text mesh "mesh" "" = mesh;
+        number count "equal meshes" "" = count;
+        number loss "part of the largest loss" "W" = loss;
+    }
+}
+
 /// The extremes of a finish over the map.
-pub(super) struct Extremes<'a> {
+struct Extremes<'a> {
     /// Point with the largest loss.
-    pub(super) at: &'a Point,
+    at: &'a Point,
     most: Numbers,
     /// Best efficiency, the power in and the losses there.
     best: Option<(f64, f64, Numbers)>,
@@ -75,7 +72,7 @@ pub(super) struct Extremes<'a> {
 }
 
 impl<'a> Extremes<'a> {
-    pub(super) fn of(finish: &'a FinishMap) -> Option<Self> {
+    fn of(finish: &'a FinishMap) -> Option<Self> {
         let numbers = || {
             let points = finish.points.iter();
             points.filter_map(|point| Some((point, point.numbers?)))
@@ -99,7 +96,7 @@ impl<'a> Extremes<'a> {
     }
 
     /// The largest loss \[W\].
-    pub(super) fn loss(&self) -> String {
+    fn loss(&self) -> String {
         let most = &self.most;
         banded(most.loss_w, most.loss_median_w.zip(most.loss_quantiles_w))
     }
@@ -115,7 +112,7 @@ impl<'a> Extremes<'a> {
     }
 
     /// The best efficiency \[%\].
-    pub(super) fn efficiency(&self) -> String {
+    fn efficiency(&self) -> String {
         let text = |(efficiency, power, numbers): (f64, f64, Numbers)| {
             percent_digits(&numbers, power).rounded(100.0 * efficiency)
         };
@@ -138,7 +135,7 @@ impl<'a> Extremes<'a> {
 
 /// Name, number and loss \[W\] of the meshes of a gear train at the largest loss of a finish, which add up to it as printed;
 /// empty of a single mesh.
-pub(super) fn parts_at_largest(finish: &FinishMap) -> Vec<[String; 3]> {
+fn parts_at_largest(finish: &FinishMap) -> Vec<[String; 3]> {
     let Some(extremes) = Extremes::of(finish) else {
         return Vec::new();
     };

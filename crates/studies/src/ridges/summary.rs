@@ -2,40 +2,23 @@
 
 use asperity::result::loss_band::rounded;
 use asperity::result::ridges::{Kinks, OctaveRow, Ridges};
-use asperity_report::ridges::{NOTE, measured, notes, saving, saving_of, watts};
-use asperity_report::wrapped;
+use asperity_report::html::ridges::table;
+use asperity_report::ridges::{NOTE, notes, saving, watts};
+use asperity_report::{columns, wrapped};
 use asperity_storage::one_line;
 
 /// Summary of the study for the terminal.
 pub(super) fn summary(study: &Ridges) -> String {
     let mut text = format!("{}\n{}\n", one_line(&study.title), headline(study));
     text.push_str(&format!("{}\n", saving(study)));
-    text.push_str(&format!(
-        "{:6} {:>9} {:>9} {:>10} {:>8} {:>11} {:>14}\n",
-        "flank", "place mm", "width um", "height um", "first W", "measured W", "mean W"
-    ));
-    for row in &study.rows {
-        text.push_str(&format!(
-            "{:6} {:>9.4} {:>9.1} {:>10.3} {:>8} {:>11} {:>14}\n",
-            row.flank,
-            row.place_mm,
-            row.width_um,
-            row.height_um,
-            watts(row.first_order_w),
-            measured(row),
-            saving_of(row),
-        ));
-    }
-    text.push_str("\nd(loss)/d ln(height) by wavelength, W\n");
-    text.push_str(&format!("{:>18} {:>8} {:>8}\n", "um", "pinion", "wheel"));
-    for octave in &study.octaves {
-        text.push_str(&format!(
-            "{:>18} {:>8} {:>8}\n",
-            wavelengths(octave),
-            watts(octave.pinion_w),
-            watts(octave.wheel_w)
-        ));
-    }
+    text.push_str(&table(&study.rows).text(""));
+    text.push_str("\nd(loss)/d ln(height) by wavelength\n");
+    let octaves = columns! { octave in &study.octaves;
+        text wavelengths "wavelengths" "µm" = wavelengths(octave);
+        number pinion_w "pinion" "W" = watts(octave.pinion_w);
+        number wheel_w "wheel" "W" = watts(octave.wheel_w);
+    };
+    text.push_str(&octaves.text(""));
     text.push_str(&format!("{}\n", wrapped(NOTE, "")));
     let kinks = kinks(&study.kinks).into_iter();
     for note in notes(study).into_iter().chain(kinks) {

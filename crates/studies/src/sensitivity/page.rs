@@ -2,10 +2,12 @@
 
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::html::{figure, page};
-use maud::{Markup, html};
+use maud::html;
 
 use super::study::{Effect, Sensitivity, SensitivityRow};
-use super::summary::{NOTE, change, difference, headline, left_aside, parts, share};
+use super::summary::{
+    NOTE, change, difference, headline, left_aside, named, refused, share, table,
+};
 
 pub(super) fn render(study: &Sensitivity) -> String {
     let changes = html! {
@@ -14,7 +16,11 @@ pub(super) fn render(study: &Sensitivity) -> String {
         @if let Some(note) = left_aside(study) { p { (note) "." } }
         div.charts { (figure(&chart(study))) }
     };
-    let sections = [("Changes of the loss", changes), ("Parts", table(study))];
+    let parts = html! {
+        (table(study))
+        @for line in refused(study) { p { (line) } }
+    };
+    let sections = [("Changes of the loss", changes), ("Parts", parts)];
     let subtitle = format!("sensitivity · {}", headline(study));
     page(&study.title, &subtitle, &sections)
 }
@@ -56,10 +62,6 @@ fn largest(study: &Sensitivity) -> Option<String> {
     ))
 }
 
-fn named(row: &SensitivityRow) -> String {
-    format!("{} → {}", row.what, row.to).replace(" um", " µm")
-}
-
 /// All changes over one axis, group by group.
 fn chart(study: &Sensitivity) -> Drawing {
     let groups = groups(study);
@@ -76,19 +78,4 @@ fn chart(study: &Sensitivity) -> Drawing {
         axis: Axis::new("change of the loss", "W"),
         bars: bars.collect(),
     })
-}
-
-fn table(study: &Sensitivity) -> Markup {
-    html! { div.scroll { table {
-        thead { tr { th { "of" } th { "change" } th { "to" } th.number { "loss [W]" } th.number { "loss [%]" }
-            @for part in ["film", "lubricated asperities", "boundary layer", "rolling"] { th.number { (part) " [W]" } } } }
-        tbody { @for row in &study.rows { tr {
-            td { (row.group) } td { (row.what.replace(" um", " µm")) } td { (row.to.replace(" um", " µm")) }
-            @if let Some(effect) = &row.effect {
-                td.number { (difference(effect)) } td.number { (share(effect)) }
-                @for part in parts(effect) { td.number { (part) } }
-            }
-            @if let Some(refused) = &row.refused { td colspan="6" { (refused.code.as_str()) " " (refused.message) } }
-        } } }
-    } } }
 }

@@ -1,7 +1,7 @@
 //! Summary of a sensitivity study for the terminal.
 
 use asperity::result::loss_band::{Digits, rounded};
-use asperity_report::wrapped;
+use asperity_report::{Cell, Table, columns, wrapped};
 use asperity_storage::one_line;
 
 use super::study::{Effect, Sensitivity, SensitivityRow};
@@ -18,45 +18,63 @@ pub(super) fn summary(study: &Sensitivity) -> String {
         one_line(&study.title),
         headline(study)
     );
-    let name = |row: &SensitivityRow| format!("{} -> {}", row.what, row.to);
-    let width = study.rows.iter().map(|row| name(row).chars().count());
-    let width = width.max().unwrap_or(0);
-    text.push_str(&format!(
-        "{:width$} {:>20} {:>8} {:>7} {:>10} {:>9} {:>8}\n",
-        "", "W", "%", "film", "asperities", "boundary", "rolling"
-    ));
-    for row in &study.rows {
-        let Some(effect) = &row.effect else {
-            let code = row
-                .refused
-                .as_ref()
-                .map_or("", |refused| refused.code.as_str());
-            text.push_str(&format!(
-                "{:width$} {:>20}\n",
-                name(row),
-                format!("- {code}")
-            ));
-            continue;
-        };
-        let [film, asperities, boundary, rolling] = parts(effect);
-        text.push_str(&format!(
-            "{:width$} {:>20} {:>8} {film:>7} {asperities:>10} {boundary:>9} {rolling:>8}\n",
-            name(row),
-            difference(effect),
-            share(effect),
-        ));
-    }
-    for row in &study.rows {
-        if let Some(refused) = &row.refused {
-            let line = format!("{}: {} {}", name(row), refused.code, refused.message);
-            text.push_str(&format!("{}\n", wrapped(&line, "  ")));
-        }
+    text.push_str(&table(study).without(&["of"]).text(""));
+    for line in refused(study) {
+        text.push_str(&format!("{}\n", wrapped(&line, "  ")));
     }
     text.push_str(&format!("{}\n", wrapped(NOTE, "")));
     if let Some(note) = left_aside(study) {
         text.push_str(&format!("{}\n", wrapped(&note, "     ")));
     }
     text
+}
+
+/// The changes of the loss and of its parts; "-" where the model refuses the change.
+pub(super) fn table(study: &Sensitivity) -> Table {
+    let rows = study.rows.iter().map(|row| {
+        let effect = row.effect.as_ref();
+        let parts: [Option<String>; 4] = match effect {
+            Some(effect) => parts(effect).map(Some),
+            None => Default::default(),
+        };
+        (row, of_to(row), effect, parts)
+    });
+    columns! { (row, [what, to], effect, [film, lubricated, boundary, rolling]) in rows;
+        text group "of" "" = &row.group;
+        text what "change" "" = what;
+        text to "to" "" = to;
+        number loss "loss" "W" = Cell::optional(effect.map(difference));
+        number share "loss" "%" = Cell::optional(effect.map(share));
+        number film "film" "W" = Cell::optional(film);
+        number lubricated "lubricated asperities" "W" = Cell::optional(lubricated);
+        number boundary "boundary layer" "W" = Cell::optional(boundary);
+        number rolling "rolling" "W" = Cell::optional(rolling);
+    }
+}
+
+/// The changes that the model refuses, with the reasons.
+pub(super) fn refused(study: &Sensitivity) -> Vec<String> {
+    let line = |row: &SensitivityRow| {
+        let refused = row.refused.as_ref()?;
+        Some(format!(
+            "{}: {} {}",
+            named(row),
+            refused.code,
+            refused.message
+        ))
+    };
+    study.rows.iter().filter_map(line).collect()
+}
+
+/// The change in words.
+pub(super) fn named(row: &SensitivityRow) -> String {
+    let [what, to] = of_to(row);
+    format!("{what} → {to}")
+}
+
+/// The changed key and its new value.
+fn of_to(row: &SensitivityRow) -> [String; 2] {
+    [&row.what, &row.to].map(|text| text.replace(" um", " µm"))
 }
 
 /// W431, if the case states a gearbox.
@@ -108,7 +126,7 @@ pub(super) fn share(effect: &Effect) -> String {
 }
 
 /// The parts of the change with the digits of the total, to which they add up.
-pub(super) fn parts(effect: &Effect) -> [String; 4] {
+fn parts(effect: &Effect) -> [String; 4] {
     let digits = digits(effect);
     let parts = effect.parts();
     let steps = digits.parts(digits.steps(effect.difference_w), &parts);

@@ -10,7 +10,7 @@ use maud::{Markup, html};
 
 use super::columns::{InputColumn, InputValues};
 use super::merged::{EffectRow, Merged};
-use super::words::{Output, input_name};
+use super::words::{Output, input_name, table};
 
 pub(super) fn render(merged: &Merged) -> String {
     let tornados = || {
@@ -166,24 +166,4 @@ fn tornado(merged: &Merged, name: &str) -> Option<Drawing> {
             bars,
         })
     })
-}
-
-fn table(merged: &Merged) -> Markup {
-    let index = |value: f64, [low, high]: [f64; 2]| format!("{value:.2} ({low:.2}..{high:.2})");
-    let has_indices = merged.effects.iter().any(|row| row.indices.is_some());
-    html! { div.scroll { table {
-        thead { tr { th { "result" } th { "input" } th { "key" } th.number { "change" } th.number { "correlation" }
-            @if has_indices { th.number { "first index" } th.number { "total index" } } } }
-        tbody { @for row in &merged.effects {
-            @let output = Output::of(&row.output);
-            tr {
-                td { (output.name) } td { (input_name(&row.input)) } td { code { (row.input) } }
-                td.number { @if let Some(effect) = row.effect { (output.change(&effect)) } }
-                td.number { @if let Some(effect) = row.effect { (format!("{:+.2}", effect.correlation)) } }
-                @if let Some(i) = row.indices {
-                    td.number { (index(i.first, i.first_interval)) } td.number { (index(i.total, i.total_interval)) }
-                }
-            }
-        } }
-    } } }
 }

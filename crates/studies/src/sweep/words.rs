@@ -1,8 +1,10 @@
 //! Results and inputs of a study in words, with their units.
 
 use asperity::result::loss_band::Digits;
+use asperity_report::{Cell, Table, columns};
 
 use super::effects::Effect;
+use super::merged::Merged;
 
 /// A result in words.
 pub(super) struct Output {
@@ -87,6 +89,27 @@ impl Output {
         );
         text.trim_end().to_owned()
     }
+}
+
+/// The effects of the inputs by the regression.
+pub(super) fn table(merged: &Merged) -> Table {
+    let effects = merged.effects.iter();
+    let rows = effects.filter_map(|row| Some((row, Output::of(&row.output), row.effect?)));
+    let table = columns! { (row, output, effect) in rows.clone();
+        text output "result" "" = &output.name;
+        text input "input" "" = input_name(&row.input);
+        code key "key" "" = &row.input;
+        number change "change" "" = output.change(&effect);
+        number correlation "correlation" "" "{:+.2}" = effect.correlation;
+    };
+    if rows.clone().all(|(row, ..)| row.indices.is_none()) {
+        return table;
+    }
+    let index = |value: f64, [low, high]: [f64; 2]| format!("{value:.2} ({low:.2}..{high:.2})");
+    table.with(columns! { (row, _, _) in rows;
+        number first "first index" "" = Cell::optional(row.indices.map(|of| index(of.first, of.first_interval)));
+        number total "total index" "" = Cell::optional(row.indices.map(|of| index(of.total, of.total_interval)));
+    })
 }
 
 /// An input in words: the parts of its key after the table, indices of lists as the gears.

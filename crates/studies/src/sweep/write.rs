@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::merged::Merged;
 use super::page;
-use super::words::Output;
+use super::words::table;
 
 impl StudyResult for Merged {
     const KIND: &'static str = "sweep";
@@ -42,29 +42,7 @@ fn summary(merged: &Merged) -> String {
         let title = explain(code).map_or("", |entry| entry.title);
         text.push_str(&format!("{code} in {count} cases: {title}\n"));
     }
-    if merged.effects.iter().any(|row| row.effect.is_some()) {
-        text.push_str(&format!(
-            "{:<20} {:<36} {:>30} {:>22} {:>22}\n",
-            "result", "input", "change", "first index", "total index"
-        ));
-    }
-    for row in &merged.effects {
-        let Some(effect) = row.effect else { continue };
-        let of = |value: f64, [low, high]: [f64; 2]| format!("{value:.2} ({low:.2}..{high:.2})");
-        let (first, total) = match row.indices {
-            Some(indices) => (
-                of(indices.first, indices.first_interval),
-                of(indices.total, indices.total_interval),
-            ),
-            None => ("-".to_owned(), "-".to_owned()),
-        };
-        let output = Output::of(&row.output);
-        let change = output.change(&effect);
-        text.push_str(&format!(
-            "{:<20} {:<36} {change:>30} {first:>22} {total:>22}\n",
-            output.name, row.input
-        ));
-    }
+    text.push_str(&table(merged).without(&["input"]).text(""));
     text.push_str(&format!("SHA-256 {}\n", merged.sha256));
     text
 }
