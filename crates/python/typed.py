@@ -260,6 +260,7 @@ def study(found):
         f"{' [default' + setting['about'].split(' [default')[1] if ' [default' in setting['about'] else ''}.\n" for setting, *_ in rows
     )
     values = "".join(f'        "{setting["name"]}": {value},\n' for setting, _, _, value in rows)
+    settings = f"    settings = {{\n{values}    }}\n" if values else ""
     quantity = "    from ._quantity import written\n" if "written(" in values else ""
     home = f"_{name}" if name in RESULTS else "_study"
     names = ["Study", "of_case"] if result == "Study" else ["of_case"]
@@ -278,8 +279,7 @@ def {name}(
 {about}        threads, progress: as in `Case.run`.
     """
 {"".join(imports)}
-    settings = {{{chr(10) + values + "    " if values else ""}}}
-    return {result}(of_case("{name}", case, settings, threads, progress, "{found["steps"]}"))
+{settings}    return {result}(of_case("{name}", case, {"settings" if values else "{}"}, threads, progress, "{found["steps"]}"))
 '''
 
 

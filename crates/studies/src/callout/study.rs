@@ -42,7 +42,7 @@ settings! {
         confidence: Ratio = "90 %",
         /// Standard deviation of heights, wavelengths and peaks about the median of their lot
         scatter: Ratio = "10 %",
-        /// Parameter: rpk, rq or rdq [default: the one that predicts the loss best]
+        /// Roughness parameter on the drawing: rpk, rq or rdq [default: the one that predicts the loss best]
         parameter: Option<RoughnessParameter>,
         /// Number of traces to inspect [default: as many as further ones change the limit by 2 %]
         traces: Option<usize>,
