@@ -3,8 +3,10 @@
 pub mod own;
 
 use std::borrow::Cow;
+use std::cell::Cell;
 
-use asperity_core::RepeatedFault;
+use asperity_core::message::Warning;
+use asperity_core::{Code, RepeatedFault};
 
 /// A row that is not valid.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -41,6 +43,8 @@ pub struct Table {
     /// The header as it is written.
     heads: csv::StringRecord,
     names: Vec<String>,
+    /// Whether a cell of each column was asked for.
+    is_read: Vec<Cell<bool>>,
     /// Line and cells of every row.
     rows: Vec<(usize, csv::StringRecord)>,
     has_decimal_comma: bool,
@@ -123,6 +127,7 @@ impl Table {
         let has_point = cells().any(|cell| cell.contains('.') && number(cell, false).is_some());
         Ok(Self {
             heads,
+            is_read: vec![Cell::new(false); names.len()],
             names,
             rows,
             has_decimal_comma: separator != Some(',') && !has_point,
@@ -144,6 +149,34 @@ impl Table {
     #[must_use]
     pub fn names(&self) -> &[String] {
         &self.names
+    }
+
+    /// The warning that names the columns with cells of which none was read, if there are any; `table` says in words which table it
+    /// is. Columns named `-` were left out on purpose.
+    ///
+    /// ```
+    /// use asperity_table::Table;
+    /// let table = Table::read("time_s,gear,empty,Remark\n0,1,,a\n1,1,,b\n").unwrap();
+    /// table.values(|row| row.number("time_s")).unwrap();
+    /// let warning = table.unread("trip.csv").unwrap().to_string();
+    /// assert_eq!(warning, "W454 columns of trip.csv that are not read: gear, Remark");
+    /// ```
+    #[must_use]
+    pub fn unread(&self, table: &str) -> Option<Warning> {
+        let has_cells = |at: usize| {
+            let mut cells = self.rows.iter().filter_map(|(_, row)| row.get(at));
+            cells.any(|cell| !cell.is_empty())
+        };
+        let is_unread =
+            |at: &usize| self.names[*at] != "-" && !self.is_read[*at].get() && has_cells(*at);
+        let head = |at: usize| match self.heads.get(at).unwrap_or_default() {
+            "" => format!("number {}", at + 1),
+            head => head.to_owned(),
+        };
+        let unread = (0..self.names.len()).filter(is_unread).map(head);
+        let unread = Vec::from_iter(unread).join(", ");
+        let text = || format!("columns of {table} that are not read: {unread}");
+        (!unread.is_empty()).then(|| Warning::new(Code::W454, text()))
     }
 
     /// Whether there is a column of this name.
@@ -334,6 +367,7 @@ impl<'a> Row<'a> {
     }
 
     fn cell(&self, index: usize) -> Option<&'a str> {
+        self.table.is_read.get(index)?.set(true);
         self.record.get(index).filter(|text| !text.is_empty())
     }
 

@@ -421,17 +421,15 @@ fn bands(map: &Map) -> Markup {
 }
 
 fn ranges(map: &Map) -> Markup {
-    if map.warnings.is_empty() {
-        return html! {};
-    }
     html! {
-        div.scroll { table {
+        @for warning in &map.table_warnings { p { (warning) "." } }
+        @if !map.warnings.is_empty() { div.scroll { table {
             thead { tr { th { "what" } th { "finish" } th.number { "points" } th { "rows of map.csv" } } }
             tbody { @for warning in &map.warnings { tr {
                 td { (words(&warning.text)) } td { (warning.finish) } td.number { (warning.count) }
                 td { (shortened(&warning.points)) }
             } } }
-        } }
+        } } }
     }
 }
 
