@@ -5,8 +5,11 @@ pub mod own;
 use std::borrow::Cow;
 use std::cell::Cell;
 
-use asperity_core::message::Warning;
+use asperity_core::message::{Warning, columns_not_read};
 use asperity_core::{Code, RepeatedFault};
+
+/// Rule that a cell with another text than a number violates.
+const NO_NUMBER: &str = "is not a finite number";
 
 /// A row that is not valid.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -174,9 +177,8 @@ impl Table {
             head => head.to_owned(),
         };
         let unread = (0..self.names.len()).filter(is_unread).map(head);
-        let unread = Vec::from_iter(unread).join(", ");
-        let text = || format!("columns of {table} that are not read: {unread}");
-        (!unread.is_empty()).then(|| Warning::new(Code::W454, text()))
+        let unread: Vec<String> = unread.collect();
+        (!unread.is_empty()).then(|| Warning::new(Code::W454, columns_not_read(table, &unread)))
     }
 
     /// Whether there is a column of this name.
@@ -256,8 +258,13 @@ impl Table {
         let of_file = found.iter().filter(|(_, like)| like.is_dialect());
         faults.extend(of_file.map(|(first, like)| RowFault {
             rule: format!(
-                "{}; {like}; the column seems to hold something else",
-                first.rule
+                "{}; {like}; {}",
+                first.rule,
+                match first.rule.ends_with(NO_NUMBER) {
+                    true =>
+                        "export the column as numbers alone, without units or words in its cells",
+                    false => "the column seems to hold something else, or to have another unit",
+                }
             ),
             ..first.clone()
         }));
@@ -285,6 +292,13 @@ fn separator(text: &str) -> Option<char> {
     }
 }
 
+/// A reader of cells, with the header as the first row.
+fn cells() -> csv::ReaderBuilder {
+    let mut reader = csv::ReaderBuilder::new();
+    reader.has_headers(false);
+    reader
+}
+
 /// The rows of the table in `text` that are not empty, with their lines.
 fn records(text: &str, separator: Option<char>) -> Vec<(usize, csv::StringRecord)> {
     let Some(separator) = separator else {
@@ -293,12 +307,11 @@ fn records(text: &str, separator: Option<char>) -> Vec<(usize, csv::StringRecord
         let record = |(at, line): (usize, &str)| (at + 1, line.split_whitespace().collect());
         return lines.map(record).collect();
     };
-    let mut reader = csv::ReaderBuilder::new()
+    let mut reader = cells()
         .comment(Some(b'#'))
         .delimiter(separator as u8)
         .trim(csv::Trim::All)
         .flexible(true)
-        .has_headers(false)
         .from_reader(text.as_bytes());
     let begins = Lines::new(text);
     // A text can always be split into cells: it is valid UTF-8, and its rows may have any length.
@@ -419,7 +432,7 @@ impl<'a> Row<'a> {
 
     fn parsed(&self, column: &str, cell: &str) -> Result<f64, RowFault> {
         let fault = || {
-            let rule = format!("{cell:?} is not a finite number");
+            let rule = format!("{cell:?} {NO_NUMBER}");
             self.fault(column.to_owned(), rule)
         };
         number(cell, self.table.has_decimal_comma).ok_or_else(fault)
