@@ -71,6 +71,13 @@ impl Rehearsal {
         ];
         let axes = ["--torque", "60,183.4", "--speed", "25..4400:7:log"];
         let designed = bench.run(&[&design[..], &axes].concat()).well().out;
+        let simulated = fs::read_to_string(bench.path("design/simulated.csv")).unwrap();
+        let remarked = simulated.lines().map(|line| match line.chars().next() {
+            Some('#') => format!("{line}\n"),
+            Some('t') => format!("{line},Remark\n"),
+            _ => format!("{line},cold\n"),
+        });
+        bench.write("design/simulated.csv", remarked.collect::<String>());
         let calibrate = [
             "calibrate",
             "design/simulated.csv",
@@ -132,6 +139,8 @@ fn a_design_is_rehearsed_and_its_calibration_narrows_the_band_of_a_run() {
         text.contains("W431 the gearbox of the case is ignored"),
         "{text}"
     );
+    let unread = "W454 columns of design/simulated.csv that are not read: Remark";
+    assert!(text.contains(unread), "{text}");
     let before = text.find("identifiability by").unwrap();
     assert!(before < text.find("95 % band").unwrap(), "{text}");
     assert!(
@@ -145,6 +154,7 @@ fn a_design_is_rehearsed_and_its_calibration_narrows_the_band_of_a_run() {
         "Residuals over torque",
         "Residuals over temperature",
         "SIMULATED",
+        unread,
     ] {
         assert!(page.contains(part), "{part}");
     }

@@ -177,6 +177,16 @@ fn constants_of_the_film_friction_need_a_shear_stress() {
         .refused_json("E212", "limiting_shear_temperature");
 }
 
+const UNREAD: &str = "W454 columns of curves.csv that are not read: Remark";
+
+/// A table with a further column.
+fn with_remark(table: &str) -> String {
+    table
+        .replacen('\n', ",Remark\n", 1)
+        .replace('\n', ",a\n")
+        .replacen(",a\n", "\n", 1)
+}
+
 /// Predicted curves of an oil as a table of measured ones, each friction changed; every third point, which is fitted sooner.
 fn curves(bench: &Bench, change: impl Fn(f64) -> f64) -> String {
     every(3, bench, change)
@@ -203,9 +213,13 @@ fn every(step: usize, bench: &Bench, change: impl Fn(f64) -> f64) -> String {
 #[test]
 fn curves_of_an_oil_give_its_constants_back() {
     let bench = Bench::new();
-    bench.write("curves.csv", curves(&bench, |traction| traction));
+    bench.write(
+        "curves.csv",
+        with_remark(&curves(&bench, |traction| traction)),
+    );
     let arguments = ["oil", "fit", "curves.csv", "--oil", "m100", "-o", "found"];
     let out = bench.run(&arguments).well().unwrapped();
+    assert!(out.contains(UNREAD), "{out}");
     // Exact curves: the stated errors are far too large.
     assert!(
         out.contains("W441 the residuals are 0.0 times the stated errors"),
@@ -491,7 +505,7 @@ fn rubbed(speed: f64, rubbing: f64) -> f64 {
 #[test]
 fn stribeck_curves_give_the_boundary_friction_of_rubbed_specimens() {
     let bench = Bench::new();
-    bench.write("curves.csv", stribeck(rubbed));
+    bench.write("curves.csv", with_remark(&stribeck(rubbed)));
     let arguments = [
         "oil",
         "stribeck",
@@ -506,6 +520,7 @@ fn stribeck_curves_give_the_boundary_friction_of_rubbed_specimens() {
     for part in [
         "before rubbing 0.05898 5 ",
         "after 7200 s of rubbing 0.117",
+        UNREAD,
         "(0.09922..0.1379, 5 to 95 %) at 120 °C",
     ] {
         assert!(out.contains(part), "{part:?} is not in {out}");

@@ -176,6 +176,87 @@ fn a_loss_map_of_vecto_is_an_added_loss() {
 }
 
 #[test]
+fn columns_of_losses_and_cycles_that_are_not_read_are_named_where_they_are_used() {
+    let bench = with_map();
+    let losses = "speed_rpm,loss_torque_nm,Remark\n0,0.1,a\n12000,0.3,b\n";
+    bench.write("losses.csv", losses);
+    bench.write(
+        "trip.csv",
+        "time_s,torque_nm,speed_rpm,gear\n0,50,1000,1\n1,60,2000,2\n",
+    );
+    let unread = [
+        "W454 columns of losses.csv that are not read: Remark",
+        "W454 columns of the cycle that are not read: gear",
+    ];
+    // A pair of gears and a train with a table of losses: check and run, each once.
+    bench.run(&["demo", "--gears", "vw-id3"]).well();
+    bench.write("vw-id3/losses.csv", losses);
+    for (case, stated) in [
+        ("case.toml", "gearbox.loss_table=losses.csv"),
+        (
+            "vw-id3/case.toml",
+            "gearbox.tables=[{ file = \"losses.csv\", shaft = \"input\" }]",
+        ),
+    ] {
+        let set = [
+            "--set",
+            stated,
+            "--set",
+            "model.positions=4",
+            "--set",
+            "model.offsets=2",
+        ];
+        let check = bench.run(&[&["check", case][..], &set].concat()).well();
+        let named = check.unwrapped().matches(unread[0]).count();
+        assert_eq!(named, 1, "{}", check.out);
+        let run = ["run", case, "--no-output", "--no-band", "--json"];
+        let run = bench.run(&[&run[..], &set].concat()).well().json();
+        assert_eq!(
+            run["warnings"].to_string().matches("W454").count(),
+            1,
+            "{run:#}"
+        );
+    }
+    // Tables beside a map.
+    let map = [
+        "map",
+        "case.toml",
+        "-o",
+        "n",
+        "--torque=20,200",
+        "--speed=500,12000",
+        "--band",
+        "none",
+        "--export",
+        "csv",
+        "--add-loss",
+        "losses.csv",
+        "--cycle",
+        "trip.csv",
+    ];
+    let out = bench.run(&map).well().unwrapped();
+    let page = std::fs::read_to_string(bench.path("n/map.html")).unwrap();
+    let json = std::fs::read_to_string(bench.path("n/map.json")).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(
+        json["table_warnings"].as_array().unwrap().len(),
+        2,
+        "{json:#}"
+    );
+    for text in unread {
+        assert!(out.contains(text) && page.contains(text), "{text}: {out}");
+    }
+    // A column of a list of cases is a key.
+    bench.write("list.csv", "operation.torque [N m],Remark\n100,1\n");
+    bench.write(
+        "study.toml",
+        "case = \"case.toml\"\n[sample]\nmethod = \"list\"\nfile = \"list.csv\"\n",
+    );
+    let sweep = bench.run(&["sweep", "run", "study.toml"]);
+    sweep.refused(2, "E203", &["Remark"]);
+}
+
+#[test]
 fn the_mean_of_an_isotropic_surface_is_refused_for_its_rows() {
     let bench = Bench::new();
     bench.write_flanks();

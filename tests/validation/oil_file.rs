@@ -28,7 +28,7 @@ fn oil_file(case: &LoadedCase, is_scattered: bool) -> String {
     let oil = OilBase::of_case(&case.case, ConstantsOf::Family).unwrap();
     let length = Length::from_si;
     let machine = Machine::ball_on_disc(length(9.525e-3), None, length(15e-9)).unwrap();
-    let mut readings = read_table("curves.csv", CURVES, &machine).unwrap();
+    let (mut readings, _) = read_table("curves.csv", CURVES, &machine).unwrap();
     let mut errors = PointErrors {
         relative: 0.025,
         floor: 1e-3,
@@ -46,7 +46,7 @@ fn oil_file(case: &LoadedCase, is_scattered: bool) -> String {
         errors,
         is_forced: false,
     };
-    let fit = OilFit::of(&oil, &readings, Vec::new(), settings).unwrap();
+    let fit = OilFit::of(&oil, readings.into(), settings).unwrap();
     fit.oil_file().unwrap().to_string()
 }
 
@@ -188,7 +188,7 @@ fn simulated_oil_files(case: &LoadedCase) -> Vec<String> {
             );
         }
     }
-    let planned = read_table("simulated.csv", &table, &machine).unwrap();
+    let (planned, _) = read_table("simulated.csv", &table, &machine).unwrap();
     let points = set_points(&planned);
     let law = oil.rheology.laws().1;
     let priors = Priors::family(oil.deviations);
@@ -217,7 +217,7 @@ fn simulated_oil_files(case: &LoadedCase) -> Vec<String> {
             errors,
             is_forced: true,
         };
-        let fit = OilFit::of(&oil, &readings, Vec::new(), settings).unwrap();
+        let fit = OilFit::of(&oil, readings.into(), settings).unwrap();
         fit.oil_file().unwrap().to_string()
     };
     (1..=SIMULATED[0]).map(of_seed).collect()

@@ -63,7 +63,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     )?;
     progress.begin("points");
     let watch = |done, total| progress.at(done, total);
-    let map = map::map(&finishes, &axes, args.band.points(), &watch)
+    let mut map = map::map(&finishes, &axes, args.band.points(), &watch)
         .map_err(|error| Failure::about(&args.case, &error))?;
     if let Some(code) = map.refused() {
         let message = "no point of the map has a loss";
@@ -77,6 +77,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         beside: Some(&folder),
     };
     let exports = exports(args, &map, with)?;
+    map.table_warnings = with.warnings();
     let extras = MapExtras {
         visited: &visited,
         exports: &exports,

@@ -10,8 +10,8 @@ use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
-    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, Probe, Reading,
-    Stribeck, TractionCurves, TractionRange, read_text, source,
+    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, Probe, Readings,
+    Stribeck, TractionCurves, TractionRange,
 };
 use asperity_calibration::table_text;
 use asperity_core::quantity::Temperature;
@@ -170,8 +170,8 @@ fn stribeck(args: &OilStribeckArgs, common: &Common) -> Result<(), Failure> {
         refusal.map_err(refused)?;
     }
     let machine = machine(&args.specimens)?;
-    let (mut all, sources) = all_readings(&args.files, &machine, args.temperature_column)?;
-    for reading in &mut all {
+    let mut readings = all_readings(&args.files, &machine, args.temperature_column)?;
+    for reading in &mut readings.all {
         let file = args
             .files
             .iter()
@@ -179,7 +179,7 @@ fn stribeck(args: &OilStribeckArgs, common: &Common) -> Result<(), Failure> {
         let time = file.and_then(|k| args.rubbing.get(k));
         reading.rubbing_s = reading.rubbing_s.or(time.map(|time| time.si()));
     }
-    let found = Stribeck::of(&oil, &all, sources)?;
+    let found = Stribeck::of(&oil, readings)?;
     study::finish(&found, (), &folder, Some(begin), common)
 }
 
@@ -218,24 +218,23 @@ fn traction(args: &OilTractionArgs, common: &Common) -> Result<(), Failure> {
     study::finish(&curves, (), &folder, Some(begin), common)
 }
 
-/// Readings of files, and their SHA-256.
+/// Readings of files.
 fn all_readings(
     files: &[PathBuf],
     machine: &Machine,
     column: TemperatureColumnArg,
-) -> Result<(Vec<Reading>, Vec<[String; 2]>), Failure> {
+) -> Result<Readings, Failure> {
     let probe = match column {
         TemperatureColumnArg::Lube => Probe::Lube,
         TemperatureColumnArg::Pot => Probe::Pot,
     };
-    let (mut all, mut sources) = (Vec::new(), Vec::new());
+    let mut readings = Readings::default();
     for path in files {
         let name = path.display().to_string();
         let text = table_text(path).map_err(asperity_calibration::oil::error::of_table)?;
-        all.extend(read_text(&name, &text, machine, probe)?);
-        sources.push(source(&name, &text));
+        readings.append(Readings::read(&name, &text, machine, probe)?);
     }
-    Ok((all, sources))
+    Ok(readings)
 }
 
 fn fit(args: &OilFitArgs, common: &Common) -> Result<(), Failure> {
@@ -250,13 +249,13 @@ fn fit(args: &OilFitArgs, common: &Common) -> Result<(), Failure> {
     let folder = study::folder::<OilFit>(args.output.as_deref(), &name, "oil", &title)?;
     let machine = machine(&args.specimens)?;
     let (zero, errors) = errors(&args.errors)?;
-    let (all, sources) = all_readings(&args.files, &machine, args.temperature_column)?;
+    let readings = all_readings(&args.files, &machine, args.temperature_column)?;
     let settings = FitSettings {
         is_wide: args.errors.wide,
         zero,
         errors,
         is_forced: args.force,
     };
-    let found = OilFit::of(&oil, &all, sources, settings)?;
+    let found = OilFit::of(&oil, readings, settings)?;
     study::finish(&found, (), &folder, Some(begin), common)
 }

@@ -386,7 +386,7 @@ fn points(rig: &Rig, problem: &Problem<'_>, fit: &Fit, residuals: &[f64]) -> Vec
 }
 
 fn warnings(rig: &Rig, fit: &Fit, residuals: &[f64]) -> Vec<Warning> {
-    let mut warnings = Vec::new();
+    let mut warnings = rig.table.warnings.clone();
     if !fit.is_settled {
         let text = "the optimum lies far outside the usual ranges of the parameters and was not reached; check case, scope and units";
         warnings.push(Warning::new(Code::W419, text));

@@ -11,12 +11,13 @@
 //! | `flank_state` | state of the flanks in words |
 //! | `case` | case file of the row, relative to the table |
 //!
-//! The header is not case-sensitive; other columns are ignored. Lines that begin with `#` are comments.
+//! The header is not case-sensitive; other columns are not read, and W454 names them. Lines that begin with `#` are comments.
 
 use crate::error;
 use std::f64::consts::PI;
 
 use asperity_core::Fault;
+use asperity_core::message::Warning;
 use serde::{Deserialize, Serialize};
 
 use asperity_table::{Row, RowFault, Table};
@@ -129,8 +130,8 @@ pub struct RigTable {
     pub rows: Vec<RigRow>,
     /// Whether a comment declares the losses as simulated.
     pub is_simulated: bool,
-    /// Ignored columns.
-    pub unused: Vec<String>,
+    /// Doubts about its columns.
+    pub warnings: Vec<Warning>,
     /// Limits of the rig.
     pub reach: Reach,
 }
@@ -185,15 +186,11 @@ impl RigTable {
         let table = number_table::read(name, text)?;
         check_columns(name, &table)?;
         let rows = number_table::all((name, &table), row)?;
-        let unused = table
-            .names()
-            .iter()
-            .filter(|column| !KNOWN.contains(&column.as_str()));
         Ok(Self {
             name: name.to_owned(),
             rows,
             is_simulated: is_simulated(text),
-            unused: unused.cloned().collect(),
+            warnings: table.unread(name).into_iter().collect(),
             reach: Reach::default(),
         })
     }
@@ -205,7 +202,7 @@ impl RigTable {
             name: name.to_owned(),
             rows,
             is_simulated,
-            unused: Vec::new(),
+            warnings: Vec::new(),
             reach: Reach::default(),
         }
     }

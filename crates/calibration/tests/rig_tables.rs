@@ -24,7 +24,11 @@ fn a_table_is_read_without_regard_to_case_and_order_of_its_columns() {
                 mesh+bearings,300,9,183.4,2166,90,B,4,warm\n\nMesh,310,9,183.4,2166,90,A,5,\n";
     let table = read(text).unwrap();
     assert!(table.is_simulated);
-    assert_eq!(table.unused, ["note"]);
+    let warnings: Vec<String> = table.warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        warnings,
+        ["W454 columns of rig.csv that are not read: note"]
+    );
     assert_eq!(table.assemblies(), ["B", "A"]);
     let row = &table.rows[0];
     assert_eq!(

@@ -85,8 +85,8 @@ const REFERENCE: FitSettings = FitSettings {
 };
 
 fn fitted(oil: &OilBase, text: &str) -> OilFit {
-    let readings = read_table("curves.csv", text, &machine()).unwrap();
-    OilFit::of(oil, &readings, Vec::new(), REFERENCE).unwrap()
+    let (readings, _) = read_table("curves.csv", text, &machine()).unwrap();
+    OilFit::of(oil, readings.into(), REFERENCE).unwrap()
 }
 
 /// Values of the constants, and their bands as factors without the widening of linearised bands.
@@ -225,7 +225,7 @@ fn an_export_of_a_machine_gives_the_constants_of_its_table() {
     assert!(is_pcs(&text) && !is_pcs(E_FLUID));
     let readings = read_pcs("mtm.txt", &text, &machine(), Probe::Lube).unwrap();
     assert_eq!(readings.len(), 120);
-    let found = OilFit::of(&oil(false), &readings, Vec::new(), REFERENCE).unwrap();
+    let found = OilFit::of(&oil(false), readings.into(), REFERENCE).unwrap();
     let values = [0, 1, 3].map(|k| found.constants[k].value);
     // Friction has four decimals in the file.
     for (value, expected) in values.into_iter().zip([4.786, 0.0356, 0.9511]) {
@@ -248,7 +248,7 @@ fn an_export_of_a_machine_gives_the_constants_of_its_table() {
         .filter(|one| one.contradiction.is_some())
         .collect();
     assert_eq!((readings.len(), bad.len()), (120, 1));
-    let without = OilFit::of(&oil(false), &readings, Vec::new(), REFERENCE).unwrap();
+    let without = OilFit::of(&oil(false), readings.into(), REFERENCE).unwrap();
     let told = without.warnings.iter().any(|warning| {
         warning.text.contains("one reading is left out: mtm.txt:")
             && warning.text.contains("sliding speed 90 mm/s")
@@ -436,7 +436,7 @@ fn films_of_an_export_replace_the_computed_ones() {
     let slope = (film(2.0) / film(1.0)).ln() / 4.0_f64.ln();
     let straight = film(1.0) * 3.0_f64.powf(slope);
     assert!((at.film.unwrap().si() / straight - 1.0).abs() < 1e-9);
-    let found = OilFit::of(&oil, &readings, Vec::new(), REFERENCE).unwrap();
+    let found = OilFit::of(&oil, readings.into(), REFERENCE).unwrap();
     let of_films = found.points.iter().filter(|row| row.has_measured_film);
     assert_eq!(of_films.count(), 10);
     let wrong = text.replace("1000\t", "x\t");
@@ -450,7 +450,7 @@ fn columns_state_machine_groups_temperatures_and_errors() {
     let read = |columns: &str, cells: &str| {
         let head = "load_n,mean_speed_m_s,slide_roll_percent,temperature_c,traction";
         let text = format!("{head}{columns}\n30,2,10,81,0.02{cells}\n30,2,-10,82,-0.024{cells}\n");
-        read_table("curves.csv", &text, &machine())
+        read_table("curves.csv", &text, &machine()).map(|(readings, _)| readings)
     };
     let plain = read("", "").unwrap();
     let all = "group,set_temperature_c,sigma,conductivity_w_mk,film_nm,rubbing_s,poisson,youngs_modulus_gpa";
@@ -513,7 +513,7 @@ fn columns_state_machine_groups_temperatures_and_errors() {
 
 /// Readings of the plan of the reference tables.
 fn plan() -> Vec<Reading> {
-    read_table("plan.csv", E_FLUID, &machine()).unwrap()
+    read_table("plan.csv", E_FLUID, &machine()).unwrap().0
 }
 
 /// A machine with errors drawn from the priors measures an oil drawn from its family: readings, and the variables.

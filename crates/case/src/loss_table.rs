@@ -1,5 +1,6 @@
 //! Tables of gearbox losses, as files.
 
+use asperity_core::message::Warning;
 use asperity_core::{Code, Fault};
 use asperity_efficiency::EfficiencyError;
 use asperity_efficiency::loss_table::{LossRow, LossTable};
@@ -71,18 +72,20 @@ fn node(row: Row<'_>) -> Result<LossRow, RowFault> {
 
 /// Reads a table with the columns `speed_rpm`, `loss_torque_nm` or `loss_w` (with speeds above 0) and, where the loss depends
 /// on them, `torque_nm` and `temperature_c`: a grid of nodes, in any order. A transmission loss map of VECTO is such a table.
+/// A warning names the columns that were not read.
 ///
 /// # Errors
 /// When the text is no such table, or its rows form no grid.
 ///
 /// ```
 /// use asperity_case::loss_table::read;
-/// let table = read("bearings.csv", "speed_rpm,loss_torque_nm\n0,0.1\n1000,0.3\n")?;
+/// let (table, warning) = read("bearings.csv", "speed_rpm,loss_torque_nm\n0,0.1\n1000,0.3\n")?;
+/// assert_eq!(warning, None);
 /// assert!((table.loss_torque(145.0, 500.0, 90.0)? - 0.2).abs() < 1e-15);
 /// assert!(read("bearings.csv", "speed_rpm,loss_torque_nm\n0,-1\n").is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn read(name: &str, text: &str) -> Result<LossTable, LossTableError> {
+pub fn read(name: &str, text: &str) -> Result<(LossTable, Option<Warning>), LossTableError> {
     let table = Table::read(text).map_err(|source| LossTableError::Ragged {
         name: name.to_owned(),
         source,
@@ -115,10 +118,13 @@ pub fn read(name: &str, text: &str) -> Result<LossTable, LossTableError> {
         name: name.to_owned(),
         source,
     })?;
-    LossTable::new(&rows).map_err(|source| LossTableError::Rows {
-        name: name.to_owned(),
-        source,
-    })
+    match LossTable::new(&rows) {
+        Ok(losses) => Ok((losses, table.unread(name))),
+        Err(source) => Err(LossTableError::Rows {
+            name: name.to_owned(),
+            source,
+        }),
+    }
 }
 
 impl From<LossTableError> for Fault {
@@ -135,7 +141,7 @@ mod tests {
     fn tables_of_other_programs_and_spreadsheets_are_one() {
         let own =
             "speed_rpm,torque_nm,loss_torque_nm\n0,-10,0.5\n0,10,0.25\n100,-10,0.75\n100,10,1.5\n";
-        let own = read("own.csv", own).unwrap();
+        let (own, _) = read("own.csv", own).unwrap();
         for text in [
             "Input Speed [rpm],Input Torque [Nm],Torque Loss [Nm]\n0,-10,0.5\n0,10,0.25\n100,-10,0.75\n100,10,1.5\n",
             "Input Speed [rpm],Input Torque [Nm],Torque Loss [Nm],Eff [-]\n0,-10,0.5,0\n0,10,0.25,0\n100,-10,0.75,0\n100,10,1.5,0\n",
@@ -150,7 +156,11 @@ mod tests {
             "speed_rpm torque_nm loss_torque_nm\n0 -10 0.5\n0 10 0.25\n100 -10 0.75\n100 10 1.5\n",
             "SPEED_RPM;TORQUE_NM;LOSS_TORQUE_NM;;\n0;-10;0.5;;\n0;10;0.25;;\n100;-10;0.75;;\n100;10;1.5;;\n",
         ] {
-            let found = read("other.csv", text).unwrap_or_else(|error| panic!("{text}: {error}"));
+            let (found, warning) =
+                read("other.csv", text).unwrap_or_else(|error| panic!("{text}: {error}"));
+            let warning = warning.map(|warning| warning.to_string());
+            let of_vecto = "W454 columns of other.csv that are not read: Eff [-]".to_owned();
+            assert_eq!(warning, text.contains(",0.5,0\n").then_some(of_vecto));
             for (torque, speed) in [(-10.0, 0.0), (0.0, 50.0), (10.0, 100.0), (5.0, 25.0)] {
                 let loss = |table: &LossTable| table.loss_torque(torque, speed, 60.0).unwrap();
                 assert!((loss(&found) - loss(&own)).abs() < 1e-12, "{text}");

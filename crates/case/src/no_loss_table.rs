@@ -1,5 +1,6 @@
 //! Refusal of tables of gearbox losses, in a build without the feature `case-files`.
 
+use asperity_core::message::Warning;
 use asperity_core::{Code, Fault};
 use asperity_efficiency::loss_table::LossTable;
 
@@ -19,7 +20,7 @@ pub enum LossTableError {
 ///
 /// # Errors
 /// Always.
-pub fn read(name: &str, _: &str) -> Result<LossTable, LossTableError> {
+pub fn read(name: &str, _: &str) -> Result<(LossTable, Option<Warning>), LossTableError> {
     Err(LossTableError::NotRead {
         name: name.to_owned(),
     })

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use asperity_core::Code;
+use asperity_core::message::columns_not_read;
 use asperity_core::number;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
@@ -95,6 +96,12 @@ pub enum Warning {
         stated: usize,
         /// Number of heights.
         heights: usize,
+    },
+    /// The header names columns that are neither the position nor the height.
+    #[error("{}", columns_not_read("the trace", columns))]
+    ColumnsNotRead {
+        /// The columns as the header names them.
+        columns: Vec<String>,
     },
     /// The first line is assumed to be the spacing.
     #[error("line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles", value = number(*value))]
@@ -270,6 +277,7 @@ impl Warning {
             Self::EmptyRows { .. } => Code::W326,
             Self::EqualHeights => Code::W327,
             Self::DepthsTurned => Code::W328,
+            Self::ColumnsNotRead { .. } => Code::W454,
         }
     }
 }

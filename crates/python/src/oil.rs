@@ -10,8 +10,8 @@ use asperity_calibration::oil::error::of_table;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
-    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, Probe, Reading,
-    Stribeck, TractionCurves, TractionRange, read_text, source,
+    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, Probe, Readings,
+    Stribeck, TractionCurves, TractionRange,
 };
 use asperity_calibration::table_text;
 use pyo3::prelude::*;
@@ -78,18 +78,17 @@ fn readings(
     tables: Tables,
     machine: &Machine,
     column: &str,
-) -> Result<(Vec<Reading>, Vec<[String; 2]>), Failure> {
+) -> Result<Readings, Failure> {
     let probe: Probe = named("temperature_column", column)?;
-    let (mut all, mut sources) = (Vec::new(), Vec::new());
+    let mut readings = Readings::default();
     for (name, text) in tables {
         let text = match text {
             Some(text) => text,
             None => table_text(Path::new(&name)).map_err(of_table)?,
         };
-        all.extend(read_text(&name, &text, machine, probe)?);
-        sources.push(source(&name, &text));
+        readings.append(Readings::read(&name, &text, machine, probe)?);
     }
-    Ok((all, sources))
+    Ok(readings)
 }
 
 /// Predicts traction curves; load and speed in SI units, temperatures in °C.
@@ -139,7 +138,7 @@ pub fn oil_fit(
 ) -> PyResult<Study> {
     let (oil, _) = oil.base(ConstantsOf::Family)?;
     let (zero, errors) = errors(errors_of)?;
-    let (all, sources) = readings(tables, &machine(specimens)?, temperature_column)?;
+    let readings = readings(tables, &machine(specimens)?, temperature_column)?;
     let settings = FitSettings {
         is_wide: wide,
         zero,
@@ -147,7 +146,7 @@ pub fn oil_fit(
         is_forced: force,
     };
     in_parallel(py, threads, None, |_| {
-        Study::of(OilFit::of(&oil, &all, sources, settings)?)
+        Study::of(OilFit::of(&oil, readings, settings)?)
     })
 }
 
@@ -196,14 +195,13 @@ pub fn stribeck(
         return Err(Failure::new(Code::E205, message).into());
     }
     let machine = machine(specimens)?;
-    let (mut all, mut sources) = (Vec::new(), Vec::new());
+    let mut all = Readings::default();
     for (k, table) in tables.into_iter().enumerate() {
-        let (mut of_table, source) = readings(vec![table], &machine, temperature_column)?;
-        for reading in &mut of_table {
+        let mut of_table = readings(vec![table], &machine, temperature_column)?;
+        for reading in &mut of_table.all {
             reading.rubbing_s = reading.rubbing_s.or(rubbing.get(k).copied());
         }
-        all.extend(of_table);
-        sources.extend(source);
+        all.append(of_table);
     }
-    alone(py, || Study::of(Stribeck::of(&oil, &all, sources)?))
+    alone(py, || Study::of(Stribeck::of(&oil, all)?))
 }

@@ -197,6 +197,9 @@ pub const COLUMNS: [Column; 16] = [
     ("mixed_share", |n| Some(n.mixed_share)),
 ];
 
+/// Names and contents of files, and warnings as JSON.
+type Exported = (Vec<(PathBuf, Vec<u8>)>, String);
+
 /// Interpolated values, and whether each lies outside the nodes.
 type Interpolated<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<bool>>);
 
@@ -265,14 +268,15 @@ impl Map {
         alone(py, || Ok(self.0.write(MapExtras::default(), &folder)?))
     }
 
-    /// Names and contents of the files of a format; `added` is a table of other losses, `cycle` a drive cycle.
+    /// Names and contents of the files of a format, and the warnings about both tables as JSON; `added` is a table of other
+    /// losses, `cycle` a drive cycle.
     fn export(
         &self,
         py: Python<'_>,
         format: &str,
         added: Option<PathBuf>,
         drive: Option<PathBuf>,
-    ) -> PyResult<Vec<(PathBuf, Vec<u8>)>> {
+    ) -> PyResult<Exported> {
         let format: Format = named("format", format)?;
         alone(py, || {
             let added = match &added {
@@ -297,10 +301,8 @@ impl Map {
                 beside: None,
             };
             let files = export(&self.0, format, with)?;
-            Ok(files
-                .into_iter()
-                .map(|file| (file.name, file.bytes))
-                .collect())
+            let files = files.into_iter().map(|file| (file.name, file.bytes));
+            Ok((files.collect(), failure::json(&with.warnings())?))
         })
     }
 }

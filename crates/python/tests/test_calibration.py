@@ -49,6 +49,12 @@ def found(rig):
     return asperity.calibrate(*rig[:2])
 
 
+def test_a_column_that_is_not_read_is_named(rig, columns):
+    with pytest.warns(asperity.AsperityWarning, match="W454 columns of .* that are not read: Remark"):
+        found = asperity.calibrate({**columns, "Remark": ["cold"] * len(columns["order"])}, rig[1])
+    assert "W454" in {warning["code"] for warning in found["warnings"]}
+
+
 def test_a_table_gives_the_same_parameters_as_the_command(rig, found):
     ours, theirs = found.to_dict(), rig[2]
     assert ours.pop("table") == theirs.pop("table")

@@ -67,6 +67,16 @@ def test_stribeck_curves_give_a_boundary_friction():
     assert "boundary friction" in found._repr_html_() and len(found.to_pandas()) == 4
 
 
+def test_a_column_that_is_not_read_is_named(curves):
+    unread = "W454 columns of .* that are not read: Remark"
+    with pytest.warns(asperity.AsperityWarning, match=unread):
+        asperity.oil_fit({**curves, "Remark": ["a"] * len(curves["load_n"])}, "m100")
+    slow = rubbed([0.002, 0.003, 0.004, 0.005])
+    with pytest.warns(asperity.AsperityWarning, match=unread):
+        found = asperity.stribeck({**slow, "Remark": ["a"] * 4}, "m100")
+    assert [warning["code"] for warning in found["warnings"]].count("W454") == 1
+
+
 def test_what_gives_no_constants_is_named(curves):
     def refused(code, says, function, *given, **more):
         with pytest.raises(AsperityError, match=says) as error:

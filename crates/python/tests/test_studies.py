@@ -73,6 +73,20 @@ def test_maps_are_exported(drive, tmp_path):
     assert refused.value.code == "E205"
 
 
+def test_columns_of_tables_that_are_not_read_are_named(drive, tmp_path):
+    losses = tmp_path / "losses.csv"
+    losses.write_text("speed_rpm,loss_torque_nm,Remark\n0,0.1,a\n20000,0.3,b\n")
+    unread = "W454 columns of losses.csv that are not read: Remark"
+    with pytest.warns(asperity.AsperityWarning, match=unread):
+        drive.replace({"gearbox": {"loss_table": str(losses)}})
+    found = asperity.map(drive, torque_nm=[-145, 145], speed=["100 1/min", "9000 1/min"])
+    with pytest.warns(asperity.AsperityWarning, match=unread):
+        assert found.export("csv", tmp_path, added=losses)
+    trip = {"time_s": [0, 1], "torque_nm": [50, 60], "speed_rpm": [1000, 2000], "gear": [1, 2]}
+    with pytest.warns(asperity.AsperityWarning, match="W454 columns of the cycle that are not read: gear"):
+        asperity.cycle(found, trip)
+
+
 def test_a_sweep_is_an_iterator(drive):
     rows = asperity.sweep(drive, {"torque_nm": [50.0, 145], "operation.speed": {"from": "1000 1/min", "to": "9000 1/min", "count": 3}})
     assert len(rows) == 6

@@ -117,6 +117,10 @@ impl Point<'_> {
                 // The gear's shaft has precedence.
                 && (pinion_speed.is_none() || *ratio == 1.0)
             {
+                let from = match speed < 0.0 {
+                    true => format!("{from}, negative there; a case has no direction of rotation"),
+                    false => from,
+                };
                 pinion_speed = Some(((speed / ratio).abs(), through(from, *ratio)));
             }
         }

@@ -3,8 +3,13 @@
 pub mod own;
 
 use std::borrow::Cow;
+use std::cell::Cell;
 
-use asperity_core::RepeatedFault;
+use asperity_core::message::{Warning, columns_not_read};
+use asperity_core::{Code, RepeatedFault};
+
+/// Rule that a cell with another text than a number violates.
+const NO_NUMBER: &str = "is not a finite number";
 
 /// A row that is not valid.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -41,6 +46,8 @@ pub struct Table {
     /// The header as it is written.
     heads: csv::StringRecord,
     names: Vec<String>,
+    /// Whether a cell of each column was asked for.
+    is_read: Vec<Cell<bool>>,
     /// Line and cells of every row.
     rows: Vec<(usize, csv::StringRecord)>,
     has_decimal_comma: bool,
@@ -123,6 +130,7 @@ impl Table {
         let has_point = cells().any(|cell| cell.contains('.') && number(cell, false).is_some());
         Ok(Self {
             heads,
+            is_read: vec![Cell::new(false); names.len()],
             names,
             rows,
             has_decimal_comma: separator != Some(',') && !has_point,
@@ -144,6 +152,33 @@ impl Table {
     #[must_use]
     pub fn names(&self) -> &[String] {
         &self.names
+    }
+
+    /// The warning that names the columns with cells of which none was read, if there are any; `table` says in words which table it
+    /// is. Columns named `-` were left out on purpose.
+    ///
+    /// ```
+    /// use asperity_table::Table;
+    /// let table = Table::read("time_s,gear,empty,Remark\n0,1,,a\n1,1,,b\n").unwrap();
+    /// table.values(|row| row.number("time_s")).unwrap();
+    /// let warning = table.unread("trip.csv").unwrap().to_string();
+    /// assert_eq!(warning, "W454 columns of trip.csv that are not read: gear, Remark");
+    /// ```
+    #[must_use]
+    pub fn unread(&self, table: &str) -> Option<Warning> {
+        let has_cells = |at: usize| {
+            let mut cells = self.rows.iter().filter_map(|(_, row)| row.get(at));
+            cells.any(|cell| !cell.is_empty())
+        };
+        let is_unread =
+            |at: &usize| self.names[*at] != "-" && !self.is_read[*at].get() && has_cells(*at);
+        let head = |at: usize| match self.heads.get(at).unwrap_or_default() {
+            "" => format!("number {}", at + 1),
+            head => head.to_owned(),
+        };
+        let unread = (0..self.names.len()).filter(is_unread).map(head);
+        let unread: Vec<String> = unread.collect();
+        (!unread.is_empty()).then(|| Warning::new(Code::W454, columns_not_read(table, &unread)))
     }
 
     /// Whether there is a column of this name.
@@ -223,8 +258,13 @@ impl Table {
         let of_file = found.iter().filter(|(_, like)| like.is_dialect());
         faults.extend(of_file.map(|(first, like)| RowFault {
             rule: format!(
-                "{}; {like}; the column seems to hold something else",
-                first.rule
+                "{}; {like}; {}",
+                first.rule,
+                match first.rule.ends_with(NO_NUMBER) {
+                    true =>
+                        "export the column as numbers alone, without units or words in its cells",
+                    false => "the column seems to hold something else, or to have another unit",
+                }
             ),
             ..first.clone()
         }));
@@ -252,6 +292,13 @@ fn separator(text: &str) -> Option<char> {
     }
 }
 
+/// A reader of cells, with the header as the first row.
+fn cells() -> csv::ReaderBuilder {
+    let mut reader = csv::ReaderBuilder::new();
+    reader.has_headers(false);
+    reader
+}
+
 /// The rows of the table in `text` that are not empty, with their lines.
 fn records(text: &str, separator: Option<char>) -> Vec<(usize, csv::StringRecord)> {
     let Some(separator) = separator else {
@@ -260,12 +307,11 @@ fn records(text: &str, separator: Option<char>) -> Vec<(usize, csv::StringRecord
         let record = |(at, line): (usize, &str)| (at + 1, line.split_whitespace().collect());
         return lines.map(record).collect();
     };
-    let mut reader = csv::ReaderBuilder::new()
+    let mut reader = cells()
         .comment(Some(b'#'))
         .delimiter(separator as u8)
         .trim(csv::Trim::All)
         .flexible(true)
-        .has_headers(false)
         .from_reader(text.as_bytes());
     let begins = Lines::new(text);
     // A text can always be split into cells: it is valid UTF-8, and its rows may have any length.
@@ -334,6 +380,7 @@ impl<'a> Row<'a> {
     }
 
     fn cell(&self, index: usize) -> Option<&'a str> {
+        self.table.is_read.get(index)?.set(true);
         self.record.get(index).filter(|text| !text.is_empty())
     }
 
@@ -385,7 +432,7 @@ impl<'a> Row<'a> {
 
     fn parsed(&self, column: &str, cell: &str) -> Result<f64, RowFault> {
         let fault = || {
-            let rule = format!("{cell:?} is not a finite number");
+            let rule = format!("{cell:?} {NO_NUMBER}");
             self.fault(column.to_owned(), rule)
         };
         number(cell, self.table.has_decimal_comma).ok_or_else(fault)

@@ -79,8 +79,7 @@ pub fn cells(table: &[u8]) -> Result<Vec<Vec<String>>, csv::Error> {
         let texts = cells.iter().map(|cell| text_of_cell(cell).to_owned());
         texts.collect()
     };
-    let mut reader = csv::ReaderBuilder::new();
-    let mut reader = reader.has_headers(false).from_reader(table);
+    let mut reader = crate::cells().from_reader(table);
     reader.records().map(|row| row.map(text)).collect()
 }
 
@@ -105,11 +104,11 @@ pub fn cells(table: &[u8]) -> Result<Vec<Vec<String>>, csv::Error> {
 /// # Errors
 /// When the table is empty, lacks a column, or has a cell that is not a finite number.
 pub fn rows<R: Serialize + DeserializeOwned>(table: &[u8]) -> Result<Vec<R>, OwnFault> {
-    let mut reader = csv::ReaderBuilder::new();
-    let mut reader = reader.has_headers(true).from_reader(table);
-    let rows = reader
-        .deserialize()
-        .collect::<Result<Vec<R>, csv::Error>>()?;
+    let mut reader = crate::cells().from_reader(table);
+    let mut records = reader.records();
+    let header = records.next().transpose()?.unwrap_or_default();
+    let row = |record: Result<csv::StringRecord, csv::Error>| record?.deserialize(Some(&header));
+    let rows = records.map(row).collect::<Result<Vec<R>, csv::Error>>()?;
     match rows.is_empty() {
         true => Err(OwnFault::Empty),
         false => finite(&rows).map(|()| rows),

@@ -47,6 +47,6 @@ pub use reading::{Reading, SetPoint, set_points};
 pub use simulate::simulated;
 pub use stribeck::{BoundaryState, Stribeck, StribeckPoint};
 pub use table::read_table;
+pub use text::Readings;
 pub(crate) use text::is_simulated_source;
-pub use text::{read_text, source};
 pub use traction::{PredictedPoint, TractionCurves, TractionRange};

@@ -17,8 +17,9 @@ use super::combination::{Combination, combinations};
 use super::fit::{LawFit, PointErrors, expected, fit_law};
 use super::helpful::{Helpful, helpful};
 use super::problem::{CONSTANTS, FACTOR, FALL, Nuisance, Priors, STATED, STATED_CONSTANTS, Zero};
-use super::reading::{Reading, SetPoint, left_out, set_points};
+use super::reading::{SetPoint, left_out, set_points};
 use super::selection::{Dropped, Judged, judge};
+use super::text::Readings;
 use crate::block::digits;
 use crate::information::correlations;
 
@@ -204,13 +205,9 @@ impl OilFit {
     /// # Errors
     /// When too few points are kept or their pressure is too low, no law explains them, or the constants are those of no
     /// oil.
-    pub fn of(
-        oil: &OilBase,
-        readings: &[Reading],
-        sources: Vec<[String; 2]>,
-        settings: FitSettings,
-    ) -> Result<Self, Fault> {
-        let points = set_points(readings);
+    pub fn of(oil: &OilBase, readings: Readings, settings: FitSettings) -> Result<Self, Fault> {
+        let Readings { all, sources, .. } = readings;
+        let points = set_points(&all);
         let judged = points.par_iter().map(|point| judge(oil, point));
         let judged = judged.collect::<Result<Vec<Judged>, Fault>>()?;
         let both = || points.iter().zip(&judged);
@@ -247,7 +244,7 @@ impl OilFit {
             total_squared: [best.total_squared, other.total_squared],
             squares_per_point: best.squares_per_point(),
             law_error: law_error(best.squares_per_point()),
-            counts: [readings.len(), points.len(), kept.len()],
+            counts: [all.len(), points.len(), kept.len()],
             temperatures_c: super::problem::distinct(
                 kept.iter().map(|point| point.reading.set_temperature_c),
             ),
@@ -272,7 +269,8 @@ impl OilFit {
         };
         found.refuse(&fits, settings.is_forced)?;
         let doubts = found.doubts_of(best);
-        let warnings = found.warnings_of(best, &doubts, left_out(readings));
+        let mut warnings = readings.warnings;
+        warnings.extend(found.warnings_of(best, &doubts, left_out(&all)));
         Ok(Self {
             doubts,
             warnings,

@@ -14,8 +14,9 @@ use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;
 use super::problem::distinct;
-use super::reading::{Reading, SetPoint, left_out, set_points};
+use super::reading::{SetPoint, left_out, set_points};
 use super::selection::LEAST_SLIDE;
+use super::text::Readings;
 use super::traction::BOUNDARY_RATIO;
 
 /// Fewest points in boundary lubrication.
@@ -107,12 +108,9 @@ impl Stribeck {
     /// # Errors
     /// When a reading does not state the time of rubbing, all specimens are new, too few points are in boundary lubrication,
     /// or their friction depends on the speed.
-    pub fn of(
-        oil: &OilBase,
-        readings: &[Reading],
-        sources: Vec<[String; 2]>,
-    ) -> Result<Self, Fault> {
-        if let Some(reading) = readings.iter().find(|one| one.rubbing_s.is_none()) {
+    pub fn of(oil: &OilBase, readings: Readings) -> Result<Self, Fault> {
+        let Readings { all, sources, .. } = readings;
+        if let Some(reading) = all.iter().find(|one| one.rubbing_s.is_none()) {
             return Err(oil_error::no_rubbing(&reading.file, reading.line));
         }
         let row = |point: &SetPoint| -> Result<StribeckPoint, Fault> {
@@ -135,7 +133,7 @@ impl Stribeck {
                 is_boundary: film_ratio <= BOUNDARY_RATIO && at.slide_to_roll >= LEAST_SLIDE,
             })
         };
-        let found = set_points(readings);
+        let found = set_points(&all);
         let points = found.iter().map(row);
         let points = points.collect::<Result<Vec<StribeckPoint>, Fault>>()?;
         let times = distinct(points.iter().map(|point| point.rubbing_s));
@@ -148,6 +146,10 @@ impl Stribeck {
         let both = found.iter().zip(&points);
         let used = both.filter(|(_, row)| row.is_boundary && row.rubbing_s == last.rubbing_s);
         let temperatures_c = distinct(used.map(|(point, _)| point.reading.set_temperature_c));
+        let texts = left_out(&all);
+        let texts = texts.into_iter().chain(oil.outside(&temperatures_c, FAR));
+        let mut warnings = readings.warnings;
+        warnings.extend(texts.map(|text| Warning::new(Code::W441, text)));
         let roughness = found.first().map(|point| point.reading.machine.roughness);
         Ok(Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
@@ -158,11 +160,7 @@ impl Stribeck {
             deviation,
             range: quantiles(Z_95),
             band: quantiles(Z_975),
-            warnings: left_out(readings)
-                .into_iter()
-                .chain(oil.outside(&temperatures_c, FAR))
-                .map(|text| Warning::new(Code::W441, text))
-                .collect(),
+            warnings,
             states,
             temperatures_c,
             points,

@@ -16,6 +16,7 @@
 
 use crate::error;
 use asperity_core::Fault;
+use asperity_core::message::Warning;
 use asperity_core::quantity::{Force, Length, Pressure, Speed, Temperature, ThermalConductivity};
 
 use super::machine::{Machine, Setting};
@@ -95,11 +96,16 @@ const POSSIBLE: [(&str, [f64; 2], &str); 15] = [
     ("rubbing_s", [0.0, 1e7], "s"),
 ];
 
-/// Reads a table; `machine` has radii, material and roughness of rows that state none.
+/// Reads a table; `machine` has radii, material and roughness of rows that state none. A warning names the columns that were not
+/// read.
 ///
 /// # Errors
 /// When a column is missing or a row is not valid; lists all such rows.
-pub fn read_table(name: &str, text: &str, machine: &Machine) -> Result<Vec<Reading>, Fault> {
+pub fn read_table(
+    name: &str,
+    text: &str,
+    machine: &Machine,
+) -> Result<(Vec<Reading>, Option<Warning>), Fault> {
     let table = number_table::read(name, text)?;
     let refuse = |rule: String| error::column(name, rule);
     let mut renamed = Vec::new();
@@ -134,7 +140,8 @@ pub fn read_table(name: &str, text: &str, machine: &Machine) -> Result<Vec<Readi
             )));
         }
     }
-    number_table::all((name, &table), |row| reading(name, row, machine))
+    let readings = number_table::all((name, &table), |row| reading(name, row, machine))?;
+    Ok((readings, table.unread(name)))
 }
 
 fn reading(file: &str, row: Row<'_>, machine: &Machine) -> Result<Reading, RowFault> {

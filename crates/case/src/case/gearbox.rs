@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use asperity_core::DomainError;
+use asperity_core::message::Warning;
 use asperity_core::quantity::{Angle, Force, Length, Mass, Speed, Temperature, Torque, VolumeFlow};
 use asperity_efficiency::EfficiencyError;
 use asperity_efficiency::loss_table::LossTable;
@@ -53,6 +54,8 @@ pub struct Gearbox {
     pub parts: Vec<Part>,
     /// Place of each stage.
     pub places: Vec<MeshPlace>,
+    /// Doubts about their tables.
+    pub warnings: Vec<Warning>,
 }
 
 /// A part with a loss.
@@ -139,7 +142,7 @@ impl GearboxInput {
     ) -> Result<Gearbox, CaseError> {
         let section = Section::of(source, "gearbox");
         let shaft_of = |key, name: &str| shaft_of((train, &places), section, key, name);
-        let mut parts = Vec::new();
+        let (mut parts, mut warnings) = (Vec::new(), Vec::new());
         for (number, seal) in self.seals.iter().enumerate() {
             let name = named(seal.name.as_deref(), "seal", number);
             seal_torque(seal.diameter).map_err(refused(section, "seals", &name))?;
@@ -175,14 +178,16 @@ impl GearboxInput {
             });
         }
         if let Some(file) = &self.loss_table {
-            let (name, table) = table(file, (section, "loss_table"), files)?;
+            let (name, table, warning) = table(file, (section, "loss_table"), files)?;
+            warnings.extend(warning);
             // The input shaft is the first.
             let (shaft, against) = (0, None);
             let kind = PartKind::Table { table, against };
             parts.push(Part { name, shaft, kind });
         }
         for stated in &self.tables {
-            let (file, table) = table(&stated.file, (section, "tables"), files)?;
+            let (file, table, warning) = table(&stated.file, (section, "tables"), files)?;
+            warnings.extend(warning);
             let shaft = shaft_of("tables", &stated.shaft)?;
             let against = stated.against.as_ref();
             let against = against.map(|name| shaft_of("tables", name)).transpose()?;
@@ -210,6 +215,7 @@ impl GearboxInput {
             temperature: self.temperature,
             parts,
             places,
+            warnings,
         })
     }
 
@@ -504,12 +510,12 @@ fn rolling_bearing(stated: &BearingInput) -> Result<RollingBearing, EfficiencyEr
     Ok(bearing)
 }
 
-/// Name and content of the table `file`, which is stated at `key`.
+/// Name and content of the table `file`, which is stated at `key`, and a doubt about it.
 fn table(
     file: &Path,
     (section, key): (Section<'_>, &str),
     files: &Reader<'_>,
-) -> Result<(String, Arc<LossTable>), CaseError> {
+) -> Result<(String, Arc<LossTable>, Option<Warning>), CaseError> {
     let name = file
         .file_name()
         .unwrap_or(file.as_os_str())
@@ -520,9 +526,9 @@ fn table(
             return Err(section.value(key, "names a trace, not a table of losses"));
         }
     };
-    let table = read(&name, &String::from_utf8_lossy(&bytes))
+    let (table, warning) = read(&name, &String::from_utf8_lossy(&bytes))
         .map_err(|error| CaseError::loss_table(section.place(key), &section.key(key), error))?;
-    Ok((name.into_owned(), Arc::new(table)))
+    Ok((name.into_owned(), Arc::new(table), warning))
 }
 
 /// Checks the numbers of a jet.

@@ -22,7 +22,7 @@ use super::law_names::{FullFilmName, LoadShareName};
 use super::lay::Lays;
 use super::oil_file::OilFile;
 use super::plausibility::{
-    SYMBOLS, at_pitch_point, divided_shifts, little_clearance, of_files, step_up, unusual,
+    SYMBOLS, at_pitch_point, divided_shifts, little_clearance, step_up, unusual,
 };
 use super::resolve::{Case, resolve_checked};
 use super::section::Section;
@@ -58,6 +58,8 @@ pub struct LoadedCase {
     pub provenance: Provenance,
     /// Equations that the preparation of the traces used, reused if a change of the case does not affect the traces.
     of_flanks: Provenance,
+    /// Doubts about the flanks alone.
+    flank_warnings: Vec<Warning>,
     /// Lay of each flank.
     lays: Arc<Lays>,
     /// Values that follow from the flanks and their files.
@@ -363,7 +365,7 @@ pub(super) fn complete(
             forms: before.case.micro_geometry.measured.clone(),
             lays: Arc::clone(&before.lays),
             zones: before.case.face_zones.clone(),
-            warnings: of_files(&before.warnings),
+            warnings: before.flank_warnings.clone(),
             assumed: before.assumed.clone(),
             provenance: before.of_flanks.clone(),
             sums: Arc::clone(&before.sums[0]),
@@ -391,6 +393,7 @@ pub(super) fn complete(
     if surfaces.teeth().is_some() || surfaces.is_surrogate() {
         refuse_several(&case, source)?;
     }
+    let flank_warnings = warnings.clone();
     let mut warnings = warnings;
     let loads = at_pitch_point(&case.gears, case.modulus, case.torque, case.speed);
     let unusual = unusual(&case.input, source, &case.oil, &loads);
@@ -401,6 +404,8 @@ pub(super) fn complete(
     warnings.extend(divided_shifts(&case.input.gears, &case.gears, source));
     warnings.extend(little_clearance(&case.input.gears, &case.gears, source));
     warnings.extend(read_as_keys(source));
+    let gearbox = case.gearbox.iter();
+    warnings.extend(gearbox.flat_map(|gearbox| gearbox.warnings.iter().cloned()));
     let oil = case.oil_file.iter();
     warnings.extend(oil.flat_map(|oil| oil.warnings(&case.input, case.temperature)));
     warnings.extend(replaced_viscosity(&case.input.lubricant));
@@ -414,6 +419,7 @@ pub(super) fn complete(
         warnings,
         provenance,
         of_flanks,
+        flank_warnings,
         lays,
         assumed,
         name: source.name().into(),

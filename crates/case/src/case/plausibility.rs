@@ -219,11 +219,3 @@ pub(super) fn little_clearance(
     );
     Some(Warning::new(CLEARANCE, text))
 }
-
-/// The warnings that are not about numbers of the case.
-pub(super) fn of_files(warnings: &[Warning]) -> Vec<Warning> {
-    let is_of_a_file = |warning: &&Warning| {
-        ![UNUSUAL, SYMBOLS, FORMER_NAME, DIVIDED, CLEARANCE].contains(&warning.code)
-    };
-    warnings.iter().filter(is_of_a_file).cloned().collect()
-}

@@ -117,8 +117,10 @@ impl CaseInput {
         let mut parts = TrainParts::new(self.title.clone(), shafts, passes_losses, stages)
             .map_err(refused(source, table))?;
         parts.heat = self.checked_heat(source)?;
-        parts.gearbox = gearbox;
         parts.warnings = unusual(&OfAllMeshes(self), source);
+        let of_tables = gearbox.iter().flat_map(|gearbox| &gearbox.warnings);
+        parts.warnings.extend(of_tables.cloned());
+        parts.gearbox = gearbox;
         parts
             .warnings
             .extend(parts.stages.iter().filter_map(uneven_planets));

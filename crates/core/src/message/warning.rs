@@ -56,6 +56,21 @@ impl Warning {
     }
 }
 
+/// The text of [`Code::W454`]: `columns` of a table, which `table` names in words, were not read.
+///
+/// ```
+/// use asperity_core::message::columns_not_read;
+/// let text = columns_not_read("the cycle", &["gear", "remark"]);
+/// assert_eq!(text, "columns of the cycle that are not read: gear, remark");
+/// ```
+pub fn columns_not_read(table: &str, columns: &[impl AsRef<str>]) -> String {
+    let columns: Vec<&str> = columns.iter().map(AsRef::as_ref).collect();
+    format!(
+        "columns of {table} that are not read: {}",
+        columns.join(", ")
+    )
+}
+
 /// Codes of the warnings about an input outside of a fitted, tested or usual range.
 const OUTSIDE: [Code; 6] = [
     Code::W401,

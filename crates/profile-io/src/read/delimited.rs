@@ -6,7 +6,7 @@ use asperity_core::quantity::Length;
 
 use super::areal::trace::Areal;
 use super::dialect::Sniffed;
-use super::error::{ReadFault, SpacingHint};
+use super::error::{ReadFault, SpacingHint, shortened};
 use super::first_look::{no_data, sniff};
 use super::format::{Format, extension};
 use super::grid::{Spacing, SpacingSource};
@@ -89,8 +89,22 @@ pub(super) fn read(
             (chosen, rows, 0, true, Format::DelimitedText)
         }
     };
+    let used = match &points {
+        Some((_, columns)) => columns.to_vec(),
+        None => [chosen.x, Some(chosen.z), chosen.valid]
+            .into_iter()
+            .flatten()
+            .collect(),
+    };
+    // Whoever states the columns leaves the others out on purpose.
+    let labelled = labels.iter().take(sniffed.columns).enumerate();
+    let unread = labelled.filter(|(at, label)| {
+        options.columns.is_none() && !used.contains(at) && !label.text.trim().is_empty()
+    });
+    let unread = unread.map(|(_, label)| shortened(&label.text)).collect();
     let parsed = Parsed {
         name,
+        unread,
         mean_of: points
             .as_ref()
             .map(|(points, _)| points.lines())
@@ -164,6 +178,8 @@ fn root_mean_square_step(z: &[f64]) -> f64 {
 /// A parsed table, to be converted to a [`Trace`].
 struct Parsed<'a> {
     name: &'a str,
+    /// Names of the columns that are not read.
+    unread: Vec<String>,
     /// Number of lines of points of which the trace is the mean.
     mean_of: Option<usize>,
     /// Whether the positions are numbers of pixels.
@@ -203,6 +219,9 @@ impl Parsed<'_> {
             mut z,
             empty,
         } = rows;
+        warnings.extend((!self.unread.is_empty()).then(|| Warning::ColumnsNotRead {
+            columns: self.unread.clone(),
+        }));
         warnings.extend((empty > 0).then_some(Warning::EmptyRows { rows: empty }));
         let label = self.labels.get(self.chosen.z);
         warnings.extend(

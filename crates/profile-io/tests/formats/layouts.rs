@@ -47,7 +47,11 @@ fn a_workbook_is_read_by_its_labels() {
     let reading = read_as("a.xlsx", &book);
     check(&reading, Format::Excel, 9);
     assert_eq!(reading.x_unit, Some(LengthUnit::Millimetre));
-    assert!(reading.warnings.is_empty(), "{:?}", reading.warnings);
+    let unread = vec!["Temperature".to_owned()];
+    assert_eq!(
+        reading.warnings,
+        [Warning::ColumnsNotRead { columns: unread }]
+    );
     // The names of the columns decide, not their order.
     let labels = ["Z [um]", "T", "X [mm]"];
     let lines = (0..POINTS).map(|i| vec![height(i), 20.0, 0.0005 * i as f64]);

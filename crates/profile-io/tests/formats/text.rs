@@ -160,7 +160,11 @@ fn the_only_other_length_beside_x_is_the_height() {
     let found = read_bytes("scan.txt", text.as_bytes(), &ReadOptions::default()).unwrap();
     assert!((found.profile.spacing().si() - 1e-6).abs() < 1e-12);
     assert!((found.profile.heights()[1] - 0.2e-6 * 1.0_f64.sin()).abs() < 1e-15);
-    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    let unread = vec!["Light Intensity (0-255)".to_owned()];
+    assert_eq!(
+        found.warnings,
+        [Warning::ColumnsNotRead { columns: unread }]
+    );
     // Without lengths in the labels the columns have to be stated.
     let text = text.replace("(microns)", "(counts)");
     assert!(read_bytes("scan.txt", text.as_bytes(), &ReadOptions::default()).is_err());

@@ -158,7 +158,9 @@ class Map(Values, MapArrays):
 
         tables = [None if file is None else fspath(file) for file in (added, cycle)]
         written = []
-        for name, content in self._raw.export(format, *tables):
+        files, found = self._raw.export(format, *tables)
+        warn(json.loads(found))
+        for name, content in files:
             file = Path(folder) / name
             try:
                 file.write_bytes(content)
@@ -312,7 +314,7 @@ def cycle(
         table = ("cycle", table_text(trace, "cycle", Code.E101))
     traces: Traces = []
     keys = [(key, value or "") for key, value in changes({"vehicle": dict(vehicle)} if vehicle else {}, "gears", traces)]
-    return Cycle(_asperity.cycle(map._raw, table, node, keys, allow_outside))
+    return warned(Cycle(_asperity.cycle(map._raw, table, node, keys, allow_outside)))
 
 
 def read_map(folder: Union[str, PathLike[str]]) -> Map:

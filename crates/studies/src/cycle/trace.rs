@@ -195,20 +195,20 @@ pub fn named_cycle(
     let vehicle = vehicle.map(checked).transpose()?;
     let warnings = vehicle.map(VehicleInput::unusual).transpose();
     let mut warnings = warnings.map_err(Box::new)?.unwrap_or_default();
-    let operating = (table.column("torque_nm")?, table.column("speed_rpm")?);
-    let (torque, speed, way) = match (operating, table.column("speed_km_h")?) {
-        ((Some(torque), Some(speed)), _) => {
+    let (torque, speed, way) = match [table.found("torque_nm")?, table.found("speed_rpm")?] {
+        [Some(torque), Some(speed)] => {
+            let (torque, speed) = (table.numbers(torque)?, table.numbers(speed)?);
             let way = vehicle.map(|vehicle| {
                 let turns = speed.iter().map(|rpm| rpm.abs() * PI / 30.0);
                 turns
                     .map(|omega| omega * vehicle.wheel_radius.si() / vehicle.ratio)
                     .collect()
             });
-            warnings.extend(table.unread(&["time_s", "torque_nm", "speed_rpm"]));
             (torque, speed, way)
         }
-        (_, Some(speed)) => {
-            warnings.extend(table.unread(&["time_s", "speed_km_h", "grade_percent"]));
+        _ => {
+            let speed = table.column("speed_km_h")?;
+            let speed = speed.ok_or_else(|| table.lacking())?;
             let vehicle = vehicle.ok_or(CycleError::NoVehicle)?;
             let grade = table.column("grade_percent")?;
             let speeds: Vec<f64> = speed.iter().map(|speed| speed / 3.6).collect();
@@ -217,8 +217,8 @@ pub fn named_cycle(
             table.check("speed_rpm of the vehicle", &rpm)?;
             (torque, rpm, Some(speeds))
         }
-        _ => return Err(table.lacking()),
     };
+    warnings.extend(table.0.unread("the cycle"));
     let weights = weights(&time);
     let way_km = |speeds: Vec<f64>| {
         let metres = speeds.iter().zip(&weights).map(|(v, dt)| v.abs() * dt);
@@ -581,6 +581,14 @@ fn seconds(text: &str) -> Option<f64> {
 /// A cycle as a table.
 struct Columns(Table);
 
+/// A column of [`QUANTITIES`] in a table.
+struct Found<'a> {
+    column: &'static str,
+    /// Its name in the table.
+    name: &'a str,
+    unit: Unit,
+}
+
 impl Columns {
     fn lacking(&self) -> CycleError {
         CycleError::Columns {
@@ -609,8 +617,8 @@ impl Columns {
         Ok(time.iter().map(|at| at - time[0]).collect())
     }
 
-    /// The numbers of a column of [`QUANTITIES`]; `None` if the table has none of its names.
-    fn column(&self, column: &'static str) -> Result<Option<Vec<f64>>, CycleError> {
+    /// A column of [`QUANTITIES`]; `None` if the table has none of its names.
+    fn found(&self, column: &'static str) -> Result<Option<Found<'_>>, CycleError> {
         let known = QUANTITIES.iter().find(|quantity| quantity.column == column);
         let names = self.0.names().iter().map(String::as_str);
         let mut there = names.filter_map(|name| Some((name, known?.unit(name)?)));
@@ -620,35 +628,21 @@ impl Columns {
         if let Some((other, _)) = there.next() {
             return Err(CycleError::Twice(name.to_owned(), other.to_owned()));
         }
-        let numbers = self.0.values(|row| Ok(unit.converted(row.number(name)?)))?;
-        self.check(column, &numbers)?;
-        Ok(Some(numbers))
+        Ok(Some(Found { column, name, unit }))
     }
 
-    /// Warning that names the columns that are not read.
-    fn unread(&self, used: &[&str]) -> Option<Warning> {
-        let is_used = |name: &str| {
-            name == "-"
-                || CLOCKS.contains(&name)
-                || used.iter().any(|column| {
-                    let known = QUANTITIES
-                        .iter()
-                        .find(|quantity| quantity.column == *column);
-                    known.is_some_and(|quantity| quantity.unit(name).is_some())
-                })
-        };
-        let heads = self.0.heads().zip(self.0.names());
-        let unread: Vec<&str> = heads
-            .filter(|(_, name)| !is_used(name))
-            .map(|(head, _)| head)
-            .collect();
-        let text = || {
-            format!(
-                "columns of the cycle that are not read: {}",
-                unread.join(", ")
-            )
-        };
-        (!unread.is_empty()).then(|| Warning::new(Code::W454, text()))
+    /// The numbers of a column that was found.
+    fn numbers(&self, found: Found<'_>) -> Result<Vec<f64>, CycleError> {
+        let Found { column, name, unit } = found;
+        let numbers = self.0.values(|row| Ok(unit.converted(row.number(name)?)))?;
+        self.check(column, &numbers)?;
+        Ok(numbers)
+    }
+
+    /// The numbers of a column of [`QUANTITIES`]; `None` if the table has none of its names.
+    fn column(&self, column: &'static str) -> Result<Option<Vec<f64>>, CycleError> {
+        let found = self.found(column)?;
+        found.map(|found| self.numbers(found)).transpose()
     }
 
     /// Rejects impossible numbers of a column.

@@ -6,6 +6,7 @@ use crate::map::Axes;
 use asperity::efficiency::EfficiencyError;
 use asperity::efficiency::loss_table::LossTable;
 use asperity::loss_table::{LossTableError, read};
+use asperity_core::message::Warning;
 use asperity_core::{Code, Fault};
 
 /// Loss torque in addition to the mesh.
@@ -13,6 +14,8 @@ use asperity_core::{Code, Fault};
 pub struct AddedLoss {
     /// Name of the table.
     pub name: String,
+    /// A doubt about its columns.
+    pub warning: Option<Warning>,
     table: LossTable,
 }
 
@@ -51,9 +54,11 @@ impl AddedLoss {
     /// assert!(AddedLoss::read("bearings.csv", "speed_rpm,loss_torque_nm\n0,-1\n").is_err());
     /// ```
     pub fn read(name: &str, text: &str) -> Result<Self, Fault> {
+        let (table, warning) = read(name, text).map_err(unreadable)?;
         Ok(Self {
             name: name.to_owned(),
-            table: read(name, text).map_err(unreadable)?,
+            warning,
+            table,
         })
     }
 

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use asperity_core::Fault;
+use asperity_core::message::Warning;
 use serde::Deserialize;
 
 use super::added::AddedLoss;
@@ -53,6 +54,16 @@ pub struct With<'a> {
     pub cycle: Option<&'a Cycle>,
     /// Folder or file next to which a library is compiled, in a draft; `None` for the folder of temporary files.
     pub beside: Option<&'a Path>,
+}
+
+impl With<'_> {
+    /// Doubts about the tables.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        let of_cycle = self.cycle.iter().flat_map(|cycle| &cycle.warnings);
+        let of_losses = self.added.iter().filter_map(|added| added.warning.as_ref());
+        of_cycle.chain(of_losses).cloned().collect()
+    }
 }
 
 /// Files of `map` in one format: one per finish and, if the format holds only one temperature, one per temperature.

@@ -87,6 +87,7 @@ pub fn map<C: Clone + Into<Train>>(
         axes: axes.clone(),
         ratio: case.ratio(),
         warnings: maps.iter().flat_map(warnings).collect(),
+        table_warnings: Vec::new(),
         finishes: maps,
         input: case.input.clone(),
         defaults: case.defaults.clone(),

@@ -4,7 +4,7 @@ use asperity_core::numerics::range;
 use asperity_report::chart::{Axis, Contour, Drawing};
 use asperity_report::html::{figure, page};
 use asperity_report::{Table, columns};
-use maud::{Markup, Render, html};
+use maud::{Markup, html};
 
 use super::axes::Axes;
 use super::point::{FinishMap, Map, Numbers, Point};
@@ -127,7 +127,10 @@ pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
                 (bands(map))
             },
         ),
-        ("Ranges", ranges(map).render()),
+        (
+            "Ranges",
+            html! { @for warning in &map.table_warnings { p { (warning) "." } } (ranges(map)) },
+        ),
         ("Provenance", provenance(map)),
     ];
     let names: Vec<&str> = map.finishes.iter().map(|f| f.name.as_str()).collect();

@@ -3,6 +3,7 @@
 use asperity::case::{CaseInput, DefaultUsed};
 use asperity::result::Regime;
 use asperity_core::Code;
+use asperity_core::message::Warning;
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;
@@ -35,6 +36,9 @@ pub struct Map {
     pub finishes: Vec<FinishMap>,
     /// Warnings with their points.
     pub warnings: Vec<MapWarning>,
+    /// Warnings about the tables of its exports: the cycle and the added losses.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub table_warnings: Vec<Warning>,
     /// The case as read; each finish has its own traces.
     #[serde(
         serialize_with = "CaseInput::store",

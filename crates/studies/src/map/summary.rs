@@ -28,6 +28,9 @@ pub(super) fn summary(map: &Map) -> String {
     }
     text.push_str(&bands(map));
     text.push_str(&notes(map));
+    for warning in &map.table_warnings {
+        text.push_str(&format!("{}\n", wrapped(&warning.to_string(), "     ")));
+    }
     text
 }
 

@@ -1,6 +1,7 @@
 //! The cases of a study by number.
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
 use asperity::case::nearest_name;
 use asperity::case::train::Train;
@@ -340,7 +341,13 @@ fn list(study: &Study) -> Result<Sample, SweepError> {
     let refused = |rule: String| SweepError::key("sample.file", rule);
     let text =
         table_text("sample.file", table).map_err(|error| refused(error.fault.to_string()))?;
-    let table = Table::read(&text).map_err(|error| refused(error.to_string()))?;
+    let file = study
+        .input
+        .sample
+        .as_ref()
+        .and_then(|of| of.file.as_deref());
+    let file = file.unwrap_or(Path::new("")).display();
+    let table = Table::read(&text).map_err(|error| refused(format!("{file}: {error}")))?;
     let keys: Vec<(String, String)> = table
         .heads()
         .map(|head| match head.split_once('[') {
@@ -352,7 +359,7 @@ fn list(study: &Study) -> Result<Sample, SweepError> {
         })
         .collect();
     let rows = table.values(|row| row.numbers());
-    let rows = rows.map_err(|fault| refused(fault.to_string()))?;
+    let rows = rows.map_err(|fault| refused(format!("{file}:{fault}")))?;
     match rows.is_empty() {
         true => Err(SweepError::key("sample.file", "the table has no rows")),
         false => Ok(Sample::Rows { keys, rows }),
