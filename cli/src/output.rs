@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
-use asperity_core::Code;
+use asperity_core::{Code, Fault};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -16,9 +16,9 @@ use crate::failure::Failure;
 /// Prints a value as JSON.
 pub fn print_json<T: Serialize + ?Sized>(value: &T) -> Result<(), Failure> {
     asperity_storage::check_finite(value)
-        .map_err(|error| Failure::new(Code::E501, format!("no result: {error}")))?;
+        .map_err(|error| Fault::internal(error).about("no result"))?;
     let text = serde_json::to_string_pretty(value)
-        .map_err(|error| Failure::new(Code::E501, format!("cannot be written as JSON: {error}")))?;
+        .map_err(|error| Fault::internal(error).about("cannot be written as JSON"))?;
     write(&format!("{text}\n"))
 }
 
@@ -127,11 +127,10 @@ fn write(text: &str) -> Result<(), Failure> {
 fn write_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut output = std::io::stdout().lock();
     match output.write_all(bytes).and_then(|()| output.flush()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::new(
-            Code::E401,
-            format!("standard output: cannot be written: {error}"),
-        )
-        .advising("Redirect the output to another place, or free some space there.")),
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Failure::from(Fault::unwritten("standard output", error))
+                .advising("Redirect the output to another place, or free some space there."))
+        }
         _ => Ok(()),
     }
 }

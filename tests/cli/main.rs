@@ -14,6 +14,7 @@ mod calibrate;
 mod callout;
 mod case_commands;
 mod case_messages;
+mod changed_digit;
 mod codes;
 mod contact;
 mod dialects;

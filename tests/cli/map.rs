@@ -391,33 +391,6 @@ fn a_cycle_sums_the_losses_of_the_map() {
 }
 
 #[test]
-fn a_map_of_which_a_digit_was_changed_is_no_map() {
-    let bench = bench(E_DRIVE);
-    map(&bench, "m", &["--band", "none"]);
-    bench.write(
-        "few.csv",
-        "time_s,torque_nm,speed_rpm\n0,40,500\n1,40,500\n",
-    );
-    let cycle = ["cycle", "m", "few.csv", "--no-output"];
-    bench.run(&cycle).well();
-    for name in ["map.csv", "map.json"] {
-        let whole = fs::read_to_string(bench.path("m").join(name)).unwrap();
-        // The last digit of a loss, or of the version of the program.
-        let digit = whole.rfind(|c: char| c.is_ascii_digit()).unwrap();
-        let other = if &whole[digit..=digit] == "7" {
-            "8"
-        } else {
-            "7"
-        };
-        let changed = format!("{}{other}{}", &whole[..digit], &whole[digit + 1..]);
-        bench.write(&format!("m/{name}"), &changed);
-        bench.run(&cycle).refused(2, "E402", &[name]);
-        bench.write(&format!("m/{name}"), &whole);
-    }
-    bench.run(&cycle).well();
-}
-
-#[test]
 fn a_cycle_beyond_the_map_is_refused_unless_that_is_accepted() {
     let bench = bench(&with_line(
         "positions",

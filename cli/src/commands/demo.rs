@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity_core::Code;
+use asperity_core::{Code, Fault};
 use asperity_fixtures::TextFile;
 use asperity_fixtures::worked::{Worked, WorkedError, WorkedGears};
 use asperity_report::library::unlisted;
@@ -18,8 +18,8 @@ pub fn demo(folder: Option<&Path>, worked: Worked<'_>, common: &Common) -> Resul
     let folder = folder.unwrap_or(Path::new(worked.folder()));
     refuse_existing(folder)?;
     let files = worked.files().map_err(|error| match error {
-        WorkedError::Gears(error) => unlisted(error).into(),
-        error => Failure::new(Code::E501, error.to_string()),
+        WorkedError::Gears(error) => unlisted(error),
+        error => Fault::internal(error),
     })?;
     let option = match worked {
         Worked::Paper => " --formulation paper",

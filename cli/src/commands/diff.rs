@@ -1,6 +1,6 @@
 //! `asperity diff`: differences between two results.
 
-use asperity_core::Code;
+use asperity_core::{Code, Fault};
 use asperity_report::read_result;
 use asperity_studies::diff::{Change, ResultDiff, diff as compare};
 use serde_json::Value;
@@ -16,7 +16,7 @@ pub fn diff(args: &DiffArgs, common: &Common) -> Result<(), Failure> {
     let (_, first) = read(&args.first)?;
     let (_, second) = read(&args.second)?;
     let differences = compare(&first, &second)
-        .map_err(|error| Failure::new(Code::E501, format!("cannot be compared: {error}")))?;
+        .map_err(|error| Fault::internal(error).about("cannot be compared"))?;
     print(common, || &differences, || text(&differences))
 }
 

@@ -189,7 +189,7 @@ impl<'a> Gears<'a> {
         // Losses above the power in enter through the output as well, and none is left.
         if flow.power_out().si() == 0.0 {
             let loss = Power::from_si(loss_w);
-            return Err(EfficiencyError::LossExceedsInput { loss, input }.into());
+            return Err(EfficiencyError::loss_exceeds_input(loss, input).into());
         }
         let power_in_w = flow.power_in().si();
         let report = GearboxReport {
@@ -213,10 +213,7 @@ impl<'a> Gears<'a> {
         let temperature = gearbox.temperature.unwrap_or(temperature);
         let mut found = Vec::with_capacity(gearbox.parts.len());
         for part in &gearbox.parts {
-            let named = |source: PositionError| PositionError::GearboxPart {
-                part: part.name.clone(),
-                source: Box::new(source),
-            };
+            let named = |error| PositionError::gearbox_part(&part.name, error);
             let (relative, shafts) = self.relative(part.shaft, &part.kind, turning)?;
             let at = At {
                 torque,

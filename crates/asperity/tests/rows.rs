@@ -6,7 +6,7 @@ use std::path::Path;
 
 use asperity::case::load;
 use asperity::prelude::RunResult;
-use asperity::result::PositionRow;
+use asperity::result::{OutsideInput, PositionRow};
 
 fn result(positions: usize) -> RunResult {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
@@ -84,7 +84,9 @@ fn losses_name_what_left_its_range_as_a_run_does() {
     let named = |temperature: &str| asperity::losses(&few(temperature)).unwrap().outside;
     let outside = named("90 °C");
     assert!(
-        outside.iter().all(|name| name.starts_with("W40")),
+        outside
+            .iter()
+            .all(|input| input.to_string().starts_with("W40")),
         "{outside:?}"
     );
     let warnings = asperity::Run::new(&few("90 °C"))
@@ -96,8 +98,8 @@ fn losses_name_what_left_its_range_as_a_run_does() {
     let mut said = 0;
     for warning in ranges {
         assert!(
-            outside.iter().any(|name| {
-                let (_, input) = name.rsplit_once(": ").unwrap();
+            outside.iter().any(|outside| {
+                let input = outside.input.unwrap();
                 warning.text.starts_with(&format!("{input} "))
             }),
             "{outside:?} {}",
@@ -107,10 +109,10 @@ fn losses_name_what_left_its_range_as_a_run_does() {
     }
     assert!(said > 0);
     // Hot oil is thinner than Gold's fit reaches.
-    let thin = |names: &[String]| {
-        names
-            .iter()
-            .any(|name| name == "W401 Gold's pressure-viscosity fit: kinematic viscosity")
+    let thin = |names: &[OutsideInput]| {
+        names.iter().any(|name| {
+            name.to_string() == "W401 Gold's pressure-viscosity fit: kinematic viscosity"
+        })
     };
     assert!(thin(&outside) && !thin(&named("40 °C")), "{outside:?}");
 }

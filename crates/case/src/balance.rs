@@ -7,51 +7,10 @@ use asperity_core::{Code, Fault};
 /// Largest difference between a total and its parts, relative to the total: rounding of sums of some thousand terms.
 const TOLERANCE: f64 = 1e-9;
 
-/// Numbers of a result that cannot be, or cannot be together.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum Unbalanced {
-    /// A number that is not finite.
-    #[error("{of} is {value} {unit}, which is not a result", value = number(*value))]
-    NotFinite {
-        /// Name of the number.
-        of: &'static str,
-        /// The number.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-    },
-    /// An efficiency below 0 or above 1.
-    #[error("{of} is {value}, not within 0 and 1", value = number(*value))]
-    Efficiency {
-        /// Name of the efficiency.
-        of: &'static str,
-        /// The efficiency.
-        value: f64,
-    },
-    /// A total that is not the sum of its parts.
-    #[error("{of} is {total} {unit}, and its parts together are {parts} {unit}", total = number(*total), parts = number(*parts))]
-    Sum {
-        /// Name of the total.
-        of: &'static str,
-        /// The total.
-        total: f64,
-        /// Sum of the parts.
-        parts: f64,
-        /// Unit of both.
-        unit: &'static str,
-    },
-}
-
-impl Unbalanced {
-    /// Stable code of the message: a state beyond physical sense, or a fault of the program.
-    #[must_use]
-    pub const fn code(&self) -> Code {
-        match self {
-            Self::NotFinite { .. } | Self::Efficiency { .. } => Code::E308,
-            Self::Sum { .. } => Code::E501,
-        }
-    }
+/// The error of an efficiency below 0 or above 1.
+pub fn impossible_efficiency(of: &'static str, value: f64) -> Fault {
+    let text = format!("{of} is {}, not within 0 and 1", number(value));
+    Fault::new(Code::E308, text)
 }
 
 /// Σ parts = total, all finite; `of` and `unit` name them in the error.
@@ -66,24 +25,18 @@ impl Unbalanced {
 /// assert_eq!(loss(580.0).unwrap_err().code(), "E501");
 /// assert_eq!(loss(f64::NAN).unwrap_err().code(), "E308");
 /// ```
-pub fn sum(
-    of: &'static str,
-    unit: &'static str,
-    total: f64,
-    parts: &[f64],
-) -> Result<(), Unbalanced> {
+pub fn sum(of: &'static str, unit: &'static str, total: f64, parts: &[f64]) -> Result<(), Fault> {
     for &value in parts.iter().chain([&total]) {
         finite(of, unit, value)?;
     }
     let parts: f64 = parts.iter().sum();
     match (parts - total).abs() <= TOLERANCE * total.abs() {
         true => Ok(()),
-        false => Err(Unbalanced::Sum {
-            of,
-            total,
-            parts,
-            unit,
-        }),
+        false => Err(Fault::internal(format!(
+            "{of} is {} {unit}, and its parts together are {} {unit}",
+            number(total),
+            number(parts)
+        ))),
     }
 }
 
@@ -99,10 +52,10 @@ pub fn sum(
 /// assert_eq!(of(1.01).unwrap_err().code(), "E308");
 /// assert_eq!(of(0.98).unwrap_err().code(), "E501");
 /// ```
-pub fn efficiency(of: &'static str, value: f64, loss: f64, input: f64) -> Result<(), Unbalanced> {
+pub fn efficiency(of: &'static str, value: f64, loss: f64, input: f64) -> Result<(), Fault> {
     match (0.0..=1.0).contains(&value) {
         true => sum(of, "-", 1.0, &[value, loss / input]),
-        false => Err(Unbalanced::Efficiency { of, value }),
+        false => Err(impossible_efficiency(of, value)),
     }
 }
 
@@ -110,15 +63,12 @@ pub fn efficiency(of: &'static str, value: f64, loss: f64, input: f64) -> Result
 ///
 /// # Errors
 /// If the number is infinite or not a number.
-pub fn finite(of: &'static str, unit: &'static str, value: f64) -> Result<(), Unbalanced> {
+pub fn finite(of: &'static str, unit: &'static str, value: f64) -> Result<(), Fault> {
     match value.is_finite() {
         true => Ok(()),
-        false => Err(Unbalanced::NotFinite { of, value, unit }),
-    }
-}
-
-impl From<Unbalanced> for Fault {
-    fn from(error: Unbalanced) -> Self {
-        Self::of(error.code(), error)
+        false => Err(Fault::new(
+            Code::E308,
+            format!("{of} is {} {unit}, which is not a result", number(value)),
+        )),
     }
 }

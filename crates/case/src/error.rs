@@ -9,7 +9,6 @@ use asperity_core::{Code, DomainError, Fault, Place, decimals, number};
 use asperity_efficiency::EfficiencyError;
 use asperity_ehl::EhlError;
 
-use crate::balance::Unbalanced;
 use crate::case::{CaseError, Source};
 use asperity_mixed_film::LoadShareError;
 
@@ -29,17 +28,6 @@ pub enum PositionError {
     /// The lubricated contact has no solution, or did not converge.
     #[error(transparent)]
     Ehl(#[from] asperity_ehl::EhlError),
-    /// A part of the gearbox has no loss.
-    #[error("gearbox: {part}: {source}")]
-    GearboxPart {
-        /// Its name.
-        part: String,
-        /// Cause.
-        source: Box<PositionError>,
-    },
-    /// Losses cannot be summed.
-    #[error(transparent)]
-    Efficiency(#[from] EfficiencyError),
     /// The prepared trace does not cover the window.
     #[error(
         "the prepared trace of {available_um} um is shorter than the {needed_um} um that the windows of the contact need", available_um = decimals(*available_um, 0), needed_um = decimals(*needed_um, 0))]
@@ -52,9 +40,6 @@ pub enum PositionError {
     /// A rough contact without solution, with the gap that it had to close.
     #[error(transparent)]
     Unsolved(Box<UnsolvedContact>),
-    /// Numbers of the result that cannot be, or cannot be together.
-    #[error(transparent)]
-    Unbalanced(#[from] Unbalanced),
     /// An error that no caller distinguishes from others.
     #[error(transparent)]
     Fault(#[from] Fault),
@@ -70,6 +55,13 @@ impl PositionError {
                 100.0 * coverage
             ),
         ))
+    }
+
+    /// A part of the gearbox has no loss.
+    pub fn gearbox_part(part: &str, error: Self) -> Self {
+        let (code, remedy) = (error.code(), error.remedy());
+        let fault = Fault::of(code, error).with(remedy);
+        Self::Fault(fault.about(format!("gearbox: {part}")))
     }
 
     /// One contact asked of several traces.
@@ -193,6 +185,17 @@ outside_the_model!(
     DomainError
 );
 
+/// Losses cannot be summed.
+impl From<EfficiencyError> for PositionError {
+    fn from(error: EfficiencyError) -> Self {
+        let fault = Fault::from(error);
+        Self::Fault(match fault.code() {
+            Code::E311 | Code::E313 => fault,
+            _ => fault.coded(Code::E305),
+        })
+    }
+}
+
 /// The rough contact that was not solved.
 #[derive(Debug, Clone, thiserror::Error)]
 #[error("{source}")]
@@ -229,7 +232,7 @@ impl PositionError {
             Self::Cancelled(_)
                 | Self::Contact(ContactError::Cancelled(_))
                 | Self::LoadShare(LoadShareError::Contact(ContactError::Cancelled(_)))
-                | Self::Ehl(EhlError::Cancelled(_) | EhlError::Hertz(ContactError::Cancelled(_)))
+                | Self::Ehl(EhlError::Cancelled(_))
         )
     }
 
@@ -237,7 +240,6 @@ impl PositionError {
     fn reason(&self) -> &Self {
         match self {
             Self::Unsolved(kept) => kept.source.reason(),
-            Self::GearboxPart { source, .. } => source.reason(),
             other => other,
         }
     }
@@ -402,20 +404,19 @@ impl PositionError {
             reason if reason.is_cancelled() => Code::E502,
             Self::Fault(fault) => fault.code(),
             Self::TraceTooShort { .. } => Code::E122,
-            Self::Unbalanced(error) => error.code(),
             Self::Contact(ContactError::NotConverged { .. })
-            | Self::LoadShare(
-                LoadShareError::Contact(ContactError::NotConverged { .. })
-                | LoadShareError::NoRoot { .. },
-            ) => Code::E301,
+            | Self::LoadShare(LoadShareError::Contact(ContactError::NotConverged { .. })) => {
+                Code::E301
+            }
+            Self::LoadShare(LoadShareError::Fault(fault)) if fault.code() == Code::E301 => {
+                Code::E301
+            }
             Self::Contact(ContactError::LimitBelowMeanPressure { .. })
             | Self::LoadShare(LoadShareError::Contact(ContactError::LimitBelowMeanPressure {
                 ..
             })) => Code::E302,
             Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => Code::E306,
             Self::Ehl(error) if error.is_unconverged() => Code::E307,
-            Self::Efficiency(EfficiencyError::BulkNotSettled { .. }) => Code::E311,
-            Self::Efficiency(EfficiencyError::NotInTable { .. }) => Code::E313,
             _ => Code::E305,
         }
     }

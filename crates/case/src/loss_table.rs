@@ -1,39 +1,20 @@
 //! Tables of gearbox losses, as files.
 
+use std::fmt::Display;
+
 use asperity_core::message::Warning;
 use asperity_core::{Code, Fault};
-use asperity_efficiency::EfficiencyError;
 use asperity_efficiency::loss_table::{LossRow, LossTable};
-use asperity_table::{Ragged, Row, RowFault, Table};
+use asperity_table::{Row, RowFault, Table};
 
-/// Reasons why a file is not a table of losses.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum LossTableError {
-    /// A row of the table has another number of cells than its header.
-    #[error("{name}: {source}")]
-    Ragged {
-        /// Name of the table.
-        name: String,
-        /// Its line and numbers.
-        source: Ragged,
-    },
-    /// A cell is missing or no number.
-    #[error("{name}:{source}")]
-    Cell {
-        /// Name of the table.
-        name: String,
-        /// The first such cell.
-        source: RowFault,
-    },
-    /// The rows form no table.
-    #[error("{name}: {source}")]
-    Rows {
-        /// Name of the table.
-        name: String,
-        /// Reason.
-        source: EfficiencyError,
-    },
+/// The error of the table `name`.
+fn refused(name: &str, reason: impl Display) -> Fault {
+    Fault::new(Code::E138, format!("{name}: {reason}"))
+}
+
+/// The error of a cell of the table `name`, which is missing or no number.
+fn of_cell(name: &str, cell: &RowFault) -> Fault {
+    Fault::new(Code::E138, format!("{name}:{cell}"))
 }
 
 /// Names of the columns in VECTO's transmission loss maps.
@@ -85,11 +66,8 @@ fn node(row: Row<'_>) -> Result<LossRow, RowFault> {
 /// assert!(read("bearings.csv", "speed_rpm,loss_torque_nm\n0,-1\n").is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn read(name: &str, text: &str) -> Result<(LossTable, Option<Warning>), LossTableError> {
-    let table = Table::read(text).map_err(|source| LossTableError::Ragged {
-        name: name.to_owned(),
-        source,
-    })?;
+pub fn read(name: &str, text: &str) -> Result<(LossTable, Option<Warning>), Fault> {
+    let table = Table::read(text).map_err(|ragged| refused(name, ragged))?;
     let there = |column: &str| {
         table.has(column)
             || NAMES
@@ -107,30 +85,11 @@ pub fn read(name: &str, text: &str) -> Result<(LossTable, Option<Warning>), Loss
             heads.join(", ")
         );
         let (line, column) = (1, lacking[0].into());
-        let source = RowFault { line, column, rule };
-        return Err(LossTableError::Cell {
-            name: name.to_owned(),
-            source,
-        });
+        return Err(of_cell(name, &RowFault { line, column, rule }));
     }
-    let rows = table.values(node);
-    let rows = rows.map_err(|source| LossTableError::Cell {
-        name: name.to_owned(),
-        source,
-    })?;
-    match LossTable::new(&rows) {
-        Ok(losses) => Ok((losses, table.unread(name))),
-        Err(source) => Err(LossTableError::Rows {
-            name: name.to_owned(),
-            source,
-        }),
-    }
-}
-
-impl From<LossTableError> for Fault {
-    fn from(error: LossTableError) -> Self {
-        Self::of(Code::E138, error)
-    }
+    let rows = table.values(node).map_err(|cell| of_cell(name, &cell))?;
+    let losses = LossTable::new(&rows).map_err(|error| refused(name, error))?;
+    Ok((losses, table.unread(name)))
 }
 
 #[cfg(test)]

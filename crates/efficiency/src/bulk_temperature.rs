@@ -190,11 +190,8 @@ pub fn lowest_fixed_point<E: From<EfficiencyError>>(
 ) -> Result<BulkTemperature, E> {
     cite!("Bulk-fixed-point");
     let not_settled = |at: f64, residual: f64, steps| {
-        E::from(EfficiencyError::BulkNotSettled {
-            temperature: Temperature::from_si(at),
-            residual: residual.abs(),
-            steps,
-        })
+        let at = Temperature::from_si(at);
+        E::from(EfficiencyError::bulk_not_settled(at, residual.abs(), steps))
     };
     let (mut at, mut residual) = (from.si(), f64::INFINITY);
     for steps in 1..=MOST_STEPS {
@@ -221,6 +218,8 @@ pub fn lowest_fixed_point<E: From<EfficiencyError>>(
 
 #[cfg(test)]
 mod tests {
+    use asperity_core::{Code, Fault};
+
     use super::*;
 
     fn celsius(value: f64) -> Temperature {
@@ -294,10 +293,10 @@ mod tests {
             Ok(Temperature::from_si(at.si() + 1.0))
         };
         let error = fixed_point(celsius(90.0), made).unwrap_err();
-        assert!(matches!(
-            error,
-            EfficiencyError::BulkNotSettled { steps: 50, .. }
-        ));
+        let error = Fault::from(error);
+        assert_eq!(error.code(), Code::E311);
+        let start = "the bulk temperature did not settle in 50 steps (last ";
+        assert!(error.message().starts_with(start), "{error}");
     }
 
     #[test]
@@ -313,15 +312,8 @@ mod tests {
         };
         // 90, 94 and 98 °C are met, 102 °C is not.
         let error = fixed_point(celsius(90.0), made).unwrap_err();
-        let EfficiencyError::BulkNotSettled {
-            temperature,
-            residual,
-            steps,
-        } = error
-        else {
-            panic!("{error:?}");
-        };
-        assert!((temperature - celsius(98.0)).si().abs() < 1e-9);
-        assert_eq!((residual, steps), (8.0, 3));
+        let expected =
+            "the bulk temperature did not settle in 3 steps (last 98 °C, still moving by 8.00 K)";
+        assert_eq!(error.to_string(), expected);
     }
 }

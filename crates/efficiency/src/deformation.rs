@@ -156,11 +156,11 @@ fn work(
 ) -> Result<LineEnergy, EfficiencyError> {
     let dx = DomainError::positive("spacing", spacing)?;
     if displacement.len() != pressure.len() {
-        return Err(EfficiencyError::LengthMismatch {
-            name: "displacement",
-            found: displacement.len(),
-            expected: pressure.len(),
-        });
+        return Err(EfficiencyError::length_mismatch(
+            "displacement",
+            displacement.len(),
+            pressure.len(),
+        ));
     }
     let mut sum = 0.0;
     for (&p, &u) in pressure.iter().zip(displacement) {
@@ -171,7 +171,7 @@ fn work(
     let energy = LineEnergy::from_si(sum);
     DomainError::finite(name, energy)?;
     if sum < 0.0 {
-        return Err(EfficiencyError::NegativeEnergy { name, energy });
+        return Err(EfficiencyError::negative_energy(name, energy));
     }
     Ok(energy)
 }

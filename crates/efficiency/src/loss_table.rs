@@ -63,16 +63,16 @@ impl LossTable {
         for row in rows {
             let coordinates = [row.torque_nm, Some(row.speed_rpm), row.temperature_c];
             if !coordinates.into_iter().flatten().all(f64::is_finite) {
-                return Err(EfficiencyError::TableRow {
-                    rule: "torque_nm, speed_rpm and temperature_c must be finite",
-                    value: row.speed_rpm,
-                });
+                return Err(EfficiencyError::table_row(
+                    "torque_nm, speed_rpm and temperature_c must be finite",
+                    row.speed_rpm,
+                ));
             }
             if !(row.loss_torque_nm.is_finite() && row.loss_torque_nm >= 0.0) {
-                return Err(EfficiencyError::TableRow {
-                    rule: "loss_torque_nm, or loss_w at a speed above 0, must be stated and zero or more",
-                    value: row.loss_torque_nm,
-                });
+                return Err(EfficiencyError::table_row(
+                    "loss_torque_nm, or loss_w at a speed above 0, must be stated and zero or more",
+                    row.loss_torque_nm,
+                ));
             }
         }
         let temperatures = distinct(rows.iter().filter_map(|row| row.temperature_c));
@@ -112,11 +112,7 @@ impl LossTable {
         temperature_c: f64,
     ) -> Result<f64, EfficiencyError> {
         cite!("Loss-table");
-        let missing = || EfficiencyError::NotInTable {
-            torque_nm,
-            speed_rpm,
-            temperature_c,
-        };
+        let missing = || EfficiencyError::not_in_table(torque_nm, speed_rpm, temperature_c);
         let at = |grid: &Grid| grid.at(torque_nm, speed_rpm.abs());
         if self.temperatures.is_empty() {
             return self.grids.first().and_then(at).ok_or_else(missing);
@@ -165,10 +161,10 @@ impl Grid {
                 speeds,
                 values,
             }),
-            Some(at) if is_whole && !torques.is_empty() => Err(EfficiencyError::HoleInTable {
-                torque_nm: torques[at / speeds.len()],
-                speed_rpm: speeds[at % speeds.len()],
-            }),
+            Some(at) if is_whole && !torques.is_empty() => Err(EfficiencyError::hole_in_table(
+                torques[at / speeds.len()],
+                speeds[at % speeds.len()],
+            )),
             _ => Err(no_grid(rows, &torques, &speeds)),
         }
     }
@@ -203,11 +199,7 @@ fn fill(values: &mut [f64], (torques, speeds, j): (&[f64], usize, usize)) {
 }
 
 fn no_grid(rows: &[LossRow], torques: &[f64], speeds: &[f64]) -> EfficiencyError {
-    EfficiencyError::NoGrid {
-        rows: rows.len(),
-        torques: torques.len(),
-        speeds: speeds.len(),
-    }
+    EfficiencyError::no_grid(rows.len(), torques.len(), speeds.len())
 }
 
 /// Interval of the nodes that holds `value`; `None` beyond the nodes.
@@ -217,6 +209,8 @@ fn interval(nodes: &[f64], value: f64) -> Option<NodeInterval> {
 
 #[cfg(test)]
 mod tests {
+    use asperity_core::{Code, Fault};
+
     use super::*;
 
     fn row(torque: f64, speed: f64, temperature: f64, loss: f64) -> LossRow {
@@ -298,10 +292,7 @@ mod tests {
             (f64::NAN, 0.0, 60.0),
         ] {
             let error = table.loss_torque(torque, speed, temperature).unwrap_err();
-            assert!(
-                matches!(error, EfficiencyError::NotInTable { .. }),
-                "{error}"
-            );
+            assert_eq!(Fault::from(error).code(), Code::E313);
         }
     }
 
@@ -323,13 +314,20 @@ mod tests {
         assert!(error.to_string().starts_with(expected), "{error}");
         for rows in [double, mixed, without_torque, Vec::new()] {
             let error = LossTable::new(&rows).unwrap_err();
-            assert!(matches!(error, EfficiencyError::NoGrid { .. }), "{error}");
+            let error = Fault::from(error);
+            assert_eq!(error.code(), Code::E138);
+            assert!(error.message().contains("do not form a grid"), "{error}");
         }
         for loss in [-0.1, f64::NAN, f64::INFINITY] {
             let mut rows = linear();
             rows[3].loss_torque_nm = loss;
             let error = LossTable::new(&rows).unwrap_err();
-            assert!(matches!(error, EfficiencyError::TableRow { .. }), "{error}");
+            let error = Fault::from(error);
+            assert_eq!(error.code(), Code::E138);
+            assert!(
+                error.message().starts_with("loss_torque_nm, or loss_w"),
+                "{error}"
+            );
         }
         let mut rows = linear();
         rows[3].speed_rpm = f64::NAN;

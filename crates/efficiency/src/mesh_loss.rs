@@ -147,7 +147,7 @@ fn mean(
     per_metre: impl Fn(&PositionLoss) -> Result<f64, DomainError>,
 ) -> Result<Power, EfficiencyError> {
     if positions.is_empty() {
-        return Err(EfficiencyError::NoPositions);
+        return Err(EfficiencyError::no_positions());
     }
     let mut sum = 0.0;
     for position in positions {

@@ -32,7 +32,7 @@ pub fn efficiency(input: Power, loss: Power) -> Result<f64, EfficiencyError> {
     let power = DomainError::positive("input power", input)?;
     let sum = DomainError::non_negative("loss", loss)?;
     if sum >= power {
-        return Err(EfficiencyError::LossExceedsInput { loss, input });
+        return Err(EfficiencyError::loss_exceeds_input(loss, input));
     }
     Ok(1.0 - sum / power)
 }

@@ -90,7 +90,7 @@ pub fn swept_deformation(
     cite!("Hysteresis");
     cite!("Plastic-swept");
     if positions.is_empty() {
-        return Err(EfficiencyError::NoPositions);
+        return Err(EfficiencyError::no_positions());
     }
     let rule = "must lie between 0 and 1";
     let fits = (0.0..=1.0).contains(&hysteresis);

@@ -3,6 +3,7 @@
 use asperity_core::quantity::{
     AngularSpeed, Length, LineEnergy, LineLoad, Power, Pressure, Speed, Time, Torque,
 };
+use asperity_core::{DomainError, Fault};
 use asperity_efficiency::deformation::{
     SurfaceDeformation, elastic_energy, engagement_period, hysteresis_power, plastic_work,
     printed_deformation, running_in,
@@ -32,7 +33,8 @@ fn operation() -> MeshOperation {
 }
 
 fn is_domain<T: std::fmt::Debug>(result: Result<T, EfficiencyError>) -> bool {
-    matches!(result, Err(EfficiencyError::Domain(_)))
+    let fault = result.err().map(Fault::from);
+    fault.is_some_and(|fault| fault.cause::<DomainError>().is_some())
 }
 
 #[test]
@@ -71,7 +73,8 @@ fn losses_cannot_be_negative_or_unknown() {
         );
     }
     let none = mesh_loss(&[], RollingSurfaces::Both);
-    assert_eq!(none, Err(EfficiencyError::NoPositions));
+    let expected = "a mesh loss needs at least one position";
+    assert_eq!(none.unwrap_err().to_string(), expected);
     let negative = [(LossKind::Sliding, Power::from_si(-1.0))];
     assert!(is_domain(mesh_efficiency(&operation(), &negative, false)));
 }
@@ -80,10 +83,11 @@ fn losses_cannot_be_negative_or_unknown() {
 fn a_mesh_that_loses_all_it_gets_has_no_efficiency() {
     for loss in [1000.0, 1500.0] {
         let refused = power_flow(&operation(), Power::from_si(loss));
-        assert!(matches!(
-            refused,
-            Err(EfficiencyError::LossExceedsInput { .. })
-        ));
+        let refused = refused.unwrap_err().to_string();
+        assert!(
+            refused.contains("are not below the input power"),
+            "{refused}"
+        );
     }
     // When the wheel drives, the input is what the losses leave, and them.
     let back = MeshOperation {
@@ -171,19 +175,16 @@ fn running_in_counts_only_when_asked() {
 fn deformations_that_release_energy_are_refused() {
     let dx = Length::from_si(1e-6);
     let released = plastic_work(&[1e9], &[-1e-9], dx);
-    assert!(matches!(
-        released,
-        Err(EfficiencyError::NegativeEnergy { .. })
-    ));
+    let released = released.unwrap_err().to_string();
+    assert!(
+        released.contains("cannot release more than it took"),
+        "{released}"
+    );
     let uneven = elastic_energy(&[1e9, 1e9], &[1e-9], dx);
-    assert!(matches!(
-        uneven,
-        Err(EfficiencyError::LengthMismatch {
-            found: 1,
-            expected: 2,
-            ..
-        })
-    ));
+    assert_eq!(
+        uneven.unwrap_err().to_string(),
+        "displacement has 1 points where 2 are needed"
+    );
     assert!(is_domain(plastic_work(&[-1e9], &[1e-9], dx)));
     assert!(is_domain(plastic_work(&[1e9], &[f64::NAN], dx)));
     assert!(is_domain(plastic_work(

@@ -1,30 +1,15 @@
 //! Errors of a film or a regime.
 
-use asperity_core::{Code, DomainError, Fault};
+use asperity_core::{Code, Fault};
 
-/// Errors of film thickness and regime.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum RegimeError {
-    /// An input outside its domain.
-    #[error(transparent)]
-    Domain(#[from] DomainError),
-    /// A film law needs an input that was not given.
-    #[error("the film law {law} needs {input}")]
-    MissingInput {
-        /// The law, by its name in a case file.
-        law: &'static str,
-        /// The input, by its field name.
-        input: &'static str,
-    },
+asperity_core::fault_error! {
+    /// Errors of film thickness and regime.
+    RegimeError
 }
 
-impl From<RegimeError> for Fault {
-    fn from(error: RegimeError) -> Self {
-        let code = match error {
-            RegimeError::MissingInput { .. } => Code::E205,
-            RegimeError::Domain(_) => Code::E209,
-        };
-        Self::of(code, error)
+impl RegimeError {
+    /// A film law, by its name in a case file, needs an input, by its field name, that was not given.
+    pub(crate) fn missing_input(law: &'static str, input: &'static str) -> Self {
+        Fault::new(Code::E205, format!("the film law {law} needs {input}")).into()
     }
 }

@@ -133,9 +133,8 @@ fn line(
 }
 
 fn hamrock_dowson(at: &FilmConditions) -> Result<Checked<FilmThickness>, RegimeError> {
-    let length = at.contact_length.ok_or(RegimeError::MissingInput {
-        law: FilmLaw::HamrockDowson.name(),
-        input: "contact_length",
+    let length = at.contact_length.ok_or_else(|| {
+        RegimeError::missing_input(FilmLaw::HamrockDowson.name(), "contact_length")
     })?;
     let load = DomainError::positive("line load", at.load)?;
     let length = DomainError::positive("contact length", length)?;

@@ -5,8 +5,8 @@
     reason = "helpers of tests may unwrap as tests do"
 )]
 
-use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_core::{Code, DomainError, Fault};
 use asperity_ehl_regime::film_elliptic::{
     ellipticity, hamrock_dowson_central, hamrock_dowson_minimum,
 };
@@ -14,7 +14,7 @@ use asperity_ehl_regime::regime::film_share_of_film_ratio;
 use asperity_ehl_regime::thermal_reduction::{gupta, murch_wilson};
 use asperity_ehl_regime::{
     AsperityShape, FilmConditions, FilmGroups, FilmLaw, FilmThickness, LoadShareLaw, Orientation,
-    Regime, RegimeError, ThermalLaw, film_line, film_ratio, lambda_star,
+    Regime, ThermalLaw, film_line, film_ratio, lambda_star,
 };
 
 fn position() -> FilmConditions {
@@ -114,13 +114,10 @@ fn hamrock_dowson_notes_what_left_its_range_but_not_the_line_limit() {
 
 #[test]
 fn hamrock_dowson_without_a_contact_length_asks_for_it() {
-    assert_eq!(
-        FilmLaw::HamrockDowson.film(&position()),
-        Err(RegimeError::MissingInput {
-            law: "hamrock-dowson",
-            input: "contact_length"
-        })
-    );
+    let refused = Fault::from(FilmLaw::HamrockDowson.film(&position()).unwrap_err());
+    assert_eq!(refused.code(), Code::E205);
+    let expected = "the film law hamrock-dowson needs contact_length";
+    assert_eq!(refused.message(), expected);
     // With R as the contact length both readings of the load are the same.
     let square = FilmConditions {
         contact_length: Some(position().radius),
@@ -160,10 +157,8 @@ fn impossible_positions_are_refused_by_name() {
                 contact_length: Some(Length::from_si(0.05)),
                 ..bad
             };
-            match law.film(&bad) {
-                Err(RegimeError::Domain(DomainError { name: seen, .. })) => assert_eq!(seen, name),
-                other => panic!("{other:?}"),
-            }
+            let refused = Fault::from(law.film(&bad).unwrap_err());
+            assert_eq!(refused.cause::<DomainError>().unwrap().name, name);
         }
     };
     let load = |si| FilmConditions {

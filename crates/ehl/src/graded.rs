@@ -130,13 +130,12 @@ fn extrapolated(values: &[f64]) -> Extrapolated {
 }
 
 fn not_converged(cells: usize, effort: Effort) -> EhlError {
-    EhlError::NotConverged {
+    let hint = "start from other numbers of cells, or use the even grid";
+    EhlError::not_converged(
         cells,
-        iterations: effort.iterations,
-        change: effort.change,
-        changes: effort.flips,
-        hint: "start from other numbers of cells, or use the even grid",
-    }
+        (effort.iterations, effort.change, effort.flips),
+        hint,
+    )
 }
 
 fn solve(

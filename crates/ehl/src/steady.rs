@@ -279,12 +279,7 @@ pub(crate) fn check_cells(cells: usize) -> Result<usize, EhlError> {
     if cells.is_multiple_of(CELL_MULTIPLE) && (CELL_MULTIPLE..=MOST_CELLS).contains(&cells) {
         Ok(cells)
     } else {
-        Err(EhlError::Cells {
-            cells,
-            multiple: CELL_MULTIPLE,
-            least: CELL_MULTIPLE,
-            most: MOST_CELLS,
-        })
+        Err(EhlError::cells(cells, CELL_MULTIPLE, MOST_CELLS))
     }
 }
 
@@ -322,13 +317,11 @@ pub(crate) fn solve_sequence(
         }),
         Err(effort) => {
             checkpoint()?;
-            Err(EhlError::NotConverged {
+            Err(EhlError::not_converged(
                 cells,
-                iterations: effort.iterations,
-                change: effort.change,
-                changes: effort.flips,
-                hint: "use more cells, or a law that bends (Roelands) where Barus' exponent alpha p0 exceeds 14",
-            })
+                (effort.iterations, effort.change, effort.flips),
+                "use more cells, or a law that bends (Roelands) where Barus' exponent alpha p0 exceeds 14",
+            ))
         }
     }
 }

@@ -148,11 +148,7 @@ impl Stepper {
                     self.step *= 0.5;
                     self.steps_cut += 1;
                     if self.step * (SMALLEST_PART as f64) < 0.99 * self.longest {
-                        return Err(EhlError::StepFailed {
-                            time: self.time,
-                            fraction: SMALLEST_PART,
-                            change,
-                        });
+                        return Err(EhlError::step_failed(self.time, SMALLEST_PART, change));
                     }
                 }
             }
@@ -286,15 +282,11 @@ impl Stepper {
             };
             let needed = end * surface.speed * a + surface.profile.taper();
             if surface.speed <= 0.0 || needed > length {
-                return Err(EhlError::ProfileTooShort {
-                    surface: number,
-                    length,
-                    needed: if surface.speed > 0.0 {
-                        needed
-                    } else {
-                        f64::INFINITY
-                    },
-                });
+                let needed = match surface.speed > 0.0 {
+                    true => needed,
+                    false => f64::INFINITY,
+                };
+                return Err(EhlError::profile_too_short(number, length, needed));
             }
         }
         Ok(())

@@ -200,10 +200,10 @@ impl State {
                 return Ok(self.summary(contact, &stress, Some(&rises), iteration));
             }
         }
-        Err(EhlError::TemperaturesUnsettled {
-            iterations: ITERATIONS,
-            change: Pressure::from_si(change),
-        })
+        Err(EhlError::temperatures_unsettled(
+            ITERATIONS,
+            Pressure::from_si(change),
+        ))
     }
 
     fn summary(

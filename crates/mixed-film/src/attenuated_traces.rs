@@ -44,11 +44,9 @@ impl AttenuatedTraces {
         for (heights, start) in self.heights.iter().zip(starts) {
             let available = heights.len();
             if start.saturating_add(points) > available {
-                return Err(LoadShareError::WindowBeyondTrace {
-                    start,
-                    points,
-                    available,
-                });
+                return Err(LoadShareError::window_beyond_trace(
+                    start, points, available,
+                ));
             }
         }
         let sums = |of: &[Vec<f64>; 2]| -> Vec<f64> {

@@ -92,9 +92,7 @@ struct Unsolved(usize);
 
 impl From<Unsolved> for LoadShareError {
     fn from(Unsolved(row): Unsolved) -> Self {
-        Self::RowNotSolved {
-            asperity_share: TABLE_SHARES[row],
-        }
+        Self::row_not_solved(TABLE_SHARES[row])
     }
 }
 
@@ -399,10 +397,7 @@ impl<'a> Piece<'a> {
         let slope = (excess(b) - excess(a)) / (b - a);
         let start = a - excess(a) / slope;
         let root = secant_root(excess, [a, b], start, slope, 1e-12);
-        let root = root.map_err(|source| LoadShareError::NoRoot {
-            quantity: "asperity share",
-            source,
-        })?;
+        let root = root.map_err(|source| LoadShareError::no_root("asperity share", source))?;
         Ok(Solved {
             value: root.value.powf(1.0 / ABSCISSA_POWER),
             ..root

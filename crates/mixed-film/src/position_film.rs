@@ -647,10 +647,8 @@ impl<'a> PositionFilm<'a> {
         if let Some(error) = failed {
             return Err(error);
         }
-        let evidence = root.map_err(|source| LoadShareError::NoRoot {
-            quantity: "friction coefficient",
-            source,
-        })?;
+        let evidence =
+            root.map_err(|source| LoadShareError::no_root("friction coefficient", source))?;
         let mu = evidence.value;
         // Along the line through the last two evaluations: the step from the last leaves its square.
         let [
@@ -794,10 +792,7 @@ fn direct_share(
     if let Some(error) = failed {
         return Err(error);
     }
-    found.map_err(|source| LoadShareError::NoRoot {
-        quantity: "asperity share",
-        source,
-    })
+    found.map_err(|source| LoadShareError::no_root("asperity share", source))
 }
 
 /// The share at the ends, if gap and supply are not equal between them.

@@ -1,44 +1,32 @@
 //! Errors of film computations.
 
-use asperity_core::{DomainError, number};
+use asperity_core::{Code, Fault, number};
 
-/// Errors of the film pressure.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum FilmError {
-    /// An input outside its domain.
-    #[error(transparent)]
-    Domain(#[from] DomainError),
+asperity_core::fault_error! {
+    /// Errors of the film pressure.
+    FilmError
+}
+
+impl FilmError {
     /// Too few points along the film.
-    #[error("{points} points are too few for a film: give at least {least}")]
-    TooFewPoints {
-        /// Number of points.
-        points: usize,
-        /// Least number of points.
-        least: usize,
-    },
-    /// An array does not have one value per point.
-    #[error("{name} has {got} values where {need} are needed")]
-    WrongLength {
-        /// The array.
-        name: &'static str,
-        /// Number of values required.
-        need: usize,
-        /// Number of values of the array.
-        got: usize,
-    },
-    /// An array has an invalid value.
-    #[error("{name}[{index}] = {value} {unit}: {rule}", value = number(*value))]
-    BadElement {
-        /// The array.
-        name: &'static str,
-        /// Index in the array.
-        index: usize,
-        /// The value there.
+    pub(crate) fn too_few_points(points: usize, least: usize) -> Self {
+        let text = format!("{points} points are too few for a film: give at least {least}");
+        Fault::new(Code::E209, text).into()
+    }
+
+    /// An array does not have one value per point: `got` values where `need` are needed.
+    pub(crate) fn wrong_length(name: &'static str, need: usize, got: usize) -> Self {
+        let text = format!("{name} has {got} values where {need} are needed");
+        Fault::new(Code::E209, text).into()
+    }
+
+    /// The value \[m\] of an array at `index` violates a rule.
+    pub(crate) fn bad_element(
+        (name, index): (&'static str, usize),
         value: f64,
-        /// Its unit.
-        unit: &'static str,
-        /// Rule that it violates.
         rule: &'static str,
-    },
+    ) -> Self {
+        let text = format!("{name}[{index}] = {} m: {rule}", number(value));
+        Fault::new(Code::E209, text).into()
+    }
 }

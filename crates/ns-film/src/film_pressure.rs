@@ -115,24 +115,13 @@ fn check(position: &[f64], gap: &[f64]) -> Result<(), FilmError> {
     const LEAST: usize = 3;
     let points = position.len();
     if points < LEAST {
-        return Err(FilmError::TooFewPoints {
-            points,
-            least: LEAST,
-        });
+        return Err(FilmError::too_few_points(points, LEAST));
     }
     if gap.len() != points {
-        return Err(FilmError::WrongLength {
-            name: "gap",
-            need: points,
-            got: gap.len(),
-        });
+        return Err(FilmError::wrong_length("gap", points, gap.len()));
     }
-    let bad_element = |name, values: &[f64], index: usize, rule| FilmError::BadElement {
-        name,
-        index,
-        value: values[index],
-        unit: "m",
-        rule,
+    let bad_element = |name, values: &[f64], index: usize, rule| {
+        FilmError::bad_element((name, index), values[index], rule)
     };
     let is_gap = |h: &f64| h.is_finite() && *h > 0.0;
     if let Some(index) = gap.iter().position(|h| !is_gap(h)) {

@@ -4,9 +4,10 @@
 
 use std::io::{Cursor, Error, Read, Result, Seek, SeekFrom};
 
+use asperity_core::Code;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{
-    Encoding, Gaps, ReadError, ReadFault, ReadOptions, read, read_bytes, read_stream,
+    Encoding, Gaps, ReadError, ReadOptions, read, read_bytes, read_stream,
 };
 
 /// Rows of some fifteen bytes: beyond the 256 KiB that are looked at first.
@@ -102,13 +103,15 @@ fn what_is_wrong_far_down_is_named_by_its_line() {
         "{message}"
     );
     let turned = refused(&lines(&cell, &row(10)));
-    assert!(
-        matches!(turned.fault, ReadFault::NotMonotone { line: 20_002, .. }),
+    assert_eq!(
+        (turned.code(), turned.place().1),
+        (Code::E105, Some(20_002)),
         "{turned}"
     );
     let lost = refused(&table((0..POINTS).filter(|i| *i != 20_000)));
-    assert!(
-        matches!(lost.fault, ReadFault::UnevenSpacing { line: 20_002, .. }),
+    assert_eq!(
+        (lost.code(), lost.place().1),
+        (Code::E109, Some(20_002)),
         "{lost}"
     );
 }

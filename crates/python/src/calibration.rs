@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use asperity::LoadedCase;
 use asperity::case::{self, CalibratedName};
 use asperity::core::number;
-use asperity::message::Code;
+use asperity::message::{Code, Fault};
 use asperity_calibration as calibrating;
 use asperity_calibration::evidence::{Effort, EvidenceTable};
 use asperity_calibration::{Limits, Reach, RigFiles, Watch, error, plan};
@@ -85,7 +85,8 @@ impl Calibration {
     /// The table `calibration` of a case as JSON.
     fn keys(&self) -> PyResult<String> {
         let table: toml::Table = toml::from_str(&self.0.block)
-            .map_err(|error| Failure::new(Code::E501, error.to_string()))?;
+            .map_err(Fault::internal)
+            .map_err(Failure::from)?;
         Ok(failure::json(&table)?)
     }
 

@@ -10,7 +10,7 @@ use asperity::case::{
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
 use asperity::core::number;
-use asperity::message::Code;
+use asperity::message::{Code, Fault};
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{self, RegimeRow};
 use asperity::quantity::Length;
@@ -300,7 +300,7 @@ impl Case {
         let inputs = self.0.input.store(serde_json::value::Serializer);
         let about = json!({
             "title": self.0.title,
-            "inputs": inputs.map_err(|error| Failure::new(Code::E501, error.to_string()))?,
+            "inputs": inputs.map_err(Fault::internal).map_err(Failure::from)?,
             "defaults": self.0.defaults,
             "warnings": self.0.all_warnings(),
         });

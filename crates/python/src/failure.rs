@@ -71,7 +71,7 @@ pub fn asked<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Failure> {
 
 /// A value as JSON text.
 pub fn json<T: serde::Serialize>(value: &T) -> Result<String, Failure> {
-    serde_json::to_string(value).map_err(|error| Failure::new(Code::E501, error.to_string()))
+    serde_json::to_string(value).map_err(|error| Failure::from(Fault::internal(error)))
 }
 
 /// Title, cause and remedy of a message code; none of a code that does not exist.

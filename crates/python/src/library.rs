@@ -64,8 +64,8 @@ pub fn demo(
     let folder = folder.unwrap_or_else(|| worked.folder().into());
     alone(py, || {
         let files = worked.files().map_err(|error| match error {
-            WorkedError::Gears(error) => unlisted(error).into(),
-            error => Failure::new(Code::E501, error.to_string()),
+            WorkedError::Gears(error) => unlisted(error),
+            error => Fault::internal(error),
         })?;
         let texts = files.iter().map(|file| (file.name, file.content.as_str()));
         let written = new_folder_of(&folder, texts);

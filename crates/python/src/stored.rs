@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use asperity::message::Code;
+use asperity::message::{Code, Fault};
 use asperity::result::RunResult;
 use pyo3::prelude::*;
 
@@ -24,7 +24,7 @@ pub fn summary(result: &str) -> PyResult<String> {
 #[pyfunction]
 pub fn diff(first: &str, second: &str) -> PyResult<String> {
     let found = asperity_studies::diff::diff(&parsed(first)?, &parsed(second)?);
-    let found = found.map_err(|error| Failure::new(Code::E501, error.to_string()))?;
+    let found = found.map_err(Fault::internal).map_err(Failure::from)?;
     Ok(failure::json(&found)?)
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use asperity::case::Trace as CaseTrace;
 use asperity::core::Profile;
-use asperity::message::Code;
+use asperity::message::{Code, Fault};
 use asperity::profile_io::read::{FilterState, Metadata, ReadOptions, Reading, read};
 use asperity::profile_io::write::{WrittenFormat, write};
 use asperity::quantity::Length;
@@ -346,8 +346,7 @@ impl Trace {
     /// Writes the profile in the format that the name asks for.
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         let name = path.display().to_string();
-        let refused =
-            |reason: &str| Failure::new(Code::E401, format!("{name}: cannot be written: {reason}"));
+        let refused = |reason: &str| Failure::from(Fault::unwritten(&name, reason));
         alone(py, || {
             let format = WrittenFormat::of_name(&name);
             let format = format.ok_or_else(|| refused("name it .csv, .x3p or .smd"))?;

@@ -8,7 +8,7 @@ use std::thread;
 use std::time::Duration;
 
 use asperity::core::cancel::Token;
-use asperity::message::Code;
+use asperity::message::{Code, Fault};
 use pyo3::prelude::*;
 
 use crate::failure::Failure;
@@ -105,7 +105,7 @@ pub fn in_parallel<T: Send>(
                 RAISED.set(raised.clone());
             })
             .build();
-        let pool = pool.map_err(|error| Failure::new(Code::E501, error.to_string()));
+        let pool = pool.map_err(|error| Failure::from(Fault::internal(error)));
         pool.and_then(|pool| pool.install(|| work(told)))
     })
 }

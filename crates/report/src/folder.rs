@@ -9,13 +9,13 @@ use asperity::UnsolvedContact;
 use asperity::pipeline::KeptFields;
 use asperity::result::{Outcome, RunResult};
 use asperity_core::Fault;
-use asperity_storage::{check_finite, save, whole_file, write_among};
+use asperity_storage::{check_finite, check_written, save, whole_file, write_among};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::html;
 use crate::page_tables::{PageTables, shown_position};
-use crate::tables::{self, ContactTables, folder_of};
+use crate::tables::{self, CONVERGENCE, ContactTables, folder_of};
 
 /// The file that marks a folder as a result.
 const MARK: &str = "result.json";
@@ -175,7 +175,7 @@ fn write_fields(
     let selected = || outcome.fields.iter().filter(|at| fields.keep(at.position));
     let steps: Vec<_> = selected().flat_map(tables::convergence).collect();
     if !steps.is_empty() {
-        tables::write(&folder.join("convergence.csv"), &steps)?;
+        tables::write(&folder.join(CONVERGENCE), &steps)?;
     }
     for fields in selected() {
         if let Some(row) = shown_position(&outcome.result, Some(fields.position))? {
@@ -351,9 +351,12 @@ fn next_byte(text: &[u8]) -> u8 {
 /// shows the fields of `position`, or of the position with the highest pressure.
 ///
 /// # Errors
-/// When the result cannot be read, the fields of `position` were not stored, or the page cannot be written.
+/// When the result cannot be read or was changed, the fields of `position` were not stored, or the page cannot be written.
 pub fn redraw(path: &Path, position: Option<usize>) -> Result<PathBuf, Fault> {
     let (folder, result) = read_result(path)?;
+    let name = path.file_name().filter(|_| !path.is_dir());
+    let name = name.map_or(MARK.into(), |name| name.to_string_lossy().into_owned());
+    let mut read = vec![name, PAGE_TABLES.to_owned()];
     let mut shown: PageTables = read_json(&folder.join(PAGE_TABLES))?;
     let chosen = shown_position(&result, position)?;
     let is_there = |number: usize| {
@@ -364,6 +367,7 @@ pub fn redraw(path: &Path, position: Option<usize>) -> Result<PathBuf, Fault> {
     };
     if let Some(row) = chosen.filter(|row| !is_there(row.position)) {
         let contact = ContactTables::read(&folder, row.position)?;
+        read.extend(ContactTables::files(&folder, row.position));
         shown.contact = match (contact, position) {
             (Some(contact), _) => Some(contact),
             (None, None) => None,
@@ -377,6 +381,8 @@ pub fn redraw(path: &Path, position: Option<usize>) -> Result<PathBuf, Fault> {
         };
         shown.contact = whole.thinned(&result, PAGE_TABLES)?.contact;
     }
+    let read: Vec<&str> = read.iter().map(String::as_str).collect();
+    check_written(&folder, "result", &read)?;
     let page = html::render(&result, &shown)?;
     write_among(&folder, &[(PAGE.to_owned(), page.into_bytes())])?;
     Ok(folder.join(PAGE))

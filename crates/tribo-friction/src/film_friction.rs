@@ -478,10 +478,7 @@ impl<'a> LoadedFilm<'a> {
                 (_, Some(error)) => return Err(error),
                 (Ok(root), None) => root,
                 (Err(source), None) => {
-                    return Err(FrictionError::NoRoot {
-                        quantity: "film friction",
-                        source,
-                    });
+                    return Err(FrictionError::no_root("film friction", source));
                 }
             }
         };

@@ -256,10 +256,9 @@ fn constant(
     settings: &FrictionSettings,
     _: &FrictionConditions,
 ) -> Result<Checked<f64>, FrictionError> {
-    let value = settings.constant.ok_or(FrictionError::MissingSetting {
-        law: FrictionLaw::Constant.name(),
-        setting: "constant",
-    })?;
+    let value = settings
+        .constant
+        .ok_or_else(|| FrictionError::missing_setting(FrictionLaw::Constant.name(), "constant"))?;
     let rule = "must be finite and not negative";
     let valid = value.is_finite() && value >= 0.0;
     let value = DomainError::require(valid, "constant friction coefficient", value, "-", rule)?;

@@ -59,10 +59,7 @@ pub fn mixed_friction(
 ) -> Result<MixedFriction, FrictionError> {
     cite!("P21");
     if solid.len() != fluid.len() {
-        return Err(FrictionError::FieldLengths {
-            solid: solid.len(),
-            fluid: fluid.len(),
-        });
+        return Err(FrictionError::field_lengths(solid.len(), fluid.len()));
     }
     let dx = DomainError::positive("spacing", spacing)?;
     let mu_m = coefficient_in_domain("boundary coefficient", boundary_coefficient)?;

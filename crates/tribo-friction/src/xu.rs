@@ -122,11 +122,7 @@ impl XuCalibration {
     /// # Ok::<(), asperity_tribo_friction::FrictionError>(())
     /// ```
     pub fn from_json(text: &str) -> Result<Self, FrictionError> {
-        serde_json::from_str(text).map_err(|error| FrictionError::CoefficientFile {
-            line: error.line(),
-            column: error.column(),
-            reason: error.to_string(),
-        })
+        serde_json::from_str(text).map_err(FrictionError::coefficient_file)
     }
 }
 

@@ -6,15 +6,14 @@
 )]
 
 use crate::reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, STEEL, conditions};
-use asperity_core::DomainError;
 use asperity_core::line_contact::LineContact;
 use asperity_core::quantity::{
     DynamicViscosity, KinematicViscosity, Length, LineLoad, Pressure, Speed, Temperature,
 };
+use asperity_core::{Code, DomainError, Fault};
 use asperity_tribo_friction::{
-    FilmTraction, FrictionConditions, FrictionError, FrictionLaw, FrictionSettings, MeshConditions,
-    XuCalibration, XuCoefficients, XuLaw, doleschel, flash_temperature, matsumoto, mixed_friction,
-    rolling_force,
+    FilmTraction, FrictionConditions, FrictionLaw, FrictionSettings, MeshConditions, XuCalibration,
+    XuCoefficients, XuLaw, doleschel, flash_temperature, matsumoto, mixed_friction, rolling_force,
 };
 
 fn settings() -> FrictionSettings {
@@ -138,13 +137,10 @@ fn rollers_and_gears_of_the_published_laws_bore_less_than_2_gpa() {
 fn constant_needs_its_value() {
     let law = FrictionLaw::Constant;
     let none = law.coefficient(&FrictionSettings::default(), &at_start());
-    assert_eq!(
-        none,
-        Err(FrictionError::MissingSetting {
-            law: "constant",
-            setting: "constant"
-        })
-    );
+    let refused = Fault::from(none.unwrap_err());
+    assert_eq!(refused.code(), Code::E205);
+    let expected = "the friction law constant needs the setting constant";
+    assert_eq!(refused.message(), expected);
     let mu = law.coefficient(&settings(), &at_start()).unwrap();
     assert_eq!(mu.value, 0.05);
 }
@@ -255,11 +251,9 @@ fn a_traction_carries_the_rises_it_is_given() {
 
 #[test]
 fn impossible_inputs_are_refused_by_name() {
-    let refused = |law: FrictionLaw, position: FrictionConditions, name: &str| match law
-        .coefficient(&settings(), &position)
-    {
-        Err(FrictionError::Domain(DomainError { name: seen, .. })) => assert_eq!(seen, name),
-        other => panic!("{other:?}"),
+    let refused = |law: FrictionLaw, position: FrictionConditions, name: &str| {
+        let refused = Fault::from(law.coefficient(&settings(), &position).unwrap_err());
+        assert_eq!(refused.cause::<DomainError>().unwrap().name, name);
     };
     let thin = FrictionConditions {
         viscosity: DynamicViscosity::from_si(1e-3),
@@ -324,9 +318,10 @@ fn smooth_flanks_have_no_asperity_friction() {
 #[test]
 fn mixed_friction_refuses_fields_that_do_not_belong_together() {
     let dx = Length::from_si(1e-6);
+    let refused = mixed_friction(dx, &[1.0, 2.0], &[1.0], 0.1, 0.02).unwrap_err();
     assert_eq!(
-        mixed_friction(dx, &[1.0, 2.0], &[1.0], 0.1, 0.02),
-        Err(FrictionError::FieldLengths { solid: 2, fluid: 1 })
+        refused.to_string(),
+        "2 solid and 1 fluid pressures; both must be given at the same points"
     );
     assert!(mixed_friction(dx, &[-1.0], &[1.0], 0.1, 0.02).is_err());
     assert!(mixed_friction(dx, &[1.0], &[f64::NAN], 0.1, 0.02).is_err());
@@ -377,10 +372,8 @@ fn coefficient_files_read_and_say_where_they_do_not() {
     let text = serde_json::to_string_pretty(&calibration).unwrap();
     assert_eq!(XuCalibration::from_json(&text), Ok(calibration));
     let misspelt = text.replace("b9", "b_9");
-    match XuCalibration::from_json(&misspelt) {
-        Err(FrictionError::CoefficientFile { line, .. }) => assert_eq!(line, 13),
-        other => panic!("{other:?}"),
-    }
+    let refused = XuCalibration::from_json(&misspelt).unwrap_err().to_string();
+    assert!(refused.contains(" at line 13 column "), "{refused}");
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::io::Read;
 use std::path::Path;
 
 use asperity_core::quantity::Length;
-use asperity_core::{Code, Profile};
+use asperity_core::{Code, Fault, Profile};
 use asperity_storage::regular_file;
 
 use crate::failure::Failure;
@@ -61,8 +61,7 @@ const MAX_BYTES: u64 = 1 << 29;
 pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
     let name = path.display().to_string();
     let cannot = |error: std::io::Error| {
-        Failure::new(Code::E103, format!("{name}: cannot be opened: {error}"))
-            .advising("Check the name and the permissions.")
+        Failure::from(Fault::unopened(&name, error)).advising("Check the name and the permissions.")
     };
     let mut bytes = vec![];
     let file = regular_file(path).map_err(cannot)?;

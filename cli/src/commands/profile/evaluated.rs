@@ -6,7 +6,7 @@ use asperity_core::number;
 use asperity_core::numerics::extremes;
 use asperity_core::quantity::Length;
 use asperity_core::unique;
-use asperity_core::{Code, Profile};
+use asperity_core::{Code, Fault, Profile};
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::{
     FilterState, Metadata, ReadError, ReadOptions, Reading, Surface, Trace, read_surface,
@@ -300,8 +300,7 @@ fn save_as(
             format!("{name}: cannot be written; name it .csv, .x3p or .smd"),
         )
     })?;
-    let bytes = bytes(format)
-        .map_err(|error| Failure::new(Code::E401, format!("{name}: cannot be written: {error}")))?;
+    let bytes = bytes(format).map_err(|error| Fault::unwritten(&name, error))?;
     output::save(output, &bytes)
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity_core::Code;
+use asperity_core::{Code, Fault};
 use asperity_profile_io::read::Surface;
 use asperity_profile_io::write::{WrittenFormat, write_surface};
 use asperity_report::profile_json::um;
@@ -56,7 +56,7 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
     let fit = FittedSurface::to(&heights, first.columns, spacings).map_err(refused)?;
     let z = fit.generate(args.seed);
     let bytes = write_surface(&z, first.columns, spacings, &synthetic(args.seed))
-        .map_err(|error| Failure::new(Code::E401, format!("{name}: cannot be written: {error}")))?;
+        .map_err(|error| Fault::unwritten(&name, error))?;
     output::save(Path::new(&args.output), &bytes)?;
     let areal = parameters(&z, first.columns, spacings).map_err(refused)?;
     if common.json {

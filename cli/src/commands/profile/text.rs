@@ -37,7 +37,10 @@ pub(super) fn report(evaluated: &Evaluated, facts: &FileFacts, details: &Details
 fn usable(evaluated: &Evaluated) -> String {
     let warnings = evaluated.warnings();
     if warnings.iter().any(|warning| warning.code() == Code::W124) {
-        return "usable: no, no flank has such heights: a run refuses them (W124 below)".to_owned();
+        return format!(
+            "usable: no, no flank has such heights: a run refuses them ({} below)",
+            Code::W124
+        );
     }
     match warnings.len() {
         0 => "usable: yes".to_owned(),

@@ -19,6 +19,7 @@ pub(crate) use cycle::operation;
 pub(crate) use provenance::{equations_used, sources_used};
 pub(crate) use solved::Solved;
 
+use asperity_core::Fault;
 use asperity_core::numerics::{deviation, mean, median};
 use asperity_core::quantity::Power;
 use asperity_efficiency::output_torque::power_flow;
@@ -41,7 +42,7 @@ use crate::result::{
     Summary, ToothTrace, TracePairs,
 };
 use crate::sampling::{means_of_pairs, pair_sampling};
-use asperity_case::balance::{Unbalanced, efficiency, finite, sum};
+use asperity_case::balance::{efficiency, finite, sum};
 use asperity_case::case::{BulkReport, Case, CaseInput};
 use asperity_case::error::PositionError;
 use asperity_case::message::Warning;
@@ -298,7 +299,7 @@ fn check(
     running_in: &RunningIn,
     gearbox: Option<&GearboxReport>,
     path: &[PositionRow],
-) -> Result<(), Unbalanced> {
+) -> Result<(), Fault> {
     let along = |of: fn(&PositionRow) -> f64| {
         let powers = path.iter().map(|row| row.weight_m * of(row));
         powers.collect::<Vec<f64>>()

@@ -17,7 +17,7 @@ use crate::mesh::Mesh;
 use crate::pictures::Picture;
 use crate::reference_solution::{LARGEST_ROUGHNESS, elastic_above_flow};
 use crate::result::gearbox::GearboxPart;
-use crate::result::{FullFilmRow, RecordRow, Regime, Summary};
+use crate::result::{FullFilmRow, OutsideInput, RecordRow, Regime, Summary};
 use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::case::{Case, Formulation, LoadedCase};
 use asperity_case::error::PositionError;
@@ -295,28 +295,38 @@ fn load_reached(summary: &Summary, found: &mut Vec<Warning>) {
     }
 }
 
-/// Distinct inputs outside their ranges: W401, W402, W403 and W405 with correlation and input.
+/// Distinct inputs outside their ranges: W401, W402, W403 and W405, in the order of their texts.
 pub(crate) fn outside(
     loaded: &LoadedCase,
     positions: &[LubricatedPosition],
     summary: &Summary,
-) -> Result<Vec<String>, PositionError> {
-    let named = |note: &OutOfRange| format!("{} {}: {}", code(note), note.correlation, note.name);
+) -> Result<Vec<OutsideInput>, PositionError> {
     let of_the_case = loaded.case.oil_notes.iter().chain(&loaded.case.steel_notes);
-    let mut found: BTreeSet<String> = of_the_case.map(named).collect();
     let of_positions = positions.iter().flat_map(outside_at);
-    found.extend(of_positions.map(named));
+    let mut found = BTreeMap::new();
+    let mut add = |code, correlation, input| {
+        let outside = OutsideInput {
+            code,
+            correlation,
+            input,
+        };
+        found.insert(outside.to_string(), outside);
+    };
+    for note in of_the_case.chain(of_positions) {
+        add(code(note), note.correlation, Some(note.name));
+    }
     let equivalent = equivalent_friction(summary.efficiency, summary.loss_factor_local)?;
     if !equivalent.outside.is_empty() {
-        found.insert("W402 equivalent friction".to_owned());
+        add(Code::W402, "equivalent friction", None);
     }
     let materials = &loaded.case.materials;
     let bearable = first_yield_pressure(&materials[0], &materials[1])?;
     let passes = |position: &LubricatedPosition| position.at.hertz.max_pressure > bearable;
     if positions.iter().any(passes) {
-        found.insert("W405 yield below the surface: Hertz pressure".to_owned());
+        let yielding = "yield below the surface";
+        add(Code::W405, yielding, Some("Hertz pressure"));
     }
-    Ok(found.into_iter().collect())
+    Ok(found.into_values().collect())
 }
 
 /// Code of the warning about an input outside its range.

@@ -248,10 +248,8 @@ pub fn windows_at(
             let cut = |k: usize| {
                 let trace = &contact.traces[k];
                 let heights = trace.heights().get(starts[k]..starts[k] + points);
-                let heights = heights.ok_or(LoadShareError::WindowBeyondTrace {
-                    start: starts[k],
-                    points,
-                    available: trace.len(),
+                let heights = heights.ok_or_else(|| {
+                    LoadShareError::window_beyond_trace(starts[k], points, trace.len())
                 });
                 Ok::<_, ReferenceError>(Profile::new(spacing, heights?.to_vec())?)
             };

@@ -1,6 +1,7 @@
 //! The uncertainty of a loss as plain data, and the digits that it leaves.
 
 use asperity_case::message::Subject;
+use asperity_core::Code;
 use asperity_uncertainty::Quantiles;
 use serde::{Deserialize, Serialize};
 
@@ -231,10 +232,10 @@ impl PairSampling {
 
     /// Text behind the standard error where a single tooth of a gear is sampled: it is a lower bound.
     #[must_use]
-    pub const fn bound(&self) -> &'static str {
+    pub fn bound(&self) -> String {
         match self.traces {
-            [1, _] | [_, 1] => ", a lower bound (W450)",
-            _ => "",
+            [1, _] | [_, 1] => format!(", a lower bound ({})", Code::W450),
+            _ => String::new(),
         }
     }
 }

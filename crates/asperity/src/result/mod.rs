@@ -9,6 +9,7 @@ pub mod gearbox;
 mod load_report;
 pub mod loss_band;
 mod micropitting_report;
+mod outside_input;
 pub mod ridges;
 mod run_in;
 mod trace_pairs;
@@ -33,6 +34,7 @@ pub use gearbox::{GearboxPart, GearboxReport, Scope};
 pub use load_report::{LoadReport, LoadRow};
 pub use loss_band::*;
 pub use micropitting_report::{MicropittingCell, MicropittingReport};
+pub use outside_input::OutsideInput;
 pub use ridges::Ridges;
 pub use run_in::{FlankHeights, RunInCycle};
 pub use trace_pairs::{ToothTrace, TracePairs};
@@ -635,8 +637,8 @@ pub struct Losses {
     /// Loss and efficiency of the gearbox, if the case states its other parts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gearbox: Option<GearboxReport>,
-    /// Distinct inputs outside the range of a correlation or of lubricated steel: code, correlation, input.
-    pub outside: Vec<String>,
+    /// Distinct inputs outside the range of a correlation or of lubricated steel.
+    pub outside: Vec<OutsideInput>,
     /// Warnings, those of a whole run except for its pictures and ratings.
     pub warnings: Vec<Warning>,
     /// Equations used.

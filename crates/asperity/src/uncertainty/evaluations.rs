@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use crate::contacts::Contacts;
 use crate::pipeline::{losses, losses_with};
 use crate::result::loss_band::WindowSampling;
-use crate::result::{Losses, OffsetRow, Outcome, PairSampling, PositionRow, Summary};
+use crate::result::{Losses, OffsetRow, Outcome, OutsideInput, PairSampling, PositionRow, Summary};
 use crate::sampling::{
     means_of_pairs, pair_sampling, travel_sampling, window_sampling, windows_of_traces,
 };
@@ -241,7 +241,7 @@ pub(super) fn by_contacts(
                 let run = (&ratio as &dyn Fn(&Losses) -> f64, middle.summary.boundary_w);
                 predictive.inner_boundary = Some(inner_boundary(&base, run, surface)?);
             }
-            let is_held = |note: &String| note.contains(GUPTA_HELD);
+            let is_held = |note: &OutsideInput| note.correlation == GUPTA_HELD;
             if middle.outside.iter().any(is_held) {
                 let mut printed = base.loaded.clone();
                 printed.case.laws.printed_thermal = true;

@@ -40,7 +40,7 @@ use crate::result::{
     SamplingPart, Trust, Uncertainty, UncertaintyPart,
 };
 use crate::sampling::{length_for, windows_of_traces};
-use asperity_case::balance::Unbalanced;
+use asperity_case::balance::impossible_efficiency;
 use asperity_case::case::LoadedCase;
 use asperity_case::error::{Error, PositionError};
 use asperity_case::message::{Subject, Warning};
@@ -181,10 +181,8 @@ fn uncertainty(
     let [low, high] = quantiles.quantiles_w;
     let power = predictive.power_in_w;
     if high >= power {
-        let impossible = Unbalanced::Efficiency {
-            of: "5 % quantile of the efficiency",
-            value: 1.0 - high / power,
-        };
+        let of = "5 % quantile of the efficiency";
+        let impossible = impossible_efficiency(of, 1.0 - high / power);
         return Err(Error::Whole(Box::new(PositionError::from(impossible))));
     }
     let places: &[f64] = match predictive.recorded {

@@ -11,7 +11,6 @@ use asperity_core::{DomainError, number_with_unit};
 use asperity_oil::LubricantError;
 use asperity_profile_io::read::ReadError;
 
-use crate::loss_table::LossTableError;
 use asperity_core::message::{IN_MEMORY, Place};
 
 /// Largest tolerance of a rough contact: at 1e-2, pressures were wrong by 56 to 65 %.
@@ -273,7 +272,7 @@ impl CaseError {
     }
 
     /// A table of losses that cannot be used.
-    pub(crate) fn loss_table(place: Place, key: &str, source: LossTableError) -> Self {
+    pub(crate) fn loss_table(place: Place, key: &str, source: Fault) -> Self {
         Self::at(
             Code::E138,
             format!("{source}{}", named(&place, Some(key))),

@@ -461,7 +461,7 @@ fn read_trace(
             };
             if let Some(mut steepness) = implausible(&profile, LengthUnit::Metre) {
                 steepness.suspicion = steepness.suspicion.on_trace(start);
-                let fault = ReadFault::ImplausibleHeights { steepness };
+                let fault = ReadFault::implausible_heights(steepness);
                 return Err(refused(fault.in_file(&name)));
             }
             return Ok(ReadTrace {

@@ -42,16 +42,9 @@ impl Trace {
     /// # Errors
     /// When there are fewer than 100 heights, one is not finite, or no instrument has the spacing.
     pub fn from_heights(heights: &[f64], spacing: Length) -> Result<Self, Error> {
-        let impossible = |what, value| ReadFault::Impossible {
-            what,
-            value,
-            unit: LengthUnit::Metre,
-        };
+        let impossible = |what, value| ReadFault::impossible(what, value, LengthUnit::Metre);
         if heights.len() < FEWEST_POINTS {
-            return Err(refused(ReadFault::TooFewPoints {
-                points: heights.len(),
-                needed: FEWEST_POINTS,
-            }));
+            return Err(refused(ReadFault::too_few_points(heights.len())));
         }
         if !SPACINGS.contains(&spacing.si()) {
             return Err(refused(impossible("the spacing", spacing.si())));

@@ -189,6 +189,59 @@ impl PartialEq for Fault {
     }
 }
 
+/// Defines the error of a library that no caller distinguishes from its others: a fault, whose constructors the library
+/// states. A number outside its domain is one of them.
+///
+/// ```
+/// use asperity_core::{Code, DomainError, Fault};
+/// asperity_core::fault_error! {
+///     /// Errors of a spring.
+///     SpringError
+/// }
+/// let refused = DomainError::positive("stiffness", asperity_core::quantity::Length::from_si(-1.0));
+/// let error = SpringError::from(refused.unwrap_err());
+/// assert_eq!(error.to_string(), "stiffness = -1 m: must be finite and greater than zero");
+/// assert_eq!(Fault::from(error).code(), Code::E209);
+/// ```
+#[macro_export]
+macro_rules! fault_error {
+    ($(#[$text:meta])* $name:ident) => {
+        $(#[$text])*
+        #[derive(Debug, Clone, PartialEq)]
+        pub struct $name($crate::Fault);
+
+        impl ::std::fmt::Display for $name {
+            fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
+                ::std::fmt::Display::fmt(&self.0, f)
+            }
+        }
+
+        impl ::std::error::Error for $name {
+            fn source(&self) -> Option<&(dyn ::std::error::Error + 'static)> {
+                ::std::error::Error::source(&self.0)
+            }
+        }
+
+        impl From<$crate::Fault> for $name {
+            fn from(fault: $crate::Fault) -> Self {
+                Self(fault)
+            }
+        }
+
+        impl From<$crate::DomainError> for $name {
+            fn from(error: $crate::DomainError) -> Self {
+                Self(error.into())
+            }
+        }
+
+        impl From<$name> for $crate::Fault {
+            fn from(error: $name) -> Self {
+                error.0
+            }
+        }
+    };
+}
+
 impl From<DomainError> for Fault {
     fn from(error: DomainError) -> Self {
         Self::of(Code::E209, error)

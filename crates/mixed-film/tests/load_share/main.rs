@@ -457,10 +457,8 @@ fn a_row_is_the_same_whichever_others_are_solved() {
             let rms = &WindowRoughness::even(Length::from_si(0.2e-6));
             let (mut of_whole, mut film) = (film(), film());
             let needed = film.share(&table, rms).unwrap_err();
-            assert!(
-                matches!(needed, LoadShareError::RowNotSolved { .. }),
-                "{needed}"
-            );
+            let start = "the rough contact at asperity share ";
+            assert!(needed.to_string().starts_with(start), "{needed}");
             film.solve_rows(&table, rms, window).unwrap();
             let known = table.rows().count();
             assert!(known > before && known < TABLE_SHARES.len(), "{known}");

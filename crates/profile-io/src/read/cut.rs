@@ -41,10 +41,7 @@ impl TraceCut {
         let length = last - first;
         let slack = ROUNDING * length;
         if range.to.si() > length + slack {
-            return Err(ReadFault::RangeOutside {
-                range,
-                length: Length::from_si(length),
-            });
+            return Err(ReadFault::range_outside(range, Length::from_si(length)));
         }
         let start = x.partition_point(|x| x - first < range.from.si() - slack);
         let end = x.partition_point(|x| x - first <= range.to.si() + slack);

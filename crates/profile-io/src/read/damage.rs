@@ -7,11 +7,7 @@ use super::metadata::number;
 
 /// The error for a file that breaks the rules of its format.
 pub(super) fn damaged(format: Format, what: &'static str, seen: &str) -> ReadFault {
-    ReadFault::Damaged {
-        format,
-        what,
-        seen: shortened(seen),
-    }
+    ReadFault::damaged(format, what, &shortened(seen))
 }
 
 /// The height in `field`, NaN for a missing point; `None` if it is neither.

@@ -246,7 +246,7 @@ impl Parsed<'_> {
             }
             (_, None) if self.values.base_radius.is_some() => self.values.base_radius,
             (_, None) => {
-                return Err(ReadFault::RollLength { abscissa });
+                return Err(ReadFault::roll_length(abscissa));
             }
         };
         if let (Some(x), Some(radius)) = (&mut x, base_radius) {
@@ -419,7 +419,7 @@ impl Parsed<'_> {
             span,
             slope: root_mean_square_step(heights) / spacing,
         };
-        let no_spacing = |hint| Err(ReadFault::NoSpacing { hint });
+        let no_spacing = |hint| Err(ReadFault::no_spacing(hint));
         let z_stated = self.unit(Axis::Height, self.chosen.z)?.or(special.unit);
         warnings.extend(self.unit_overridden(Axis::Height, self.chosen.z, special.unit));
         if let Some(dx) = self.options.dx {
@@ -450,8 +450,8 @@ impl Parsed<'_> {
         let extent = extent(column.mean);
         let found = units::pair(extent, x_stated, z_stated);
         let (x_unit, z_unit) = found.ok_or_else(|| match z_stated {
-            None => no_unit(Axis::Height, span),
-            Some(_) => no_unit(Axis::Trace, extent.length),
+            None => ReadFault::no_unit(Axis::Height, span),
+            Some(_) => ReadFault::no_unit(Axis::Trace, extent.length),
         })?;
         for (axis, stated, unit) in [
             (Axis::Trace, x_stated, x_unit),
@@ -533,10 +533,6 @@ impl Parsed<'_> {
     }
 }
 
-fn no_unit(axis: Axis, span: f64) -> ReadFault {
-    ReadFault::NoUnit { axis, span }
-}
-
 /// Spacing \[m\] of heights without x, with their unit: as stated, or the only possible one.
 fn without_x(
     (spacing, source): (f64, SpacingSource),
@@ -545,7 +541,7 @@ fn without_x(
     warnings: &mut Vec<Warning>,
 ) -> Result<Measured, ReadFault> {
     let z_unit = z_stated.or_else(|| units::heights_only(extent));
-    let z_unit = z_unit.ok_or_else(|| no_unit(Axis::Height, extent.span))?;
+    let z_unit = z_unit.ok_or_else(|| ReadFault::no_unit(Axis::Height, extent.span))?;
     if z_stated.is_none() {
         warnings.push(Warning::UnitAssumed {
             axis: Axis::Height,

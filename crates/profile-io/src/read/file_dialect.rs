@@ -80,11 +80,8 @@ pub(super) fn of_file(
         ) => FileDialect::Sign,
         (Kind::Cell(at), _) => marks.seem(*at, text, dialect),
     };
-    Ok(ReadFault::OfFile {
-        first: Box::new(fault),
-        faults,
-        seems,
-    })
+    let remedy = seems.remedy(fault.remedy(), false);
+    Ok(fault.of_file(&faults, &seems, remedy))
 }
 
 /// The kind of a fault of a row with `text`, and its cell; `None` for other faults.
@@ -199,11 +196,8 @@ impl BadHeights {
         if !self.faults.is_dialect() {
             return self.first;
         }
-        ReadFault::OfFile {
-            first: Box::new(self.first),
-            faults: self.faults,
-            seems: self.seems,
-        }
+        let remedy = self.seems.remedy(self.first.remedy(), true);
+        self.first.of_file(&self.faults, &self.seems, remedy)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Detection of the dialect of a table, and errors of texts without a table.
 
 use super::dialect::{self, Sniffed};
-use super::error::{FirstLine, ReadFault, shortened};
+use super::error::{ReadFault, shortened};
 use super::layout::Dialect;
 use super::options::ReadOptions;
 use super::table;
@@ -17,10 +17,7 @@ pub(super) fn no_data(text: &mut Text<'_>) -> Result<ReadFault, ReadFault> {
             first.get_or_insert_with(|| shortened(line.text));
         }
     }
-    Ok(ReadFault::NoData {
-        lines: count,
-        first: FirstLine(first),
-    })
+    Ok(ReadFault::no_data(count, first.as_deref()))
 }
 
 /// The dialect; `None` if no line is a row of numbers in any dialect.
@@ -55,8 +52,6 @@ pub(super) fn sniff(
     let mut cells = used.cells(line.text);
     match cells.find(|cell| used.cell(cell) == dialect::Cell::Other) {
         Some(cell) => Err(table::unreadable(lines, line, cell, used)),
-        None => Err(ReadFault::SeparatorDoesNotFit {
-            separator: used.separator,
-        }),
+        None => Err(ReadFault::separator_does_not_fit(used.separator)),
     }
 }

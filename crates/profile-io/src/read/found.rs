@@ -104,9 +104,7 @@ impl Found {
             }
             (None, Some((dx, source))) => (Length::from_si(x_unit.metres(dx)), source),
             (None, None) => {
-                return Err(ReadFault::NoSpacing {
-                    hint: SpacingHint::None,
-                });
+                return Err(ReadFault::no_spacing(SpacingHint::None));
             }
         };
         check_spacing(spacing)?;
@@ -189,11 +187,11 @@ fn check_spacing(spacing: Length) -> Result<(), ReadFault> {
     if (FINEST..=COARSEST).contains(&spacing.si()) {
         return Ok(());
     }
-    Err(ReadFault::Impossible {
-        what: "the spacing",
-        value: spacing.si(),
-        unit: LengthUnit::Metre,
-    })
+    Err(ReadFault::impossible(
+        "the spacing",
+        spacing.si(),
+        LengthUnit::Metre,
+    ))
 }
 
 /// `values` of `unit` in metres.
@@ -203,10 +201,10 @@ pub(super) fn metres(mut values: Vec<f64>, unit: LengthUnit) -> Result<Vec<f64>,
         .for_each(|value| *value = unit.metres(*value));
     match values.iter().find(|value| !value.is_finite()) {
         None => Ok(values),
-        Some(&value) => Err(ReadFault::Impossible {
-            what: "a position or height",
+        Some(&value) => Err(ReadFault::impossible(
+            "a position or height",
             value,
-            unit: LengthUnit::Metre,
-        }),
+            LengthUnit::Metre,
+        )),
     }
 }

@@ -73,10 +73,7 @@ pub(super) fn enough(points: usize) -> Result<(), ReadFault> {
     if points >= FEWEST_POINTS {
         return Ok(());
     }
-    Err(ReadFault::TooFewPoints {
-        points,
-        needed: FEWEST_POINTS,
-    })
+    Err(ReadFault::too_few_points(points))
 }
 
 /// The row asked for, from 0, of `rows` profiles of `points` points each; a single one needs not be asked for.
@@ -87,11 +84,7 @@ pub(super) fn chosen_row(
 ) -> Result<usize, ReadFault> {
     let asked = row.unwrap_or(usize::from(rows == 1));
     let at = asked.checked_sub(1).filter(|at| *at < rows);
-    at.ok_or(ReadFault::SeveralProfiles {
-        rows,
-        points,
-        asked,
-    })
+    at.ok_or_else(|| ReadFault::several_profiles(rows, points, row))
 }
 
 /// Checks order and evenness of x and returns its spacing. A descending x is reversed.
@@ -131,11 +124,7 @@ pub(super) fn spacing(x: &mut [f64], place: &mut Place<'_>) -> Result<Spacing, R
 }
 
 fn not_monotone(x: &[f64], at: usize, line: usize) -> ReadFault {
-    ReadFault::NotMonotone {
-        line,
-        previous: x[at],
-        next: x[at + 1],
-    }
+    ReadFault::not_monotone(line, x[at], x[at + 1])
 }
 
 /// The point with the largest deviation of an ascending x from an even grid; `None` if the deviation is due to rounding
@@ -274,13 +263,11 @@ pub(super) fn heights(
     let fillable = known < end && fillable(inner, end - known);
     if gaps == Gaps::Refuse || !fillable {
         let (line, first) = first(gap)?;
-        return Err(ReadFault::MissingPoints {
-            line,
-            first,
-            missing,
-            points: z.len(),
+        return Err(ReadFault::missing_points(
+            (line, &first),
+            [missing, z.len()],
             fillable,
-        });
+        ));
     }
     let (filled, longest, heights) = interpolate(&z);
     enough(heights.len())?;

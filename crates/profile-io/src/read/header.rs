@@ -51,10 +51,7 @@ impl Stated {
     pub(super) fn length(&self, axis: Axis) -> Result<LengthUnit, ReadFault> {
         match self {
             Self::Length(unit) => Ok(*unit),
-            Self::Other(unit) => Err(ReadFault::UnknownUnit {
-                axis,
-                unit: shortened(unit),
-            }),
+            Self::Other(unit) => Err(ReadFault::unknown_unit(axis, &shortened(unit))),
         }
     }
 }

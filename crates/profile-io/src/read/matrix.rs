@@ -132,11 +132,7 @@ pub(super) fn read(
         };
     }
     let Some((_, mut heights)) = chosen else {
-        return Err(ReadFault::SeveralProfiles {
-            rows,
-            points: columns,
-            asked: options.row.unwrap_or(0),
-        });
+        return Err(ReadFault::several_profiles(rows, columns, options.row));
     };
     grid::unmark(&mut heights);
     let stated = match options.z_unit {

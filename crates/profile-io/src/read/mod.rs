@@ -67,7 +67,7 @@ use std::path::Path;
 
 pub use conditions::conditions_of;
 pub use cut::TraceCut;
-pub use error::{CellRemedy, FirstLine, ReadError, ReadFault, SpacingHint};
+pub use error::{CellRemedy, ReadError, ReadFault};
 pub use format::Format;
 pub use grid::{SpacingSource, Unevenness};
 pub use header::FilterState;
@@ -334,7 +334,7 @@ fn table_of(name: &str, bytes: &[u8]) -> Result<String, ReadFault> {
     let format = format.or_else(|| Format::named(name));
     let format = format.unwrap_or(Format::UnknownBinary);
     let table = packed::table(format, &mut stream, &start)?;
-    table.ok_or(ReadFault::NotTable { format })
+    table.ok_or_else(|| ReadFault::not_table(format))
 }
 
 /// The text of the table in the file at `path` of at most `most` bytes, as [`table_text`].
@@ -442,5 +442,5 @@ fn refused(format: Format) -> ReadFault {
     if format.may_hold_several() {
         return damage::damaged(format, "it does not start as such a file", "");
     }
-    ReadFault::FormatNotRead { format }
+    ReadFault::format_not_read(format)
 }

@@ -76,11 +76,11 @@ pub(super) fn read(
     }
     match Points::with_holes(&x, &y, &z) {
         Ok(points) => Ok(points),
-        Err(row) => Err(ReadFault::RepeatedPoint {
-            line: rows::place(text, first, row)?.0,
-            x: x[row],
-            y: y[row],
-        }),
+        Err(row) => Err(ReadFault::repeated_point(
+            rows::place(text, first, row)?.0,
+            x[row],
+            y[row],
+        )),
     }
 }
 

@@ -104,7 +104,7 @@ impl Reading {
             _ => None,
         });
         steep.map_or(Ok(()), |steepness| {
-            Err(ReadFault::ImplausibleHeights { steepness }.in_file(&self.name))
+            Err(ReadFault::implausible_heights(steepness).in_file(&self.name))
         })
     }
 

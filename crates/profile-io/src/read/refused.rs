@@ -19,12 +19,12 @@ pub(super) fn member(
     _: u64,
     _: &str,
 ) -> Result<Vec<u8>, ReadFault> {
-    Err(ReadFault::FormatNotRead { format })
+    Err(ReadFault::format_not_read(format))
 }
 
 /// Refuses a zlib stream.
 pub(super) fn inflated(format: Format, _: &[u8], _: u64) -> Result<Vec<u8>, ReadFault> {
-    Err(ReadFault::FormatNotRead { format })
+    Err(ReadFault::format_not_read(format))
 }
 
 /// Refuses the surface in a file of a packed format; `None` if `format` is another.
@@ -40,7 +40,7 @@ pub(super) fn surface(
         | Format::Excel
         | Format::ExcelBinary
         | Format::SensofarPlux
-        | Format::NplXml => Err(ReadFault::FormatNotRead { format }),
+        | Format::NplXml => Err(ReadFault::format_not_read(format)),
         _ => Ok(None),
     }
 }

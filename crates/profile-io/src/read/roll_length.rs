@@ -35,10 +35,9 @@ pub(super) fn roll_lengths(x: &mut [f64], abscissa: Abscissa, base_radius: Lengt
 /// When a roll length is negative, or the roll lengths are not ascending.
 pub(super) fn along_involute(rolls: Vec<f64>, base_radius: Length) -> Result<Vec<f64>, ReadFault> {
     asperity_core::cite!("Roll-1");
-    let impossible = |value| ReadFault::Impossible {
-        what: "the roll length or base radius",
-        value,
-        unit: super::options::LengthUnit::Metre,
+    let impossible = |value| {
+        let unit = super::options::LengthUnit::Metre;
+        ReadFault::impossible("the roll length or base radius", value, unit)
     };
     let radius = base_radius.si();
     if !(radius.is_finite() && radius > 0.0) {

@@ -42,7 +42,7 @@ pub(super) fn interpret(
     options: &ReadOptions,
     warnings: &mut Vec<Warning>,
 ) -> Result<Special, ReadFault> {
-    let no_spacing = |hint| ReadFault::NoSpacing { hint };
+    let no_spacing = ReadFault::no_spacing;
     if heights.len() < FEWEST_POINTS {
         return Ok(Special::delimited());
     }

@@ -46,15 +46,15 @@ pub(super) fn check(
         return Ok(None);
     };
     if heights > stated {
-        return Err(ReadFault::Damaged {
+        return Err(ReadFault::damaged(
             format,
-            what: "more heights than its header states, so that a number is none of them",
-            seen: format!(
+            "more heights than its header states, so that a number is none of them",
+            &format!(
                 "line {}: {}, {heights} read",
                 line.number,
                 short(line.text).unwrap_or_default()
             ),
-        });
+        ));
     }
     Ok((heights < stated).then_some(Warning::FewerHeights { stated, heights }))
 }

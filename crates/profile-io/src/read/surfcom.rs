@@ -87,12 +87,10 @@ pub(super) fn read(
         (dx, SpacingSource::EvaluationLength)
     });
     if spacing.is_none() && options.dx.is_none() {
-        return Err(ReadFault::NoSpacing {
-            hint: SpacingHint::NominalLength {
-                length: nominal,
-                points,
-            },
-        });
+        return Err(ReadFault::no_spacing(SpacingHint::NominalLength {
+            length: nominal,
+            points,
+        }));
     }
     let mut metadata = conditions.map_or_else(Metadata::default, |conditions| conditions.metadata);
     metadata.nominal_length = Some(nominal);

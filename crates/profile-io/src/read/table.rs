@@ -38,10 +38,8 @@ pub(super) fn choose(
 ) -> Result<Chosen, ReadFault> {
     let unclear = || {
         let texts = labels.iter().map(|label| shortened(&label.text));
-        ReadFault::ColumnsUnclear {
-            columns: count,
-            labels: texts.filter(|text| !text.is_empty()).take(SHOWN).collect(),
-        }
+        let texts = texts.filter(|text| !text.is_empty()).take(SHOWN);
+        ReadFault::columns_unclear(count, &texts.collect::<Vec<_>>())
     };
     let with = |role: Role| {
         let is = |label: &Label| match label.role {
@@ -170,10 +168,10 @@ pub(super) fn check_commas(table: &[Line<'_>], sniffed: &Sniffed) -> Result<(), 
         && sniffed.columns.is_multiple_of(2)
         && !table.iter().any(|line| line.text.contains('.'));
     match table.first() {
-        Some(line) if suspicious => Err(ReadFault::AmbiguousComma {
-            line: line.number,
-            text: shortened(line.text),
-        }),
+        Some(line) if suspicious => Err(ReadFault::ambiguous_comma(
+            line.number,
+            &shortened(line.text),
+        )),
         _ => Ok(()),
     }
 }

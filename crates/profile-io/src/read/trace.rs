@@ -215,11 +215,10 @@ impl Trace {
             .windows(2)
             .find(|pair| pair[1] - pair[0] > LONGEST_STEP * mean);
         gap.map_or(Ok(()), |pair| {
-            Err(ReadFault::GapInPositions {
-                from: Length::from_si(pair[0]),
-                to: Length::from_si(pair[1]),
-                steps: (pair[1] - pair[0]) / mean,
-            })
+            Err(ReadFault::gap_in_positions(
+                [pair[0], pair[1]].map(Length::from_si),
+                (pair[1] - pair[0]) / mean,
+            ))
         })
     }
 
@@ -288,20 +287,11 @@ impl Trace {
 
     /// Error for a trace that must be even.
     fn too_uneven(&self, found: Unevenness) -> ReadFault {
-        ReadFault::UnevenSpacing {
-            line: found.line,
-            x: found.x,
-            off: found.off,
-            spacing: self.spacing(),
-        }
+        ReadFault::uneven_spacing(found.line, found.x, found.off, self.spacing())
     }
 
     fn impossible(&self, what: &'static str, value: f64) -> ReadFault {
-        ReadFault::Impossible {
-            what,
-            value,
-            unit: LengthUnit::Metre,
-        }
+        ReadFault::impossible(what, value, LengthUnit::Metre)
     }
 
     fn profile(&self, spacing: Length, heights: Vec<f64>) -> Result<Profile, ReadFault> {

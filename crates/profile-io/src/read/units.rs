@@ -130,10 +130,7 @@ pub(super) fn of_heights(
         span,
         slope: step / dx,
     };
-    heights_only(extent).ok_or(ReadFault::NoUnit {
-        axis: Axis::Height,
-        span,
-    })
+    heights_only(extent).ok_or_else(|| ReadFault::no_unit(Axis::Height, span))
 }
 
 fn only<T>(mut candidates: impl Iterator<Item = T>) -> Option<T> {

@@ -153,11 +153,11 @@ pub fn write_trace(trace: &Trace, format: WrittenFormat) -> Result<Vec<u8>, Writ
         (Positions::Own { x, .. }, WrittenFormat::X3p) => {
             x3p::write(Places::Own(x), heights, None, metadata)
         }
-        (Positions::Own { .. }, WrittenFormat::Smd) => Err(WriteError::Uneven),
+        (Positions::Own { .. }, WrittenFormat::Smd) => Err(WriteError::uneven()),
         (Positions::Even { spacing }, _) => {
             let profile = Profile::new(*spacing, heights.clone());
             write_filtered(
-                &profile.map_err(|_| WriteError::NoProfile)?,
+                &profile.map_err(|_| WriteError::no_profile())?,
                 metadata,
                 trace.filter_state,
                 format,
@@ -197,6 +197,6 @@ pub fn write_surface(
             Some((z.len() / columns, dy.si())),
             metadata,
         ),
-        false => Err(WriteError::NoProfile),
+        false => Err(WriteError::no_profile()),
     }
 }

@@ -11,5 +11,5 @@ pub(super) fn write(
     _: Option<(usize, f64)>,
     _: &Metadata,
 ) -> Result<Vec<u8>, WriteError> {
-    Err(WriteError::NotPacked)
+    Err(WriteError::not_packed())
 }

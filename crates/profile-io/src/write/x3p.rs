@@ -42,14 +42,13 @@ pub(super) fn write(
         (DATA, &data),
     ];
     for (name, bytes) in members {
-        let failed = |step| move |_| WriteError::Archive { step };
+        let failed = |step| move |_| WriteError::archive(step);
         zip.start_file(name, options).map_err(failed(name))?;
         zip.write_all(bytes)
-            .map_err(|_| WriteError::Archive { step: name })?;
+            .map_err(|_| WriteError::archive(name))?;
     }
-    let done = zip.finish().map_err(|_| WriteError::Archive {
-        step: "the directory",
-    })?;
+    let done = zip.finish();
+    let done = done.map_err(|_| WriteError::archive("the directory"))?;
     Ok(done.into_inner())
 }
 

@@ -1,10 +1,10 @@
 //! Meaning of the numbers of a table: spacing, units, order.
 
+use asperity_core::Code;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{
-    Axis, FilterState, Format, LengthUnit, ReadFault, ReadOptions, SpacingHint, SpacingSource,
-    read_bytes,
+    Axis, FilterState, Format, LengthUnit, ReadOptions, SpacingSource, read_bytes,
 };
 
 use super::table::*;
@@ -83,16 +83,9 @@ fn heights_alone_need_a_spacing_and_header_numbers_are_no_heights() {
         ..ReadOptions::default()
     };
     let plain = read_text(&column).unwrap_err();
-    assert!(
-        matches!(
-            plain.fault,
-            ReadFault::NoSpacing {
-                hint: SpacingHint::None,
-                ..
-            }
-        ),
-        "{plain}"
-    );
+    let no_spacing = "the heights have no x column to give the spacing";
+    assert_eq!(plain.code(), "E110");
+    assert_eq!(plain.fault.to_string(), no_spacing);
     let reading = read_bytes("a.txt", column.as_bytes(), &options).unwrap();
     check(&reading);
     assert_eq!(
@@ -110,16 +103,9 @@ fn heights_alone_need_a_spacing_and_header_numbers_are_no_heights() {
     );
     // 5600 is no spacing in um: it may be a length.
     let refused = read_text(&npl.replacen("0.500", "5600", 1)).unwrap_err();
-    assert!(
-        matches!(
-            refused.fault,
-            ReadFault::NoSpacing {
-                hint: SpacingHint::FirstLine(5600.0),
-                ..
-            }
-        ),
-        "{refused}"
-    );
+    assert_eq!(refused.code(), "E110");
+    let hint = format!("{no_spacing}; line 1 reads 5600 and is written differently from the rest");
+    assert!(refused.fault.to_string().starts_with(&hint), "{refused}");
     let reading = read_bytes("a.txt", npl.as_bytes(), &options).unwrap();
     check(&reading);
     assert_eq!(reading.format, Format::NplText);
@@ -143,8 +129,8 @@ fn heights_alone_need_a_spacing_and_header_numbers_are_no_heights() {
             (Format::DelimitedText, POINTS)
         );
         let refused = read_text(&counted).unwrap_err();
-        let hint = SpacingHint::None;
-        assert!(matches!(refused.fault, ReadFault::NoSpacing { hint: h, .. } if h == hint));
+        assert_eq!(refused.code(), "E110");
+        assert_eq!(refused.fault.to_string(), no_spacing);
         // Another number is neither.
         let other = format!("{above}{}\r\n{column}", POINTS + 7);
         let refused = read_bytes("a.txt", other.as_bytes(), &options).unwrap_err();
@@ -153,16 +139,11 @@ fn heights_alone_need_a_spacing_and_header_numbers_are_no_heights() {
 
     let surfcom = format!("10.00000\r\n{POINTS}\r\n{column}");
     let refused = read_text(&surfcom).unwrap_err();
-    assert!(
-        matches!(
-            refused.fault,
-            ReadFault::NoSpacing {
-                hint: SpacingHint::NominalLength { points: POINTS, .. },
-                ..
-            }
-        ),
-        "{refused}"
+    assert_eq!(refused.code(), "E110");
+    let hint = format!(
+        "{no_spacing}; this is a Surfcom text profile, whose header gives the nominal length 10 mm and {POINTS} points. "
     );
+    assert!(refused.fault.to_string().starts_with(&hint), "{refused}");
     let reading = read_bytes("a.tx2", surfcom.as_bytes(), &options).unwrap();
     check(&reading);
     assert_eq!(
@@ -186,16 +167,18 @@ fn x_must_rise_evenly_or_fall_evenly() {
     let mut doubled = lines.clone();
     doubled.insert(50, lines[10]);
     let refused = read_text(&joined(&doubled)).unwrap_err();
-    assert!(
-        matches!(refused.fault, ReadFault::NotMonotone { line: 51, .. }),
+    assert_eq!(
+        (refused.code(), refused.place().1),
+        (Code::E105, Some(51)),
         "{refused}"
     );
 
     let mut lost = lines.clone();
     lost.remove(100);
     let refused = read_text(&joined(&lost)).unwrap_err();
-    assert!(
-        matches!(refused.fault, ReadFault::UnevenSpacing { line: 101, .. }),
+    assert_eq!(
+        (refused.code(), refused.place().1),
+        (Code::E109, Some(101)),
         "{refused}"
     );
 
@@ -212,8 +195,9 @@ fn a_lost_row_shows_on_whole_numbers_too() {
     let text: String = (0..300).filter(|i| *i != 77).map(row).collect();
     let file = format!("x [um];z [um]\n{text}");
     let refused = read_text(&file).unwrap_err();
-    assert!(
-        matches!(refused.fault, ReadFault::UnevenSpacing { line: 79, .. }),
+    assert_eq!(
+        (refused.code(), refused.place().1),
+        (Code::E109, Some(79)),
         "{refused}"
     );
 }
@@ -224,15 +208,10 @@ fn x_that_counts_points_is_no_length() {
         .map(|i| format!("{i} {:.6}\n", height(i)))
         .collect();
     let refused = read_text(&text).unwrap_err();
-    assert!(
-        matches!(
-            refused.fault,
-            ReadFault::NoSpacing {
-                hint: SpacingHint::XCounts,
-                ..
-            }
-        ),
-        "{refused}"
+    assert_eq!(refused.code(), "E110");
+    assert_eq!(
+        refused.fault.to_string(),
+        "the heights have no x column to give the spacing (x counts the points)"
     );
     let options = ReadOptions {
         dx: Some(Length::from_si(0.5e-6)),

@@ -12,7 +12,9 @@ use serde::de::DeserializeOwned;
 use super::page::figure;
 use crate::chart::{Axis, Chart, Contour, Drawing, Line, Series};
 use crate::page_tables::PageTables;
-use crate::tables::{ContactTables, ConvergenceRow, NEAR, SubsurfaceRow, SurfaceRow, folder_of};
+use crate::tables::{
+    CONVERGENCE, ContactTables, ConvergenceRow, NEAR, SubsurfaceRow, SurfaceRow, folder_of,
+};
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup, Fault> {
     let Some(contact) = &tables.contact else {
@@ -57,7 +59,7 @@ pub fn drawings(result: &RunResult, tables: &PageTables) -> Result<Vec<Drawing>,
     let mut drawings = flank_charts(row, &contact.surface, &surface);
     drawings.extend(solution(result, tables, contact, row)?);
     if !contact.convergence.is_empty() {
-        let steps = tables.source("convergence.csv");
+        let steps = tables.source(CONVERGENCE);
         drawings.push(load(row, &contact.convergence, &steps));
         drawings.push(load_error(result, &contact.convergence, &steps)?);
     }

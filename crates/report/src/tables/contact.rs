@@ -14,6 +14,9 @@ use super::csv_table::{check_field, read};
 use crate::thin::{BINS, thin};
 use crate::units::{MEGA, MICRO};
 
+/// Table of the steps of the solutions of all positions.
+pub(crate) const CONVERGENCE: &str = "convergence.csv";
+
 /// Row of `surface.csv`: fields along the contact, with the pressure of the smooth dry contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SurfaceRow {
@@ -148,6 +151,14 @@ impl ContactTables {
         }
     }
 
+    /// Names of the tables of `position` in a result folder.
+    pub(crate) fn files(folder: &Path, position: usize) -> Vec<String> {
+        let place = folder_of(position);
+        let names = ["surface.csv", "subsurface.csv"].map(|name| format!("{place}/{name}"));
+        let names = names.into_iter().chain([CONVERGENCE.to_owned()]);
+        names.filter(|name| folder.join(name).exists()).collect()
+    }
+
     /// Reads the tables of `position` in a result folder; `None` if its fields were not stored.
     ///
     /// # Errors
@@ -159,7 +170,7 @@ impl ContactTables {
             return Ok(None);
         }
         let below = place.join("subsurface.csv");
-        let steps = folder.join("convergence.csv");
+        let steps = folder.join(CONVERGENCE);
         let mut convergence = match steps.exists() {
             true => read::<ConvergenceRow>(&steps)?,
             false => Vec::new(),

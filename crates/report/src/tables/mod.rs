@@ -7,7 +7,7 @@ mod load;
 mod losses;
 mod views;
 
-pub(crate) use contact::NEAR;
+pub(crate) use contact::{CONVERGENCE, NEAR};
 pub use contact::{
     ContactTables, ConvergenceRow, SubsurfaceRow, SurfaceRow, convergence, folder_of,
 };

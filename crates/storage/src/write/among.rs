@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use asperity_core::{Code, Fault};
+
 use super::draft::clear;
 use super::error::StorageError;
 use super::file::save;
@@ -11,15 +13,24 @@ use super::manifest::{MANIFEST, Manifest};
 use super::system::look;
 use crate::sha256;
 
-/// Checks that the files `names` in `folder` are as this program wrote them, by the sums in their manifest.
+/// Checks that the files `names` in `folder`, which are read back as a `kind`, are as this program wrote them, by the sums in
+/// their manifest.
 ///
 /// # Errors
 /// When one of them is not in the manifest or was changed since.
-pub fn check_written(folder: &Path, names: &[&str]) -> Result<(), StorageError> {
+pub fn check_written(folder: &Path, kind: &str, names: &[&str]) -> Result<(), Fault> {
     let manifest = Manifest::read(folder).unwrap_or_else(Manifest::new);
-    names
-        .iter()
-        .try_for_each(|name| manifest.check_file(folder, name))
+    let is_changed = |name: &&&str| manifest.check_file(folder, name).is_err();
+    match names.iter().find(is_changed) {
+        None => Ok(()),
+        Some(name) => Err(Fault::new(
+            Code::E402,
+            format!(
+                "{}: not the {kind} that was written: the file was changed, or its manifest.json is missing",
+                folder.join(name).display()
+            ),
+        )),
+    }
 }
 
 /// Checks that the files `names` may be written into `folder`: each is absent, or is listed in the manifest and

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use asperity::balance::{Unbalanced, efficiency, sum};
+use asperity::balance::{efficiency, sum};
 use asperity::message::Warning;
 use asperity::uncertainty::Quantiles;
 use asperity_core::{Code, Fault};
@@ -215,7 +215,7 @@ pub fn evaluate(
 }
 
 /// Invariants of the energies of a finish.
-fn check(finish: &CycleFinish, drive_wh: f64) -> Result<(), Unbalanced> {
+fn check(finish: &CycleFinish, drive_wh: f64) -> Result<(), Fault> {
     let parts = [finish.lost_drive_wh, finish.lost_coast_wh];
     sum("energy lost over the cycle", "Wh", finish.lost_wh, &parts)?;
     let of = "efficiency while the pinion drives";

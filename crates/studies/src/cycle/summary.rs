@@ -1,7 +1,8 @@
 //! Summary of a cycle for the terminal.
 
+use asperity::message::Warning;
 use asperity::result::loss_band::Digits;
-use asperity_core::{decimals, number};
+use asperity_core::{Code, decimals, number};
 use asperity_report::{Cell, Table, columns, wrapped};
 use asperity_storage::one_line;
 
@@ -137,9 +138,10 @@ fn difference(finish: &CycleFinish) -> String {
 /// W431, if the case of the map states a gearbox.
 pub(super) fn left_aside(result: &CycleResult) -> Option<String> {
     (!result.left_aside.is_empty()).then(|| {
-        format!(
-            "W431 energies are of the mesh; other losses of the case are ignored: {}",
+        let text = format!(
+            "energies are of the mesh; other losses of the case are ignored: {}",
             result.left_aside.join(", ")
-        )
+        );
+        Warning::new(Code::W431, text).to_string()
     })
 }

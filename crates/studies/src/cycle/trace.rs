@@ -1,6 +1,7 @@
 //! Reading of a cycle, and conversion to the pinion.
 
 use std::f64::consts::PI;
+use std::fmt::Display;
 
 use asperity::case::{VehicleInput, range_of};
 use asperity::message::Warning;
@@ -56,13 +57,11 @@ impl CyclePoint {
     }
 }
 
-/// Error of a cycle.
+/// Error of a cycle. A command distinguishes the errors of names, which its options state, and those of the vehicle, whose case
+/// has a text.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CycleError {
-    /// A row has another number of cells than the header.
-    #[error(transparent)]
-    Ragged(#[from] Ragged),
     /// Columns are missing.
     #[error(
         "{}; required are a time with torque and speed of the pinion, or a time with the speed of a vehicle, in columns like time_s, torque_nm, speed_rpm, speed_km_h, speed_mph, grade_percent",
@@ -77,61 +76,87 @@ pub enum CycleError {
     /// A quantity is stated in two columns.
     #[error("columns {0} and {1} state one quantity")]
     Twice(String, String),
-    /// A cell is not a finite number.
-    #[error("line {0}")]
-    Cell(#[from] RowFault),
-    /// A number is not possible for a vehicle or gear drive.
-    #[error(
-        "line {line}: {column} = {value} is beyond -{limit} to {limit}; check unit and decimal point", value = number(*value), limit = number(*limit))]
-    Beyond {
-        /// Line of the file, counted from 1.
-        line: usize,
-        /// The column, or the quantity computed from the speed of the vehicle.
-        column: &'static str,
-        /// The number.
-        value: f64,
-        /// Largest possible absolute value.
-        limit: f64,
-    },
-    /// Time does not increase.
-    #[error("line {line}: time_s = {time_s} does not rise from {before} before it; if another recording begins here, take one of them", time_s = number(*time_s), before = number(*before))]
-    Time {
-        /// Line of the file, counted from 1.
-        line: usize,
-        /// Time \[s\].
-        time_s: f64,
-        /// Time of the previous row \[s\].
-        before: f64,
-    },
-    /// Fewer than two points.
-    #[error("a cycle needs two points at least")]
-    Short,
-    /// The table has the speed of a vehicle, but no vehicle is given.
-    #[error("the speed of a vehicle needs the table [vehicle] in the case of the map")]
-    NoVehicle,
     /// A number of the vehicle that no vehicle has.
     #[error(transparent)]
     Impossible(#[from] Box<asperity::Error>),
-    /// A number of the vehicle is not valid.
-    #[error("vehicle.{key} = {value} must be {rule}", value = number(*value))]
-    Vehicle {
-        /// The key.
-        key: &'static str,
-        /// Value in SI units.
-        value: f64,
-        /// Rule.
-        rule: &'static str,
-    },
+    /// An error that no caller distinguishes from others.
+    #[error(transparent)]
+    Fault(#[from] Fault),
 }
 
 impl CycleError {
+    /// A number of a column, or of a quantity computed from the speed of the vehicle, that is not possible for a vehicle or gear
+    /// drive: its absolute value is above `limit`.
+    fn beyond(line: usize, column: &'static str, value: f64, limit: f64) -> Self {
+        Self::at_line(
+            line,
+            format!(
+                "{column} = {} is beyond -{} to {}; check unit and decimal point",
+                number(value),
+                number(limit),
+                number(limit)
+            ),
+        )
+    }
+
+    /// Time \[s\] that does not increase.
+    fn time(line: usize, time_s: f64, before: f64) -> Self {
+        Self::at_line(
+            line,
+            format!(
+                "time_s = {} does not rise from {} before it; if another recording begins here, take one of them",
+                number(time_s),
+                number(before)
+            ),
+        )
+    }
+
+    /// Fewer than two points.
+    fn short() -> Self {
+        Self::refused("a cycle needs two points at least")
+    }
+
+    /// The table has the speed of a vehicle, but no vehicle is given.
+    fn no_vehicle() -> Self {
+        Self::refused("the speed of a vehicle needs the table [vehicle] in the case of the map")
+    }
+
+    /// A number of the vehicle in SI units is not valid.
+    fn vehicle(key: &'static str, value: f64, rule: &'static str) -> Self {
+        Self::refused(format!("vehicle.{key} = {} must be {rule}", number(value)))
+    }
+
+    /// An error at a line of the file, counted from 1.
+    fn at_line(line: usize, text: impl Display) -> Self {
+        Self::refused(format!("line {line}: {text}"))
+    }
+
+    fn refused(text: impl Into<String>) -> Self {
+        Fault::new(Code::E101, text).into()
+    }
+
     /// Stable code.
     #[must_use]
     pub fn code(&self) -> Code {
         match self {
             Self::Impossible(error) => error.code(),
-            _ => Code::E101,
+            Self::Fault(fault) => fault.code(),
+            Self::Columns { .. } | Self::Twice(..) => Code::E101,
         }
+    }
+}
+
+/// A row has another number of cells than the header.
+impl From<Ragged> for CycleError {
+    fn from(ragged: Ragged) -> Self {
+        Fault::of(Code::E101, ragged).into()
+    }
+}
+
+/// A cell is not a finite number.
+impl From<RowFault> for CycleError {
+    fn from(cell: RowFault) -> Self {
+        Self::refused(format!("line {cell}"))
     }
 }
 
@@ -139,6 +164,7 @@ impl From<CycleError> for Fault {
     fn from(error: CycleError) -> Self {
         match error {
             CycleError::Impossible(error) => (*error).into(),
+            CycleError::Fault(fault) => fault,
             error => Self::of(error.code(), error),
         }
     }
@@ -183,14 +209,10 @@ pub fn named_cycle(
     let table = Columns(Table::named(text, names)?);
     let time = table.time()?;
     if time.len() < 2 {
-        return Err(CycleError::Short);
+        return Err(CycleError::short());
     }
     if let Some(row) = (1..time.len()).find(|&k| time[k] <= time[k - 1]) {
-        return Err(CycleError::Time {
-            line: table.line(row),
-            time_s: time[row],
-            before: time[row - 1],
-        });
+        return Err(CycleError::time(table.line(row), time[row], time[row - 1]));
     }
     let vehicle = vehicle.map(checked).transpose()?;
     let warnings = vehicle.map(VehicleInput::unusual).transpose();
@@ -209,7 +231,7 @@ pub fn named_cycle(
         _ => {
             let speed = table.column("speed_km_h")?;
             let speed = speed.ok_or_else(|| table.lacking())?;
-            let vehicle = vehicle.ok_or(CycleError::NoVehicle)?;
+            let vehicle = vehicle.ok_or_else(CycleError::no_vehicle)?;
             let grade = table.column("grade_percent")?;
             let speeds: Vec<f64> = speed.iter().map(|speed| speed / 3.6).collect();
             let (torque, rpm) = at_the_pinion(vehicle, &time, &speeds, grade.as_deref());
@@ -284,13 +306,13 @@ fn checked(vehicle: &VehicleInput) -> Result<&VehicleInput, CycleError> {
     for (key, value) in positive {
         if !(value.is_finite() && value > 0.0) {
             let rule = "greater than zero";
-            return Err(CycleError::Vehicle { key, value, rule });
+            return Err(CycleError::vehicle(key, value, rule));
         }
     }
     for (key, value) in not_negative {
         if !(value.is_finite() && value >= 0.0) {
             let rule = "zero or more";
-            return Err(CycleError::Vehicle { key, value, rule });
+            return Err(CycleError::vehicle(key, value, rule));
         }
     }
     Ok(vehicle)
@@ -652,12 +674,12 @@ impl Columns {
             .iter()
             .position(|value| value.abs() > limit || value.is_nan());
         beyond.map_or(Ok(()), |row| {
-            Err(CycleError::Beyond {
-                line: self.line(row),
+            Err(CycleError::beyond(
+                self.line(row),
                 column,
-                value: numbers[row],
+                numbers[row],
                 limit,
-            })
+            ))
         })
     }
 

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use crate::map::Axes;
 use asperity::efficiency::EfficiencyError;
 use asperity::efficiency::loss_table::LossTable;
-use asperity::loss_table::{LossTableError, read};
+use asperity::loss_table::read;
 use asperity_core::message::Warning;
 use asperity_core::{Code, Fault};
 
@@ -20,7 +20,7 @@ pub struct AddedLoss {
 }
 
 /// The file is not a valid table.
-fn unreadable(error: LossTableError) -> Fault {
+fn unreadable(error: Fault) -> Fault {
     Fault::of(Code::E101, error).helping(
         "The table has the columns speed_rpm, loss_torque_nm or loss_w and, where the loss depends on them, torque_nm and temperature_c, as a grid; a loss map of VECTO (vtlm) is one.",
     )

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity::balance::{self, Unbalanced, sum};
+use asperity::balance::{self, sum};
 use asperity::case::MeshLoad;
 use asperity::case::train::{LoadedMesh, Train};
 use asperity::core::cancel::checkpoint;
@@ -12,10 +12,10 @@ use asperity::flanks::Surfaces;
 use asperity::pipeline::Progress;
 use asperity::result::{Losses, OffsetRow};
 use asperity::{Error, PositionError};
-use asperity_core::Code;
 use asperity_core::numerics::{deviation, distinct};
 use asperity_core::quantity::{AngularSpeed, Power};
 use asperity_core::unique;
+use asperity_core::{Code, Fault};
 use rayon::prelude::*;
 
 use super::axes::Axes;
@@ -374,9 +374,9 @@ fn point(
 fn outside(train: &Train, evaluated: &Evaluated) -> Vec<String> {
     let meshes = train.meshes().zip(&evaluated.meshes);
     let of_mesh = |(mesh, evaluated): (&LoadedMesh, &EvaluatedMesh)| {
-        let marks = evaluated.losses.outside.iter();
+        let marks = evaluated.losses.outside.iter().map(ToString::to_string);
         match train.only() {
-            Some(_) => marks.cloned().collect::<Vec<String>>(),
+            Some(_) => marks.collect::<Vec<String>>(),
             None => marks
                 .map(|mark| format!("{mark} ({})", mesh.name))
                 .collect(),
@@ -452,7 +452,7 @@ fn together(
 }
 
 /// Invariants of the numbers of a point, with the input shaft at `omega` \[rad/s\].
-fn check(n: &Numbers, omega: f64, power_in_w: f64) -> Result<(), Unbalanced> {
+fn check(n: &Numbers, omega: f64, power_in_w: f64) -> Result<(), Fault> {
     let sliding = [n.film_w, n.lubricated_asperity_w, n.boundary_w];
     sum("sliding loss", "W", n.sliding_w, &sliding)?;
     let loss = [n.sliding_w, n.rolling_w, n.deformation_w];

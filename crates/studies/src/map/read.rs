@@ -22,17 +22,6 @@ fn not_a_map(path: &Path, reason: impl Display) -> Fault {
     )
 }
 
-/// A file was changed after the map was written.
-fn changed(path: &Path) -> Fault {
-    Fault::new(
-        Code::E402,
-        format!(
-            "{path}: not the map that was written: the file was changed, or its manifest.json is missing",
-            path = path.display()
-        ),
-    )
-}
-
 /// Reads the map in `folder`.
 ///
 /// # Errors
@@ -77,11 +66,7 @@ pub fn read(folder: &Path) -> Result<Map, Fault> {
         }
         finish.points = points;
     }
-    for (file, name) in [(file, "map.json"), (path, "map.csv")] {
-        if check_written(folder, &[name]).is_err() {
-            return Err(changed(&file));
-        }
-    }
+    check_written(folder, "map", &["map.json", "map.csv"])?;
     Ok(map)
 }
 

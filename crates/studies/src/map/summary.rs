@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use asperity::message::Warning;
 use asperity::result::loss_band::Digits;
+use asperity_core::Code;
 use asperity_core::numerics::range;
 use asperity_report::{Table, columns, wrapped};
 use asperity_storage::one_line;
@@ -201,10 +203,11 @@ pub(crate) fn banded(value: f64, drawn: Option<(f64, [f64; 2])>) -> String {
 /// W431, if the case states a gearbox.
 pub(super) fn left_aside(map: &Map) -> Option<String> {
     let gearbox = map.gearbox.as_ref()?;
-    Some(format!(
-        "W431 losses are of the mesh; the other losses of the case ({}) are a separate part in exports",
+    let text = format!(
+        "losses are of the mesh; the other losses of the case ({}) are a separate part in exports",
         gearbox.parts.join(", ")
-    ))
+    );
+    Some(Warning::new(Code::W431, text).to_string())
 }
 
 /// Largest distances of the quantiles from the median, in percent.

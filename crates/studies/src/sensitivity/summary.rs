@@ -1,6 +1,8 @@
 //! Summary of a sensitivity study for the terminal.
 
+use asperity::message::Warning;
 use asperity::result::loss_band::{Digits, rounded};
+use asperity_core::Code;
 use asperity_report::{Cell, Table, columns, wrapped};
 use asperity_storage::one_line;
 
@@ -80,10 +82,11 @@ fn of_to(row: &SensitivityRow) -> [String; 2] {
 /// W431, if the case states a gearbox.
 pub(super) fn left_aside(study: &Sensitivity) -> Option<String> {
     (!study.left_aside.is_empty()).then(|| {
-        format!(
-            "W431 losses are of the mesh; other losses of the case are ignored: {}",
+        let text = format!(
+            "losses are of the mesh; other losses of the case are ignored: {}",
             study.left_aside.join(", ")
-        )
+        );
+        Warning::new(Code::W431, text).to_string()
     })
 }
 

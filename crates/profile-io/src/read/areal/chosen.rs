@@ -23,9 +23,7 @@ pub(super) fn chosen<T>(
         1 => 0,
         _ => all.iter().position(is_named).ok_or_else(|| {
             let names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
-            ReadFault::SeveralArrays {
-                names: shortened(&names.join(", ")),
-            }
+            ReadFault::several_arrays(&shortened(&names.join(", ")))
         })?,
     };
     Ok(all.swap_remove(at))

@@ -78,10 +78,8 @@ fn hdf5_read(bytes: &[u8], format: Format) -> Result<Areal, ReadFault> {
 /// Refuses a file that is HDF5.
 #[cfg(not(feature = "hdf5"))]
 fn hdf5_read(_: &[u8], format: Format) -> Result<Areal, ReadFault> {
-    Err(ReadFault::FormatNotRead {
-        format: match format {
-            Format::Matlab => Format::Hdf5,
-            format => format,
-        },
-    })
+    Err(ReadFault::format_not_read(match format {
+        Format::Matlab => Format::Hdf5,
+        format => format,
+    }))
 }

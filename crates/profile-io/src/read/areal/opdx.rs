@@ -56,10 +56,10 @@ impl Tree {
             Ok(LengthUnit::Nanometre) => Unit::NANOMETRE,
             Ok(LengthUnit::Angstrom) => Unit::part(1e10),
             _ => {
-                return Err(ReadFault::UnknownUnit {
-                    axis: crate::read::options::Axis::Height,
-                    unit: shortened(symbol),
-                });
+                return Err(ReadFault::unknown_unit(
+                    crate::read::options::Axis::Height,
+                    &shortened(symbol),
+                ));
             }
         };
         Ok((*value, unit))

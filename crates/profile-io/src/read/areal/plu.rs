@@ -48,14 +48,11 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let cut = || fault("the header is cut off", "");
     let kind: u32 = little(&bytes, KIND).ok_or_else(cut)?;
     if kind == IMAGE || kind == THICKNESS {
-        return Err(ReadFault::NotHeights {
-            format: FORMAT,
-            content: if kind == IMAGE {
-                "a picture"
-            } else {
-                "a thickness"
-            },
-        });
+        let content = match kind {
+            IMAGE => "a picture",
+            _ => "a thickness",
+        };
+        return Err(ReadFault::no_heights(FORMAT, content));
     }
     if kind != PROFILE && kind != TOPOGRAPHY {
         return Err(fault(

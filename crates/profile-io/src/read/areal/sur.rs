@@ -222,10 +222,10 @@ fn unit(bytes: &[u8], at: usize, axis: Axis) -> Result<Unit, ReadFault> {
         },
         None if name == "pm" => Unit::PICOMETRE,
         None => {
-            return Err(ReadFault::UnknownUnit {
+            return Err(ReadFault::unknown_unit(
                 axis,
-                unit: crate::read::error::shortened(&name),
-            });
+                &crate::read::error::shortened(&name),
+            ));
         }
     })
 }

@@ -150,10 +150,7 @@ impl Areal {
             }
             (HeightUnit::Unstated, Some(stated)) => stated,
             (HeightUnit::Unstated, None) => {
-                return Err(ReadFault::NoUnit {
-                    axis,
-                    span: span(&self.heights),
-                });
+                return Err(ReadFault::no_unit(axis, span(&self.heights)));
             }
         };
         let mut z = Vec::with_capacity(columns.saturating_mul(rows));

@@ -108,11 +108,11 @@ fn trace_of_table(
     if let Some(asked) = options.row.filter(|row| *row != 1)
         && !trace.format.may_hold_several()
     {
-        return Err(ReadFault::SeveralProfiles {
-            rows: 1,
-            points: trace.heights.len(),
-            asked,
-        });
+        return Err(ReadFault::several_profiles(
+            1,
+            trace.heights.len(),
+            Some(asked),
+        ));
     }
     if table.filter_state == FilterState::Roughness {
         trace.warnings.push(Warning::AlreadyFiltered);

@@ -42,10 +42,8 @@ pub(super) fn read(stream: &mut dyn Stream) -> Result<Found, ReadFault> {
         Some(values) if sound => values,
         _ => return Err(fault("there is no DATA_POINT_VALUES in its DATAFILE", "")),
     };
-    let unit: LengthUnit = header::unit(&unit).ok_or(ReadFault::UnknownUnit {
-        axis: Axis::Height,
-        unit,
-    })?;
+    let unit: LengthUnit =
+        header::unit(&unit).ok_or_else(|| ReadFault::unknown_unit(Axis::Height, &unit))?;
     let heights: Vec<f64> = values
         .split_whitespace()
         .map(|value| height(value).ok_or_else(|| not_a_number(FORMAT, value)))

@@ -52,8 +52,8 @@ pub(super) fn text(
     let mut tables: Vec<String> = sheets.iter().filter_map(Sheet::table).collect();
     match (tables.pop(), tables.len()) {
         (Some(table), 0) => Ok(table),
-        (None, _) => Err(ReadFault::NotTable { format }),
-        (_, others) => Err(ReadFault::SeveralTables { sheets: others + 1 }),
+        (None, _) => Err(ReadFault::not_table(format)),
+        (_, others) => Err(ReadFault::several_tables(others + 1)),
     }
 }
 
@@ -101,11 +101,7 @@ pub(super) fn read(
     let Some((sheet, block)) = asked.checked_sub(1).and_then(|at| longest.get(at)) else {
         return Err(match longest.first() {
             None => ReadFault::no_heights(format, "no columns of a hundred numbers"),
-            Some((_, block)) => ReadFault::SeveralProfiles {
-                rows: longest.len(),
-                points: block.rows,
-                asked,
-            },
+            Some((_, block)) => ReadFault::several_profiles(longest.len(), block.rows, options.row),
         });
     };
     let units = is_mitutoyo.then_some("x [mm]\tz [um]");
