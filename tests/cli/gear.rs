@@ -368,7 +368,7 @@ fn gear_and_regime_tell_of_each_mesh_of_a_set_and_commands_of_a_pair_refuse_it()
     let said = bench.run(&map).well().out;
     assert!(said.contains("loss of the meshes only"), "{said}");
     assert!(
-        said.contains("b at the largest loss: 3 sun and planet"),
+        said.contains("\nb       sun and planet        3 "),
         "{said}"
     );
     let changes = [
