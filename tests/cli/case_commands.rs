@@ -320,7 +320,7 @@ fn diff_names_the_key_that_differs_and_what_follows() {
     let said = bench.run(&["diff", "one", "two"]).well().out;
     for says in [
         "operation.torque",
-        "145 N m -> 200 N m",
+        "  145 N m  200 N m  ",
         "loss_w",
         "loss_median_w",
         "efficiency_p95",

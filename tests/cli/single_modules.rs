@@ -142,7 +142,8 @@ fn regime_film_and_contact_evaluate_every_shipped_case() {
         }
         if case.contains("fzg") {
             let table = regime(&[]).out;
-            assert_eq!(table.lines().count(), 1 + rows.as_array().unwrap().len());
+            let numbers = table.lines().filter(|line| line.contains('.'));
+            assert_eq!(numbers.count(), rows.as_array().unwrap().len());
         }
         let film = bench
             .run(&["film", &case, "--position", "A", "--json"])
@@ -195,7 +196,8 @@ fn equations_are_listed_and_explained() {
     let bench = Bench::new();
     let all = asperity::equations::all();
     let listed = bench.run(&["equations"]).well().out;
-    assert_eq!(listed.lines().count(), all.len());
+    let tags = listed.lines().filter(|line| !line.starts_with(' '));
+    assert_eq!(tags.count(), 1 + all.len());
     // All are printed by the same lines; those with a misprint have one more.
     let tried = all.iter().enumerate();
     for (_, equation) in tried.filter(|(k, one)| k % 8 == 0 || one.misprint.is_some()) {

@@ -1,7 +1,7 @@
 //! `asperity diff`: differences between two results.
 
 use asperity_core::{Code, Fault};
-use asperity_report::read_result;
+use asperity_report::{columns, read_result};
 use asperity_studies::diff::{Change, ResultDiff, diff as compare};
 use serde_json::Value;
 
@@ -29,15 +29,13 @@ fn text(differences: &ResultDiff) -> String {
     section(&mut text, "summary", &differences.summary);
     if !differences.path.is_empty() {
         text.push_str("largest difference along the path\n");
-        for change in &differences.path {
-            let position = change.position;
-            text.push_str(&format!(
-                "  {:24} {:>14} -> {:>14}  at position {position}\n",
-                change.column,
-                digits(change.first),
-                digits(change.second)
-            ));
-        }
+        let table = columns! { change in &differences.path;
+            head column "column" "";
+            number first "first" "" = digits(change.first);
+            number second "second" "" = digits(change.second);
+            number position "position" "";
+        };
+        text.push_str(&table.text("  "));
     }
     for (name, lists) in [
         ("warnings", &differences.warnings),
@@ -60,17 +58,13 @@ fn section(text: &mut String, title: &str, changes: &[Change]) {
         return;
     }
     text.push_str(&format!("{title}\n"));
-    for change in changes {
-        let [first, second] = [&change.first, &change.second].map(|value| shown(value.as_ref()));
-        let relative = match change.relative {
-            Some(relative) => format!("  {:+.3} %", 100.0 * relative),
-            None => String::new(),
-        };
-        text.push_str(&format!(
-            "  {:32} {first} -> {second}{relative}\n",
-            change.key
-        ));
-    }
+    let table = columns! { change in changes;
+        head key "key" "";
+        text first "first" "" = shown(change.first.as_ref());
+        text second "second" "" = shown(change.second.as_ref());
+        number relative "change" "%" "{:+.3}" = change.relative.map(|relative| 100.0 * relative);
+    };
+    text.push_str(&table.text("  "));
 }
 
 fn shown(value: Option<&Value>) -> String {

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use asperity::case::LoadedCase;
 use asperity::result::gear_report::{GearReport, gear_report};
+use asperity_report::columns;
 
 use super::{load_train, of_meshes};
 use crate::args::{CaseArgs, Common};
@@ -114,14 +115,15 @@ fn write_factors(text: &mut String, report: &GearReport) -> std::fmt::Result {
             note.with
         )?;
     }
-    writeln!(text, "loss factor by law")?;
-    writeln!(text, "  {:<14} {:.4}", "Ohlendorf", report.ohlendorf)?;
-    for row in &report.loss_factors {
-        match (row.loss_factor, &row.refused) {
-            (Some(factor), _) => writeln!(text, "  {:<14} {factor:.4}", row.law)?,
-            (None, Some(why)) => writeln!(text, "  {:<14} -  {why}", row.law)?,
-            (None, None) => {}
-        }
-    }
+    let ohlendorf = ("Ohlendorf", Some(report.ohlendorf), None);
+    let laws = report.loss_factors.iter();
+    let laws = laws.map(|row| (row.law.as_str(), row.loss_factor, row.refused.as_deref()));
+    let rows = std::iter::once(ohlendorf).chain(laws);
+    let table = columns! { (law, factor, refused) in rows;
+        head law "law" "" = law;
+        number factor "loss factor" "" "{:.4}" = factor;
+        text refused "" "" = refused.unwrap_or("");
+    };
+    text.push_str(&table.text("  "));
     Ok(())
 }

@@ -1,11 +1,13 @@
 //! `asperity gears`: the gears of the library.
 
+use std::fmt::Display;
+
 use asperity_core::presets::{GearPreset, planetary_sets, trains};
 use asperity_core::quantity::Length;
 use asperity_report::library::{gears_named, listed_gears, pair_of, unlisted};
-use asperity_report::wrapped;
+use asperity_report::{columns, wrapped};
 
-use super::presets::{LETTERS, figures, keys, least, print_listed};
+use super::presets::{LETTERS, figures, least, print_listed};
 use crate::args::{Common, PresetArgs};
 use crate::failure::Failure;
 
@@ -21,35 +23,22 @@ pub fn gears(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn table(gears: &[GearPreset]) -> Result<String, Failure> {
-    let mut text = format!(
-        "{:16} {:>7} {:>8} {:>6} {:>9} {:>8} {:>8}  {}\n",
-        "name", "teeth", "m_n mm", "beta", "b mm", "a mm", "least", "sources"
-    );
     let mm = |length: Length| length.si() * 1e3;
-    for preset in gears {
-        let numbers = &preset.gears;
-        let [z1, z2] = numbers.teeth.value;
-        let [b1, b2] = numbers.face_width.value.map(mm);
-        let (distance, _) = pair_of(preset)?;
-        let rows = preset.rows();
-        let line = format!(
-            "{:16} {:>7} {:>8} {:>6} {:>9} {:>8.2} {:>8}  {}",
-            preset.name,
-            format!("{z1}/{z2}"),
-            mm(numbers.module.value),
-            format!("{:.1}°", numbers.helix.value.si().to_degrees()),
-            if b1 == b2 {
-                format!("{b1}")
-            } else {
-                format!("{b1}/{b2}")
-            },
-            mm(distance),
-            least(&preset.gear_rows()),
-            keys(&rows)
-        );
-        text.push_str(&wrapped(&line, "      "));
-        text.push('\n');
-    }
+    let distances = gears.iter().map(|preset| Ok(mm(pair_of(preset)?.0)));
+    let distances = distances.collect::<Result<Vec<f64>, Failure>>()?;
+    let table = columns! { (preset, distance) in gears.iter().zip(distances);
+        head name "name" "" = &preset.name;
+        number teeth "teeth" "" = pair(preset.gears.teeth.value);
+        number module "module" "mm" = mm(preset.gears.module.value);
+        number helix "helix angle" "°" "{:.1}" = preset.gears.helix.value.si().to_degrees();
+        number width "face width" "mm" = match preset.gears.face_width.value.map(mm) {
+            [one, other] if one == other => one.to_string(),
+            both => pair(both),
+        };
+        number distance "centre distance" "mm" "{:.2}" = distance;
+        text least "least" "" = least(&preset.gear_rows());
+    };
+    let mut text = table.text("");
     text.push_str(&wrapped(
         "least: the lowest certainty of the geometry. The centre distance follows from the profile shifts.",
         "",
@@ -65,6 +54,10 @@ fn table(gears: &[GearPreset]) -> Result<String, Failure> {
         sets.join(", ")
     );
     Ok(format!("{text}\n{LETTERS}\n{}\n", wrapped(&more, "")))
+}
+
+fn pair<T: Display>([first, second]: [T; 2]) -> String {
+    format!("{first}/{second}")
 }
 
 fn whole(preset: &GearPreset) -> Result<String, Failure> {

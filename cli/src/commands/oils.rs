@@ -1,9 +1,8 @@
 //! `asperity oils`: the oils of the library.
 
 use asperity::oil::LibraryOil;
-use asperity_core::presets::Certainty;
 use asperity_report::library::{listed_oil, oils_named, states};
-use asperity_report::{COLUMNS, wrapped};
+use asperity_report::{COLUMNS, Table, columns, wrapped};
 
 use super::presets::{LETTERS, print_listed};
 use crate::args::{Common, PresetArgs};
@@ -18,18 +17,19 @@ pub fn oils(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn table(oils: &[LibraryOil], with_numbers: bool) -> Result<String, Failure> {
-    let mut text = format!(
-        "{:22} {:>12} {:>12} {:>12}\n",
-        "lubricant.oil", "mPa s 40 °C", "mPa s 100 °C", "alpha 1/GPa"
-    );
+    let states = oils.iter().map(|oil| states(&oil.name));
+    let states = states.collect::<Result<Vec<_>, _>>()?;
+    let table = columns! { (oil, [(cold, _), (hot, alpha)]) in oils.iter().zip(states);
+        head name "lubricant.oil" "" = &oil.name;
+        number cold "viscosity at 40 °C" "mPa s" "{:.1}" = cold;
+        number hot "viscosity at 100 °C" "mPa s" "{:.2}" = hot;
+        number alpha "pressure-viscosity coefficient" "1/GPa" "{:.1}" = alpha;
+    };
+    let mut text = table.text("");
     for oil in oils {
-        let [(cold, _), (hot, alpha)] = states(&oil.name)?;
-        text.push_str(&format!(
-            "{:22} {cold:>12.1} {hot:>12.2} {alpha:>12.1}\n",
-            oil.name
-        ));
+        text.push_str(&format!("{}\n", oil.name));
         if with_numbers {
-            text.push_str(&numbers(oil));
+            text.push_str(&numbers(oil).text("  "));
         }
         for line in [&oil.note, &oil.source] {
             let line = wrapped(&format!("  {line}"), "  ");
@@ -42,12 +42,12 @@ fn table(oils: &[LibraryOil], with_numbers: bool) -> Result<String, Failure> {
     ))
 }
 
-/// One line per number of an oil, with its certainty.
-fn numbers(oil: &LibraryOil) -> String {
+/// The numbers of an oil with their certainty.
+fn numbers(oil: &LibraryOil) -> Table {
     let values = serde_json::to_value(&oil.lubricant).unwrap_or_default();
-    let line = |(key, certainty): (&String, &Certainty)| {
-        let line = format!("  {key:22} {certainty:8} {}", values[key]);
-        wrapped(&line, "      ") + "\n"
-    };
-    oil.certainty.iter().map(line).collect()
+    columns! { (key, certainty) in &oil.certainty;
+        head key "key" "" = key;
+        text certainty "certainty" "" = certainty;
+        text value "value" "" = &values[key];
+    }
 }

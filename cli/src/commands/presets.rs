@@ -3,7 +3,7 @@
 use asperity_core::Fault;
 use asperity_core::presets::FigureRow;
 use asperity_report::library::used;
-use asperity_report::wrapped;
+use asperity_report::{columns, wrapped};
 use serde_json::{Value, json};
 
 use crate::args::Common;
@@ -29,14 +29,16 @@ pub fn print_listed<T>(
 
 /// One line per number, then the full sources.
 pub fn figures(rows: &[FigureRow<'_>]) -> Result<String, Failure> {
-    let mut text = String::new();
-    for row in rows {
-        let note = row.note.map_or(String::new(), |note| format!("  ({note})"));
-        let line = format!(
-            "  {:22} {:24} {:8} {}{note}",
-            row.key, row.value, row.certainty, row.source
-        );
-        text.push_str(&wrapped(&line, "      "));
+    let table = columns! { row in rows;
+        head key "key" "";
+        text value "value" "";
+        text certainty "certainty" "" = row.certainty;
+        text source "source" "";
+    };
+    let mut text = table.text("  ");
+    let noted = rows.iter().filter_map(|row| Some((row.key, row.note?)));
+    for (key, note) in noted {
+        text.push_str(&wrapped(&format!("  {key}: {note}"), "    "));
         text.push('\n');
     }
     text.push_str("sources\n");
@@ -54,15 +56,4 @@ pub fn figures(rows: &[FigureRow<'_>]) -> Result<String, Failure> {
 pub fn least(rows: &[FigureRow<'_>]) -> &'static str {
     let least = rows.iter().map(|row| row.certainty).max();
     least.map_or("", |certainty| certainty.text())
-}
-
-/// Distinct keys of the sources, in the order of the numbers.
-pub fn keys<'a>(rows: &[FigureRow<'a>]) -> String {
-    let mut sources: Vec<&str> = Vec::new();
-    for row in rows {
-        if !sources.contains(&row.source) {
-            sources.push(row.source);
-        }
-    }
-    sources.join(", ")
 }

@@ -3,6 +3,7 @@
 use asperity::equations::{self, Equation};
 use asperity::message::{self, Explanation};
 use asperity_core::Code;
+use asperity_report::columns;
 use serde_json::{Value, json};
 
 use crate::args::{Common, EquationsArgs};
@@ -19,11 +20,15 @@ pub fn equations(args: &EquationsArgs, common: &Common) -> Result<(), Failure> {
         None => equations::all(),
         Some(tag) => std::slice::from_ref(equations::find(tag).ok_or_else(|| unknown_tag(tag))?),
     };
-    let text = |equation: &Equation| match args.tag {
-        None => format!("{:16} {}\n", equation.tag, equation.title),
-        Some(_) => in_full(equation),
-    };
-    print(common, || chosen, || chosen.iter().map(text).collect())
+    let table = || columns! { equation in chosen; head tag "tag" ""; text title "title" ""; };
+    print(
+        common,
+        || chosen,
+        || match args.tag {
+            None => table().text(""),
+            Some(_) => chosen.iter().map(in_full).collect(),
+        },
+    )
 }
 
 fn in_full(equation: &Equation) -> String {

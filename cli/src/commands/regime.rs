@@ -3,6 +3,7 @@
 use asperity::case::LoadedCase;
 use asperity::pipeline::{RegimeRow, survey};
 use asperity::result::Regime;
+use asperity_report::columns;
 use serde_json::json;
 
 use super::{load_train, of_meshes};
@@ -35,28 +36,18 @@ pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn table(rows: &[RegimeRow]) -> String {
-    let mut text = format!(
-        "{:>8} {:>9} {:>7} {:>9} {:>9} {:>9} {:>7} {:>8} {:>7}  regime\n",
-        "A-E", "f N/mm", "p0 MPa", "Vs m/s", "hc um", "hm um", "phi", "Lambda*", "film %"
-    );
-    for row in rows {
-        let lambda = row
-            .lambda_star
-            .map_or("-".to_owned(), |value| format!("{value:.3}"));
+    let table = columns! { row in rows;
+        number path_fraction "A to E" "" "{:.4}";
+        number line_load_n_per_mm "line load" "N/mm" "{:.2}";
+        number hertz_pressure_mpa "Hertz pressure" "MPa" "{:.0}";
+        number sliding_m_per_s "sliding speed" "m/s" "{:.4}";
+        number film_central_um "central film" "µm" "{:.4}";
+        number film_minimum_um "minimum film" "µm" "{:.4}";
+        number thermal_reduction "thermal reduction" "" "{:.3}";
+        number lambda_star "Λ*" "" "{:.3}";
+        number film_share "film load" "%" "{:.1}" = 100.0 * row.film_share;
         // No friction is computed here.
-        let regime = Regime::of_friction(row.mixed_share, 0.0, 0.0);
-        text.push_str(&format!(
-            "{:>8.4} {:>9.2} {:>7.0} {:>9.4} {:>9.4} {:>9.4} {:>7.3} {lambda:>8} {:>7.1}  {}\n",
-            row.path_fraction,
-            row.line_load_n_per_mm,
-            row.hertz_pressure_mpa,
-            row.sliding_m_per_s,
-            row.film_central_um,
-            row.film_minimum_um,
-            row.thermal_reduction,
-            100.0 * row.film_share,
-            regime.name(),
-        ));
-    }
-    text
+        text regime "regime" "" = Regime::of_friction(row.mixed_share, 0.0, 0.0).name();
+    };
+    table.text("")
 }

@@ -3,7 +3,7 @@
 use asperity_core::Fault;
 use asperity_core::presets::SteelPreset;
 use asperity_report::library::{listed_steel, steels_named, strength};
-use asperity_report::wrapped;
+use asperity_report::{columns, wrapped};
 
 use super::presets::{LETTERS, figures, least, print_listed};
 use crate::args::{Common, PresetArgs};
@@ -21,27 +21,29 @@ pub fn steels(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn table(steels: &[SteelPreset]) -> Result<String, Failure> {
-    let mut text = format!(
-        "{:13} {:>7} {:>8} {:>7} {:>6} {:>8} {:>9} {:>9}\n",
-        "steel", "E GPa", "nu", "HV", "p_f", "limit", "least", "treatment"
-    );
-    for steel in steels {
-        let (flow, limit) = strength(steel)?;
-        let vickers = steel.hardness.value.vickers();
-        text.push_str(&format!(
-            "{:13} {:>7.1} {:>8} {:>7.0} {flow:>6.2} {:>8} {:>9} {}\n",
-            steel.name,
-            steel.young.value.si() / 1e9,
-            steel.poisson.value,
-            vickers.map_err(Fault::internal)?,
-            limit.map_or("density".to_owned(), |limit| format!("{limit:.0}")),
-            least(&steel.rows()),
-            steel.treatment,
-        ));
-    }
+    let row = |steel: &'_ SteelPreset| {
+        let vickers = steel.hardness.value.vickers().map_err(Fault::internal)?;
+        Ok::<_, Failure>((vickers, strength(steel)?))
+    };
+    let rows = steels
+        .iter()
+        .map(row)
+        .collect::<Result<Vec<_>, Failure>>()?;
+    let table = columns! { (steel, (vickers, (flow, limit))) in steels.iter().zip(rows);
+        head name "steel" "" = &steel.name;
+        number young "E" "GPa" "{:.1}" = steel.young.value.si() / 1e9;
+        number poisson "ν" "" = steel.poisson.value;
+        number hardness "hardness" "HV" "{:.0}" = vickers;
+        number flow "flow pressure" "GPa" "{:.2}" = flow;
+        number limit "elastic limit" "MPa" = limit.map_or("density".to_owned(), |limit| format!("{limit:.0}"));
+        text least "least" "" = least(&steel.rows());
+        text treatment "treatment" "" = &steel.treatment;
+    };
+    let mut text = table.text("");
     text.push_str(&wrapped(
-        "p_f: flow pressure in GPa, 9.80665 MPa per HV. limit: elastic limit in MPa, 2.876 HV - 90.7 (Pavlina and Van \
-         Tyne 2008; fitted up to 632 HV). least: the lowest certainty of the numbers.",
+        "E: Young's modulus. ν: Poisson's ratio. Flow pressure: 9.80665 MPa per HV. Elastic limit: 2.876 HV - 90.7 MPa (Pavlina and Van Tyne 2008; fitted up to \
+         632 HV), or by the density. least: the \
+         lowest certainty of the numbers.",
         "",
     ));
     Ok(format!(

@@ -107,7 +107,7 @@ impl<T: Number + Copy> Number for &T {
 const USUAL: usize = 2;
 
 /// Least width in which a text of the last column is wrapped.
-const LEAST_ROOM: usize = 20;
+const LEAST_ROOM: usize = 15;
 
 /// Lines of the tallest of the `headings`.
 fn tallest(headings: &[Vec<String>]) -> usize {

@@ -11,6 +11,7 @@ use asperity::lubrication::{HIGHEST_PRESSURE, ShareComparison};
 use asperity::reference_solution::{estimate_json, nanometres, record_json, record_warnings};
 use asperity_core::quantity::Length;
 use asperity_core::{Code, Fault};
+use asperity_report::columns;
 use asperity_storage::one_line;
 use serde_json::{Value, json};
 
@@ -153,13 +154,11 @@ impl Recorded {
                 count => format!(" in {count} records"),
             },
         );
-        for below in &record.load_below {
-            text.push_str(&format!(
-                "    load below {:>4.0} nm {}\n",
-                nanometres(below.film),
-                with_error(below.share.mean, below.share.standard_error)
-            ));
-        }
+        let below = columns! { below in &record.load_below;
+            number film "films up to" "nm" "{:.0}" = nanometres(below.film);
+            number share "share of the load" "" = with_error(below.share.mean, below.share.standard_error);
+        };
+        text.push_str(&below.text("    "));
         text.push_str(&format!(
             "  largest pressure {:.3} GPa on average, {:.3} GPa at most; {:.4} of the load at the flow pressure\n",
             record.mean_max_pressure.mean * 1e-9,

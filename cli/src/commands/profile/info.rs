@@ -5,7 +5,7 @@ use std::path::Path;
 
 use asperity_core::Code;
 use asperity_report::profile_json::um;
-use asperity_report::wrapped;
+use asperity_report::{Column, Kind, columns, wrapped};
 
 use super::case_lines::case_lines;
 use super::details::Details;
@@ -130,18 +130,19 @@ fn as_json(evaluated_file: &Evaluated, args: &ProfileInfoArgs) -> serde_json::Va
     )
 }
 
-type Column = (&'static str, fn(&Evaluated) -> f64);
+/// Parameters of a table: name, unit, value.
+type Parameter = (&'static str, &'static str, fn(&Evaluated) -> f64);
 
-const COLUMNS: [Column; 9] = [
-    ("Ra", |e| um(e.iso4287.heights.ra)),
-    ("Rq", |e| um(e.iso4287.heights.rq)),
-    ("Rz", |e| um(e.iso4287.heights.rz)),
-    ("Rt", |e| um(e.iso4287.heights.rt)),
-    ("Rsk", |e| e.iso4287.heights.rsk.unwrap_or(f64::NAN)),
-    ("RSm", |e| e.iso4287.heights.rsm.map_or(f64::NAN, um)),
-    ("Rk", |e| um(e.iso4287.material.rk)),
-    ("Rpk", |e| um(e.iso4287.material.rpk)),
-    ("Rvk", |e| um(e.iso4287.material.rvk)),
+const PARAMETERS: [Parameter; 9] = [
+    ("Ra", "µm", |e| um(e.iso4287.heights.ra)),
+    ("Rq", "µm", |e| um(e.iso4287.heights.rq)),
+    ("Rz", "µm", |e| um(e.iso4287.heights.rz)),
+    ("Rt", "µm", |e| um(e.iso4287.heights.rt)),
+    ("Rsk", "", |e| e.iso4287.heights.rsk.unwrap_or(f64::NAN)),
+    ("RSm", "µm", |e| e.iso4287.heights.rsm.map_or(f64::NAN, um)),
+    ("Rk", "µm", |e| um(e.iso4287.material.rk)),
+    ("Rpk", "µm", |e| um(e.iso4287.material.rpk)),
+    ("Rvk", "µm", |e| um(e.iso4287.material.rvk)),
 ];
 
 /// FileRow of a file in the table.
@@ -149,7 +150,7 @@ struct FileRow {
     name: String,
     points: usize,
     dx_um: f64,
-    values: [f64; COLUMNS.len()],
+    values: [f64; PARAMETERS.len()],
     notes: Vec<String>,
 }
 
@@ -164,27 +165,25 @@ impl FileRow {
         Self {
             points: evaluated_file.reading.points,
             dx_um: um(evaluated_file.reading.spacing),
-            values: COLUMNS.map(|(_, value)| value(evaluated_file)),
+            values: PARAMETERS.map(|(.., value)| value(evaluated_file)),
             notes: notes.collect(),
             name,
         }
     }
 }
 
-/// Table with one row per file, ISO 4287, in µm.
+/// Table with one row per file, ISO 4287.
 fn table(rows: &[FileRow]) -> String {
-    let mut text = format!("{:24} {:>8} {:>9}", "ISO 4287, um", "n", "dx");
-    for (name, _) in COLUMNS {
-        let _ = write!(text, " {name:>8}");
-    }
-    text.push('\n');
-    for row in rows {
-        let _ = write!(text, "{:24} {:>8} {:>9.5}", row.name, row.points, row.dx_um);
-        for value in row.values {
-            let _ = write!(text, " {:>8}", number(value));
-        }
-        text.push('\n');
-    }
+    let table = columns! { row in rows;
+        head name "ISO 4287" "";
+        number points "points" "";
+        number dx_um "spacing" "µm" "{:.5}";
+    };
+    let values = PARAMETERS.iter().enumerate().map(|(k, (name, unit, _))| {
+        let cells = rows.iter().map(|row| number(row.values[k]));
+        Column::new(Kind::Number, name, unit, cells)
+    });
+    let mut text = table.with(values).text("");
     for note in rows.iter().flat_map(|row| &row.notes) {
         let _ = writeln!(text, "{note}");
     }
@@ -196,19 +195,14 @@ fn ratios(rows: &[FileRow]) -> String {
     let Some(first) = rows.first() else {
         return String::new();
     };
-    let mut text = format!("{:43}", "relative to the first");
-    for (name, _) in COLUMNS {
-        let _ = write!(text, " {name:>8}");
-    }
-    text.push('\n');
-    for row in rows {
-        let _ = write!(text, "{:43}", row.name);
-        for (value, of_first) in row.values.iter().zip(first.values) {
-            let _ = write!(text, " {:>8}", number(value / of_first));
-        }
-        text.push('\n');
-    }
-    text
+    let table = columns! { row in rows; head name "relative to the first" ""; };
+    let values = PARAMETERS.iter().enumerate().map(|(k, (name, ..))| {
+        let cells = rows
+            .iter()
+            .map(|row| number(row.values[k] / first.values[k]));
+        Column::new(Kind::Number, name, "", cells)
+    });
+    table.with(values).text("")
 }
 
 fn number(value: f64) -> String {

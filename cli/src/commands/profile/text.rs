@@ -4,7 +4,7 @@ use asperity_core::Code;
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::FilterState;
 use asperity_report::profile_json::um;
-use asperity_report::wrapped;
+use asperity_report::{Cell, Table, columns, wrapped};
 use asperity_roughness::height_parameters::HeightParameters;
 use asperity_roughness::material_ratio::RkParameters;
 
@@ -53,23 +53,16 @@ fn usable(evaluated: &Evaluated) -> String {
 struct Page(String);
 
 impl Page {
+    /// Appends a table.
+    fn table(&mut self, table: &Table) {
+        self.0.push_str(&table.text("  "));
+    }
+
     /// Appends a line, wrapped if it is long.
     fn line(&mut self, content: &str) {
         let line = wrapped(&format!("  {content}"), "    ");
         self.0.push_str(line.trim_end());
         self.0.push('\n');
-    }
-
-    /// Appends a row of a table: name, up to four columns, range.
-    fn row(&mut self, name: &str, columns: &[String], range: &str) {
-        let mut cells = [""; 4];
-        for (cell, column) in cells.iter_mut().zip(columns) {
-            *cell = column;
-        }
-        let [a, b, c, d] = cells;
-        self.line(&format!(
-            "{name:8} {a:>11} {b:>11} {c:>11} {d:>11}   {range}"
-        ));
     }
 }
 
@@ -149,19 +142,30 @@ const HEIGHTS: [Parameter<HeightParameters>; 12] = [
 ];
 
 fn heights(page: &mut Page, evaluated: &Evaluated, details: &Details) {
-    let header = ["R iso4287", "R iso21920", "P whole", "W whole"];
-    page.row("um", &header.map(str::to_owned), "open");
     let columns = [
         Some(&evaluated.iso4287.heights),
         Some(&evaluated.iso21920.heights),
         Some(&evaluated.primary),
         evaluated.waviness.as_ref(),
     ];
-    for (name, digits, value) in HEIGHTS {
-        let shown =
-            |p: Option<&HeightParameters>| p.map_or("-".to_owned(), |p| number(value(p), digits));
-        page.row(name, &columns.map(shown), &open(name, digits, details));
-    }
+    let rows = HEIGHTS.map(|(name, digits, value)| {
+        let of = |p: &HeightParameters| number(value(p), digits);
+        (
+            name,
+            columns.map(|p| p.map(of)),
+            open(name, digits, details),
+        )
+    });
+    page.table(
+        &columns! { (name, [iso4287, iso21920, whole, waviness], open) in rows;
+            head name "parameter" "µm" = name;
+            number iso4287 "R iso4287" "" = Cell::optional(iso4287);
+            number iso21920 "R iso21920" "" = Cell::optional(iso21920);
+            number whole "P whole" "" = Cell::optional(whole);
+            number waviness "W whole" "" = Cell::optional(waviness);
+            text open "open" "" = open;
+        },
+    );
 }
 
 const MATERIAL: [Parameter<RkParameters>; 5] = [
@@ -173,12 +177,17 @@ const MATERIAL: [Parameter<RkParameters>; 5] = [
 ];
 
 fn material(page: &mut Page, evaluated: &Evaluated, details: &Details) {
-    page.row("um, %", &["least sq.", "secant"].map(str::to_owned), "");
-    let columns = [Some(&evaluated.iso4287.material), details.secant.as_ref()];
-    for (name, digits, value) in MATERIAL {
-        let shown = |m: Option<&RkParameters>| number(m.and_then(value), digits);
-        page.row(name, &columns.map(shown), &open(name, digits, details));
-    }
+    let rows = MATERIAL.map(|(name, digits, value)| {
+        let columns = [Some(&evaluated.iso4287.material), details.secant.as_ref()];
+        let shown = columns.map(|m| number(m.and_then(value), digits));
+        (name, shown, open(name, digits, details))
+    });
+    page.table(&columns! { (name, [least_squares, secant], open) in rows;
+        head name "parameter" "µm, %" = name;
+        number least_squares "least squares" "" = least_squares;
+        number secant "secant" "" = secant;
+        text open "open" "" = open;
+    });
     for line in details.levels.lines() {
         page.line(&line);
     }
@@ -279,16 +288,13 @@ fn hurst(page: &mut Page, details: &Details) {
 
 /// Values printed by the instrument, with the computed value of the same parameter.
 fn printed(page: &mut Page, evaluated: &Evaluated) {
-    for printed in &evaluated.reading.metadata.printed {
-        let computed = value_of(&printed.name, evaluated);
-        let computed = computed.map_or("not computed".to_owned(), |v| {
-            format!("{v:.0$}", printed.decimals.max(3))
-        });
-        page.line(&format!(
-            "printed {:6} {:>12.*} {:3} computed {computed}",
-            printed.name, printed.decimals, printed.value, printed.unit
-        ));
-    }
+    page.table(&columns! { printed in &evaluated.reading.metadata.printed;
+        head name "parameter" "";
+        number printed "printed" "" = format!("{:.*}", printed.decimals, printed.value);
+        text unit "unit" "";
+        number computed "computed" "" = value_of(&printed.name, evaluated)
+            .map_or("not computed".to_owned(), |v| format!("{v:.0$}", printed.decimals.max(3)));
+    });
 }
 
 /// Computed value of a parameter by its printed name, in µm, percent or as a number.

@@ -12,7 +12,11 @@ use super::comparison::{Comparison, FinishResult};
 pub(super) fn summary(comparison: &Comparison) -> String {
     let mut text = format!("{}\n", one_line(&comparison.title));
     text.push_str(&table(comparison).without(&["mixed", "regime"]).text(""));
-    text.push_str(&meshes(comparison).text(""));
+    let meshes = meshes(comparison);
+    if !meshes.is_empty() {
+        text.push('\n');
+    }
+    text.push_str(&meshes.text(""));
     for verdict in comparison.verdicts() {
         text.push_str(&format!("{}\n", wrapped(&one_line(&verdict), "  ")));
     }

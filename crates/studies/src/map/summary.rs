@@ -24,7 +24,11 @@ pub(super) fn summary(map: &Map) -> String {
         map.scope
     );
     text.push_str(&extremes(map).text(""));
-    text.push_str(&of_meshes(map).text(""));
+    let meshes = of_meshes(map);
+    if !meshes.is_empty() {
+        text.push('\n');
+    }
+    text.push_str(&meshes.text(""));
     if let Some(note) = left_aside(map) {
         text.push_str(&format!("{}\n", wrapped(&note, "     ")));
     }

@@ -1,0 +1,38 @@
+//! Tables in the terminal.
+
+use asperity_report::columns;
+
+#[test]
+fn a_long_text_in_the_last_column_stays_in_its_column() {
+    let long = "left out: the film is thinner than three times the roughness of both specimens";
+    let rows = [(9.25, "1 2 3"), (2.125, long), (4.0, "")];
+    let table = columns! { (ratio, slides) in rows;
+        number ratio "film over roughness" "" "{:.1}" = ratio;
+        text slides "slide-to-roll ratios" "%" = slides;
+    };
+    let lines = [
+        "film over",
+        "roughness  slide-to-roll ratios [%]",
+        "      9.2  1 2 3",
+        "      2.1  left out: the film is thinner than three times the roughness of both",
+        "           specimens",
+        "      4.0",
+    ];
+    assert_eq!(table.text("").lines().collect::<Vec<_>>(), lines);
+}
+
+#[test]
+fn columns_are_added_and_left_out_by_their_headings() {
+    let table = || {
+        let first = columns! { k in 1..=2_usize; number square "square" "mm²" = k * k; };
+        first.with(columns! { k in 1..=2_usize; number cube "cube" "mm³" = k * k * k; })
+    };
+    assert_eq!(
+        table().text("  "),
+        "  square   cube\n   [mm²]  [mm³]\n       1      1\n       4      8\n"
+    );
+    let squares = table().without(&["cube"]).text("");
+    assert_eq!(squares.lines().last(), Some("     4"));
+    let none = columns! { loss in [None, Some(0.125)]; number loss "loss" "W" "{:.2}" = loss; };
+    assert_eq!(none.text("").lines().nth(2), Some("   -"));
+}
