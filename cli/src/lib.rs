@@ -91,7 +91,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Compare(args) => commands::compare::compare(args, common),
         Command::Map(args) => commands::map::map(args, common),
         Command::Cycle(args) => commands::cycle::cycle(args, common),
-        Command::Study(study) => (study.run)(common),
+        Command::Study(study) => commands::study::study(study, common),
         Command::Evidence(args) => commands::evidence::evidence(args, common),
         Command::Sweep(command) => commands::sweep::sweep(command, common),
         Command::Calibrate(args) => commands::calibrate::calibrate(args, common),

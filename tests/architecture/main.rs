@@ -7,6 +7,7 @@ mod hosted;
 mod key_names;
 mod message_numbers;
 mod plain_english;
+mod tables_once;
 mod words;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -4,11 +4,10 @@ use std::path::PathBuf;
 
 use asperity_studies::every_study;
 use asperity_studies::study::CaseStudy;
+use clap::error::ErrorKind;
 use clap::{ArgMatches, Args, Command, Error, FromArgMatches, Subcommand};
 
-use super::{Common, SetArgs, WorkArgs};
-use crate::commands::study::case_study;
-use crate::failure::Failure;
+use super::{SetArgs, WorkArgs};
 
 /// Case and settings of a study.
 #[derive(Debug, Args)]
@@ -29,41 +28,49 @@ pub struct StudyArgs<S: Args> {
     pub work: WorkArgs,
 }
 
-/// A study with its arguments, ready to run.
-type Ready = Box<dyn Fn(&Common) -> Result<(), Failure> + std::panic::RefUnwindSafe>;
-
-/// One of the studies of the library.
+/// One of the studies of the library, with its arguments.
+#[derive(Debug)]
 pub struct StudyCommand {
-    name: &'static str,
-    /// Runs it, writes its folder and prints it.
-    pub run: Ready,
-}
-
-impl std::fmt::Debug for StudyCommand {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name)
-    }
+    /// Its name.
+    pub name: &'static str,
+    /// Its arguments.
+    pub arguments: ArgMatches,
 }
 
 /// A study of the library as a command.
 struct Registered {
     name: &'static str,
     command: fn() -> Command,
-    ready: fn(&ArgMatches) -> Result<Ready, Error>,
 }
 
-fn registered<S: CaseStudy + Args + std::panic::RefUnwindSafe + 'static>() -> Registered {
+fn registered<S: CaseStudy + Args>() -> Registered {
     Registered {
         name: S::COMMAND,
         command: || {
             let command = StudyArgs::<S>::augment_args(Command::new(S::COMMAND));
-            command.about(S::ABOUT).after_help(S::HELP)
-        },
-        ready: |matches| {
-            let args = StudyArgs::<S>::from_arg_matches(matches)?;
-            Ok(Box::new(move |common| case_study(&args, common)))
+            command.about(S::ABOUT).after_help(help::<S>())
         },
     }
+}
+
+/// Examples and method, below the options.
+fn help<S: CaseStudy>() -> String {
+    let examples = S::EXAMPLES.iter().map(|settings| {
+        let options = settings
+            .iter()
+            .map(|(name, value)| match value.contains(' ') {
+                true => format!(" --{name} \"{value}\""),
+                false => format!(" --{name} {value}"),
+            });
+        let options: String = options.collect();
+        format!("  asperity {} demo/case.toml{options}\n", S::COMMAND)
+    });
+    let title = if S::EXAMPLES.len() == 1 {
+        "Example"
+    } else {
+        "Examples"
+    };
+    format!("{title}:\n{}\n{}", examples.collect::<String>(), S::METHOD)
 }
 
 impl StudyCommand {
@@ -75,13 +82,11 @@ impl StudyCommand {
 
 impl FromArgMatches for StudyCommand {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
-        let (name, inner) = matches.subcommand().unwrap_or(("", matches));
-        let mut all = every_study!(registered).into_iter();
-        let study = all.find(|study| study.name == name);
-        let study = study.ok_or_else(|| Error::new(clap::error::ErrorKind::InvalidSubcommand))?;
+        let (name, arguments) = matches.subcommand().unwrap_or(("", matches));
+        let name = Self::names().find(|known| *known == name);
         Ok(Self {
-            name: study.name,
-            run: (study.ready)(inner)?,
+            name: name.ok_or_else(|| Error::new(ErrorKind::InvalidSubcommand))?,
+            arguments: arguments.clone(),
         })
     }
 

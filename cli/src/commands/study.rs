@@ -6,20 +6,38 @@ use std::time::Instant;
 
 use asperity::pipeline::KeptFields;
 use asperity_report::StudyResult;
+use asperity_studies::every_study;
 use asperity_studies::study::CaseStudy;
-use clap::Args;
+use clap::{ArgMatches, Args, FromArgMatches as _};
 
 use super::work::check_work;
 use super::{load_train, one_mesh, refuse_other, result_name};
-use crate::args::{Common, StudyArgs};
+use crate::args::{Common, StudyArgs, StudyCommand};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
 
+/// A study with the arguments of its command.
+type Run = fn(&ArgMatches, &Common) -> Result<(), Failure>;
+
+fn registered<S: CaseStudy + Args>() -> (&'static str, Run) {
+    (S::COMMAND, |arguments, common| {
+        let args = StudyArgs::<S>::from_arg_matches(arguments);
+        case_study(
+            &args.map_err(|refusal| Failure::of_command_line(&refusal))?,
+            common,
+        )
+    })
+}
+
+/// Runs one of the studies of one case.
+pub fn study(command: &StudyCommand, common: &Common) -> Result<(), Failure> {
+    let mut all = every_study!(registered).into_iter();
+    let run = all.find(|(name, _)| *name == command.name);
+    run.map_or(Ok(()), |(_, run)| run(&command.arguments, common))
+}
+
 /// Runs a study of one case, writes its folder and prints it.
-pub fn case_study<S: CaseStudy + Args>(
-    args: &StudyArgs<S>,
-    common: &Common,
-) -> Result<(), Failure> {
+fn case_study<S: CaseStudy + Args>(args: &StudyArgs<S>, common: &Common) -> Result<(), Failure> {
     let progress = Progress::of(common.quiet, READING);
     let train = load_train(&args.case, &args.set, None)?;
     if !S::TAKES_TRAINS {

@@ -10,6 +10,7 @@ pub mod estimate;
 pub mod export;
 pub mod figures;
 pub mod map;
+pub mod registry;
 pub mod ridges;
 pub mod sensitivity;
 pub mod study;

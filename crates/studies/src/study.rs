@@ -1,4 +1,4 @@
-//! Studies of one case, each described once: its settings, its work and its run. Command and Python walk [`every_study!`](crate::every_study).
+//! Studies of one case, each described once: its settings, its work and its run. `registry.rs` lists them.
 
 use asperity::case::LoadedCase;
 use asperity::case::train::Train;
@@ -8,18 +8,6 @@ use asperity_report::StudyResult;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
-
-/// The values of `$visit::<S>()` for every study `S` of one case.
-#[macro_export]
-macro_rules! every_study {
-    ($visit:ident) => {
-        [
-            $visit::<$crate::sensitivity::SensitivitySettings>(),
-            $visit::<$crate::ridges::RidgeSettings>(),
-            $visit::<$crate::callout::CallOutSettings>(),
-        ]
-    };
-}
 
 /// Description of a setting, from which the faces make an option or an argument.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -80,8 +68,10 @@ pub trait CaseStudy: Settings {
     const COMMAND: &'static str;
     /// What it answers, in a line.
     const ABOUT: &'static str;
-    /// Examples and explanation below the help of the command.
-    const HELP: &'static str;
+    /// Examples: the settings that each states, by name and value.
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]];
+    /// Explanation of the method.
+    const METHOD: &'static str;
     /// What its progress counts.
     const STEPS: &'static str;
     /// Whether it takes a gear train; otherwise one mesh of it.
@@ -98,35 +88,6 @@ pub trait CaseStudy: Settings {
     /// # Errors
     /// When a setting has no sense, or the case cannot be run.
     fn run(&self, train: &Train, progress: Progress<'_>) -> Result<Self::Found, Fault>;
-}
-
-/// Description of a study of one case.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Described {
-    /// Name of the command, and of the function in Python.
-    pub name: &'static str,
-    /// What it answers.
-    pub about: &'static str,
-    /// What its progress counts.
-    pub steps: &'static str,
-    /// Its settings.
-    pub settings: Vec<Setting>,
-}
-
-/// The studies of one case.
-#[must_use]
-pub fn studies() -> Vec<Described> {
-    crate::every_study!(described).into()
-}
-
-fn described<S: CaseStudy>() -> Described {
-    Described {
-        name: S::COMMAND,
-        about: S::ABOUT,
-        steps: S::STEPS,
-        settings: S::described(),
-    }
 }
 
 /// The settings of a study, each stated once: `name: type` for one that must be stated or is optional, `name: type = default` for
@@ -159,37 +120,4 @@ macro_rules! settings {
     };
     (@default) => { None };
     (@default $default:literal) => { Some(serde_json::json!($default)) };
-}
-
-#[cfg(test)]
-mod tests {
-    use serde_json::json;
-
-    use super::*;
-    use crate::callout::CallOutSettings;
-
-    #[test]
-    fn settings_that_are_left_out_have_their_defaults_and_wrong_ones_are_named() {
-        let of =
-            |stated: Value| CallOutSettings::of_json(stated).map_err(|fault| fault.to_string());
-        let found = of(json!({ "loss": "600 W", "lots": 20 })).unwrap();
-        assert_eq!((found.lots, found.seed, found.traces), (20, 1, None));
-        assert_eq!(found.confidence.value(), 0.9);
-        let refused = |stated: Value| of(stated).unwrap_err();
-        assert!(refused(json!({ "loss": "600 W", "lots": "many" })).contains("lots: "));
-        assert!(refused(json!({ "lots": 20 })).contains("`loss`"));
-        assert!(refused(json!({ "loss": "600 W", "lot": 20 })).contains("`lot`"));
-        assert!(refused(json!(["600 W"])).contains("CallOutSettings"));
-    }
-
-    #[test]
-    fn every_study_has_a_name_of_its_own_and_every_setting_is_described() {
-        let all = studies();
-        for (k, study) in all.iter().enumerate() {
-            assert!(all[..k].iter().all(|other| other.name != study.name));
-            assert!(!study.about.is_empty() && !study.steps.is_empty());
-            let mut settings = study.settings.iter();
-            assert!(settings.all(|setting| !setting.about.is_empty()));
-        }
-    }
 }

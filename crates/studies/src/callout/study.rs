@@ -58,9 +58,16 @@ impl CaseStudy for CallOutSettings {
     const COMMAND: &'static str = "callout";
     const ABOUT: &'static str =
         "Limit of Rpk, Rq or Rdq on the drawing, and traces to inspect, for a stated loss";
-    const HELP: &'static str = "Examples:\n  asperity callout demo/case.toml --loss \"560 W\"\n  \
-        asperity callout demo/case.toml --loss \"560 W\" --confidence \"95 %\" --parameter rq --traces 5\n\n\
-        Lots of flanks like the traces of the case are simulated, inspected and run. A lot whose inspected mean \
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[
+        &[("loss", "560 W")],
+        &[
+            ("loss", "560 W"),
+            ("confidence", "95 %"),
+            ("parameter", "rq"),
+            ("traces", "5"),
+        ],
+    ];
+    const METHOD: &'static str = "Lots of flanks like the traces of the case are simulated, inspected and run. A lot whose inspected mean \
         is at the limit meets the loss with the confidence.";
     const STEPS: &'static str = "lots";
     const TAKES_TRAINS: bool = false;

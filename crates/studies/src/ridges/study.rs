@@ -69,8 +69,8 @@ impl CaseStudy for RidgeSettings {
     type Found = RidgeStudy;
     const COMMAND: &'static str = "ridges";
     const ABOUT: &'static str = "Ridges of both flanks that cost most, and the loss by wavelength";
-    const HELP: &'static str = "Example:\n  asperity ridges demo/case.toml\n\n\
-        The gradient of the loss over every height of both traces, by ridge and by octave of wavelength, and \
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[&[]];
+    const METHOD: &'static str = "The gradient of the loss over every height of both traces, by ridge and by octave of wavelength, and \
         a run with the twenty costliest ridges pressed to the mean line.";
     const STEPS: &'static str = "gradients";
     const TAKES_TRAINS: bool = false;

@@ -143,9 +143,9 @@ impl CaseStudy for SensitivitySettings {
     type Found = Sensitivity;
     const COMMAND: &'static str = "sensitivity";
     const ABOUT: &'static str = "Sensitivity of the loss to single changes: heights, wavelengths, boundary layer, oil, tip relief";
-    const HELP: &'static str = "Example:\n  asperity sensitivity demo/case.toml\n\n\
-        Each row is a run of the model with one thing changed, at the same windows of the traces. To vary \
-        keys of your own choice, with distributions, see asperity sweep.";
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[&[]];
+    const METHOD: &'static str = "Each row is a run of the model with one thing changed, at the same windows of the traces. To vary \
+        keys of your own choice, with distributions, see the command sweep.";
     const STEPS: &'static str = "changes";
     const TAKES_TRAINS: bool = true;
 
