@@ -7,6 +7,7 @@ python/asperity/_studies.py, the studies of one case with their settings.
 import json
 import keyword
 import sys
+import textwrap
 from pathlib import Path
 
 import asperity
@@ -273,6 +274,8 @@ def {name}(
     progress: Optional[Progress] = None,
 ) -> {result}:
     """{found["about"]}.
+
+{textwrap.fill(found["method"], 118, initial_indent="    ", subsequent_indent="    ")}
 
     Args:
         case: the case.
