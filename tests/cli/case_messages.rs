@@ -447,7 +447,7 @@ fn help_fits_the_fault() {
     let bench = Bench::new();
     bench.write("case.toml", E_DRIVE);
     bench.write_flanks();
-    let cases: [(&[&str], &str, &str, &str); 5] = [
+    let cases: [(&[&str], &str, &str, &str); 6] = [
         (
             &["evidence", "case.toml", "--hours", "x=1e308"],
             "E209",
@@ -481,6 +481,12 @@ fn help_fits_the_fault() {
         ),
         (
             &["callout", "case.toml", "--loss", "-5 W"],
+            "E209",
+            "loss = -5 W: must be positive",
+            "",
+        ),
+        (
+            &["run", "case.toml", "--threads", "-5 W"],
             "E213",
             "unexpected argument '-5",
             "a negative value follows an equals sign, as --option=\"-5",
