@@ -130,6 +130,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "cli",
         &[
             "asperity-calibration",
+            "asperity-table",
             "asperity-storage",
             "asperity-rexs",
             "asperity-studies",
