@@ -131,6 +131,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "cli",
         &[
             "asperity-calibration",
+            "asperity-table",
             "asperity-storage",
             "asperity-rexs",
             "asperity-studies",

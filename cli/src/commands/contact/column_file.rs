@@ -1,13 +1,14 @@
-//! Text file with two columns on an even grid: positions x and a gap, a profile or a pressure, with units in the
-//! header.
+//! Table with two columns on an even grid: positions x and a gap, a profile or a pressure, with units in the header.
 
-use std::io::Read;
 use std::path::Path;
 
+use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
-use asperity_core::{Code, Fault, Profile};
-use asperity_storage::regular_file;
+use asperity_core::{Code, Profile, number};
+use asperity_table::Table;
 
+use super::solved::POINTS_HEAD;
+use crate::commands::cycle::table_in;
 use crate::failure::Failure;
 
 /// Values on an even grid.
@@ -19,6 +20,8 @@ pub struct Columns {
     pub x: Vec<f64>,
     /// Values in SI units.
     pub values: Vec<f64>,
+    /// Columns of the table that were not read.
+    pub unread: Option<Warning>,
 }
 
 /// Required column.
@@ -54,47 +57,36 @@ pub const PRESSURE: Column = Column {
 
 /// Largest deviation of a position from an even grid, relative to the spacing: round-off of the file.
 const UNEVEN: f64 = 0.05;
-/// Largest file in bytes: about ten million points.
-const MAX_BYTES: u64 = 1 << 29;
 
 /// Reads the positions and one other column of a file.
 pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
-    let name = path.display().to_string();
-    let cannot = |error: std::io::Error| {
-        Failure::from(Fault::unopened(&name, error)).advising("Check the name and the permissions.")
+    of_text(&path.display().to_string(), &table_in(path)?, column)
+}
+
+/// Reads the positions and one other column of the table in `text`, named `name` in messages.
+pub fn of_text(name: &str, text: &str, wanted: Column) -> Result<Columns, Failure> {
+    let unreadable = |fault: String| {
+        Failure::new(Code::E101, format!("{name}:{fault}")).advising(
+            "Check this line. With decimal commas, the columns need semicolons or tabs between them.",
+        )
     };
-    let mut bytes = vec![];
-    let file = regular_file(path).map_err(cannot)?;
-    file.take(MAX_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .map_err(cannot)?;
-    if bytes.len() as u64 > MAX_BYTES {
-        return Err(Failure::new(
-            Code::E118,
-            format!(
-                "{name}: larger than {} MiB, which no gap or profile is",
-                MAX_BYTES >> 20
-            ),
-        )
-        .advising("Give a file with one row per point."));
-    }
-    of_bytes(&name, &bytes, column)
+    let table = Table::read(text).map_err(|ragged| unreadable(format!(" {ragged}")))?;
+    let find = |column| find(name, &table, column, wanted);
+    let ((x_column, x_unit), (column, unit)) = (find(X)?, find(wanted)?);
+    let rows = table.values(|row| Ok((row.number(x_column)? / x_unit, row.number(column)? / unit)));
+    let rows = rows.map_err(|fault| unreadable(fault.to_string()))?;
+    let (x, values): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
+    let is_own = table.heads().eq(POINTS_HEAD.split(','));
+    Ok(Columns {
+        spacing: even_spacing(name, &table, &x)?,
+        x,
+        values,
+        unread: table.unread(name).filter(|_| !is_own),
+    })
 }
 
-/// Reads the positions and one other column of the content of the file `name`.
-pub fn of_bytes(name: &str, bytes: &[u8], column: Column) -> Result<Columns, Failure> {
-    let text = decoded(bytes).ok_or_else(|| {
-        Failure::new(
-            Code::E108,
-            format!("{name}: not text: it holds bytes that are not characters"),
-        )
-        .advising("Save the columns as text, in UTF-8, UTF-16 or Latin-1.")
-    })?;
-    parse(name, &text, column)
-}
-
-/// Reads a profile from a file with the columns x and z.
-pub fn profile(path: &Path) -> Result<Profile, Failure> {
+/// Reads a profile from a file with the columns x and z, and the warning of columns that were not read.
+pub fn profile(path: &Path) -> Result<(Profile, Option<Warning>), Failure> {
     let file = read(path, HEIGHT)?;
     // The spacing of positions with few digits is accurate to about as many digits, so it is rounded.
     let spacing = Length::from_si(
@@ -102,168 +94,81 @@ pub fn profile(path: &Path) -> Result<Profile, Failure> {
             .parse()
             .unwrap_or(file.spacing.si()),
     );
-    Profile::new(spacing, file.values)
-        .map_err(|error| Failure::new(Code::E209, format!("{}: {error}", path.display())))
+    let profile = Profile::new(spacing, file.values)
+        .map_err(|error| Failure::new(Code::E209, format!("{}: {error}", path.display())))?;
+    Ok((profile, file.unread))
 }
 
-/// Decodes `bytes` in UTF-8, in UTF-16 with or without a byte order mark, or else in Latin-1; `None` if it is not
-/// text.
-fn decoded(bytes: &[u8]) -> Option<String> {
-    let utf16 = |bytes: &[u8], unit: fn([u8; 2]) -> u16| -> Option<String> {
-        let (pairs, rest) = bytes.as_chunks::<2>();
-        let text = char::decode_utf16(pairs.iter().map(|&pair| unit(pair)));
-        rest.is_empty()
-            .then(|| text.collect::<Result<_, _>>().ok())?
-    };
-    let text = match bytes {
-        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes)?,
-        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes)?,
-        // The header consists of ASCII characters, whose upper bytes are zero.
-        [first, 0, ..] if *first != 0 => utf16(bytes, u16::from_le_bytes)?,
-        [0, first, ..] if *first != 0 => utf16(bytes, u16::from_be_bytes)?,
-        _ => match std::str::from_utf8(bytes) {
-            Ok(text) => text.trim_start_matches('\u{feff}').to_owned(),
-            Err(_) => bytes.iter().map(|&byte| char::from(byte)).collect(),
-        },
-    };
-    let is_text = |c: char| !c.is_control() || matches!(c, '\n' | '\r' | '\t' | '\u{c}' | '\u{1a}');
-    text.chars().all(is_text).then_some(text)
-}
-
-fn parse(name: &str, text: &str, wanted: Column) -> Result<Columns, Failure> {
-    let header = text.lines().next().unwrap_or_default();
-    let separator = [';', '\t', ',']
-        .into_iter()
-        .find(|c| header.contains(*c))
-        .ok_or_else(|| no_column(name, X, wanted))?;
-    let titles: Vec<&str> = header.split(separator).map(str::trim).collect();
-    let find = |column| find(name, &titles, column, wanted);
-    let ((x_column, x_unit), (column, unit)) = (find(X)?, find(wanted)?);
-    let mut x = Vec::new();
-    let mut values = Vec::new();
-    for (index, line) in text.lines().enumerate().skip(1) {
-        if line.trim().is_empty() {
-            continue;
-        }
-        let cells: Vec<&str> = line.split(separator).collect();
-        let value = |column: usize, unit: f64| {
-            let cell = cells.get(column).map_or("", |cell| cell.trim());
-            number(cell, separator)
-                .map(|value| value / unit)
-                .ok_or_else(|| unreadable(name, index + 1, cell))
-        };
-        x.push(value(x_column, x_unit)?);
-        values.push(value(column, unit)?);
-    }
-    let spacing = even_spacing(name, &x)?;
-    Ok(Columns { spacing, x, values })
-}
-
-/// Index of `column`, and the number of its units per SI unit.
-fn find(
+/// Name of `column` in the table, and the number of its units per SI unit.
+fn find<'a>(
     name: &str,
-    titles: &[&str],
+    table: &'a Table,
     column: Column,
     wanted: Column,
-) -> Result<(usize, f64), Failure> {
-    for (index, title) in titles.iter().enumerate() {
-        let bare = title.trim_matches('"').trim();
-        let lower = bare.to_lowercase();
-        let Some(rest) = lower.strip_prefix(column.name) else {
-            continue;
-        };
-        let is_unit_part = rest.is_empty() || rest.starts_with([' ', '_', '[', '(', '/', ',']);
-        if !is_unit_part {
-            continue;
+) -> Result<(&'a str, f64), Failure> {
+    /// Signs between a symbol and its unit.
+    const SIGNS: [char; 3] = ['_', '/', ','];
+    let unit = |title: &'a str| {
+        let rest = title.strip_prefix(column.name)?;
+        (rest.is_empty() || rest.starts_with(SIGNS)).then_some(rest)
+    };
+    let mut titles = table.names().iter().zip(table.heads());
+    let found = titles.find_map(|(title, head)| Some((title, head, unit(title)?)));
+    let (title, head, unit) = found.ok_or_else(|| no_column(name, column, wanted))?;
+    let unit = unit.trim_start_matches(SIGNS).trim_start_matches("in_");
+    let unit = unit.replace(['µ', 'μ'], "u");
+    let known = column.units.iter().find(|(name, _)| *name == unit);
+    let (_, per_unit) = known.ok_or_else(|| no_unit(name, head, column))?;
+    Ok((title, *per_unit))
+}
+
+fn even_spacing(name: &str, table: &Table, x: &[f64]) -> Result<Length, Failure> {
+    let refused = |code: Code, text: String, advice: &'static str| {
+        Failure::new(code, format!("{name}:{text}")).advising(advice)
+    };
+    let few = |code, text: &str| {
+        let advice = "Give one row per point below the header.";
+        refused(code, text.to_owned(), advice)
+    };
+    let (first, last) = match x {
+        [] => return Err(few(Code::E102, " no rows below the header")),
+        [_] => {
+            let text = " one point is too few for a contact; give at least two";
+            return Err(few(Code::E106, text));
         }
-        let unit = rest
-            .trim_start_matches([' ', '_', '[', '(', '/'])
-            .trim_start_matches("in ")
-            .trim_end_matches([']', ')', ' '])
-            .replace(['µ', 'μ'], "u");
-        let known = column.units.iter().find(|(name, _)| *name == unit);
-        return match known {
-            Some((_, per_unit)) => Ok((index, *per_unit)),
-            None => Err(no_unit(name, bare, column)),
-        };
-    }
-    Err(no_column(name, column, wanted))
-}
-
-fn number(cell: &str, separator: char) -> Option<f64> {
-    let cell = cell.trim_matches('"');
-    let value: f64 = if separator == ';' {
-        cell.replace(',', ".").parse().ok()?
-    } else {
-        cell.parse().ok()?
+        [first, .., last] => (*first, *last),
     };
-    value.is_finite().then_some(value)
-}
-
-fn even_spacing(name: &str, x: &[f64]) -> Result<Length, Failure> {
-    let (Some(first), Some(last)) = (x.first(), x.last()) else {
-        return Err(
-            Failure::new(Code::E102, format!("{name}: no rows below the header"))
-                .advising("Give one row per point below the header."),
-        );
-    };
-    if x.len() < 2 {
-        return Err(Failure::new(
-            Code::E106,
-            format!("{name}: one point is too few for a contact; give at least two"),
-        )
-        .advising("Give one row per point below the header."));
-    }
     let spacing = (last - first) / (x.len() - 1) as f64;
     if spacing <= 0.0 {
-        return Err(Failure::new(
-            Code::E105,
-            format!(
-                "{name}: column x must increase, it runs from {} m to {} m",
-                asperity_core::number(*first),
-                asperity_core::number(*last)
-            ),
-        )
-        .advising("Sort the rows by x."));
+        let (first, last) = (number(first), number(last));
+        let text = format!(" column x must increase, it runs from {first} m to {last} m");
+        return Err(refused(Code::E105, text, "Sort the rows by x."));
     }
-    for (index, value) in x.iter().enumerate() {
+    for (index, (row, value)) in table.rows().zip(x).enumerate() {
         let expected = first + spacing * index as f64;
         if (value - expected).abs() > UNEVEN * spacing {
-            return Err(Failure::new(
-                Code::E109,
-                format!(
-                    "{name}:{}: x = {value} m is off the even grid of {spacing} m (expected {expected} m); \
-                     resample the gap evenly",
-                    index + 2
-                ),
-            )
-            .advising("Resample the rows at even positions."));
+            let text = format!(
+                "{}: x = {value} m is off the even grid of {spacing} m (expected {expected} m); \
+                 resample the gap evenly",
+                row.line
+            );
+            let advice = "Resample the rows at even positions.";
+            return Err(refused(Code::E109, text, advice));
         }
     }
     Ok(Length::from_si(spacing))
 }
 
-fn unreadable(name: &str, line: usize, cell: &str) -> Failure {
-    Failure::new(
-        Code::E101,
-        format!(
-            "{name}:{line}: cannot read \"{cell}\" as a number; expected one value per column, e.g. 1.25e-6"
-        ),
-    )
-    .advising("Check this line. Decimal commas need semicolons between the columns.")
-}
-
 fn no_unit(name: &str, title: &str, column: Column) -> Failure {
     let units: Vec<&str> = column.units.iter().map(|(unit, _)| *unit).collect();
-    let kind = if column.units == LENGTHS {
-        "length"
-    } else {
-        "pressure"
+    let kind = match column.units == LENGTHS {
+        true => "length",
+        false => "pressure",
     };
     Failure::new(
         Code::E104,
         format!(
-            "{name}:1: the header \"{title}\" does not name a {kind} unit ({})",
+            "{name}: the header \"{title}\" does not name a {kind} unit ({})",
             units.join(", ")
         ),
     )
@@ -275,11 +180,11 @@ fn no_column(name: &str, missing: Column, wanted: Column) -> Failure {
     Failure::new(
         Code::E102,
         format!(
-            "{name}:1: no column {}; the first line must name the columns with their units, e.g. \"x_um,{}_{unit}\"",
+            "{name}: no column {}; the header must name the columns with their units, e.g. \"x_um,{}_{unit}\"",
             missing.name, wanted.name
         ),
     )
-    .advising("Name the columns in the first line, separated by commas, semicolons or tabs.")
+    .advising("Name the columns in a line above the rows.")
 }
 
 #[cfg(test)]
@@ -295,12 +200,10 @@ mod tests {
             "x in um\th in nm",
             "\"x/um\",\"h/nm\"",
         ] {
-            let separator = [';', '\t', ',']
-                .into_iter()
-                .find(|c| header.contains(*c))
-                .unwrap();
+            let mut separators = [';', '\t', ','].into_iter();
+            let separator = separators.find(|c| header.contains(*c)).unwrap();
             let text = format!("{header}\n0{separator}1\n2{separator}3\n4{separator}5\n");
-            let read = parse("gap.csv", &text, GAP).unwrap();
+            let read = of_text("gap.csv", &text, GAP).unwrap();
             assert_eq!(read.spacing.si(), 2e-6, "{header}");
             assert_eq!(read.values, [1e-9, 3e-9, 5e-9], "{header}");
         }
@@ -312,48 +215,44 @@ mod tests {
             ("", "no column x"),
             ("x_um,z_um\n0,1\n", "no column h"),
             ("x,h\n0,1\n", "does not name a length unit"),
-            ("x_um,h_um\n0,1\n1,a\n", "gap.csv:3: cannot read \"a\""),
-            ("x_um,h_um\n0,1\n1\n", "gap.csv:3"),
-            ("x_um,h_um\n0,1\n1,nan\n", "cannot read \"nan\""),
-            ("x_um,h_um\n0,1\n1,1\n5,1\n", "off the even grid"),
+            (
+                "x_um,h_um\n0,1\n1,a\n",
+                "E101 gap.csv:3: h_um: \"a\" is not a finite number",
+            ),
+            ("x_um,h_um\n0,1\n1\n", "E101 gap.csv: line 3 has 1 cells"),
+            ("x_um,h_um\n0,1\n1,nan\n", "h_um: \"nan\" is not"),
+            (
+                "x_um,h_um\n0,1\n\n1,1\n5,1\n",
+                "E109 gap.csv:4: x = 0.000001 m is off the even grid",
+            ),
             ("x_um,h_um\n5,1\n1,1\n", "must increase"),
             ("x_um,h_um\n5,1\n", "one point"),
+            ("x_um,h_um\n", "no rows below"),
+            ("0,1\n1,1\n", "E102 gap.csv: no column x"),
         ] {
-            let message = parse("gap.csv", text, GAP).unwrap_err().to_string();
+            let message = of_text("gap.csv", text, GAP).unwrap_err().to_string();
             assert!(message.contains(expected), "{message}");
         }
     }
 
     #[test]
-    fn a_file_is_read_in_any_usual_encoding() {
-        let text = "x (µm);h (nm)\r\n0;1,5\r\n2;3\r\n";
-        let latin: Vec<u8> = text.chars().map(|c| c as u8).collect();
-        let wide = |order: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(order).collect();
-        let (little, big): (Vec<u8>, Vec<u8>) = (wide(u16::to_le_bytes), wide(u16::to_be_bytes));
-        let marked = |mark: &[u8], bytes: &[u8]| [mark, bytes].concat();
-        for bytes in [
-            text.as_bytes().to_vec(),
-            marked(b"\xef\xbb\xbf", text.as_bytes()),
-            marked(b"\xff\xfe", &little),
-            marked(b"\xfe\xff", &big),
-            latin,
-            little,
-            big,
-        ] {
-            let text = decoded(&bytes).unwrap();
-            let read = parse("gap.csv", &text, GAP).unwrap();
-            assert_eq!(read.values, [1.5e-9, 3e-9], "{bytes:?}");
-        }
-        for bytes in [&b"\0\0\0\0"[..], b"PK\x03\x04x,h", b"\xff\xfe\x00"] {
-            assert_eq!(decoded(bytes), None, "{bytes:?}");
-        }
+    fn columns_that_are_not_read_are_named_unless_the_program_wrote_them() {
+        let unread = |text: &str| of_text("gap.csv", text, GAP).unwrap().unread;
+        let warning = unread("x_um,remark,h_um,p_MPa\n0,a,1,2\n1,b,1,2\n").unwrap();
+        let expected = "W454 columns of gap.csv that are not read: remark, p_MPa";
+        assert_eq!(warning.to_string(), expected);
+        let rows = "0,1,2,3,4,5\n1,1,2,3,4,5\n";
+        assert_eq!(unread(&format!("{POINTS_HEAD}\n{rows}")), None);
+        assert_eq!(unread("x_um;h_um\n0;1,5\n1;2\n"), None);
     }
 
     #[test]
     fn pressures_have_units_of_their_own() {
-        let read = parse("p.csv", "x_um\tp [MPa]\n0\t1\n1\t2\n", PRESSURE).unwrap();
+        let read = of_text("p.csv", "x_um\tp [MPa]\n0\t1\n1\t2\n", PRESSURE).unwrap();
         assert_eq!(read.values, [1e6, 2e6]);
-        let message = parse("p.csv", "x_um,p_um\n0,1\n", PRESSURE).unwrap_err();
+        let below = of_text("p.csv", "x;p\num;MPa\n0;1\n1;2\n", PRESSURE).unwrap();
+        assert_eq!(below, read);
+        let message = of_text("p.csv", "x_um,p_um\n0,1\n", PRESSURE).unwrap_err();
         assert!(message.to_string().contains("pressure unit"), "{message}");
     }
 }

@@ -89,5 +89,6 @@ fn of_case(path: &Path, args: &ContactArgs) -> Result<SolvedContact, Failure> {
         solution,
         hertz_pressure: Some(hertz.max_pressure.si()),
         cycles: vec![],
+        unread: vec![],
     })
 }

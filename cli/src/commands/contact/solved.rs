@@ -5,11 +5,15 @@ use std::path::Path;
 use asperity_contact::running_in::Cycle;
 use asperity_contact::{ContactSolution, ContactWarning};
 use asperity_core::Code;
+use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::output::coded;
+
+/// Header of the points.
+pub const POINTS_HEAD: &str = "x_m,h_m,pressure_pa,gap_m,displacement_m,plastic_displacement_m";
 
 /// Solved contact with its smooth reference.
 pub struct SolvedContact {
@@ -27,6 +31,8 @@ pub struct SolvedContact {
     pub hertz_pressure: Option<f64>,
     /// Cycles of a running-in before the contact.
     pub cycles: Vec<Cycle>,
+    /// Columns of its files that were not read.
+    pub unread: Vec<Warning>,
 }
 
 impl SolvedContact {
@@ -39,7 +45,11 @@ impl SolvedContact {
             };
             (code, warning.to_string())
         };
-        self.solution.warnings().into_iter().map(coded).collect()
+        let unread = self.unread.iter().cloned();
+        let unread = unread.map(|warning| (warning.code, warning.text));
+        unread
+            .chain(self.solution.warnings().into_iter().map(coded))
+            .collect()
     }
 
     /// The contact as JSON, with the subsurface stress.
@@ -113,8 +123,7 @@ impl SolvedContact {
     /// exactly.
     pub fn write_points(&self, path: &Path) -> Result<(), Failure> {
         let s = &self.solution;
-        let mut text =
-            String::from("x_m,h_m,pressure_pa,gap_m,displacement_m,plastic_displacement_m\n");
+        let mut text = format!("{POINTS_HEAD}\n");
         for i in 0..self.x.len() {
             text.push_str(&format!(
                 "{:e},{:e},{:e},{:e},{:e},{:e}\n",

@@ -8,6 +8,7 @@ use asperity::oil::{AMBIENT_LIMIT, DensityLaw, LubricantInput, PressureViscosity
 use asperity::reference_solution::attenuated_roughness;
 use asperity::tribo_friction::boundary::BOUNDARY_LAYER;
 use asperity_core::material::Material;
+use asperity_core::message::Warning;
 use asperity_core::quantity::{
     Density, DynamicViscosity, Length, Pressure, PressureViscosity, SpecificHeat,
     ThermalConductivity,
@@ -42,6 +43,8 @@ pub struct Bare {
     pub heat: Option<Heat>,
     /// Attenuated roughness in the contact, of both profiles.
     pub attenuated_roughness: Length,
+    /// Columns of the files of both profiles that were not read.
+    pub unread: Vec<Warning>,
 }
 
 impl Bare {
@@ -88,18 +91,17 @@ pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
         .map_err(|error| Fault::from(error).about(&title))?;
     let first = surface(bare.profile1.as_deref(), bare.periodic)?;
     let second = surface(bare.profile2.as_deref(), bare.periodic)?;
-    let profiles: Vec<&Profile> = [&first, &second]
-        .into_iter()
-        .flatten()
-        .map(|(profile, _)| profile)
-        .collect();
+    let surfaces = || [&first, &second].into_iter().flatten();
+    let profiles: Vec<&Profile> = surfaces().map(|surface| &surface.profile).collect();
+    let unread = surfaces().filter_map(|surface| surface.unread.clone());
+    let unread: Vec<Warning> = unread.collect();
     let attenuated_roughness = match profiles[..] {
         [] => Length::from_si(0.0),
         _ => attenuated_roughness(&contact, &oil, &profiles)
             .map_err(|error| Fault::from(error).about(&title))?,
     };
-    let moving = |surface: Option<(Profile, MovingProfile)>| {
-        surface.map_or_else(MovingProfile::smooth, |(_, moving)| moving)
+    let moving = |surface: Option<Surface>| {
+        surface.map_or_else(MovingProfile::smooth, |surface| surface.moving)
     };
     Ok(Bare {
         title,
@@ -123,6 +125,7 @@ pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
             .map(|pressure| PlasticCeiling { pressure }),
         heat,
         attenuated_roughness,
+        unread,
     })
 }
 
@@ -166,19 +169,27 @@ fn oil_state(
     }
 }
 
-fn surface(
-    path: Option<&Path>,
-    is_periodic: bool,
-) -> Result<Option<(Profile, MovingProfile)>, Failure> {
+/// Profile of a file.
+struct Surface {
+    profile: Profile,
+    moving: MovingProfile,
+    unread: Option<Warning>,
+}
+
+fn surface(path: Option<&Path>, is_periodic: bool) -> Result<Option<Surface>, Failure> {
     let Some(path) = path else {
         return Ok(None);
     };
-    let profile = column_file::profile(path)?;
+    let (profile, unread) = column_file::profile(path)?;
     let moving = if is_periodic {
         MovingProfile::periodic(&profile)
     } else {
         MovingProfile::blended(&profile, profile.length() * OVERLAP)
             .map_err(|error| Failure::new(Code::E209, format!("{}: {error}", path.display())))?
     };
-    Ok(Some((profile, moving)))
+    Ok(Some(Surface {
+        profile,
+        moving,
+        unread,
+    }))
 }

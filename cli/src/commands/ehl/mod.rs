@@ -97,6 +97,7 @@ fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
     Inlet::ByLoad.apply(&mut settings, &scales);
     let mut record = rough::solve(bare.title, &bare.rough, &settings, args, common)?;
     record.attenuated_roughness = Some(bare.attenuated_roughness);
+    record.unread = bare.unread;
     report(args, || record.page(&bare.rough))?;
     print_result(args, common, &record.json(None), &record.text(), &|| {
         record.points()

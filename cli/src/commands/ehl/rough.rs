@@ -9,6 +9,7 @@ use asperity::ehl::{
 };
 use asperity::lubrication::{HIGHEST_PRESSURE, ShareComparison};
 use asperity::reference_solution::{estimate_json, nanometres, record_json, record_warnings};
+use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
 use asperity_core::{Code, Fault};
 use asperity_report::columns;
@@ -30,6 +31,8 @@ pub struct Recorded {
     pub shares: Vec<Estimate>,
     /// Attenuated roughness in the contact, of both surfaces.
     pub attenuated_roughness: Option<Length>,
+    /// Columns of the files of both profiles that were not read.
+    pub unread: Vec<Warning>,
     /// Pressure at which the surfaces yield.
     ceiling: Option<PlasticCeiling>,
 }
@@ -76,6 +79,7 @@ pub fn solve(
         cells: settings.cells,
         window: settings.window,
         attenuated_roughness: None,
+        unread: vec![],
         ceiling: settings.ceiling,
     })
 }
@@ -89,7 +93,10 @@ impl Recorded {
 
     /// Warnings with their codes.
     pub fn warnings(&self) -> Vec<(Code, String)> {
-        record_warnings(&self.solved.value, self.attenuated_roughness, self.ceiling)
+        let unread = self.unread.iter().cloned();
+        let unread = unread.map(|warning| (warning.code, warning.text));
+        let record = record_warnings(&self.solved.value, self.attenuated_roughness, self.ceiling);
+        unread.chain(record).collect()
     }
 
     /// Record as JSON.
