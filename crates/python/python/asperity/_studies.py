@@ -31,6 +31,9 @@ def sensitivity(
 ) -> Sensitivity:
     """Sensitivity of the loss to single changes: heights, wavelengths, boundary layer, oil, tip relief.
 
+    Each row is a run of the model with one thing changed, at the same windows of the traces. To vary keys of your own
+    choice, with distributions, see the command sweep.
+
     Args:
         case: the case.
         threads, progress: as in `Case.run`.
@@ -48,6 +51,9 @@ def ridges(
     progress: Optional[Progress] = None,
 ) -> Ridges:
     """Ridges of both flanks that cost most, and the loss by wavelength.
+
+    The gradient of the loss over every height of both traces, by ridge and by octave of wavelength, and a run with
+    the twenty costliest ridges pressed to the mean line.
 
     Args:
         case: the case.
@@ -73,6 +79,9 @@ def callout(
     progress: Optional[Progress] = None,
 ) -> CallOut:
     """Limit of Rpk, Rq or Rdq on the drawing, and traces to inspect, for a stated loss.
+
+    Lots of flanks like the traces of the case are simulated, inspected and run. A lot whose inspected mean is at the
+    limit meets the loss with the confidence.
 
     Args:
         case: the case.
