@@ -891,3 +891,44 @@ fn a_trace_over_the_edge_of_a_flank_proposes_the_range_that_is_left() {
         );
     }
 }
+
+#[test]
+fn a_rounded_edge_is_an_edge_and_relief_is_none() {
+    /// Points of a trace 3 mm long, of which the last `FALL` round the edge.
+    const LONG: usize = 6000;
+    const FALL: usize = 200;
+    let body = |depth: f64, over: usize| {
+        let z = |i: usize| {
+            let beyond = (i + over).saturating_sub(LONG) as f64 / over as f64;
+            0.3 * (0.05 * i as f64).sin() - depth * beyond * beyond
+        };
+        let rows = (0..LONG).map(|i| format!("{},{}\n", 0.5 * i as f64, z(i)));
+        "x [um],z [um]\n".to_owned() + &rows.collect::<String>()
+    };
+    let edge = body(200.0, FALL);
+    let refused = read("edge.csv", &edge, &ReadOptions::default());
+    let refused = refused.check_heights().unwrap_err();
+    assert_eq!(refused.code(), "E131", "{refused}");
+    let remedy = refused.remedy().to_string();
+    let range = remedy.strip_prefix("Set range to ");
+    let range = range.and_then(|rest| rest.split(" to use").next()).unwrap();
+    let stated = ReadOptions {
+        range: Some(range.parse().unwrap()),
+        ..ReadOptions::default()
+    };
+    let part = read("edge.csv", &edge, &stated);
+    assert!(part.check_heights().is_ok(), "{range}");
+    let [low, high] = part
+        .profile
+        .heights()
+        .iter()
+        .fold([0.0_f64; 2], |[low, high], z| [low.min(*z), high.max(*z)]);
+    // What is left of the rounding is no more than the waves of the flank.
+    assert!(
+        high - low < 2e-6 && part.points > LONG - FALL - 120,
+        "{range}"
+    );
+    // Relief of the tip: 20 um over a third of the trace.
+    let relieved = read("relief.csv", &body(20.0, LONG / 3), &ReadOptions::default());
+    assert!(relieved.check_heights().is_ok());
+}

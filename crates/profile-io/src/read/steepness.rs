@@ -9,7 +9,8 @@
 //! spikes.
 //!
 //! Ground and superfinished flanks have Rdq of 0.02 to 0.3. Stylus tips have flanks of 45 or 30 degrees to
-//! the vertical, so a stylus follows no slope above 2; a single step may be steeper, at a burr or a chip.
+//! the vertical, so a stylus follows no slope above 2; a single step may be steeper, at a burr or a chip. Steps above 2 at one end
+//! only, beyond which the trace does not return, are an edge.
 //! Mirrors have Rdq of 1e-4; no surface has less than 1e-6.
 
 use std::fmt;
@@ -226,10 +227,12 @@ fn plural(count: usize) -> &'static str {
 /// ```
 pub fn implausible(profile: &Profile, unit: LengthUnit) -> Option<Steepness> {
     let slopes = Slopes::of(profile.heights().iter().copied(), profile.spacing().si());
-    if slopes.are_plausible() {
+    // A fall at one end is an edge also where a rounding makes its single steps less steep.
+    let edge = edge(profile);
+    if slopes.are_plausible() && edge.is_none() {
         return None;
     }
-    let suspicion = edge(profile)
+    let suspicion = edge
         .or_else(|| sentinel(profile, unit))
         .or_else(|| spikes(profile, slopes.bulk))
         .or_else(|| other_unit(slopes.bulk, unit))
@@ -296,6 +299,9 @@ fn edge(profile: &Profile) -> Option<Suspicion> {
     const LARGEST_END: f64 = 0.3;
     /// Part of the trace between the first steep step and the remaining part, where the edge is rounded.
     const ROUNDED: f64 = 0.01;
+    /// Length over which an edge that is rounded still falls, and its least slope there: that of the waves of a flank is less.
+    const BLOCK: f64 = 10e-6;
+    const FALL: f64 = 0.2;
     /// Hundredths of a millimetre, in which the part is stated.
     const DIGIT: f64 = 1e-5;
     let (z, dx) = (profile.heights(), profile.spacing().si());
@@ -305,10 +311,20 @@ fn edge(profile: &Profile) -> Option<Suspicion> {
     let last = (0..steps).rfind(is_steep)?;
     let margin = (ROUNDED * z.len() as f64).ceil() as usize;
     let far = (LARGEST_END * z.len() as f64) as usize;
+    let block = ((BLOCK / dx).ceil() as usize).max(1);
+    let falls = |i: usize| (z[i + block] - z[i]).abs() > FALL * block as f64 * dx;
     let (begin, end) = if first >= z.len() - far {
-        (0, first.saturating_sub(margin))
+        let mut end = first;
+        while end >= block && end > far && falls(end - block) {
+            end -= block;
+        }
+        (0, end.saturating_sub(margin))
     } else if last < far {
-        (last + 1 + margin, z.len() - 1)
+        let mut begin = last + 1;
+        while begin + block < z.len() && begin < z.len() - far && falls(begin) {
+            begin += block;
+        }
+        (begin + margin, z.len() - 1)
     } else {
         return None;
     };
