@@ -74,11 +74,7 @@ fn errors((zero, relative, floor): Errors) -> Result<(Zero, PointErrors), Failur
 /// Tables by name, each with its text, or a file of that name where there is none.
 type Tables = Vec<(String, Option<String>)>;
 
-fn readings(
-    tables: Tables,
-    machine: &Machine,
-    column: &str,
-) -> Result<Readings, Failure> {
+fn readings(tables: Tables, machine: &Machine, column: &str) -> Result<Readings, Failure> {
     let probe: Probe = named("temperature_column", column)?;
     let mut readings = Readings::default();
     for (name, text) in tables {
