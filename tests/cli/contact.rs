@@ -278,7 +278,11 @@ fn a_gap_in_any_usual_encoding_is_read_and_what_is_no_text_is_refused() {
     }
     assert!(found.windows(2).all(|pair| pair[0] == pair[1]));
     bench.write("gap.csv", b"PK\x03\x04\0\0\0\0x,h");
-    gap(&bench, &["--load", "30 N/mm"]).refused(2, "E108", &["gap.csv: "]);
+    gap(&bench, &["--load", "30 N/mm"]).refused(
+        2,
+        "E108",
+        &["gap.csv: ", "is not a table as text"],
+    );
     bench.write("gap.csv", "x_um,h_um\n0,1\n5,1\n6,1\n");
     let said = gap(&bench, &["--load", "30 N/mm"]);
     said.refused(2, "E109", &["off the even grid"]);

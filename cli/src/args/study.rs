@@ -106,8 +106,6 @@ impl Subcommand for StudyCommand {
     }
 
     fn has_subcommand(name: &str) -> bool {
-        every_study!(registered)
-            .iter()
-            .any(|study| study.name == name)
+        Self::names().any(|known| known == name)
     }
 }

@@ -87,7 +87,7 @@ pub fn study(
     let mut all = every_study!(registered).into_iter();
     let (_, run) = all
         .find(|(known, _)| *known == name)
-        .ok_or_else(|| Failure::new(Code::E204, format!("there is no study {name}")))?;
+        .ok_or_else(|| Failure::new(Code::E204, format!("no study is called {name}")))?;
     let train = case.train();
     in_parallel(py, threads, progress.as_ref(), |told| {
         run(train, settings, &|done, total| told.tell(done, total))

@@ -46,7 +46,7 @@ pub struct Table {
     /// The header as it is written.
     heads: csv::StringRecord,
     names: Vec<String>,
-    /// Whether a cell of each column was asked for.
+    /// Whether a cell of each column was read.
     is_read: Vec<Cell<bool>>,
     /// Line and cells of every row.
     rows: Vec<(usize, csv::StringRecord)>,

@@ -317,7 +317,7 @@ impl ReadFault {
         )
     }
 
-    /// There is no x and no stated spacing.
+    /// The file has no column of positions, and no spacing is stated.
     pub(super) fn no_spacing(hint: SpacingHint) -> Self {
         let spacing = Remedy::set(Setting::Spacing, Value::Like("0.5 um".into()));
         let remedy = match hint {

@@ -31,7 +31,7 @@ impl WriteError {
 
     /// There is no point, or a height or the spacing is not a finite number.
     pub(super) fn no_profile() -> Self {
-        Self::new("the trace has no points, or heights that are no numbers")
+        Self::new("the trace has no points, or a height or spacing that is not a finite number")
     }
 
     fn new(text: impl Into<String>) -> Self {
