@@ -50,8 +50,8 @@ pub fn print_text(common: &Common, text: &str) -> Result<(), Failure> {
     write(&asperity_storage::printable(text))
 }
 
-/// Prints text as [`print_text`], with the line `headline` bold on a terminal.
-pub fn print_verdict(common: &Common, text: &str, headline: &str) -> Result<(), Failure> {
+/// Prints text as [`print_text`], with the lines `verdict` bold on a terminal.
+pub fn print_verdict(common: &Common, text: &str, verdict: &[String]) -> Result<(), Failure> {
     if common.quiet {
         return Ok(());
     }
@@ -59,7 +59,7 @@ pub fn print_verdict(common: &Common, text: &str, headline: &str) -> Result<(), 
     if !std::io::stdout().is_terminal() {
         return write(&text);
     }
-    let bold = |line: &str| match line.trim_end() == headline {
+    let bold = |line: &str| match verdict.iter().any(|of| of == line.trim_end()) {
         true => format!("\u{1b}[1m{}\u{1b}[0m\n", line.trim_end()),
         false => line.to_owned(),
     };

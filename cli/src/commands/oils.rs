@@ -47,7 +47,7 @@ fn numbers(oil: &LibraryOil) -> Table {
     let values = serde_json::to_value(&oil.lubricant).unwrap_or_default();
     columns! { (key, certainty) in &oil.certainty;
         head key "key" "" = key;
-        text certainty "certainty" "" = certainty;
-        text value "value" "" = &values[key];
+        text certainty "certainty" "" = certainty.to_string();
+        text value "value" "" = values[key].to_string();
     }
 }

@@ -32,7 +32,7 @@ pub fn figures(rows: &[FigureRow<'_>]) -> Result<String, Failure> {
     let table = columns! { row in rows;
         head key "key" "";
         text value "value" "";
-        text certainty "certainty" "" = row.certainty;
+        text certainty "certainty" "" = row.certainty.to_string();
         text source "source" "";
     };
     let mut text = table.text("  ");

@@ -71,7 +71,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     };
     let count = runs().map(|run| run.warnings.len()).sum();
     let text = text + &last_lines(target.as_ref(), &train.title, args, count);
-    print_verdict(common, &text, &results.headline())
+    print_verdict(common, &text, &[results.headline()])
 }
 
 /// The summary of a run, with what `args` request in addition.

@@ -14,7 +14,7 @@ use super::work::check_work;
 use super::{load_train, one_mesh, refuse_other, result_name};
 use crate::args::{Common, StudyArgs, StudyCommand};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
+use crate::output::{Progress, READING, WRITING, print_json, print_verdict, shown};
 
 /// A study with the arguments of its command.
 type Run = fn(&ArgMatches, &Common) -> Result<(), Failure>;
@@ -76,9 +76,9 @@ pub fn folder<S: StudyResult>(
 }
 
 /// Writes a study as `folder`.
-pub fn write<S: StudyResult>(
-    study: &S,
-    context: S::Context<'_>,
+pub fn write<'a, S: StudyResult>(
+    study: &'a S,
+    context: S::Context<'a>,
     folder: &Path,
 ) -> Result<(), Failure> {
     let written = study.write(context, folder);
@@ -86,9 +86,9 @@ pub fn write<S: StudyResult>(
 }
 
 /// Writes a study as `folder` and prints it, with the time since `begin`.
-pub fn finish<S: StudyResult>(
-    study: &S,
-    context: S::Context<'_>,
+pub fn finish<'a, S: StudyResult>(
+    study: &'a S,
+    context: S::Context<'a>,
     folder: &Path,
     begin: Option<Instant>,
     common: &Common,
@@ -98,9 +98,9 @@ pub fn finish<S: StudyResult>(
 }
 
 /// Prints a study and, if it was written, its folder, with the time since `begin`.
-pub fn print<S: StudyResult>(
-    study: &S,
-    context: S::Context<'_>,
+pub fn print<'a, S: StudyResult>(
+    study: &'a S,
+    context: S::Context<'a>,
     folder: Option<&Path>,
     begin: Option<Instant>,
     common: &Common,
@@ -108,12 +108,13 @@ pub fn print<S: StudyResult>(
     if common.json {
         return print_json(study);
     }
-    let mut text = study.summary(context);
+    let report = study.report(context);
+    let mut text = report.terminal();
     if let Some(folder) = folder {
         let time = begin.map_or(String::new(), |begin| {
             format!(" in {:.1} s", begin.elapsed().as_secs_f64())
         });
         text.push_str(&format!("wrote {}{time}\n", shown(folder)));
     }
-    print_text(common, &text)
+    print_verdict(common, &text, &report.verdict_lines())
 }

@@ -1,7 +1,5 @@
 //! Measurements that would narrow the interval of the loss of a case, with the interval that each is expected to leave.
 
-use std::path::Path;
-
 use asperity::case::train::Train;
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::EvidenceRow;
@@ -10,9 +8,8 @@ use asperity::train::{self, Outcomes};
 use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_band};
 use asperity::{Contacts, LoadedCase};
 use asperity_core::Fault;
-use asperity_report::html::page;
-use asperity_report::{StudyResult, Table, columns, tables, wrapped};
-use maud::html;
+use asperity_report::chart::{Axis, Drawing, Interval, Tornado};
+use asperity_report::{Report, StudyResult, Table, columns};
 use serde::{Deserialize, Serialize};
 
 use crate::oil::fit::PointErrors;
@@ -323,12 +320,37 @@ impl EvidenceTable {
         loss
     }
 
+    /// The interval that each measurement leaves, below the present one.
+    fn chart(&self) -> Option<Drawing> {
+        let now = Interval {
+            name: "as known".to_owned(),
+            ends: self.loss.quantiles_w,
+            text: self.loss_text(self.loss.quantiles_w, " W"),
+        };
+        let left = self.rows.iter().map(|row| Interval {
+            name: row.measurement.clone(),
+            ends: row.interval(),
+            text: format!("{} h", row.hours),
+        });
+        (!self.rows.is_empty()).then(|| {
+            Drawing::Tornado(Tornado {
+                id: "evidence".to_owned(),
+                title: "Interval of the loss that each measurement alone is expected to leave"
+                    .to_owned(),
+                source: TABLE.to_owned(),
+                axis: Axis::new("loss", "W"),
+                middle: self.loss.median_w,
+                intervals: [now].into_iter().chain(left).collect(),
+            })
+        })
+    }
+
     /// The measurements.
     fn table(&self) -> Table {
         columns! { row in &self.rows;
             head measurement "measurement" "";
             number hours "hours" "";
-            number width "relative width" "%" "{:.0}" = 100.0 * row.width;
+            percent width "relative width" "%" "{:.0}";
             number loss "loss" "W" = self.loss_text(row.interval(), "");
         }
     }
@@ -344,32 +366,14 @@ impl StudyResult for EvidenceTable {
     const NAME: &'static str = "evidence";
     type Context<'a> = ();
 
-    fn summary(&self, (): ()) -> String {
+    fn report<'a>(&'a self, (): ()) -> Report<'a> {
         let loss = self.loss_text(self.loss.quantiles_w, " W");
-        let mut text = format!("{}\nloss {loss}\n{}", self.title, self.table().text(""));
-        for line in self.notes() {
-            text.push_str(&wrapped(&line, "  "));
-            text.push('\n');
-        }
-        text
-    }
-
-    fn page(&self, (): ()) -> String {
-        let table = html! {
-            p { "Loss as known: " strong { (self.loss_text(self.loss.quantiles_w, " W")) } }
-            (self.table())
-            @for line in self.notes() { p { (line) } }
-            p { "data: " a href=(TABLE) { (TABLE) } }
-        };
-        let subtitle = format!("{} · evidence", self.program);
-        page(
-            &self.title,
-            &subtitle,
-            &[("Measurements that narrow the interval", table)],
-        )
-    }
-
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
-        tables::write(&folder.join(TABLE), self.rows.iter())
+        Report::new(&self.title, format!("{} · evidence", self.program))
+            .section("Measurements that narrow the interval")
+            .verdict([format!("Loss {loss}.")])
+            .figures(|| self.chart())
+            .table(self.table().of_file(TABLE))
+            .text(self.notes())
+            .rows(TABLE, || &self.rows)
     }
 }

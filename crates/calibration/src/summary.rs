@@ -1,8 +1,8 @@
-//! Summaries of a calibration and a design for a terminal.
+//! Tables of a calibration and a design.
 
 use std::fmt::Write as _;
 
-use asperity::message::Warning;
+use asperity::result::loss_band::Digits;
 use asperity_report::{Cell, Table, columns, wrapped};
 
 use crate::design::Design;
@@ -29,8 +29,10 @@ fn bare(key: &str, value: f64) -> String {
     format!("{:.decimals$}", factor * value)
 }
 
-pub(crate) fn range(key: &str, [low, high]: [f64; 2]) -> String {
-    format!("({}..{})", bare(key, low), bare(key, high))
+pub(crate) fn range(key: &str, ends: [f64; 2]) -> String {
+    let (_, factor, decimals) = unit_of(key);
+    let ends = ends.map(|end| factor * end);
+    format!("({})", Digits::of_decimals(decimals as i32).range(ends))
 }
 
 /// A name with its unit.
@@ -120,7 +122,7 @@ pub(crate) const HELD_OUT: &str = "Every temperature predicted from the others";
 
 /// Fitted parameters with their bands.
 pub(crate) fn fitted(calibration: &Calibration) -> Table {
-    columns! { one in &calibration.parameters;
+    let table = columns! { one in &calibration.parameters;
         head name "parameter" "" = in_unit(&one.name, unit_of(&one.key).0);
         number value "value" "" = bare(&one.key, one.value);
         number band "95 % band" "" = range(&one.key, one.band);
@@ -132,7 +134,8 @@ pub(crate) fn fitted(calibration: &Calibration) -> Table {
             true => format!("{} (open)", one.verdict.text()),
             false => one.verdict.text().to_owned(),
         };
-    }
+    };
+    table.brief(&FOLDED)
 }
 
 /// Deviations of the losses at each temperature from the prediction by the others.
@@ -144,46 +147,6 @@ pub(crate) fn held_out(calibration: &Calibration) -> Table {
         number expected_error "expected" "%" "{:.1}" = share(one.expected_error);
         number mean_error "mean" "%" "{:+.1}" = share(one.mean_error);
     }
-}
-
-/// Summary of a calibration: parameters with bands, quality of the fit, and the block.
-pub(crate) fn summary(calibration: &Calibration) -> String {
-    let mut text = String::new();
-    if calibration.is_simulated {
-        text.push_str("SIMULATED losses: a rehearsal, not a measurement\n");
-    }
-    text.push_str(&fitted(calibration).without(&FOLDED).text(""));
-    let fit = format!("fit  {}", scatter(calibration));
-    text.push_str(&wrapped(&fit, "     "));
-    text.push('\n');
-    if !calibration.held_out.is_empty() {
-        text.push_str(HELD_OUT);
-        text.push('\n');
-        text.push_str(&held_out(calibration).text(""));
-    }
-    text.push_str(&listed(&calibration.warnings));
-    text.push_str("for the case:\n");
-    text.push_str(&calibration.block);
-    text
-}
-
-/// Summary of a design: points and expected bands.
-pub(crate) fn design_summary(design: &Design) -> String {
-    let mut text = format!(
-        "{} points for each of {} assemblies, of {} candidates (D-optimal)\n",
-        design.size() / design.limits.assemblies.max(1),
-        design.limits.assemblies,
-        design.candidates
-    );
-    text.push_str(&design_points(design).text(""));
-    let _ = writeln!(
-        text,
-        "expected with {:.1} % per point",
-        100.0 * design.limits.sigma
-    );
-    text.push_str(&design_bands(design).text(""));
-    text.push_str(&listed(&design.warnings));
-    text
 }
 
 /// Points of a design.
@@ -207,11 +170,4 @@ pub(crate) fn design_bands(design: &Design) -> Table {
         number default_range "range without calibration" "" = range(&one.identified.key, one.default_range);
         text verdict "verdict" "" = one.identified.verdict.text();
     }
-}
-
-fn listed(warnings: &[Warning]) -> String {
-    let lines = warnings
-        .iter()
-        .map(|warning| wrapped(&warning.to_string(), "     ") + "\n");
-    lines.collect()
 }

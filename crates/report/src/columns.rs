@@ -1,40 +1,102 @@
-//! Tables of numbers and texts, described once for the page and for the terminal.
+//! Tables of numbers and texts, described once for the page, the terminal and the file.
 //!
-//! A table is a list of columns; [`columns!`](crate::columns) makes one from rows with one line for each column: its heading, unit,
-//! digits and value. [`Table::text`] prints it with aligned columns, and on a page it is written into the markup by `(table)`.
+//! A table is a list of columns; [`columns!`](crate::columns) makes one from rows with one line for each column: its name, heading,
+//! unit, digits and value. [`Table::text`] prints it with aligned columns, on a page it is written into the markup by `(table)`, and
+//! with [`Table::in_file`] its values are a file.
 
 use std::borrow::Cow;
+use std::path::Path;
 
+use asperity::result::loss_band::Digits;
+use asperity_core::Fault;
 use asperity_storage::one_line;
 use maud::{Markup, Render, html};
+use serde::Serialize;
 
+use crate::tables;
 use crate::wrap::{COLUMNS, wrapped_within};
 
+/// A value in the file of a table, with all its digits.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Value {
+    /// A text.
+    Text(String),
+    /// A number.
+    Number(f64),
+    /// A count.
+    Count(usize),
+    /// No value: an empty cell.
+    Missing,
+}
+
 /// A cell of a table.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct Cell {
     /// Its text in the terminal.
     text: String,
     /// Its markup on a page; `None` for the text.
     markup: Option<Markup>,
+    /// Its values in the file: one, or three of an interval.
+    values: Vec<Value>,
+}
+
+impl Default for Cell {
+    fn default() -> Self {
+        "".into()
+    }
 }
 
 impl Cell {
     /// A number by `format`, or "-" if there is none.
     pub fn number(value: impl Number, format: impl Fn(f64) -> String) -> Self {
-        value.number().map_or("-".to_owned(), format).into()
+        let value = value.number();
+        Self::shown(
+            value.map_or("-".to_owned(), format),
+            value.map_or(Value::Missing, Value::Number),
+        )
+    }
+
+    /// The number `value` with its interval, with these digits; "-" if there is no number, without brackets if there is no interval.
+    pub fn interval(value: Option<f64>, ends: Option<[f64; 2]>, digits: Digits) -> Self {
+        let text = match (value, ends) {
+            (None, _) => "-".to_owned(),
+            (Some(value), None) => digits.rounded(value),
+            (Some(value), Some(ends)) => digits.interval(value, ends),
+        };
+        Self::with_ends(text, value, ends)
+    }
+
+    /// A number with its interval, shown as `text`.
+    pub fn with_ends(text: impl Into<String>, value: Option<f64>, ends: Option<[f64; 2]>) -> Self {
+        let number = |value: Option<f64>| value.map_or(Value::Missing, Value::Number);
+        let [low, high] = ends.map_or([None; 2], |ends| ends.map(Some));
+        Self {
+            values: [value, low, high].map(number).into(),
+            ..Self::from(text.into())
+        }
     }
 
     /// The text of `value`, or "-" if there is none.
-    pub fn optional(value: Option<impl ToString>) -> Self {
-        value.map_or_else(|| "-".into(), Self::from)
+    pub fn optional<T: Into<Cell>>(value: Option<T>) -> Self {
+        let missing = || Self::shown("-", Value::Missing);
+        value.map_or_else(missing, T::into)
+    }
+
+    /// `text`, in the file `value`.
+    pub fn shown(text: impl Into<String>, value: Value) -> Self {
+        Self {
+            text: text.into(),
+            markup: None,
+            values: vec![value],
+        }
     }
 
     /// `text`, on a page with `markup`.
     pub fn marked(text: impl Into<String>, markup: Markup) -> Self {
         Self {
-            text: text.into(),
             markup: Some(markup),
+            ..Self::from(text.into())
         }
     }
 
@@ -43,6 +105,12 @@ impl Cell {
         let text = text.into();
         let markup = html! { code { (text) } };
         Self::marked(text, markup)
+    }
+
+    /// Its text.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
     }
 
     /// Its text in the terminal, on one line.
@@ -55,12 +123,70 @@ impl Cell {
     }
 }
 
-impl<T: ToString> From<T> for Cell {
-    fn from(text: T) -> Self {
-        Self {
-            text: text.to_string(),
-            markup: None,
-        }
+impl<T: Into<Value> + ToString> From<T> for Cell {
+    fn from(value: T) -> Self {
+        let text = value.to_string();
+        Self::shown(text, value.into())
+    }
+}
+
+impl From<f64> for Value {
+    fn from(value: f64) -> Self {
+        Self::Number(value)
+    }
+}
+
+impl From<&f64> for Value {
+    fn from(value: &f64) -> Self {
+        Self::Number(*value)
+    }
+}
+
+impl From<usize> for Value {
+    fn from(count: usize) -> Self {
+        Self::Count(count)
+    }
+}
+
+impl From<&usize> for Value {
+    fn from(count: &usize) -> Self {
+        Self::Count(*count)
+    }
+}
+
+impl From<String> for Value {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl From<&String> for Value {
+    fn from(text: &String) -> Self {
+        Self::Text(text.clone())
+    }
+}
+
+impl From<&str> for Value {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+impl From<&&str> for Value {
+    fn from(text: &&str) -> Self {
+        Self::from(*text)
+    }
+}
+
+impl From<u32> for Value {
+    fn from(count: u32) -> Self {
+        Self::Count(count as usize)
+    }
+}
+
+impl From<&u32> for Value {
+    fn from(count: &u32) -> Self {
+        Self::from(*count)
     }
 }
 
@@ -127,19 +253,51 @@ pub enum Kind {
     Text,
     /// Numbers, at the right.
     Number,
+    /// Numbers with their intervals, at the right.
+    Interval,
+}
+
+impl Kind {
+    fn is_number(self) -> bool {
+        matches!(self, Self::Number | Self::Interval)
+    }
+}
+
+/// The faces that have a column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Faces {
+    /// Terminal and page, and the file if the column has a name there.
+    All,
+    /// The page, and the file: the terminal has no room for it.
+    NotTerminal,
+    /// The file.
+    File,
 }
 
 /// A column of a table.
 #[derive(Debug, Clone)]
 pub struct Column {
     kind: Kind,
+    /// Name in the file, with its unit; empty if it is not in the file. An interval has three: `loss_w`, `loss_p05_w`, `loss_p95_w`.
+    name: &'static str,
     /// Heading with the unit in square brackets.
     heading: String,
+    faces: Faces,
     cells: Vec<Cell>,
 }
 
+/// Names of a number and of the ends of its interval in a file: `loss_w` and `loss_median_w` have `loss_p05_w` and `loss_p95_w`.
+fn names_of_interval(name: &str) -> [String; 3] {
+    let end = |which: &str| match (name.contains("_median"), name.rsplit_once('_')) {
+        (true, _) => name.replace("_median", which),
+        (false, Some((stem, unit))) => format!("{stem}{which}_{unit}"),
+        (false, None) => format!("{name}{which}"),
+    };
+    [name.to_owned(), end("_p05"), end("_p95")]
+}
+
 impl Column {
-    /// A column of `cells`; without a `unit` the heading has none.
+    /// A column of `cells` that is not in the file; without a `unit` the heading has none.
     pub fn new<C: Into<Cell>>(
         kind: Kind,
         heading: &str,
@@ -153,8 +311,33 @@ impl Column {
         };
         Self {
             kind,
+            name: "",
             heading,
+            faces: Faces::All,
             cells: cells.into_iter().map(Into::into).collect(),
+        }
+    }
+
+    /// The column with its name in the file.
+    #[must_use]
+    pub fn named(mut self, name: &'static str) -> Self {
+        self.name = name;
+        self
+    }
+
+    /// The column in the file only.
+    #[must_use]
+    pub fn unshown(mut self) -> Self {
+        self.faces = Faces::File;
+        self
+    }
+
+    /// Names of its values in the file.
+    fn names(&self) -> Vec<String> {
+        match self.kind {
+            _ if self.name.is_empty() => Vec::new(),
+            Kind::Interval => names_of_interval(self.name).into(),
+            _ => vec![self.name.to_owned()],
         }
     }
 
@@ -197,6 +380,10 @@ impl Column {
 pub struct Table {
     columns: Vec<Column>,
     class: &'static str,
+    /// Name of the file with its values; empty if there is none.
+    file: &'static str,
+    /// Whether the table is this file; otherwise the rows of the result are.
+    is_file: bool,
 }
 
 impl Table {
@@ -206,7 +393,43 @@ impl Table {
         Self {
             columns: columns.into_iter().collect(),
             class: "",
+            file: "",
+            is_file: false,
         }
+    }
+
+    /// The table, whose columns with a name are the file `name` of the folder.
+    #[must_use]
+    pub fn in_file(mut self, name: &'static str) -> Self {
+        (self.file, self.is_file) = (name, true);
+        self
+    }
+
+    /// The table, whose columns have the names of those of the file `name`, which has the rows of the result.
+    #[must_use]
+    pub fn of_file(mut self, name: &'static str) -> Self {
+        (self.file, self.is_file) = (name, false);
+        self
+    }
+
+    /// Whether it is a file of the folder.
+    pub(crate) fn is_file(&self) -> bool {
+        self.is_file
+    }
+
+    /// Writes the values of the columns that have a name, with all digits, as its file in `folder`.
+    ///
+    /// # Errors
+    /// When the file cannot be written, or a number is not finite.
+    pub fn write(&self, folder: &Path) -> Result<(), Fault> {
+        let columns = || self.columns.iter().filter(|column| !column.name.is_empty());
+        let names = columns().flat_map(Column::names).map(Value::Text);
+        let rows = (0..self.rows()).map(|row| {
+            let cells = columns().filter_map(|column| column.cells.get(row));
+            cells.flat_map(|cell| cell.values.iter().cloned()).collect()
+        });
+        let lines: Vec<Vec<Value>> = [names.collect()].into_iter().chain(rows).collect();
+        tables::write(&folder.join(self.file), lines)
     }
 
     /// The table with further rows, each with a cell for every column.
@@ -227,15 +450,48 @@ impl Table {
         self
     }
 
-    /// The table without the columns `headings`, for a face that has no room for them.
+    /// The table without the columns `headings` in the terminal, which has no room for them.
     #[must_use]
-    pub fn without(mut self, headings: &[&str]) -> Self {
-        let names = |column: &Column| {
+    pub fn brief(self, headings: &[&str]) -> Self {
+        self.left_to(Faces::NotTerminal, headings)
+    }
+
+    /// The table with the columns `headings` in its file only.
+    #[must_use]
+    pub fn unshown_of(self, headings: &[&str]) -> Self {
+        self.left_to(Faces::File, headings)
+    }
+
+    fn left_to(mut self, faces: Faces, headings: &[&str]) -> Self {
+        for column in &mut self.columns {
             let name = column.heading.split(" [").next();
-            name.is_some_and(|name| headings.contains(&name))
-        };
-        self.columns.retain(|column| !names(column));
+            if name.is_some_and(|name| headings.contains(&name)) {
+                column.faces = faces;
+            }
+        }
         self
+    }
+
+    /// The table, whose columns are in its file only.
+    #[must_use]
+    pub fn unshown(mut self) -> Self {
+        for column in &mut self.columns {
+            column.faces = Faces::File;
+        }
+        self
+    }
+
+    /// Its columns on a page.
+    fn shown(&self) -> impl Iterator<Item = &Column> {
+        let columns = self.columns.iter();
+        columns.filter(|column| column.faces != Faces::File)
+    }
+
+    /// Its columns in the terminal.
+    fn in_terminal(&self) -> Vec<&Column> {
+        let columns = self.columns.iter();
+        let columns = columns.filter(|column| column.faces == Faces::All);
+        columns.collect()
     }
 
     /// The table with a class of the page's style.
@@ -256,19 +512,18 @@ impl Table {
         columns.map(|column| column.cells.len()).max().unwrap_or(0)
     }
 
-    fn headings(&self, widths: &[usize]) -> Vec<Vec<String>> {
-        let columns = self.columns.iter().zip(widths);
+    fn headings(columns: &[&Column], widths: &[usize]) -> Vec<Vec<String>> {
+        let columns = columns.iter().zip(widths);
         columns
             .map(|(column, width)| column.heading_lines(*width))
             .collect()
     }
 
     /// Widths of the columns in the terminal: as of their cells, wider where that makes the headings lower and there is room.
-    fn widths(&self, indent: &str) -> Vec<usize> {
-        let mut widths: Vec<usize> = self.columns.iter().map(Column::least_width).collect();
-        if let (Some(Kind::Text), Some((last, others))) =
-            (self.last_kind(), widths.split_last_mut())
-        {
+    fn widths(shown: &[&Column], indent: &str) -> Vec<usize> {
+        let mut widths: Vec<usize> = shown.iter().map(|column| column.least_width()).collect();
+        let last_kind = shown.last().map(|column| column.kind);
+        if let (Some(Kind::Text), Some((last, others))) = (last_kind, widths.split_last_mut()) {
             let left = others.iter().map(|width| width + 2).sum::<usize>() + length(indent);
             let room = COLUMNS.saturating_sub(left);
             if room >= LEAST_ROOM {
@@ -276,12 +531,12 @@ impl Table {
             }
         }
         loop {
-            let headings = self.headings(&widths);
+            let headings = Self::headings(shown, &widths);
             let tall = tallest(&headings);
             if tall <= USUAL {
                 return widths;
             }
-            let columns = self.columns.iter().zip(&widths).zip(headings);
+            let columns = shown.iter().zip(&widths).zip(headings);
             let lower = columns.map(|((column, width), lines)| match lines.len() == tall {
                 true => (*width..)
                     .find(|width| column.heading_lines(*width).len() < tall)
@@ -297,13 +552,9 @@ impl Table {
         }
     }
 
-    fn last_kind(&self) -> Option<Kind> {
-        self.columns.last().map(|column| column.kind)
-    }
-
     /// Lines of a row in the terminal: a long text in the last column has several.
-    fn lines(&self, row: usize, widths: &[usize]) -> Vec<Vec<String>> {
-        let cells = self.columns.iter().map(|column| column.cells.get(row));
+    fn lines(columns: &[&Column], row: usize, widths: &[usize]) -> Vec<Vec<String>> {
+        let cells = columns.iter().map(|column| column.cells.get(row));
         let cells = cells.map(|cell| cell.map_or(String::new(), |cell| cell.line().into_owned()));
         let mut cells: Vec<String> = cells.collect();
         let is_long = |(text, width): (&String, &usize)| length(text) > *width;
@@ -349,8 +600,9 @@ impl Table {
         if self.is_empty() {
             return String::new();
         }
-        let widths = self.widths(indent);
-        let headings = self.headings(&widths);
+        let columns = self.in_terminal();
+        let widths = Self::widths(&columns, indent);
+        let headings = Self::headings(&columns, &widths);
         let tall = tallest(&headings);
         let blank = String::new();
         let of_headings = (0..tall).map(|line| {
@@ -362,14 +614,14 @@ impl Table {
             };
             headings.iter().map(cell).collect::<Vec<String>>()
         });
-        let of_rows = (0..self.rows()).flat_map(|row| self.lines(row, &widths));
+        let of_rows = (0..self.rows()).flat_map(|row| Self::lines(&columns, row, &widths));
         let mut text = String::new();
         for cells in of_headings.chain(of_rows) {
             let mut line = indent.to_owned();
-            for ((cell, column), width) in cells.iter().zip(&self.columns).zip(&widths) {
+            for ((cell, column), width) in cells.iter().zip(&columns).zip(&widths) {
                 let padding = " ".repeat(width - cell.chars().count().min(*width));
                 line += &match column.kind {
-                    Kind::Number => format!("{padding}{cell}  "),
+                    Kind::Number | Kind::Interval => format!("{padding}{cell}  "),
                     Kind::Head | Kind::Text => format!("{cell}{padding}  "),
                 };
             }
@@ -391,10 +643,15 @@ impl IntoIterator for Table {
 
 impl Render for Table {
     fn render(&self) -> Markup {
-        let class = |column: &Column| (column.kind == Kind::Number).then_some("number");
-        html! { @if !self.is_empty() { div.scroll { table class=[(!self.class.is_empty()).then_some(self.class)] {
-            thead { tr { @for column in &self.columns { th class=[class(column)] { (column.heading) } } } }
-            tbody { @for row in 0..self.rows() { tr { @for column in &self.columns {
+        let class = |column: &Column| column.kind.is_number().then_some("number");
+        let file = (!self.file.is_empty()).then_some(self.file);
+        let named =
+            |column: &Column| (file.is_some() && !column.name.is_empty()).then_some(column.name);
+        html! { @if !self.is_empty() { div.scroll { table class=[(!self.class.is_empty()).then_some(self.class)] data-file=[file] {
+            thead { tr { @for column in self.shown() {
+                th class=[class(column)] data-column=[named(column)] { (column.heading) }
+            } } }
+            tbody { @for row in 0..self.rows() { tr { @for column in self.shown() {
                 @let cell = column.cells.get(row).cloned().unwrap_or_default();
                 @match column.kind {
                     Kind::Head => th scope="row" { (cell) },
@@ -407,25 +664,52 @@ impl Render for Table {
 
 /// A [`Table`](crate::Table) of rows, with one line for each column.
 ///
-/// A line is `kind field "heading" "unit"`, for a number with its digits, and `= value` where the value is not the field of
-/// this name: `number temperature_c "temperature" "°C" "{:.0}";`, `text slides "slide-to-roll ratios" "" = slides(row);`. The kind is
-/// `head`, `text`, `code` or `number`; a number without digits is a text that has its digits already. The row is a name, or a
-/// pattern in parentheses whose parts the values name: `columns! { (name, [low, high]) in rows; ... }`.
+/// A line is `kind name "heading" "unit"`, for a number with its digits, and `= value` where the value is not the field of
+/// this name: `number temperature_c "temperature" "°C" "{:.0}";`, `text slides "slide-to-roll ratios" "" = slides(row);`. The name
+/// is that of the column in the file of the table, if it has one. The row is a name, or a pattern in parentheses whose parts
+/// the values name: `columns! { (name, [low, high]) in rows; ... }`.
+///
+/// | kind | is |
+/// |---|---|
+/// | `head` | the name of the row |
+/// | `text`, `code` | a text |
+/// | `number` | a number; without digits a value that has its digits already |
+/// | `percent` | a share, shown in percent |
+/// | `interval` | a [`Cell`](crate::Cell) of a number with its interval, which is three columns of the file |
+/// | `shown` | a text that is not in the file |
+/// | `file` | a value that is in the file only: `file code = value;` |
 #[macro_export]
 macro_rules! columns {
-    ($row:tt in $rows:expr; $($kind:ident $name:ident $heading:literal $unit:literal $($digits:literal)? $(= $value:expr)?;)+) => {{
-        let columns = [$($crate::Column::new($crate::columns!(@kind $kind), $heading, $unit, [""; 0])),+];
+    ($row:tt in $rows:expr; $($kind:ident $name:ident $($heading:literal $unit:literal $($digits:literal)?)? $(= $value:expr)?;)+) => {{
+        let columns = [$($crate::columns!(@column $kind, $name, $($heading, $unit)?)),+];
         let rows = IntoIterator::into_iter($rows);
         $crate::Table::new(columns).with_rows(
-            rows.map(|$row| [$($crate::columns!(@cell $kind, $row, $name, [$($digits)?] [$($value)?])),+]),
+            rows.map(|$row| [$($crate::columns!(@cell $kind, $row, $name, [$($($digits)?)?] [$($value)?])),+]),
         )
     }};
+    (@column shown, $name:ident, $heading:literal, $unit:literal) => {
+        $crate::Column::new($crate::Kind::Text, $heading, $unit, [""; 0])
+    };
+    (@column file, $name:ident,) => {
+        $crate::Column::new($crate::Kind::Text, "", "", [""; 0]).named(stringify!($name)).unshown()
+    };
+    (@column $kind:ident, $name:ident, $heading:literal, $unit:literal) => {
+        $crate::Column::new($crate::columns!(@kind $kind), $heading, $unit, [""; 0]).named(stringify!($name))
+    };
     (@kind head) => { $crate::Kind::Head };
     (@kind text) => { $crate::Kind::Text };
     (@kind code) => { $crate::Kind::Text };
     (@kind number) => { $crate::Kind::Number };
+    (@kind percent) => { $crate::Kind::Number };
+    (@kind interval) => { $crate::Kind::Interval };
     (@cell code, $row:tt, $name:ident, [] $value:tt) => {
         $crate::Cell::code($crate::columns!(@value $row, $name, $value))
+    };
+    (@cell file, $row:tt, $name:ident, [] $value:tt) => {
+        $crate::Cell::from($crate::columns!(@value $row, $name, $value))
+    };
+    (@cell percent, $row:tt, $name:ident, [$digits:literal] $value:tt) => {
+        $crate::Cell::number($crate::columns!(@value $row, $name, $value), |value| format!($digits, 100.0 * value))
     };
     (@cell $kind:ident, $row:tt, $name:ident, [] $value:tt) => {
         $crate::Cell::from($crate::columns!(@value $row, $name, $value))

@@ -10,8 +10,10 @@
 //! | read a result back | [`read_result`] |
 //! | draw its page | [`html::render`], [`redraw`] |
 //! | print it in 80 columns | [`summary`] |
-//! | make a table for page and terminal | [`columns!`] |
+//! | say what a study found, for terminal, page and folder | [`Report`] |
+//! | make a table of it | [`columns!`] |
 
+mod blocks;
 pub mod chart;
 mod columns;
 mod error;
@@ -33,7 +35,8 @@ pub mod units;
 mod whole;
 mod wrap;
 
-pub use columns::{Cell, Column, Kind, Number, Table};
+pub use blocks::Report;
+pub use columns::{Cell, Column, Kind, Number, Table, Value};
 pub use folder::{
     Fields, PAGE, make_folder, parse_result, read_result, redraw, title_of, write_bytes,
     write_json, write_text, write_unsolved,

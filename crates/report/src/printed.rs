@@ -61,13 +61,14 @@ impl PrintedLoss {
         let boundary = powers.text(scale * s.boundary_w, in_sliding[2]);
         let of_asperities = scale * (s.lubricated_asperity_w + s.boundary_w);
         let interval = uncertainty.and_then(|uncertainty| uncertainty.boundary_w);
-        let interval = interval.map(|ends| ends.map(|watts| powers.digits.rounded(watts)));
         Self {
             loss: powers.text(median, loss),
             asperities: powers.text(of_asperities, in_sliding[1] + in_sliding[2]),
             boundary: match (interval, boundary.strip_suffix(" W")) {
-                (Some([low, high]), Some(number)) if low != high => {
-                    format!("{number} ({low}..{high}) W")
+                (Some(ends), Some(number))
+                    if powers.digits.rounded(ends[0]) != powers.digits.rounded(ends[1]) =>
+                {
+                    format!("{number} ({}) W", powers.digits.range(ends))
                 }
                 _ => boundary,
             },

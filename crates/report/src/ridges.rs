@@ -44,8 +44,7 @@ fn with_interval(value: f64, quantiles: Option<[f64; 2]>, unit: &str) -> String 
     match quantiles {
         Some([low, high]) if low < high => {
             let digits = Digits::of_uncertainty((0.5 * (high - low)).max(LEAST_W));
-            let [value, low, high] = [value, low, high].map(|w| digits.rounded(w));
-            format!("{value}{unit} ({low}..{high})")
+            digits.interval_with(unit, value, [low, high])
         }
         _ => format!("{}{unit}", watts(value)),
     }

@@ -6,28 +6,32 @@ use asperity_core::Fault;
 use asperity_storage::{check_folder, replace_folder};
 use serde::Serialize;
 
+use crate::Report;
 use crate::folder::{title_in, write_json, write_text};
 
-/// Result of a study: rows for tables, charts for a page, and a summary for the terminal.
+/// Result of a study, of which terminal, page and folder show the [`Report`].
 pub trait StudyResult: Serialize + Sized {
     /// Kind of the folder in messages.
     const KIND: &'static str;
     /// Name of the JSON file and of the page, without extension.
     const NAME: &'static str;
     /// Data besides the result that its folder shows; `()` if there are none.
-    type Context<'a>: Copy;
+    type Context<'a>: Copy
+    where
+        Self: 'a;
+
+    /// What it says.
+    fn report<'a>(&'a self, context: Self::Context<'a>) -> Report<'a>;
 
     /// Summary for the terminal.
-    fn summary(&self, context: Self::Context<'_>) -> String;
+    fn summary<'a>(&'a self, context: Self::Context<'a>) -> String {
+        self.report(context).terminal()
+    }
 
     /// Page of the result.
-    fn page(&self, context: Self::Context<'_>) -> String;
-
-    /// Writes the tables of the result into `folder`.
-    ///
-    /// # Errors
-    /// When a file cannot be written.
-    fn write_tables(&self, context: Self::Context<'_>, folder: &Path) -> Result<(), Fault>;
+    fn page<'a>(&'a self, context: Self::Context<'a>) -> String {
+        self.report(context).page()
+    }
 
     /// Checks that a result may be written as folder `target`.
     ///
@@ -46,12 +50,13 @@ pub trait StudyResult: Serialize + Sized {
     ///
     /// # Errors
     /// When a file cannot be written, or `target` holds something else.
-    fn write(&self, context: Self::Context<'_>, target: &Path) -> Result<(), Fault> {
+    fn write<'a>(&'a self, context: Self::Context<'a>, target: &Path) -> Result<(), Fault> {
         let name = Self::NAME;
         replace_folder(target, Self::KIND, |folder| {
             write_json(&folder.join(format!("{name}.json")), self)?;
-            self.write_tables(context, folder)?;
-            write_text(&folder.join(format!("{name}.html")), &self.page(context))
+            let report = self.report(context);
+            report.write_files(folder)?;
+            write_text(&folder.join(format!("{name}.html")), &report.page())
         })
     }
 }

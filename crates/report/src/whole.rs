@@ -75,7 +75,7 @@ pub(crate) fn tables(result: &Whole) -> String {
         text.push_str(&format!("{}\n", heat.line()));
     }
     let wide = ["sliding", "rolling", "p₀ at K_γ"];
-    text + &meshes(result).without(&wide).text("") + &shafts(result).text("")
+    text + &meshes(result).brief(&wide).text("") + &shafts(result).text("")
 }
 
 fn rpm(speed: f64) -> String {

@@ -31,7 +31,7 @@ fn columns_are_added_and_left_out_by_their_headings() {
         table().text("  "),
         "  square   cube\n   [mm²]  [mm³]\n       1      1\n       4      8\n"
     );
-    let squares = table().without(&["cube"]).text("");
+    let squares = table().brief(&["cube"]).text("");
     assert_eq!(squares.lines().last(), Some("     4"));
     let none = columns! { loss in [None, Some(0.125)]; number loss "loss" "W" "{:.2}" = loss; };
     assert_eq!(none.text("").lines().nth(2), Some("   -"));

@@ -304,8 +304,10 @@ impl Uncertainty {
                 format!("{text}; traces would hardly narrow the band")
             }
             Some(ends) => {
-                let [low, high] = ends.map(|loss| digits.rounded(loss));
-                format!("{text}; traces would narrow the band to {low}..{high} W")
+                format!(
+                    "{text}; traces would narrow the band to {} W",
+                    digits.range(ends)
+                )
             }
             None => text.to_owned(),
         }
@@ -376,13 +378,11 @@ pub fn with_interval(
 ) -> [String; 2] {
     let digits = Digits::of_interval([low, high]);
     let of_power = digits.of_percent(power_in_w);
-    let efficiency = |loss: f64| of_power.rounded(100.0 * (1.0 - loss / power_in_w));
-    let text = |of: &dyn Fn(f64) -> String, unit, [from, to]: [f64; 2]| {
-        format!("{}{unit} ({}..{})", of(median_w), of(from), of(to))
-    };
+    let efficiency = |loss: f64| 100.0 * (1.0 - loss / power_in_w);
+    let efficiencies = [high, low].map(efficiency);
     [
-        text(&|loss| digits.rounded(loss), watt, [low, high]),
-        text(&efficiency, percent, [high, low]),
+        digits.interval_with(watt, median_w, [low, high]),
+        of_power.interval_with(percent, efficiency(median_w), efficiencies),
     ]
 }
 
@@ -474,6 +474,60 @@ impl Digits {
     #[must_use]
     pub fn rounded(self, value: f64) -> String {
         self.text(self.steps(value))
+    }
+
+    /// `value` with the ends of its interval, all rounded to the last place.
+    ///
+    /// ```
+    /// use asperity::result::loss_band::Digits;
+    /// let ends = [517.0, 868.0];
+    /// assert_eq!(Digits::of_interval(ends).interval(662.1, ends), "660 (520..870)");
+    /// ```
+    #[must_use]
+    pub fn interval(self, value: f64, ends: [f64; 2]) -> String {
+        self.interval_with("", value, ends)
+    }
+
+    /// `value` with its `unit`, and the ends of its interval.
+    #[must_use]
+    pub fn interval_with(self, unit: &str, value: f64, ends: [f64; 2]) -> String {
+        format!("{}{unit} ({})", self.rounded(value), self.range(ends))
+    }
+
+    /// The ends of an interval, rounded to the last place.
+    #[must_use]
+    pub fn range(self, ends: [f64; 2]) -> String {
+        let [low, high] = ends.map(|end| self.rounded(end));
+        format!("{low}..{high}")
+    }
+
+    /// `value` rounded to the last place, with its sign.
+    ///
+    /// ```
+    /// use asperity::result::loss_band::Digits;
+    /// let signed = |value| Digits::of_decimals(0).signed(value);
+    /// assert_eq!([12.3, -0.4, -3.0].map(signed), ["+12", "0", "-3"]);
+    /// ```
+    #[must_use]
+    pub fn signed(self, value: f64) -> String {
+        self.signed_text(self.steps(value))
+    }
+
+    /// Whole `steps` as text, with their sign.
+    #[must_use]
+    pub fn signed_text(self, steps: f64) -> String {
+        match steps {
+            0.0 => "0".to_owned(),
+            steps if steps > 0.0 => format!("+{}", self.text(steps)),
+            _ => self.text(steps),
+        }
+    }
+
+    /// `value` with the ends of its interval, all rounded to the last place, with their signs.
+    #[must_use]
+    pub fn signed_interval(self, value: f64, ends: [f64; 2]) -> String {
+        let [low, high] = ends.map(|end| self.signed(end));
+        format!("{} ({low}..{high})", self.signed(value))
     }
 
     /// Whole steps nearest to `value`.

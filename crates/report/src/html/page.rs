@@ -6,13 +6,24 @@ use super::policy::{CHARTS, policy, style};
 use crate::chart::{Drawing, Dress};
 
 /// Section of a page.
-pub(super) struct Section<'a> {
+pub(crate) struct Section<'a> {
     /// Heading.
     pub name: &'a str,
     /// Content; an empty section is omitted.
     pub body: Markup,
     /// Whether the section is folded on the screen; on paper it is open.
     pub is_folded: bool,
+}
+
+impl<'a> Section<'a> {
+    /// A section without content.
+    pub(crate) fn new(name: &'a str, is_folded: bool) -> Self {
+        Self {
+            name,
+            body: html! {},
+            is_folded,
+        }
+    }
 }
 
 /// Renders a page of titled sections; empty sections are omitted.
@@ -26,7 +37,7 @@ pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String 
 }
 
 /// Renders a page of sections that may be folded.
-pub(super) fn page_of(title: &str, subtitle: &str, sections: &[Section<'_>]) -> String {
+pub(crate) fn page_of(title: &str, subtitle: &str, sections: &[Section<'_>]) -> String {
     let shown = || sections.iter().filter(|section| !section.body.0.is_empty());
     let anchor = |name: &str| name.to_lowercase().replace(' ', "-");
     let markup = html! {

@@ -36,14 +36,14 @@ pub(super) fn section(result: &RunResult) -> Markup {
 /// Table of ridges, numbered from 1.
 pub fn table(rows: &[RidgeRow]) -> Table {
     columns! { (k, row) in rows.iter().enumerate();
-        number ridge "ridge" "" = k + 1;
+        shown ridge "ridge" "" = k + 1;
         text flank "flank" "" = &row.flank;
         number place_mm "place" "mm" "{:.4}" = row.place_mm;
         number width_um "width" "µm" "{:.1}" = row.width_um;
         number height_um "height" "µm" "{:.3}" = row.height_um;
-        number first "first" "W" = watts(row.first_order_w);
-        number measured "measured" "W" = Cell::optional(row.measured_first_order_w.map(watts));
-        number mean "mean" "W" = saving_of(row);
+        number first_order_w "first" "W" = watts(row.first_order_w);
+        number measured_first_order_w "measured" "W" = Cell::optional(row.measured_first_order_w.map(watts));
+        number mean_gradient_w "mean" "W" = saving_of(row);
     }
 }
 

@@ -35,10 +35,8 @@
 
 mod error;
 mod lots;
-mod page;
+mod report;
 mod study;
-mod summary;
-mod write;
 
 pub use lots::RoughnessParameter;
 pub use study::{CallOut, CallOutSettings, CurvePoint, LimitRow, ParameterRow, TracesRow, callout};

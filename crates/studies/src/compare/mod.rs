@@ -4,15 +4,15 @@
 //! belongs to the same part of the trace as the loss.
 
 mod comparison;
-mod page;
+mod report;
 mod statistics;
-mod summary;
+mod tables;
 mod windows;
-mod write;
+mod words;
 
 pub(crate) use comparison::files;
 pub use comparison::{
     CaseRun, Comparison, Correlation, Finish, FinishResult, MeshOfFinish, compare, drawn_together,
 };
 pub use statistics::rank_correlation;
-pub use summary::{difference_with_interval, verdict};
+pub use words::{difference_with_interval, verdict};

@@ -19,10 +19,8 @@
 mod coverage;
 mod draws;
 mod energy;
-mod page;
-mod summary;
+mod report;
 mod trace;
-mod write;
 
 pub use coverage::{Coverage, Uncovered};
 pub use energy::{CycleFinish, CycleResult, evaluate};

@@ -38,10 +38,10 @@ mod grid;
 mod page;
 mod point;
 mod read;
+mod report;
 mod summary;
 mod surface;
 mod table;
-mod write;
 
 pub use axes::{Axes, axis};
 pub(crate) use draws::Place;
@@ -53,6 +53,6 @@ pub use point::{
     EXTENDED, FinishMap, Map, MapGearbox, MapWarning, MeshPart, Numbers, Point, ranges,
 };
 pub use read::read;
+pub use report::{EXPORTS, MapExtras};
 pub(crate) use summary::banded;
 pub use surface::{Interpolated, Surface, forwards};
-pub use write::{EXPORTS, MapExtras};

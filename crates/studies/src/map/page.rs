@@ -1,14 +1,14 @@
-//! Page of a map.
+//! Fields of a map over torque and speed.
 
 use asperity_core::numerics::range;
 use asperity_report::chart::{Axis, Contour, Drawing};
-use asperity_report::html::{figure, page};
-use asperity_report::{Table, columns};
+use asperity_report::html::figure;
+use asperity_report::{Report, Table, columns};
 use maud::{Markup, html};
 
 use super::axes::Axes;
 use super::point::{FinishMap, Map, Numbers, Point};
-use super::summary::{banded, extremes, left_aside, of_meshes, words};
+use super::summary::{banded, words};
 
 /// Approximate number of bands of a field.
 const BANDS: usize = 10;
@@ -91,51 +91,45 @@ fn with_common_levels(mut fields: Vec<Contour>, levels: fn(&[f64]) -> Vec<f64>) 
     fields.into_iter().map(drawing).collect()
 }
 
-pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
-    let drawn = drawn(&map.axes);
+/// The sections of the page after the extremes, added to `report`.
+pub(super) fn sections<'a>(
+    report: Report<'a>,
+    map: &'a Map,
+    visited: &'a [[f64; 2]],
+) -> Report<'a> {
     let [pinion, wheel] = map.shafts();
-    let charts =
-        |fields: &[Drawing]| html! { div.charts { @for field in fields { (figure(field)) } } };
-    let intervals = HALF_INTERVAL.fields(map, &drawn, visited);
-    let sections = [
-        (
-            "Loss",
-            html! {
-                (extremes(map))
-                (of_meshes(map))
-                p { "Loss of the " (map.scope) " over torque and speed of the " (pinion) "; negative torque: the "
-                    (wheel) " drives. "
-                    "All finishes have the same colours." }
-                @for finish in &map.finishes { @if let Some(text) = extrapolated(map, finish) { p { (text) } } }
-                (charts(&LOSS.fields(map, &drawn, visited)))
-            },
-        ),
-        (
-            "Efficiency",
-            html! {
-                p { "Each colour covers about a tenth of the points." }
-                (charts(&EFFICIENCY.fields(map, &drawn, visited)))
-            },
-        ),
-        ("Differences", differences(map, &drawn, visited)),
-        (
-            "Intervals",
-            html! {
-                @if !intervals.is_empty() {
-                    details { summary { "Half of the interval over torque and speed" } (charts(&intervals)) }
-                }
-                (bands(map))
-            },
-        ),
-        (
-            "Ranges",
-            html! { @for warning in &map.table_warnings { p { (warning) "." } } (ranges(map)) },
-        ),
-        ("Provenance", provenance(map)),
-    ];
-    let names: Vec<&str> = map.finishes.iter().map(|f| f.name.as_str()).collect();
-    let subtitle = format!("{} · map of {}", map.program, names.join(", "));
-    page(&map.title, &subtitle, &sections)
+    let axes = format!(
+        "Loss of the {} over torque and speed of the {pinion}; negative torque: the {wheel} drives. All finishes have the same colours.",
+        map.scope
+    );
+    let fields =
+        |quantity: &'static Quantity| move || quantity.fields(map, &drawn(&map.axes), visited);
+    let finishes = map.finishes.iter();
+    report
+        .text([axes])
+        .on_page()
+        .text(finishes.filter_map(|finish| extrapolated(map, finish)))
+        .on_page()
+        .figures(fields(&LOSS))
+        .section("Efficiency")
+        .text(["Each colour covers about a tenth of the points."])
+        .on_page()
+        .figures(fields(&EFFICIENCY))
+        .section("Differences")
+        .markup(|| differences(map, &drawn(&map.axes), visited))
+        .folded("Half of the interval over torque and speed")
+        .figures(fields(&HALF_INTERVAL))
+        .section("Intervals")
+        .markup(|| bands(map))
+        .section("Ranges")
+        .warning(&map.table_warnings)
+        .table(ranges(map))
+        .on_page()
+        .section("Provenance")
+        .text([scope(map)])
+        .on_page()
+        .table(files(map))
+        .on_page()
 }
 
 /// The extrapolations of `finish` beyond those at the operating point of the case, in words; `None` if there are none.
@@ -413,26 +407,30 @@ fn shortened(points: &str) -> String {
     }
 }
 
-fn provenance(map: &Map) -> Markup {
+fn files(map: &Map) -> Table {
     let files = map.finishes.iter().flat_map(|finish| {
         let drive = finish.files.iter().map(|pair| ("drive", pair));
         let coast = finish.coast_files.iter().map(|pair| ("coast", pair));
         drive.chain(coast).map(move |file| (finish, file))
     });
-    let table = columns! { (finish, (side, [file, sum])) in files;
+    columns! { (finish, (side, [file, sum])) in files;
         text finish "finish" "" = &finish.name;
         text flanks "flanks" "" = side;
         code file "file" "" = file;
         code sum "SHA-256" "" = sum;
-    };
-    html! {
-        p { "Scope: " (map.scope) " only; no bearings, seals, churning. Points below "
-            @for (k, finish) in map.finishes.iter().enumerate() {
-                @if k > 0 { ", " } (format!("{:.3} N m ({})", finish.resolved_from_nm[0], finish.name))
-            } " are extrapolated: the traces do not resolve their contact." }
-        @if let Some(note) = left_aside(map) { p { (note) "." } }
-        (table)
     }
+}
+
+/// What the losses include, and the torques from which contacts are resolved.
+fn scope(map: &Map) -> String {
+    let from = map.finishes.iter();
+    let from =
+        from.map(|finish| format!("{:.3} N m ({})", finish.resolved_from_nm[0], finish.name));
+    format!(
+        "Scope: {} only; no bearings, seals, churning. Points below {} are extrapolated: the traces do not resolve their contact.",
+        map.scope,
+        from.collect::<Vec<_>>().join(", ")
+    )
 }
 
 #[cfg(test)]

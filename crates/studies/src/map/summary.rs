@@ -1,4 +1,4 @@
-//! Summary of a map for the terminal.
+//! Extremes of a map and its notes, in words.
 
 use std::collections::BTreeMap;
 
@@ -6,39 +6,9 @@ use asperity::message::Warning;
 use asperity::result::loss_band::Digits;
 use asperity_core::Code;
 use asperity_core::numerics::range;
-use asperity_report::{Table, columns, wrapped};
-use asperity_storage::one_line;
+use asperity_report::{Table, columns};
 
 use super::point::{EXTENDED, FinishMap, Map, MeshPart, Numbers, Point};
-
-/// Summary of a map for the terminal.
-pub(super) fn summary(map: &Map) -> String {
-    let axes = &map.axes;
-    let mut text = format!(
-        "{}\n{} points: {} torques x {} speeds x {} temperatures (loss of the {} only)\n",
-        one_line(&map.title),
-        axes.points(),
-        axes.torque_nm.len(),
-        axes.speed_rpm.len(),
-        axes.temperature_c.len(),
-        map.scope
-    );
-    text.push_str(&extremes(map).text(""));
-    let meshes = of_meshes(map);
-    if !meshes.is_empty() {
-        text.push('\n');
-    }
-    text.push_str(&meshes.text(""));
-    if let Some(note) = left_aside(map) {
-        text.push_str(&format!("{}\n", wrapped(&note, "     ")));
-    }
-    text.push_str(&bands(map));
-    text.push_str(&notes(map));
-    for warning in &map.table_warnings {
-        text.push_str(&format!("{}\n", wrapped(&warning.to_string(), "     ")));
-    }
-    text
-}
 
 /// Largest loss, best efficiency and largest loss torque of each finish.
 pub(super) fn extremes(map: &Map) -> Table {
@@ -196,26 +166,24 @@ pub(super) fn words(mark: &str) -> &str {
 
 /// A median with its quantiles, or the `value` of a map without draws.
 pub(crate) fn banded(value: f64, drawn: Option<(f64, [f64; 2])>) -> String {
-    let Some((median, [low, high])) = drawn else {
+    let Some((median, ends)) = drawn else {
         return format!("{value:.1}");
     };
-    let digits = Digits::of_interval([low, high]);
-    let [median, low, high] = [median, low, high].map(|value| digits.rounded(value));
-    format!("{median} ({low}..{high})")
+    Digits::of_interval(ends).interval(median, ends)
 }
 
 /// W431, if the case states a gearbox.
-pub(super) fn left_aside(map: &Map) -> Option<String> {
+pub(super) fn left_aside(map: &Map) -> Option<Warning> {
     let gearbox = map.gearbox.as_ref()?;
     let text = format!(
         "losses are of the mesh; the other losses of the case ({}) are a separate part in exports",
         gearbox.parts.join(", ")
     );
-    Some(Warning::new(Code::W431, text).to_string())
+    Some(Warning::new(Code::W431, text))
 }
 
 /// Largest distances of the quantiles from the median, in percent.
-fn bands(map: &Map) -> String {
+pub(super) fn bands(map: &Map) -> impl Iterator<Item = String> {
     let of = |finish: &FinishMap| {
         let shares = finish.points.iter().filter_map(|point| {
             let numbers = point.numbers?;
@@ -227,18 +195,17 @@ fn bands(map: &Map) -> String {
         let points = shares.len();
         let [low, high] = range(shares.into_iter().flatten());
         (points > 0).then(|| {
-            let text = format!(
+            format!(
                 "{}: 5 and 95 % quantiles of the loss at most {low:+.0} and {high:+.0} % from its median, over {points} points",
                 finish.name
-            );
-            format!("{}\n", wrapped(&text, "     "))
+            )
         })
     };
-    map.finishes.iter().filter_map(of).collect()
+    map.finishes.iter().filter_map(of)
 }
 
 /// Distinct warnings of the points, with their finishes unless they apply to all.
-fn notes(map: &Map) -> String {
+pub(super) fn notes(map: &Map) -> Vec<String> {
     let mut notes: BTreeMap<&str, Vec<(&str, usize)>> = BTreeMap::new();
     for warning in &map.warnings {
         let entry = notes.entry(&warning.text).or_default();
@@ -252,12 +219,7 @@ fn notes(map: &Map) -> String {
                 _ => format!("{count} ({name})"),
             })
             .collect();
-        let counts = counts.join(", ");
-        let text = words(text);
-        format!(
-            "{}\n",
-            wrapped(&format!("{text}: {counts} points"), "     ")
-        )
+        format!("{}: {} points", words(text), counts.join(", "))
     });
     lines.collect()
 }

@@ -14,9 +14,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod page;
+mod report;
 mod study;
-mod summary;
-mod write;
 
 pub use study::{RUNS, RidgeSettings, RidgeStudy, add_ridges, ridges};

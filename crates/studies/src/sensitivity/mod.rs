@@ -16,10 +16,8 @@
 
 mod bands;
 mod changes;
-mod page;
+mod report;
 mod study;
-mod summary;
-mod write;
 
 pub use bands::wavelength_bands;
 pub use study::{Effect, Refused, Sensitivity, SensitivityRow, SensitivitySettings, sensitivity};

@@ -15,16 +15,15 @@ mod error;
 mod known_columns;
 mod merge;
 mod merged;
-mod page;
 mod parts;
 mod plan;
 mod refused;
+mod report;
 mod run;
 mod settings;
 mod study;
 mod study_input;
 mod words;
-mod write;
 
 pub use asperity_core::numerics::standard_normal_quantile;
 pub use cases::Cases;

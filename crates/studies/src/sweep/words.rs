@@ -71,45 +71,50 @@ impl Output {
         let [low, high] = effect.quantiles.map(|end| self.factor * end);
         let value = self.factor * effect.difference;
         let half = (0.5 * (high - low)).max(0.01 * value.abs());
-        let decimals = match half > 0.0 {
-            true => -(0.5 * half).log10().floor() as i32,
-            false => 0,
-        };
-        let digits = Digits::of_decimals(decimals);
-        let signed = |value: f64| match digits.steps(value) > 0.0 {
-            true => format!("+{}", digits.rounded(value)),
-            false => digits.rounded(value),
-        };
-        let text = format!(
-            "{} ({}..{}) {}",
-            signed(value),
-            signed(low),
-            signed(high),
-            self.unit
-        );
-        text.trim_end().to_owned()
+        let text = Digits::of_uncertainty(half).signed_interval(value, [low, high]);
+        format!("{text} {}", self.unit).trim_end().to_owned()
     }
 }
+
+/// Table of the effects.
+pub(super) const EFFECTS: &str = "effects.csv";
 
 /// The effects of the inputs by the regression.
 pub(super) fn table(merged: &Merged) -> Table {
     let effects = merged.effects.iter();
-    let rows = effects.filter_map(|row| Some((row, Output::of(&row.output), row.effect?)));
-    let table = columns! { (row, output, effect) in rows.clone();
-        text output "result" "" = &output.name;
-        text input "input" "" = input_name(&row.input);
-        code key "key" "" = &row.input;
-        number change "change" "" = output.change(&effect);
-        number correlation "correlation" "" "{:+.2}" = effect.correlation;
+    let rows = effects.map(|row| (row, Output::of(&row.output), row.effect.as_ref()));
+    let table = columns! { (row, output, effect) in rows;
+        text output "result" "" = Cell::shown(output.name.clone(), row.output.as_str().into());
+        shown words "input" "" = input_name(&row.input);
+        code input "key" "" = &row.input;
+        file low = Cell::optional(effect.map(|effect| effect.low));
+        file high = Cell::optional(effect.map(|effect| effect.high));
+        interval difference "change" "" = Cell::with_ends(
+            effect.map_or("-".to_owned(), |effect| output.change(effect)),
+            effect.map(|effect| effect.difference),
+            effect.map(|effect| effect.quantiles),
+        );
+        number correlation "correlation" "" "{:+.2}" = effect.map(|effect| effect.correlation);
     };
-    if rows.clone().all(|(row, ..)| row.indices.is_none()) {
-        return table;
-    }
-    let index = |value: f64, [low, high]: [f64; 2]| format!("{value:.2} ({low:.2}..{high:.2})");
-    table.with(columns! { (row, _, _) in rows;
-        number first "first index" "" = Cell::optional(row.indices.map(|of| index(of.first, of.first_interval)));
-        number total "total index" "" = Cell::optional(row.indices.map(|of| index(of.total, of.total_interval)));
-    })
+    let digits = Digits::of_decimals(2);
+    let index = |of: Option<(f64, [f64; 2])>| {
+        Cell::optional(
+            of.map(|(value, ends)| Cell::shown(digits.interval(value, ends), value.into())),
+        )
+    };
+    let indices = columns! { row in &merged.effects;
+        number first "first index" "" = index(row.indices.map(|of| (of.first, of.first_interval)));
+        file first_low = Cell::optional(row.indices.map(|of| of.first_interval[0]));
+        file first_high = Cell::optional(row.indices.map(|of| of.first_interval[1]));
+        number total "total index" "" = index(row.indices.map(|of| (of.total, of.total_interval)));
+        file total_low = Cell::optional(row.indices.map(|of| of.total_interval[0]));
+        file total_high = Cell::optional(row.indices.map(|of| of.total_interval[1]));
+    };
+    let indices = match merged.effects.iter().any(|row| row.indices.is_some()) {
+        true => indices,
+        false => indices.unshown(),
+    };
+    table.with(indices).brief(&["input"]).in_file(EFFECTS)
 }
 
 /// An input in words: the parts of its key after the table, indices of lists as the gears.

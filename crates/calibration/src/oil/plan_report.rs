@@ -1,16 +1,13 @@
-//! Page, tables and summary of a plan of traction measurements.
+//! What a plan of traction measurements says.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity::case::law_error;
 use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
-use asperity_report::html::{figure, page};
 use asperity_report::{
-    Cell, Column, Kind, StudyResult, Table, columns, tables, wrapped, write_bytes,
+    Cell, Column, Kind, Report, StudyResult, Table, columns, tables, write_bytes,
 };
-use maud::{Markup, Render, html};
 use serde::Serialize;
 
 use super::plan::{OilPlan, PlannedCurve, PlannedPoint, Stage, WHOLE};
@@ -49,55 +46,53 @@ impl StudyResult for OilPlan {
     const NAME: &'static str = "oil_plan";
     type Context<'a> = ();
 
-    fn summary(&self, (): ()) -> String {
-        let mut text = format!("{WHOLE}\n{}\n", curves(self).text(""));
-        text += &stages(self).text("");
-        for line in notes(self) {
-            text.push_str(&wrapped(&line, "  "));
-            text.push('\n');
+    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+        let simulated =
+            format!("{SIMULATED_TABLE} holds {SIMULATED} readings of the minimal plan.");
+        let report = Report::new(&self.title, format!("{} · traction plan", self.program))
+            .section("Minimal plan")
+            .heading(WHOLE)
+            .in_terminal()
+            .table(curves(self))
+            .text([TO_FILL_IN_TEXT])
+            .on_page()
+            .section("Expected errors")
+            .figures(|| [errors(self)])
+            .table(stages(self))
+            .text(notes(self))
+            .section(choice(self))
+            .heading(choice(self))
+            .in_terminal()
+            .table(chosen(self))
+            .text(self.is_simulated().then_some(simulated))
+            .rows(TO_FILL_IN, || self.rows(|_| None))
+            .rows(ERRORS, || self.stages.iter().flat_map(error_rows));
+        match self.is_simulated() {
+            true => report.file(|folder| self.write_simulated(&folder.join(SIMULATED_TABLE))),
+            false => report,
         }
-        text += &format!("\n{}\n{}", choice(self), chosen(self).text(""));
-        if self.is_simulated() {
-            let _ = writeln!(
-                text,
-                "{SIMULATED_TABLE} holds {SIMULATED} readings of the minimal plan"
-            );
-        }
-        text
-    }
-
-    fn page(&self, (): ()) -> String {
-        let sections = [
-            ("Expected errors", errors(self)),
-            ("Minimal plan", minimal(self)),
-            (choice(self), chosen(self).render()),
-        ];
-        let subtitle = format!("{} · traction plan", self.program);
-        page(&self.title, &subtitle, &sections)
-    }
-
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
-        tables::write(&folder.join(TO_FILL_IN), self.rows(|_| None))?;
-        if self.is_simulated() {
-            let file = folder.join(SIMULATED_TABLE);
-            let mut bytes =
-                format!("# {SIMULATED} by {}: not measured\n", self.program).into_bytes();
-            bytes.extend(tables::text(
-                &file,
-                self.rows(|point| point.simulated_traction),
-            )?);
-            write_bytes(&file, &bytes)?;
-        }
-        let rows = self.stages.iter().flat_map(error_rows);
-        tables::write(&folder.join(ERRORS), rows)
     }
 }
+
+/// What the table to fill in is.
+const TO_FILL_IN_TEXT: &str =
+    "plan.csv is the table to fill in, with the friction expected before any test.";
 
 impl OilPlan {
     /// Whether it holds simulated readings.
     fn is_simulated(&self) -> bool {
         let mut points = self.points.iter();
         points.any(|point| point.simulated_traction.is_some())
+    }
+
+    /// Writes simulated readings of the minimal plan.
+    fn write_simulated(&self, file: &Path) -> Result<(), Fault> {
+        let mut bytes = format!("# {SIMULATED} by {}: not measured\n", self.program).into_bytes();
+        bytes.extend(tables::text(
+            file,
+            self.rows(|point| point.simulated_traction),
+        )?);
+        write_bytes(file, &bytes)
     }
 
     /// Rows of the minimal plan, both signs of each point, with friction.
@@ -204,7 +199,7 @@ fn notes(plan: &OilPlan) -> Vec<String> {
     notes
 }
 
-fn errors(plan: &OilPlan) -> Markup {
+fn errors(plan: &OilPlan) -> Drawing {
     let measured = plan.stages.split_last().map_or(&[][..], |(_, rest)| rest);
     let mut chart = Chart::new(
         "errors",
@@ -227,11 +222,7 @@ fn errors(plan: &OilPlan) -> Markup {
             .filter_map(|stage| Some([stage.minutes, 100.0 * stage.loss_deviation? / before]));
         chart = chart.with(Series::through("loss of the case", Line::Ink, points));
     }
-    html! {
-        div.charts { (figure(&Drawing::Curves(chart))) }
-        (stages(plan))
-        @for note in notes(plan) { p { (note) } }
-    }
+    Drawing::Curves(chart)
 }
 
 /// Curves of the minimal plan.
@@ -243,13 +234,6 @@ fn curves(plan: &OilPlan) -> Table {
         number pressure_gpa "Hertz pressure" "GPa" "{:.2}";
         number film_ratio "film over roughness" "" "{:.1}";
         text slides "slide-to-roll ratios, both signs" "%" = slides(curve);
-    }
-}
-
-fn minimal(plan: &OilPlan) -> Markup {
-    html! {
-        (curves(plan))
-        p { code { (TO_FILL_IN) } " is the table to fill in, with the friction expected before any test." }
     }
 }
 

@@ -1,19 +1,14 @@
-//! Page, tables and summary of a boundary friction from Stribeck curves.
-
-use std::path::Path;
+//! What a boundary friction from Stribeck curves says.
 
 use asperity::case::CalibratedName;
-use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Mark, Series};
-use asperity_report::html::{figure, page};
-use asperity_report::{Cell, StudyResult, Table, columns, tables, write_text};
-use maud::{Markup, html};
+use asperity_report::{Cell, Report, StudyResult, Table, columns};
 
 use super::stribeck::{BoundaryState, Stribeck};
 use super::text::is_simulated_source;
 use super::traction::BOUNDARY_RATIO;
 use crate::block::{constant, digits, origin};
-use crate::page::{files, notes, warnings};
+use crate::report::{files, notes};
 
 const POINTS: &str = "points.csv";
 
@@ -22,30 +17,21 @@ impl StudyResult for Stribeck {
     const NAME: &'static str = "stribeck";
     type Context<'a> = ();
 
-    fn summary(&self, (): ()) -> String {
-        let mut text = states(self).text("");
-        text += &notes(&sentences(self), &self.sources, &self.warnings);
-        text.push_str("for the case (low and high are the 2.5 % and 97.5 % quantiles):\n");
-        text.push_str(&self.block());
-        text
-    }
-
-    fn page(&self, (): ()) -> String {
-        let sections = [
-            ("Boundary friction", friction(self)),
-            (
-                "For the case",
-                html! { pre { code { (self.block()) } } p { "low and high are the 2.5 % and 97.5 % quantiles." } },
-            ),
-            ("Provenance", files(&self.sources)),
-        ];
-        let subtitle = format!("{} · boundary friction", self.program);
-        page(&self.title, &subtitle, &sections)
-    }
-
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
-        write_text(&folder.join("case.toml"), &self.block())?;
-        tables::write(&folder.join(POINTS), self.points.iter())
+    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+        let report = Report::new(&self.title, format!("{} · boundary friction", self.program))
+            .section("Boundary friction")
+            .verdict([verdict(self)])
+            .figures(|| [friction(self)])
+            .table(states(self));
+        notes(report, sentences(self), &self.sources, &self.warnings)
+            .section("For the case")
+            .text(["For the case (low and high are the 2.5 % and 97.5 % quantiles):"])
+            .code(self.block())
+            .section("Provenance")
+            .table(files(&self.sources))
+            .on_page()
+            .text_file("case.toml", self.block())
+            .rows(POINTS, || &self.points)
     }
 }
 
@@ -84,27 +70,34 @@ fn states(stribeck: &Stribeck) -> Table {
     }
 }
 
-fn sentences(stribeck: &Stribeck) -> Vec<String> {
+/// The boundary friction with its interval.
+fn verdict(stribeck: &Stribeck) -> String {
     let temperatures = stribeck.temperatures_c.iter();
     let temperatures: Vec<String> = temperatures.map(|at| format!("{at:.0}")).collect();
     let [low, high] = stribeck.range.map(digits);
+    format!(
+        "Boundary friction {} ({low} to {high}, 5 to 95 %) at {} °C.",
+        digits(stribeck.boundary_friction),
+        temperatures.join(", ")
+    )
+}
+
+fn sentences(stribeck: &Stribeck) -> Vec<String> {
     vec![
         format!(
-            "Boundary friction {} ({low}..{high}, 5 to 95 %) at {} °C: the mean of the points with a film of at most {BOUNDARY_RATIO} times the roughness of {:.0} nm after the longest rubbing",
-            digits(stribeck.boundary_friction),
-            temperatures.join(", "),
+            "It is the mean of the points with a film of at most {BOUNDARY_RATIO} times the roughness of {:.0} nm after the longest rubbing.",
             stribeck.roughness_nm
         ),
         format!(
-            "Standard deviation {:.1} %: 10 % for the transfer from the machine to a gear (judgement), and the scatter",
+            "Standard deviation {:.1} %: 10 % for the transfer from the machine to a gear (judgement), and the scatter.",
             100.0 * stribeck.deviation
         ),
-        "Smooth specimens do not show the thickness of the boundary layer; losses of a rig do"
+        "Smooth specimens do not show the thickness of the boundary layer; losses of a rig do."
             .to_owned(),
     ]
 }
 
-fn friction(stribeck: &Stribeck) -> Markup {
+fn friction(stribeck: &Stribeck) -> Drawing {
     let mut chart = Chart::new(
         "stribeck",
         "Friction over the film",
@@ -124,10 +117,5 @@ fn friction(stribeck: &Stribeck) -> Markup {
             label: "boundary".to_owned(),
         }])
         .level(stribeck.boundary_friction, "boundary friction");
-    html! {
-        (warnings(&stribeck.warnings))
-        @for line in sentences(stribeck) { p { (line) "." } }
-        div.charts { (figure(&Drawing::Curves(chart))) }
-        (states(stribeck))
-    }
+    Drawing::Curves(chart)
 }

@@ -1,67 +1,43 @@
-//! Summary of a comparison for the terminal.
+//! Tables and sentences of a comparison.
 
-use asperity_report::{Cell, Table, columns, stated, stated_parts, wrapped};
-use asperity_storage::one_line;
+use asperity_report::{Cell, Table, Value, columns, stated, stated_parts};
 
 use asperity::result::loss_band::Digits;
 use asperity::uncertainty::{PairedDifference, Predictive, Verdict};
 
 use super::comparison::{Comparison, FinishResult};
 
-/// Summary of a comparison for the terminal.
-pub(super) fn summary(comparison: &Comparison) -> String {
-    let mut text = format!("{}\n", one_line(&comparison.title));
-    text.push_str(&table(comparison).without(&["mixed", "regime"]).text(""));
-    let meshes = meshes(comparison);
-    if !meshes.is_empty() {
-        text.push('\n');
-    }
-    text.push_str(&meshes.text(""));
-    for verdict in comparison.verdicts() {
-        text.push_str(&format!("{}\n", wrapped(&one_line(&verdict), "  ")));
-    }
-    text.push_str(&format!("{}\n", wrapped(&note(comparison), "  ")));
-    for line in run_in(comparison) {
-        text.push_str(&format!("{}\n", wrapped(&one_line(&line), "  ")));
-    }
-    text.push_str(&format!("{}\n", wrapped(&scope(comparison), "  ")));
-    let best: Vec<String> = comparison
-        .correlations
-        .iter()
-        .take(4)
-        .map(|entry| format!("{} {:+.2}", entry.parameter, entry.with_loss))
-        .collect();
-    if !best.is_empty() {
-        text.push_str(&format!(
-            "rank correlation of roughness with the computed loss ({} windows; the model's own input)\n  {}\n",
-            comparison.windows,
-            best.join("   ")
-        ));
-    }
-    text.push_str(&warnings(comparison));
-    text
-}
-
 /// Efficiency and loss of each finish; of a single mesh also its lubrication.
 pub(super) fn table(comparison: &Comparison) -> Table {
-    let rows = || {
-        let finishes = comparison.finishes.iter();
-        finishes.map(|finish| (finish, cells(comparison, finish)))
-    };
-    let table = columns! { (finish, [loss, difference, change]) in rows();
-        head name "finish" "" = &finish.name;
-        number efficiency "efficiency" "%" = efficiency(finish);
-        number loss "loss" "W" = loss;
-        number difference "minus the first" "W" = difference;
-        number change "change" "%" = change;
-    };
-    if comparison.pairs().next().is_none() {
-        return table;
-    }
-    table.with(columns! { (finish, _) in rows();
-        number mixed "mixed" "%" "{:.0}" = finish.mixed_share.map(|share| 100.0 * share);
+    let finishes = comparison.finishes.iter();
+    let rows = finishes.map(|finish| {
+        let losses = OfFinish {
+            loss_w: finish.loss_w,
+            first_w: comparison.first_w(finish),
+            drawn: finish.drawn_w(),
+            difference: finish.difference.as_ref(),
+        };
+        (finish, losses)
+    });
+    let table = columns! { (finish, losses) in rows;
+        head finish "finish" "" = &finish.name;
+        number efficiency_median_percent "efficiency" "%" = efficiency(finish);
+        file efficiency_percent = 100.0 * finish.efficiency;
+        file loss_w = finish.loss_w;
+        interval loss_median_w "loss" "W" = losses.loss();
+        interval difference_w "minus the first" "W" = losses.difference();
+        interval change_percent "change" "%" = losses.change();
+        number mixed_share_percent "mixed" "%" "{:.0}" = finish.mixed_share.map(|share| 100.0 * share);
         text regime "regime" "" = Cell::optional(finish.regime.map(|regime| regime.name()));
-    })
+        file gearbox_efficiency_percent = Cell::optional(finish.gearbox.as_ref().map(|g| 100.0 * g.efficiency));
+        file gearbox_loss_w = Cell::optional(finish.gearbox.as_ref().map(|g| g.loss_w));
+        file outside = finish.outside();
+    };
+    let table = match comparison.pairs().next() {
+        Some(_) => table.brief(&["mixed", "regime"]),
+        None => table.unshown_of(&["mixed", "regime"]),
+    };
+    table.in_file("compare.csv")
 }
 
 /// Loss of every mesh of a gear train with every finish, mesh by mesh.
@@ -78,95 +54,124 @@ pub(super) fn meshes(comparison: &Comparison) -> Table {
                 1 => String::new(),
                 count => format!("{count} × "),
             };
-            let drawn = mesh.loss_median_w.zip(mesh.loss_quantiles_w);
-            let first = comparison
-                .is_later(finish)
-                .then(|| comparison.finishes[0].meshes[k].loss_w);
-            let cells = texts((mesh.loss_w, first), drawn, mesh.difference.as_ref());
-            Some((format!("{times}{}, {}", mesh.mesh, finish.name), cells))
+            let losses = OfFinish {
+                loss_w: mesh.loss_w,
+                first_w: comparison
+                    .is_later(finish)
+                    .then(|| comparison.finishes[0].meshes[k].loss_w),
+                drawn: mesh.loss_median_w.zip(mesh.loss_quantiles_w),
+                difference: mesh.difference.as_ref(),
+            };
+            let name = format!("{times}{}, {}", mesh.mesh, finish.name);
+            Some((finish, mesh, name, losses))
         })
     });
-    columns! { (name, [loss, difference, change]) in rows;
-        head name "mesh and finish" "" = name;
-        number loss "loss" "W" = loss;
-        number difference "minus the first" "W" = difference;
-        number change "change" "%" = change;
-    }
+    let table = columns! { (finish, mesh, name, losses) in rows;
+        shown name "mesh and finish" "" = name;
+        file finish = &finish.name;
+        file mesh = &mesh.mesh;
+        file count = mesh.count;
+        file loss_w = mesh.loss_w;
+        interval loss_median_w "loss" "W" = losses.loss();
+        interval difference_w "minus the first" "W" = losses.difference();
+        interval change_percent "change" "%" = losses.change();
+        file mixed_share_percent = 100.0 * mesh.mixed_share;
+        file regime = mesh.regime.name();
+    };
+    table.in_file("meshes.csv")
 }
 
 /// Median of the efficiency in percent, with the digits that its interval leaves; without an interval the efficiency of
 /// the run.
-fn efficiency(finish: &FinishResult) -> String {
-    match finish.drawn_w() {
-        Some((median, quantiles)) => {
-            let percent = Digits::of_interval(quantiles).of_percent(finish.power_in_w);
-            percent.rounded(100.0 * (1.0 - median / finish.power_in_w))
-        }
-        None => format!("{:.4}", 100.0 * finish.efficiency),
+fn efficiency(finish: &FinishResult) -> Cell {
+    let (percent, digits) = match finish.drawn_w() {
+        Some((median, quantiles)) => (
+            100.0 * (1.0 - median / finish.power_in_w),
+            Digits::of_interval(quantiles).of_percent(finish.power_in_w),
+        ),
+        None => (100.0 * finish.efficiency, Digits::of_decimals(4)),
+    };
+    Cell::shown(digits.rounded(percent), Value::Number(percent))
+}
+
+/// The loss of a finish as it is shown: the median with its quantiles if it is drawn.
+pub(super) fn loss(finish: &FinishResult) -> String {
+    shown_loss(finish.loss_w, finish.drawn_w())
+}
+
+fn shown_loss(loss_w: f64, drawn: Option<(f64, [f64; 2])>) -> String {
+    match drawn {
+        Some((median, quantiles)) => interval(median, quantiles, false),
+        None => Digits::of_decimals(1).rounded(loss_w),
     }
 }
 
-/// Loss, difference and change of a finish, each with its quantiles.
-pub(super) fn cells(comparison: &Comparison, finish: &FinishResult) -> [String; 3] {
-    texts(
-        (finish.loss_w, comparison.first_w(finish)),
-        finish.drawn_w(),
-        finish.difference.as_ref(),
-    )
+/// Losses of a finish or of one of its meshes.
+struct OfFinish<'a> {
+    loss_w: f64,
+    /// Loss with the first finish; `None` of the first itself.
+    first_w: Option<f64>,
+    drawn: Option<(f64, [f64; 2])>,
+    difference: Option<&'a PairedDifference>,
 }
 
-/// The same of a loss, and of the loss with the first finish; `None` of the first itself.
-fn texts(
-    (loss_w, first_w): (f64, Option<f64>),
-    drawn: Option<(f64, [f64; 2])>,
-    difference: Option<&PairedDifference>,
-) -> [String; 3] {
-    let loss = match drawn {
-        Some((median, quantiles)) => interval(median, quantiles, false),
-        None => Digits::of_decimals(1).rounded(loss_w),
-    };
-    let [watts, percent] = match (difference, first_w) {
-        (Some(difference), _) => difference_with_interval(difference),
-        (None, Some(first)) => {
-            let watts = loss_w - first;
-            [watts, 100.0 * watts / first].map(|value| signed(Digits::of_decimals(1), value))
+impl OfFinish<'_> {
+    fn loss(&self) -> Cell {
+        let (median, quantiles) = self.drawn.unzip();
+        Cell::with_ends(shown_loss(self.loss_w, self.drawn), median, quantiles)
+    }
+
+    fn difference(&self) -> Cell {
+        let drawn = self.difference.map(|of| (of.median_w, of.quantiles_w));
+        self.against_first(drawn, |first| self.loss_w - first)
+    }
+
+    fn change(&self) -> Cell {
+        let drawn = self.difference.map(in_percent);
+        self.against_first(drawn, |first| 100.0 * (self.loss_w - first) / first)
+    }
+
+    fn against_first(&self, drawn: Option<(f64, [f64; 2])>, of_runs: impl Fn(f64) -> f64) -> Cell {
+        match (drawn, self.first_w.map(of_runs)) {
+            (Some((median, ends)), _) => {
+                Cell::with_ends(interval(median, ends, true), Some(median), Some(ends))
+            }
+            (None, Some(value)) => {
+                Cell::with_ends(Digits::of_decimals(1).signed(value), Some(value), None)
+            }
+            (None, None) => Cell::with_ends("reference", None, None),
         }
-        (None, None) => ["reference", "reference"].map(str::to_owned),
-    };
-    [loss, watts, percent]
+    }
+}
+
+/// Median and quantiles of the relative difference in percent.
+fn in_percent(difference: &PairedDifference) -> (f64, [f64; 2]) {
+    let quantiles = difference.share_quantiles.map(|share| 100.0 * share);
+    (100.0 * difference.median_share, quantiles)
 }
 
 /// A difference in watts and in percent, each with its quantiles and its sign, without units.
 #[must_use]
 pub fn difference_with_interval(difference: &PairedDifference) -> [String; 2] {
+    let (share, quantiles) = in_percent(difference);
     [
         interval(difference.median_w, difference.quantiles_w, true),
-        interval(
-            100.0 * difference.median_share,
-            difference.share_quantiles.map(|share| 100.0 * share),
-            true,
-        ),
+        interval(share, quantiles, true),
     ]
 }
 
 /// A median with its interval and the digits that this leaves, with signs if `is_signed`; a difference that is exactly 0 has
 /// no interval.
-fn interval(median: f64, [low, high]: [f64; 2], is_signed: bool) -> String {
+fn interval(median: f64, ends: [f64; 2], is_signed: bool) -> String {
+    let [low, high] = ends;
     if [median, low, high] == [0.0; 3] {
         return "0".to_owned();
     }
-    let digits = Digits::of_difference([low, high]);
-    let text = |value: f64| match is_signed {
-        true => signed(digits, value),
-        false => digits.rounded(value),
-    };
-    format!("{} ({}..{})", text(median), text(low), text(high))
-}
-
-/// A rounded value with its sign.
-fn signed(digits: Digits, value: f64) -> String {
-    let sign = if digits.steps(value) > 0.0 { "+" } else { "" };
-    format!("{sign}{}", digits.rounded(value))
+    let digits = Digits::of_difference(ends);
+    match is_signed {
+        true => digits.signed_interval(median, ends),
+        false => digits.interval(median, ends),
+    }
 }
 
 impl Comparison {
@@ -218,8 +223,7 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
     let count = difference.models.len();
     let range = difference.model_range_w().map_or(String::new(), |range| {
         let digits = Digits::of_interval(difference.quantiles_w);
-        let [low, high] = turned(range).map(|loss| digits.rounded(loss));
-        format!(" ({low}..{high} W)")
+        format!(" ({} W)", digits.range(turned(range)))
     });
     match &difference.verdict {
         Verdict::Equal => format!("{other} loses exactly as much as {first}"),
@@ -320,7 +324,7 @@ pub(super) fn scope(comparison: &Comparison) -> String {
 }
 
 /// Distinct warnings, with their finishes unless they apply to all.
-fn warnings(comparison: &Comparison) -> String {
+pub(super) fn warnings(comparison: &Comparison) -> Vec<String> {
     let mut finishes_of: Vec<(&str, Vec<&str>)> = Vec::new();
     for finish in &comparison.finishes {
         for warning in &finish.warnings {
@@ -330,26 +334,32 @@ fn warnings(comparison: &Comparison) -> String {
             }
         }
     }
-    let lines = finishes_of.iter().map(|(warning, names)| {
-        let whose = match names.len() == comparison.finishes.len() {
-            true => String::new(),
-            false => format!(" ({})", names.join(", ")),
-        };
-        let line = format!("{warning}{whose}");
-        format!("{}\n", wrapped(&one_line(&line), "     "))
-    });
+    let lines = finishes_of.iter();
+    let lines = lines.map(
+        |(warning, names)| match names.len() == comparison.finishes.len() {
+            true => (*warning).to_owned(),
+            false => format!("{warning} ({})", names.join(", ")),
+        },
+    );
     lines.collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::texts;
+    use super::OfFinish;
 
     #[test]
     fn a_later_finish_has_a_difference_with_and_without_draws() {
-        let later = texts((414.1, Some(6736.4)), None, None);
-        assert_eq!(later, ["414.1", "-6322.3", "-93.9"]);
-        let first = texts((6736.4, None), None, None);
-        assert_eq!(first, ["6736.4", "reference", "reference"]);
+        let texts = |loss_w, first_w| {
+            let losses = OfFinish {
+                loss_w,
+                first_w,
+                drawn: None,
+                difference: None,
+            };
+            [losses.loss(), losses.difference(), losses.change()].map(|cell| cell.text().to_owned())
+        };
+        assert_eq!(texts(414.1, Some(6736.4)), ["414.1", "-6322.3", "-93.9"]);
+        assert_eq!(texts(6736.4, None), ["6736.4", "reference", "reference"]);
     }
 }

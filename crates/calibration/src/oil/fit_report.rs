@@ -1,18 +1,12 @@
-//! Page, tables and summary of a fit to traction curves.
-
-use std::fmt::Write as _;
-use std::path::Path;
+//! What a fit to traction curves says.
 
 use asperity::result::loss_band::Digits;
-use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
-use asperity_report::html::{figure, page};
-use asperity_report::{Cell, StudyResult, Table, columns, tables};
-use maud::{Markup, Render, html};
+use asperity_report::{Cell, Report, StudyResult, Table, columns};
 
 use super::oil_fit::{FittedConstant, OilFit, TractionPointRow};
 use super::selection::Dropped;
-use crate::page::{correlations, files, notes, warnings};
+use crate::report::{correlations, files, notes};
 use crate::summary::in_unit;
 
 /// The oil file.
@@ -27,50 +21,72 @@ impl StudyResult for OilFit {
     const NAME: &'static str = "oil_fit";
     type Context<'a> = ();
 
-    fn summary(&self, (): ()) -> String {
-        let mut text = constants(&self.constants).without(&["family"]).text("");
-        if !self.is_law_decided {
-            let other = &self.other_law;
-            let law = other.pressure_law.name();
-            let _ = writeln!(text, "by the other law of pressure ({law})");
-            text += &constants(&other.constants).without(&["family"]).text("");
-        }
-        let mut lines = self.sentences();
-        lines.extend(self.helpful());
-        text += &notes(&lines, &self.sources, &self.warnings);
-        let _ = writeln!(
-            text,
-            "{FILE}, which a case names by lubricant.oil_file:\n{}",
-            self.written()
-        );
-        text
-    }
-
-    fn page(&self, (): ()) -> String {
-        let sections = [
-            ("Constants", fitted(self)),
-            ("Measured and fitted", curves(self)),
-            ("Residuals", residuals(self)),
-            ("Dropped points", dropped(self).render()),
-            ("Nuisance terms", nuisance(self)),
-            (
-                "Oil file",
-                html! { p { "A case names it by " code { "lubricant.oil_file" } "." } pre { code { (self.written()) } } },
-            ),
-            ("Provenance", files(&self.sources)),
-        ];
-        page(
+    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+        let names: Vec<&str> = self.constants.iter().map(|one| one.name.as_str()).collect();
+        let other = &self.other_law;
+        let mut report = Report::new(
             &self.title,
-            &format!("{} · fit of traction curves", self.program),
-            &sections,
+            format!("{} · fit of traction curves", self.program),
         )
-    }
-
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
-        asperity_report::write_text(&folder.join(FILE), &self.written())?;
-        tables::write(&folder.join(POINTS), self.points.iter())
+        .section("Constants")
+        .table(
+            constants(&self.constants)
+                .with(further(self))
+                .brief(&FOLDED),
+        );
+        if !self.is_law_decided {
+            report = report
+                .heading(format!(
+                    "By the other law of pressure ({})",
+                    other.pressure_law.name()
+                ))
+                .table(constants(&other.constants).brief(&FOLDED));
+        }
+        let sentences = self.sentences().into_iter().chain(self.helpful());
+        let report = notes(report, sentences.collect(), &self.sources, &self.warnings)
+            .method([METHOD])
+            .on_page()
+            .heading("Correlations")
+            .on_page()
+            .table(correlations("constant", &names, &self.correlations))
+            .on_page()
+            .section("Measured and fitted")
+            .figures(|| curves(self))
+            .text(["Dots: measured. Lines: fitted, with gain and zero."])
+            .on_page()
+            .section("Residuals")
+            .figures(|| residuals(self))
+            .section("Dropped points")
+            .table(dropped(self))
+            .on_page();
+        report
+            .section("Nuisance terms")
+            .text(["For the fit to hold:"])
+            .on_page()
+            .table(nuisance(self))
+            .on_page()
+            .section("Oil file")
+            .text([format!("{FILE}, which a case names by lubricant.oil_file:")])
+            .code(self.written())
+            .section("Provenance")
+            .table(files(&self.sources))
+            .on_page()
+            .text_file(FILE, self.written())
+            .rows(POINTS, || &self.points)
     }
 }
+
+/// Columns that the page has and the terminal has no room for.
+const FOLDED: [&str; 4] = [
+    "family",
+    "by the other law",
+    "error left, expected",
+    "error left",
+];
+/// Meaning of the numbers.
+const METHOD: &str = "5 to 95 %: the constant lies between these quantiles with a probability of 90 %. The oil file states the \
+    2.5 % and 97.5 % quantiles. Error left: standard deviation after the points over the one of the family. Not identified: the \
+    error of the family remains.";
 
 impl OilFit {
     /// Fitted constants and points, in words.
@@ -96,15 +112,15 @@ impl OilFit {
         };
         let mut lines = vec![
             format!(
-                "{readings} readings at {points} set points{films}, {kept} fitted{}",
+                "{readings} readings at {points} set points{films}, {kept} fitted{}.",
                 counted.collect::<String>()
             ),
             format!(
-                "law of pressure {}: {decided}, sum of squares with the errors of the machine {best:.1} against {other:.1} of the other law",
+                "Law of pressure {}: {decided}, sum of squares with the errors of the machine {best:.1} against {other:.1} of the other law.",
                 self.pressure_law.name()
             ),
             format!(
-                "squares of the residuals per point {:.3}; the error of the law adds {:.0} %",
+                "Squares of the residuals per point {:.3}; the error of the law adds {:.0} %.",
                 self.squares_per_point,
                 100.0 * self.law_error
             ),
@@ -118,7 +134,9 @@ impl OilFit {
         self.constants.iter().filter_map(|constant| {
             let further = constant.would_help.as_ref()?;
             let name = &constant.name;
-            Some(format!("{name}: ten readings would help most at {further}"))
+            Some(format!(
+                "{name}: ten readings would help most at {further}."
+            ))
         })
     }
 
@@ -151,26 +169,16 @@ fn by_interval(value: f64, interval: [f64; 2]) -> String {
 }
 
 pub(super) fn range(ends: [f64; 2]) -> String {
-    let [low, high] = ends.map(|end| by_interval(end, ends));
-    format!("({low}..{high})")
+    format!("({})", Digits::of_interval(ends).range(ends))
 }
 
-fn fitted(fit: &OilFit) -> Markup {
-    let names: Vec<&str> = fit.constants.iter().map(|one| one.name.as_str()).collect();
-    let further = fit.constants.iter().zip(&fit.other_law.constants);
-    let further = columns! { (one, other) in further;
+/// Further columns of the constants.
+fn further(fit: &OilFit) -> Table {
+    let both = fit.constants.iter().zip(&fit.other_law.constants);
+    columns! { (one, other) in both;
         number other "by the other law" "" = by_interval(other.value, other.range);
-        number expected "error left, expected" "%" "{:.0}" = 100.0 * one.expected;
-        number posterior "error left" "%" "{:.0}" = 100.0 * one.posterior;
-    };
-    html! {
-        @for line in fit.sentences() { p { (line) "." } }
-        (constants(&fit.constants).with(further))
-        @for line in fit.helpful() { p { (line) "." } }
-        p { "5 to 95 %: the constant lies between these quantiles with a probability of 90 %. The oil file states the 2.5 % and 97.5 % quantiles. Error left: standard deviation after the points over the one of the family. Not identified: the error of the family remains." }
-        (warnings(&fit.warnings))
-        h3 { "Correlations" }
-        (correlations("constant", &names, &fit.correlations))
+        percent expected "error left, expected" "%" "{:.0}" = one.expected;
+        percent posterior "error left" "%" "{:.0}" = one.posterior;
     }
 }
 
@@ -182,7 +190,7 @@ fn kept(fit: &OilFit) -> Vec<&TractionPointRow> {
 }
 
 /// One chart for each set temperature.
-fn curves(fit: &OilFit) -> Markup {
+fn curves(fit: &OilFit) -> Vec<Drawing> {
     let rows = kept(fit);
     let charts = fit.temperatures_c.iter().map(|set| {
         let of = rows.iter().copied().filter(|row| {
@@ -219,15 +227,12 @@ fn curves(fit: &OilFit) -> Markup {
             points.chain([[f64::NAN; 2]])
         });
         chart.series.push(Series::through("fit", Line::Ink, lines));
-        chart
+        Drawing::Curves(chart)
     });
-    html! {
-        div.charts { @for chart in charts { (figure(&Drawing::Curves(chart))) } }
-        p { "Dots: measured. Lines: fitted, with gain and zero." }
-    }
+    charts.collect()
 }
 
-fn residuals(fit: &OilFit) -> Markup {
+fn residuals(fit: &OilFit) -> [Drawing; 3] {
     let rows = kept(fit);
     let over = |id: &str, title: &str, x: Axis, of: fn(&TractionPointRow) -> f64| {
         let chart = Chart::new(
@@ -243,13 +248,29 @@ fn residuals(fit: &OilFit) -> Markup {
         let chart = chart
             .level(0.0, "")
             .with(Series::through("points", Line::Scatter, points));
-        figure(&Drawing::Curves(chart))
+        Drawing::Curves(chart)
     };
-    html! { div.charts {
-        (over("over-temperature", "Residuals over temperature", Axis::new("temperature", "°C"), |row| row.temperature_c))
-        (over("over-pressure", "Residuals over pressure", Axis::new("largest Hertz pressure", "GPa"), |row| row.pressure_gpa))
-        (over("over-slide", "Residuals over slide-to-roll ratio", Axis::new("slide-to-roll ratio", "%").log(), |row| row.slide_roll_percent))
-    } }
+    let axis = Axis::new;
+    [
+        over(
+            "over-temperature",
+            "Residuals over temperature",
+            axis("temperature", "°C"),
+            |row| row.temperature_c,
+        ),
+        over(
+            "over-pressure",
+            "Residuals over pressure",
+            axis("largest Hertz pressure", "GPa"),
+            |row| row.pressure_gpa,
+        ),
+        over(
+            "over-slide",
+            "Residuals over slide-to-roll ratio",
+            axis("slide-to-roll ratio", "%").log(),
+            |row| row.slide_roll_percent,
+        ),
+    ]
 }
 
 fn dropped(fit: &OilFit) -> Table {
@@ -263,16 +284,13 @@ fn dropped(fit: &OilFit) -> Table {
         number temperature_c "temperature" "°C" "{:.0}";
         number traction "friction" "" "{:.4}";
         number film_ratio "film over roughness" "" "{:.1}";
-        text dropped "rule" "" = Cell::optional(row.dropped);
+        text dropped "rule" "" = Cell::optional(row.dropped.map(|rule| rule.to_string()));
     }
 }
 
-fn nuisance(fit: &OilFit) -> Markup {
-    html! {
-        p { "For the fit to hold:" }
-        (columns! { term in &fit.nuisance;
-            text text "term" "";
-            number deviations "standard deviations" "" "{:+.2}";
-        })
+fn nuisance(fit: &OilFit) -> Table {
+    columns! { term in &fit.nuisance;
+        text text "term" "";
+        number deviations "standard deviations" "" "{:+.2}";
     }
 }

@@ -1,61 +1,119 @@
-//! Page of a comparison.
+//! What a comparison says.
 
 use asperity::quantity::Length;
 use asperity::result::loss_band::Uncertainty;
 use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
-use asperity_report::html::{along, figure, page, points};
+use asperity_report::html::{along, points};
 use asperity_report::tables::BODIES;
 use asperity_report::units::MICRO;
-use asperity_report::{Cell, Column, Kind, columns};
-use maud::{Markup, html};
+use asperity_report::{Cell, Column, Kind, Report, StudyResult, Table, columns};
 
 use super::comparison::Comparison;
-use super::summary::{cells, meshes as meshes_table, note, run_in, scope, table};
+use super::tables;
 use super::windows::PARAMETERS;
+use super::words::{loss, meshes, note, run_in, scope, table, warnings};
 
-pub(super) fn render(comparison: &Comparison) -> String {
-    let mut sections = vec![("Verdict", verdict(comparison))];
-    match comparison.pairs().next() {
-        Some(_) => sections.extend([
-            ("Flanks", flanks(comparison)),
-            ("Roughness and loss", roughness(comparison)),
-            ("Uncertainty", contributions(comparison)),
-        ]),
-        None => sections.push(("Meshes", meshes(comparison))),
+impl StudyResult for Comparison {
+    const KIND: &'static str = "comparison";
+    const NAME: &'static str = "compare";
+    type Context<'a> = ();
+
+    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+        let names: Vec<&str> = self.finishes.iter().map(|finish| &*finish.name).collect();
+        let of_pair = self.pairs().next().is_some();
+        let report = Report::new(
+            &self.title,
+            format!("{} · comparison of {}", self.program, names.join(", ")),
+        )
+        .section("Verdict")
+        .verdict(self.verdicts())
+        .figures(|| [bars(self)])
+        .table(table(self))
+        .text([note(self)])
+        .text(run_in(self))
+        .text([scope(self)]);
+        let report = match of_pair {
+            true => of_pairs(report, self),
+            false => report
+                .section("Meshes")
+                .table(meshes(self))
+                .text([OF_MESHES])
+                .on_page(),
+        };
+        report
+            .section("Provenance")
+            .warning(warnings(self))
+            .table(provenance(self))
+            .on_page()
     }
-    sections.push(("Provenance", provenance(comparison)));
-    let names: Vec<&str> = comparison
-        .finishes
-        .iter()
-        .map(|finish| finish.name.as_str())
-        .collect();
-    let subtitle = format!(
-        "{} · comparison of {}",
-        comparison.program,
-        names.join(", ")
+}
+
+/// What a comparison of a gear train leaves out.
+const OF_MESHES: &str = "Losses of one mesh of each kind. A comparison of a single mesh shows its flanks, its spectra and the \
+    correlation of their roughness with the loss.";
+
+/// What a comparison of flanks without traces says.
+const NO_TRACE: &str = "The flanks are given only by roughness values: no trace was measured.";
+
+/// What a comparison of a pair says besides.
+fn of_pairs<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
+    let report = report
+        .figures(|| [along_the_path(comparison)])
+        .section("Flanks")
+        .table(parameters(comparison))
+        .on_page()
+        .figures(|| flanks(comparison))
+        .text(flanks(comparison).is_empty().then_some(NO_TRACE))
+        .on_page()
+        .rows("offsets.csv", || tables::offsets(comparison))
+        .rows("path.csv", || tables::path(comparison))
+        .rows("traces.csv", || tables::traces(comparison))
+        .rows("spectra.csv", || tables::spectra(comparison));
+    let report = match comparison.correlations.is_empty() {
+        true => report,
+        false => correlations(report, comparison),
+    };
+    let [components, models] = contributions(comparison);
+    report
+        .section("Uncertainty")
+        .heading("Components of the uncertainty, each drawn alone, 5 to 95 %")
+        .on_page()
+        .table(components)
+        .on_page()
+        .heading("Other models, and the evidence against them")
+        .on_page()
+        .table(models)
+        .on_page()
+}
+
+/// Rank correlations of the roughness with the loss.
+fn correlations<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
+    let best = || comparison.correlations.iter();
+    let text = format!(
+        "Rank correlation of Spearman of the roughness under the contact with the computed loss, over {} windows. It shows which \
+        parameter orders the finishes like their losses, not a cause.",
+        comparison.windows
     );
-    page(&comparison.title, &subtitle, &sections)
-}
-
-/// Losses of the meshes of a gear train.
-fn meshes(comparison: &Comparison) -> Markup {
-    html! {
-        (meshes_table(comparison))
-        p.sub { "Losses of one mesh of each kind. A comparison of a single mesh shows its flanks, its spectra and the correlation of their "
-            "roughness with the loss." }
-    }
-}
-
-fn verdict(comparison: &Comparison) -> Markup {
-    let of_pair = comparison.pairs().next().is_some();
-    html! {
-        @for verdict in comparison.verdicts() { p { strong { (verdict) "." } } }
-        (table(comparison))
-        p.sub { "Losses are " (note(comparison)) ". Common contributions, such as the friction of the oil, cancel in the "
-            "differences; " (scope(comparison)) "." }
-        @for line in run_in(comparison) { p.sub { (line) } }
-        div.charts { (figure(&bars(comparison))) @if of_pair { (figure(&along_the_path(comparison))) } }
-    }
+    let first = best().take(4);
+    let first = first.map(|entry| format!("{} {:+.2}", entry.parameter, entry.with_loss));
+    let table = columns! { entry in &comparison.correlations;
+        head parameter "parameter" "";
+        number with_loss "with the loss" "" "{:+.3}";
+        number within_finishes "within finishes" "" "{:+.3}";
+    };
+    report
+        .section("Roughness and loss")
+        .text([text])
+        .text([first.collect::<Vec<_>>().join("   ")])
+        .in_terminal()
+        .table(table.of_file("parameters.csv"))
+        .on_page()
+        .figures(move || {
+            best()
+                .take(2)
+                .filter_map(|entry| scatter(comparison, entry.parameter))
+        })
+        .rows("parameters.csv", || &comparison.correlations)
 }
 
 /// Local losses of all finishes from A to E.
@@ -93,16 +151,15 @@ fn along_the_path(comparison: &Comparison) -> Drawing {
     Drawing::Curves(chart)
 }
 
-/// Traces, spectra and parameters of the flanks side by side.
-fn flanks(comparison: &Comparison) -> Markup {
-    let drawings: Vec<Drawing> = [traces, spectra]
-        .into_iter()
-        .flat_map(|chart| [0, 1].map(|body| chart(comparison, body)))
-        .flatten()
-        .collect();
-    if drawings.is_empty() {
-        return html! { p { "The flanks are given only by roughness values: no trace was measured." } };
-    }
+/// Traces and spectra of the flanks side by side.
+fn flanks(comparison: &Comparison) -> Vec<Drawing> {
+    let charts = [traces, spectra].into_iter();
+    let charts = charts.flat_map(|chart| [0, 1].map(|body| chart(comparison, body)));
+    charts.flatten().collect()
+}
+
+/// Roughness parameters of the flanks with a trace.
+fn parameters(comparison: &Comparison) -> Table {
     let flanks = comparison.pairs().flat_map(|(finish, pair)| {
         [0, 1].map(|body| (finish, BODIES[body], &pair.result.flanks[body]))
     });
@@ -111,7 +168,7 @@ fn flanks(comparison: &Comparison) -> Markup {
         Some((finish, body, &parameters.heights, &parameters.material))
     });
     let um = |length: Length| length.si() * MICRO;
-    let table = columns! { (finish, body, heights, material) in rows;
+    columns! { (finish, body, heights, material) in rows;
         head name "finish" "" = &finish.name;
         text body "flank" "" = body;
         number ra "Ra" "µm" "{:.3}" = um(heights.ra);
@@ -120,10 +177,6 @@ fn flanks(comparison: &Comparison) -> Markup {
         number rpk "Rpk" "µm" "{:.3}" = um(material.rpk);
         number rk "Rk" "µm" "{:.3}" = um(material.rk);
         number rvk "Rvk" "µm" "{:.3}" = um(material.rvk);
-    };
-    html! {
-        (table)
-        div.charts { @for drawing in &drawings { (figure(drawing)) } }
     }
 }
 
@@ -174,23 +227,23 @@ fn spectra(comparison: &Comparison, body: usize) -> Option<Drawing> {
 }
 
 /// Components of the uncertainties, and losses by other models.
-fn contributions(comparison: &Comparison) -> Markup {
+fn contributions(comparison: &Comparison) -> [Table; 2] {
     let drawn: Vec<_> = comparison
         .finishes
         .iter()
         .filter_map(|finish| Some((finish, finish.uncertainty.as_ref()?)))
         .collect();
     let Some((_, first)) = drawn.first() else {
-        return html! {};
+        return Default::default();
     };
     let part = |of: &Uncertainty, name: &str| {
         let digits = of.digits();
         let entry = of.loss.parts.iter().find(|part| part.name == name);
         Cell::optional(entry.map(|part| {
-            let [low, high] = part.quantiles_w.map(|loss| digits.rounded(loss));
-            match low == high {
-                true => low,
-                false => format!("{low}..{high}"),
+            let [low, high] = part.quantiles_w;
+            match digits.steps(low) == digits.steps(high) {
+                true => digits.rounded(low),
+                false => digits.range([low, high]),
             }
         }))
     };
@@ -211,12 +264,7 @@ fn contributions(comparison: &Comparison) -> Markup {
     }));
     let models = models
         .with(columns! { row in first.models(); text standing "against it" "" = row.standing(); });
-    html! {
-        h3 { "Components of the uncertainty, each drawn alone, 5 to 95 %" }
-        (components)
-        h3 { "Other models, and the evidence against them" }
-        (models)
-    }
+    [components, models]
 }
 
 fn bars(comparison: &Comparison) -> Drawing {
@@ -224,7 +272,7 @@ fn bars(comparison: &Comparison) -> Drawing {
         name: finish.name.clone(),
         value: Some(finish.drawn_w().map_or(finish.loss_w, |(median, _)| median)),
         spread: finish.drawn_w().map(|(_, quantiles)| quantiles),
-        text: format!("{} W", cells(comparison, finish)[0]),
+        text: format!("{} W", loss(finish)),
     });
     Drawing::Bars(BarChart {
         id: "losses".to_owned(),
@@ -233,29 +281,6 @@ fn bars(comparison: &Comparison) -> Drawing {
         axis: Axis::new("loss", "W"),
         bars: bars.collect(),
     })
-}
-
-fn roughness(comparison: &Comparison) -> Markup {
-    let best: Vec<Drawing> = comparison
-        .correlations
-        .iter()
-        .take(2)
-        .filter_map(|entry| scatter(comparison, entry.parameter))
-        .collect();
-    if comparison.correlations.is_empty() {
-        return html! {};
-    }
-    let table = columns! { entry in &comparison.correlations;
-        head parameter "parameter" "";
-        number with_loss "with the loss" "" "{:+.3}";
-        number within_finishes "within finishes" "" "{:+.3}";
-    };
-    html! {
-        p { "Rank correlation of Spearman of the roughness under the contact with the loss, over " (comparison.windows)
-            " windows. It shows which parameter orders the finishes like their losses, not a cause." }
-        (table)
-        div.charts { @for chart in &best { (figure(chart)) } }
-    }
 }
 
 fn scatter(comparison: &Comparison, parameter: &str) -> Option<Drawing> {
@@ -276,19 +301,13 @@ fn scatter(comparison: &Comparison, parameter: &str) -> Option<Drawing> {
     Some(Drawing::Curves(chart))
 }
 
-fn provenance(comparison: &Comparison) -> Markup {
+/// The files of the traces.
+fn provenance(comparison: &Comparison) -> Table {
     let finishes = comparison.finishes.iter();
     let files = finishes.flat_map(|finish| finish.files.iter().map(move |file| (finish, file)));
-    let table = columns! { (finish, [file, sum]) in files;
+    columns! { (finish, [file, sum]) in files;
         text finish "finish" "" = &finish.name;
         code file "file" "" = file;
         code sum "SHA-256" "" = sum;
-    };
-    html! {
-        (table)
-        @for finish in &comparison.finishes { @if !finish.warnings.is_empty() {
-            h3 { "Warnings: " (finish.name) }
-            ul.warnings { @for warning in &finish.warnings { li { (warning) } } }
-        } }
     }
 }

@@ -1,12 +1,7 @@
-//! Page, tables and summary of predicted traction curves.
+//! What predicted traction curves say.
 
-use std::path::Path;
-
-use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
-use asperity_report::html::{figure, page};
-use asperity_report::{Cell, Column, Kind, StudyResult, Table, columns, tables, wrapped};
-use maud::{Markup, html};
+use asperity_report::{Cell, Column, Kind, Report, StudyResult, Table, columns};
 
 use super::traction::{Curves, LEAST_RATIO, PredictedPoint, TractionCurves};
 
@@ -20,31 +15,25 @@ impl StudyResult for TractionCurves {
     const NAME: &'static str = "traction";
     type Context<'a> = ();
 
-    fn summary(&self, (): ()) -> String {
-        let mut text = conditions(self) + "\n";
-        text += &table(self).text("");
-        for line in notes(self) {
-            text.push_str(&wrapped(&line, "  "));
-            text.push('\n');
-        }
-        text
-    }
-
-    fn page(&self, (): ()) -> String {
-        let sections = [
-            ("Traction", charts(self)),
-            (
-                "Conditions",
-                html! { p { (conditions(self)) } @for note in notes(self) { p { (note) } } },
-            ),
-        ];
-        let subtitle = format!("{} · predicted traction", self.program);
-        page(&self.title, &subtitle, &sections)
-    }
-
-    fn write_tables(&self, (): (), folder: &Path) -> Result<(), Fault> {
-        tables::write(&folder.join(OVER_SLIDE), self.over_slide.iter())?;
-        tables::write(&folder.join(OVER_SPEED), self.over_speed.iter())
+    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+        let guide = format!(
+            "Solid: predicted where the film is at least three times as thick as the roughness. Dashed: a guide to the boundary \
+            friction of {}, not a prediction; it is in no file.",
+            self.boundary_friction
+        );
+        Report::new(
+            &self.title,
+            format!("{} · predicted traction", self.program),
+        )
+        .section("Traction")
+        .text([conditions(self)])
+        .figures(|| charts(self))
+        .text([guide])
+        .on_page()
+        .table(table(self))
+        .text(notes(self))
+        .rows(OVER_SLIDE, || &self.over_slide)
+        .rows(OVER_SPEED, || &self.over_speed)
     }
 }
 
@@ -69,8 +58,7 @@ fn table(traction: &TractionCurves) -> Table {
 
 fn conditions(traction: &TractionCurves) -> String {
     format!(
-        "{}: {:.0} N ({:.2} GPa), {} m/s, roughness {:.0} nm, law of pressure {}",
-        traction.title,
+        "{:.0} N ({:.2} GPa), {} m/s, roughness {:.0} nm, law of pressure {}.",
         traction.load_n,
         traction.max_pressure_gpa,
         traction.mean_speed_m_s,
@@ -107,7 +95,7 @@ fn nearest(points: &[PredictedPoint], percent: f64) -> Option<&PredictedPoint> {
     points.iter().min_by(|a, b| far(a).total_cmp(&far(b)))
 }
 
-fn charts(traction: &TractionCurves) -> Markup {
+fn charts(traction: &TractionCurves) -> [Drawing; 2] {
     let slide = Chart::new(
         "over-slide",
         &format!(
@@ -151,11 +139,7 @@ fn charts(traction: &TractionCurves) -> Markup {
             .series
             .push(Series::through(&name, Line::Dashed, points));
     }
-    html! {
-        div.charts { (figure(&Drawing::Curves(slide))) (figure(&Drawing::Curves(speed))) }
-        p { "Solid: predicted where the film is at least three times as thick as the roughness. Dashed: a guide to the boundary friction of "
-            (traction.boundary_friction) ", not a prediction; it is in no file." }
-    }
+    [slide, speed].map(Drawing::Curves)
 }
 
 fn drawn(

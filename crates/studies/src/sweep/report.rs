@@ -1,52 +1,63 @@
-//! Page of a study: each result over each axis, then the effects of all inputs.
+//! What a merged study says: each result over each axis, then the effects of all inputs.
 
+use asperity::message::explain;
 use asperity_core::numerics::distinct;
 use asperity_core::unique;
 use asperity_report::chart::{
     Axis, Bar, BarChart, Chart, Drawing, Interval, Line, Series, Tornado,
 };
-use asperity_report::html::{figure, page};
-use maud::{Markup, html};
+use asperity_report::{Report, StudyResult, write_bytes};
 
 use super::columns::{InputColumn, InputValues};
 use super::merged::{EffectRow, Merged};
 use super::words::{Output, input_name, table};
 
-pub(super) fn render(merged: &Merged) -> String {
-    let tornados = || {
-        merged
-            .outputs
-            .iter()
-            .filter_map(|(name, _)| tornado(merged, name))
-    };
-    let effects = html! {
-        @if merged.effects.iter().any(|row| row.effect.is_some()) {
-            p { "Change of a result from the mean of the lowest to the mean of the highest quarter of an input, or with a choice \
-                against the first one, by a linear regression on all inputs; in brackets its 5 and 95 % quantiles." }
-            div.charts { @for chart in tornados() { (figure(&chart)) } }
-            (table(merged))
-        }
-    };
-    let axes = axes(merged);
-    let over_axes = html! {
-        @if !axes.is_empty() {
-            p { "Mean of the cases at each value of an axis, and the range of all of them." }
-            div.charts { @for chart in &axes { (figure(chart)) } }
-        }
-    };
-    let sections = [
-        ("Results over the axes", over_axes),
-        ("Effects", effects),
-        ("Study", study(merged)),
-    ];
-    let subtitle = format!("sweep {} · {} cases", merged.name, merged.cases);
-    page(&merged.title, &subtitle, &sections)
-}
+/// How the effects are computed.
+const METHOD: &str = "Change of a result from the mean of the lowest to the mean of the highest quarter of an input, or with a choice \
+    against the first one, by a linear regression on all inputs; in brackets its 5 and 95 % quantiles.";
+/// What the charts over the axes show.
+const OVER_AXES: &str = "Mean of the cases at each value of an axis, and the range of all of them.";
 
-fn study(merged: &Merged) -> Markup {
-    html! {
-        p { (merged.cases) " cases, " (merged.failed) " without a result. SHA-256 of sweep.csv "
-            code { (merged.sha256) } ", study " code { (merged.study) } "." }
+impl StudyResult for Merged {
+    const KIND: &'static str = "sweep";
+    const NAME: &'static str = "sweep";
+    type Context<'a> = ();
+
+    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+        let has_effects = self.effects.iter().any(|row| row.effect.is_some());
+        let outside = self.outside.iter().map(|(code, count)| {
+            let title = explain(code).map_or("", |entry| entry.title);
+            format!("{code} in {count} cases: {title}")
+        });
+        let charts = axes(self);
+        let over_axes = (!charts.is_empty()).then_some(OVER_AXES);
+        let mut report = Report::new(&self.title, format!("sweep {}", self.name))
+            .section("Results over the axes")
+            .text([format!(
+                "{} cases, {} without a result",
+                self.cases, self.failed
+            )])
+            .text(outside)
+            .figures(move || charts.clone())
+            .text(over_axes)
+            .on_page()
+            .section("Effects")
+            .figures(|| {
+                let outputs = self.outputs.iter();
+                outputs.filter_map(|(name, _)| tornado(self, name))
+            })
+            .table(table(self));
+        if !has_effects {
+            report = report.in_folder();
+        }
+        report
+            .method(has_effects.then_some(METHOD))
+            .on_page()
+            .section("Study")
+            .text([format!("SHA-256 {}", self.sha256)])
+            .text([format!("Study {}.", self.study)])
+            .on_page()
+            .file(|folder| write_bytes(&folder.join("sweep.csv"), &self.table))
     }
 }
 

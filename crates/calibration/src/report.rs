@@ -1,0 +1,417 @@
+//! What a calibration and a design say. Folder of a calibration: `calibration.json`, `calibration.toml` (the block), `points.csv`,
+//! `calibration.html`. Folder of a design: `design.json`, `design.csv` to fill in, `design.html`, and on request `simulated.csv`.
+
+use std::fmt::Write as _;
+
+use asperity::message::Warning;
+use asperity_core::numerics::distinct;
+use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
+use asperity_report::{Column, Kind, Report, StudyResult, Table, columns};
+
+use crate::birge::Scatter;
+use crate::design::Design;
+use crate::oil::is_simulated_source;
+use crate::result::{Calibration, FittedParameter, FittedPoint, Verdict};
+use crate::rig_table::SIMULATED;
+use crate::summary::{
+    HELD_OUT, design_bands, design_points, fitted, held_out, identified, range, scatter, shown,
+    unit_of,
+};
+
+/// Table of the points.
+const POINTS: &str = "points.csv";
+
+impl StudyResult for Calibration {
+    const KIND: &'static str = KIND;
+    const NAME: &'static str = "calibration";
+    type Context<'a> = ();
+
+    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+        let kind = if self.is_simulated {
+            "calibration on SIMULATED losses"
+        } else {
+            "calibration"
+        };
+        let parameters = self.parameters.iter();
+        let names: Vec<&str> = parameters.map(|one| one.name.as_str()).collect();
+        let report = Report::new(
+            &self.title,
+            format!("{} · {kind}, {}", self.program, self.table),
+        )
+        .section("Parameters")
+        .text(self.is_simulated.then_some(REHEARSAL))
+        .verdict([verdict(self)])
+        .figures(|| [measured(self)])
+        .table(fitted(self))
+        .text([format!("Fit: {}.", scatter(self))])
+        .method([BANDS])
+        .heading("Correlations of the logarithms")
+        .on_page()
+        .table(correlations("parameter", &names, &self.correlations))
+        .on_page();
+        let report = match self.held_out.is_empty() {
+            true => report,
+            false => report.heading(HELD_OUT).table(held_out(self)),
+        };
+        let report = report
+            .warning(&self.warnings)
+            .section("Residuals")
+            .figures(|| residuals(self))
+            .section("Profiles")
+            .figures(|| profiles(self))
+            .section("Identifiability")
+            .text([by_derivatives(self)])
+            .on_page()
+            .table(identified(&self.identifiability.parameters))
+            .on_page();
+        let report = match self.identifiability.helpful.is_empty() {
+            true => report,
+            false => report
+                .heading("Further measurements that would help most")
+                .on_page()
+                .table(helpful(self))
+                .on_page(),
+        };
+        report
+            .section("Nuisance terms")
+            .table(nuisance(self))
+            .on_page()
+            .section("For the case")
+            .text(["For the case:"])
+            .in_terminal()
+            .code(&self.block)
+            .section("Provenance")
+            .text(provenance(self))
+            .on_page()
+            .text_file("calibration.toml", self.block.clone())
+            .rows(POINTS, || &self.points)
+    }
+}
+
+impl StudyResult for Design {
+    const KIND: &'static str = KIND;
+    const NAME: &'static str = "design";
+    /// Simulated losses at the points \[W\].
+    type Context<'a> = Option<&'a [f64]>;
+
+    fn report<'a>(&'a self, simulated: Option<&'a [f64]>) -> Report<'a> {
+        let limits = &self.limits;
+        let report = Report::new(
+            &self.title,
+            format!("{} · design of a calibration", self.program),
+        )
+        .section("Points")
+        .verdict([format!(
+            "{} points for each of {} assemblies, of {} candidates (D-optimal).",
+            self.size() / limits.assemblies.max(1),
+            limits.assemblies,
+            self.candidates
+        )])
+        .figures(|| places(self))
+        .table(design_points(self))
+        .section("Expected bands")
+        .heading(format!(
+            "Expected with {:.1} % per point",
+            100.0 * limits.sigma
+        ))
+        .table(design_bands(self))
+        .warning(&self.warnings)
+        .text(simulated.map(|_| "simulated.csv holds SIMULATED losses at these points."))
+        .text_file("design.csv", rig_table(self, None));
+        match simulated {
+            Some(losses) => report.text_file("simulated.csv", rig_table(self, Some(losses))),
+            None => report,
+        }
+    }
+}
+
+/// Kind of both folders in messages.
+const KIND: &str = "calibration";
+/// What simulated losses are.
+const REHEARSAL: &str = "SIMULATED losses: a rehearsal of a rig, not a measurement.";
+/// Content of the bands.
+const BANDS: &str = "The bands include scatter and nuisance terms, but not the structure of the model: alternative models are \
+    listed with a run.";
+
+/// The parameters that the points determine, with their bands, and those that they do not, in words.
+fn verdict(calibration: &Calibration) -> String {
+    let of = |is_wanted: &dyn Fn(Verdict) -> bool, text: &dyn Fn(&FittedParameter) -> String| {
+        let parameters = calibration.parameters.iter();
+        let wanted = parameters.filter(|one| is_wanted(one.verdict)).map(text);
+        wanted.collect::<Vec<String>>().join(", ")
+    };
+    let with_band = |one: &FittedParameter| {
+        let value = shown(&one.key, one.value);
+        format!("{} {value} {}", one.name, range(&one.key, one.band))
+    };
+    let determined = of(&|verdict| verdict != Verdict::NotIdentified, &with_band);
+    let others = of(&|verdict| verdict == Verdict::NotIdentified, &|one| {
+        one.name.clone()
+    });
+    let determined = match determined.is_empty() {
+        true => "The points determine no parameter".to_owned(),
+        false => format!("Determined by the points: {determined}"),
+    };
+    match others.is_empty() {
+        true => format!("{determined}."),
+        false => format!("{determined}. Not determined, left at the default: {others}."),
+    }
+}
+
+/// The end of a report of curves: sentences, a note on simulated sources, and warnings.
+pub(crate) fn notes<'a>(
+    report: Report<'a>,
+    sentences: Vec<String>,
+    sources: &[[String; 2]],
+    warnings: &[Warning],
+) -> Report<'a> {
+    let is_simulated = sources.iter().any(is_simulated_source);
+    let rehearsal = format!("{SIMULATED} curves: a rehearsal, not a measurement.");
+    report
+        .text(sentences)
+        .text(is_simulated.then_some(rehearsal))
+        .warning(warnings)
+}
+
+/// Files with their SHA-256.
+pub(crate) fn files(sources: &[[String; 2]]) -> Table {
+    columns! { [file, sum] in sources;
+        code file "file" "" = file;
+        code sum "SHA-256" "" = sum;
+    }
+}
+
+/// Correlations of named quantities with each other.
+pub(crate) fn correlations(first: &str, names: &[&str], rows: &[Vec<f64>]) -> Table {
+    let names_of_rows = Column::new(Kind::Head, first, "", names);
+    let columns = names.iter().enumerate().map(|(k, name)| {
+        let cells = rows.iter().map(|row| format!("{:+.2}", row[k]));
+        Column::new(Kind::Number, name, "", cells)
+    });
+    Table::new([names_of_rows]).with(columns)
+}
+
+/// Points grouped by temperature.
+fn by_temperature<'a>(calibration: &'a Calibration) -> Vec<(f64, Vec<&'a FittedPoint>)> {
+    let of = |at: f64| {
+        let nearest = |point: &&FittedPoint| {
+            let all = calibration.identifiability.temperatures_c.iter().copied();
+            let far = |other: f64| (other - point.temperature_c).abs();
+            all.fold(f64::INFINITY, |best, other| {
+                if far(other) < far(best) { other } else { best }
+            }) == at
+        };
+        calibration
+            .points
+            .iter()
+            .filter(nearest)
+            .collect::<Vec<&'a FittedPoint>>()
+    };
+    calibration
+        .identifiability
+        .temperatures_c
+        .iter()
+        .map(|at| (*at, of(*at)))
+        .collect()
+}
+
+fn series(calibration: &Calibration, of: impl Fn(&FittedPoint) -> [f64; 2]) -> Vec<Series> {
+    by_temperature(calibration)
+        .into_iter()
+        .map(|(at, points)| {
+            let points = points.into_iter().map(&of);
+            Series::through(&format!("{at:.0} °C"), Line::Scatter, points)
+        })
+        .collect()
+}
+
+fn charted(mut chart: Chart, series: Vec<Series>) -> Drawing {
+    chart.series = series;
+    Drawing::Curves(chart)
+}
+
+fn measured(calibration: &Calibration) -> Drawing {
+    let losses = calibration
+        .points
+        .iter()
+        .flat_map(|point| [point.measured_w, point.fitted_w]);
+    let [low, high] = losses.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], loss| {
+        [low.min(loss), high.max(loss)]
+    });
+    let mut all = series(calibration, |point| [point.fitted_w, point.measured_w]);
+    all.push(Series::new(
+        "equal",
+        Line::Dashed,
+        &[low, high],
+        &[low, high],
+    ));
+    let chart = Chart::new(
+        "measured",
+        "Measured against fitted loss",
+        POINTS,
+        Axis::new("fitted loss", "W").log(),
+        Axis::new("measured loss", "W").log(),
+    );
+    charted(chart, all)
+}
+
+fn residuals(calibration: &Calibration) -> [Drawing; 3] {
+    let over = |id: &str, title: &str, x: Axis, of: fn(&FittedPoint) -> f64| {
+        let y = Axis::new("ln(measured/fitted)", "sigma");
+        let chart = Chart::new(id, title, POINTS, x, y).level(0.0, "");
+        charted(
+            chart,
+            series(calibration, |point| [of(point), point.residual_sigma]),
+        )
+    };
+    let axis = Axis::new;
+    [
+        over(
+            "over-speed",
+            "Residuals over speed",
+            axis("speed", "1/min").log(),
+            |point| point.speed_rpm,
+        ),
+        over(
+            "over-torque",
+            "Residuals over torque",
+            axis("torque", "N m"),
+            |point| point.torque_nm,
+        ),
+        over(
+            "over-temperature",
+            "Residuals over temperature",
+            axis("temperature", "°C"),
+            |point| point.temperature_c,
+        ),
+    ]
+}
+
+fn profiles(calibration: &Calibration) -> Vec<Drawing> {
+    let scatter = Scatter {
+        chi_squared: calibration.chi_squared,
+        freedom: calibration.freedom,
+    };
+    let drawn = |one: &FittedParameter| {
+        let (unit, factor, _) = unit_of(&one.key);
+        let x: Vec<f64> = one.profile.iter().map(|[at, _]| factor * at).collect();
+        let y: Vec<f64> = one.profile.iter().map(|[_, rise]| *rise).collect();
+        let chart = Chart::new(
+            &format!("profile-{}", one.key),
+            &format!("Profile of {}", one.name),
+            "calibration.json",
+            Axis::new(&one.name, unit),
+            Axis::new("rise of the sum of squares", "").from_zero(),
+        );
+        let chart = chart.level(scatter.quantile().powi(2), "95 %");
+        charted(chart, vec![Series::new(&one.name, Line::Dots, &x, &y)])
+    };
+    calibration.parameters.iter().map(drawn).collect()
+}
+
+/// The standard deviations before the fit, in words.
+fn by_derivatives(calibration: &Calibration) -> String {
+    let design = &calibration.identifiability;
+    let range = design.lambda_star.map_or(String::new(), |[low, high]| {
+        format!(", Lambda* from {low:.2} to {high:.2}")
+    });
+    format!(
+        "{} operating points{range}. Before the fit, from the derivatives of the model; each parameter without its own prior.",
+        design.points
+    )
+}
+
+fn helpful(calibration: &Calibration) -> Table {
+    columns! { one in &calibration.identifiability.helpful;
+        number torque_nm "torque" "N m" "{:.0}";
+        number speed_rpm "speed" "1/min" "{:.0}";
+        number temperature_c "temperature" "°C" "{:.0}";
+        text gains_most "helps most" "";
+        percent now "standard deviation now" "%" "{:.1}" = one.deviation[0];
+        percent then "with the point" "%" "{:.1}" = one.deviation[1];
+    }
+}
+
+fn nuisance(calibration: &Calibration) -> Table {
+    columns! { row in &calibration.nuisance;
+        head name "term" "";
+        number value "value" "" "{:.3}";
+        number deviation "standard deviation" "" "{:.3}";
+        number prior "of the prior" "" "{:.3}";
+        text unit "unit" "";
+    }
+}
+
+fn provenance(calibration: &Calibration) -> Vec<String> {
+    let evidence = &calibration.evidence;
+    let mut lines = vec![
+        format!(
+            "Table {}, SHA-256 {}.",
+            calibration.table, calibration.sha256
+        ),
+        format!(
+            "{} evaluations of the model with stored contacts, {} response surfaces; the last one differs from the model by {:.3} % at \
+            most, {:.2} sigma. {} samples of the bootstrap.",
+            evidence.evaluations,
+            evidence.rounds,
+            100.0 * evidence.largest_surface_error,
+            evidence.largest_surface_error_sigma,
+            evidence.bootstrap_samples
+        ),
+    ];
+    let stages = calibration.stages.iter();
+    lines.extend(stages.map(|stage| format!("Stage: {} ({} points).", stage.name, stage.points)));
+    lines
+}
+
+/// The points of a design over speed and torque: the same point may be measured at several temperatures.
+fn places(design: &Design) -> Vec<Drawing> {
+    let points = &design.points;
+    let temperatures = distinct(points.iter().map(|point| point.temperature_c));
+    let at_temperature = |at: &f64| {
+        let chosen = points.iter().filter(|point| point.temperature_c == *at);
+        let coordinates = chosen.map(|point| [point.speed_rpm, point.torque_nm]);
+        let chart = Chart::new(
+            &format!("design-{at:.0}"),
+            &format!("Points to measure at {at:.0} °C"),
+            "design.csv",
+            Axis::new("speed", "1/min").log(),
+            Axis::new("torque", "N m").from_zero(),
+        );
+        let series = Series::through("point", Line::Scatter, coordinates);
+        charted(chart, vec![series])
+    };
+    temperatures.iter().map(at_temperature).collect()
+}
+
+/// Rig table for `design`, with empty or simulated losses.
+fn rig_table(design: &Design, simulated: Option<&[f64]>) -> String {
+    let mut text = String::new();
+    if simulated.is_some() {
+        text.push_str(&format!(
+            "# {SIMULATED} by {}: not measured\n",
+            design.program
+        ));
+    }
+    text.push_str(
+        "torque_nm,speed_rpm,temperature_c,loss_w,sigma_w,assembly,order,includes,flank_state\n",
+    );
+    for (k, (number, assembly)) in design.rows().enumerate() {
+        let point = &design.points[number];
+        let loss = simulated.and_then(|losses| losses.get(k));
+        let measured = loss.map_or(",".to_owned(), |loss| {
+            format!("{loss:.3},{:.3}", design.limits.sigma * loss)
+        });
+        // Writing into a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{},{},{},{measured},{},{},mesh,",
+            point.torque_nm,
+            point.speed_rpm,
+            point.temperature_c,
+            assembly + 1,
+            k + 1
+        );
+    }
+    text
+}

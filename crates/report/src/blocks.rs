@@ -1,0 +1,294 @@
+//! What a study says: a list of blocks, each stated once, which terminal, page and folder walk.
+//!
+//! | block | terminal | page | folder |
+//! |---|---|---|---|
+//! | [`verdict`](Report::verdict): the answer | a line | bold | |
+//! | [`text`](Report::text) | a paragraph | a paragraph | |
+//! | [`warning`](Report::warning) | indented after its code | a paragraph | |
+//! | [`method`](Report::method): how to read the numbers | a paragraph | folded, at the end | |
+//! | [`table`](Report::table) | aligned columns | a table | its file, if it has one |
+//! | [`figures`](Report::figures) | | charts | |
+//! | [`code`](Report::code): text to copy | as it is | as it is | |
+//! | [`rows`](Report::rows): data of a figure | | | a file |
+//!
+//! [`section`](Report::section) and [`heading`](Report::heading) part them; [`on_page`](Report::on_page) and
+//! [`in_terminal`](Report::in_terminal) leave blocks to one face, [`in_folder`](Report::in_folder) leaves a table to the folder.
+
+use std::fmt::Display;
+use std::path::Path;
+
+use asperity_core::Fault;
+use asperity_storage::one_line;
+use maud::{Markup, Render, html};
+use serde::Serialize;
+
+use crate::chart::Drawing;
+use crate::columns::Table;
+use crate::html::{Section, figure, page_of};
+use crate::wrap::wrapped;
+use crate::{tables, write_text};
+
+/// What a study says.
+#[must_use]
+pub struct Report<'a> {
+    title: String,
+    subtitle: String,
+    blocks: Vec<(Faces, Block<'a>)>,
+    /// Number of the first block of the last call.
+    last: usize,
+}
+
+/// The faces that show a block.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Faces {
+    Both,
+    Page,
+    Terminal,
+    Folder,
+}
+
+/// Writes a file of the folder.
+type Writer<'a> = Box<dyn Fn(&Path) -> Result<(), Fault> + 'a>;
+
+enum Block<'a> {
+    Section { name: String, is_folded: bool },
+    Heading(String),
+    Verdict(String),
+    Text(String),
+    Warning(String),
+    Method(String),
+    Code(String),
+    Table(Table),
+    Figures(Box<dyn Fn() -> Vec<Drawing> + 'a>),
+    Markup(Box<dyn Fn() -> Markup + 'a>),
+    File(Writer<'a>),
+}
+
+/// Name of the section of a page with the method.
+const METHOD: &str = "Method";
+
+impl<'a> Report<'a> {
+    /// A report with `title`; below it the page says which program made which kind of study.
+    pub fn new(title: &str, subtitle: impl Display) -> Self {
+        Self {
+            title: title.to_owned(),
+            subtitle: subtitle.to_string(),
+            blocks: Vec::new(),
+            last: 0,
+        }
+    }
+
+    fn with(mut self, blocks: impl IntoIterator<Item = Block<'a>>) -> Self {
+        self.last = self.blocks.len();
+        let blocks = blocks.into_iter().map(|block| (Faces::Both, block));
+        self.blocks.extend(blocks);
+        self
+    }
+
+    fn only(mut self, faces: Faces) -> Self {
+        for (of, _) in &mut self.blocks[self.last..] {
+            *of = faces;
+        }
+        self
+    }
+
+    /// Leaves the blocks of the last call to the page.
+    pub fn on_page(self) -> Self {
+        self.only(Faces::Page)
+    }
+
+    /// Leaves the blocks of the last call to the terminal.
+    pub fn in_terminal(self) -> Self {
+        self.only(Faces::Terminal)
+    }
+
+    /// Leaves the tables of the last call to the folder.
+    pub fn in_folder(self) -> Self {
+        self.only(Faces::Folder)
+    }
+
+    /// A section of the page; the terminal goes on without a line. An empty section is omitted.
+    pub fn section(self, name: &str) -> Self {
+        let name = name.to_owned();
+        let is_folded = false;
+        self.with([Block::Section { name, is_folded }])
+    }
+
+    /// A section of the page that is folded on the screen.
+    pub fn folded(self, name: &str) -> Self {
+        let name = name.to_owned();
+        let is_folded = true;
+        self.with([Block::Section { name, is_folded }])
+    }
+
+    /// A heading of what follows, within a section.
+    pub fn heading(self, text: impl Into<String>) -> Self {
+        self.with([Block::Heading(text.into())])
+    }
+
+    /// Sentences that answer the question.
+    pub fn verdict(self, lines: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        self.with(lines.into_iter().map(|line| Block::Verdict(line.into())))
+    }
+
+    /// Paragraphs.
+    pub fn text(self, lines: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        self.with(lines.into_iter().map(|line| Block::Text(line.into())))
+    }
+
+    /// Warnings.
+    pub fn warning<W: Display>(self, warnings: impl IntoIterator<Item = W>) -> Self {
+        let warnings = warnings.into_iter();
+        self.with(warnings.map(|warning| Block::Warning(warning.to_string())))
+    }
+
+    /// How the numbers are made and what they mean.
+    pub fn method(self, lines: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        self.with(lines.into_iter().map(|line| Block::Method(line.into())))
+    }
+
+    /// Text to copy.
+    pub fn code(self, text: impl Into<String>) -> Self {
+        self.with([Block::Code(text.into())])
+    }
+
+    /// A table; it is not shown without rows.
+    pub fn table(self, table: Table) -> Self {
+        self.with([Block::Table(table)])
+    }
+
+    /// Charts, which only the page draws.
+    pub fn figures<I: IntoIterator<Item = Drawing>>(self, draw: impl Fn() -> I + 'a) -> Self {
+        let draw = move || draw().into_iter().collect();
+        self.with([Block::Figures(Box::new(draw))])
+    }
+
+    /// Parts of a page that are no other block.
+    pub fn markup(self, write: impl Fn() -> Markup + 'a) -> Self {
+        self.with([Block::Markup(Box::new(write))])
+    }
+
+    /// `rows` as the table `file` of the folder.
+    pub fn rows<R: Serialize, I: IntoIterator<Item = R>>(
+        self,
+        file: impl Into<String>,
+        rows: impl Fn() -> I + 'a,
+    ) -> Self {
+        let file = file.into();
+        self.file(move |folder| tables::write(&folder.join(&file), rows()))
+    }
+
+    /// `text` as the file `name` of the folder.
+    pub fn text_file(self, name: &'static str, text: String) -> Self {
+        self.file(move |folder| write_text(&folder.join(name), &text))
+    }
+
+    /// Files of the folder that `write` writes.
+    pub fn file(self, write: impl Fn(&Path) -> Result<(), Fault> + 'a) -> Self {
+        self.with([Block::File(Box::new(write))])
+    }
+
+    /// The report in a terminal.
+    #[must_use]
+    pub fn terminal(&self) -> String {
+        let mut text = String::new();
+        if !self.title.is_empty() {
+            text = format!("{}\n", one_line(&self.title));
+        }
+        let mut is_after_table = false;
+        let blocks = self.blocks.iter();
+        for (_, block) in blocks.filter(|(faces, _)| matches!(faces, Faces::Both | Faces::Terminal))
+        {
+            let (shown, indent) = match block {
+                Block::Verdict(line) | Block::Text(line) | Block::Method(line) => (line, ""),
+                Block::Heading(line) => (line, ""),
+                Block::Warning(line) => (line, "     "),
+                Block::Code(code) => {
+                    text += code;
+                    is_after_table = false;
+                    continue;
+                }
+                Block::Table(table) => {
+                    if is_after_table && !table.is_empty() {
+                        text.push('\n');
+                    }
+                    text += &table.text("");
+                    is_after_table |= !table.is_empty();
+                    continue;
+                }
+                _ => continue,
+            };
+            if matches!(block, Block::Heading(_)) && is_after_table {
+                text.push('\n');
+            }
+            is_after_table = false;
+            text += &wrapped(&one_line(shown), indent);
+            text.push('\n');
+        }
+        text
+    }
+
+    /// The lines of the verdict in a terminal.
+    #[must_use]
+    pub fn verdict_lines(&self) -> Vec<String> {
+        let verdicts = self.blocks.iter().filter_map(|(_, block)| match block {
+            Block::Verdict(line) => Some(wrapped(&one_line(line), "")),
+            _ => None,
+        });
+        let lines = verdicts.flat_map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>());
+        lines.collect()
+    }
+
+    /// The report as a page.
+    #[must_use]
+    pub fn page(&self) -> String {
+        let mut sections = vec![Section::new("", false)];
+        let mut method = Vec::new();
+        let blocks = self.blocks.iter();
+        for (_, block) in blocks.filter(|(faces, _)| matches!(faces, Faces::Both | Faces::Page)) {
+            let markup = match block {
+                Block::Section { name, is_folded } => {
+                    sections.push(Section::new(name, *is_folded));
+                    continue;
+                }
+                Block::Method(line) => {
+                    method.push(line);
+                    continue;
+                }
+                Block::Verdict(line) => html! { p { strong { (line) } } },
+                Block::Text(line) | Block::Warning(line) => html! { p { (line) } },
+                Block::Heading(line) => html! { h3 { (line) } },
+                Block::Code(code) => html! { pre { code { (code) } } },
+                Block::Table(table) => table.render(),
+                Block::Figures(draw) => {
+                    let drawings = draw();
+                    html! { @if !drawings.is_empty() {
+                        div.charts { @for drawing in &drawings { (figure(drawing)) } }
+                    } }
+                }
+                Block::Markup(write) => write(),
+                Block::File(_) => continue,
+            };
+            if let Some(section) = sections.last_mut() {
+                section.body.0 += &markup.0;
+            }
+        }
+        sections.push(Section {
+            body: html! { @for line in method { p { (line) } } },
+            ..Section::new(METHOD, true)
+        });
+        page_of(&self.title, &self.subtitle, &sections)
+    }
+
+    /// Writes the files of the report into `folder`.
+    ///
+    /// # Errors
+    /// When a file cannot be written, or a number is not finite.
+    pub fn write_files(&self, folder: &Path) -> Result<(), Fault> {
+        self.blocks.iter().try_for_each(|(_, block)| match block {
+            Block::File(write) => write(folder),
+            Block::Table(table) if table.is_file() => table.write(folder),
+            _ => Ok(()),
+        })
+    }
+}

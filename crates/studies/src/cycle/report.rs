@@ -1,0 +1,267 @@
+//! What a cycle says: the energy lost with each finish, its operating points over the map, and the loss over time.
+
+use asperity::message::Warning;
+use asperity::result::loss_band::Digits;
+use asperity_core::numerics::range;
+use asperity_core::{Code, decimals, number};
+use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
+use asperity_report::{Cell, Report, StudyResult, Table, columns};
+use serde::Serialize;
+
+use super::energy::{CycleFinish, CycleResult};
+use super::trace::CyclePoint;
+use crate::map::{Map, banded, loss_fields, round_step};
+
+/// Approximate number of torque bins.
+const BINS: f64 = 30.0;
+
+/// Content of the brackets.
+const NOTE: &str = "Medians, in brackets 5 and 95 % quantiles over the draws of the map, which are common to all points of the cycle \
+    and to both finishes of a difference.";
+
+impl StudyResult for CycleResult {
+    const KIND: &'static str = "cycle";
+    const NAME: &'static str = "cycle";
+    /// Map on which the cycle was evaluated.
+    type Context<'a> = &'a Map;
+
+    fn report<'a>(&'a self, map: &'a Map) -> Report<'a> {
+        Report::new(
+            &self.title,
+            format!("{} · cycle {}", self.program, self.cycle),
+        )
+        .section("Energy")
+        .text([conditions(self, map)])
+        .verdict(verdicts(self))
+        .figures(|| [over_time(self)])
+        .table(table(self))
+        .text([outside(self)])
+        .warning(left_aside(self))
+        .warning(&self.warnings)
+        .section("Operating points")
+        .figures(|| operating_points(self, map))
+        .method(is_banded(self).then_some(NOTE))
+        .rows("cycle.csv", || rows(self))
+    }
+}
+
+/// Row of `cycle.csv`: a point with a finish.
+#[derive(Serialize)]
+struct CyclePointRow<'a> {
+    time_s: f64,
+    torque_nm: f64,
+    speed_rpm: f64,
+    loss_w: f64,
+    loss_median_w: Option<f64>,
+    loss_p05_w: Option<f64>,
+    loss_p95_w: Option<f64>,
+    finish: &'a str,
+}
+
+fn rows(result: &CycleResult) -> impl Iterator<Item = CyclePointRow<'_>> {
+    result.finishes.iter().flat_map(|finish| {
+        let points = result.points.iter().zip(&finish.loss_w);
+        points.enumerate().map(move |(k, (point, loss_w))| {
+            let drawn = finish.drawn_w.get(k);
+            let of = |which: usize| drawn.map(|drawn| drawn[which]);
+            CyclePointRow {
+                time_s: point.time_s,
+                torque_nm: point.torque_nm,
+                speed_rpm: point.speed_rpm,
+                loss_w: *loss_w,
+                loss_median_w: of(0),
+                loss_p05_w: of(1),
+                loss_p95_w: of(2),
+                finish: &finish.name,
+            }
+        })
+    })
+}
+
+/// The cycle and its energies.
+fn conditions(result: &CycleResult, map: &Map) -> String {
+    let way = result
+        .distance_km
+        .map_or(String::new(), |km| format!(", {} km", decimals(km, 2)));
+    let [pinion, wheel] = map.shafts();
+    format!(
+        "Cycle {}: {} s{way}, {} Wh at the {pinion} while it drives, {} Wh while the {wheel} drives, flanks at {} °C; loss of the {} only.",
+        result.cycle,
+        decimals(result.duration_s, 0),
+        decimals(result.drive_wh, 1),
+        decimals(result.coast_wh, 1),
+        number(result.temperature_c),
+        result.scope
+    )
+}
+
+/// Shares outside of the map and below the resolved torque.
+fn outside(result: &CycleResult) -> String {
+    format!(
+        "Outside of the map, where the ratio of loss to torque is that of its edge: {:.1} % of the energy ({:.1} % of the moving time). \
+        Below the torque that the traces resolve, where the sliding loss is scaled: {:.1} % of the moving time.",
+        100.0 * result.outside_energy_share,
+        100.0 * result.outside_share,
+        100.0 * result.extended_share
+    )
+}
+
+/// The map with the points of the cycle, and the energy by torque.
+fn operating_points(result: &CycleResult, map: &Map) -> Vec<Drawing> {
+    let visited: Vec<[f64; 2]> = result.points.iter().map(CyclePoint::forwards).collect();
+    let mut temperatures = map.axes.temperature_c.iter();
+    let nearest = temperatures.position(|temperature| *temperature == result.temperature_c);
+    let mut drawings = loss_fields(map, nearest.unwrap_or_default(), &visited);
+    drawings.extend(by_torque(result));
+    drawings
+}
+
+/// Energy lost with each finish by torque, in steps of a round width.
+fn by_torque(result: &CycleResult) -> Option<Drawing> {
+    let torques = || result.points.iter().map(|point| point.forwards()[0]);
+    let [low, high] = range(torques());
+    let width = round_step((high - low) / BINS);
+    if !width.is_finite() || width <= 0.0 {
+        return None;
+    }
+    let bin = |torque: f64| (torque / width).floor();
+    let (first, last) = (bin(low), bin(high));
+    let edge = |k: usize| (first + k as f64) * width;
+    let count = (last - first) as usize + 1;
+    let mut chart = Chart::new(
+        "torque",
+        &format!("Energy lost by torque, in steps of {width} N m"),
+        "cycle.csv",
+        Axis::new("torque", "N m"),
+        Axis::new("energy lost", "Wh").from_zero(),
+    );
+    for finish in &result.finishes {
+        let mut bins = vec![0.0; count];
+        for (point, loss) in result.points.iter().zip(&finish.loss_w) {
+            bins[(bin(point.forwards()[0]) - first) as usize] += loss * point.weight_s / 3600.0;
+        }
+        let steps = bins.iter().enumerate();
+        let steps = steps.flat_map(|(k, energy)| [[edge(k), *energy], [edge(k + 1), *energy]]);
+        let outline = [[edge(0), 0.0]].into_iter().chain(steps);
+        let outline = outline.chain([[edge(count), 0.0]]);
+        chart = chart.with(Series::through(&finish.name, Line::Solid, outline));
+    }
+    Some(Drawing::Curves(chart))
+}
+
+fn over_time(result: &CycleResult) -> Drawing {
+    let time: Vec<f64> = result.points.iter().map(|point| point.time_s).collect();
+    let mut chart = Chart::new(
+        "time",
+        "Loss over time",
+        "cycle.csv",
+        Axis::new("time", "s"),
+        Axis::new("loss", "W").from_zero(),
+    );
+    for finish in &result.finishes {
+        chart = chart.curve(&finish.name, Line::Solid, &time, &finish.loss_w);
+    }
+    Drawing::Curves(chart)
+}
+
+/// The energies of each finish.
+fn table(result: &CycleResult) -> Table {
+    let rows = result.finishes.iter().map(|finish| (finish, lost(finish)));
+    columns! { (finish, [lost, drive, coast]) in rows;
+        head name "finish" "" = &finish.name;
+        number lost_wh "lost" "Wh" = lost;
+        number lost_drive_wh "driving" "Wh" = drive;
+        number lost_coast_wh "braking" "Wh" = coast;
+        number share_of_drive "of drive energy" "%" = Cell::optional(share_of_drive(finish));
+        number wh_per_100_km "per 100 km" "Wh" = Cell::optional(per_100_km(finish));
+        number difference_wh "minus the first" "Wh" = difference(finish);
+    }
+}
+
+/// Whether the energies have quantiles.
+fn is_banded(result: &CycleResult) -> bool {
+    let mut finishes = result.finishes.iter();
+    finishes.any(|finish| finish.lost_quantiles_wh.is_some())
+}
+
+/// Energy lost with its quantiles, and its parts while the pinion and while the wheel drives, which add up to it as printed.
+fn lost(finish: &CycleFinish) -> [String; 3] {
+    let parts = [finish.lost_drive_wh, finish.lost_coast_wh];
+    let drawn = finish.lost_median_wh.zip(finish.lost_quantiles_wh);
+    let digits = match drawn {
+        Some((_, quantiles)) => Digits::of_interval(quantiles),
+        None => Digits::of_decimals(2),
+    };
+    let factor = finish.median_over_medians();
+    let total = digits.steps(factor * finish.lost_wh);
+    let parts = digits.parts(total, &parts.map(|part| factor * part));
+    let whole = match drawn {
+        Some(_) => banded(finish.lost_wh, drawn),
+        None => digits.text(total),
+    };
+    [whole, digits.text(parts[0]), digits.text(parts[1])]
+}
+
+/// `value`, in proportion to the energy lost, as its median with the digits that the interval leaves.
+fn proportional(finish: &CycleFinish, value: f64) -> String {
+    let median = value * finish.median_over_medians();
+    let half = match finish.lost_quantiles_wh {
+        Some([low, high]) if finish.lost_wh > 0.0 => 0.5 * (high - low) / finish.lost_wh * value,
+        _ => 0.0,
+    };
+    Digits::of_uncertainty(half).rounded(median)
+}
+
+/// The energy lost over the energy at the pinion while it drives \[%\].
+fn share_of_drive(finish: &CycleFinish) -> Option<String> {
+    Some(proportional(finish, 100.0 * finish.share_of_drive?))
+}
+
+/// The energy lost per 100 km \[Wh\].
+fn per_100_km(finish: &CycleFinish) -> Option<String> {
+    Some(proportional(finish, finish.wh_per_100_km?))
+}
+
+/// The energy lost with each finish, and its difference from the first, in words.
+fn verdicts(result: &CycleResult) -> Vec<String> {
+    let verdict = |finish: &CycleFinish| {
+        let [whole, ..] = lost(finish);
+        let share = share_of_drive(finish).map(|share| format!(", {share} % of the drive energy"));
+        let against = finish.difference_wh.and_then(|_| {
+            let first = result.finishes.first()?;
+            Some(format!(
+                "; {} Wh against {}",
+                difference(finish),
+                first.name
+            ))
+        });
+        let [share, against] = [share, against].map(Option::unwrap_or_default);
+        format!("{} loses {whole} Wh{share}{against}.", finish.name)
+    };
+    result.finishes.iter().map(verdict).collect()
+}
+
+/// Difference from the first finish with its quantiles.
+fn difference(finish: &CycleFinish) -> String {
+    let Some(value) = finish.difference_wh else {
+        return "reference".to_owned();
+    };
+    match finish
+        .difference_median_wh
+        .zip(finish.difference_quantiles_wh)
+    {
+        Some(drawn) => banded(value, Some(drawn)),
+        None => format!("{value:+.2}"),
+    }
+}
+
+/// W431, if the case of the map states a gearbox.
+fn left_aside(result: &CycleResult) -> Option<Warning> {
+    (!result.left_aside.is_empty()).then(|| {
+        let text = format!(
+            "energies are of the mesh; other losses of the case are ignored: {}",
+            result.left_aside.join(", ")
+        );
+        Warning::new(Code::W431, text)
+    })
+}

@@ -1,0 +1,211 @@
+//! What a sensitivity study says: the largest change, a bar for each change, and the changes of the parts.
+
+use asperity::message::Warning;
+use asperity::result::loss_band::{Digits, rounded};
+use asperity_core::Code;
+use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
+use asperity_report::{Cell, Report, StudyResult, Table, Value, columns};
+
+use super::study::{Effect, Sensitivity, SensitivityRow, SensitivitySettings};
+use crate::study::CaseStudy;
+
+/// Table of the changes.
+const TABLE: &str = "sensitivity.csv";
+
+/// Explanation of the numbers.
+const NOTE: &str = "In brackets: 5 to 95 % by the sampling of the flanks. Other cut-offs leave other lengths of the traces, hence \
+    other windows. These are answers of the model, not measurements.";
+
+impl StudyResult for Sensitivity {
+    const KIND: &'static str = "sensitivity study";
+    const NAME: &'static str = "sensitivity";
+    type Context<'a> = ();
+
+    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+        Report::new(&self.title, "sensitivity")
+            .section("Changes of the loss")
+            .text([headline(self)])
+            .verdict(largest(self))
+            .figures(|| [chart(self)])
+            .warning(left_aside(self))
+            .section("Parts")
+            .table(table(self))
+            .text(refused(self))
+            .method([SensitivitySettings::METHOD, NOTE])
+    }
+}
+
+/// A change with its effect.
+type Changed<'a> = (&'a SensitivityRow, &'a Effect);
+
+/// Changes with an effect by group, the group with the largest change first, and by size within a group.
+fn groups(study: &Sensitivity) -> Vec<Vec<Changed<'_>>> {
+    let rows = study.rows.iter();
+    let rows = rows.filter_map(|row| Some((row, row.effect.as_ref()?)));
+    let mut groups: Vec<Vec<Changed<'_>>> = Vec::new();
+    for row in rows {
+        match groups
+            .iter_mut()
+            .find(|group| group[0].0.group == row.0.group)
+        {
+            Some(group) => group.push(row),
+            None => groups.push(vec![row]),
+        }
+    }
+    let size = |(_, effect): &Changed<'_>| effect.difference_w.abs();
+    for group in &mut groups {
+        group.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    }
+    groups.sort_by(|a, b| size(&b[0]).total_cmp(&size(&a[0])));
+    groups
+}
+
+/// The change with the largest effect, in words.
+fn largest(study: &Sensitivity) -> Option<String> {
+    let groups = groups(study);
+    let (row, effect) = groups.first()?.first()?;
+    Some(format!(
+        "The largest change: {}, {} W, {} %.",
+        named(row),
+        difference(effect),
+        share(effect)
+    ))
+}
+
+/// All changes over one axis, group by group.
+fn chart(study: &Sensitivity) -> Drawing {
+    let groups = groups(study);
+    let name = |row: &SensitivityRow| match row.what.starts_with(row.group) {
+        true => named(row),
+        false => format!("{}: {}", row.group, named(row)),
+    };
+    let bars = groups.iter().flatten().map(|(row, effect)| Bar {
+        name: name(row),
+        value: Some(effect.difference_w),
+        spread: effect.sampling_quantiles_w,
+        text: format!("{} W, {} %", change(effect), share(effect)),
+    });
+    Drawing::Bars(BarChart {
+        id: "sensitivity".to_owned(),
+        title: "Change of the loss, with 5 to 95 % by the sampling of the flanks".to_owned(),
+        source: TABLE.to_owned(),
+        axis: Axis::new("change of the loss", "W"),
+        bars: bars.collect(),
+    })
+}
+
+/// The changes of the loss and of its parts; "-" where the model refuses the change.
+fn table(study: &Sensitivity) -> Table {
+    let rows = study.rows.iter().map(|row| (row, row.effect.as_ref()));
+    let in_words = |text: &str| Cell::shown(with_mu(text), text.into());
+    let share = |effect: &Effect| Cell::shown(share(effect), Value::Number(100.0 * effect.change));
+    let part = |effect: Option<&Effect>, k: usize| {
+        let text = effect.map(|effect| parts(effect)[k].clone());
+        let value = effect.map_or(Value::Missing, |effect| effect.parts()[k].into());
+        Cell::shown(text.unwrap_or("-".to_owned()), value)
+    };
+    let table = columns! { (row, effect) in rows;
+        text group "of" "" = row.group;
+        text change "change" "" = in_words(&row.what);
+        text to "to" "" = in_words(&row.to);
+        interval difference_w "loss" "W" = Cell::with_ends(
+            effect.map_or("-".to_owned(), difference),
+            effect.map(|effect| effect.difference_w),
+            effect.and_then(|effect| effect.sampling_quantiles_w),
+        );
+        number change_percent "loss" "%" = Cell::optional(effect.map(share));
+        number film_w "film" "W" = part(effect, 0);
+        number lubricated_asperity_w "lubricated asperities" "W" = part(effect, 1);
+        number boundary_w "boundary layer" "W" = part(effect, 2);
+        number rolling_w "rolling" "W" = part(effect, 3);
+        file code = Cell::optional(row.refused.as_ref().map(|refused| refused.code.as_str()));
+    };
+    table.brief(&["of"]).in_file(TABLE)
+}
+
+/// The changes that the model refuses, with the reasons.
+fn refused(study: &Sensitivity) -> impl Iterator<Item = String> {
+    study.rows.iter().filter_map(|row| {
+        let refused = row.refused.as_ref()?;
+        Some(format!(
+            "{}: {} {}",
+            named(row),
+            refused.code,
+            refused.message
+        ))
+    })
+}
+
+/// The change in words.
+fn named(row: &SensitivityRow) -> String {
+    let [what, to] = [&row.what, &row.to].map(|text| with_mu(text));
+    format!("{what} → {to}")
+}
+
+fn with_mu(text: &str) -> String {
+    text.replace(" um", " µm")
+}
+
+/// W431, if the case states a gearbox.
+fn left_aside(study: &Sensitivity) -> Option<Warning> {
+    (!study.left_aside.is_empty()).then(|| {
+        let text = format!(
+            "losses are of the mesh; other losses of the case are ignored: {}",
+            study.left_aside.join(", ")
+        );
+        Warning::new(Code::W431, text)
+    })
+}
+
+/// The loss that the changes are relative to, with three digits: at given windows and constants it has no interval.
+fn headline(study: &Sensitivity) -> String {
+    let loss = rounded(study.loss_w, 0.01 * study.loss_w);
+    format!("Loss {loss} W at the medians of all constants, and how it changes.")
+}
+
+/// The change \[W\] with its interval.
+fn difference(effect: &Effect) -> String {
+    match effect.sampling_quantiles_w {
+        Some([low, high]) if low < high => {
+            digits(effect).signed_interval(effect.difference_w, [low, high])
+        }
+        _ => change(effect),
+    }
+}
+
+/// The change \[W\].
+fn change(effect: &Effect) -> String {
+    digits(effect).signed(effect.difference_w)
+}
+
+/// The change in percent.
+fn share(effect: &Effect) -> String {
+    let whole = (effect.difference_w / effect.change).abs();
+    let half = match whole.is_finite() {
+        true => 100.0 * half_width(effect) / whole,
+        false => 1.0,
+    };
+    Digits::of_uncertainty(half).signed(100.0 * effect.change)
+}
+
+/// The parts of the change with the digits of the total, to which they add up.
+fn parts(effect: &Effect) -> [String; 4] {
+    let digits = digits(effect);
+    let parts = effect.parts();
+    let steps = digits.parts(digits.steps(effect.difference_w), &parts);
+    std::array::from_fn(|k| digits.signed_text(steps[k]))
+}
+
+fn digits(effect: &Effect) -> Digits {
+    Digits::of_uncertainty(half_width(effect))
+}
+
+/// Uncertainty that determines the digits of a change \[W\]: its sampling error, or a fiftieth of the change.
+fn half_width(effect: &Effect) -> f64 {
+    const LEAST_W: f64 = 0.1;
+    let least = 0.02 * effect.difference_w.abs();
+    let sampling = effect
+        .sampling_quantiles_w
+        .map_or(0.0, |[low, high]| 0.5 * (high - low));
+    sampling.max(least).max(LEAST_W)
+}
