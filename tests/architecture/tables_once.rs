@@ -1,4 +1,5 @@
-//! Tables are described by `columns!`: one renderer writes heads of tables on pages, one aligns columns in the terminal.
+//! Tables are described by `columns!`: one renderer writes heads of tables on pages, one aligns columns in the terminal. Intervals
+//! are written by `Digits`.
 
 use std::fs::read_to_string;
 use std::path::Path;
@@ -39,7 +40,7 @@ fn tables_of_pages_and_of_the_terminal_are_described_once() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let folders = std::fs::read_dir(root.join("crates")).unwrap();
     let folders = folders.map(|entry| entry.unwrap().path().join("src"));
-    let (mut heads, mut padded) = (Vec::new(), Vec::new());
+    let (mut heads, mut padded, mut intervals) = (Vec::new(), Vec::new(), Vec::new());
     for folder in folders.chain([root.join("cli/src")]) {
         for file in sources(&folder) {
             let text = read_to_string(&file).unwrap();
@@ -48,6 +49,8 @@ fn tables_of_pages_and_of_the_terminal_are_described_once() {
                 let place = format!("{}:{}: {line}", file.display(), number + 1);
                 if line.contains(HEAD) {
                     heads.push(place);
+                } else if !line.starts_with("//") && line.contains("}..{") {
+                    intervals.push(place);
                 } else if !line.starts_with("//") && pads(line) {
                     padded.push(place);
                 }
@@ -55,6 +58,12 @@ fn tables_of_pages_and_of_the_terminal_are_described_once() {
         }
     }
     assert_eq!(heads.len(), 1, "{heads:#?}");
+    // `Digits` of the losses: an interval, and one with signs.
+    let is_of_digits = |place: &String| place.contains("loss_band.rs");
+    assert!(
+        intervals.len() <= 2 && intervals.iter().all(is_of_digits),
+        "{intervals:#?}"
+    );
     // The bar of the progress, and the list of the commands.
     assert!(padded.len() <= 2, "{padded:#?}");
 }

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use crate::bench::Bench;
 
 /// FZG test gears with few windows.
-const CASE: &str = r#"title = "test gears"
+pub const CASE: &str = r#"title = "test gears"
 
 [gears]
 teeth = [16, 24]

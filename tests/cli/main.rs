@@ -21,6 +21,7 @@ mod dialects;
 mod doubtful_traces;
 mod ehl;
 mod evidence;
+mod faces;
 mod file_messages;
 mod fuzz;
 mod gallery;

@@ -351,7 +351,7 @@ impl EvidenceTable {
             head measurement "measurement" "";
             number hours "hours" "";
             percent width "relative width" "%" "{:.0}";
-            number loss "loss" "W" = self.loss_text(row.interval(), "");
+            shown loss "loss" "W" = self.loss_text(row.interval(), "");
         }
     }
 }

@@ -20,19 +20,26 @@ pub(crate) fn unit_of(key: &str) -> (&'static str, f64, usize) {
 /// A value with its display unit.
 pub(crate) fn shown(key: &str, value: f64) -> String {
     let (unit, ..) = unit_of(key);
-    format!("{} {unit}", bare(key, value)).trim_end().to_owned()
+    format!("{} {unit}", bare(key, value).text())
+        .trim_end()
+        .to_owned()
 }
 
 /// A value in its display unit, without the unit.
-fn bare(key: &str, value: f64) -> String {
+fn bare(key: &str, value: f64) -> Cell {
     let (_, factor, decimals) = unit_of(key);
-    format!("{:.decimals$}", factor * value)
+    Cell::number(factor * value, |value| format!("{value:.decimals$}"))
 }
 
+/// An interval in the display unit, in brackets.
 pub(crate) fn range(key: &str, ends: [f64; 2]) -> String {
+    range_cell(key, Some(ends)).text().to_owned()
+}
+
+fn range_cell(key: &str, ends: Option<[f64; 2]>) -> Cell {
     let (_, factor, decimals) = unit_of(key);
-    let ends = ends.map(|end| factor * end);
-    format!("({})", Digits::of_decimals(decimals as i32).range(ends))
+    let ends = ends.map(|ends| ends.map(|end| factor * end));
+    Cell::range(ends, Digits::of_decimals(decimals as i32))
 }
 
 /// A name with its unit.
@@ -120,22 +127,28 @@ const FOLDED: [&str; 3] = ["profile likelihood", "bootstrap over assemblies", "d
 /// Heading of the temperatures held out.
 pub(crate) const HELD_OUT: &str = "Every temperature predicted from the others";
 
-/// Fitted parameters with their bands.
+/// Fitted parameters with their bands, in their display units.
 pub(crate) fn fitted(calibration: &Calibration) -> Table {
     let table = columns! { one in &calibration.parameters;
-        head name "parameter" "" = in_unit(&one.name, unit_of(&one.key).0);
+        head parameter "parameter" "" = named(&one.name, &one.key);
+        file unit = unit_of(&one.key).0;
         number value "value" "" = bare(&one.key, one.value);
-        number band "95 % band" "" = range(&one.key, one.band);
-        number profile "profile likelihood" "" = range(&one.key, one.profile_band);
-        number bootstrap "bootstrap over assemblies" "" = Cell::optional(one.bootstrap.map(|band| range(&one.key, band)));
+        range band "95 % band" "" = range_cell(&one.key, Some(one.band));
+        range profile_band "profile likelihood" "" = range_cell(&one.key, Some(one.profile_band));
+        range bootstrap "bootstrap over assemblies" "" = range_cell(&one.key, one.bootstrap);
         number default "default" "" = bare(&one.key, one.default);
-        number default_range "range without calibration" "" = range(&one.key, one.default_range);
+        range default_range "range without calibration" "" = range_cell(&one.key, Some(one.default_range));
         text verdict "by the points" "" = match one.is_open.contains(&true) {
             true => format!("{} (open)", one.verdict.text()),
             false => one.verdict.text().to_owned(),
         };
     };
-    table.brief(&FOLDED)
+    table.brief(&FOLDED).in_file("parameters.csv")
+}
+
+/// A name, shown with its unit.
+fn named(name: &str, key: &str) -> Cell {
+    Cell::shown(in_unit(name, unit_of(key).0), name.into())
 }
 
 /// Deviations of the losses at each temperature from the prediction by the others.
@@ -151,23 +164,26 @@ pub(crate) fn held_out(calibration: &Calibration) -> Table {
 
 /// Points of a design.
 pub(crate) fn design_points(design: &Design) -> Table {
-    columns! { point in &design.points;
+    let table = columns! { point in &design.points;
         number torque_nm "torque" "N m" "{:.1}";
         number speed_rpm "speed" "1/min" "{:.0}";
         number temperature_c "temperature" "°C" "{:.0}";
         number repeats "repeats" "";
         number loss_w "loss of the mesh" "W" "{:.1}";
         number lambda_star "Λ*" "" "{:.2}";
-    }
+    };
+    table.in_file("points.csv")
 }
 
 /// Bands of the parameters that a design is expected to leave.
 pub(crate) fn design_bands(design: &Design) -> Table {
-    columns! { one in &design.parameters;
-        head name "parameter" "" = in_unit(&one.identified.name, unit_of(&one.identified.key).0);
-        number deviation "standard deviation" "%" "{:.0}" = one.identified.deviation.map(share);
-        number band "95 % band" "" = range(&one.identified.key, one.band);
-        number default_range "range without calibration" "" = range(&one.identified.key, one.default_range);
+    let table = columns! { one in &design.parameters;
+        head parameter "parameter" "" = named(&one.identified.name, &one.identified.key);
+        file unit = unit_of(&one.identified.key).0;
+        percent deviation "standard deviation" "%" "{:.0}" = one.identified.deviation;
+        range band "95 % band" "" = range_cell(&one.identified.key, Some(one.band));
+        range default_range "range without calibration" "" = range_cell(&one.identified.key, Some(one.default_range));
         text verdict "verdict" "" = one.identified.verdict.text();
-    }
+    };
+    table.in_file("expected_bands.csv")
 }

@@ -255,7 +255,7 @@ impl<'a> Report<'a> {
                     method.push(line);
                     continue;
                 }
-                Block::Verdict(line) => html! { p { strong { (line) } } },
+                Block::Verdict(line) => html! { p.answer { (line) } },
                 Block::Text(line) | Block::Warning(line) => html! { p { (line) } },
                 Block::Heading(line) => html! { h3 { (line) } },
                 Block::Code(code) => html! { pre { code { (code) } } },
@@ -277,7 +277,7 @@ impl<'a> Report<'a> {
             body: html! { @for line in method { p { (line) } } },
             ..Section::new(METHOD, true)
         });
-        page_of(&self.title, &self.subtitle, &sections)
+        page_of(&self.title, &self.subtitle, Some("study"), &sections)
     }
 
     /// Writes the files of the report into `folder`.

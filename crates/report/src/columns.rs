@@ -57,14 +57,10 @@ impl Cell {
         )
     }
 
-    /// The number `value` with its interval, with these digits; "-" if there is no number, without brackets if there is no interval.
-    pub fn interval(value: Option<f64>, ends: Option<[f64; 2]>, digits: Digits) -> Self {
-        let text = match (value, ends) {
-            (None, _) => "-".to_owned(),
-            (Some(value), None) => digits.rounded(value),
-            (Some(value), Some(ends)) => digits.interval(value, ends),
-        };
-        Self::with_ends(text, value, ends)
+    /// The number `value` with its interval and the digits that this leaves.
+    pub fn interval(value: f64, ends: [f64; 2]) -> Self {
+        let text = Digits::of_interval(ends).interval(value, ends);
+        Self::with_ends(text, Some(value), Some(ends))
     }
 
     /// A number with its interval, shown as `text`.
@@ -74,6 +70,18 @@ impl Cell {
         Self {
             values: [value, low, high].map(number).into(),
             ..Self::from(text.into())
+        }
+    }
+
+    /// An interval in brackets, or "-" if there is none.
+    pub fn range(ends: Option<[f64; 2]>, digits: Digits) -> Self {
+        let text = ends.map(|ends| format!("({})", digits.range(ends)));
+        let [low, high] = ends.map_or([Value::Missing, Value::Missing], |ends| {
+            ends.map(Value::Number)
+        });
+        Self {
+            values: vec![low, high],
+            ..Self::from(text.unwrap_or("-".to_owned()))
         }
     }
 
@@ -255,11 +263,13 @@ pub enum Kind {
     Number,
     /// Numbers with their intervals, at the right.
     Interval,
+    /// Intervals, at the right.
+    Range,
 }
 
 impl Kind {
     fn is_number(self) -> bool {
-        matches!(self, Self::Number | Self::Interval)
+        !matches!(self, Self::Head | Self::Text)
     }
 }
 
@@ -337,6 +347,9 @@ impl Column {
         match self.kind {
             _ if self.name.is_empty() => Vec::new(),
             Kind::Interval => names_of_interval(self.name).into(),
+            Kind::Range => ["low", "high"]
+                .map(|end| format!("{}_{end}", self.name))
+                .into(),
             _ => vec![self.name.to_owned()],
         }
     }
@@ -621,8 +634,8 @@ impl Table {
             for ((cell, column), width) in cells.iter().zip(&columns).zip(&widths) {
                 let padding = " ".repeat(width - cell.chars().count().min(*width));
                 line += &match column.kind {
-                    Kind::Number | Kind::Interval => format!("{padding}{cell}  "),
-                    Kind::Head | Kind::Text => format!("{cell}{padding}  "),
+                    kind if kind.is_number() => format!("{padding}{cell}  "),
+                    _ => format!("{cell}{padding}  "),
                 };
             }
             text += line.trim_end();
@@ -676,7 +689,8 @@ impl Render for Table {
 /// | `number` | a number; without digits a value that has its digits already |
 /// | `percent` | a share, shown in percent |
 /// | `interval` | a [`Cell`](crate::Cell) of a number with its interval, which is three columns of the file |
-/// | `shown` | a text that is not in the file |
+/// | `range` | a [`Cell`](crate::Cell) of an interval, which is two columns of the file |
+/// | `shown` | a text that is not in the file; with a unit it is set as a number |
 /// | `file` | a value that is in the file only: `file code = value;` |
 #[macro_export]
 macro_rules! columns {
@@ -688,7 +702,7 @@ macro_rules! columns {
         )
     }};
     (@column shown, $name:ident, $heading:literal, $unit:literal) => {
-        $crate::Column::new($crate::Kind::Text, $heading, $unit, [""; 0])
+        $crate::Column::new(if $unit.is_empty() { $crate::Kind::Text } else { $crate::Kind::Number }, $heading, $unit, [""; 0])
     };
     (@column file, $name:ident,) => {
         $crate::Column::new($crate::Kind::Text, "", "", [""; 0]).named(stringify!($name)).unshown()
@@ -702,6 +716,7 @@ macro_rules! columns {
     (@kind number) => { $crate::Kind::Number };
     (@kind percent) => { $crate::Kind::Number };
     (@kind interval) => { $crate::Kind::Interval };
+    (@kind range) => { $crate::Kind::Range };
     (@cell code, $row:tt, $name:ident, [] $value:tt) => {
         $crate::Cell::code($crate::columns!(@value $row, $name, $value))
     };

@@ -34,7 +34,7 @@ impl Combination {
     #[must_use]
     pub fn sentence(&self) -> String {
         format!(
-            "{} = {} ({}..{}, 5 to 95 %); the points do not separate the constants (correlation {:+.2})",
+            "{} = {} ({} to {}, 5 to 95 %); the points do not separate the constants (correlation {:+.2})",
             self.text,
             digits(self.value),
             digits(self.range[0]),

@@ -7,8 +7,13 @@ use super::traction::{Curves, LEAST_RATIO, PredictedPoint, TractionCurves};
 
 const OVER_SLIDE: &str = "traction_over_slide_to_roll.csv";
 const OVER_SPEED: &str = "traction_over_speed.csv";
-/// Slide-to-roll ratios \[%\] of the summary.
-const SHOWN: [f64; 4] = [1.0, 5.0, 20.0, 50.0];
+/// Slide-to-roll ratios \[%\] of the summary, with the names of their columns.
+const SHOWN: [(f64, &str); 4] = [
+    (1.0, "friction_at_1_percent"),
+    (5.0, "friction_at_5_percent"),
+    (20.0, "friction_at_20_percent"),
+    (50.0, "friction_at_50_percent"),
+];
 
 impl StudyResult for TractionCurves {
     const KIND: &'static str = "traction curves";
@@ -41,10 +46,10 @@ impl StudyResult for TractionCurves {
 fn table(traction: &TractionCurves) -> Table {
     let table = columns! { curves in &traction.curves;
         number temperature_c "temperature" "°C" "{:.0}";
-        number film "film" "nm" "{:.0}" = curves.film_ratio * traction.roughness_nm;
+        number film_nm "film" "nm" "{:.0}" = curves.film_ratio * traction.roughness_nm;
         number film_ratio "film over roughness" "" "{:.1}";
     };
-    table.with(SHOWN.map(|percent| {
+    let table = table.with(SHOWN.map(|(percent, name)| {
         let heading = format!("friction at {percent} %");
         let cells = traction.curves.iter().map(|curves| {
             let point = nearest(&curves.over_slide, percent);
@@ -52,8 +57,9 @@ fn table(traction: &TractionCurves) -> Table {
                 format!("{friction:.4}")
             })
         });
-        Column::new(Kind::Number, &heading, "", cells)
-    }))
+        Column::new(Kind::Number, &heading, "", cells).named(name)
+    }));
+    table.in_file("traction.csv")
 }
 
 fn conditions(traction: &TractionCurves) -> String {

@@ -32,7 +32,8 @@ impl StudyResult for OilFit {
         .table(
             constants(&self.constants)
                 .with(further(self))
-                .brief(&FOLDED),
+                .brief(&FOLDED)
+                .in_file("constants.csv"),
         );
         if !self.is_law_decided {
             report = report
@@ -151,11 +152,12 @@ impl OilFit {
 /// Fitted constants and those of the family.
 fn constants(constants: &[FittedConstant]) -> Table {
     columns! { one in constants;
-        head name "constant" "" = in_unit(&one.name, &one.unit);
+        head constant "constant" "" = Cell::shown(in_unit(&one.name, &one.unit), one.name.as_str().into());
+        file unit = &one.unit;
         number value "value" "" = by_interval(one.value, one.range);
-        number range "5 to 95 %" "" = range(one.range);
+        range range "5 to 95 %" "" = range(one.range);
         number prior "family" "" = by_interval(one.prior, one.prior_range);
-        number prior_range "5 to 95 % of the family" "" = range(one.prior_range);
+        range prior_range "5 to 95 % of the family" "" = range(one.prior_range);
         text verdict "by the points" "" = match one.is_identified {
             true => "identified",
             false => "not identified",
@@ -164,19 +166,19 @@ fn constants(constants: &[FittedConstant]) -> Table {
 }
 
 /// The value with the digits that its interval leaves.
-fn by_interval(value: f64, interval: [f64; 2]) -> String {
-    Digits::of_interval(interval).rounded(value)
+fn by_interval(value: f64, interval: [f64; 2]) -> Cell {
+    Cell::shown(Digits::of_interval(interval).rounded(value), value.into())
 }
 
-pub(super) fn range(ends: [f64; 2]) -> String {
-    format!("({})", Digits::of_interval(ends).range(ends))
+fn range(ends: [f64; 2]) -> Cell {
+    Cell::range(Some(ends), Digits::of_interval(ends))
 }
 
 /// Further columns of the constants.
 fn further(fit: &OilFit) -> Table {
     let both = fit.constants.iter().zip(&fit.other_law.constants);
     columns! { (one, other) in both;
-        number other "by the other law" "" = by_interval(other.value, other.range);
+        number by_other_law "by the other law" "" = by_interval(other.value, other.range);
         percent expected "error left, expected" "%" "{:.0}" = one.expected;
         percent posterior "error left" "%" "{:.0}" = one.posterior;
     }

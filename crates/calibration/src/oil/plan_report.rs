@@ -227,23 +227,25 @@ fn errors(plan: &OilPlan) -> Drawing {
 
 /// Curves of the minimal plan.
 fn curves(plan: &OilPlan) -> Table {
-    columns! { curve in &plan.curves;
+    let table = columns! { curve in &plan.curves;
         number temperature_c "temperature" "°C" "{:.0}";
         number load_n "load" "N" "{:.0}";
         number mean_speed_m_s "speed" "m/s" = curve.mean_speed_m_s;
         number pressure_gpa "Hertz pressure" "GPa" "{:.2}";
         number film_ratio "film over roughness" "" "{:.1}";
-        text slides "slide-to-roll ratios, both signs" "%" = slides(curve);
-    }
+        text slides_percent "slide-to-roll ratios, both signs" "%" = slides(curve);
+    };
+    table.in_file("curves.csv")
 }
 
 fn chosen(plan: &OilPlan) -> Table {
-    columns! { point in &plan.chosen;
+    let table = columns! { point in &plan.chosen;
         number temperature_c "temperature" "°C" "{:.0}";
         number load_n "load" "N" "{:.0}";
         number mean_speed_m_s "speed" "m/s" = point.mean_speed_m_s;
         number slide_roll_percent "slide-to-roll ratio" "%" = point.slide_roll_percent;
         number expected_traction "expected friction" "" "{:.4}";
         number film_ratio "film over roughness" "" "{:.1}";
-    }
+    };
+    table.in_file("chosen.csv")
 }

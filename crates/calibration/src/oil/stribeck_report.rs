@@ -61,13 +61,16 @@ fn named(state: &BoundaryState) -> String {
 
 /// Boundary friction before and after rubbing.
 fn states(stribeck: &Stribeck) -> Table {
-    columns! { state in &stribeck.states;
+    let friction = |of: f64| Cell::shown(digits(of), of.into());
+    let table = columns! { state in &stribeck.states;
         head state "state" "" = named(state);
-        number friction "boundary friction" "" = Cell::optional(state.boundary_friction.map(digits));
+        file rubbing_s = state.rubbing_s;
+        number boundary_friction "boundary friction" "" = Cell::optional(state.boundary_friction.map(friction));
         number points "points" "";
-        number scatter "scatter" "%" "{:.1}" = state.boundary_friction.map(|_| 100.0 * state.scatter);
-        number slope "per decade of speed" "%" "{:+.1}" = state.slope_per_decade.map(|slope| 100.0 * slope);
-    }
+        percent scatter "scatter" "%" "{:.1}" = state.boundary_friction.map(|_| state.scatter);
+        percent slope_per_decade "per decade of speed" "%" "{:+.1}" = state.slope_per_decade;
+    };
+    table.in_file("states.csv")
 }
 
 /// The boundary friction with its interval.

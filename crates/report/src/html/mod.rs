@@ -81,7 +81,7 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> 
         result.program,
         file.unwrap_or_default()
     );
-    Ok(page_of(&result.title, &subtitle, &sections))
+    Ok(page_of(&result.title, &subtitle, None, &sections))
 }
 
 /// The draws of the loss, the loss by other models, and by published laws.

@@ -33,11 +33,16 @@ pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String 
         body: body.clone(),
         is_folded: false,
     });
-    page_of(title, subtitle, &open.collect::<Vec<_>>())
+    page_of(title, subtitle, None, &open.collect::<Vec<_>>())
 }
 
-/// Renders a page of sections that may be folded.
-pub(crate) fn page_of(title: &str, subtitle: &str, sections: &[Section<'_>]) -> String {
+/// Renders a page of sections that may be folded, with a `class` of the style.
+pub(crate) fn page_of(
+    title: &str,
+    subtitle: &str,
+    class: Option<&str>,
+    sections: &[Section<'_>],
+) -> String {
     let shown = || sections.iter().filter(|section| !section.body.0.is_empty());
     let anchor = |name: &str| name.to_lowercase().replace(' ', "-");
     let markup = html! {
@@ -50,7 +55,7 @@ pub(crate) fn page_of(title: &str, subtitle: &str, sections: &[Section<'_>]) -> 
                 title { (title) }
                 style { (PreEscaped(style())) }
             }
-            body {
+            body class=[class] {
                 header {
                     h1 { (title) }
                     p.sub { (subtitle) span.written {} }

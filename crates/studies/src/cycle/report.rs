@@ -167,15 +167,26 @@ fn over_time(result: &CycleResult) -> Drawing {
 /// The energies of each finish.
 fn table(result: &CycleResult) -> Table {
     let rows = result.finishes.iter().map(|finish| (finish, lost(finish)));
-    columns! { (finish, [lost, drive, coast]) in rows;
-        head name "finish" "" = &finish.name;
-        number lost_wh "lost" "Wh" = lost;
-        number lost_drive_wh "driving" "Wh" = drive;
-        number lost_coast_wh "braking" "Wh" = coast;
-        number share_of_drive "of drive energy" "%" = Cell::optional(share_of_drive(finish));
-        number wh_per_100_km "per 100 km" "Wh" = Cell::optional(per_100_km(finish));
-        number difference_wh "minus the first" "Wh" = difference(finish);
-    }
+    let table = columns! { (finish, [lost, drive, coast]) in rows;
+        head finish "finish" "" = &finish.name;
+        file lost_wh = finish.lost_wh;
+        interval lost_median_wh "lost" "Wh" = Cell::with_ends(lost, finish.lost_median_wh, finish.lost_quantiles_wh);
+        shown drive "driving" "Wh" = drive;
+        shown coast "braking" "Wh" = coast;
+        file lost_drive_wh = finish.lost_drive_wh;
+        file lost_coast_wh = finish.lost_coast_wh;
+        shown share "of drive energy" "%" = share_of_drive(finish).unwrap_or("-".to_owned());
+        shown way "per 100 km" "Wh" = per_100_km(finish).unwrap_or("-".to_owned());
+        file share_of_drive = Cell::optional(finish.share_of_drive);
+        file wh_per_100_km = Cell::optional(finish.wh_per_100_km);
+        file difference_wh = Cell::optional(finish.difference_wh);
+        interval difference_median_wh "minus the first" "Wh" = Cell::with_ends(
+            difference(finish),
+            finish.difference_median_wh,
+            finish.difference_quantiles_wh,
+        );
+    };
+    table.in_file("energies.csv")
 }
 
 /// Whether the energies have quantiles.

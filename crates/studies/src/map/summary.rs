@@ -6,7 +6,7 @@ use asperity::message::Warning;
 use asperity::result::loss_band::Digits;
 use asperity_core::Code;
 use asperity_core::numerics::range;
-use asperity_report::{Table, columns};
+use asperity_report::{Cell, Table, columns};
 
 use super::point::{EXTENDED, FinishMap, Map, MeshPart, Numbers, Point};
 
@@ -14,15 +14,17 @@ use super::point::{EXTENDED, FinishMap, Map, MeshPart, Numbers, Point};
 pub(super) fn extremes(map: &Map) -> Table {
     let finishes = map.finishes.iter();
     let rows = finishes.filter_map(|finish| Some((finish, Extremes::of(finish)?)));
-    columns! { (finish, extremes) in rows;
-        head name "finish" "" = &finish.name;
-        number loss "largest loss" "W" = extremes.loss();
-        number share "share of power" "%" = extremes.share();
-        number at_torque "at torque" "N m" "{:.2}" = extremes.at.torque_nm;
-        number at_speed "and speed" "1/min" "{:.0}" = extremes.at.speed_rpm;
-        number efficiency "best efficiency" "%" = extremes.efficiency();
-        number torque "largest loss torque" "N m" = extremes.torque();
-    }
+    let table = columns! { (finish, extremes) in rows;
+        head finish "finish" "" = &finish.name;
+        interval loss_median_w "largest loss" "W" = extremes.loss();
+        file loss_w = extremes.most.loss_w;
+        number share_percent "share of power" "%" = extremes.share();
+        number torque_nm "at torque" "N m" "{:.2}" = extremes.at.torque_nm;
+        number speed_rpm "and speed" "1/min" "{:.0}" = extremes.at.speed_rpm;
+        number efficiency_percent "best efficiency" "%" = extremes.efficiency();
+        number loss_torque_nm "largest loss torque" "N m" = extremes.torque();
+    };
+    table.in_file("extremes.csv")
 }
 
 /// Loss of each mesh of a gear train at the largest loss of its finish.
@@ -75,31 +77,34 @@ impl<'a> Extremes<'a> {
     }
 
     /// The largest loss \[W\].
-    fn loss(&self) -> String {
+    fn loss(&self) -> Cell {
         let most = &self.most;
-        banded(most.loss_w, most.loss_median_w.zip(most.loss_quantiles_w))
+        let drawn = most.loss_median_w.zip(most.loss_quantiles_w);
+        let (median, quantiles) = drawn.unzip();
+        Cell::with_ends(banded(most.loss_w, drawn), median, quantiles)
     }
 
     /// The largest loss over the power there \[%\].
-    fn share(&self) -> String {
+    fn share(&self) -> Cell {
         let power = power_w(self.at);
-        if power == 0.0 {
-            return "-".to_owned();
-        }
         let loss = self.most.loss_median_w.unwrap_or(self.most.loss_w);
-        percent_digits(&self.most, power).rounded(100.0 * loss / power)
+        let share = (power != 0.0).then(|| 100.0 * loss / power);
+        Cell::number(share, |share| {
+            percent_digits(&self.most, power).rounded(share)
+        })
     }
 
     /// The best efficiency \[%\].
-    fn efficiency(&self) -> String {
-        let text = |(efficiency, power, numbers): (f64, f64, Numbers)| {
-            percent_digits(&numbers, power).rounded(100.0 * efficiency)
+    fn efficiency(&self) -> Cell {
+        let cell = |(efficiency, power, numbers): (f64, f64, Numbers)| {
+            let digits = percent_digits(&numbers, power);
+            Cell::number(100.0 * efficiency, |percent| digits.rounded(percent))
         };
-        self.best.map_or("-".to_owned(), text)
+        Cell::optional(self.best.map(cell))
     }
 
     /// The largest loss torque \[N m\].
-    fn torque(&self) -> String {
+    fn torque(&self) -> Cell {
         let numbers = &self.torque;
         let relative = |of: &Numbers| {
             let [low, high] = of.loss_quantiles_w?;
@@ -108,7 +113,9 @@ impl<'a> Extremes<'a> {
         // At rest there is a torque and no loss to draw.
         let relative = relative(numbers).or_else(|| relative(&self.most));
         let half = relative.unwrap_or(0.0) * numbers.loss_torque_nm;
-        Digits::of_uncertainty(half).rounded(numbers.loss_torque_nm)
+        Cell::number(numbers.loss_torque_nm, |torque| {
+            Digits::of_uncertainty(half).rounded(torque)
+        })
     }
 }
 
