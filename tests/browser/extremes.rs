@@ -310,7 +310,7 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
         }
         // Signed: where the loss falls, the bars are left of zero.
         ("changed/sensitivity.html", _) => Some(table("sensitivity.csv").column("difference_w")),
-        ("pressed/ridges.html", "ridges") => Some(table("ridges.csv").column("first_order_w")),
+        ("pressed/ridges.html", "ridges") => Some(table("ridges.csv").column("mean_gradient_w")),
         ("pressed/ridges.html", "octaves") => {
             let octaves = table("octaves.csv");
             Some(octaves.map(["pinion_w", "wheel_w"], |[pinion, wheel]| pinion + wheel))

@@ -37,9 +37,9 @@ fn limits_are_printed_and_written_with_traces_and_wavelengths() {
     ];
     let said = bench.run(&call("600 W", &few)).well().out;
     for words in [
-        "both flanks: mean R",
-        "inspect ",
-        "wavelengths 2.5 um to 250 um",
+        "Both flanks: mean R",
+        "Inspect ",
+        "wavelengths 2.5 µm to 250 µm",
         "smooth flanks",
     ] {
         assert!(said.contains(words), "{words}: {said}");

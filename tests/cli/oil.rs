@@ -225,7 +225,7 @@ fn curves_of_an_oil_give_its_constants_back() {
         out.contains("W441 the residuals are 0.0 times the stated errors"),
         "{out}"
     );
-    assert!(out.contains("law of pressure barus: decided"), "{out}");
+    assert!(out.contains("Law of pressure barus: decided"), "{out}");
     let text = fs::read_to_string(bench.path("found/oil_fit.json")).unwrap();
     let json: serde_json::Value = serde_json::from_str(&text).unwrap();
     for constant in json["constants"].as_array().unwrap() {
@@ -392,7 +392,7 @@ fn a_fit_under_a_condition_is_warned_about() {
     );
     let wide = fit(&cold, "m100", &["--wide"]);
     warned(&wide, "W441 the points do not decide the law of pressure");
-    warned(&wide, "by the other law of pressure (roelands)");
+    warned(&wide, "By the other law of pressure (roelands)");
     warned(
         &wide,
         "W441 Eyring stress [MPa] times pressure-viscosity factor to the power of",
@@ -521,7 +521,7 @@ fn stribeck_curves_give_the_boundary_friction_of_rubbed_specimens() {
         "before rubbing 0.05898 5 ",
         "after 7200 s of rubbing 0.117",
         UNREAD,
-        "(0.09922..0.1379, 5 to 95 %) at 120 °C",
+        "(0.09922 to 0.1379, 5 to 95 %) at 120 °C",
     ] {
         assert!(out.contains(part), "{part:?} is not in {out}");
     }

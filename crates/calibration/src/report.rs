@@ -1,4 +1,4 @@
-//! What a calibration and a design say. Folder of a calibration: `calibration.json`, `calibration.toml` (the block), `points.csv`,
+//! Reports of a calibration and of a design. Folder of a calibration: `calibration.json`, `calibration.toml` (the block), `points.csv`,
 //! `calibration.html`. Folder of a design: `design.json`, `design.csv` to fill in, `design.html`, and on request `simulated.csv`.
 
 use std::fmt::Write as _;
@@ -127,7 +127,7 @@ impl StudyResult for Design {
 
 /// Kind of both folders in messages.
 const KIND: &str = "calibration";
-/// What simulated losses are.
+/// Note on simulated losses.
 const REHEARSAL: &str = "SIMULATED losses: a rehearsal of a rig, not a measurement.";
 /// Content of the bands.
 const BANDS: &str = "The bands include scatter and nuisance terms, but not the structure of the model: alternative models are \

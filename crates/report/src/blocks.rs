@@ -1,4 +1,4 @@
-//! What a study says: a list of blocks, each stated once, which terminal, page and folder walk.
+//! Report of a study: a list of blocks, each stated once, which terminal, page and folder walk.
 //!
 //! | block | terminal | page | folder |
 //! |---|---|---|---|
@@ -28,7 +28,7 @@ use crate::html::{Section, figure, page_of};
 use crate::wrap::wrapped;
 use crate::{tables, write_text};
 
-/// What a study says.
+/// Report of a study.
 #[must_use]
 pub struct Report<'a> {
     title: String,
@@ -64,6 +64,8 @@ enum Block<'a> {
     File(Writer<'a>),
 }
 
+/// Indent of the lines after the first of a sentence in a terminal.
+const HANGING: &str = "    ";
 /// Name of the section of a page with the method.
 const METHOD: &str = "Method";
 
@@ -200,8 +202,8 @@ impl<'a> Report<'a> {
         for (_, block) in blocks.filter(|(faces, _)| matches!(faces, Faces::Both | Faces::Terminal))
         {
             let (shown, indent) = match block {
-                Block::Verdict(line) | Block::Text(line) | Block::Method(line) => (line, ""),
-                Block::Heading(line) => (line, ""),
+                Block::Verdict(line) | Block::Text(line) => (line, HANGING),
+                Block::Heading(line) | Block::Method(line) => (line, ""),
                 Block::Warning(line) => (line, "     "),
                 Block::Code(code) => {
                     text += code;
@@ -232,7 +234,7 @@ impl<'a> Report<'a> {
     #[must_use]
     pub fn verdict_lines(&self) -> Vec<String> {
         let verdicts = self.blocks.iter().filter_map(|(_, block)| match block {
-            Block::Verdict(line) => Some(wrapped(&one_line(line), "")),
+            Block::Verdict(line) => Some(wrapped(&one_line(line), HANGING)),
             _ => None,
         });
         let lines = verdicts.flat_map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>());

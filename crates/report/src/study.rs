@@ -20,7 +20,7 @@ pub trait StudyResult: Serialize + Sized {
     where
         Self: 'a;
 
-    /// What it says.
+    /// Its report.
     fn report<'a>(&'a self, context: Self::Context<'a>) -> Report<'a>;
 
     /// Summary for the terminal.

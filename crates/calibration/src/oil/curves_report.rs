@@ -1,4 +1,4 @@
-//! What predicted traction curves say.
+//! Report of predicted traction curves.
 
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Cell, Column, Kind, Report, StudyResult, Table, columns};

@@ -1,4 +1,4 @@
-//! What a fit to traction curves says.
+//! Report of a fit to traction curves.
 
 use asperity::result::loss_band::Digits;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};

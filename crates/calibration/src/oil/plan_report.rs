@@ -1,4 +1,4 @@
-//! What a plan of traction measurements says.
+//! Report of a plan of traction measurements.
 
 use std::path::Path;
 
@@ -74,7 +74,7 @@ impl StudyResult for OilPlan {
     }
 }
 
-/// What the table to fill in is.
+/// Purpose of the table to fill in.
 const TO_FILL_IN_TEXT: &str =
     "plan.csv is the table to fill in, with the friction expected before any test.";
 

@@ -1,4 +1,4 @@
-//! What a boundary friction from Stribeck curves says.
+//! Report of a boundary friction from Stribeck curves.
 
 use asperity::case::CalibratedName;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Mark, Series};

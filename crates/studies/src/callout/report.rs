@@ -1,4 +1,4 @@
-//! What a call-out says: the limit, how it follows from the number of traces, and the loss by the height of the flanks.
+//! Report of a call-out: the limit, how it follows from the number of traces, and the loss by the height of the flanks.
 
 use asperity::result::loss_band::rounded;
 use asperity_core::quantity::Power;

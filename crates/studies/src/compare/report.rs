@@ -1,4 +1,4 @@
-//! What a comparison says.
+//! Report of a comparison.
 
 use asperity::quantity::Length;
 use asperity::result::loss_band::Uncertainty;
@@ -48,14 +48,14 @@ impl StudyResult for Comparison {
     }
 }
 
-/// What a comparison of a gear train leaves out.
+/// Content of a comparison of a gear train.
 const OF_MESHES: &str = "Losses of one mesh of each kind. A comparison of a single mesh shows its flanks, its spectra and the \
     correlation of their roughness with the loss.";
 
-/// What a comparison of flanks without traces says.
+/// Note on flanks without traces.
 const NO_TRACE: &str = "The flanks are given only by roughness values: no trace was measured.";
 
-/// What a comparison of a pair says besides.
+/// Sections of a comparison of pairs.
 fn of_pairs<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
     let report = report
         .figures(|| [along_the_path(comparison)])

@@ -1,4 +1,4 @@
-//! What a cycle says: the energy lost with each finish, its operating points over the map, and the loss over time.
+//! Report of a cycle: the energy lost with each finish, its operating points over the map, and the loss over time.
 
 use asperity::message::Warning;
 use asperity::result::loss_band::Digits;

@@ -421,7 +421,7 @@ fn files(map: &Map) -> Table {
     }
 }
 
-/// What the losses include, and the torques from which contacts are resolved.
+/// Scope of the losses, and the torques from which contacts are resolved.
 fn scope(map: &Map) -> String {
     let from = map.finishes.iter();
     let from =

@@ -1,4 +1,4 @@
-//! What a map says, and its folder: `map.json`, `map.csv`, `map.html`, and its exports in `export`.
+//! Report of a map, and its folder: `map.json`, `map.csv`, `map.html`, and its exports in `export`.
 
 use std::path::{Path, PathBuf};
 

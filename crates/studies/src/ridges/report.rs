@@ -1,4 +1,4 @@
-//! What a study of ridges says: the saving, the costliest ridges, both traces coloured by the loss, and the loss by wavelength.
+//! Report of a study of ridges: the saving, the costliest ridges, both traces coloured by the loss, and the loss by wavelength.
 
 use asperity::result::loss_band::rounded;
 use asperity::result::ridges::{FlankWatts, Kinks, OctaveRow, Ridges};

@@ -1,4 +1,4 @@
-//! What a sensitivity study says: the largest change, a bar for each change, and the changes of the parts.
+//! Report of a sensitivity study: the largest change, a bar for each change, and the changes of the parts.
 
 use asperity::message::Warning;
 use asperity::result::loss_band::{Digits, rounded};

@@ -1,4 +1,4 @@
-//! What a merged study says: each result over each axis, then the effects of all inputs.
+//! Report of a merged study: each result over each axis, then the effects of all inputs.
 
 use asperity::message::explain;
 use asperity_core::numerics::distinct;
@@ -15,7 +15,7 @@ use super::words::{Output, input_name, table};
 /// How the effects are computed.
 const METHOD: &str = "Change of a result from the mean of the lowest to the mean of the highest quarter of an input, or with a choice \
     against the first one, by a linear regression on all inputs; in brackets its 5 and 95 % quantiles.";
-/// What the charts over the axes show.
+/// Content of the charts over the axes.
 const OVER_AXES: &str = "Mean of the cases at each value of an axis, and the range of all of them.";
 
 impl StudyResult for Merged {
