@@ -11,9 +11,12 @@
 //! | draw its page | [`html::render`], [`redraw`] |
 //! | print it in 80 columns | [`summary`] |
 //! | make a table for page and terminal | [`columns!`] |
+//! | state the settings of a study once for all faces | [`settings!`], [`StudySettings`] |
 
+pub mod axis;
 pub mod chart;
 mod columns;
+mod described;
 mod error;
 mod folder;
 pub mod html;
@@ -24,6 +27,7 @@ mod printed;
 pub mod profile_json;
 mod results;
 pub mod ridges;
+mod settings;
 mod study;
 mod summary;
 pub mod tables;
@@ -33,7 +37,9 @@ pub mod units;
 mod whole;
 mod wrap;
 
+pub use axis::Nodes;
 pub use columns::{Cell, Column, Kind, Number, Table};
+pub use described::{Described, Input, StudySettings, Work};
 pub use folder::{
     Fields, PAGE, make_folder, parse_result, read_result, redraw, title_of, write_bytes,
     write_json, write_text, write_unsolved,
@@ -41,6 +47,7 @@ pub use folder::{
 pub use page_tables::PageTables;
 pub use printed::{stated, stated_parts};
 pub use results::{Results, check_place, texts, write_folder, write_load_points};
+pub use settings::{Setting, Settings, Stated, taken};
 pub use study::StudyResult;
 pub use summary::{
     besides_the_mesh, brief, headline, models, published_laws, summary, summary_within,
