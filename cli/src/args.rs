@@ -14,7 +14,7 @@ mod work;
 
 use std::path::PathBuf;
 
-use asperity::case::PathPoint;
+use asperity::case::{Formulation, PathPoint};
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -22,20 +22,15 @@ pub use calibrate::CalibrateArgs;
 pub use ehl::{EhlArgs, ViscosityLawArg};
 pub use finish::FinishArg;
 pub use from_rexs::{CaseCommand, FromRexsArgs};
-pub use map::{
-    CycleArgs, ExportArg, MapArgs, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs,
-};
-pub use oil::{
-    ErrorArgs, OilCommand, OilFitArgs, OilPlanArgs, OilStribeckArgs, OilTractionArgs, SpecimenArgs,
-    TemperatureColumnArg, ZeroArg,
-};
+pub use map::{CycleArgs, MapArgs, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
+pub use oil::{GivenCurves, GivenOil, GivenOilOfCase, NoLimits, OilCommand};
 pub use profile::{
     FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, Ratios, ReadingArgs,
     Wavelengths,
 };
 pub use set::SetArgs;
-pub use study::{StudyArgs, StudyCommand};
+pub use study::{Given, Group, StudyArgs, StudyCommand, Subject, Top};
 pub use values::name_of;
 pub use work::WorkArgs;
 
@@ -149,12 +144,9 @@ pub enum Command {
         asperity cycle results/demo-case-map trace.csv --set vehicle.mass=\"1600 kg\" --temperature 90"
     )]
     Cycle(CycleArgs),
-    /// Studies of one case
+    /// Studies of the library
     #[command(flatten)]
-    Study(StudyCommand),
-    /// Measurements that would narrow the interval of the loss most, with their hours
-    #[command(after_help = "Example:\n  asperity evidence demo/case.toml --hours traction-plan=3")]
-    Evidence(EvidenceArgs),
+    Study(StudyCommand<Top>),
     /// Run many cases: crossed axes and samples of the inputs, in shards
     #[command(subcommand)]
     Sweep(SweepCommand),
@@ -290,7 +282,7 @@ pub struct RunArgs {
     pub output: Option<PathBuf>,
     /// Formulation of the model, overriding the case
     #[arg(long, value_enum)]
-    pub formulation: Option<FormulationArg>,
+    pub formulation: Option<Formulation>,
     /// List all defaults used
     #[arg(long)]
     pub explain_defaults: bool,
@@ -357,25 +349,6 @@ pub struct CompareArgs {
     pub work: WorkArgs,
 }
 
-/// Case of a table of measurements that would narrow the interval of its loss.
-#[derive(Debug, Args)]
-pub struct EvidenceArgs {
-    /// Case file; - reads standard input
-    pub case: PathBuf,
-    /// Keys of the case set on the command line.
-    #[command(flatten)]
-    pub set: SetArgs,
-    /// Hours of a measurement by its name in evidence.csv, e.g. traction-plan=3; may be repeated
-    #[arg(long, value_name = "NAME=HOURS")]
-    pub hours: Vec<String>,
-    /// Folder of the table [default: results/<name of the case>-evidence]
-    #[arg(long, short)]
-    pub output: Option<PathBuf>,
-    /// Limits of time and memory.
-    #[command(flatten)]
-    pub work: WorkArgs,
-}
-
 /// Shell whose completions are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum CompletionKind {
@@ -419,7 +392,7 @@ pub struct CaseArgs {
     pub set: SetArgs,
     /// Formulation of the model, overriding the case
     #[arg(long, value_enum)]
-    pub formulation: Option<FormulationArg>,
+    pub formulation: Option<Formulation>,
 }
 
 /// Case, and position on its path of contact.
@@ -433,15 +406,6 @@ pub struct FilmArgs {
     /// Position along the path of contact: A, B, C, D, E, or 0 (A) to 1 (E) [default: C]
     #[arg(long, allow_hyphen_values = true)]
     pub position: Option<PathPoint>,
-}
-
-/// Formulation of the model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum FormulationArg {
-    /// Dimensionally and physically consistent
-    Corrected,
-    /// The paper's formulation, with only its misprints corrected
-    Paper,
 }
 
 /// A rough contact.

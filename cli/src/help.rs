@@ -6,15 +6,17 @@ use asperity_report::wrapped_within;
 use clap::builder::StyledStr;
 use clap::{Command, CommandFactory};
 
-use crate::args::{Cli, StudyCommand};
+use crate::args::{Cli, StudyCommand, Top};
 use crate::output::columns;
 
-/// Questions, and the commands that answer each; the studies of one case are among the comparisons.
+/// Questions, and the commands that answer each; studies without a question of their own are among the comparisons.
 pub fn questions() -> Vec<(&'static str, Vec<&'static str>)> {
     let with_studies = |(question, names): (&'static str, &[&'static str])| {
         let mut names = names.to_vec();
         if question == COMPARE {
-            names.splice(1..1, StudyCommand::names());
+            let is_listed = |name: &&str| QUESTIONS.iter().any(|(_, names)| names.contains(name));
+            let others = StudyCommand::<Top>::names().filter(|name| !is_listed(name));
+            names.splice(1..1, others);
         }
         (question, names)
     };

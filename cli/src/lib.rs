@@ -92,7 +92,6 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Map(args) => commands::map::map(args, common),
         Command::Cycle(args) => commands::cycle::cycle(args, common),
         Command::Study(study) => commands::study::study(study, common),
-        Command::Evidence(args) => commands::evidence::evidence(args, common),
         Command::Sweep(command) => commands::sweep::sweep(command, common),
         Command::Calibrate(args) => commands::calibrate::calibrate(args, common),
         Command::Completions { kind } => commands::completions::completions(*kind, common),

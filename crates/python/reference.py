@@ -156,7 +156,7 @@ def written():
         for name, thing in things.items():
             blocks.append((of_class if isinstance(thing, type) else of_function)(name, thing) + "\n")
     rows = "".join(
-        f"| `{name}` | {', '.join(f'`{value}`' for value in values)} |\n" for name, values in _asperity.choices() if name not in NOT_LISTED
+        f"| `{name}` | {', '.join(f'`{value}`' for value in values)} |\n" for name, _, values in _asperity.choices() if name not in NOT_LISTED
     )
     blocks.append(f"## Choices\n\nTypes of arguments that take one of these texts.\n\n| type | texts |\n|---|---|\n{rows}")
     return re.sub(r"\n{3,}", "\n\n", "\n".join(blocks))

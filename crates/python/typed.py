@@ -1,21 +1,26 @@
 """Writes what follows from the lists of the compiled part: python/asperity/keys.py, the types of case keys, choices and columns, and
-python/asperity/_studies.py, the studies of one case with their settings.
+python/asperity/_studies.py, the studies with their settings.
 
     python crates/python/typed.py          # after building the module
 """
 
 import json
 import keyword
+import re
 import sys
 import textwrap
 from pathlib import Path
 
 import asperity
 from asperity import _asperity
+from asperity._quantity import OPERATING
 
 FOLDER = Path(__file__).parent / "python" / "asperity"
-RESULTS = {"callout": "CallOut", "ridges": "Ridges", "sensitivity": "Sensitivity"}
-"""Classes of the results of studies that have attributes of their own, each in the module of its study."""
+RESULTS = {
+    "callout": "CallOut", "evidence": "Evidence", "oil_fit": "OilFit", "oil_plan": "OilPlan", "oil_traction": "Traction", "ridges": "Ridges",
+    "sensitivity": "Sensitivity", "stribeck": "Stribeck",
+}
+"""Classes of the results of studies that have attributes of their own."""
 KINDS = ("gears", "mesh")
 QUANTITIES = {name for name, _ in _asperity.si_units()}
 PLAIN = {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "null": "None"}
@@ -204,7 +209,7 @@ def written():
     """The text of the file."""
     tables = Tables()
     top, paths = tables.top(), tables.paths()
-    choices = dict(_asperity.choices())
+    choices = {name: values for name, _, values in _asperity.choices()}
     blocks = [HEAD]
     blocks += [literal(name, values) for name, values in choices.items()]
     blocks += [
@@ -221,81 +226,132 @@ def written():
     return "\n\n".join(blocks)
 
 
-HEAD_OF_STUDIES = '''"""Studies of one case.
+HEAD_OF_STUDIES = '''"""Studies by their settings.
 
 Written by crates/python/typed.py from the settings of the compiled part.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional, Union
+%sfrom typing import TYPE_CHECKING, Optional, Union
 
 if TYPE_CHECKING:
 %s
 __all__ = %s
 '''
 TYPES = {"usize": "int", "u64": "int", "f64": "float", "bool": "bool", "String": "str", "Ratio": "Union[float, str]"}
+INPUTS = {
+    "Case": ("CaseLike", None, "as_case({0})._raw"),
+    "Option<Case>": ("Optional[CaseLike]", "None", "None if {0} is None else as_case({0})._raw"),
+    "Oil": ("OilLike", None, "raw_oil({0})"),
+    "Vec<Curves>": ("Union[Columns, Sequence[Columns]]", None, 'tables_of_curves({0}, "{0}")'),
+}
+"""Arguments of what a study is about: type, default and value for the compiled part."""
+HOMES = {
+    "CaseLike": "_case", "Columns": "_columns", "Numbers": "_quantity", "OilLike": "_oil", "Progress": "_progress", "Quantities": "_quantity",
+    "Quantity": "_quantity", "Study": "_study", "as_case": "_case", "nodes": "_quantity", "raw_oil": "_oil", "run_study": "_study",
+    "tables_of_curves": "_oil", "warned": "_record", "written": "_quantity",
+}
+"""Modules of the names that the functions use."""
+
+
+def unit_of(name):
+    """The name of an operating quantity as a number, `temperature_c`, and its unit."""
+    return next((own, of.unit) for own, of in OPERATING.items() if own.rsplit("_", 1)[0] == name)
+
+
+def one(kind, name):
+    """Type of a value of a setting, and the value for the compiled part."""
+    if kind in QUANTITIES:
+        return "Quantity", f'written({name}, "{kind}", "{name}")'
+    choices = {rust: python for python, rust, _ in _asperity.choices()}
+    return choices.get(kind) or TYPES[kind], name
 
 
 def argument(setting):
-    """Type, default and value of a setting as texts."""
-    name, kind = setting["name"], setting["kind"].replace(" ", "")
-    optional = kind.startswith("Option<")
-    kind = kind.removeprefix("Option<").removesuffix(">") if optional else kind
-    value = f'written(settled, "{kind}", "{name}")'.replace("settled", name) if kind in QUANTITIES else name
-    value = f"None if {name} is None else {value}" if optional and value != name else value
-    kind = TYPES.get(kind, "Quantity" if kind in QUANTITIES else kind)
-    default = "None" if optional else repr(setting["default"]).replace("'", '"')
-    is_stated = setting["default"] is None and not optional
-    return (f"Optional[{kind}]" if optional else kind), (None if is_stated else default), value
+    """Arguments of a setting, each its name, type and default, and its value for the compiled part."""
+    name, kind, default = setting["name"], setting["kind"].replace(" ", ""), setting["default"]
+    if kind.removeprefix("Option<").removesuffix(">") == "Nodes":
+        own, _ = unit_of(name)
+        rows = [(own, "Optional[Numbers]", "None"), (name, "Optional[Quantities]", "None")]
+        return rows, f'nodes("{own}", {own}, {name}, {json.dumps(default)})'.replace("null", "None")
+    if kind == "Vec<NamedHours>":
+        return [(name, "Optional[Mapping[str, float]]", "None")], f'[f"{{key}}={{value}}" for key, value in ({name} or {{}}).items()]'
+    if kind.startswith("Vec<"):
+        of, value = one(kind.removeprefix("Vec<").removesuffix(">"), "one")
+        value = f"list({name})" if value == "one" else f"[{value} for one in {name}]".replace('"one"', f'"{name}"')
+        return [(name, f"Sequence[{of}]", "()")], value
+    if kind.startswith("Option<"):
+        of, value = one(kind.removeprefix("Option<").removesuffix(">"), name)
+        return [(name, f"Optional[{of}]", "None")], value if value == name else f"None if {name} is None else {value}"
+    of, value = one(kind, name)
+    stated = "False" if kind == "bool" else None if default is None else json.dumps(default, ensure_ascii=False)
+    return [(name, of, stated)], value
+
+
+def described(setting):
+    """The lines of a setting in the text of a function."""
+    names = ", ".join(name for name, *_ in argument(setting)[0])
+    about = re.sub(r"e\.g\. ([\w-]+)=(\w+); may be repeated", r'``{"\1": \2}``', setting["about"])
+    if "Nodes" in setting["kind"]:
+        about, _, default = about.partition(" in ")
+        default = default.partition(" [default: ")[2].removesuffix("]") or f"{setting['default']} {unit_of(setting['name'])[1]}"
+        about = f"{about}, numbers or text with a unit [default: {default}]"
+    return wrapped(f"{names}: {about[0].lower()}{about[1:]}.")
+
+
+def wrapped(text):
+    return textwrap.fill(text, 120, initial_indent=" " * 8, subsequent_indent=" " * 12) + "\n"
+
+
+def imports(text, indent):
+    """Imports of the names in a text, on lines with this indent."""
+    homes = {}
+    choices = {python: "keys" for python, *_ in _asperity.choices()}
+    results = {name: getattr(asperity, name).__module__.split(".")[-1] for name in RESULTS.values()}
+    for name, home in {**choices, **results, **HOMES}.items():
+        if re.search(rf"\b{name}\b", text):
+            homes.setdefault(home, []).append(name)
+    return "".join(f"{indent}from .{home} import {', '.join(sorted(names))}\n" for home, names in sorted(homes.items()))
 
 
 def study(found):
-    """The function of a study."""
-    name, result = found["name"], RESULTS.get(found["name"], "Study")
-    rows = [(setting, *argument(setting)) for setting in found["settings"]]
-    stated = [f"    {setting['name']}: {kind},\n" for setting, kind, default, _ in rows if default is None]
-    others = [f"    {setting['name']}: {kind} = {default},\n" for setting, kind, default, _ in rows if default is not None]
-    about = "".join(
-        f"        {setting['name']}: {setting['about'][0].lower()}{setting['about'][1:].split(' [default')[0]}"
-        f"{' [default' + setting['about'].split(' [default')[1] if ' [default' in setting['about'] else ''}.\n" for setting, *_ in rows
-    )
-    values = "".join(f'        "{setting["name"]}": {value},\n' for setting, _, _, value in rows)
+    """Signature and body of the function of a study."""
+    name, result = found["function"], RESULTS.get(found["function"], "Study")
+    given = [(one["name"], *INPUTS[one["kind"]]) for one in found["input"]]
+    rows = [(setting["name"], *argument(setting)) for setting in found["settings"]]
+    every = [row for _, arguments, _ in rows for row in arguments]
+    threads = [("threads", "Optional[int]", "None")] + ([("progress", "Optional[Progress]", "None")] if found["steps"] else [])
+    first = [row[:3] for row in given] + [row for row in every if row[2] is None]
+    lines = [f"    {name}: {kind}{'' if default is None else f' = {default}'},\n" for name, kind, default in first]
+    lines += ["    *,\n"] + [f"    {name}: {kind} = {default},\n" for name, kind, default in every + threads if default is not None]
+    signature = f"def {name}(\n{''.join(lines)}) -> {result}:\n"
+    about = "".join(wrapped(f"{one['name']}: {one['about'][0].lower()}{one['about'][1:]}.") for one in found["input"])
+    about += "".join(map(described, found["settings"]))
+    values = "".join(f'        "{name}": {value},\n' for name, _, value in rows)
     settings = f"    settings = {{\n{values}    }}\n" if values else ""
-    quantity = "    from ._quantity import written\n" if "written(" in values else ""
-    home = f"_{name}" if name in RESULTS else "_study"
-    names = ["Study", "of_case"] if result == "Study" else ["of_case"]
-    imports = ([] if result == "Study" else [f"    from .{home} import {result}\n"]) + [quantity, f"    from ._study import {', '.join(names)}\n"]
-    return f'''
-def {name}(
-    case: CaseLike,
-{"".join(stated)}    *,
-{"".join(others)}    threads: Optional[int] = None,
-    progress: Optional[Progress] = None,
-) -> {result}:
-    """{found["about"]}.
+    raws = ", ".join(value.format(name) for name, _, _, value in given)
+    call = ", ".join([f'"{name}"', f"({raws},)" if len(given) == 1 else f"({raws})", "settings" if values else "{}", *(name for name, *_ in threads)])
+    body = f"{settings}    return warned({result}(run_study({call})))\n"
+    return signature, f'''    """{found["about"]}.
 
 {textwrap.fill(found["method"], 118, initial_indent="    ", subsequent_indent="    ")}
 
     Args:
-        case: the case.
-{about}        threads, progress: as in `Case.run`.
+{about}        {", ".join(name for name, *_ in threads)}: as in `Case.run`.
     """
-{"".join(imports)}
-{settings}    return {result}(of_case("{name}", case, {"settings" if values else "{}"}, threads, progress, "{found["steps"]}"))
-'''
+{imports(body, "    ")}
+{body}'''
 
 
 def studies():
     """The text of the studies."""
-    every = json.loads(_asperity.studies())
-    functions = "\n".join(study(found) for found in every)
-    choices = [name for name, _ in _asperity.choices() if f"{name}]" in functions or f": {name} " in functions]
-    results = {f"_{name}": RESULTS[name] for name in RESULTS}
-    homes = {"_case": "CaseLike", "_progress": "Progress", "_quantity": "Quantity", "_study": "Study", "keys": ", ".join(choices), **results}
-    imports = "".join(f"    from .{home} import {names}\n" for home, names in sorted(homes.items()) if any(name in functions for name in names.split(", ")) and names)
-    names = "[\n" + "".join(f'    "{name}",\n' for name in sorted(found["name"] for found in every)) + "]"
-    return HEAD_OF_STUDIES % (imports, names) + "\n" + functions
+    every = [(found["function"], *study(found)) for found in json.loads(_asperity.studies())]
+    signatures = "".join(signature for _, signature, _ in every)
+    abstract = [name for name in ("Mapping", "Sequence") if f"{name}[" in signatures]
+    containers = f"from collections.abc import {', '.join(abstract)}\n" if abstract else ""
+    names = "[\n" + "".join(f'    "{name}",\n' for name in sorted(name for name, *_ in every)) + "]"
+    return HEAD_OF_STUDIES % (containers, imports(signatures, "    "), names) + "\n" + "\n".join(f"\n{signature}{body}" for _, signature, body in every)
 
 
 FILES = {FOLDER / "keys.py": written, FOLDER / "_studies.py": studies}

@@ -8,6 +8,7 @@ mod key_names;
 mod message_numbers;
 mod plain_english;
 mod tables_once;
+mod walk;
 mod words;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -247,10 +247,10 @@ struct Expected<'a> {
 
 impl<'a> Expected<'a> {
     fn of(name: &'a str, tables: &Contacts, case: &LoadedCase) -> Self {
-        let table = EvidenceTable::of(&case.clone().into(), &Effort::usual());
+        let table = EvidenceTable::of(&case.clone().into(), &Effort::usual(), &|_, _| {});
         Self {
             name,
-            table: table.unwrap().unwrap(),
+            table: table.unwrap(),
             spreads: spreads(tables, case),
         }
     }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use asperity::case::CalibratedName;
 use asperity_core::quantity::Ratio;
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use super::SetArgs;
 
@@ -22,7 +22,7 @@ pub struct CalibrateArgs {
     pub set: SetArgs,
     /// Hold a parameter at the value of the case instead of fitting it; repeat for several
     #[arg(long, value_enum, value_name = "PARAMETER")]
-    pub hold: Vec<ParameterArg>,
+    pub hold: Vec<CalibratedName>,
     /// Choose the points to measure: those within the limits below with the best information on the parameters
     #[arg(long)]
     pub design: bool,
@@ -74,29 +74,4 @@ pub struct CalibrateArgs {
     /// case>-design]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
-}
-
-/// Parameters that can be held constant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum ParameterArg {
-    /// Coefficient of boundary friction
-    BoundaryFriction,
-    /// Thickness of the boundary layer, which determines the share of boundary friction
-    BoundaryLayer,
-    /// Ratio of limiting shear stress to pressure
-    LimitingShear,
-    /// Eyring stress
-    EyringStress,
-}
-
-impl ParameterArg {
-    /// The parameter of the case.
-    pub fn name(self) -> CalibratedName {
-        match self {
-            Self::BoundaryFriction => CalibratedName::BoundaryFriction,
-            Self::BoundaryLayer => CalibratedName::BoundaryLayer,
-            Self::LimitingShear => CalibratedName::LimitingShear,
-            Self::EyringStress => CalibratedName::EyringStress,
-        }
-    }
 }

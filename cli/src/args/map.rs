@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use asperity_studies::export::Format;
 use asperity_studies::map::MapBand;
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{Args, Subcommand};
 
 use super::{FinishArg, SetArgs, WorkArgs};
 
@@ -33,13 +33,13 @@ pub struct MapArgs {
     pub finishes: Vec<FinishArg>,
     /// Whether the loss has median, 5 and 95 % quantiles, as in asperity run
     #[arg(long, value_enum, default_value_t, value_name = "POINTS")]
-    pub band: BandArg,
+    pub band: MapBand,
     /// Cycle whose points are drawn over the map, in the format of asperity cycle
     #[arg(long, value_name = "TRACE.csv")]
     pub cycle: Option<PathBuf>,
     /// Also write the map for these programs, into the folder of the map
     #[arg(long, value_enum, value_name = "FORMAT", value_delimiter = ',')]
-    pub export: Vec<ExportArg>,
+    pub export: Vec<Format>,
     /// Table with the loss torque of bearings, seals and churning, added to the exports as a separate part:
     /// columns torque_nm, speed_rpm, loss_torque_nm (and temperature_c)
     #[arg(long, value_name = "TABLE.csv", requires = "export")]
@@ -50,63 +50,6 @@ pub struct MapArgs {
     /// Limits of the work.
     #[command(flatten)]
     pub work: WorkArgs,
-}
-
-/// Points of a map whose draws are computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum BandArg {
-    /// None: no quantiles
-    None,
-    /// Three torques and three speeds at three temperatures, interpolated between them
-    #[default]
-    Nodes,
-}
-
-impl BandArg {
-    /// The points for the library.
-    pub fn points(self) -> MapBand {
-        match self {
-            Self::None => MapBand::None,
-            Self::Nodes => MapBand::Nodes,
-        }
-    }
-}
-
-/// Formats of map exports.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum ExportArg {
-    /// Long table with the parts of the loss
-    Csv,
-    /// VECTO transmission loss map, .vtlm
-    Vecto,
-    /// Modelica CombiTable2Ds, .txt
-    Modelica,
-    /// MATLAB, Octave, scipy, Modelica: MAT-file level 4
-    Matlab,
-    /// FMI 2.0 model exchange and co-simulation, sources and, if cc is available, the library of this machine
-    Fmu,
-    /// CO2MPAS gear box efficiency parameters, fitted
-    Co2mpas,
-    /// fastsim transmission efficiency, one number
-    Fastsim,
-    /// ADVISOR transmission map, output side, .m
-    Advisor,
-}
-
-impl ExportArg {
-    /// The format of the library.
-    pub fn format(self) -> Format {
-        match self {
-            Self::Csv => Format::Csv,
-            Self::Vecto => Format::Vecto,
-            Self::Modelica => Format::Modelica,
-            Self::Matlab => Format::Matlab,
-            Self::Fmu => Format::Fmu,
-            Self::Co2mpas => Format::Co2mpas,
-            Self::Fastsim => Format::Fastsim,
-            Self::Advisor => Format::Advisor,
-        }
-    }
 }
 
 /// A map and a cycle.

@@ -1,92 +1,176 @@
-//! Arguments of the studies of one case: each is described by the library.
+//! Arguments of the studies: each is described by the library.
 
+use std::ffi::OsString;
+use std::fmt::Debug;
+use std::marker::PhantomData;
 use std::path::PathBuf;
 
+use asperity_report::{Input, StudySettings, Work};
 use asperity_studies::every_study;
-use asperity_studies::study::CaseStudy;
 use clap::error::ErrorKind;
 use clap::{ArgMatches, Args, Command, Error, FromArgMatches, Subcommand};
 
-use super::{SetArgs, WorkArgs};
+use super::SetArgs;
+use crate::failure::Failure;
 
-/// Case and settings of a study.
+/// What a study is about, as read from its arguments.
+#[derive(Debug)]
+pub struct Subject<I> {
+    /// It.
+    pub input: I,
+    /// Name of its results.
+    pub name: OsString,
+    /// File that errors of the study are about.
+    pub file: Option<PathBuf>,
+}
+
+/// What a study is about, as arguments of a command.
+pub trait Given: Input {
+    /// The arguments.
+    type Args: Args + Debug;
+    /// Limits of the work.
+    type Limits: Args + Debug;
+    /// What the folder of a result is named by.
+    const NAMED_BY: &'static str;
+
+    /// Reads it.
+    fn read(args: &Self::Args, set: &SetArgs) -> Result<Subject<Self>, Failure>;
+
+    /// Rejects work above the limits.
+    fn check(_limits: &Self::Limits, _work: &Work) -> Result<(), Failure> {
+        Ok(())
+    }
+}
+
+/// What a study is about, its settings, and the target of its result.
 #[derive(Debug, Args)]
-pub struct StudyArgs<S: Args> {
-    /// Case file; - reads standard input
-    pub case: PathBuf,
+pub struct StudyArgs<S: StudySettings<Input: Given> + Args> {
+    /// What it is about.
+    #[command(flatten)]
+    pub given: <S::Input as Given>::Args,
     /// Settings of the study.
     #[command(flatten)]
     pub settings: S,
     /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
-    /// Folder of the study [default: results/<name of the case>-<command>, named as for run]
+    /// Folder of the result
     #[arg(long, short)]
     pub output: Option<PathBuf>,
-    /// Limits of time and memory.
+    /// Limits of the work.
     #[command(flatten)]
-    pub work: WorkArgs,
+    pub limits: <S::Input as Given>::Limits,
+}
+
+/// Commands that have their studies.
+pub trait Group: Debug {
+    /// Name of the command, with a space behind it; empty for the program itself.
+    const NAME: &'static str;
+}
+
+/// The program.
+#[derive(Debug)]
+pub struct Top;
+
+impl Group for Top {
+    const NAME: &'static str = "";
 }
 
 /// One of the studies of the library, with its arguments.
 #[derive(Debug)]
-pub struct StudyCommand {
-    /// Its name.
-    pub name: &'static str,
+pub struct StudyCommand<G> {
+    /// Words of its command.
+    pub words: &'static str,
     /// Its arguments.
     pub arguments: ArgMatches,
+    group: PhantomData<G>,
 }
 
 /// A study of the library as a command.
 struct Registered {
-    name: &'static str,
-    command: fn() -> Command,
+    words: &'static str,
+    command: fn(&'static str) -> Command,
 }
 
-fn registered<S: CaseStudy + Args>() -> Registered {
+fn registered<S: StudySettings<Input: Given> + Args>() -> Registered {
     Registered {
-        name: S::COMMAND,
-        command: || {
-            let command = StudyArgs::<S>::augment_args(Command::new(S::COMMAND));
-            command.about(S::ABOUT).after_help(help::<S>())
-        },
+        words: S::COMMAND,
+        command: command::<S>,
     }
 }
 
+/// The study as the command `name`.
+fn command<S: StudySettings<Input: Given> + Args>(name: &'static str) -> Command {
+    let mut command = StudyArgs::<S>::augment_args(Command::new(name)).about(S::ABOUT);
+    for setting in S::described() {
+        command = command.mut_arg(setting.name, |arg| {
+            let takes_values = arg.get_action().takes_values();
+            arg.allow_hyphen_values(takes_values)
+        });
+    }
+    let named_by = S::Input::NAMED_BY;
+    let folder = format!(
+        "Folder of the result [default: results/{named_by}-{}, named as for run]",
+        S::FOLDER
+    );
+    let command = command.mut_arg("output", |arg| arg.help(folder));
+    let help = help::<S>(&command);
+    command.after_help(help)
+}
+
 /// Examples and method, below the options.
-fn help<S: CaseStudy>() -> String {
-    let examples = S::EXAMPLES.iter().map(|settings| {
-        let options = settings
+fn help<S: StudySettings>(command: &Command) -> String {
+    let stated = |name: &str, value: &str| {
+        let value = match value.contains(' ') {
+            true => format!("\"{value}\""),
+            false => value.to_owned(),
+        };
+        let argument = command.get_arguments().find(|arg| arg.get_id() == name);
+        match argument.map(|arg| (arg.get_short(), arg.get_long())) {
+            Some((Some(short), _)) => format!(" -{short} {value}"),
+            Some((None, Some(long))) => format!(" --{long} {value}"),
+            _ => format!(" {value}"),
+        }
+    };
+    let examples = S::EXAMPLES.iter().map(|example| {
+        let arguments: String = example
             .iter()
-            .map(|(name, value)| match value.contains(' ') {
-                true => format!(" --{name} \"{value}\""),
-                false => format!(" --{name} {value}"),
-            });
-        let options: String = options.collect();
-        format!("  asperity {} demo/case.toml{options}\n", S::COMMAND)
+            .map(|(name, value)| stated(name, value))
+            .collect();
+        format!("  asperity {}{arguments}\n", S::COMMAND)
     });
-    let title = if S::EXAMPLES.len() == 1 {
-        "Example"
-    } else {
-        "Examples"
+    let title = match S::EXAMPLES.len() {
+        1 => "Example",
+        _ => "Examples",
     };
     format!("{title}:\n{}\n{}", examples.collect::<String>(), S::METHOD)
 }
 
-impl StudyCommand {
+/// The studies of a command by their names there.
+fn of_group<G: Group>() -> impl Iterator<Item = (&'static str, Registered)> {
+    let own = |study: Registered| {
+        let name = study.words.strip_prefix(G::NAME)?;
+        (!name.contains(' ')).then_some((name, study))
+    };
+    every_study!(registered).into_iter().filter_map(own)
+}
+
+impl<G: Group> StudyCommand<G> {
     /// Names of the studies.
     pub fn names() -> impl Iterator<Item = &'static str> {
-        every_study!(registered).into_iter().map(|study| study.name)
+        of_group::<G>().map(|(name, _)| name)
     }
 }
 
-impl FromArgMatches for StudyCommand {
+impl<G: Group> FromArgMatches for StudyCommand<G> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let (name, arguments) = matches.subcommand().unwrap_or(("", matches));
-        let name = Self::names().find(|known| *known == name);
+        let study = of_group::<G>().find(|(known, _)| *known == name);
+        let (_, study) = study.ok_or_else(|| Error::new(ErrorKind::InvalidSubcommand))?;
         Ok(Self {
-            name: name.ok_or_else(|| Error::new(ErrorKind::InvalidSubcommand))?,
+            words: study.words,
             arguments: arguments.clone(),
+            group: PhantomData,
         })
     }
 
@@ -96,9 +180,9 @@ impl FromArgMatches for StudyCommand {
     }
 }
 
-impl Subcommand for StudyCommand {
+impl<G: Group> Subcommand for StudyCommand<G> {
     fn augment_subcommands(command: Command) -> Command {
-        command.subcommands(every_study!(registered).map(|study| (study.command)()))
+        command.subcommands(of_group::<G>().map(|(name, study)| (study.command)(name)))
     }
 
     fn augment_subcommands_for_update(command: Command) -> Command {
@@ -107,5 +191,40 @@ impl Subcommand for StudyCommand {
 
     fn has_subcommand(name: &str) -> bool {
         Self::names().any(|known| known == name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity_report::Described;
+
+    use super::*;
+
+    fn described<S: StudySettings>() -> Described {
+        Described::of::<S>()
+    }
+
+    #[test]
+    fn every_study_has_a_name_of_its_own_and_every_setting_is_described() {
+        let all = every_study!(described);
+        for (k, study) in all.iter().enumerate() {
+            let is_other = |other: &Described| {
+                other.command != study.command && other.function != study.function
+            };
+            assert!(all[..k].iter().all(is_other));
+            assert!(!study.about.is_empty() && !study.input.is_empty());
+            let mut settings = study.input.iter().chain(&study.settings);
+            assert!(settings.all(|setting| !setting.about.is_empty()));
+        }
+    }
+
+    #[test]
+    fn the_arguments_of_every_example_are_those_of_the_command() {
+        fn known<S: StudySettings<Input: Given> + Args>() -> bool {
+            let command = command::<S>("study");
+            let mut stated = S::EXAMPLES.iter().copied().flatten();
+            stated.all(|(name, _)| command.get_arguments().any(|arg| arg.get_id() == *name))
+        }
+        assert!(every_study!(known).iter().all(|known| *known));
     }
 }

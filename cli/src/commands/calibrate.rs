@@ -3,13 +3,12 @@
 use std::time::Instant;
 
 use asperity::LoadedCase;
-use asperity::case::CalibratedName;
 use asperity_calibration::{
     Calibration, Design, Identifiability, Limits, Reach, RigFiles, Watch, before_the_fit, plan,
 };
 use asperity_core::Code;
 use asperity_core::number;
-use asperity_studies::map::axis;
+use asperity_report::axis::axis;
 
 use super::{load_case, result_name, study};
 use crate::args::{CalibrateArgs, Common};
@@ -22,10 +21,6 @@ pub fn calibrate(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
         true => design(args, common),
         false => fit(args, common),
     }
-}
-
-fn held(args: &CalibrateArgs) -> Vec<CalibratedName> {
-    args.hold.iter().map(|one| one.name()).collect()
 }
 
 fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
@@ -48,7 +43,7 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
         progress: &|done, total| progress.at(done, total),
         before_the_fit: &tell,
     };
-    let result = rig.calibrate(&held(args), &watch);
+    let result = rig.calibrate(&args.hold, &watch);
     drop(progress);
     let result = result?;
     study::finish(&result, (), &folder, Some(begin), common)
@@ -66,7 +61,7 @@ fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let folder = study::folder::<Design>(args.output.as_deref(), &name, "design", title)?;
     let limits = limits(args, &case)?;
     let progress = Progress::of(common.quiet, "evaluations");
-    let result = plan(&case, &limits, &held(args), &|done| progress.count(done));
+    let result = plan(&case, &limits, &args.hold, &|done| progress.count(done));
     drop(progress);
     let result = result?;
     let simulated = args

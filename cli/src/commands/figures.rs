@@ -5,14 +5,14 @@ use asperity_core::Fault;
 use asperity_studies::figures::{self};
 
 use super::{keys, load_case};
-use crate::args::{Common, FiguresArgs, FormulationArg, SetArgs};
+use crate::args::{Common, FiguresArgs, SetArgs};
 use crate::failure::Failure;
 use crate::output::print;
 
 /// `asperity figures`
 pub fn figures(args: &FiguresArgs, common: &Common) -> Result<(), Failure> {
     let case = match &args.case {
-        Some(case) => load_case(case, &args.set, Some(FormulationArg::Paper))?,
+        Some(case) => load_case(case, &args.set, Some(Formulation::Paper))?,
         None => table_2(&args.set)?,
     };
     let files = figures::write(&case, &args.output)?;

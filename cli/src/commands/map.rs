@@ -6,16 +6,17 @@ use std::time::Instant;
 use asperity::case::train::Train;
 use asperity::pipeline::KeptFields;
 use asperity_core::{Code, Fault};
+use asperity_report::axis::axis;
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle::CyclePoint;
-use asperity_studies::export::{self, AddedLoss, With};
+use asperity_studies::export::{self, AddedLoss, Format, With};
 use asperity_studies::map::{self, Axes, Map, MapExtras};
 
 use super::cycle::{read_cycle, table_in};
 use super::finish::{self, check_names};
 use super::work::check_work;
 use super::{load_train, result_name, stem, study};
-use crate::args::{Common, ExportArg, MapArgs};
+use crate::args::{Common, MapArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
 
@@ -30,15 +31,14 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     };
     let names: Vec<&str> = finishes.iter().map(|finish| finish.name.as_str()).collect();
     for format in &args.export {
-        export::check_names(&names, format.format())
-            .map_err(|error| not_exported(*format, error))?;
+        export::check_names(&names, *format).map_err(|error| not_exported(*format, error))?;
     }
     let axes = axes(args, &first.case)?;
     let cycle = match &args.cycle {
         Some(file) => Some(read_cycle(file, None, first.case.input.vehicle.as_ref())?),
         None => None,
     };
-    if args.export.contains(&ExportArg::Fastsim) && cycle.is_none() {
+    if args.export.contains(&Format::Fastsim) && cycle.is_none() {
         let message = "--export fastsim writes one number, weighted by a cycle; pass --cycle";
         return Err(Failure::new(Code::E205, message));
     }
@@ -63,7 +63,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     )?;
     progress.begin("points");
     let watch = |done, total| progress.at(done, total);
-    let mut map = map::map(&finishes, &axes, args.band.points(), &watch)
+    let mut map = map::map(&finishes, &axes, args.band, &watch)
         .map_err(|error| Failure::about(&args.case, &error))?;
     if let Some(code) = map.refused() {
         let message = "no point of the map has a loss";
@@ -91,14 +91,14 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
 fn exports(args: &MapArgs, map: &Map, with: With<'_>) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut files = Vec::new();
     for format in &args.export {
-        let exported = export::export(map, format.format(), with);
+        let exported = export::export(map, *format, with);
         let exported = exported.map_err(|error| not_exported(*format, error))?;
         files.extend(exported.into_iter().map(|file| (file.name, file.bytes)));
     }
     Ok(files)
 }
 
-fn not_exported(format: ExportArg, error: Fault) -> Fault {
+fn not_exported(format: Format, error: Fault) -> Fault {
     error
         .about(format!("--export {}", name_of_value(format)))
         .helping("The map itself can be computed without --export; a format may need other axes.")
@@ -115,7 +115,7 @@ fn added_loss(file: &Path) -> Result<AddedLoss, Failure> {
 }
 
 /// Name of a format on the command line.
-fn name_of_value(format: ExportArg) -> String {
+fn name_of_value(format: Format) -> String {
     let value = clap::ValueEnum::to_possible_value(&format);
     value.map_or_else(String::new, |value| value.get_name().to_owned())
 }
@@ -133,7 +133,7 @@ fn finishes(args: &MapArgs) -> Result<Vec<Finish<Train>>, Failure> {
 fn axes(args: &MapArgs, case: &Train) -> Result<Axes, Failure> {
     let of = |option: &str, text: &Option<String>, default: fn(&Train) -> Vec<f64>| match text {
         None => Ok(default(case)),
-        Some(text) => map::axis(text).map_err(|error| error.about(option)),
+        Some(text) => axis(text).map_err(|error| error.about(option)),
     };
     let torque = of("--torque", &args.torque, Axes::default_torque)?;
     let speed = of("--speed", &args.speed, Axes::default_speed)?;

@@ -10,13 +10,13 @@ pub mod cycle;
 pub mod demo;
 pub mod diff;
 pub mod ehl;
-pub mod evidence;
 pub mod figures;
 pub mod film;
 mod finish;
 pub mod from_rexs;
 pub mod gear;
 pub mod gears;
+mod given;
 pub mod map;
 pub mod new_case;
 pub mod oil;
@@ -43,7 +43,7 @@ use asperity_core::number;
 use serde::Serialize;
 use serde_json::json;
 
-use crate::args::{FormulationArg, SetArgs};
+use crate::args::SetArgs;
 use crate::failure::Failure;
 use crate::output::shown;
 
@@ -95,9 +95,8 @@ fn load_text(
 fn load_train(
     path: &Path,
     set: &SetArgs,
-    formulation: Option<FormulationArg>,
+    formulation: Option<Formulation>,
 ) -> Result<Train, Failure> {
-    let formulation = formulation.map(self::formulation);
     let (text, folder) = source(path)?;
     load_text(text, folder, set, &|input| {
         if formulation.is_some() {
@@ -110,7 +109,7 @@ fn load_train(
 fn load_case(
     path: &Path,
     set: &SetArgs,
-    formulation: Option<FormulationArg>,
+    formulation: Option<Formulation>,
 ) -> Result<LoadedCase, Failure> {
     let train = load_train(path, set, formulation)?;
     one_mesh(&train).cloned()
@@ -166,14 +165,6 @@ fn result_name(path: &Path) -> OsString {
             both
         }
         _ => name.to_owned(),
-    }
-}
-
-/// Formulation of the model that was requested.
-fn formulation(choice: FormulationArg) -> Formulation {
-    match choice {
-        FormulationArg::Corrected => Formulation::Corrected,
-        FormulationArg::Paper => Formulation::Paper,
     }
 }
 

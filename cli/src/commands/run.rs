@@ -18,8 +18,8 @@ use crate::failure::Failure;
 use crate::output::{
     Progress, READING, WRITING, columns, print_json, print_text, print_verdict, shown,
 };
+use asperity_report::StudySettings as _;
 use asperity_studies::ridges::{RUNS, RidgeSettings};
-use asperity_studies::study::CaseStudy as _;
 
 /// Counted work of a run.
 const POSITIONS: &str = "mesh positions";

@@ -1,61 +1,76 @@
-//! Studies of one case; target and output of every study.
+//! The studies of the library; target and output of every study.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use asperity::pipeline::KeptFields;
-use asperity_report::StudyResult;
+use asperity_core::Fault;
+use asperity_report::{Settings, StudyResult, StudySettings};
 use asperity_studies::every_study;
-use asperity_studies::study::CaseStudy;
 use clap::{ArgMatches, Args, FromArgMatches as _};
 
-use super::work::check_work;
-use super::{load_train, one_mesh, refuse_other, result_name};
-use crate::args::{Common, StudyArgs, StudyCommand};
+use super::refuse_other;
+use crate::args::{Common, Given, Group, StudyArgs, StudyCommand};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING, print_json, print_verdict, shown};
 
 /// A study with the arguments of its command.
 type Run = fn(&ArgMatches, &Common) -> Result<(), Failure>;
 
-fn registered<S: CaseStudy + Args>() -> (&'static str, Run) {
+fn registered<S: StudySettings<Input: Given> + Args>() -> (&'static str, Run) {
     (S::COMMAND, |arguments, common| {
         let args = StudyArgs::<S>::from_arg_matches(arguments);
-        case_study(
+        run(
             &args.map_err(|refusal| Failure::of_command_line(&refusal))?,
             common,
         )
     })
 }
 
-/// Runs one of the studies of one case.
-pub fn study(command: &StudyCommand, common: &Common) -> Result<(), Failure> {
+/// Runs one of the studies.
+pub fn study<G: Group>(command: &StudyCommand<G>, common: &Common) -> Result<(), Failure> {
     let mut all = every_study!(registered).into_iter();
-    let run = all.find(|(name, _)| *name == command.name);
+    let run = all.find(|(words, _)| *words == command.words);
     run.map_or(Ok(()), |(_, run)| run(&command.arguments, common))
 }
 
-/// Runs a study of one case, writes its folder and prints it.
-fn case_study<S: CaseStudy + Args>(args: &StudyArgs<S>, common: &Common) -> Result<(), Failure> {
+/// Runs a study, writes its folder and prints it.
+fn run<S: StudySettings<Input: Given> + Args>(
+    args: &StudyArgs<S>,
+    common: &Common,
+) -> Result<(), Failure> {
     let progress = Progress::of(common.quiet, READING);
-    let train = load_train(&args.case, &args.set, None)?;
-    if !S::TAKES_TRAINS {
-        one_mesh(&train)?;
+    let given = S::Input::read(&args.given, &args.set)?;
+    let title = S::title(&given.input);
+    let folder = folder::<S::Found>(args.output.as_deref(), &given.name, S::FOLDER, &title)?;
+    let file = given.file;
+    let refused = |error: Fault| match (of_option::<S>(&error), &file) {
+        (Some(message), _) => error.saying(message),
+        (None, Some(file)) => error.about(file.display()),
+        (None, None) => error,
+    };
+    if let Some(work) = args.settings.work(&given.input).map_err(refused)? {
+        S::Input::check(&args.limits, &work)?;
     }
-    let work = args.settings.work(&train)?;
-    check_work(&args.work, &work.meshes, &KeptFields::Highest, work.runs)?;
-    let output = args.output.as_deref();
-    let folder = folder::<S::Found>(output, &result_name(&args.case), S::COMMAND, &train.title)?;
     progress.begin(S::STEPS);
-    let found = args
-        .settings
-        .run(&train, &|done, total| progress.at(done, total));
-    let found = found.map_err(|error| error.about(args.case.display()))?;
+    let told = |done, total| progress.at(done, total);
+    let found = args.settings.run(given.input, &told).map_err(refused)?;
     progress.begin(WRITING);
     write(&found, (), &folder)?;
     drop(progress);
     print(&found, (), Some(&folder), None, common)
+}
+
+/// Message of an error about a setting, under the name of its option.
+fn of_option<S: Settings>(error: &Fault) -> Option<String> {
+    let about = |name: &str| {
+        let rest = error.message().strip_prefix(name)?;
+        let is_own = rest.starts_with(": ") || rest.starts_with(" = ");
+        is_own.then(|| format!("--{}{rest}", name.replace('_', "-")))
+    };
+    S::described()
+        .iter()
+        .find_map(|setting| about(setting.name))
 }
 
 /// Folder of a study with `title`, checked before the computation: `output`, or by default `results/NAME-KIND`, which is

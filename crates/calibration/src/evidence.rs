@@ -1,5 +1,8 @@
 //! Measurements that would narrow the interval of the loss of a case, with the interval that each is expected to leave.
 
+use std::convert::Infallible;
+use std::str::FromStr;
+
 use asperity::case::train::Train;
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::EvidenceRow;
@@ -7,9 +10,9 @@ use asperity::result::with_interval;
 use asperity::train::{self, Outcomes};
 use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_band};
 use asperity::{Contacts, LoadedCase};
-use asperity_core::Fault;
+use asperity_core::{Code, Fault};
 use asperity_report::chart::{Axis, Drawing, Interval, Tornado};
-use asperity_report::{Report, StudyResult, Table, columns};
+use asperity_report::{Report, StudyResult, StudySettings, Table, Work, columns, settings};
 use serde::{Deserialize, Serialize};
 
 use crate::oil::fit::PointErrors;
@@ -55,17 +58,73 @@ impl Effort {
         ]
         .map(|(key, hours)| Self { key, hours })
     }
+}
 
-    /// Sets the hours of one of `efforts`; whether there is one of this name and the hours are 0 to a million.
-    pub fn set(efforts: &mut [Self], name: &str, hours: f64) -> bool {
-        let own = efforts.iter_mut().find(|effort| effort.key == name);
-        match own.filter(|_| (0.0..1e6).contains(&hours)) {
-            Some(effort) => {
-                effort.hours = hours;
-                true
-            }
-            None => false,
+/// Hours of a measurement as text, `NAME=HOURS`.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(transparent)]
+pub struct NamedHours(String);
+
+impl FromStr for NamedHours {
+    type Err = Infallible;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        Ok(Self(text.to_owned()))
+    }
+}
+
+settings! {
+    /// Settings of a table of evidence.
+    pub struct EvidenceSettings {
+        /// Hours of a measurement by its name in evidence.csv, e.g. traction-plan=3; may be repeated
+        [value_name = "NAME=HOURS"] hours: Vec<NamedHours>,
+    }
+}
+
+impl EvidenceSettings {
+    /// The usual hours, changed by those stated.
+    fn efforts(&self) -> Result<Vec<Effort>, Fault> {
+        let mut efforts = Effort::usual().to_vec();
+        for NamedHours(stated) in &self.hours {
+            let refused = |why: String| Fault::new(Code::E209, format!("hours {stated}: {why}"));
+            let (name, hours) = stated.split_once('=').unwrap_or((stated, ""));
+            let name = name.trim();
+            let own = efforts.iter_mut().find(|effort| effort.key == name);
+            let Some(own) = own else {
+                let names = Effort::usual().map(|effort| effort.key).join(", ");
+                let why = format!("no measurement is called \"{name}\"");
+                let help = format!("Give NAME=HOURS with one of the names {names}.");
+                return Err(refused(why).helping(help));
+            };
+            let hours = hours.trim().parse().ok();
+            own.hours = hours
+                .filter(|hours| (0.0..1e6).contains(hours))
+                .ok_or_else(|| refused("the hours must be a number from 0 to below 1e6".into()))?;
         }
+        Ok(efforts)
+    }
+}
+
+impl StudySettings for EvidenceSettings {
+    type Input = Train;
+    type Found = EvidenceTable;
+    const COMMAND: &'static str = "evidence";
+    const ABOUT: &'static str =
+        "Measurements that would narrow the interval of the loss most, with their hours";
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] =
+        &[&[("case", "demo/case.toml"), ("hours", "traction-plan=3")]];
+    const METHOD: &'static str = "Each row is the interval that the measurement alone is expected to leave. What the case states or has \
+        measured has no row.";
+    const STEPS: &'static str = "positions";
+
+    fn work(&self, train: &Train) -> Result<Option<Work>, Fault> {
+        self.efforts()?;
+        // The run, and changes of the constants of the oil.
+        Ok(Some(Work::new(train.cases().cloned().collect(), 2)))
+    }
+
+    fn run(&self, train: Train, progress: Progress<'_>) -> Result<EvidenceTable, Fault> {
+        EvidenceTable::of(&train, &self.efforts()?, progress)
     }
 }
 
@@ -99,21 +158,26 @@ impl EvidenceTable {
     ///
     /// # Errors
     /// When the case has no loss or no interval.
-    pub fn of(train: &Train, efforts: &[Effort]) -> Result<Option<Self>, Fault> {
+    pub fn of(train: &Train, efforts: &[Effort], progress: Progress<'_>) -> Result<Self, Fault> {
+        let none = || {
+            let message = "the loss of this case has no interval: formulation = \"paper\" and a solved full film are computed \
+                           without one";
+            Fault::new(Code::E205, message)
+        };
         if !train.meshes().all(|mesh| has_band(&mesh.case)) {
-            return Ok(None);
+            return Err(none());
         }
         let named = |source: asperity::Error| Fault::from(source).about(&train.title);
         let outcome =
-            train::run(train, Some(&KeptFields::Highest), true, &|_, _| {}).map_err(named)?;
+            train::run(train, Some(&KeptFields::Highest), true, progress).map_err(named)?;
         let (Some(loss), Some((rows, no_curves))) =
             (outcome.whole.loss_distribution, rows_of(&outcome, efforts)?)
         else {
-            return Ok(None);
+            return Err(none());
         };
         let operation =
             |mesh: &LoadedCase| mesh.case.input.operation.temperature_deviation.is_some();
-        Ok(Some(Self {
+        Ok(Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
             title: train.title.clone(),
             power_in_w: outcome.whole.meshes_power_in_w(),
@@ -121,7 +185,7 @@ impl EvidenceTable {
             no_curves,
             is_temperature_drawn: train.meshes().any(|mesh| operation(&mesh.case)),
             rows,
-        }))
+        })
     }
 }
 

@@ -4,10 +4,8 @@ use std::path::{Path, PathBuf};
 
 use asperity::LoadedCase;
 use asperity::case::{self, CalibratedName};
-use asperity::core::number;
-use asperity::message::{Code, Fault};
+use asperity::message::Fault;
 use asperity_calibration as calibrating;
-use asperity_calibration::evidence::{Effort, EvidenceTable};
 use asperity_calibration::{Limits, Reach, RigFiles, Watch, error, plan};
 use asperity_report::StudyResult;
 use pyo3::prelude::*;
@@ -153,28 +151,4 @@ struct StatedLimits {
     minutes_per_point: Option<f64>,
     sigma: Option<f64>,
     assemblies: Option<usize>,
-}
-
-/// Measurements that would narrow the loss of a case, with the hours of those that are named.
-#[pyfunction]
-pub fn evidence(
-    py: Python<'_>,
-    case: PyRef<'_, Case>,
-    hours: Vec<(String, f64)>,
-    threads: Option<isize>,
-) -> PyResult<Study> {
-    let mut efforts = Effort::usual().to_vec();
-    for (name, hours) in &hours {
-        if !Effort::set(&mut efforts, name, *hours) {
-            let names = Effort::usual().map(|effort| effort.key).join(", ");
-            let message = format!("hours: {name} = {}: the names are {names}", number(*hours));
-            return Err(Failure::new(Code::E209, message).into());
-        }
-    }
-    let case = case.train();
-    in_parallel(py, threads, None, |_| {
-        let table = EvidenceTable::of(case, &efforts)?;
-        let none = || Failure::new(Code::E205, "the loss of this case has no interval");
-        Study::of(table.ok_or_else(none)?)
-    })
 }

@@ -96,44 +96,49 @@ fn names<T: DeserializeOwned>() -> Vec<String> {
     found.get().iter().map(|name| (*name).to_owned()).collect()
 }
 
-/// A name in Python, and the names of its choices or columns.
-type Listed = (&'static str, Vec<String>);
+/// A name in Python, the name of its type in Rust, and the names of its choices or columns.
+type Listed = (&'static str, &'static str, Vec<String>);
 
-/// Choices of arguments and columns of results by the names of their types in Python.
+fn listed<T: DeserializeOwned>(name: &'static str) -> Listed {
+    let path = std::any::type_name::<T>();
+    (name, path.rsplit("::").next().unwrap_or(path), names::<T>())
+}
+
+/// Choices of arguments and columns of results, by the names of their types in Python and in Rust.
 #[pyfunction]
 pub fn choices() -> Vec<Listed> {
     let columns = COLUMNS.iter().map(|(name, _)| (*name).to_owned());
     let own = ["extended", "code", "regime"].map(str::to_owned);
     vec![
-        ("Formulation", names::<Formulation>()),
-        ("Detail", names::<Detail>()),
-        ("Band", names::<MapBand>()),
-        ("ExportFormat", names::<Format>()),
-        ("Form", names::<FormOfProfile>()),
-        ("Ends", names::<Ends>()),
-        ("Standard", names::<Mode>()),
-        ("Boundary", names::<BoundaryOfContact>()),
-        ("FilmLaw", names::<FilmLaw>()),
-        ("ThermalLaw", names::<ThermalLaw>()),
-        ("FrictionLaw", names::<FrictionLaw>()),
-        ("LawOf", names::<LawOf>()),
-        ("Zero", names::<Zero>()),
-        ("TemperatureColumn", names::<Probe>()),
-        ("CalibratedParameter", names::<CalibratedName>()),
-        ("RoughnessParameter", names::<RoughnessParameter>()),
-        ("SurfaceKind", names::<Surface>()),
-        ("Amplitudes", names::<Amplitudes>()),
-        ("LengthUnit", names::<LengthUnit>()),
-        ("DecimalSign", names::<DecimalSign>()),
-        ("Separator", names::<Separator>()),
-        ("Encoding", names::<Encoding>()),
-        ("Gaps", names::<Gaps>()),
-        ("TraceLine", names::<TraceLine>()),
-        ("Abscissa", names::<Abscissa>()),
-        ("Uneven", names::<Uneven>()),
-        ("ResultName", names::<RunResult>()),
-        ("SummaryName", names::<Summary>()),
-        ("PathColumn", names::<PositionRow>()),
-        ("MapName", columns.chain(own).collect()),
+        listed::<Formulation>("Formulation"),
+        listed::<Detail>("Detail"),
+        listed::<MapBand>("Band"),
+        listed::<Format>("ExportFormat"),
+        listed::<FormOfProfile>("Form"),
+        listed::<Ends>("Ends"),
+        listed::<Mode>("Standard"),
+        listed::<BoundaryOfContact>("Boundary"),
+        listed::<FilmLaw>("FilmLaw"),
+        listed::<ThermalLaw>("ThermalLaw"),
+        listed::<FrictionLaw>("FrictionLaw"),
+        listed::<LawOf>("LawOf"),
+        listed::<Zero>("Zero"),
+        listed::<Probe>("TemperatureColumn"),
+        listed::<CalibratedName>("CalibratedParameter"),
+        listed::<RoughnessParameter>("RoughnessParameter"),
+        listed::<Surface>("SurfaceKind"),
+        listed::<Amplitudes>("Amplitudes"),
+        listed::<LengthUnit>("LengthUnit"),
+        listed::<DecimalSign>("DecimalSign"),
+        listed::<Separator>("Separator"),
+        listed::<Encoding>("Encoding"),
+        listed::<Gaps>("Gaps"),
+        listed::<TraceLine>("TraceLine"),
+        listed::<Abscissa>("Abscissa"),
+        listed::<Uneven>("Uneven"),
+        listed::<RunResult>("ResultName"),
+        listed::<Summary>("SummaryName"),
+        listed::<PositionRow>("PathColumn"),
+        ("MapName", "", columns.chain(own).collect()),
     ]
 }

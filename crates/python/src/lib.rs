@@ -28,7 +28,7 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _asperity {
     #[pymodule_export]
-    use super::calibration::{Calibration, calibrate, design, evidence};
+    use super::calibration::{Calibration, calibrate, design};
     #[pymodule_export]
     use super::case::{Case, schema};
     #[pymodule_export]
@@ -46,17 +46,15 @@ mod _asperity {
     #[pymodule_export]
     use super::library::{demo, from_rexs, gears, oils, rexs_contents, steels};
     #[pymodule_export]
-    use super::oil::{oil_fit, oil_plan, oil_traction, stribeck};
-    #[pymodule_export]
     use super::outcome::Outcome;
     #[pymodule_export]
     use super::quantity::{si_units, to_si};
     #[pymodule_export]
     use super::stored::{diff, read_result, summary};
     #[pymodule_export]
-    use super::studies::{Map, axis, compare, cycle, map, read_map, studies, study};
+    use super::studies::{Map, axis, compare, cycle, map, read_map};
     #[pymodule_export]
-    use super::study::Study;
+    use super::study::{Study, steps, studies, study};
     #[pymodule_export]
     use super::sweep::Cases;
     #[pymodule_export]

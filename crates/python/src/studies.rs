@@ -4,20 +4,15 @@ use std::path::{Path, PathBuf};
 
 use asperity::case::Train;
 use asperity::message::Code;
-use asperity::pipeline::Progress;
 use asperity::profile_io::read::read_table;
 use asperity_report::StudyResult;
 use asperity_studies::compare::{self as comparing, Finish};
 use asperity_studies::cycle as driving;
-use asperity_studies::every_study;
 use asperity_studies::export::{AddedLoss, Format, With, export};
 use asperity_studies::map::{self as mapping, Axes, MapBand, MapExtras, Numbers, Point};
-use asperity_studies::registry::studies as described;
-use asperity_studies::study::CaseStudy;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use serde_json::Value;
 
 use crate::arrays::owned;
 use crate::case::Case;
@@ -56,44 +51,6 @@ pub fn compare(
     })
 }
 
-/// A study of one case that runs by its settings.
-type Run = fn(&Train, Value, Progress<'_>) -> Result<Study, Failure>;
-
-fn registered<S: CaseStudy>() -> (&'static str, Run) {
-    (S::COMMAND, |train, settings, progress| {
-        let settings = S::of_json(settings)?;
-        Study::of(settings.run(train, progress)?)
-    })
-}
-
-/// The studies of one case with their settings, as JSON.
-#[pyfunction]
-pub fn studies() -> PyResult<String> {
-    Ok(failure::json(&described())?)
-}
-
-/// Runs the study `name` of a case with `settings`, an object of JSON.
-#[pyfunction]
-pub fn study(
-    py: Python<'_>,
-    name: &str,
-    case: PyRef<'_, Case>,
-    settings: &str,
-    threads: Option<isize>,
-    progress: Option<Bound<'_, PyAny>>,
-) -> PyResult<Study> {
-    let settings = serde_json::from_str(settings)
-        .map_err(|error| Failure::new(Code::E204, format!("settings: {error}")))?;
-    let mut all = every_study!(registered).into_iter();
-    let (_, run) = all
-        .find(|(known, _)| *known == name)
-        .ok_or_else(|| Failure::new(Code::E204, format!("no study is called {name}")))?;
-    let train = case.train();
-    in_parallel(py, threads, progress.as_ref(), |told| {
-        run(train, settings, &|done, total| told.tell(done, total))
-    })
-}
-
 /// Losses over torque, speed and temperature.
 #[pyclass(frozen, module = "asperity._asperity")]
 pub struct Map(mapping::Map);
@@ -101,7 +58,7 @@ pub struct Map(mapping::Map);
 /// Nodes of a range such as `10..100:5`.
 #[pyfunction]
 pub fn axis(text: &str) -> PyResult<Vec<f64>> {
-    Ok(mapping::axis(text).map_err(Failure::from)?)
+    Ok(asperity_report::axis::axis(text).map_err(Failure::from)?)
 }
 
 /// Maps cases by the names of their finishes over torque in N m, speed in 1/min and temperature in °C.

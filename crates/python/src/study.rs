@@ -1,13 +1,103 @@
-//! Studies: JSON, summary, folder.
+//! Studies: their settings as JSON, their run, and their JSON, summary and folder.
 
 use std::path::{Path, PathBuf};
 
-use asperity::message::Fault;
-use asperity_report::StudyResult;
+use asperity::case::{LoadedCase, Train};
+use asperity::message::{Code, Fault};
+use asperity::pipeline::Progress;
+use asperity_report::{Described, Input, StudyResult, StudySettings};
+use asperity_studies::every_study;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use serde_json::Value;
 
+use crate::case::Case;
 use crate::failure::{self, Failure};
-use crate::work::alone;
+use crate::work::{alone, in_parallel};
+
+/// What a study is about, as arguments of its function in Python.
+pub trait Given: Input + Send + 'static {
+    /// Reads the arguments.
+    fn read(given: &Bound<'_, PyTuple>) -> PyResult<Self>;
+}
+
+impl Given for Train {
+    fn read(given: &Bound<'_, PyTuple>) -> PyResult<Self> {
+        let (case,): (PyRef<'_, Case>,) = given.extract()?;
+        Ok(case.train().clone())
+    }
+}
+
+impl Given for LoadedCase {
+    fn read(given: &Bound<'_, PyTuple>) -> PyResult<Self> {
+        let (case,): (PyRef<'_, Case>,) = given.extract()?;
+        Ok(case.only()?.clone())
+    }
+}
+
+/// A study by its settings: runs it.
+type Run = Box<dyn FnOnce(Value, Progress<'_>) -> Result<Study, Failure> + Send>;
+
+/// A study with the arguments of its function.
+struct Registered {
+    function: &'static str,
+    steps: &'static str,
+    given: fn(&Bound<'_, PyTuple>) -> PyResult<Run>,
+}
+
+fn registered<S: StudySettings<Input: Given>>() -> Registered {
+    Registered {
+        function: S::FUNCTION,
+        steps: S::STEPS,
+        given: |given| {
+            let input = S::Input::read(given)?;
+            Ok(Box::new(|settings, progress| {
+                let settings = S::of_json(settings)?;
+                Study::of(settings.run(input, progress)?)
+            }))
+        },
+    }
+}
+
+fn named(function: &str) -> Result<Registered, Failure> {
+    let mut all = every_study!(registered).into_iter();
+    all.find(|study| study.function == function)
+        .ok_or_else(|| Failure::new(Code::E204, format!("no study is called {function}")))
+}
+
+fn described<S: StudySettings>() -> Described {
+    Described::of::<S>()
+}
+
+/// The studies with their settings, as JSON.
+#[pyfunction]
+pub fn studies() -> PyResult<String> {
+    Ok(failure::json(&every_study!(described))?)
+}
+
+/// What the progress of the study `name` counts.
+#[pyfunction]
+pub fn steps(name: &str) -> PyResult<&'static str> {
+    Ok(named(name)?.steps)
+}
+
+/// Runs the study `name` of what is `given` with `settings`, an object of JSON.
+#[pyfunction]
+pub fn study(
+    py: Python<'_>,
+    name: &str,
+    given: Bound<'_, PyTuple>,
+    settings: &str,
+    threads: Option<isize>,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<Study> {
+    let settings = serde_json::from_str(settings)
+        .map_err(|error| Failure::new(Code::E204, format!("settings: {error}")))?;
+    let run = (named(name)?.given)(&given)?;
+    in_parallel(py, threads, progress.as_ref(), |told| {
+        run(settings, &|done, total| told.tell(done, total))
+    })
+}
 
 /// Writes a study as a folder.
 type Write = Box<dyn Fn(&Path) -> Result<(), Fault> + Send + Sync>;

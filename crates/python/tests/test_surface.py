@@ -96,7 +96,7 @@ def test_measurements_and_designs_are_those_of_the_command(command, tmp_path):
     expected = json_of(command, "evidence", file, *KEYS, "--hours", "traction-plan=3", "-o", tmp_path / "evidence")
     table = asperity.evidence(case, hours={"traction-plan": 3})
     assert table.to_dict() == expected and len(table.rows) > 2
-    with pytest.raises(AsperityError, match="the names are") as refused:
+    with pytest.raises(AsperityError, match='no measurement is called "guess"') as refused:
         asperity.evidence(case, hours={"guess": 1})
     assert refused.value.code == "E209"
     with pytest.raises(AsperityError, match="no interval") as refused:

@@ -12,10 +12,13 @@
 //! | print it in 80 columns | [`summary`] |
 //! | say what a study found, for terminal, page and folder | [`Report`] |
 //! | make a table of it | [`columns!`] |
+//! | state the settings of a study once for all faces | [`settings!`], [`StudySettings`] |
 
+pub mod axis;
 mod blocks;
 pub mod chart;
 mod columns;
+mod described;
 mod error;
 mod folder;
 pub mod html;
@@ -26,6 +29,7 @@ mod printed;
 pub mod profile_json;
 mod results;
 pub mod ridges;
+mod settings;
 mod study;
 mod summary;
 pub mod tables;
@@ -35,8 +39,10 @@ pub mod units;
 mod whole;
 mod wrap;
 
+pub use axis::Nodes;
 pub use blocks::Report;
 pub use columns::{Cell, Column, Kind, Number, Table, Value};
+pub use described::{Described, Input, StudySettings, Work};
 pub use folder::{
     Fields, PAGE, make_folder, parse_result, read_result, redraw, title_of, write_bytes,
     write_json, write_text, write_unsolved,
@@ -44,6 +50,7 @@ pub use folder::{
 pub use page_tables::PageTables;
 pub use printed::{stated, stated_parts};
 pub use results::{Results, check_place, texts, write_folder, write_load_points};
+pub use settings::{Setting, Settings, Stated, taken};
 pub use study::StudyResult;
 pub use summary::{
     besides_the_mesh, brief, headline, models, published_laws, summary, summary_within,

@@ -10,6 +10,7 @@
 //! | plan of measurements, for a case by its loss, and their simulation | `plan`, `grid`, `case_loss`, `simulate` |
 //! | boundary friction from Stribeck curves | `stribeck` |
 //! | the oil file | `written` |
+//! | settings of the studies | `studies` |
 
 mod base;
 mod case_loss;
@@ -31,6 +32,7 @@ pub mod selection;
 mod simulate;
 mod stribeck;
 mod stribeck_report;
+mod studies;
 mod table;
 mod text;
 mod traction;
@@ -46,6 +48,10 @@ pub use plan::{ExpectedError, OilPlan, PlanSettings, PlannedCurve, PlannedPoint,
 pub use reading::{Reading, SetPoint, set_points};
 pub use simulate::simulated;
 pub use stribeck::{BoundaryState, Stribeck, StribeckPoint};
+pub use studies::{
+    Curves, MeasuredOil, OfOil, OilFitSettings, OilOfCase, OilPlanSettings, PriorSettings,
+    Specimens, StribeckSettings, TractionSettings,
+};
 pub use table::read_table;
 pub use text::Readings;
 pub(crate) use text::is_simulated_source;

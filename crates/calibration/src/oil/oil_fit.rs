@@ -200,6 +200,11 @@ pub struct OilFit {
 }
 
 impl OilFit {
+    /// Title of the result for an oil.
+    pub(super) fn title_of(oil: &OilBase) -> String {
+        format!("Oil constants of {}", oil.name)
+    }
+
     /// Fits the constants of `oil` to readings.
     ///
     /// # Errors
@@ -232,7 +237,7 @@ impl OilFit {
         let values: Vec<f64> = fitted.iter().map(|one| one.value).collect();
         let found = Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
-            title: format!("Oil constants of {}", oil.name),
+            title: Self::title_of(oil),
             lubricant: oil.lubricant.clone(),
             sources,
             pressure_law: best.problem.law,

@@ -36,6 +36,7 @@ const ONE_IN: usize = 20;
 
 /// Probe whose temperature is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Probe {
     /// In the oil at the contact.

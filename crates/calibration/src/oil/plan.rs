@@ -211,6 +211,11 @@ pub(crate) fn left_of_loss(
 }
 
 impl OilPlan {
+    /// Title of the result for an oil.
+    pub(super) fn title_of(oil: &OilBase) -> String {
+        format!("Traction plan of {}", oil.name)
+    }
+
     /// Plans the measurement of `oil`, for the loss of `case` if there is one.
     ///
     /// # Errors
@@ -269,7 +274,7 @@ impl OilPlan {
             .map(|(name, points)| planner.stage(name, points));
         Ok(Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
-            title: format!("Traction plan of {}", oil.name),
+            title: Self::title_of(oil),
             oil: oil.name.clone(),
             case: case.map(|case| case.case.title.clone()),
             loss_slopes: slopes,

@@ -58,6 +58,7 @@ const LEAST_RISE: f64 = 1e-6;
 
 /// Zeros of the friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Zero {
     /// One for each curve.

@@ -103,6 +103,11 @@ pub struct Stribeck {
 }
 
 impl Stribeck {
+    /// Title of the result for an oil.
+    pub(super) fn title_of(oil: &OilBase) -> String {
+        format!("Boundary friction of {}", oil.name)
+    }
+
     /// The boundary friction of `oil` from readings, which state the time of rubbing.
     ///
     /// # Errors
@@ -153,7 +158,7 @@ impl Stribeck {
         let roughness = found.first().map(|point| point.reading.machine.roughness);
         Ok(Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
-            title: format!("Boundary friction of {}", oil.name),
+            title: Self::title_of(oil),
             sources,
             roughness_nm: 1e9 * roughness.map_or(0.0, |roughness| roughness.si()),
             boundary_friction,

@@ -125,6 +125,11 @@ fn spaced([low, high]: [f64; 2]) -> impl Iterator<Item = f64> {
 }
 
 impl TractionCurves {
+    /// Title of the result for an oil.
+    pub(super) fn title_of(oil: &OilBase) -> String {
+        format!("Traction of {}", oil.name)
+    }
+
     /// Predicts the curves of an oil.
     ///
     /// # Errors
@@ -160,7 +165,7 @@ impl TractionCurves {
         };
         Ok(Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
-            title: format!("Traction of {}", oil.name),
+            title: Self::title_of(oil),
             pressure_law: oil.rheology.laws().1.name().to_owned(),
             max_pressure_gpa: 1e-9 * hertz.max_pressure.si(),
             load_n: range.load.si(),

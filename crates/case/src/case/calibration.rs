@@ -57,15 +57,16 @@ impl<T: Numbers> Numbers for Calibrated<T> {
 /// A parameter that can be calibrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "snake_case")]
 pub enum CalibratedName {
-    /// μ_b.
+    /// Coefficient of boundary friction
     BoundaryFriction,
-    /// h_b.
+    /// Thickness of the boundary layer, which determines the share of boundary friction
     BoundaryLayer,
-    /// Λ.
+    /// Ratio of limiting shear stress to pressure
     LimitingShear,
-    /// τ₀.
+    /// Eyring stress
     EyringStress,
 }
 

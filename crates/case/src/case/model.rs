@@ -25,15 +25,16 @@ use super::section::{Section, domain};
 use super::source::Source;
 use asperity_mixed_film::{FilmPressure, GapRoughness, SpotSpeed};
 
-/// Reading of the 2022 model.
+/// Formulation of the 2022 model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Formulation {
-    /// Dimensionally and physically consistent.
+    /// Dimensionally and physically consistent
     #[default]
     Corrected,
-    /// The paper's reading, only its misprints corrected.
+    /// The paper's formulation, with only its misprints corrected
     Paper,
 }
 

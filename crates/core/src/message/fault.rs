@@ -112,6 +112,13 @@ impl Fault {
         self
     }
 
+    /// The same error with another message.
+    #[must_use]
+    pub fn saying(mut self, message: impl Into<String>) -> Self {
+        self.0.message = message.into();
+        self
+    }
+
     /// The same error with `more` behind its message.
     #[must_use]
     pub fn adding(mut self, more: &str) -> Self {

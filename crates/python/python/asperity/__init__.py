@@ -19,7 +19,7 @@ from ._asperity import __version__
 from ._studies import *
 
 if TYPE_CHECKING:
-    from ._calibration import Calibration, Design, Evidence, calibrate, design, evidence
+    from ._calibration import Calibration, Design, Evidence, calibrate, design
     from ._callout import CallOut
     from ._case import Case
     from ._compare import Comparison, compare
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from ._library import RexsCase, demo, from_rexs, gears, oils, rexs_contents, steels
     from ._map import Cycle, Map, cycle, read_map
     from ._map import map as map
-    from ._oil import OilFit, OilPlan, Stribeck, Traction, oil_fit, oil_plan, oil_traction, stribeck
+    from ._oil import OilFit, OilPlan, Stribeck, Traction
     from ._profile import Parameters, Parts, Profile, generate, read_profile
     from ._record import Record, Table
     from ._result import Fields, Path, Regime, RunResult, Summary
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from ._sweep import Sweep, sweep
 else:
     _HOMES = {
-        "_calibration": "Calibration Design Evidence calibrate design evidence",
+        "_calibration": "Calibration Design Evidence calibrate design",
         "_callout": "CallOut",
         "_case": "Case",
         "_compare": "Comparison compare",
@@ -52,7 +52,7 @@ else:
         "_laws": "film_thickness friction_coefficient hertz thermal_reduction",
         "_library": "RexsCase demo from_rexs gears oils rexs_contents steels",
         "_map": "Cycle Map cycle map read_map",
-        "_oil": "OilFit OilPlan Stribeck Traction oil_fit oil_plan oil_traction stribeck",
+        "_oil": "OilFit OilPlan Stribeck Traction",
         "_profile": "Parameters Parts Profile generate read_profile",
         "_record": "Record Table",
         "_result": "Fields Path Regime RunResult Summary",
@@ -118,7 +118,6 @@ __all__ = [
     "demo",
     "design",
     "ehl",
-    "evidence",
     "explain",
     "film_thickness",
     "friction_coefficient",
@@ -126,9 +125,6 @@ __all__ = [
     "gears",
     "generate",
     "hertz",
-    "oil_fit",
-    "oil_plan",
-    "oil_traction",
     "oils",
     "press_flanks",
     "read_map",
@@ -137,7 +133,6 @@ __all__ = [
     "rexs_contents",
     "solve_contact",
     "steels",
-    "stribeck",
     "subsurface_stress",
     "sweep",
     "thermal_reduction",

@@ -13,10 +13,6 @@ _Marks = NDArray[np.bool_]
 _Path = Union[str, PathLike[str]]
 _Traces = list[tuple[str, Trace]]
 _Nodes = Optional[list[float]]
-_Oil = Union[str, Case]
-_Specimens = tuple[float, Optional[float], float]
-_Errors = tuple[str, float, float]
-_Tables = list[tuple[str, Optional[str]]]
 _Told = Optional[Callable[[int, int], object]]
 
 __all__ = [
@@ -39,7 +35,6 @@ __all__ = [
     "design",
     "diff",
     "ehl",
-    "evidence",
     "explain",
     "film_thickness",
     "friction_coefficient",
@@ -48,9 +43,6 @@ __all__ = [
     "generate",
     "hertz",
     "map",
-    "oil_fit",
-    "oil_plan",
-    "oil_traction",
     "oils",
     "press_flanks",
     "read_map",
@@ -61,7 +53,7 @@ __all__ = [
     "si_units",
     "solve_contact",
     "steels",
-    "stribeck",
+    "steps",
     "studies",
     "study",
     "subsurface_stress",
@@ -75,7 +67,7 @@ Code: SimpleNamespace
 
 def axis(text: str) -> list[float]: ...
 def command(arguments: list[str]) -> int: ...
-def choices() -> list[tuple[str, list[str]]]: ...
+def choices() -> list[tuple[str, str, list[str]]]: ...
 def explain(code: str) -> Optional[tuple[str, str, str]]: ...
 def si_units() -> list[tuple[str, str]]: ...
 def to_si(quantity: str, text: str) -> float: ...
@@ -101,7 +93,10 @@ def compare(
     named: list[tuple[str, Case]], threads: Optional[int], progress: _Told
 ) -> tuple[Study, str, list[str]]: ...
 def studies() -> str: ...
-def study(name: str, case: Case, settings: str, threads: Optional[int], progress: _Told) -> Study: ...
+def steps(name: str) -> str: ...
+def study(
+    name: str, given: tuple[Any, ...], settings: str, threads: Optional[int], progress: _Told
+) -> Study: ...
 def gears(name: Optional[str]) -> str: ...
 def steels(name: Optional[str]) -> str: ...
 def oils(name: Optional[str]) -> str: ...
@@ -114,36 +109,7 @@ def cycle(
     map: Map, trace: tuple[str, Optional[str]], temperature: int, keys: list[tuple[str, str]], allow_outside: bool
 ) -> Study: ...
 def design(case: Case, limits: str, hold: list[str], threads: Optional[int], progress: _Told) -> Study: ...
-def evidence(case: Case, hours: list[tuple[str, float]], threads: Optional[int]) -> Study: ...
 def diff(first: str, second: str) -> str: ...
-def oil_traction(
-    oil: _Oil,
-    conditions: tuple[float, float, float],
-    temperatures: list[float],
-    specimens: _Specimens,
-    threads: Optional[int],
-) -> Study: ...
-def oil_fit(
-    tables: _Tables,
-    oil: _Oil,
-    specimens: _Specimens,
-    temperature_column: str,
-    wide: bool,
-    errors_of: _Errors,
-    force: bool,
-    threads: Optional[int],
-) -> Study: ...
-def oil_plan(
-    oil: _Oil,
-    case: Optional[Case],
-    specimens: _Specimens,
-    wide: bool,
-    errors_of: _Errors,
-    threads: Optional[int],
-) -> Study: ...
-def stribeck(
-    tables: _Tables, oil: _Oil, rubbing: list[float], specimens: _Specimens, temperature_column: str
-) -> Study: ...
 def calibrate(
     name: str,
     text: Optional[str],

@@ -148,19 +148,6 @@ class Evidence(Study):
         return self.rows.to_pandas()
 
 
-def evidence(
-    case: CaseLike, *, hours: Optional[Mapping[str, float]] = None, threads: Optional[int] = None
-) -> Evidence:
-    """Measurements that would narrow the interval of the loss most.
-
-    Args:
-        case: the case.
-        hours: hours of a measurement by its name, ``{"traction-plan": 3}``, in place of the usual ones.
-        threads: as in `Case.run`.
-    """
-    return Evidence(_asperity.evidence(as_case(case)._raw, list((hours or {}).items()), threads))
-
-
 def calibrate(
     rig: Columns,
     case: Optional[CaseLike] = None,

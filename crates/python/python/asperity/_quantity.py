@@ -179,6 +179,12 @@ def axis_of(found: Floats, name: str) -> list[float]:
     return nodes
 
 
+def nodes(own: str, given: Optional[Numbers], text: Optional[Quantities], default: Optional[str]) -> Union[list[float], str, None]:
+    """Nodes of an axis of an operating quantity in its unit, or the text of the default."""
+    found = operating(own, given, text)
+    return default if found is None else axis_of(flat(found, own), own)
+
+
 def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
     """Keys of a case, the numbers of its operating point as text with their units."""
     keys: dict[str, Any] = {}

@@ -8,7 +8,6 @@ from os import PathLike, fspath
 from typing import Any, Optional, Protocol, Union
 
 from . import _asperity
-from ._case import CaseLike, as_case
 from ._errors import AsperityError, Code
 from ._html import page
 from ._progress import Progress, Told
@@ -90,14 +89,13 @@ class Study(Record):
         return []
 
 
-def of_case(
+def run_study(
     name: str,
-    case: CaseLike,
+    given: tuple[Any, ...],
     settings: Mapping[str, Any],
     threads: Optional[int],
-    progress: Optional[Progress],
-    steps: str,
+    progress: Optional[Progress] = None,
 ) -> RawStudy:
-    """The study of a case that the command ``name`` makes."""
-    with Told(progress, steps) as told:
-        return _asperity.study(name, as_case(case)._raw, json.dumps(settings), threads, told)
+    """The study ``name`` of what is given, by its settings."""
+    with Told(progress, _asperity.steps(name)) as told:
+        return _asperity.study(name, given, json.dumps(settings), threads, told)

@@ -22,7 +22,7 @@
 //! ```no_run
 //! use asperity::case;
 //! use asperity_studies::callout::{CallOutSettings, RoughnessParameter, callout};
-//! use asperity_studies::study::Settings;
+//! use asperity_report::Settings;
 //! let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
 //! let case = case::load_with(file, &|input| input.model.positions = Some(3))?;
 //! let stated = serde_json::json!({ "loss": "600 W", "lots": 20, "parameter": "rq" });

@@ -3,21 +3,18 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::LoadedCase;
-use asperity::case::train::Train;
 use asperity::core::cancel::checkpoint;
 use asperity::pipeline::Progress;
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 use asperity_core::quantity::{Power, Ratio};
 use asperity_core::{DomainError, Fault};
+use asperity_report::{StudySettings, Work, settings};
 use rayon::prelude::*;
 use serde::Serialize;
 
 use super::error;
 use super::lots::{Lot, OFFSETS, PAIRS, Process, RoughnessParameter, Values};
-
-use crate::settings;
-use crate::study::{CaseStudy, Work};
 
 /// Most traces to inspect.
 const MOST_TRACES: usize = 64;
@@ -53,14 +50,16 @@ settings! {
     }
 }
 
-impl CaseStudy for CallOutSettings {
+impl StudySettings for CallOutSettings {
+    type Input = LoadedCase;
     type Found = CallOut;
     const COMMAND: &'static str = "callout";
     const ABOUT: &'static str =
         "Limit of Rpk, Rq or Rdq on the drawing, and traces to inspect, for a stated loss";
     const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[
-        &[("loss", "560 W")],
+        &[("case", "demo/case.toml"), ("loss", "560 W")],
         &[
+            ("case", "demo/case.toml"),
             ("loss", "560 W"),
             ("confidence", "95 %"),
             ("parameter", "rq"),
@@ -70,19 +69,16 @@ impl CaseStudy for CallOutSettings {
     const METHOD: &'static str = "Lots of flanks like the traces of the case are simulated, inspected and run. A lot whose inspected mean \
         is at the limit meets the loss with the confidence.";
     const STEPS: &'static str = "lots";
-    const TAKES_TRAINS: bool = false;
 
-    fn work(&self, train: &Train) -> Result<Work, Fault> {
-        let mut pair = train.only_mesh()?.first_pair();
+    fn work(&self, case: &LoadedCase) -> Result<Option<Work>, Fault> {
+        let mut pair = case.first_pair();
         pair.case.model.offsets = OFFSETS;
-        Ok(Work::new(
-            vec![pair],
-            PAIRS * (self.lots + CURVE * NOMINAL_LOTS),
-        ))
+        let runs = PAIRS * (self.lots + CURVE * NOMINAL_LOTS);
+        Ok(Some(Work::new(vec![pair], runs)))
     }
 
-    fn run(&self, train: &Train, progress: Progress<'_>) -> Result<CallOut, Fault> {
-        callout(train.only_mesh()?, self, progress)
+    fn run(&self, case: LoadedCase, progress: Progress<'_>) -> Result<CallOut, Fault> {
+        callout(&case, self, progress)
     }
 }
 
@@ -548,9 +544,25 @@ mod tests {
 
     use asperity::case::load_with;
 
+    use asperity_report::Settings;
+    use serde_json::{Value, json};
+
     use super::*;
-    use crate::study::Settings;
     use crate::sweep::{stream, uniform};
+
+    #[test]
+    fn settings_that_are_left_out_have_their_defaults_and_wrong_ones_are_named() {
+        let of =
+            |stated: Value| CallOutSettings::of_json(stated).map_err(|fault| fault.to_string());
+        let found = of(json!({ "loss": "600 W", "lots": 20 })).unwrap();
+        assert_eq!((found.lots, found.seed, found.traces), (20, 1, None));
+        assert_eq!(found.confidence.value(), 0.9);
+        let refused = |stated: Value| of(stated).unwrap_err();
+        assert!(refused(json!({ "loss": "600 W", "lots": "many" })).contains("lots: "));
+        assert!(refused(json!({ "lots": 20 })).contains("`loss`"));
+        assert!(refused(json!({ "loss": "600 W", "lot": 20 })).contains("`lot`"));
+        assert!(refused(json!(["600 W"])).contains("not an object"));
+    }
 
     /// Lots with ln s* and ln u normal, of standard deviations 0.05 and, over one trace, 0.16.
     fn lots(count: u64) -> Vec<MetLot> {

@@ -16,23 +16,24 @@ use crate::map::Map;
 
 /// Export format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Format {
-    /// Long table.
+    /// Long table with the parts of the loss
     Csv,
-    /// VECTO transmission loss map.
+    /// VECTO transmission loss map, .vtlm
     Vecto,
-    /// Modelica table as text.
+    /// Modelica CombiTable2Ds, .txt
     Modelica,
-    /// MAT-file level 4.
+    /// MATLAB, Octave, scipy, Modelica: MAT-file level 4
     Matlab,
-    /// Functional mock-up unit.
+    /// FMI 2.0 model exchange and co-simulation, sources and, if cc is available, the library of this machine
     Fmu,
-    /// CO2MPAS gear box parameters.
+    /// CO2MPAS gear box efficiency parameters, fitted
     Co2mpas,
-    /// fastsim efficiency.
+    /// fastsim transmission efficiency, one number
     Fastsim,
-    /// ADVISOR transmission.
+    /// ADVISOR transmission map, output side, .m
     Advisor,
 }
 

@@ -4,6 +4,7 @@ use asperity::case::train::Train;
 use asperity_core::number;
 use asperity_core::numerics::distinct;
 use asperity_core::{Code, Fault};
+use asperity_report::axis::{MOST_NODES, rounded_to};
 use serde::{Deserialize, Serialize};
 
 /// Nodes of a map, ascending along each axis.
@@ -15,16 +16,6 @@ pub struct Axes {
     pub speed_rpm: Vec<f64>,
     /// Temperature of the flanks \[°C\].
     pub temperature_c: Vec<f64>,
-}
-
-/// The text is not an axis.
-fn not_an_axis(text: &str) -> Fault {
-    Fault::new(
-        Code::E209,
-        format!(
-            "{text:?} is not an axis; write a list as 10,20,50, or 10..100:5, or 10..100:5:log"
-        ),
-    )
 }
 
 /// A value is not permitted.
@@ -46,8 +37,6 @@ fn node_count(axis: &'static str, count: usize, most: usize) -> Fault {
     )
 }
 
-/// Largest number of nodes of an axis.
-const MOST: usize = 1000;
 /// Number of positive torques of the default axis.
 const TORQUES: usize = 12;
 /// Smallest torque of the default axis relative to the largest.
@@ -136,54 +125,6 @@ impl Axes {
     }
 }
 
-/// Parses nodes: `10,20,50`, `10..100:5` in equal steps, or `10..100:5:log` in equal ratios.
-///
-/// # Errors
-/// When the text is none of these.
-///
-/// ```
-/// use asperity_studies::map::axis;
-/// assert_eq!(axis("10, 20,50")?, [10.0, 20.0, 50.0]);
-/// assert_eq!(axis("-10..10:5")?, [-10.0, -5.0, 0.0, 5.0, 10.0]);
-/// assert_eq!(axis("1..100:3:log")?, [1.0, 10.0, 100.0]);
-/// assert!(axis("10..100").is_err());
-/// # Ok::<(), asperity_core::Fault>(())
-/// ```
-pub fn axis(text: &str) -> Result<Vec<f64>, Fault> {
-    let refused = || not_an_axis(text);
-    let number = |part: &str| part.trim().parse::<f64>().map_err(|_| refused());
-    let Some((low, rest)) = text.split_once("..") else {
-        return text.split(',').map(number).collect();
-    };
-    let mut parts = rest.split(':');
-    let mut next = || parts.next().ok_or_else(refused);
-    let (low, high) = (number(low)?, number(next()?)?);
-    let count: usize = next()?.trim().parse().map_err(|_| refused())?;
-    let is_log = match parts.next().map(str::trim) {
-        None => false,
-        Some("log") if low > 0.0 && high > 0.0 => true,
-        Some(_) => return Err(refused()),
-    };
-    if parts.next().is_some()
-        || !(2..=MOST).contains(&count)
-        || !low.is_finite()
-        || !high.is_finite()
-    {
-        return Err(refused());
-    }
-    let last = (count - 1) as f64;
-    let node = |k: usize| {
-        let share = k as f64 / last;
-        match k {
-            0 => low,
-            k if k + 1 == count => high,
-            _ if is_log => rounded_to(low * (high / low).powf(share), 12),
-            _ => rounded_to(low + (high - low) * share, 12),
-        }
-    };
-    Ok((0..count).map(node).collect())
-}
-
 fn check(
     axis: &'static str,
     values: &[f64],
@@ -192,9 +133,8 @@ fn check(
     is_possible: impl Fn(f64) -> bool,
 ) -> Result<(), Fault> {
     let count = values.len();
-    if !(1..=MOST).contains(&count) {
-        let most = MOST;
-        return Err(node_count(axis, count, most));
+    if !(1..=MOST_NODES).contains(&count) {
+        return Err(node_count(axis, count, MOST_NODES));
     }
     let wrong = |value: &&f64| !(value.is_finite() && is_possible(**value));
     match values.iter().find(wrong) {
@@ -210,10 +150,4 @@ fn rising(values: Vec<f64>) -> Vec<f64> {
 
 fn rounded(value: f64) -> f64 {
     rounded_to(value, DIGITS)
-}
-
-/// `value` rounded to `digits` decimal digits.
-fn rounded_to(value: f64, digits: i32) -> f64 {
-    let text = format!("{value:.*e}", (digits - 1).max(0) as usize);
-    text.parse().unwrap_or(value)
 }

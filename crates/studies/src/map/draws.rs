@@ -17,11 +17,12 @@ use super::surface::forwards;
 
 /// Points of a map whose draws are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum MapBand {
-    /// None: the map has no quantiles.
+    /// None: no quantiles
     None,
-    /// Three torques and three speeds, at the lowest, the middle and the highest temperature.
+    /// Three torques and three speeds at three temperatures, interpolated between them
     #[default]
     Nodes,
 }

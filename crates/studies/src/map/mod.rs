@@ -43,7 +43,7 @@ mod summary;
 mod surface;
 mod table;
 
-pub use axes::{Axes, axis};
+pub use axes::Axes;
 pub(crate) use draws::Place;
 pub use draws::{Drawn, DrawnNodes, MapBand};
 pub use grid::map;

@@ -1,7 +1,6 @@
 //! Computation of a study of ridges.
 
 use asperity::case::LoadedCase;
-use asperity::case::train::Train;
 use asperity::core::cancel::checkpoint;
 use asperity::flanks::Texture;
 use asperity::pipeline::{
@@ -14,12 +13,10 @@ use asperity::{Error, PositionError};
 use asperity_core::quantity::Length;
 use asperity_core::{Fault, Profile};
 use asperity_report::tables::BODIES;
+use asperity_report::{StudySettings, Work, settings};
 use asperity_roughness::composite::spaced;
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 use serde::Serialize;
-
-use crate::settings;
-use crate::study::{CaseStudy, Work};
 
 /// Ridges listed and pressed.
 const COSTLIEST: usize = 20;
@@ -65,22 +62,23 @@ settings! {
     pub struct RidgeSettings {}
 }
 
-impl CaseStudy for RidgeSettings {
+impl StudySettings for RidgeSettings {
+    type Input = LoadedCase;
     type Found = RidgeStudy;
     const COMMAND: &'static str = "ridges";
     const ABOUT: &'static str = "Ridges of both flanks that cost most, and the loss by wavelength";
-    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[&[]];
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] =
+        &[&[("case", "demo/case.toml")]];
     const METHOD: &'static str = "The gradient of the loss over every height of both traces, by ridge and by octave of wavelength, and \
         a run with the twenty costliest ridges pressed to the mean line.";
     const STEPS: &'static str = "gradients";
-    const TAKES_TRAINS: bool = false;
 
-    fn work(&self, train: &Train) -> Result<Work, Fault> {
-        Ok(Work::new(vec![train.only_mesh()?.clone()], RUNS))
+    fn work(&self, case: &LoadedCase) -> Result<Option<Work>, Fault> {
+        Ok(Some(Work::new(vec![case.clone()], RUNS)))
     }
 
-    fn run(&self, train: &Train, progress: Progress<'_>) -> Result<RidgeStudy, Fault> {
-        Ok(ridges(train.only_mesh()?, progress)?)
+    fn run(&self, case: LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, Fault> {
+        Ok(ridges(&case, progress)?)
     }
 }
 

@@ -7,7 +7,7 @@ use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::{Cell, Report, StudyResult, Table, Value, columns};
 
 use super::study::{Effect, Sensitivity, SensitivityRow, SensitivitySettings};
-use crate::study::CaseStudy;
+use asperity_report::StudySettings as _;
 
 /// Table of the changes.
 const TABLE: &str = "sensitivity.csv";

@@ -10,11 +10,10 @@ use asperity::uncertainty::sampling_interval;
 use asperity::{Contacts, Error, PositionError};
 use asperity_core::quantity::Power;
 use asperity_core::{Code, Fault};
+use asperity_report::{StudySettings, Work, settings};
 use serde::Serialize;
 
 use super::changes::{CHANGES, Change, changes};
-use crate::settings;
-use crate::study::{CaseStudy, Work};
 
 /// Sensitivity of the loss of a case to single changes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -139,22 +138,24 @@ settings! {
     pub struct SensitivitySettings {}
 }
 
-impl CaseStudy for SensitivitySettings {
+impl StudySettings for SensitivitySettings {
+    type Input = Train;
     type Found = Sensitivity;
     const COMMAND: &'static str = "sensitivity";
     const ABOUT: &'static str = "Sensitivity of the loss to single changes: heights, wavelengths, boundary layer, oil, tip relief";
-    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[&[]];
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] =
+        &[&[("case", "demo/case.toml")]];
     const METHOD: &'static str = "Each row is a run of the model with one thing changed, at the same windows of the traces. To vary \
         keys of your own choice, with distributions, see the command sweep.";
     const STEPS: &'static str = "changes";
-    const TAKES_TRAINS: bool = true;
 
-    fn work(&self, train: &Train) -> Result<Work, Fault> {
-        Ok(Work::new(train.cases().cloned().collect(), 1 + CHANGES))
+    fn work(&self, train: &Train) -> Result<Option<Work>, Fault> {
+        let meshes = train.cases().cloned().collect();
+        Ok(Some(Work::new(meshes, 1 + CHANGES)))
     }
 
-    fn run(&self, train: &Train, progress: Progress<'_>) -> Result<Sensitivity, Fault> {
-        Ok(sensitivity(train, progress)?)
+    fn run(&self, train: Train, progress: Progress<'_>) -> Result<Sensitivity, Fault> {
+        Ok(sensitivity(&train, progress)?)
     }
 }
 

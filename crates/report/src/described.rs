@@ -1,0 +1,139 @@
+//! Studies as the faces walk them: settings, what the study is about, its work and its run.
+
+use asperity::case::LoadedCase;
+use asperity::case::train::Train;
+use asperity::pipeline::Progress;
+use asperity_core::Fault;
+use serde::Serialize;
+
+use crate::settings::{Setting, Settings};
+use crate::study::StudyResult;
+
+/// What a study is about: a case, an oil, measured curves. Each face makes it from its own arguments.
+pub trait Input: Sized {
+    /// Its arguments in their order.
+    fn described() -> Vec<Setting>;
+
+    /// Its title.
+    fn title(&self) -> String;
+}
+
+/// The argument of a case.
+fn case() -> Vec<Setting> {
+    vec![Setting::new("case", "Case", "The case", None)]
+}
+
+/// All meshes of a case.
+impl Input for Train {
+    fn described() -> Vec<Setting> {
+        case()
+    }
+
+    fn title(&self) -> String {
+        self.title.clone()
+    }
+}
+
+/// The only mesh of a case.
+impl Input for LoadedCase {
+    fn described() -> Vec<Setting> {
+        case()
+    }
+
+    fn title(&self) -> String {
+        self.case.title.clone()
+    }
+}
+
+/// Work of a study, for the estimate of its time and memory before it begins.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Work {
+    /// Meshes as they run.
+    pub meshes: Vec<LoadedCase>,
+    /// How often they run.
+    pub runs: usize,
+}
+
+impl Work {
+    /// `runs` runs of `meshes`.
+    #[must_use]
+    pub fn new(meshes: Vec<LoadedCase>, runs: usize) -> Self {
+        Self { meshes, runs }
+    }
+}
+
+/// A study by its settings. `registry.rs` of `asperity-studies` lists all.
+pub trait StudySettings: Settings {
+    /// What it is about.
+    type Input: Input;
+    /// Result of the study.
+    type Found: for<'a> StudyResult<Context<'a> = ()> + Send + Sync + 'static;
+    /// Words of the command.
+    const COMMAND: &'static str;
+    /// Name of the function in Python.
+    const FUNCTION: &'static str = Self::COMMAND;
+    /// End of the name of its folder.
+    const FOLDER: &'static str = Self::COMMAND;
+    /// What it answers, in a line.
+    const ABOUT: &'static str;
+    /// Examples: the arguments and settings that each states, by name and value.
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]];
+    /// Explanation of the method.
+    const METHOD: &'static str;
+    /// What its progress counts; empty if it reports none.
+    const STEPS: &'static str;
+
+    /// Title of the result.
+    fn title(input: &Self::Input) -> String {
+        input.title()
+    }
+
+    /// Its work; `None` if it takes seconds.
+    ///
+    /// # Errors
+    /// When a setting has no sense.
+    fn work(&self, input: &Self::Input) -> Result<Option<Work>, Fault>;
+
+    /// Runs the study.
+    ///
+    /// # Errors
+    /// When a setting has no sense, or the study has no result.
+    fn run(&self, input: Self::Input, progress: Progress<'_>) -> Result<Self::Found, Fault>;
+}
+
+/// Description of a study.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Described {
+    /// Words of the command.
+    pub command: &'static str,
+    /// Name of the function in Python.
+    pub function: &'static str,
+    /// What it answers.
+    pub about: &'static str,
+    /// Explanation of the method.
+    pub method: &'static str,
+    /// What its progress counts; empty if it reports none.
+    pub steps: &'static str,
+    /// What it is about.
+    pub input: Vec<Setting>,
+    /// Its settings.
+    pub settings: Vec<Setting>,
+}
+
+impl Described {
+    /// Description of the study `S`.
+    #[must_use]
+    pub fn of<S: StudySettings>() -> Self {
+        Self {
+            command: S::COMMAND,
+            function: S::FUNCTION,
+            about: S::ABOUT,
+            method: S::METHOD,
+            steps: S::STEPS,
+            input: S::Input::described(),
+            settings: S::described(),
+        }
+    }
+}
