@@ -485,15 +485,15 @@ fn what_calls_for_attention_in_the_flanks_is_said_with_the_result() {
         &["Xu (S is held at 0.6 um)", "outside 0 to 0.6 um"],
     );
     let two = bench_with("title", "title = \"x\"");
-    let table = rows(7000, |i, z| format!("{:.1},{z:.4}", 0.4 * i as f64));
+    let table = rows(3000, |i, z| format!("{i},{z:.4}"));
     two.write("pinion.csv", format!("x_um,z_um\n{table}"));
     warns(
         &two,
         &[],
         "W119",
         &[
-            "the flanks are spaced 400 nm and 500 nm",
-            "resampled linearly to 400 nm",
+            "the flanks are spaced 1 um and 500 nm",
+            "resampled to 500 nm",
         ],
     );
     // The unit that the case states against the file is what the first screen says.

@@ -208,8 +208,7 @@ fn traces_of_two_spacings_are_told_with_both() {
     std::fs::write(folder.path().join("ground_wheel.csv"), coarser.join("\n")).unwrap();
     let loaded = load(&folder.path().join("case.toml"), None).unwrap();
     let told = loaded.warnings.iter().find(|found| found.code == "W119");
-    let says =
-        "the flanks are spaced 500 nm and 1 um; the coarser was resampled linearly to 500 nm";
+    let says = "the flanks are spaced 500 nm and 1 um; the coarser was resampled to 500 nm";
     assert_eq!(told.unwrap().text, says);
 }
 

@@ -1,6 +1,8 @@
 //! A measured or generated surface profile on an even grid.
 
-use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::error::DomainError;
 use crate::quantity::Length;
@@ -18,7 +20,13 @@ use crate::quantity::Length;
 #[serde(try_from = "RawProfile")]
 pub struct Profile {
     spacing: Length,
-    heights: Vec<f64>,
+    /// Copies share them: a trace is kept as read, as evaluated, and in a result.
+    #[serde(serialize_with = "listed")]
+    heights: Arc<Vec<f64>>,
+}
+
+fn listed<S: Serializer>(heights: &Arc<Vec<f64>>, serializer: S) -> Result<S::Ok, S::Error> {
+    heights.as_slice().serialize(serializer)
 }
 
 /// Points of the widest spike that dust or lost light makes; a pit or scratch is wider.
@@ -65,7 +73,7 @@ impl Profile {
     ///
     /// # Errors
     /// When the spacing is not positive, there is no point, or a height is not finite.
-    pub fn new(spacing: Length, heights: Vec<f64>) -> Result<Self, DomainError> {
+    pub fn new(spacing: Length, mut heights: Vec<f64>) -> Result<Self, DomainError> {
         DomainError::positive("spacing", spacing)?;
         DomainError::require(
             !heights.is_empty(),
@@ -82,7 +90,11 @@ impl Profile {
                 rule: "every height must be finite",
             });
         }
-        Ok(Self { spacing, heights })
+        heights.shrink_to_fit();
+        Ok(Self {
+            spacing,
+            heights: Arc::new(heights),
+        })
     }
 
     /// Distance between neighbouring points.
@@ -95,9 +107,9 @@ impl Profile {
         &self.heights
     }
 
-    /// Heights \[m\], given away.
+    /// Heights \[m\], given away; copied if another profile shares them.
     pub fn into_heights(self) -> Vec<f64> {
-        self.heights
+        Arc::unwrap_or_clone(self.heights)
     }
 
     /// Number of points, never zero.
@@ -119,7 +131,7 @@ impl Profile {
     pub fn mirrored(&self) -> Self {
         Self {
             spacing: self.spacing,
-            heights: self.heights.iter().rev().copied().collect(),
+            heights: Arc::new(self.heights.iter().rev().copied().collect()),
         }
     }
 
@@ -128,7 +140,7 @@ impl Profile {
         let heights = self.heights.get(range)?.to_vec();
         (!heights.is_empty()).then_some(Self {
             spacing: self.spacing,
-            heights,
+            heights: Arc::new(heights),
         })
     }
 }

@@ -15,7 +15,7 @@ use serde::de::DeserializeOwned;
 
 use crate::html;
 use crate::page_tables::{PageTables, shown_position};
-use crate::tables::{self, CONVERGENCE, ContactTables, folder_of};
+use crate::tables::{self, CONVERGENCE, ContactTables, FlankTables, folder_of};
 
 /// The file that marks a folder as a result.
 const MARK: &str = "result.json";
@@ -167,8 +167,9 @@ fn write_fields(
     fields: &Fields,
 ) -> Result<(), Fault> {
     tables::write(&folder.join("load_map.csv"), &whole.load_map)?;
-    for (body, flank) in whole.flanks.iter().enumerate() {
-        if let Some(flank) = flank {
+    for (body, record) in outcome.result.flanks.iter().enumerate() {
+        let flank = FlankTables::new(record, outcome.traces[body].as_ref());
+        if let Some(flank) = flank.map_err(error::of_flank)? {
             flank.write(folder, body)?;
         }
     }

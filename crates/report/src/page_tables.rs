@@ -15,7 +15,7 @@ use crate::tables::{ContactTables, FlankTables, LoadMapRow, check_field, load_ma
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Stored")]
 pub struct PageTables {
-    /// Pinion and wheel; `None` for a flank without a trace.
+    /// Pinion and wheel, thinned for display; `None` for a flank without a trace.
     pub flanks: [Option<FlankTables>; 2],
     /// Load over path and face.
     pub load_map: Vec<LoadMapRow>,
@@ -68,7 +68,7 @@ impl PageTables {
     pub fn of(outcome: &Outcome, position: Option<usize>) -> Result<Self, Fault> {
         let flank = |body: usize| {
             let record = &outcome.result.flanks[body];
-            FlankTables::new(record, outcome.traces[body].as_ref())
+            FlankTables::shown(record, outcome.traces[body].as_ref())
         };
         let shown = shown_position(&outcome.result, position)?;
         let contact = shown.and_then(|row| {
@@ -96,10 +96,6 @@ impl PageTables {
     /// # Errors
     /// When `result` does not have the position.
     pub fn thinned(&self, result: &RunResult, file: &str) -> Result<Self, Fault> {
-        let flank = |body: usize| {
-            let flank: Option<&FlankTables> = self.flanks[body].as_ref();
-            flank.map(FlankTables::thinned)
-        };
         let contact = match &self.contact {
             Some(contact) => {
                 let row = shown_position(result, Some(contact.position))?;
@@ -108,7 +104,7 @@ impl PageTables {
             None => None,
         };
         Ok(Self {
-            flanks: [flank(0), flank(1)],
+            flanks: self.flanks.clone(),
             load_map: self.load_map.clone(),
             contact,
             views: thinned_views(&self.views, self.contact.as_ref().map(|at| at.position)),

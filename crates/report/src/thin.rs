@@ -2,7 +2,6 @@
 
 use asperity_core::numerics::range;
 
-use std::array::from_fn;
 use std::collections::BTreeSet;
 
 /// Number of bins of a chart along its horizontal axis: about one per pixel of a curve.
@@ -29,33 +28,34 @@ pub fn thin<R: Copy, const N: usize>(
     if rows.len() <= 2 * bins {
         return rows.to_vec();
     }
-    let coordinates: Vec<f64> = rows.iter().map(coordinate).collect();
-    let finite = coordinates.iter().copied().filter(|at| at.is_finite());
-    let [low, high] = range(finite);
+    let coordinates = rows.iter().map(&coordinate);
+    let [low, high] = range(coordinates.filter(|at| at.is_finite()));
     // The cast saturates, and an undefined coordinate is in the first bin.
-    let bin = |at: &f64| (((at - low) / (high - low) * bins as f64) as usize).min(bins - 1);
-    let cells: Vec<[f64; N]> = rows.iter().map(columns).collect();
-    let columns: [Vec<f64>; N] = from_fn(|k| cells.iter().map(|row| row[k]).collect());
+    let bin =
+        |row: &R| (((coordinate(row) - low) / (high - low) * bins as f64) as usize).min(bins - 1);
     let mut selected = BTreeSet::from([0, rows.len() - 1]);
     let mut from = 0;
-    for group in coordinates.chunk_by(|a, b| bin(a) == bin(b)) {
-        for column in &columns {
+    for group in rows.chunk_by(|a, b| bin(a) == bin(b)) {
+        let cells: Vec<[f64; N]> = group.iter().map(&columns).collect();
+        for column in 0..N {
             let (mut lowest, mut highest, mut undefined) = (None, None, None);
             // One pass: pages have hundreds of thousands of cells.
-            for (k, value) in column.iter().enumerate().skip(from).take(group.len()) {
+            for (k, row) in cells.iter().enumerate() {
+                let value = row[column];
                 if !value.is_finite() {
                     undefined.get_or_insert(k);
                     continue;
                 }
-                if lowest.is_none_or(|k: usize| *value < column[k]) {
+                if lowest.is_none_or(|k: usize| value < cells[k][column]) {
                     lowest = Some(k);
                 }
                 // The last one of equal values.
-                if highest.is_none_or(|k: usize| *value >= column[k]) {
+                if highest.is_none_or(|k: usize| value >= cells[k][column]) {
                     highest = Some(k);
                 }
             }
-            selected.extend(lowest.into_iter().chain(highest).chain(undefined));
+            let found = lowest.into_iter().chain(highest).chain(undefined);
+            selected.extend(found.map(|k| from + k));
         }
         from += group.len();
     }

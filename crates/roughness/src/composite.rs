@@ -14,6 +14,7 @@ use asperity_core::{DomainError, Profile};
 use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
+use crate::resampling::points_after;
 
 /// Superposition of two profiles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -121,57 +122,17 @@ pub fn spaced(profile: &Profile, spacing: Length) -> Result<Profile, DomainError
 /// # Errors
 /// When the spacing is not positive, or the profile would have more than a hundred million points.
 pub fn resampled(profile: &Profile, spacing: Length) -> Result<Profile, DomainError> {
-    /// Maximum number of points, as in the generators: 800 MB.
-    const MAX_POINTS: f64 = 1e8;
     let z = profile.heights();
-    let dx = DomainError::positive("spacing", spacing)?;
+    let count = points_after(profile, spacing)?;
     let ratio = spacing / profile.spacing();
-    let intervals = (z.len() - 1) as f64 / ratio * (1.0 + f64::EPSILON);
-    let rule = "is too fine: the profile would have more than a hundred million points";
-    DomainError::require(intervals < MAX_POINTS, "spacing", dx, "m", rule)?;
-    let count = intervals.floor() as usize + 1;
     let at = |i: usize| {
-        let (k, part) = between(i, ratio, z.len());
+        let position = i as f64 * ratio;
+        let k = (position.floor() as usize).min(z.len().saturating_sub(2));
+        let part = position - k as f64;
         let next = z.get(k + 1).copied().unwrap_or(z[k]);
         z[k] + (next - z[k]) * part
     };
     Profile::new(spacing, (0..count).map(at).collect())
-}
-
-/// The point before point `i` of a resampled profile, one of `points`, and the part of the spacing after it.
-fn between(i: usize, ratio: f64, points: usize) -> (usize, f64) {
-    let position = i as f64 * ratio;
-    let k = (position.floor() as usize).min(points.saturating_sub(2));
-    (k, position - k as f64)
-}
-
-/// Gradient of a number over the heights of a profile of `points` at `from`, from its gradient over the heights of
-/// [`spaced`] at `to`.
-///
-/// ```text
-/// ∂J/∂z_k = Σᵢ (1 − p) ∂J/∂yᵢ,  ∂J/∂z_k+1 = Σᵢ p ∂J/∂yᵢ,  yᵢ = (1 − p) z_k + p z_k+1        [Resample-1]
-/// ```
-#[must_use]
-pub fn spaced_gradient(
-    over_spaced: &[f64],
-    (points, from): (usize, Length),
-    to: Length,
-) -> Vec<f64> {
-    cite!("Resample-1");
-    let ratio = match common_spacing(from, to) {
-        Some(_) => 1.0,
-        None => to / from,
-    };
-    let mut gradient = vec![0.0; points];
-    for (i, of_point) in over_spaced.iter().enumerate() {
-        let (k, part) = between(i, ratio, points);
-        for (k, weight) in [(k, 1.0 - part), (k + 1, part)] {
-            if let Some(sum) = gradient.get_mut(k) {
-                *sum += weight * of_point;
-            }
-        }
-    }
-    gradient
 }
 
 /// S = √(Rq₁² + Rq₂²)                                                          `[P8]`

@@ -7,7 +7,6 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 use crate::common::{close, profile};
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use asperity_roughness::composite::{spaced, spaced_gradient};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::{
     Ends, alpha, mean_line, mean_line_gradient, transmission, weights,
@@ -16,6 +15,7 @@ use asperity_roughness::generate::{Pits, SelfAffine};
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::material_ratio::rk_parameters;
 use asperity_roughness::preparation::{Preparation, RoughnessFilter, prepare, prepare_with};
+use asperity_roughness::resampling::{respaced, respaced_gradient};
 use asperity_roughness::robust_filter::robust_mean_line;
 use asperity_roughness::{Parameters, Warning};
 
@@ -175,9 +175,9 @@ fn gradients_over_raw_heights_are_transposes_of_filter_preparation_and_resamplin
     let raw = Profile::new(dx, few).unwrap();
     for to in [0.37e-6, 1e-6, 2.3e-6] {
         let to = Length::from_si(to);
-        let other = spaced(&raw, to).unwrap();
+        let other = respaced(&raw, to).unwrap();
         let over: Vec<f64> = other.heights().iter().rev().copied().collect();
-        let back = spaced_gradient(&over, (raw.len(), dx), to);
+        let back = respaced_gradient(&over, (raw.len(), dx), to);
         transposed([(other.heights(), &over), (raw.heights(), &back)], &to);
     }
     let recipe = Preparation::default();
@@ -185,6 +185,44 @@ fn gradients_over_raw_heights_are_transposes_of_filter_preparation_and_resamplin
     let robust = prepare_with(&raw, &recipe, RoughnessFilter::RobustGaussian).unwrap();
     let heights = robust.profile.heights();
     assert_eq!(robust.record.gradient(heights).unwrap(), None);
+}
+
+#[test]
+fn a_wave_keeps_its_heights_on_other_points() {
+    // Of the heights inside; at an end the image of the trace is another wave.
+    const INSIDE: usize = 40;
+    for points in [2.7, 3.0, 3.3, 5.0, 17.0, 120.0] {
+        let wave = |x: f64| (TAU * x / points + 0.3).sin();
+        let z: Vec<f64> = (0..600).map(|i| wave(f64::from(i))).collect();
+        let trace = Profile::new(Length::from_si(0.3e-6), z).unwrap();
+        for to in [0.13e-6, 0.299e-6, 0.31e-6, 0.5e-6, 0.6e-6, 0.9e-6] {
+            let other = respaced(&trace, Length::from_si(to)).unwrap();
+            assert!(trace.length().si() - other.length().si() < to);
+            let n = other.len();
+            let inside = other.heights().iter().enumerate().skip(INSIDE);
+            for (i, found) in inside.take(n.saturating_sub(2 * INSIDE)) {
+                let expected = wave(i as f64 * to / 0.3e-6);
+                assert!(
+                    (found - expected).abs() < 2e-4,
+                    "{points} {to} {i}: {found}"
+                );
+            }
+        }
+    }
+    // Points of a multiple are points of the trace, a line stays one to its ends within a thousandth of its steps, and
+    // an equal spacing changes nothing.
+    let z = rough(500);
+    let trace = Profile::new(Length::from_si(0.25e-6), z.clone()).unwrap();
+    let every_second: Vec<f64> = z.iter().step_by(2).copied().collect();
+    let half = respaced(&trace, Length::from_si(0.5e-6)).unwrap();
+    assert_eq!(half.heights(), every_second);
+    let same = respaced(&trace, Length::from_si(0.250_001e-6)).unwrap();
+    assert_eq!(same.heights(), z);
+    let line = Profile::new(Length::from_si(1.0), (0..90).map(f64::from).collect()).unwrap();
+    let other = respaced(&line, Length::from_si(0.7)).unwrap();
+    for (i, found) in other.heights().iter().enumerate() {
+        assert!((found - 0.7 * i as f64).abs() < 1e-3, "{i}: {found}");
+    }
 }
 
 #[test]

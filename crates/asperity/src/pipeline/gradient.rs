@@ -10,7 +10,7 @@ use asperity_core::cite;
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Temperature;
 use asperity_mixed_film::Kinks;
-use asperity_roughness::composite::spaced_gradient;
+use asperity_roughness::resampling::respaced_gradient;
 use rayon::prelude::*;
 
 use super::bulk_temperature::rise_exponent;
@@ -71,7 +71,7 @@ impl LossGradient {
             };
             let grid = (record.points_after, record.spacing);
             let over_prepared =
-                spaced_gradient(&self.by_height[body], grid, prepared[body].spacing());
+                respaced_gradient(&self.by_height[body], grid, prepared[body].spacing());
             let mut measured = record.gradient(&over_prepared)?;
             if flank.mirrored {
                 measured.iter_mut().for_each(|heights| heights.reverse());

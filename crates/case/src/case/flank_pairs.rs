@@ -8,7 +8,7 @@ use asperity_core::cite;
 use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;
 use asperity_gear::{FlankPoint, Gear};
-use asperity_roughness::composite::spaced;
+use asperity_roughness::resampling::respaced;
 
 use super::error::CaseError;
 use super::flank_sample::{self, Listed};
@@ -150,29 +150,29 @@ pub(super) fn longer_than_active(
     })
 }
 
-/// Spacing of the points of a prepared trace over the cut-off λs of its filter, if the trace was measured with a finer one.
+/// Largest spacing of the points of a prepared trace over the cut-off λs of its filter.
 ///
-/// Of the shortest wave that points a fifth of λs apart hold, the filter leaves 1.3 %.
+/// Of the shortest wave that points a fifth of λs apart hold, two fifths of λs, the filter leaves 1.3 %. On ten pairs of made flanks and the
+/// shipped ones loss, share of the asperities, gap and film are within .2 % of those of all points with windows at the same places (`docs/model/roughness.md`).
 const SHARE_OF_NOISE_CUTOFF: f64 = 0.2;
-/// Relative rounding of a spacing.
-const ROUNDING: f64 = 1e-5;
 /// Usual spacing of a stylus instrument \[m\].
 const USUAL_SPACING: f64 = 0.5e-6;
 /// Half-width at the pitch point, with the whole load on one pair of teeth, over the narrowest on the path: more than gears have.
 const NARROWER_ON_THE_PATH: f64 = 4.0;
 
-/// Common spacing of prepared traces over the finest one: as large as the shortest λs and the narrowest contact of the case admit,
-/// and not above the usual spacing of instruments, so that another λs leaves the points of their traces.
+/// Common spacing of prepared traces: as large as the shortest λs and the narrowest contact of the case admit, and not above the usual
+/// spacing of instruments, so that another λs leaves the points of their traces; the finest one of traces that are all coarser.
+/// `None` without a prepared trace.
 ///
 /// ```text
-/// k = max(1, ⌊min(λs/5, 0.5 µm, a_min/20)/dx_min⌋)                                    [Common-spacing]
+/// d = max(dx_min, min(λs/5, 0.5 µm, a_min/20))                                    [Common-spacing]
 /// ```
 ///
-/// 1 if a trace has no λs.
-pub(super) fn common_multiple<'a>(
+/// dx_min if a trace has no λs.
+pub(super) fn spacing_of<'a>(
     case: &Case,
     traces: impl Iterator<Item = &'a FlankReport>,
-) -> f64 {
+) -> Option<Length> {
     cite!("Common-spacing");
     let (load, radius) = at_pitch(&case.gears, case.torque);
     let half_width = (4.0 * load * radius / (PI * case.modulus.si())).sqrt();
@@ -188,56 +188,45 @@ pub(super) fn common_multiple<'a>(
             ]
         },
     );
-    multiple(largest, finest)
+    finest
+        .is_finite()
+        .then(|| Length::from_si(largest.max(finest)))
 }
 
-/// Largest whole multiple of a spacing that is not above another one; 1 if the spacing itself is.
-fn multiple(largest: f64, spacing: f64) -> f64 {
-    (largest / spacing * (1.0 + ROUNDING)).floor().max(1.0)
-}
-
-/// Puts all traces on one spacing: [`common_multiple`] of the finest.
-///
-/// Traces with the finest spacing keep every k-th point; others are interpolated by straight lines.
+/// Puts all traces on one spacing, [`spacing_of`] them.
 pub(super) fn on_common_spacing(
     case: &Case,
     flanks: &mut [Vec<Flank>; 2],
     warnings: &mut Vec<Warning>,
 ) -> Result<(), CaseError> {
-    let spacing = |flank: &Flank| match &flank.texture {
+    let all = flanks.iter().flatten().map(|flank| &flank.report);
+    let Some(common) = spacing_of(case, all) else {
+        return Ok(());
+    };
+    let own = |flank: &Flank| match &flank.texture {
         Texture::Trace(profile) => Some(profile.spacing()),
         Texture::Values { .. } => None,
     };
-    let first_of = |flanks: &[Flank]| flanks.iter().find_map(spacing);
+    let first_of = |flanks: &[Flank]| flanks.iter().find_map(own);
     let [pinion, wheel] = [first_of(&flanks[0]), first_of(&flanks[1])];
-    let (Some(a), Some(b)) = (pinion.or(wheel), wheel.or(pinion)) else {
-        return Ok(());
-    };
-    let all = flanks.iter().flatten();
-    let finest = (all.clone().filter_map(spacing)).fold(a, |finest, next| match next < finest {
-        true => next,
-        false => finest,
-    });
-    let common = finest * common_multiple(case, all.map(|flank| &flank.report));
-    let mut is_interpolated = false;
+    let mut is_refined = false;
     for flank in flanks.iter_mut().flatten() {
         if let Texture::Trace(profile) = &flank.texture {
-            let own = profile.spacing();
-            let whole = own * multiple(common.si(), own.si());
-            is_interpolated |= common_spacing(whole, common).is_none();
-            let changed = spaced(profile, common).map_err(|source| {
+            let is_same = common_spacing(profile.spacing(), common).is_some();
+            is_refined |= !is_same && profile.spacing() > common;
+            let changed = respaced(profile, common).map_err(|source| {
                 CaseError::preparation(flank.report.file.clone().unwrap_or_default(), source.into())
             })?;
             flank.texture = Texture::Trace(changed);
         }
     }
-    if is_interpolated {
-        let text = match [flanks[0].len(), flanks[1].len()] {
-            [1, 1] => format!(
-                "the flanks are spaced {a:.5} and {b:.5}; the coarser was resampled linearly to {common:.5}"
+    if is_refined {
+        let text = match ([flanks[0].len(), flanks[1].len()], pinion, wheel) {
+            ([1, 1], Some(a), Some(b)) => format!(
+                "the flanks are spaced {a:.5} and {b:.5}; the coarser was resampled to {common:.5}"
             ),
             _ => format!(
-                "the traces have different spacings; the coarser ones were resampled linearly to {common:.5}"
+                "the traces have different spacings; the coarser ones were resampled to {common:.5}"
             ),
         };
         warnings.push(Warning::new(Code::W119, text));

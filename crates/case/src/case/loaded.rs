@@ -13,7 +13,7 @@ use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::{Content, FileContents, FileSums, Files, Reader, XU_COEFFICIENTS};
 use super::flank_form::shortest_form;
-use super::flank_pairs::common_multiple;
+use super::flank_pairs::spacing_of;
 use super::flanks::{Flanks, flanks};
 use super::gearbox::MeshPlace;
 use super::gears::check_load;
@@ -476,7 +476,7 @@ fn same_flanks(loaded: &LoadedCase, case: &Case) -> bool {
     let forms = [shortest(before), shortest(case)];
     // Place and form of a trace and the length of a surrogate depend on the gears.
     let is_of_gears = loaded.is_placed() || loaded.surfaces.is_surrogate() || forms != [None, None];
-    let spacing = |case: &Case| common_multiple(case, loaded.all_traces().into_iter());
+    let spacing = |case: &Case| spacing_of(case, loaded.all_traces().into_iter());
     old == new
         && spacing(before) == spacing(case)
         // Flanks without a trace are surrogates only where their contact is solved.

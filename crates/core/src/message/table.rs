@@ -143,7 +143,7 @@ messages! {
     W116 "trace reversed": "The positions decrease along the file, so the trace was read from its other end." => "Nothing, unless the direction along the flank matters: then set mirrored in the case.";
     W117 "stated spacing differs": "The spacing stated is not that of the position column; the stated one was used." => "Leave the spacing out unless the column is wrong." [Spacing];
     W118 "already filtered": "The file states that its heights are a roughness profile, and filtering it again changes it." => "Set no cut-off, or export the unfiltered profile." [Cutoff];
-    W119 "flanks spaced differently": "The traces of pinion and wheel have different spacings; the coarser one was resampled by straight lines." => "Measure both flanks with the same spacing.";
+    W119 "flanks spaced differently": "The traces of pinion and wheel have different spacings; the coarser one was resampled." => "Measure both flanks with the same spacing.";
     W120 "checksum differs": "A checksum in the file does not match its content: the file was changed after the measurement, or the program that wrote it computes the checksum differently." => "Compare with the original; the heights are used as read.";
     W121 "trace aborted": "The header states a nominal length that was not traced in full. The spacing follows from the traced length." => "Measure again if the whole length is needed.";
     W122 "spacing from line 1": "Line 1 is written differently from the rest and is taken as the spacing in um, as in NPL text profiles." => "State the spacing to be sure." [Spacing];

@@ -77,43 +77,49 @@ impl FlankTables {
         record: &FlankRecord,
         profile: Option<&Profile>,
     ) -> Result<Option<Self>, RoughnessError> {
-        let (Some(profile), Some(preparation)) = (profile, &record.preparation) else {
-            return Ok(None);
+        let whole = |of: Evaluated| {
+            Ok(Self {
+                spectrum: of.spectrum()?,
+                material_ratio: of.material_ratio()?,
+                trace: of.trace(),
+            })
         };
-        let raw = match record.mirrored {
-            true => profile.mirrored(),
-            false => profile.clone(),
-        };
-        let form_removed = form::remove(&raw, preparation.recipe.form)?;
-        let prepared = prepare(&raw, &preparation.recipe)?;
-        Ok(Some(Self {
-            trace: trace(&raw, &form_removed, &prepared),
-            material_ratio: material_ratio(&prepared)?,
-            spectrum: spectrum(&prepared)?,
-        }))
+        Evaluated::of(record, profile)?.map(whole).transpose()
     }
 
-    /// The tables thinned for display, with the extremes of every drawn curve, and the spectrum averaged in bands.
-    #[must_use]
-    pub fn thinned(&self) -> Self {
-        Self {
-            trace: thin(
-                &self.trace,
+    /// [`new`](Self::new) thinned for display, with the extremes of every drawn curve, and the spectrum averaged in bands. One whole
+    /// table is in memory at a time: a trace of a million points makes a hundred megabytes of them.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn shown(
+        record: &FlankRecord,
+        profile: Option<&Profile>,
+    ) -> Result<Option<Self>, RoughnessError> {
+        let thinned = |of: Evaluated| {
+            let spectrum = in_bands(&of.spectrum()?);
+            let material_ratio = thin(
+                &of.material_ratio()?,
+                BINS,
+                |row| row.material_ratio_percent,
+                |row| [row.height_um],
+            );
+            let trace = thin(
+                &of.trace(),
                 BINS,
                 |row| row.x_um,
                 |row| {
                     let rough = row.roughness_um.unwrap_or(f64::NAN);
                     [row.measured_um, row.form_removed_um, rough]
                 },
-            ),
-            material_ratio: thin(
-                &self.material_ratio,
-                BINS,
-                |row| row.material_ratio_percent,
-                |row| [row.height_um],
-            ),
-            spectrum: self.spectrum_in_bands(),
-        }
+            );
+            Ok(Self {
+                trace,
+                material_ratio,
+                spectrum,
+            })
+        };
+        Evaluated::of(record, profile)?.map(thinned).transpose()
     }
 
     /// The spectrum as means of the density in bands of a twelfth of a decade, at the geometric mean of their frequencies.
@@ -167,49 +173,73 @@ fn in_bands(rows: &[SpectrumRow]) -> Vec<SpectrumRow> {
     bands.map(row).collect()
 }
 
-fn trace(raw: &Profile, form_removed: &Profile, prepared: &Prepared) -> Vec<TraceRow> {
-    let (measured, level) = (raw.heights(), form_removed.heights());
-    let rough = prepared.profile.heights();
-    let rows = (0..measured.len()).map(|i| TraceRow {
-        x_um: i as f64 * raw.spacing().si() * MICRO,
-        measured_um: measured[i] * MICRO,
-        form_removed_um: level[i] * MICRO,
-        roughness_um: i
-            .checked_sub(prepared.first_index)
-            .and_then(|k| rough.get(k))
-            .map(|z| z * MICRO),
-    });
-    rows.collect()
+/// A trace with its form removed and filtered.
+struct Evaluated {
+    raw: Profile,
+    form_removed: Profile,
+    prepared: Prepared,
 }
 
-fn material_ratio(prepared: &Prepared) -> Result<Vec<MaterialRatioRow>, RoughnessError> {
-    let curve = abbott_curve(prepared.profile.heights())?;
-    let count = curve.len() as f64;
-    let rows = curve
-        .iter()
-        .enumerate()
-        .map(|(k, height)| MaterialRatioRow {
-            material_ratio_percent: 100.0 * (k as f64 + 0.5) / count,
-            height_um: height * MICRO,
+impl Evaluated {
+    fn of(record: &FlankRecord, profile: Option<&Profile>) -> Result<Option<Self>, RoughnessError> {
+        let (Some(profile), Some(preparation)) = (profile, &record.preparation) else {
+            return Ok(None);
+        };
+        let raw = match record.mirrored {
+            true => profile.mirrored(),
+            false => profile.clone(),
+        };
+        Ok(Some(Self {
+            form_removed: form::remove(&raw, preparation.recipe.form)?,
+            prepared: prepare(&raw, &preparation.recipe)?,
+            raw,
+        }))
+    }
+
+    fn trace(&self) -> Vec<TraceRow> {
+        let (measured, level) = (self.raw.heights(), self.form_removed.heights());
+        let rough = self.prepared.profile.heights();
+        let rows = (0..measured.len()).map(|i| TraceRow {
+            x_um: i as f64 * self.raw.spacing().si() * MICRO,
+            measured_um: measured[i] * MICRO,
+            form_removed_um: level[i] * MICRO,
+            roughness_um: i
+                .checked_sub(self.prepared.first_index)
+                .and_then(|k| rough.get(k))
+                .map(|z| z * MICRO),
         });
-    Ok(rows.collect())
-}
+        rows.collect()
+    }
 
-fn spectrum(prepared: &Prepared) -> Result<Vec<SpectrumRow>, RoughnessError> {
-    /// Cubic micrometres per cubic metre.
-    const CUBIC_MICRO: f64 = MICRO * MICRO * MICRO;
-    let spectrum = power_spectrum(&prepared.profile)?;
-    // The mean, at frequency zero, is omitted.
-    let points = spectrum.density.iter().enumerate().skip(1);
-    let rows = points.map(|(k, density)| {
-        let frequency = k as f64 * spectrum.frequency_step;
-        SpectrumRow {
-            frequency_per_mm: frequency * 1e-3,
-            wavelength_um: MICRO / frequency,
-            density_um3: density * CUBIC_MICRO,
-        }
-    });
-    Ok(rows.collect())
+    fn material_ratio(&self) -> Result<Vec<MaterialRatioRow>, RoughnessError> {
+        let curve = abbott_curve(self.prepared.profile.heights())?;
+        let count = curve.len() as f64;
+        let rows = curve
+            .iter()
+            .enumerate()
+            .map(|(k, height)| MaterialRatioRow {
+                material_ratio_percent: 100.0 * (k as f64 + 0.5) / count,
+                height_um: height * MICRO,
+            });
+        Ok(rows.collect())
+    }
+
+    fn spectrum(&self) -> Result<Vec<SpectrumRow>, RoughnessError> {
+        /// Cubic micrometres per cubic metre.
+        const CUBIC_MICRO: f64 = MICRO * MICRO * MICRO;
+        let spectrum = power_spectrum(&self.prepared.profile)?;
+        // The mean, at frequency zero, is omitted.
+        let points = spectrum.density.iter().enumerate().skip(1);
+        let rows = points.map(|(k, density)| {
+            let frequency = k as f64 * spectrum.frequency_step;
+            SpectrumRow {
+                frequency_per_mm: frequency * 1e-3,
+                wavelength_um: MICRO / frequency,
+                density_um3: density * CUBIC_MICRO,
+            }
+        });
+        Ok(rows.collect())
+    }
 }
 
 #[cfg(test)]
