@@ -18,7 +18,7 @@ use crate::choices::named;
 use crate::failure::{Failure, asked};
 use crate::work::alone;
 
-/// What left the range that a law was fitted to, each once.
+/// Quantities outside of the range that a law was fitted to, each once.
 type Outside = Vec<String>;
 
 /// Arrays by name, all of one length.

@@ -15,7 +15,7 @@ use crate::case::Case;
 use crate::failure::{self, Failure};
 use crate::work::{alone, in_parallel};
 
-/// What a study is about, as arguments of its function in Python.
+/// Subject of a study, as arguments of its function in Python.
 pub trait Given: Input + Send + 'static {
     /// Reads the arguments.
     fn read(given: &Bound<'_, PyTuple>) -> PyResult<Self>;
@@ -75,7 +75,7 @@ pub fn studies() -> PyResult<String> {
     Ok(failure::json(&every_study!(described))?)
 }
 
-/// What the progress of the study `name` counts.
+/// Steps that the progress of the study `name` counts.
 #[pyfunction]
 pub fn steps(name: &str) -> PyResult<&'static str> {
     Ok(named(name)?.steps)

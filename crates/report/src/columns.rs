@@ -418,7 +418,7 @@ impl Table {
         self
     }
 
-    /// The table, whose columns have the names of those of the file `name`, which has the rows of the result.
+    /// The table, whose columns have the names of the columns of the file `name`, which has the rows of the result.
     #[must_use]
     pub fn of_file(mut self, name: &'static str) -> Self {
         (self.file, self.is_file) = (name, false);
@@ -679,7 +679,7 @@ impl Render for Table {
 ///
 /// A line is `kind name "heading" "unit"`, for a number with its digits, and `= value` where the value is not the field of
 /// this name: `number temperature_c "temperature" "°C" "{:.0}";`, `text slides "slide-to-roll ratios" "" = slides(row);`. The name
-/// is that of the column in the file of the table, if it has one. The row is a name, or a pattern in parentheses whose parts
+/// is the name of the column in the file of the table, if it has one. The row is a name, or a pattern in parentheses whose parts
 /// the values name: `columns! { (name, [low, high]) in rows; ... }`.
 ///
 /// | kind | is |

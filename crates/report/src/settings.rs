@@ -13,7 +13,7 @@ pub struct Setting {
     pub name: &'static str,
     /// Type in Rust.
     pub kind: &'static str,
-    /// What it is.
+    /// Meaning.
     pub about: &'static str,
     /// Value if none is stated; `None` if it must be stated or has none.
     pub default: Option<Value>,

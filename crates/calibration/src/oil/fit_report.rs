@@ -149,7 +149,7 @@ impl OilFit {
     }
 }
 
-/// Fitted constants and those of the family.
+/// Fitted constants and the constants of the family.
 fn constants(constants: &[FittedConstant]) -> Table {
     columns! { one in constants;
         head constant "constant" "" = Cell::shown(in_unit(&one.name, &one.unit), one.name.as_str().into());

@@ -32,7 +32,7 @@ pub(super) struct Steels {
     pub materials: [Material; 2],
     /// Pressure at which their surfaces flow.
     pub flow_pressure: [Pressure; 2],
-    /// What left the range of a relation.
+    /// Quantities outside of the range of a relation.
     pub notes: Vec<OutOfRange>,
 }
 

@@ -14,7 +14,7 @@ const AS_TEXT: &str = "export the profile as text with an x and a height column"
 const UNPACKED: &str =
     "take a released binary or wheel, build with feature packed, or export the profile as text";
 
-/// What is known about a format without its reader.
+/// Facts about a format without its reader.
 struct Row {
     format: Format,
     title: &'static str,
