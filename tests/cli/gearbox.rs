@@ -306,7 +306,7 @@ fn a_comparison_says_what_it_covers() {
     };
     let plain = of(&[], &[]).unwrapped();
     assert!(
-        plain.contains("scope mesh: without bearings, seals, churning"),
+        plain.contains("Scope mesh: without bearings, seals, churning"),
         "{plain}"
     );
     let found = of(&[SEAL], &["--json"]).json();
@@ -321,7 +321,7 @@ fn a_comparison_says_what_it_covers() {
     }
     let text = of(&[SEAL], &[]).unwrapped();
     assert!(
-        text.contains("scope gearbox: the values above are of the mesh; with 111 W"),
+        text.contains("Scope gearbox: the values above are of the mesh; with 111 W"),
         "{text}"
     );
     let table =

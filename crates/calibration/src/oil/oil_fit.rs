@@ -291,7 +291,7 @@ impl OilFit {
             .filter_map(|row| Some((row, row.fitted?, row.residual_sigma?.abs())));
         let (row, fitted, _) = fitted.max_by(|a, b| a.2.total_cmp(&b.2))?;
         Some(format!(
-            "furthest from the fit: {}:{} ({:.0} °C, {:.2} GPa), measured {:.4}, fitted {fitted:.4}",
+            "Furthest from the fit: {}:{} ({:.0} °C, {:.2} GPa), measured {:.4}, fitted {fitted:.4}.",
             row.file, row.line, row.temperature_c, row.pressure_gpa, row.traction
         ))
     }

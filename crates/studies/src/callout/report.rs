@@ -72,23 +72,26 @@ fn headline(study: &CallOut) -> String {
     )
 }
 
-/// Limit of a flank with the digits that the simulated lots leave.
+/// Relative scatter of the height of a lot about a limit by inspection, which leaves the digits of the limit.
+const SCATTER: f64 = 0.08;
+
+/// Limit of a flank.
 fn limit_line(row: &LimitRow) -> String {
     let unit = match row.unit {
-        "" => String::new(),
-        unit => format!(" {unit}"),
+        "" => "",
+        _ => " µm",
     };
     let flank = match row.flank {
         "both" => "Both flanks".to_owned(),
         "pinion" => "Pinion".to_owned(),
         _ => "Wheel".to_owned(),
     };
-    // The periodic profiles of a recipe leave a percent.
-    let recipe = rounded(row.recipe, 0.01 * row.recipe);
+    let text = |value: f64| rounded(value, SCATTER * value);
     format!(
-        "{flank}: mean {} at most {}{unit} (the recipe has {recipe}{unit}).",
+        "{flank}: mean {} at most {}{unit} (the recipe has {}{unit}).",
         row.parameter,
-        rounded(row.limit, row.standard_error),
+        text(row.limit),
+        text(row.recipe)
     )
 }
 

@@ -26,7 +26,7 @@ impl StudyResult for Comparison {
             format!("{} · comparison of {}", self.program, names.join(", ")),
         )
         .section("Verdict")
-        .verdict(self.verdicts())
+        .verdict(self.verdicts().iter().map(|verdict| format!("{verdict}.")))
         .figures(|| [bars(self)])
         .table(table(self))
         .text([note(self)])

@@ -252,9 +252,9 @@ pub(super) fn note(comparison: &Comparison) -> String {
         .iter()
         .any(|finish| finish.drawn_w().is_some());
     match is_drawn.then(Predictive::count) {
-        None => "without an uncertainty of the loss".to_owned(),
+        None => "Without an uncertainty of the loss.".to_owned(),
         Some(draws) => format!(
-            "medians of {draws} draws, in brackets their 5 and 95 % quantiles; all finishes share the draws, but model error and sampling of the flanks are drawn for each"
+            "Medians of {draws} draws, in brackets their 5 and 95 % quantiles; all finishes share the draws, but model error and sampling of the flanks are drawn for each."
         ),
     }
 }
@@ -268,7 +268,7 @@ pub(super) fn run_in(comparison: &Comparison) -> Vec<String> {
             None => Digits::of_decimals(1),
         };
         Some(format!(
-            "{} run in: {} W in place of {} W, both with every constant at its median",
+            "{} run in: {} W in place of {} W, both with every constant at its median.",
             finish.name,
             digits.rounded(after),
             digits.rounded(finish.loss_w)
@@ -278,7 +278,7 @@ pub(super) fn run_in(comparison: &Comparison) -> Vec<String> {
     if !lines.is_empty() {
         lines.insert(
             0,
-            "the table and the verdict are of the flanks as measured".to_owned(),
+            "The table and the verdict are of the flanks as measured.".to_owned(),
         );
     }
     lines
@@ -288,7 +288,7 @@ pub(super) fn run_in(comparison: &Comparison) -> Vec<String> {
 pub(super) fn scope(comparison: &Comparison) -> String {
     let first = comparison.finishes.first();
     let Some(first) = first.and_then(|finish| finish.gearbox.as_ref()) else {
-        return "scope mesh: without bearings, seals, churning".to_owned();
+        return "Scope mesh: without bearings, seals, churning.".to_owned();
     };
     let with = |finish: &FinishResult| {
         let gearbox = finish.gearbox.as_ref()?;
@@ -307,7 +307,7 @@ pub(super) fn scope(comparison: &Comparison) -> String {
     let parts = first.parts.iter().zip(stated_parts(&losses));
     let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));
     format!(
-        "scope gearbox: the values above are of the {}; with {} from the input and without a band ({}), the efficiency of the gearbox is {}",
+        "Scope gearbox: the values above are of the {}; with {} from the input and without a band ({}), the efficiency of the gearbox is {}.",
         if comparison
             .finishes
             .iter()

@@ -31,7 +31,7 @@ impl StudyResult for Map {
         let axes = &self.axes;
         let names: Vec<&str> = self.finishes.iter().map(|f| f.name.as_str()).collect();
         let points = format!(
-            "{} points: {} torques x {} speeds x {} temperatures (loss of the {} only)",
+            "{} points: {} torques x {} speeds x {} temperatures; loss of the {} only.",
             axes.points(),
             axes.torque_nm.len(),
             axes.speed_rpm.len(),

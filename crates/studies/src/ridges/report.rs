@@ -26,7 +26,7 @@ impl StudyResult for RidgeStudy {
         let mut report = Report::new(&study.title, "ridges")
             .section("Where the loss is made")
             .text([headline(study)])
-            .verdict([saving(study)])
+            .verdict([verdict(study)])
             .markup(|| charts(study, None))
             .section("Ridges with the largest loss")
             .figures(|| [ridge_chart(study)])
@@ -112,6 +112,12 @@ fn kinks(kinks: &Kinks) -> Option<String> {
             table, {limited_slopes} with a limited slope of the gap, {floors} at a floor (next to: 1 nm of mean gap)."
         )
     })
+}
+
+/// The saving, as a sentence.
+fn verdict(study: &Ridges) -> String {
+    let saving = saving(study);
+    format!("{}.", saving.replacen("pressing", "Pressing", 1))
 }
 
 fn headline(study: &Ridges) -> String {

@@ -34,7 +34,7 @@ impl StudyResult for Merged {
         let mut report = Report::new(&self.title, format!("sweep {}", self.name))
             .section("Results over the axes")
             .text([format!(
-                "{} cases, {} without a result",
+                "{} cases, {} without a result.",
                 self.cases, self.failed
             )])
             .text(outside)
