@@ -3,7 +3,6 @@
 use asperity_core::numerics::range;
 
 use std::array::from_fn;
-use std::collections::BTreeSet;
 
 /// Number of bins of a chart along its horizontal axis: about one per pixel of a curve.
 pub(crate) const BINS: usize = 350;
@@ -36,7 +35,7 @@ pub fn thin<R: Copy, const N: usize>(
     let bin = |at: &f64| (((at - low) / (high - low) * bins as f64) as usize).min(bins - 1);
     let cells: Vec<[f64; N]> = rows.iter().map(columns).collect();
     let columns: [Vec<f64>; N] = from_fn(|k| cells.iter().map(|row| row[k]).collect());
-    let mut selected = BTreeSet::from([0, rows.len() - 1]);
+    let mut selected = vec![0, rows.len() - 1];
     let mut from = 0;
     for group in coordinates.chunk_by(|a, b| bin(a) == bin(b)) {
         for column in &columns {
@@ -59,6 +58,8 @@ pub fn thin<R: Copy, const N: usize>(
         }
         from += group.len();
     }
+    selected.sort_unstable();
+    selected.dedup();
     selected.into_iter().map(|k| rows[k]).collect()
 }
 
