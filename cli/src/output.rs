@@ -6,6 +6,7 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 use asperity_core::{Code, Fault};
+use asperity_storage::{NotJson, json_text};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -14,11 +15,11 @@ use crate::args::Common;
 use crate::failure::Failure;
 
 /// Prints a value as JSON.
-pub fn print_json<T: Serialize + ?Sized>(value: &T) -> Result<(), Failure> {
-    asperity_storage::check_finite(value)
-        .map_err(|error| Fault::internal(error).about("no result"))?;
-    let text = serde_json::to_string_pretty(value)
-        .map_err(|error| Fault::internal(error).about("cannot be written as JSON"))?;
+pub fn print_json(value: &dyn erased_serde::Serialize) -> Result<(), Failure> {
+    let text = json_text(value).map_err(|error| match error {
+        NotJson::NotFinite(number) => Fault::internal(number).about("no result"),
+        other => Fault::internal(other).about("cannot be written as JSON"),
+    })?;
     write(&format!("{text}\n"))
 }
 

@@ -35,7 +35,7 @@ fn limits_are_printed_and_written_with_traces_and_wavelengths() {
         "--confidence",
         "98 %",
     ];
-    let said = bench.run(&call("600 W", &few)).well().out;
+    let said = bench.run(&call("600 W", &few)).well().unwrapped();
     for words in [
         "Both flanks: mean R",
         "Inspect ",

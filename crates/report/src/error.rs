@@ -5,7 +5,7 @@ use std::path::Path;
 
 use asperity_core::{Code, Fault, Remedy, Setting};
 use asperity_roughness::RoughnessError;
-use asperity_storage::{NotFinite, StorageError};
+use asperity_storage::{NotFinite, NotJson, StorageError};
 use asperity_table::own::{OwnFault, Unwritten};
 
 /// The result is missing or was not written by Asperity.
@@ -102,6 +102,15 @@ pub(crate) fn unwritten(path: &Path) -> impl Fn(Unwritten) -> Fault {
     let path = path.to_owned();
     move |reason| match reason {
         Unwritten::NotFinite(source) => not_finite(&path)(source),
+        reason => Fault::of(Code::E401, reason).about(path.display()),
+    }
+}
+
+/// Error of a value that is not written as JSON at `path`.
+pub(crate) fn not_json(path: &Path) -> impl Fn(NotJson) -> Fault {
+    let path = path.to_owned();
+    move |reason| match reason {
+        NotJson::NotFinite(source) => not_finite(&path)(source),
         reason => Fault::of(Code::E401, reason).about(path.display()),
     }
 }

@@ -9,7 +9,7 @@ use asperity::UnsolvedContact;
 use asperity::pipeline::KeptFields;
 use asperity::result::{Outcome, RunResult};
 use asperity_core::Fault;
-use asperity_storage::{check_finite, check_written, save, whole_file, write_among};
+use asperity_storage::{check_written, json_line, save, whole_file, write_among};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -144,7 +144,7 @@ fn texts_of(outcome: &Outcome, whole: &PageTables) -> Result<Vec<FileText>, Faul
     }
     let result = &outcome.result;
     let shown = whole.thinned(result, PAGE_TABLES)?;
-    check_finite(&shown).map_err(error::not_finite(Path::new(PAGE_TABLES)))?;
+    let page_tables = json_line(&shown).map_err(error::not_json(Path::new(PAGE_TABLES)))?;
     Ok(vec![
         (MARK, json_text(Path::new(MARK), result)?.into_bytes()),
         table("path.csv", &result.path)?,
@@ -152,10 +152,7 @@ fn texts_of(outcome: &Outcome, whole: &PageTables) -> Result<Vec<FileText>, Faul
         table("offsets.csv", &outcome.offsets)?,
         table("losses.csv", tables::losses(result))?,
         table("friction_laws.csv", tables::friction_laws(result))?,
-        (
-            PAGE_TABLES,
-            serde_json::to_vec(&shown).map_err(error::of_json)?,
-        ),
+        (PAGE_TABLES, page_tables.into_bytes()),
         (PAGE, html::render(result, &shown)?.into_bytes()),
     ])
 }
@@ -200,14 +197,13 @@ fn write_position(contact: &ContactTables, place: &Path) -> Result<(), Fault> {
 ///
 /// # Errors
 /// When a file cannot be written, a number is not finite, or JSON cannot hold the value.
-pub fn write_json<T: Serialize>(file: &Path, value: &T) -> Result<(), Fault> {
+pub fn write_json(file: &Path, value: &dyn erased_serde::Serialize) -> Result<(), Fault> {
     write_text(file, &json_text(file, value)?)
 }
 
 /// Value as JSON that ends with a line feed; `file` is the name in messages.
-pub(crate) fn json_text<T: Serialize>(file: &Path, value: &T) -> Result<String, Fault> {
-    check_finite(value).map_err(error::not_finite(file))?;
-    let mut text = serde_json::to_string_pretty(value).map_err(error::of_json)?;
+pub(crate) fn json_text(file: &Path, value: &dyn erased_serde::Serialize) -> Result<String, Fault> {
+    let mut text = asperity_storage::json_text(value).map_err(error::not_json(file))?;
     text.push('\n');
     Ok(text)
 }

@@ -23,7 +23,7 @@ pub struct NotFinite {
 /// let bad = check_finite(&[("a", 1.0), ("b", f64::NAN)]);
 /// assert_eq!(bad.map_err(|number| number.path), Err("[1][1]".to_owned()));
 /// ```
-pub fn check_finite<T: Serialize + ?Sized>(value: &T) -> Result<(), NotFinite> {
+pub fn check_finite(value: &dyn erased_serde::Serialize) -> Result<(), NotFinite> {
     match value.serialize(Walk) {
         // A value that cannot be serialised is reported when it is written.
         Ok(()) | Err(Stop::Other) => Ok(()),

@@ -20,6 +20,7 @@
 
 mod checksum;
 mod finite;
+mod json;
 mod plain_text;
 mod read;
 mod sealed;
@@ -28,6 +29,7 @@ mod write;
 
 pub use checksum::{hex, sha256};
 pub use finite::{NotFinite, check_finite};
+pub use json::{NotJson, json_line, json_text, json_value};
 pub use plain_text::{cell, line_of_cells, one_line, printable, text_of_cell};
 pub use read::{regular_file, whole_file, whole_text};
 pub use sealed::{seal, unseal};

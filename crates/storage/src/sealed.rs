@@ -31,10 +31,10 @@ struct Sealed<T> {
 /// assert_eq!(unseal::<Vec<f64>>("film", "1", changed.as_bytes()), None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn seal<T: Serialize>(
+pub fn seal(
     name: &str,
     version: &str,
-    value: &T,
+    value: &dyn erased_serde::Serialize,
 ) -> Result<Vec<u8>, serde_json::Error> {
     serde_json::to_vec(&Sealed {
         name: name.to_owned(),
@@ -53,7 +53,8 @@ pub fn unseal<T: Serialize + DeserializeOwned>(
 ) -> Option<T> {
     let sealed: Sealed<T> = serde_json::from_slice(bytes).ok()?;
     // Every digit of a number is read and written again, so that equal values have equal text.
-    let sum = sha256(&serde_json::to_vec(&sealed.value).ok()?);
+    let value: &dyn erased_serde::Serialize = &sealed.value;
+    let sum = sha256(&serde_json::to_vec(value).ok()?);
     let is_whole = sealed.name == name && sealed.version == version && sealed.sha256 == sum;
     is_whole.then_some(sealed.value)
 }

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use asperity::case::DefaultUsed;
 use asperity::result::RunResult;
+use asperity_storage::json_value;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -69,13 +70,13 @@ impl ResultDiff {
 ///
 /// # Errors
 /// When an input cannot be written as JSON.
-pub fn changed_keys<I: Serialize>(
-    first: (&I, &[DefaultUsed]),
-    second: (&I, &[DefaultUsed]),
+pub fn changed_keys(
+    first: (&dyn erased_serde::Serialize, &[DefaultUsed]),
+    second: (&dyn erased_serde::Serialize, &[DefaultUsed]),
 ) -> Result<Vec<Change>, serde_json::Error> {
-    let inputs = |(input, defaults): (&I, &[DefaultUsed])| {
+    let inputs = |(input, defaults): (&dyn erased_serde::Serialize, &[DefaultUsed])| {
         let mut values = BTreeMap::new();
-        flatten("", &serde_json::to_value(input)?, &mut values);
+        flatten("", &json_value(input)?, &mut values);
         for default in defaults {
             let value = serde_json::from_str(&default.value);
             let value = value.unwrap_or_else(|_| Value::from(default.value.clone()));
@@ -93,7 +94,7 @@ pub fn changed_keys<I: Serialize>(
 pub fn diff(first: &RunResult, second: &RunResult) -> Result<ResultDiff, serde_json::Error> {
     let summary = |result: &RunResult| -> Result<BTreeMap<String, Value>, serde_json::Error> {
         let mut values = BTreeMap::new();
-        flatten("", &serde_json::to_value(&result.summary)?, &mut values);
+        flatten("", &json_value(&result.summary)?, &mut values);
         if let Some(band) = &result.uncertainty {
             let ([low, high], [least, most]) = (band.loss.quantiles_w, band.efficiency_quantiles);
             let drawn = [
@@ -177,8 +178,8 @@ fn path(first: &RunResult, second: &RunResult) -> Result<Vec<PathChange>, serde_
     let mut largest: BTreeMap<String, PathChange> = BTreeMap::new();
     for (a, b) in first.path.iter().zip(&second.path) {
         let (mut left, mut right) = (BTreeMap::new(), BTreeMap::new());
-        flatten("", &serde_json::to_value(a)?, &mut left);
-        flatten("", &serde_json::to_value(b)?, &mut right);
+        flatten("", &json_value(a)?, &mut left);
+        flatten("", &json_value(b)?, &mut right);
         for (column, value) in &left {
             let pair = value
                 .as_f64()

@@ -47,15 +47,25 @@ pub enum Unwritten {
 /// # Errors
 /// When a number is not finite, a row cannot be written as cells, or the system reports an error.
 pub fn write<W: Write, R: Serialize>(
-    out: W,
+    mut out: W,
     rows: impl IntoIterator<Item = R>,
 ) -> Result<W, Unwritten> {
-    let mut writer = csv::Writer::from_writer(Cells::into(out));
+    let mut writer = csv::Writer::from_writer(Cells::into(&mut out));
     for row in rows {
-        check_finite(&row)?;
-        writer.serialize(row)?;
+        write_row(&mut writer, &row)?;
     }
-    Ok(finished(writer)?)
+    finished(writer)?;
+    Ok(out)
+}
+
+/// Writes a row, not generic: a generic one is compiled for every type of row, for the check, the header and the cells.
+fn write_row(
+    writer: &mut csv::Writer<Cells<'_>>,
+    row: &dyn erased_serde::Serialize,
+) -> Result<(), Unwritten> {
+    check_finite(row)?;
+    writer.serialize(row)?;
+    Ok(())
 }
 
 /// Rows of cells as text, marked as by [`write()`].
@@ -63,11 +73,13 @@ pub fn write<W: Write, R: Serialize>(
 /// # Errors
 /// When the rows have different lengths.
 pub fn text_of_cells(rows: impl IntoIterator<Item = Vec<String>>) -> Result<Vec<u8>, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Cells::into(Vec::new()));
+    let mut text = Vec::new();
+    let mut writer = csv::Writer::from_writer(Cells::into(&mut text));
     for row in rows {
         writer.write_record(row)?;
     }
-    finished(writer)
+    finished(writer)?;
+    Ok(text)
 }
 
 /// Rows of cells from the text of a table, its header first, without the marks of [`write()`].
@@ -129,22 +141,22 @@ pub fn finite<R: Serialize>(rows: &[R]) -> Result<(), OwnFault> {
     Ok(())
 }
 
-fn finished<W: Write>(writer: csv::Writer<Cells<W>>) -> Result<W, csv::Error> {
+fn finished(writer: csv::Writer<Cells<'_>>) -> Result<(), csv::Error> {
     // Flushes, too.
-    let cells = writer.into_inner().map_err(|error| error.into_error())?;
-    Ok(cells.out)
+    writer.into_inner().map_err(|error| error.into_error())?;
+    Ok(())
 }
 
 /// The cells of a table on their way to `out`: each text that would be a formula is marked ([`cell`]).
-struct Cells<W: Write> {
-    out: W,
+struct Cells<'a> {
+    out: &'a mut dyn Write,
     /// The cell so far, as it is written.
     written: Vec<u8>,
     is_quoted: bool,
 }
 
-impl<W: Write> Cells<W> {
-    fn into(out: W) -> Self {
+impl<'a> Cells<'a> {
+    fn into(out: &'a mut dyn Write) -> Self {
         Self {
             out,
             written: Vec::new(),
@@ -163,7 +175,7 @@ impl<W: Write> Cells<W> {
     }
 }
 
-impl<W: Write> Write for Cells<W> {
+impl Write for Cells<'_> {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         for byte in bytes {
             // A quote in a quoted cell is written twice.

@@ -182,12 +182,12 @@ impl Facing {
         }
     }
 
-    /// Exaggeration of heights relative to lengths, for a half-width of `half_width` micrometres.
+    /// Exaggeration of heights relative to lengths, for each micrometre of the half-width.
     #[must_use]
-    pub fn exaggeration(&self, half_width: f64) -> f64 {
+    pub fn exaggeration(&self) -> f64 {
         let scales = self.scales();
         let up = (FLANKS[1] - FLANKS[0]) / (scales.height.high - scales.height.low);
-        let across = (scales.right - scales.left) / (scales.x.high - scales.x.low) / half_width;
+        let across = (scales.right - scales.left) / (scales.x.high - scales.x.low);
         up / across
     }
 

@@ -110,9 +110,10 @@ fn facing(result: &RunResult, tables: &PageTables) -> Option<Facing> {
         marks: points(result),
         reach: ContactView::REACH,
     };
+    let exaggeration = facing.exaggeration();
     let texts: Vec<String> = pairs
         .iter()
-        .map(|(_, row)| caption(result, row, facing.exaggeration(row.half_width_um)))
+        .map(|(_, row)| caption(result, row, exaggeration * row.half_width_um))
         .collect();
     for (frame, text) in facing.frames.iter_mut().zip(texts) {
         frame.text = text;

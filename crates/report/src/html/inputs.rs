@@ -4,6 +4,7 @@ use crate::{Cell, columns, error};
 use asperity::result::FlankRecord;
 use asperity::result::RunResult;
 use asperity_core::Fault;
+use asperity_storage::json_value;
 use maud::{Markup, html};
 use serde_json::Value;
 
@@ -41,7 +42,7 @@ fn keys(result: &RunResult) -> Result<Vec<KeyRow>, Fault> {
     let mut rows = Vec::new();
     flatten(
         "",
-        &serde_json::to_value(&result.inputs).map_err(error::of_json)?,
+        &json_value(&result.inputs).map_err(error::of_json)?,
         &mut rows,
     );
     for entry in &result.defaults {

@@ -16,6 +16,7 @@ use asperity::train;
 use asperity::uncertainty::{Predictive, predictive};
 use asperity::{ContactStore, Error};
 use asperity_core::Code;
+use asperity_storage::json_value;
 use rayon::prelude::*;
 use serde_json::Value;
 
@@ -275,7 +276,7 @@ fn result(
         outside.insert(Code::W401);
     }
     let numbers = match (case.only(), &summaries[..]) {
-        (Some(_), [summary]) => serde_json::to_value(summary).unwrap_or_default(),
+        (Some(_), [summary]) => json_value(summary).unwrap_or_default(),
         _ => numbers_of(&found),
     };
     let drawn = found.loss_distribution;
