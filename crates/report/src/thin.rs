@@ -2,12 +2,6 @@
 
 use asperity_core::numerics::range;
 
-<<<<<<< HEAD
-use std::collections::BTreeSet;
-=======
-use std::array::from_fn;
->>>>>>> build
-
 /// Number of bins of a chart along its horizontal axis: about one per pixel of a curve.
 pub(crate) const BINS: usize = 350;
 
@@ -35,16 +29,9 @@ pub fn thin<R: Copy, const N: usize>(
     let coordinates = rows.iter().map(&coordinate);
     let [low, high] = range(coordinates.filter(|at| at.is_finite()));
     // The cast saturates, and an undefined coordinate is in the first bin.
-<<<<<<< HEAD
     let bin =
         |row: &R| (((coordinate(row) - low) / (high - low) * bins as f64) as usize).min(bins - 1);
-    let mut selected = BTreeSet::from([0, rows.len() - 1]);
-=======
-    let bin = |at: &f64| (((at - low) / (high - low) * bins as f64) as usize).min(bins - 1);
-    let cells: Vec<[f64; N]> = rows.iter().map(columns).collect();
-    let columns: [Vec<f64>; N] = from_fn(|k| cells.iter().map(|row| row[k]).collect());
     let mut selected = vec![0, rows.len() - 1];
->>>>>>> build
     let mut from = 0;
     for group in rows.chunk_by(|a, b| bin(a) == bin(b)) {
         let cells: Vec<[f64; N]> = group.iter().map(&columns).collect();
