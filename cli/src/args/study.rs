@@ -13,10 +13,10 @@ use clap::{ArgMatches, Args, Command, Error, FromArgMatches, Subcommand};
 use super::SetArgs;
 use crate::failure::Failure;
 
-/// What a study is about, as read from its arguments.
+/// Subject of a study, as read from its arguments.
 #[derive(Debug)]
 pub struct Subject<I> {
-    /// It.
+    /// The subject.
     pub input: I,
     /// Name of its results.
     pub name: OsString,
@@ -24,16 +24,16 @@ pub struct Subject<I> {
     pub file: Option<PathBuf>,
 }
 
-/// What a study is about, as arguments of a command.
+/// Subject of a study, as arguments of a command.
 pub trait Given: Input {
     /// The arguments.
     type Args: Args + Debug;
     /// Limits of the work.
     type Limits: Args + Debug;
-    /// What the folder of a result is named by.
+    /// Name by which the folder of a result is named.
     const NAMED_BY: &'static str;
 
-    /// Reads it.
+    /// Reads the subject.
     fn read(args: &Self::Args, set: &SetArgs) -> Result<Subject<Self>, Failure>;
 
     /// Rejects work above the limits.
@@ -42,10 +42,10 @@ pub trait Given: Input {
     }
 }
 
-/// What a study is about, its settings, and the target of its result.
+/// Subject of a study, its settings, and the target of its result.
 #[derive(Debug, Args)]
 pub struct StudyArgs<S: StudySettings<Input: Given> + Args> {
-    /// What it is about.
+    /// Its subject.
     #[command(flatten)]
     pub given: <S::Input as Given>::Args,
     /// Settings of the study.

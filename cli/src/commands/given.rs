@@ -1,4 +1,4 @@
-//! What studies are about, read from the arguments of a command.
+//! Subjects of studies, read from the arguments of a command.
 
 use std::path::PathBuf;
 

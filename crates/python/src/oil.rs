@@ -1,4 +1,4 @@
-//! What the studies of oils are about, from Python.
+//! Subjects of the studies of oils, from Python.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Studies as the faces walk them: settings, what the study is about, its work and its run.
+//! Studies as the faces walk them: subject, settings, work and run.
 
 use asperity::case::LoadedCase;
 use asperity::case::train::Train;
@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::settings::{Setting, Settings};
 use crate::study::StudyResult;
 
-/// What a study is about: a case, an oil, measured curves. Each face makes it from its own arguments.
+/// Subject of a study: a case, an oil, measured curves. Each face makes it from its own arguments.
 pub trait Input: Sized {
     /// Its arguments in their order.
     fn described() -> Vec<Setting>;
@@ -51,7 +51,7 @@ impl Input for LoadedCase {
 pub struct Work {
     /// Meshes as they run.
     pub meshes: Vec<LoadedCase>,
-    /// How often they run.
+    /// Number of times that they run.
     pub runs: usize,
 }
 
@@ -65,7 +65,7 @@ impl Work {
 
 /// A study by its settings. `registry.rs` of `asperity-studies` lists all.
 pub trait StudySettings: Settings {
-    /// What it is about.
+    /// Its subject.
     type Input: Input;
     /// Result of the study.
     type Found: for<'a> StudyResult<Context<'a> = ()> + Send + Sync + 'static;
@@ -75,13 +75,13 @@ pub trait StudySettings: Settings {
     const FUNCTION: &'static str = Self::COMMAND;
     /// End of the name of its folder.
     const FOLDER: &'static str = Self::COMMAND;
-    /// What it answers, in a line.
+    /// Question that it answers, in a line.
     const ABOUT: &'static str;
     /// Examples: the arguments and settings that each states, by name and value.
     const EXAMPLES: &'static [&'static [(&'static str, &'static str)]];
     /// Explanation of the method.
     const METHOD: &'static str;
-    /// What its progress counts; empty if it reports none.
+    /// Steps that its progress counts; empty if it reports none.
     const STEPS: &'static str;
 
     /// Title of the result.
@@ -110,30 +110,46 @@ pub struct Described {
     pub command: &'static str,
     /// Name of the function in Python.
     pub function: &'static str,
-    /// What it answers.
+    /// Question that it answers.
     pub about: &'static str,
     /// Explanation of the method.
     pub method: &'static str,
-    /// What its progress counts; empty if it reports none.
+    /// Steps that its progress counts; empty if it reports none.
     pub steps: &'static str,
-    /// What it is about.
+    /// Its subject.
     pub input: Vec<Setting>,
     /// Its settings.
     pub settings: Vec<Setting>,
 }
 
 impl Described {
+    /// Description of the study `function` by the settings `S`, which command and Python run each in its own way.
+    #[must_use]
+    pub fn new<S: Settings>(
+        function: &'static str,
+        about: &'static str,
+        method: &'static str,
+        steps: &'static str,
+        input: Vec<Setting>,
+    ) -> Self {
+        Self {
+            command: function,
+            function,
+            about,
+            method,
+            steps,
+            input,
+            settings: S::described(),
+        }
+    }
+
     /// Description of the study `S`.
     #[must_use]
     pub fn of<S: StudySettings>() -> Self {
+        let input = S::Input::described();
         Self {
             command: S::COMMAND,
-            function: S::FUNCTION,
-            about: S::ABOUT,
-            method: S::METHOD,
-            steps: S::STEPS,
-            input: S::Input::described(),
-            settings: S::described(),
+            ..Self::new::<S>(S::FUNCTION, S::ABOUT, S::METHOD, S::STEPS, input)
         }
     }
 }

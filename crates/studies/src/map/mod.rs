@@ -38,6 +38,7 @@ mod grid;
 mod page;
 mod point;
 mod read;
+mod settings;
 mod summary;
 mod surface;
 mod table;
@@ -53,6 +54,7 @@ pub use point::{
     EXTENDED, FinishMap, Map, MapGearbox, MapWarning, MeshPart, Numbers, Point, ranges,
 };
 pub use read::read;
+pub use settings::MapSettings;
 pub(crate) use summary::banded;
 pub use surface::{Interpolated, Surface, forwards};
 pub use write::{EXPORTS, MapExtras};
