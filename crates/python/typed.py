@@ -17,7 +17,7 @@ from asperity._quantity import OPERATING
 
 FOLDER = Path(__file__).parent / "python" / "asperity"
 RESULTS = {
-    "callout": "CallOut", "evidence": "Evidence", "oil_fit": "OilFit", "oil_plan": "OilPlan", "oil_traction": "Traction", "ridges": "Ridges",
+    "calibrate": "Calibration", "callout": "CallOut", "design": "Design", "evidence": "Evidence", "map": "Map", "oil_fit": "OilFit", "oil_plan": "OilPlan", "oil_traction": "Traction", "ridges": "Ridges",
     "sensitivity": "Sensitivity", "stribeck": "Stribeck",
 }
 """Classes of the results of studies that have attributes of their own."""
@@ -244,12 +244,20 @@ INPUTS = {
     "Case": ("CaseLike", None, "as_case({0})._raw"),
     "Option<Case>": ("Optional[CaseLike]", "None", "None if {0} is None else as_case({0})._raw"),
     "Oil": ("OilLike", None, "raw_oil({0})"),
+    "Option<Cases>": ("Optional[Mapping[str, CaseLike]]", "None", "{0}"),
+    "Option<Finishes>": ("Optional[Mapping[str, Finish]]", "None", "{0}"),
+    "Table": ("Columns", None, "{0}"),
     "Vec<Curves>": ("Union[Columns, Sequence[Columns]]", None, 'tables_of_curves({0}, "{0}")'),
 }
 """Arguments of what a study is about: type, default and value for the compiled part."""
+BY_NAME = ("Option<Cases>", "Option<Finishes>")
+"""Those that are given by name only."""
+RUNNERS = {"calibrate": "calibrated", "design": "designed", "map": "mapped"}
+"""Functions of the package that run a study which the compiled part does not run as the others."""
 HOMES = {
-    "CaseLike": "_case", "Columns": "_columns", "Numbers": "_quantity", "OilLike": "_oil", "Progress": "_progress", "Quantities": "_quantity",
-    "Quantity": "_quantity", "Study": "_study", "as_case": "_case", "nodes": "_quantity", "raw_oil": "_oil", "run_study": "_study",
+    "CaseLike": "_case", "Columns": "_columns", "Finish": "_compare", "Numbers": "_quantity", "OilLike": "_oil", "Progress": "_progress", "Quantities": "_quantity",
+    "Quantity": "_quantity", "Study": "_study", "as_case": "_case", "calibrated": "_calibration", "designed": "_calibration",
+    "mapped": "_map", "nodes": "_quantity", "raw_oil": "_oil", "run_study": "_study",
     "tables_of_curves": "_oil", "warned": "_record", "written": "_quantity",
 }
 """Modules of the names that the functions use."""
@@ -292,11 +300,12 @@ def argument(setting):
 def described(setting):
     """The lines of a setting in the text of a function."""
     names = ", ".join(name for name, *_ in argument(setting)[0])
-    about = re.sub(r"e\.g\. ([\w-]+)=(\w+); may be repeated", r'``{"\1": \2}``', setting["about"])
+    about = setting["about"].removesuffix("; repeat for several")
+    about = re.sub(r"e\.g\. ([\w-]+)=(\w+); may be repeated", r'``{"\1": \2}``', about)
     if "Nodes" in setting["kind"]:
-        about, _, default = about.partition(" in ")
-        default = default.partition(" [default: ")[2].removesuffix("]") or f"{setting['default']} {unit_of(setting['name'])[1]}"
-        about = f"{about}, numbers or text with a unit [default: {default}]"
+        what, usual, more = re.fullmatch(r"(.*?) in .*?(?: \[default: (.*)\](.*))?", about).groups()
+        unit = unit_of(setting["name"])[1]
+        about = f'{what}, numbers or text as ``"10..100:5 {unit}"`` [default: {usual or setting["default"] + " " + unit}]{more or ""}'
     return wrapped(f"{names}: {about[0].lower()}{about[1:]}.")
 
 
@@ -306,7 +315,7 @@ def wrapped(text):
 
 def imports(text, indent):
     """Imports of the names in a text, on lines with this indent."""
-    homes = {}
+    homes, text = {}, re.sub('"[^"]*"', "", text)
     choices = {python: "keys" for python, *_ in _asperity.choices()}
     results = {name: getattr(asperity, name).__module__.split(".")[-1] for name in RESULTS.values()}
     for name, home in {**choices, **results, **HOMES}.items():
@@ -318,11 +327,12 @@ def imports(text, indent):
 def study(found):
     """Signature and body of the function of a study."""
     name, result = found["function"], RESULTS.get(found["function"], "Study")
-    given = [(one["name"], *INPUTS[one["kind"]]) for one in found["input"]]
+    given = [(one["name"], *INPUTS[one["kind"]], one["kind"] in BY_NAME) for one in found["input"]]
     rows = [(setting["name"], *argument(setting)) for setting in found["settings"]]
     every = [row for _, arguments, _ in rows for row in arguments]
     threads = [("threads", "Optional[int]", "None")] + ([("progress", "Optional[Progress]", "None")] if found["steps"] else [])
-    first = [row[:3] for row in given] + [row for row in every if row[2] is None]
+    first = [row[:3] for row in given if not row[4]] + [row for row in every if row[2] is None]
+    every = [row[:3] for row in given if row[4]] + every
     lines = [f"    {name}: {kind}{'' if default is None else f' = {default}'},\n" for name, kind, default in first]
     lines += ["    *,\n"] + [f"    {name}: {kind} = {default},\n" for name, kind, default in every + threads if default is not None]
     signature = f"def {name}(\n{''.join(lines)}) -> {result}:\n"
@@ -330,9 +340,13 @@ def study(found):
     about += "".join(map(described, found["settings"]))
     values = "".join(f'        "{name}": {value},\n' for name, _, value in rows)
     settings = f"    settings = {{\n{values}    }}\n" if values else ""
-    raws = ", ".join(value.format(name) for name, _, _, value in given)
-    call = ", ".join([f'"{name}"', f"({raws},)" if len(given) == 1 else f"({raws})", "settings" if values else "{}", *(name for name, *_ in threads)])
-    body = f"{settings}    return warned({result}(run_study({call})))\n"
+    passed = ["settings" if values else "{}", *(name for name, *_ in threads)]
+    if name in RUNNERS:
+        body = f"{settings}    return {RUNNERS[name]}({', '.join([row[0] for row in given] + passed)})\n"
+    else:
+        raws = ", ".join(row[3].format(row[0]) for row in given)
+        call = ", ".join([f'"{name}"', f"({raws},)" if len(given) == 1 else f"({raws})", *passed])
+        body = f"{settings}    return warned({result}(run_study({call})))\n"
     return signature, f'''    """{found["about"]}.
 
 {textwrap.fill(found["method"], 118, initial_indent="    ", subsequent_indent="    ")}
@@ -350,7 +364,8 @@ def studies():
     signatures = "".join(signature for _, signature, _ in every)
     abstract = [name for name in ("Mapping", "Sequence") if f"{name}[" in signatures]
     containers = f"from collections.abc import {', '.join(abstract)}\n" if abstract else ""
-    names = "[\n" + "".join(f'    "{name}",\n' for name in sorted(name for name, *_ in every)) + "]"
+    # `from asperity import *` must not replace the built-in function map.
+    names = "[\n" + "".join(f'    "{name}",\n' for name in sorted(name for name, *_ in every) if name != "map") + "]"
     return HEAD_OF_STUDIES % (containers, imports(signatures, "    "), names) + "\n" + "\n".join(f"\n{signature}{body}" for _, signature, body in every)
 
 

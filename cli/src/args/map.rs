@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use asperity_studies::export::Format;
-use asperity_studies::map::MapBand;
+use asperity_studies::map::MapSettings;
 use clap::{Args, Subcommand};
 
 use super::{FinishArg, SetArgs, WorkArgs};
@@ -16,24 +16,13 @@ pub struct MapArgs {
     /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
-    /// Torques at the pinion in N m: a..b:n, a..b:n:log or a list [default: 0 and 12 from 1 % of the largest,
-    /// both signs]; 0 is added between both signs
-    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
-    pub torque: Option<String>,
-    /// Speeds of the pinion in 1/min: a..b:n, a..b:n:log or a list [default: 0, 1 and 16 more, closer at low speed]; 0
-    /// is added
-    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
-    pub speed: Option<String>,
-    /// Temperatures of the flanks in °C: a..b:n or a list [default: the temperature of the case]
-    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
-    pub temperature: Option<String>,
+    /// Axes and points of the map.
+    #[command(flatten)]
+    pub settings: MapSettings,
     /// A finish and its traces, in a gear train of all meshes or of one; give several to see their difference
     /// [default: the flanks of the case]
     #[arg(long = "finish", value_name = "NAME[@MESH]=PINION.csv[,WHEEL.csv]")]
     pub finishes: Vec<FinishArg>,
-    /// Whether the loss has median, 5 and 95 % quantiles, as in asperity run
-    #[arg(long, value_enum, default_value_t, value_name = "POINTS")]
-    pub band: MapBand,
     /// Cycle whose points are drawn over the map, in the format of asperity cycle
     #[arg(long, value_name = "TRACE.csv")]
     pub cycle: Option<PathBuf>,

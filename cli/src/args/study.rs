@@ -16,7 +16,7 @@ use crate::failure::Failure;
 /// Subject of a study, as read from its arguments.
 #[derive(Debug)]
 pub struct Subject<I> {
-    /// It.
+    /// The subject.
     pub input: I,
     /// Name of its results.
     pub name: OsString,
@@ -33,7 +33,7 @@ pub trait Given: Input {
     /// Name by which the folder of a result is named.
     const NAMED_BY: &'static str;
 
-    /// Reads it.
+    /// Reads the subject.
     fn read(args: &Self::Args, set: &SetArgs) -> Result<Subject<Self>, Failure>;
 
     /// Rejects work above the limits.

@@ -2,14 +2,12 @@
 
 use std::time::Instant;
 
-use asperity::LoadedCase;
 use asperity_calibration::{
-    Calibration, Design, Identifiability, Limits, Reach, RigFiles, Watch, before_the_fit, plan,
+    Calibration, Design, DesignSettings, Identifiability, RigFiles, Watch, before_the_fit, plan,
 };
 use asperity_core::Code;
-use asperity_core::number;
-use asperity_report::axis::axis;
 
+use super::study::of_option;
 use super::{load_case, result_name, study};
 use crate::args::{CalibrateArgs, Common};
 use crate::failure::Failure;
@@ -31,7 +29,8 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let title = first.map_or("", |first| &first.case.case.title);
     let name = result_name(file);
     let folder = study::folder::<Calibration>(args.output.as_deref(), &name, "calibration", title)?;
-    rig.table.reach = reach(args)?;
+    let settings = &args.settings.rig;
+    rig.table.reach = settings.reach().map_err(of_option::<DesignSettings>)?;
     let progress = Progress::of(common.quiet, "evaluations");
     let tell = |result: &Identifiability| {
         if !common.json {
@@ -43,7 +42,7 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
         progress: &|done, total| progress.at(done, total),
         before_the_fit: &tell,
     };
-    let result = rig.calibrate(&args.hold, &watch);
+    let result = rig.calibrate(&settings.hold, &watch);
     drop(progress);
     let result = result?;
     study::finish(&result, (), &folder, Some(begin), common)
@@ -59,54 +58,19 @@ fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let case = load_case(file, &args.set, None)?;
     let (name, title) = (result_name(file), &case.case.title);
     let folder = study::folder::<Design>(args.output.as_deref(), &name, "design", title)?;
-    let limits = limits(args, &case)?;
+    let settings = &args.settings;
+    let limits = settings.limits(&case.case);
+    let limits = limits.map_err(of_option::<DesignSettings>)?;
     let progress = Progress::of(common.quiet, "evaluations");
-    let result = plan(&case, &limits, &args.hold, &|done| progress.count(done));
+    let result = plan(&case, &limits, &settings.rig.hold, &|done| {
+        progress.count(done)
+    });
     drop(progress);
     let result = result?;
-    let simulated = args
+    let simulated = settings
         .simulate
         .map(|seed| asperity_calibration::design::simulated(&case, &result, seed));
     let simulated = simulated.transpose()?;
     let simulated = simulated.as_deref();
     study::finish(&result, simulated, &folder, Some(begin), common)
-}
-
-/// Positive limit of a rig.
-fn limit(option: &str, value: Option<f64>) -> Result<Option<f64>, Failure> {
-    match value.filter(|value| !(value.is_finite() && *value > 0.0)) {
-        Some(value) => Err(Failure::new(
-            Code::E209,
-            format!("{option} = {}: must be positive", number(value)),
-        )),
-        None => Ok(value),
-    }
-}
-
-fn nodes(option: &str, text: Option<&String>) -> Result<Option<Vec<f64>>, Failure> {
-    let parsed = text.map(|text| axis(text));
-    parsed
-        .transpose()
-        .map_err(|error| Failure::new(Code::E209, format!("{option}: {error}")))
-}
-
-fn reach(args: &CalibrateArgs) -> Result<Reach, Failure> {
-    Ok(Reach {
-        torque_max_nm: limit("--torque-max", args.torque_max)?,
-        speed_max_rpm: limit("--speed-max", args.speed_max)?,
-        temperatures_c: nodes("--temperature", args.temperature.as_ref())?,
-    })
-}
-
-fn limits(args: &CalibrateArgs, case: &LoadedCase) -> Result<Limits, Failure> {
-    let usual = Limits::usual(&case.case, reach(args)?);
-    Ok(Limits {
-        torques_nm: nodes("--torque", args.torque.as_ref())?.unwrap_or(usual.torques_nm),
-        speeds_rpm: nodes("--speed", args.speed.as_ref())?.unwrap_or(usual.speeds_rpm),
-        hours: args.hours,
-        minutes_per_point: args.minutes,
-        sigma: args.sigma.value(),
-        assemblies: args.assemblies,
-        ..usual
-    })
 }

@@ -6,14 +6,14 @@ use std::time::Instant;
 use asperity::case::train::Train;
 use asperity::pipeline::KeptFields;
 use asperity_core::{Code, Fault};
-use asperity_report::axis::axis;
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle::CyclePoint;
 use asperity_studies::export::{self, AddedLoss, Format, With};
-use asperity_studies::map::{self, Axes, Map, MapExtras};
+use asperity_studies::map::{self, Map, MapExtras, MapSettings};
 
 use super::cycle::{read_cycle, table_in};
 use super::finish::{self, check_names};
+use super::study::of_option;
 use super::work::check_work;
 use super::{load_train, result_name, stem, study};
 use crate::args::{Common, MapArgs};
@@ -33,7 +33,10 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     for format in &args.export {
         export::check_names(&names, *format).map_err(|error| not_exported(*format, error))?;
     }
-    let axes = axes(args, &first.case)?;
+    let settings = &args.settings;
+    let axes = settings
+        .axes(&first.case)
+        .map_err(of_option::<MapSettings>)?;
     let cycle = match &args.cycle {
         Some(file) => Some(read_cycle(file, None, first.case.input.vehicle.as_ref())?),
         None => None,
@@ -63,7 +66,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     )?;
     progress.begin("points");
     let watch = |done, total| progress.at(done, total);
-    let mut map = map::map(&finishes, &axes, args.band, &watch)
+    let mut map = map::map(&finishes, &axes, settings.band, &watch)
         .map_err(|error| Failure::about(&args.case, &error))?;
     if let Some(code) = map.refused() {
         let message = "no point of the map has a loss";
@@ -128,20 +131,4 @@ fn finishes(args: &MapArgs) -> Result<Vec<Finish<Train>>, Failure> {
     let case = load_train(&args.case, &args.set, None)?;
     let name = stem(&args.case).to_string_lossy().into_owned();
     Ok(vec![Finish { name, case }])
-}
-
-fn axes(args: &MapArgs, case: &Train) -> Result<Axes, Failure> {
-    let of = |option: &str, text: &Option<String>, default: fn(&Train) -> Vec<f64>| match text {
-        None => Ok(default(case)),
-        Some(text) => axis(text).map_err(|error| error.about(option)),
-    };
-    let torque = of("--torque", &args.torque, Axes::default_torque)?;
-    let speed = of("--speed", &args.speed, Axes::default_speed)?;
-    let temperature = of(
-        "--temperature",
-        &args.temperature,
-        Axes::default_temperature,
-    )?;
-    let axes = Axes::new(&torque, &speed, &temperature);
-    Ok(axes.map_err(|error| error.about("axes"))?)
 }

@@ -1,4 +1,4 @@
-//! `asperity oil`: oils of the library, and what their studies are about.
+//! `asperity oil`: oils of the library, and the subjects of their studies.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};

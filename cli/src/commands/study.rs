@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity_core::Fault;
-use asperity_report::{Settings, StudyResult, StudySettings};
+use asperity_report::{StudyResult, StudySettings};
 use asperity_studies::every_study;
-use clap::{ArgMatches, Args, FromArgMatches as _};
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches as _};
 
 use super::refuse_other;
 use crate::args::{Common, Given, Group, StudyArgs, StudyCommand};
@@ -44,10 +44,12 @@ fn run<S: StudySettings<Input: Given> + Args>(
     let title = S::title(&given.input);
     let folder = folder::<S::Found>(args.output.as_deref(), &given.name, S::FOLDER, &title)?;
     let file = given.file;
-    let refused = |error: Fault| match (of_option::<S>(&error), &file) {
-        (Some(message), _) => error.saying(message),
-        (None, Some(file)) => error.about(file.display()),
-        (None, None) => error,
+    let refused = |error: Fault| {
+        let named = of_option::<S>(error.clone());
+        match &file {
+            Some(file) if named == error => error.about(file.display()),
+            _ => named,
+        }
     };
     if let Some(work) = args.settings.work(&given.input).map_err(refused)? {
         S::Input::check(&args.limits, &work)?;
@@ -61,16 +63,18 @@ fn run<S: StudySettings<Input: Given> + Args>(
     print(&found, (), Some(&folder), None, common)
 }
 
-/// Message of an error about a setting, under the name of its option.
-fn of_option<S: Settings>(error: &Fault) -> Option<String> {
-    let about = |name: &str| {
-        let rest = error.message().strip_prefix(name)?;
+/// An error whose message begins with the name of a setting, under the name of its option.
+pub fn of_option<S: Args>(error: Fault) -> Fault {
+    let command = S::augment_args(Command::new(""));
+    let about = |arg: &Arg| {
+        let rest = error.message().strip_prefix(arg.get_id().as_str())?;
         let is_own = rest.starts_with(": ") || rest.starts_with(" = ");
-        is_own.then(|| format!("--{}{rest}", name.replace('_', "-")))
+        is_own.then(|| format!("--{}{rest}", arg.get_long().unwrap_or_default()))
     };
-    S::described()
-        .iter()
-        .find_map(|setting| about(setting.name))
+    match command.get_arguments().find_map(about) {
+        Some(message) => error.saying(message),
+        None => error,
+    }
 }
 
 /// Folder of a study with `title`, checked before the computation: `output`, or by default `results/NAME-KIND`, which is

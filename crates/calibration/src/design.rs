@@ -1,16 +1,16 @@
 //! Optimal design of a calibration within the limits of a rig.
 
 use crate::error;
+use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 use asperity::message::Warning;
-use asperity::{Case, LoadedCase};
 use asperity_core::numerics::Z_975;
 use asperity_core::{Code, Fault};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
 use crate::birge::Scatter;
-use crate::identifiability::{lambda_star_range, missing_for_share, rounded};
+use crate::identifiability::{lambda_star_range, missing_for_share};
 use crate::information::{covariance, deviation_without_prior, information};
 use crate::optimal_design::d_optimal;
 use crate::parameters::Parameter;
@@ -18,7 +18,6 @@ use crate::problem::{Observation, Problem};
 use crate::result::{IdentifiedParameter, SCHEMA_VERSION};
 use crate::rig::parameters;
 use crate::rig_model::{OperatingPoint, PointLosses, Progress, RigModel};
-use crate::rig_table::Reach;
 use crate::simulate::{Simulated, losses};
 use crate::surfaces::{slope_region, tangents};
 
@@ -39,44 +38,6 @@ pub struct Limits {
     pub sigma: f64,
     /// Number of assemblies; each measures all points.
     pub assemblies: usize,
-}
-
-impl Limits {
-    /// Limits within the reach of a rig: a third of the largest torque and the largest, eight speeds, three temperatures,
-    /// eight hours at 15 minutes a point, 3 % of the loss, two assemblies. Without a reach, as far as the map of the case.
-    #[must_use]
-    pub fn usual(case: &Case, reach: Reach) -> Self {
-        /// Default number of speeds.
-        const SPEEDS: usize = 8;
-        /// Lowest default speed relative to the highest.
-        const SLOWEST: f64 = 0.02;
-        /// Ends of the default range of oil temperatures \[°C\].
-        const TEMPERATURES: [f64; 2] = [40.0, 90.0];
-        let map = case.input.map.unwrap_or_default();
-        let torque = map.torque_max.unwrap_or(case.torque).si();
-        let torque = reach
-            .torque_max_nm
-            .map_or(torque, |most| most.copysign(case.torque.si()));
-        let speed = map.speed_max.unwrap_or(case.speed).si() * 30.0 / std::f64::consts::PI;
-        let speed = reach.speed_max_rpm.unwrap_or(speed);
-        let even = |k: usize| match k + 1 == SPEEDS {
-            true => speed,
-            false => rounded(speed * SLOWEST.powf(1.0 - k as f64 / (SPEEDS - 1) as f64)),
-        };
-        let at = case.temperature.celsius();
-        let [cold, hot] = [at.min(TEMPERATURES[0]), at.max(TEMPERATURES[1])];
-        Self {
-            torques_nm: vec![rounded(torque / 3.0), torque],
-            speeds_rpm: (0..SPEEDS).map(even).collect(),
-            temperatures_c: reach
-                .temperatures_c
-                .unwrap_or_else(|| vec![cold, (0.5 * (cold + hot)).round(), hot]),
-            hours: 8.0,
-            minutes_per_point: 15.0,
-            sigma: 0.03,
-            assemblies: 2,
-        }
-    }
 }
 
 /// Design of a calibration.

@@ -13,6 +13,7 @@
 //! | stages and the fit | [`least_squares`], [`problem`], [`fit`] |
 //! | bands | [`birge`], [`profile_likelihood`], [`bootstrap`](mod@bootstrap) |
 //! | optimal design | [`optimal_design`], [`design`] |
+//! | settings | `settings` |
 //! | traction curves of ball and disc | [`oil`] |
 //! | measurements that would narrow the loss of a case | [`evidence`] |
 
@@ -42,6 +43,7 @@ mod result;
 pub mod rig;
 pub mod rig_model;
 pub mod rig_table;
+mod settings;
 pub mod simulate;
 mod summary;
 pub mod surfaces;
@@ -57,4 +59,5 @@ pub use result::{
 };
 pub use rig::{Rig, RigCase};
 pub use rig_table::{Reach, RigRow, RigTable, Scope};
+pub use settings::{CalibrationSettings, DesignSettings};
 pub use summary::before_the_fit;

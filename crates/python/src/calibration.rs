@@ -3,17 +3,17 @@
 use std::path::{Path, PathBuf};
 
 use asperity::LoadedCase;
-use asperity::case::{self, CalibratedName};
+use asperity::case;
 use asperity::message::Fault;
 use asperity_calibration as calibrating;
-use asperity_calibration::{Limits, Reach, RigFiles, Watch, error, plan};
+use asperity_calibration::design::simulated;
+use asperity_calibration::{CalibrationSettings, DesignSettings, RigFiles, Watch, error, plan};
 use asperity_report::StudyResult;
 use pyo3::prelude::*;
 
 use crate::case::Case;
-use crate::choices::named;
 use crate::failure::{self, Failure};
-use crate::study::Study;
+use crate::study::{Study, stated};
 use crate::work::{alone, in_parallel};
 
 /// Parameters fitted to the losses of a rig.
@@ -31,12 +31,11 @@ pub fn calibrate(
     folder: PathBuf,
     beside: Option<PyRef<'_, Case>>,
     cases: Vec<(String, PyRef<'_, Case>)>,
-    hold: Vec<String>,
+    settings: &str,
     threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Calibration> {
-    let held = hold.iter().map(|key| named("hold", key));
-    let held = held.collect::<Result<Vec<CalibratedName>, Failure>>()?;
+    let settings: CalibrationSettings = stated(settings)?;
     let beside = beside.map(|case| case.only().cloned()).transpose()?;
     let given = cases
         .into_iter()
@@ -68,8 +67,9 @@ pub fn calibrate(
             progress: &|done, total| told.tell(done, total),
             ..Watch::SILENT
         };
-        let files = RigFiles::of_text(&name, text, case)?;
-        Ok(Calibration(files.calibrate(&held, &watch)?))
+        let mut files = RigFiles::of_text(&name, text, case)?;
+        files.table.reach = settings.reach()?;
+        Ok(Calibration(files.calibrate(&settings.hold, &watch)?))
     })
 }
 
@@ -99,56 +99,28 @@ impl Calibration {
     }
 }
 
-/// Plans measurements on a rig that narrow the calibrated constants. Limits that are not stated are the usual ones.
+/// Plans measurements on a rig that narrow the calibrated constants.
 #[pyfunction]
 pub fn design(
     py: Python<'_>,
     case: PyRef<'_, Case>,
-    limits: &str,
-    hold: Vec<String>,
+    settings: &str,
     threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Study> {
-    let held = hold.iter().map(|key| named("hold", key));
-    let held = held.collect::<Result<Vec<CalibratedName>, Failure>>()?;
+    let settings: DesignSettings = stated(settings)?;
     let case = case.only()?;
-    let stated: StatedLimits = failure::asked(limits)?;
     in_parallel(py, threads, progress.as_ref(), |told| {
-        let usual = Limits::usual(
-            &case.case,
-            Reach {
-                torque_max_nm: stated.torque_max_nm,
-                speed_max_rpm: stated.speed_max_rpm,
-                temperatures_c: stated.temperature_c,
-            },
-        );
-        let limits = Limits {
-            torques_nm: stated.torque_nm.unwrap_or(usual.torques_nm),
-            speeds_rpm: stated.speed_rpm.unwrap_or(usual.speeds_rpm),
-            hours: stated.hours.unwrap_or(usual.hours),
-            minutes_per_point: stated.minutes_per_point.unwrap_or(usual.minutes_per_point),
-            sigma: stated.sigma.unwrap_or(usual.sigma),
-            assemblies: stated.assemblies.unwrap_or(usual.assemblies),
-            ..usual
-        };
-        let found = plan(case, &limits, &held, &|done| told.tell(done, done.max(1)))?;
-        let (json, summary) = (failure::json(&found)?, found.summary(None));
+        let limits = settings.limits(&case.case)?;
+        let held = &settings.rig.hold;
+        let found = plan(case, &limits, held, &|done| told.tell(done, done.max(1)))?;
+        let losses = settings
+            .simulate
+            .map(|seed| simulated(case, &found, seed))
+            .transpose()?;
+        let (json, summary) = (failure::json(&found)?, found.summary(losses.as_deref()));
         Ok(Study::new(json, summary, move |folder| {
-            found.write(None, folder)
+            found.write(losses.as_deref(), folder)
         }))
     })
-}
-
-/// Limits of a rig, as JSON from Python.
-#[derive(serde::Deserialize)]
-struct StatedLimits {
-    torque_max_nm: Option<f64>,
-    speed_max_rpm: Option<f64>,
-    torque_nm: Option<Vec<f64>>,
-    speed_rpm: Option<Vec<f64>>,
-    temperature_c: Option<Vec<f64>>,
-    hours: Option<f64>,
-    minutes_per_point: Option<f64>,
-    sigma: Option<f64>,
-    assemblies: Option<usize>,
 }

@@ -9,7 +9,7 @@ use asperity_report::StudyResult;
 use asperity_studies::compare::{self as comparing, Finish};
 use asperity_studies::cycle as driving;
 use asperity_studies::export::{AddedLoss, Format, With, export};
-use asperity_studies::map::{self as mapping, Axes, MapBand, MapExtras, Numbers, Point};
+use asperity_studies::map::{self as mapping, MapExtras, MapSettings, Numbers, Point};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -18,7 +18,7 @@ use crate::arrays::owned;
 use crate::case::Case;
 use crate::choices::named;
 use crate::failure::{self, Failure};
-use crate::study::Study;
+use crate::study::{Study, stated};
 use crate::work::{alone, in_parallel};
 
 type Named<'py> = Vec<(String, PyRef<'py, Case>)>;
@@ -61,16 +61,12 @@ pub fn axis(text: &str) -> PyResult<Vec<f64>> {
     Ok(asperity_report::axis::axis(text).map_err(Failure::from)?)
 }
 
-/// Maps cases by the names of their finishes over torque in N m, speed in 1/min and temperature in °C.
+/// Maps cases by the names of their finishes over torque, speed and temperature.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "those of the function in Python")]
 pub fn map(
     py: Python<'_>,
     of_finishes: Named<'_>,
-    torque: Option<Vec<f64>>,
-    speed: Option<Vec<f64>>,
-    temperature: Option<Vec<f64>>,
-    band: &str,
+    settings: &str,
     threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Map> {
@@ -78,14 +74,9 @@ pub fn map(
     let Some(first) = finishes.first() else {
         return Err(Failure::new(Code::E205, "a map needs a case").into());
     };
-    let case = &first.case;
-    let axes = Axes::new(
-        &torque.unwrap_or_else(|| Axes::default_torque(case)),
-        &speed.unwrap_or_else(|| Axes::default_speed(case)),
-        &temperature.unwrap_or_else(|| Axes::default_temperature(case)),
-    )
-    .map_err(Failure::from)?;
-    let band: MapBand = named("band", band)?;
+    let settings: MapSettings = stated(settings)?;
+    let axes = settings.axes(&first.case).map_err(Failure::from)?;
+    let band = settings.band;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let found = mapping::map(&finishes, &axes, band, &|done, total| {
             told.tell(done, total)

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use asperity::case::{LoadedCase, Train};
 use asperity::message::{Code, Fault};
 use asperity::pipeline::Progress;
-use asperity_report::{Described, Input, StudyResult, StudySettings};
-use asperity_studies::every_study;
+use asperity_report::{Described, Input, Settings, StudyResult, StudySettings};
+use asperity_studies::{every_description, every_study};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use serde_json::Value;
@@ -41,14 +41,12 @@ type Run = Box<dyn FnOnce(Value, Progress<'_>) -> Result<Study, Failure> + Send>
 /// A study with the arguments of its function.
 struct Registered {
     function: &'static str,
-    steps: &'static str,
     given: fn(&Bound<'_, PyTuple>) -> PyResult<Run>,
 }
 
 fn registered<S: StudySettings<Input: Given>>() -> Registered {
     Registered {
         function: S::FUNCTION,
-        steps: S::STEPS,
         given: |given| {
             let input = S::Input::read(given)?;
             Ok(Box::new(|settings, progress| {
@@ -62,7 +60,21 @@ fn registered<S: StudySettings<Input: Given>>() -> Registered {
 fn named(function: &str) -> Result<Registered, Failure> {
     let mut all = every_study!(registered).into_iter();
     all.find(|study| study.function == function)
-        .ok_or_else(|| Failure::new(Code::E204, format!("no study is called {function}")))
+        .ok_or_else(|| unknown(function))
+}
+
+fn unknown(function: &str) -> Failure {
+    Failure::new(Code::E204, format!("no study is called {function}"))
+}
+
+fn object(settings: &str) -> Result<Value, Failure> {
+    serde_json::from_str(settings)
+        .map_err(|error| Failure::new(Code::E204, format!("settings: {error}")))
+}
+
+/// Settings in an object of JSON.
+pub fn stated<S: Settings>(settings: &str) -> Result<S, Failure> {
+    Ok(S::of_json(object(settings)?)?)
 }
 
 fn described<S: StudySettings>() -> Described {
@@ -72,16 +84,19 @@ fn described<S: StudySettings>() -> Described {
 /// The studies with their settings, as JSON.
 #[pyfunction]
 pub fn studies() -> PyResult<String> {
-    Ok(failure::json(&every_study!(described))?)
+    let all: Vec<Described> = every_description!(described).collect();
+    Ok(failure::json(&all)?)
 }
 
 /// Steps that the progress of the study `name` counts.
 #[pyfunction]
 pub fn steps(name: &str) -> PyResult<&'static str> {
-    Ok(named(name)?.steps)
+    let steps = every_description!(described)
+        .find_map(|study| (study.function == name).then_some(study.steps));
+    Ok(steps.ok_or_else(|| unknown(name))?)
 }
 
-/// Runs the study `name` of what is `given` with `settings`, an object of JSON.
+/// Runs the study `name` of the subject `given` with `settings`, an object of JSON.
 #[pyfunction]
 pub fn study(
     py: Python<'_>,
@@ -91,8 +106,7 @@ pub fn study(
     threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Study> {
-    let settings = serde_json::from_str(settings)
-        .map_err(|error| Failure::new(Code::E204, format!("settings: {error}")))?;
+    let settings = object(settings)?;
     let run = (named(name)?.given)(&given)?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         run(settings, &|done, total| told.tell(done, total))

@@ -1,4 +1,4 @@
-//! Studies as the faces walk them: settings, what the study is about, its work and its run.
+//! Studies as the faces walk them: subject, settings, work and run.
 
 use asperity::case::LoadedCase;
 use asperity::case::train::Train;
@@ -51,7 +51,7 @@ impl Input for LoadedCase {
 pub struct Work {
     /// Meshes as they run.
     pub meshes: Vec<LoadedCase>,
-    /// How often they run.
+    /// Number of times that they run.
     pub runs: usize,
 }
 
@@ -123,17 +123,33 @@ pub struct Described {
 }
 
 impl Described {
+    /// Description of the study `function` by the settings `S`, which command and Python run each in its own way.
+    #[must_use]
+    pub fn new<S: Settings>(
+        function: &'static str,
+        about: &'static str,
+        method: &'static str,
+        steps: &'static str,
+        input: Vec<Setting>,
+    ) -> Self {
+        Self {
+            command: function,
+            function,
+            about,
+            method,
+            steps,
+            input,
+            settings: S::described(),
+        }
+    }
+
     /// Description of the study `S`.
     #[must_use]
     pub fn of<S: StudySettings>() -> Self {
+        let input = S::Input::described();
         Self {
             command: S::COMMAND,
-            function: S::FUNCTION,
-            about: S::ABOUT,
-            method: S::METHOD,
-            steps: S::STEPS,
-            input: S::Input::described(),
-            settings: S::described(),
+            ..Self::new::<S>(S::FUNCTION, S::ABOUT, S::METHOD, S::STEPS, input)
         }
     }
 }

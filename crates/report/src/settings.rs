@@ -5,7 +5,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 
-/// Description of a setting, or of what a study is about, from which the faces make an option or an argument.
+/// Description of a setting, or of the subject of a study, from which the faces make an option or an argument.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Setting {
@@ -45,13 +45,13 @@ pub trait Settings: Sized {
     /// The settings in their order.
     fn described() -> Vec<Setting>;
 
-    /// Takes the settings out of an object of JSON; those that it lacks have their defaults.
+    /// Removes the settings from an object of JSON; a setting that it lacks has its default.
     ///
     /// # Errors
     /// Names a setting that is missing or of another type.
     fn take(stated: &mut Stated) -> Result<Self, Fault>;
 
-    /// Settings from an object of JSON; those that it lacks have their defaults.
+    /// Settings from an object of JSON; a setting that it lacks has its default.
     ///
     /// # Errors
     /// Names a setting that is missing, unknown, or of another type.
@@ -72,7 +72,7 @@ pub trait Settings: Sized {
     }
 }
 
-/// Takes the setting `name` out of an object of JSON. Without a value and a default it is `None`, `false` or empty.
+/// Removes the setting `name` from an object of JSON and returns its value. Without a value and a default it is `None`, `false` or empty.
 ///
 /// # Errors
 /// When it must be stated and is not, or has another type.

@@ -17,3 +17,16 @@ macro_rules! every_study {
         ]
     };
 }
+
+/// Descriptions of all studies for Python: the studies of [`every_study!`](crate::every_study), described by `$visit`, and
+/// the studies that command and Python run each in its own way.
+#[macro_export]
+macro_rules! every_description {
+    ($visit:ident) => {
+        $crate::every_study!($visit).into_iter().chain([
+            asperity_calibration::CalibrationSettings::study(),
+            asperity_calibration::DesignSettings::study(),
+            $crate::map::MapSettings::study(),
+        ])
+    };
+}

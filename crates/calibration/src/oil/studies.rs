@@ -160,7 +160,7 @@ settings! {
         slide_to_roll: Ratio = "5 %",
         /// Temperatures of the oil bath in °C: a..b:n or a list
         [value_name = "AXIS"] temperature: Nodes = "40,80,120",
-        /// Boundary friction to which the dashed guide of the chart leads [default: that of the model]
+        /// Boundary friction to which the dashed guide of the chart leads [default: the value of the model]
         boundary_friction: Option<f64>,
         ..specimens: Specimens,
     }

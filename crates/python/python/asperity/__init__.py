@@ -19,7 +19,7 @@ from ._asperity import __version__
 from ._studies import *
 
 if TYPE_CHECKING:
-    from ._calibration import Calibration, Design, Evidence, calibrate, design
+    from ._calibration import Calibration, Design, Evidence
     from ._callout import CallOut
     from ._case import Case
     from ._compare import Comparison, compare
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from ._laws import film_thickness, friction_coefficient, hertz, thermal_reduction
     from ._library import RexsCase, demo, from_rexs, gears, oils, rexs_contents, steels
     from ._map import Cycle, Map, cycle, read_map
-    from ._map import map as map
     from ._oil import OilFit, OilPlan, Stribeck, Traction
     from ._profile import Parameters, Parts, Profile, generate, read_profile
     from ._record import Record, Table
@@ -38,10 +37,11 @@ if TYPE_CHECKING:
     from ._ridges import Ridges
     from ._sensitivity import Sensitivity
     from ._stored import read_result
+    from ._studies import map as map
     from ._sweep import Sweep, sweep
 else:
     _HOMES = {
-        "_calibration": "Calibration Design Evidence calibrate design",
+        "_calibration": "Calibration Design Evidence",
         "_callout": "CallOut",
         "_case": "Case",
         "_compare": "Comparison compare",
@@ -51,7 +51,7 @@ else:
         "_html": "Chart",
         "_laws": "film_thickness friction_coefficient hertz thermal_reduction",
         "_library": "RexsCase demo from_rexs gears oils rexs_contents steels",
-        "_map": "Cycle Map cycle map read_map",
+        "_map": "Cycle Map cycle read_map",
         "_oil": "OilFit OilPlan Stribeck Traction",
         "_profile": "Parameters Parts Profile generate read_profile",
         "_record": "Record Table",
@@ -59,6 +59,7 @@ else:
         "_ridges": "Ridges",
         "_sensitivity": "Sensitivity",
         "_stored": "read_result",
+        "_studies": "map",
         "_sweep": "Sweep sweep",
     }
     _HOME = {name: module for module, names in _HOMES.items() for name in names.split()}
@@ -112,11 +113,9 @@ __all__ = [
     "Table",
     "Traction",
     "__version__",
-    "calibrate",
     "compare",
     "cycle",
     "demo",
-    "design",
     "ehl",
     "explain",
     "film_thickness",

@@ -12,7 +12,6 @@ _Floats = NDArray[np.float64]
 _Marks = NDArray[np.bool_]
 _Path = Union[str, PathLike[str]]
 _Traces = list[tuple[str, Trace]]
-_Nodes = Optional[list[float]]
 _Told = Optional[Callable[[int, int], object]]
 
 __all__ = [
@@ -108,7 +107,7 @@ def from_rexs(
 def cycle(
     map: Map, trace: tuple[str, Optional[str]], temperature: int, keys: list[tuple[str, str]], allow_outside: bool
 ) -> Study: ...
-def design(case: Case, limits: str, hold: list[str], threads: Optional[int], progress: _Told) -> Study: ...
+def design(case: Case, settings: str, threads: Optional[int], progress: _Told) -> Study: ...
 def diff(first: str, second: str) -> str: ...
 def calibrate(
     name: str,
@@ -116,18 +115,12 @@ def calibrate(
     folder: _Path,
     beside: Optional[Case],
     cases: list[tuple[str, Case]],
-    hold: list[str],
+    settings: str,
     threads: Optional[int],
     progress: _Told,
 ) -> Calibration: ...
 def map(
-    of_finishes: list[tuple[str, Case]],
-    torque: _Nodes,
-    speed: _Nodes,
-    temperature: _Nodes,
-    band: str,
-    threads: Optional[int],
-    progress: _Told,
+    of_finishes: list[tuple[str, Case]], settings: str, threads: Optional[int], progress: _Told
 ) -> Map: ...
 def read_map(folder: _Path) -> Map: ...
 def ehl(

@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 import json
-import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._columns import Columns, table_text
-from ._errors import AsperityError, Code
+from ._errors import Code
 from ._progress import Progress, Told
-from ._quantity import Numbers, axis_of, flat, operating
 from ._record import Table, warned
-from ._study import RawStudy, Study
+from ._study import RawStudy, Study, as_json
 
 if TYPE_CHECKING:
     import pandas
-
-    from .keys import CalibratedParameter
 
 
 class Calibration(Study):
@@ -81,58 +77,12 @@ class Design(Study):
         return self.points.to_pandas()
 
 
-def design(
-    case: CaseLike,
-    *,
-    torque_max_nm: Optional[float] = None,
-    speed_max_rpm: Optional[float] = None,
-    torque_nm: Optional[Numbers] = None,
-    speed_rpm: Optional[Numbers] = None,
-    temperature_c: Optional[Numbers] = None,
-    hours: Optional[float] = None,
-    minutes_per_point: Optional[float] = None,
-    sigma: Optional[float] = None,
-    assemblies: Optional[int] = None,
-    hold: Sequence[CalibratedParameter] = (),
-    threads: Optional[int] = None,
-    progress: Optional[Progress] = None,
+def designed(
+    case: CaseLike, settings: Mapping[str, Any], threads: Optional[int], progress: Optional[Progress]
 ) -> Design:
-    """Plans the points of a rig whose losses determine the calibrated constants best, as ``asperity calibrate --design``.
-
-    Args:
-        case: the gears and flanks on the rig.
-        torque_max_nm, speed_max_rpm: reach of the rig; default the largest of the case's map.
-        torque_nm, speed_rpm, temperature_c: torques, speeds and oil temperatures to choose from; default within the reach.
-        hours, minutes_per_point: measuring time without heating; default 8 hours at 15 minutes a point.
-        sigma: standard deviation of a point over its loss; default 0.03.
-        assemblies: number of assemblies; default 2.
-        hold: as in `calibrate`.
-        threads, progress: as in `Case.run`.
-    """
-
-    def nodes(own: str, given: Optional[Numbers]) -> Optional[list[float]]:
-        found = operating(own, given, None)
-        return None if found is None else axis_of(flat(found, own), own)
-
-    positive = {
-        "torque_max_nm": torque_max_nm,
-        "speed_max_rpm": speed_max_rpm,
-        "hours": hours,
-        "minutes_per_point": minutes_per_point,
-        "sigma": sigma,
-    }
-    for name, value in positive.items():
-        if value is not None and not 0.0 < value < math.inf:
-            raise AsperityError(f"{name} = {value}: must be positive", Code.E209, "Correct the limit of the rig.")
-    limits = {
-        **positive,
-        "torque_nm": nodes("torque_nm", torque_nm),
-        "speed_rpm": nodes("speed_rpm", speed_rpm),
-        "temperature_c": nodes("temperature_c", temperature_c),
-        "assemblies": assemblies,
-    }
-    with Told(progress, "evaluations") as told:
-        return warned(Design(_asperity.design(as_case(case)._raw, json.dumps(limits), list(hold), threads, told)))
+    """The design of measurements by its settings."""
+    with Told(progress, _asperity.steps("design")) as told:
+        return warned(Design(_asperity.design(as_case(case)._raw, as_json(settings), threads, told)))
 
 
 class Evidence(Study):
@@ -148,27 +98,15 @@ class Evidence(Study):
         return self.rows.to_pandas()
 
 
-def calibrate(
+def calibrated(
     rig: Columns,
-    case: Optional[CaseLike] = None,
-    *,
-    cases: Optional[Mapping[str, CaseLike]] = None,
-    hold: Sequence[CalibratedParameter] = (),
-    threads: Optional[int] = None,
-    progress: Optional[Progress] = None,
+    case: Optional[CaseLike],
+    cases: Optional[Mapping[str, CaseLike]],
+    settings: Mapping[str, Any],
+    threads: Optional[int],
+    progress: Optional[Progress],
 ) -> Calibration:
-    """Fits boundary friction, boundary layer, limiting shear and Eyring stress to the losses of a rig.
-
-    Args:
-        rig: the measurements, with the columns of ``asperity calibrate``: torque_nm, speed_rpm, temperature_c, loss_w
-            (or torque_loss_nm), sigma_w, includes, and where they are known assembly, run, order, flank_state, case.
-            A frame or columns may say in a column ``simulated`` that their losses are simulated.
-        case: the case of rows that name none.
-        cases: cases by the names in the column ``case``; others are files relative to the table, or to the working
-            directory.
-        hold: parameters that stay at the value of the case, by their keys: ``["boundary_friction"]``.
-        threads, progress: as in `Case.run`.
-    """
+    """The calibration on the table of a rig by its settings."""
     folder, text = "", None
     if isinstance(rig, (str, PathLike)):
         name = fspath(rig)
@@ -177,6 +115,5 @@ def calibrate(
         name, text = "rig", table_text(rig, "rig", Code.E134)
     beside = None if case is None else as_case(case)._raw
     named = [(key, as_case(one)._raw) for key, one in (cases or {}).items()]
-    with Told(progress, "evaluations") as told:
-        found = Calibration(_asperity.calibrate(name, text, folder, beside, named, list(hold), threads, told))
-    return warned(found)
+    with Told(progress, _asperity.steps("calibrate")) as told:
+        return warned(Calibration(_asperity.calibrate(name, text, folder, beside, named, as_json(settings), threads, told)))

@@ -17,9 +17,9 @@ from ._errors import AsperityError, Code, warn
 from ._html import Chart, page, shown
 from ._keys import Traces, changes
 from ._progress import Progress, Told
-from ._quantity import Floats, Numbers, Quantities, Quantity, axis_of, operating, together
+from ._quantity import Floats, Numbers, Quantities, Quantity, operating, together
 from ._record import Table, Values, variable, warned
-from ._study import Study, Unpickled, files_of
+from ._study import Study, Unpickled, as_json, files_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-    from .keys import Band, ExportFormat, MapArrays
+    from .keys import ExportFormat, MapArrays
 else:
     MapArrays = object
 
@@ -231,48 +231,18 @@ def _places(own: str, given: Optional[Numbers], text: Optional[Quantities]) -> F
     return found.reshape(np.shape(given)) if given is not None else found[0] if is_single else found
 
 
-def _axis(own: str, given: Optional[Numbers], text: Optional[Quantities]) -> Optional[list[float]]:
-    found = operating(own, given, text)
-    return None if found is None else axis_of(found, own)
-
-
-def map(
+def mapped(
     case: CaseLike,
-    *,
-    torque_nm: Optional[Numbers] = None,
-    speed_rpm: Optional[Numbers] = None,
-    temperature_c: Optional[Numbers] = None,
-    torque: Optional[Quantities] = None,
-    speed: Optional[Quantities] = None,
-    temperature: Optional[Quantities] = None,
-    finishes: Optional[Mapping[str, Finish]] = None,
-    band: Band = "nodes",
-    threads: Optional[int] = None,
-    progress: Optional[Progress] = None,
+    finishes: Optional[Mapping[str, Finish]],
+    settings: Mapping[str, Any],
+    threads: Optional[int],
+    progress: Optional[Progress],
 ) -> Map:
-    """Maps the losses of a case; every point is that of a run, to the last digit.
-
-    Args:
-        case: the case.
-        torque_nm: nodes at the pinion; default 12 to the largest, mirrored.
-        speed_rpm: nodes of the pinion; default 16 to the largest. A node at standstill is added.
-        temperature_c: nodes of the flanks; default the temperature of the case.
-        torque, speed, temperature: the same as text with a unit, ``["1000 1/min", "9000 1/min"]``, as quantities of
-            pint, or as a range, ``"10..100:5 N m"``, ``"500..16000:8:log 1/min"``.
-        finishes: finishes by name, as in `compare`; default the traces of the case.
-        band: ``"nodes"``: median, 5 % and 95 % quantiles of the loss (``loss_median_w``, ``loss_p05_w``, ``loss_p95_w``), from
-            draws at three torques and three speeds; ``"none"``: nan.
-        threads, progress: as in `Case.run`.
-    """
+    """The map of a case, or of its finishes, by its settings."""
     base = as_case(case)
     named = cases_of(base, finishes, None) if finishes else [(base.title or "case", base._raw)]
-    axes = (
-        _axis("torque_nm", torque_nm, torque),
-        _axis("speed_rpm", speed_rpm, speed),
-        _axis("temperature_c", temperature_c, temperature),
-    )
-    with Told(progress, "points") as told:
-        found = Map(_asperity.map(named, *axes, band, threads, told))
+    with Told(progress, _asperity.steps("map")) as told:
+        found = Map(_asperity.map(named, as_json(settings), threads, told))
     return warned(found, base._about["warnings"])
 
 

@@ -9,19 +9,23 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Optional, Union
 
 if TYPE_CHECKING:
-    from ._calibration import Evidence
+    from ._calibration import Calibration, Design, Evidence
     from ._callout import CallOut
     from ._case import CaseLike
     from ._columns import Columns
+    from ._compare import Finish
+    from ._map import Map
     from ._oil import OilFit, OilLike, OilPlan, Stribeck, Traction
     from ._progress import Progress
     from ._quantity import Numbers, Quantities, Quantity
     from ._ridges import Ridges
     from ._sensitivity import Sensitivity
-    from .keys import RoughnessParameter, TemperatureColumn, Zero
+    from .keys import Band, CalibratedParameter, RoughnessParameter, TemperatureColumn, Zero
 
 __all__ = [
+    "calibrate",
     "callout",
+    "design",
     "evidence",
     "oil_fit",
     "oil_plan",
@@ -177,8 +181,10 @@ def oil_traction(
         load: load.
         speed: mean speed of the curves over the slide-to-roll ratio.
         slide_to_roll: slide-to-roll ratio of the curves over the speed.
-        temperature_c, temperature: temperatures of the oil bath, numbers or text with a unit [default: 40,80,120 °C].
-        boundary_friction: boundary friction to which the dashed guide of the chart leads [default: that of the model].
+        temperature_c, temperature: temperatures of the oil bath, numbers or text as ``"10..100:5 °C"`` [default:
+            40,80,120 °C].
+        boundary_friction: boundary friction to which the dashed guide of the chart leads [default: the value of the
+            model].
         rq: root mean square roughness of both specimens together.
         ball_radius: radius of the ball, unless a row states it.
         second_radius: radius of the second body, unless a row states it [default: a flat disc].
@@ -347,3 +353,156 @@ def stribeck(
         "second_radius": None if second_radius is None else written(second_radius, "Length", "second_radius"),
     }
     return warned(Stribeck(run_study("stribeck", (tables_of_curves(curves, "curves"), raw_oil(oil)), settings, threads)))
+
+
+def calibrate(
+    rig: Columns,
+    case: Optional[CaseLike] = None,
+    *,
+    cases: Optional[Mapping[str, CaseLike]] = None,
+    hold: Sequence[CalibratedParameter] = (),
+    torque_max_nm: Optional[float] = None,
+    speed_max_rpm: Optional[float] = None,
+    temperature_c: Optional[Numbers] = None,
+    temperature: Optional[Quantities] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Calibration:
+    """Boundary friction, boundary layer and film traction from losses measured on a rig.
+
+    The table has one row per measured point: torque_nm, speed_rpm, temperature_c, loss_w (or torque_loss_nm),
+    sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order, flank_state, case.
+
+    Args:
+        rig: the measurements, with the columns of the command; a column simulated may say that their losses are.
+        case: the case of rows that name none.
+        cases: cases by the names in the column case; others are files relative to the table, or to the working
+            directory.
+        hold: hold a parameter at the value of the case instead of fitting it.
+        torque_max_nm: largest torque of the rig at the pinion in N m [default: the largest of the table; of a design
+            map.torque_max of the case, or its torque].
+        speed_max_rpm: largest speed of the rig at the pinion in 1/min [default: the largest of the table; of a design
+            map.speed_max of the case, or its speed].
+        temperature_c, temperature: oil temperatures of the rig, numbers or text as ``"10..100:5 °C"`` [default: lowest,
+            middle and highest of the table; of a design 40,65,90, extended to the temperature of the case].
+        threads, progress: as in `Case.run`.
+    """
+    from ._calibration import calibrated
+    from ._quantity import nodes
+
+    settings = {
+        "hold": list(hold),
+        "torque_max_nm": torque_max_nm,
+        "speed_max_rpm": speed_max_rpm,
+        "temperature": nodes("temperature_c", temperature_c, temperature, None),
+    }
+    return calibrated(rig, case, cases, settings, threads, progress)
+
+
+def design(
+    case: CaseLike,
+    *,
+    torque_nm: Optional[Numbers] = None,
+    torque: Optional[Quantities] = None,
+    speed_rpm: Optional[Numbers] = None,
+    speed: Optional[Quantities] = None,
+    hours: float = 8,
+    minutes_per_point: float = 15,
+    sigma: Union[float, str] = "3 %",
+    assemblies: int = 2,
+    simulate: Optional[int] = None,
+    hold: Sequence[CalibratedParameter] = (),
+    torque_max_nm: Optional[float] = None,
+    speed_max_rpm: Optional[float] = None,
+    temperature_c: Optional[Numbers] = None,
+    temperature: Optional[Quantities] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Design:
+    """Points of a rig whose losses determine the calibrated constants best.
+
+    Points within the limits are chosen that narrow the constants most, as the command calibrate with its option
+    design does.
+
+    Args:
+        case: the gears and flanks on the rig.
+        torque_nm, torque: torques to choose from, numbers or text as ``"10..100:5 N m"`` [default: a third of the
+            largest, and the largest].
+        speed_rpm, speed: speeds to choose from, numbers or text as ``"10..100:5 1/min"`` [default: 8 speeds from a
+            fiftieth of the largest up to it].
+        hours: measuring time in hours, without heating.
+        minutes_per_point: minutes per point.
+        sigma: standard deviation of a point relative to its loss.
+        assemblies: number of assemblies; each measures all points.
+        simulate: also write simulated.csv: losses at these points, simulated with the case and random errors of this
+            seed, to test a calibration.
+        hold: hold a parameter at the value of the case instead of fitting it.
+        torque_max_nm: largest torque of the rig at the pinion in N m [default: the largest of the table; of a design
+            map.torque_max of the case, or its torque].
+        speed_max_rpm: largest speed of the rig at the pinion in 1/min [default: the largest of the table; of a design
+            map.speed_max of the case, or its speed].
+        temperature_c, temperature: oil temperatures of the rig, numbers or text as ``"10..100:5 °C"`` [default: lowest,
+            middle and highest of the table; of a design 40,65,90, extended to the temperature of the case].
+        threads, progress: as in `Case.run`.
+    """
+    from ._calibration import designed
+    from ._quantity import nodes
+
+    settings = {
+        "torque": nodes("torque_nm", torque_nm, torque, None),
+        "speed": nodes("speed_rpm", speed_rpm, speed, None),
+        "hours": hours,
+        "minutes_per_point": minutes_per_point,
+        "sigma": sigma,
+        "assemblies": assemblies,
+        "simulate": simulate,
+        "hold": list(hold),
+        "torque_max_nm": torque_max_nm,
+        "speed_max_rpm": speed_max_rpm,
+        "temperature": nodes("temperature_c", temperature_c, temperature, None),
+    }
+    return designed(case, settings, threads, progress)
+
+
+def map(
+    case: CaseLike,
+    *,
+    finishes: Optional[Mapping[str, Finish]] = None,
+    torque_nm: Optional[Numbers] = None,
+    torque: Optional[Quantities] = None,
+    speed_rpm: Optional[Numbers] = None,
+    speed: Optional[Quantities] = None,
+    temperature_c: Optional[Numbers] = None,
+    temperature: Optional[Quantities] = None,
+    band: Band = "nodes",
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Map:
+    """Losses over torque, speed and temperature, in both directions of the power.
+
+    The losses are of the mesh only, without bearings, seals and churning. Every point is the run at this torque,
+    speed and temperature; its quantiles (loss_median_w, loss_p05_w, loss_p95_w) are from draws at three torques and
+    three speeds.
+
+    Args:
+        case: the case.
+        finishes: finishes by name, as in `compare` [default: the traces of the case].
+        torque_nm, torque: torques at the pinion, numbers or text as ``"10..100:5 N m"`` [default: 0 and 12 from 1 % of
+            the largest, both signs]; 0 is added between both signs.
+        speed_rpm, speed: speeds of the pinion, numbers or text as ``"10..100:5 1/min"`` [default: 0, 1 and 16 more,
+            closer at low speed]; 0 is added.
+        temperature_c, temperature: temperatures of the flanks, numbers or text as ``"10..100:5 °C"`` [default: the
+            temperature of the case].
+        band: whether the loss has median, 5 and 95 % quantiles, as in asperity run.
+        threads, progress: as in `Case.run`.
+    """
+    from ._map import mapped
+    from ._quantity import nodes
+
+    settings = {
+        "torque": nodes("torque_nm", torque_nm, torque, None),
+        "speed": nodes("speed_rpm", speed_rpm, speed, None),
+        "temperature": nodes("temperature_c", temperature_c, temperature, None),
+        "band": band,
+    }
+    return mapped(case, finishes, settings, threads, progress)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping
 from os import PathLike, fspath
 from typing import Any, Optional, Protocol, Union
@@ -89,6 +90,14 @@ class Study(Record):
         return []
 
 
+def as_json(settings: Mapping[str, Any]) -> str:
+    """Settings as JSON, whose numbers are finite."""
+    for name, value in settings.items():
+        if isinstance(value, float) and not math.isfinite(value):
+            raise AsperityError(f"{name} = {value}: must be a finite number", Code.E209, "Give a finite number.")
+    return json.dumps(settings)
+
+
 def run_study(
     name: str,
     given: tuple[Any, ...],
@@ -98,4 +107,4 @@ def run_study(
 ) -> RawStudy:
     """The study ``name`` of what is given, by its settings."""
     with Told(progress, _asperity.steps(name)) as told:
-        return _asperity.study(name, given, json.dumps(settings), threads, told)
+        return _asperity.study(name, given, as_json(settings), threads, told)

@@ -39,6 +39,7 @@ mod page;
 mod point;
 mod read;
 mod report;
+mod settings;
 mod summary;
 mod surface;
 mod table;
@@ -53,6 +54,10 @@ pub use point::{
     EXTENDED, FinishMap, Map, MapGearbox, MapWarning, MeshPart, Numbers, Point, ranges,
 };
 pub use read::read;
+<<<<<<< HEAD
 pub use report::{EXPORTS, MapExtras};
+=======
+pub use settings::MapSettings;
+>>>>>>> settings
 pub(crate) use summary::banded;
 pub use surface::{Interpolated, Surface, forwards};

@@ -1,0 +1,156 @@
+//! Settings of a calibration, and of a design of measurements for one.
+
+use asperity::case::{CalibratedName, Case};
+use asperity_core::Fault;
+use asperity_core::quantity::Ratio;
+use asperity_report::{Described, Nodes, Setting, settings};
+
+use crate::design::Limits;
+use crate::error;
+use crate::identifiability::rounded;
+use crate::rig_table::Reach;
+
+settings! {
+    /// Settings of a calibration.
+    pub struct CalibrationSettings {
+        /// Hold a parameter at the value of the case instead of fitting it; repeat for several
+        [value_name = "PARAMETER"] hold: Vec<CalibratedName>,
+        /// Largest torque of the rig at the pinion in N m [default: the largest of the table; of a design map.torque_max of
+        /// the case, or its torque]
+        [long = "torque-max", value_name = "N_M"] torque_max_nm: Option<f64>,
+        /// Largest speed of the rig at the pinion in 1/min [default: the largest of the table; of a design map.speed_max of
+        /// the case, or its speed]
+        [long = "speed-max", value_name = "RPM"] speed_max_rpm: Option<f64>,
+        /// Oil temperatures of the rig in °C: a..b:n or a list [default: lowest, middle and highest of the table; of a design
+        /// 40,65,90, extended to the temperature of the case]
+        [value_name = "AXIS"] temperature: Option<Nodes>,
+    }
+}
+
+impl CalibrationSettings {
+    /// Reach of the rig.
+    ///
+    /// # Errors
+    /// When a limit is not positive, or the temperatures are not an axis.
+    pub fn reach(&self) -> Result<Reach, Fault> {
+        let limits = [
+            ("torque_max_nm", self.torque_max_nm),
+            ("speed_max_rpm", self.speed_max_rpm),
+        ];
+        for (name, value) in limits {
+            if let Some(value) = value.filter(|value| !(value.is_finite() && *value > 0.0)) {
+                return Err(error::limit(name, value, "must be positive"));
+            }
+        }
+        Ok(Reach {
+            torque_max_nm: self.torque_max_nm,
+            speed_max_rpm: self.speed_max_rpm,
+            temperatures_c: nodes("temperature", self.temperature.as_ref())?,
+        })
+    }
+
+    /// Description of the study.
+    #[must_use]
+    pub fn study() -> Described {
+        let about = "The measurements, with the columns of the command; a column simulated may say that their losses are";
+        let rig = Setting::new("rig", "Table", about, None);
+        let case = Setting::new(
+            "case",
+            "Option<Case>",
+            "The case of rows that name none",
+            None,
+        );
+        let about = "Cases by the names in the column case; others are files relative to the table, or to the working directory";
+        let cases = Setting::new("cases", "Option<Cases>", about, None);
+        Described::new::<Self>(
+            "calibrate",
+            "Boundary friction, boundary layer and film traction from losses measured on a rig",
+            "The table has one row per measured point: torque_nm, speed_rpm, temperature_c, loss_w (or torque_loss_nm), \
+                sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order, flank_state, case.",
+            "evaluations",
+            vec![rig, case, cases],
+        )
+    }
+}
+
+settings! {
+    /// Settings of a design of measurements.
+    pub struct DesignSettings {
+        /// Torques to choose from in N m: a..b:n, a..b:n:log or a list [default: a third of the largest, and the largest]
+        [value_name = "AXIS", requires = "design", conflicts_with = "torque_max_nm"] torque: Option<Nodes>,
+        /// Speeds to choose from in 1/min [default: 8 speeds from a fiftieth of the largest up to it]
+        [value_name = "AXIS", requires = "design", conflicts_with = "speed_max_rpm"] speed: Option<Nodes>,
+        /// Measuring time in hours, without heating
+        [value_name = "H"] hours: f64 = 8,
+        /// Minutes per point
+        [long = "minutes", value_name = "MIN"] minutes_per_point: f64 = 15,
+        /// Standard deviation of a point relative to its loss
+        [value_name = "SHARE"] sigma: Ratio = "3 %",
+        /// Number of assemblies; each measures all points
+        [value_name = "N"] assemblies: usize = 2,
+        /// Also write simulated.csv: losses at these points, simulated with the case and random errors of this seed, to
+        /// test a calibration
+        [requires = "design", value_name = "SEED"] simulate: Option<u64>,
+        ..rig: CalibrationSettings,
+    }
+}
+
+fn nodes(name: &str, stated: Option<&Nodes>) -> Result<Option<Vec<f64>>, Fault> {
+    stated.map(|stated| stated.nodes(name)).transpose()
+}
+
+impl DesignSettings {
+    /// Limits of the rig with the gears of `case`.
+    ///
+    /// # Errors
+    /// As [`CalibrationSettings::reach`], and when torques or speeds are not an axis.
+    pub fn limits(&self, case: &Case) -> Result<Limits, Fault> {
+        /// Default number of speeds.
+        const SPEEDS: usize = 8;
+        /// Lowest default speed relative to the highest.
+        const SLOWEST: f64 = 0.02;
+        /// Ends of the default range of oil temperatures \[°C\].
+        const TEMPERATURES: [f64; 2] = [40.0, 90.0];
+        let reach = self.rig.reach()?;
+        let map = case.input.map.unwrap_or_default();
+        let torque = map.torque_max.unwrap_or(case.torque).si();
+        let torque = reach
+            .torque_max_nm
+            .map_or(torque, |most| most.copysign(case.torque.si()));
+        let speed = map.speed_max.unwrap_or(case.speed).si() * 30.0 / std::f64::consts::PI;
+        let speed = reach.speed_max_rpm.unwrap_or(speed);
+        let even = |k: usize| match k + 1 == SPEEDS {
+            true => speed,
+            false => rounded(speed * SLOWEST.powf(1.0 - k as f64 / (SPEEDS - 1) as f64)),
+        };
+        let at = case.temperature.celsius();
+        let [cold, hot] = [at.min(TEMPERATURES[0]), at.max(TEMPERATURES[1])];
+        Ok(Limits {
+            torques_nm: nodes("torque", self.torque.as_ref())?
+                .unwrap_or_else(|| vec![rounded(torque / 3.0), torque]),
+            speeds_rpm: nodes("speed", self.speed.as_ref())?
+                .unwrap_or_else(|| (0..SPEEDS).map(even).collect()),
+            temperatures_c: reach
+                .temperatures_c
+                .unwrap_or_else(|| vec![cold, (0.5 * (cold + hot)).round(), hot]),
+            hours: self.hours,
+            minutes_per_point: self.minutes_per_point,
+            sigma: self.sigma.value(),
+            assemblies: self.assemblies,
+        })
+    }
+
+    /// Description of the study.
+    #[must_use]
+    pub fn study() -> Described {
+        let about = "The gears and flanks on the rig";
+        Described::new::<Self>(
+            "design",
+            "Points of a rig whose losses determine the calibrated constants best",
+            "Points within the limits are chosen that narrow the constants most, as the command calibrate with its option \
+                design does.",
+            "evaluations",
+            vec![Setting::new("case", "Case", about, None)],
+        )
+    }
+}
