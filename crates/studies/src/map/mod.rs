@@ -54,10 +54,7 @@ pub use point::{
     EXTENDED, FinishMap, Map, MapGearbox, MapWarning, MeshPart, Numbers, Point, ranges,
 };
 pub use read::read;
-<<<<<<< HEAD
 pub use report::{EXPORTS, MapExtras};
-=======
 pub use settings::MapSettings;
->>>>>>> settings
 pub(crate) use summary::banded;
 pub use surface::{Interpolated, Surface, forwards};
