@@ -384,6 +384,16 @@ impl EvidenceTable {
         loss
     }
 
+    /// The measurement that narrows the interval most, in words.
+    fn best(&self, row: &EvidenceRow) -> String {
+        format!(
+            "What would narrow it most: {}, to {} in {} h.",
+            row.measurement,
+            self.loss_text(row.interval(), " W"),
+            row.hours
+        )
+    }
+
     /// The interval that each measurement leaves, below the present one.
     fn chart(&self) -> Option<Drawing> {
         let now = Interval {
@@ -435,6 +445,7 @@ impl StudyResult for EvidenceTable {
         Report::new(&self.title, format!("{} · evidence", self.program))
             .section("Measurements that narrow the interval")
             .verdict([format!("Loss {loss}.")])
+            .verdict(self.rows.first().map(|row| self.best(row)))
             .figures(|| self.chart())
             .table(self.table().of_file(TABLE))
             .text(self.notes())

@@ -264,8 +264,11 @@ impl<'a> Report<'a> {
                 Block::Table(table) => table.render(),
                 Block::Figures(draw) => {
                     let drawings = draw();
+                    // Fields are compared side by side.
+                    let is_field = |drawing: &Drawing| matches!(drawing, Drawing::Contour(_));
+                    let are_fields = drawings.len() > 1 && drawings.iter().all(is_field);
                     html! { @if !drawings.is_empty() {
-                        div.charts { @for drawing in &drawings { (figure(drawing)) } }
+                        div.charts.fields[are_fields] { @for drawing in &drawings { (figure(drawing)) } }
                     } }
                 }
                 Block::Markup(write) => write(),

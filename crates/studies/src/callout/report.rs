@@ -41,7 +41,7 @@ impl StudyResult for CallOut {
 fn traces_chart(study: &CallOut) -> Drawing {
     let title = format!("Limit of the mean {}", study.parameter.symbol());
     let (x, y) = (
-        Axis::new("inspected traces", ""),
+        Axis::new("inspected traces", "").log(),
         Axis::new("limit over recipe", ""),
     );
     let chart = Chart::new("traces", &title, "traces.csv", x, y);

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::energy::{CycleFinish, CycleResult};
 use super::trace::CyclePoint;
-use crate::map::{Map, banded, loss_fields, round_step};
+use crate::map::{Map, UNNAMED, banded, in_words, loss_fields, round_step};
 
 /// Approximate number of torque bins.
 const BINS: f64 = 30.0;
@@ -168,7 +168,7 @@ fn over_time(result: &CycleResult) -> Drawing {
 fn table(result: &CycleResult) -> Table {
     let rows = result.finishes.iter().map(|finish| (finish, lost(finish)));
     let table = columns! { (finish, [lost, drive, coast]) in rows;
-        head finish "finish" "" = &finish.name;
+        head finish "finish" "" = Cell::shown(in_words(&finish.name), finish.name.as_str().into());
         file lost_wh = finish.lost_wh;
         interval lost_median_wh "lost" "Wh" = Cell::with_ends(lost, finish.lost_median_wh, finish.lost_quantiles_wh);
         shown drive "driving" "Wh" = drive;
@@ -247,7 +247,11 @@ fn verdicts(result: &CycleResult) -> Vec<String> {
             ))
         });
         let [share, against] = [share, against].map(Option::unwrap_or_default);
-        format!("{} loses {whole} Wh{share}{against}.", finish.name)
+        let loses = match finish.name.as_str() {
+            UNNAMED => "These flanks lose".to_owned(),
+            name => format!("{name} loses"),
+        };
+        format!("{loses} {whole} Wh{share}{against}.")
     };
     result.finishes.iter().map(verdict).collect()
 }

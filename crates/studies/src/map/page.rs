@@ -8,7 +8,7 @@ use maud::{Markup, html};
 
 use super::axes::Axes;
 use super::point::{FinishMap, Map, Numbers, Point};
-use super::summary::{banded, words};
+use super::summary::{banded, in_words, words};
 
 /// Approximate number of bands of a field.
 const BANDS: usize = 10;
@@ -110,11 +110,9 @@ pub(super) fn sections<'a>(
         .on_page()
         .text(finishes.filter_map(|finish| extrapolated(map, finish)))
         .on_page()
-        .figures(fields(&LOSS))
-        .section("Efficiency")
-        .text(["Each colour covers about a tenth of the points."])
+        .figures(move || loss_and_efficiency(map, visited))
+        .text(["Each colour of the efficiency covers about a tenth of the points."])
         .on_page()
-        .figures(fields(&EFFICIENCY))
         .section("Differences")
         .markup(|| differences(map, &drawn(&map.axes), visited))
         .folded("Half of the interval over torque and speed")
@@ -130,6 +128,19 @@ pub(super) fn sections<'a>(
         .on_page()
         .table(files(map))
         .on_page()
+}
+
+/// Loss and efficiency of every finish and temperature, side by side.
+fn loss_and_efficiency(map: &Map, visited: &[[f64; 2]]) -> Vec<Drawing> {
+    let drawn = drawn(&map.axes);
+    let [losses, efficiencies] =
+        [LOSS, EFFICIENCY].map(|quantity| quantity.fields(map, &drawn, visited));
+    let mut efficiencies = efficiencies.into_iter();
+    let both = losses
+        .into_iter()
+        .flat_map(|loss| [Some(loss), efficiencies.next()]);
+    let both: Vec<Drawing> = both.flatten().collect();
+    both.into_iter().chain(efficiencies).collect()
 }
 
 /// The extrapolations of `finish` beyond those at the operating point of the case, in words; `None` if there are none.
@@ -155,14 +166,15 @@ fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
         .iter()
         .map(|(mark, count)| format!("{} ({count})", words(mark)));
     let drawn = match share <= MOST_HATCHED {
-        true => ", hatched,",
+        true => " (hatched)",
         false => "",
     };
     Some(format!(
-        "{}: {:.0} % of the points{drawn} leave ranges that the operating point of the case keeps: {}.",
-        finish.name,
+        "At {:.0} % of the points of {}{drawn} the model is outside of a range that it keeps at the operating point of the case. \
+        Points of each range: {}.",
         100.0 * share,
-        marks.collect::<Vec<_>>().join(", ")
+        in_words(&finish.name),
+        marks.collect::<Vec<_>>().join("; ")
     ))
 }
 
@@ -290,10 +302,11 @@ fn multiple(count: f64, step: f64) -> f64 {
 /// Finish and, if there are several, temperature: "ground, 90 °C".
 fn named(map: &Map, finish: &FinishMap, temperature: usize) -> String {
     match map.axes.temperature_c.len() {
-        1 => finish.name.clone(),
+        1 => in_words(&finish.name).to_owned(),
         _ => format!(
             "{}, {} °C",
-            finish.name, map.axes.temperature_c[temperature]
+            in_words(&finish.name),
+            map.axes.temperature_c[temperature]
         ),
     }
 }

@@ -15,7 +15,7 @@ pub(super) fn extremes(map: &Map) -> Table {
     let finishes = map.finishes.iter();
     let rows = finishes.filter_map(|finish| Some((finish, Extremes::of(finish)?)));
     let table = columns! { (finish, extremes) in rows;
-        head finish "finish" "" = &finish.name;
+        head finish "finish" "" = Cell::shown(in_words(&finish.name), finish.name.as_str().into());
         interval loss_median_w "largest loss" "W" = extremes.loss();
         file loss_w = extremes.most.loss_w;
         number share_percent "share of power" "%" = extremes.share();
@@ -158,6 +158,17 @@ fn percent_digits(numbers: &Numbers, power: f64) -> Digits {
     match numbers.loss_quantiles_w {
         Some(quantiles) => Digits::of_interval(quantiles).of_percent(power),
         None => Digits::of_decimals(4),
+    }
+}
+
+/// Name of the only finish of a map of `case.toml`: the name of the file says nothing.
+pub(crate) const UNNAMED: &str = "case";
+
+/// Name of a finish in sentences and tables.
+pub(crate) fn in_words(finish: &str) -> &str {
+    match finish {
+        UNNAMED => "these flanks",
+        named => named,
     }
 }
 

@@ -23,11 +23,13 @@ impl StudyResult for Sensitivity {
 
     fn report<'a>(&'a self, (): ()) -> Report<'a> {
         Report::new(&self.title, "sensitivity")
-            .section("Changes of the loss")
+            .section("What you can change")
             .text([headline(self)])
             .verdict(largest(self))
-            .figures(|| [chart(self)])
+            .figures(|| chart(self, &CHANGEABLE))
             .warning(left_aside(self))
+            .section("What is not known well")
+            .figures(|| chart(self, &UNCERTAIN))
             .section("Parts")
             .table(table(self))
             .text(refused(self))
@@ -38,32 +40,44 @@ impl StudyResult for Sensitivity {
 /// A change with its effect.
 type Changed<'a> = (&'a SensitivityRow, &'a Effect);
 
-/// Changes with an effect by group, the group with the largest change first, and by size within a group.
-fn groups(study: &Sensitivity) -> Vec<Vec<Changed<'_>>> {
-    let rows = study.rows.iter();
-    let rows = rows.filter_map(|row| Some((row, row.effect.as_ref()?)));
-    let mut groups: Vec<Vec<Changed<'_>>> = Vec::new();
-    for row in rows {
-        match groups
-            .iter_mut()
-            .find(|group| group[0].0.group == row.0.group)
-        {
-            Some(group) => group.push(row),
-            None => groups.push(vec![row]),
-        }
-    }
-    let size = |(_, effect): &Changed<'_>| effect.difference_w.abs();
-    for group in &mut groups {
-        group.sort_by(|a, b| size(b).total_cmp(&size(a)));
-    }
-    groups.sort_by(|a, b| size(&b[0]).total_cmp(&size(&a[0])));
-    groups
+/// Changes that a designer makes, of a title and an identifier.
+const CHANGEABLE: Changes = Changes {
+    id: "sensitivity",
+    title: "Change of the loss by finish, oil and relief, with 5 to 95 % by the sampling of the flanks",
+    groups: &["flanks", "oil", "gears"],
+};
+/// Changes of quantities that no drawing states.
+const UNCERTAIN: Changes = Changes {
+    id: "uncertain",
+    title: "Change of the loss by boundary layer and filters, with 5 to 95 % by the sampling of the flanks",
+    groups: &["boundary layer", "filters"],
+};
+
+/// Groups of changes in one chart.
+struct Changes {
+    id: &'static str,
+    title: &'static str,
+    groups: &'static [&'static str],
 }
 
-/// The change with the largest effect, in words.
+impl Changes {
+    /// The changes with an effect, the largest first.
+    fn of<'a>(&self, study: &'a Sensitivity) -> Vec<Changed<'a>> {
+        let rows = study.rows.iter();
+        let rows = rows.filter_map(|row| Some((row, row.effect.as_ref()?)));
+        let mut rows: Vec<Changed<'_>> = rows
+            .filter(|(row, _)| self.groups.contains(&row.group))
+            .collect();
+        let size = |(_, effect): &Changed<'_>| effect.difference_w.abs();
+        rows.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        rows
+    }
+}
+
+/// The largest change that can be made, in words.
 fn largest(study: &Sensitivity) -> Option<String> {
-    let groups = groups(study);
-    let (row, effect) = groups.first()?.first()?;
+    let changes = CHANGEABLE.of(study);
+    let (row, effect) = changes.first()?;
     Some(format!(
         "The largest change: {}, {} W, {} %.",
         named(row),
@@ -72,25 +86,23 @@ fn largest(study: &Sensitivity) -> Option<String> {
     ))
 }
 
-/// All changes over one axis, group by group.
-fn chart(study: &Sensitivity) -> Drawing {
-    let groups = groups(study);
-    let name = |row: &SensitivityRow| match row.what.starts_with(row.group) {
-        true => named(row),
-        false => format!("{}: {}", row.group, named(row)),
-    };
-    let bars = groups.iter().flatten().map(|(row, effect)| Bar {
-        name: name(row),
+/// The changes of some groups over one axis; `None` if no one has an effect.
+fn chart(study: &Sensitivity, of: &Changes) -> Option<Drawing> {
+    let bars = of.of(study).into_iter().map(|(row, effect)| Bar {
+        name: named(row),
         value: Some(effect.difference_w),
         spread: effect.sampling_quantiles_w,
         text: format!("{} W, {} %", change(effect), share(effect)),
     });
-    Drawing::Bars(BarChart {
-        id: "sensitivity".to_owned(),
-        title: "Change of the loss, with 5 to 95 % by the sampling of the flanks".to_owned(),
-        source: TABLE.to_owned(),
-        axis: Axis::new("change of the loss", "W"),
-        bars: bars.collect(),
+    let bars: Vec<Bar> = bars.collect();
+    (!bars.is_empty()).then(|| {
+        Drawing::Bars(BarChart {
+            id: of.id.to_owned(),
+            title: of.title.to_owned(),
+            source: TABLE.to_owned(),
+            axis: Axis::new("change of the loss", "W"),
+            bars,
+        })
     })
 }
 
