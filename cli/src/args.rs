@@ -16,6 +16,7 @@ use std::path::PathBuf;
 
 use asperity::case::{Formulation, PathPoint};
 use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_studies::compare::CompareSettings;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub use calibrate::CalibrateArgs;
@@ -338,9 +339,9 @@ pub struct CompareArgs {
         value_name = "NAME[@MESH]=PINION.csv[,WHEEL.csv]"
     )]
     pub finishes: Vec<FinishArg>,
-    /// Number of offsets along the traces at which the flanks are paired [default: those that each finish needs]
-    #[arg(long)]
-    pub offsets: Option<usize>,
+    /// Settings of the comparison.
+    #[command(flatten)]
+    pub settings: CompareSettings,
     /// Folder of the comparison [default: results/<name of the case>-compare, named as for run]
     #[arg(long, short)]
     pub output: Option<PathBuf>,

@@ -17,7 +17,7 @@ from asperity._quantity import OPERATING
 
 FOLDER = Path(__file__).parent / "python" / "asperity"
 RESULTS = {
-    "calibrate": "Calibration", "callout": "CallOut", "design": "Design", "evidence": "Evidence", "map": "Map", "oil_fit": "OilFit", "oil_plan": "OilPlan", "oil_traction": "Traction", "ridges": "Ridges",
+    "calibrate": "Calibration", "callout": "CallOut", "compare": "Comparison", "design": "Design", "evidence": "Evidence", "map": "Map", "oil_fit": "OilFit", "oil_plan": "OilPlan", "oil_traction": "Traction", "ridges": "Ridges",
     "sensitivity": "Sensitivity", "stribeck": "Stribeck",
 }
 """Classes of the results of studies that have attributes of their own."""
@@ -244,6 +244,7 @@ INPUTS = {
     "Case": ("CaseLike", None, "as_case({0})._raw"),
     "Option<Case>": ("Optional[CaseLike]", "None", "None if {0} is None else as_case({0})._raw"),
     "Oil": ("OilLike", None, "raw_oil({0})"),
+    "Finishes": ("Mapping[str, Finish]", None, "{0}"),
     "Option<Cases>": ("Optional[Mapping[str, CaseLike]]", "None", "{0}"),
     "Option<Finishes>": ("Optional[Mapping[str, Finish]]", "None", "{0}"),
     "Table": ("Columns", None, "{0}"),
@@ -252,11 +253,11 @@ INPUTS = {
 """Arguments of what a study is about: type, default and value for the compiled part."""
 BY_NAME = ("Option<Cases>", "Option<Finishes>")
 """Those that are given by name only."""
-RUNNERS = {"calibrate": "calibrated", "design": "designed", "map": "mapped"}
+RUNNERS = {"calibrate": "calibrated", "compare": "compared", "design": "designed", "map": "mapped"}
 """Functions of the package that run a study which the compiled part does not run as the others."""
 HOMES = {
     "CaseLike": "_case", "Columns": "_columns", "Finish": "_compare", "Numbers": "_quantity", "OilLike": "_oil", "Progress": "_progress", "Quantities": "_quantity",
-    "Quantity": "_quantity", "Study": "_study", "as_case": "_case", "calibrated": "_calibration", "designed": "_calibration",
+    "Quantity": "_quantity", "Study": "_study", "as_case": "_case", "calibrated": "_calibration", "compared": "_compare", "designed": "_calibration",
     "mapped": "_map", "nodes": "_quantity", "raw_oil": "_oil", "run_study": "_study",
     "tables_of_curves": "_oil", "warned": "_record", "written": "_quantity",
 }

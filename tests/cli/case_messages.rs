@@ -338,7 +338,7 @@ fn options_that_make_no_sense_are_refused_before_any_work() {
                 "1",
             ],
             "E209",
-            "--offsets 1: must be at least 2",
+            "--offsets = 1: must be at least 2",
         ),
         (
             &["equations", "P99"],

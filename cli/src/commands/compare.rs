@@ -3,9 +3,10 @@
 use asperity::case::CaseInput;
 use asperity::pipeline::KeptFields;
 use asperity_core::Code;
-use asperity_studies::compare::{self, Comparison};
+use asperity_studies::compare::{self, CompareSettings, Comparison};
 
 use super::finish::{self, check_names};
+use super::study::of_option;
 use super::work::check_work;
 use super::{result_name, study};
 use crate::args::{Common, CompareArgs};
@@ -18,14 +19,12 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         return Err(single());
     }
     check_names(&args.finishes)?;
-    if let Some(offsets @ ..2) = args.offsets {
-        let message = format!("--offsets {offsets}: must be at least 2, as one has no spread");
-        return Err(Failure::new(Code::E209, message));
-    }
+    let settings = &args.settings;
+    settings.check().map_err(of_option::<CompareSettings>)?;
     let progress = Progress::of(common.quiet, READING);
     let change = |input: &mut CaseInput| {
-        if args.offsets.is_some() {
-            input.model.offsets = args.offsets;
+        if settings.offsets.is_some() {
+            input.model.offsets = settings.offsets;
         }
     };
     let finishes = finish::finishes(&args.case, &args.set, &args.finishes, &change)?;

@@ -6,7 +6,7 @@ use asperity::case::Train;
 use asperity::message::Code;
 use asperity::profile_io::read::read_table;
 use asperity_report::StudyResult;
-use asperity_studies::compare::{self as comparing, Finish};
+use asperity_studies::compare::{self as comparing, CompareSettings, Finish};
 use asperity_studies::cycle as driving;
 use asperity_studies::export::{AddedLoss, Format, With, export};
 use asperity_studies::map::{self as mapping, MapExtras, MapSettings, Numbers, Point};
@@ -39,9 +39,13 @@ type Compared = (Study, String, Vec<String>);
 pub fn compare(
     py: Python<'_>,
     named: Named<'_>,
+    settings: &str,
     threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Compared> {
+    stated::<CompareSettings>(settings)?
+        .check()
+        .map_err(Failure::from)?;
     let finishes = finishes(named);
     in_parallel(py, threads, progress.as_ref(), |told| {
         let found = comparing::compare(&finishes, &|done, total| told.tell(done, total))?;

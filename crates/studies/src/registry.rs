@@ -27,6 +27,7 @@ macro_rules! every_description {
             asperity_calibration::CalibrationSettings::study(),
             asperity_calibration::DesignSettings::study(),
             $crate::map::MapSettings::study(),
+            $crate::compare::CompareSettings::study(),
         ])
     };
 }

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from ._calibration import Calibration, Design, Evidence
     from ._callout import CallOut
     from ._case import Case
-    from ._compare import Comparison, compare
+    from ._compare import Comparison
     from ._contact import Contact, Stress, press_flanks, solve_contact, subsurface_stress
     from ._ehl import EhlRecord, ehl
     from ._errors import AsperityError, AsperityWarning, Place
@@ -44,7 +44,7 @@ else:
         "_calibration": "Calibration Design Evidence",
         "_callout": "CallOut",
         "_case": "Case",
-        "_compare": "Comparison compare",
+        "_compare": "Comparison",
         "_contact": "Contact Stress press_flanks solve_contact subsurface_stress",
         "_ehl": "EhlRecord ehl",
         "_errors": "AsperityError AsperityWarning Place",
@@ -113,7 +113,6 @@ __all__ = [
     "Table",
     "Traction",
     "__version__",
-    "compare",
     "cycle",
     "demo",
     "ehl",

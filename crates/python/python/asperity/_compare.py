@@ -13,7 +13,7 @@ from ._errors import AsperityError, Code, warn
 from ._profile import Profile
 from ._progress import Progress, Told
 from ._record import Table, drawn, variable
-from ._study import RawStudy, Study
+from ._study import RawStudy, Study, as_json
 
 if TYPE_CHECKING:
     import pandas
@@ -127,29 +127,19 @@ class Comparison(Study):
         return [*self._losses(), *(("", verdict) for verdict in self.verdicts)]
 
 
-def compare(
+def compared(
     case: CaseLike,
     finishes: Mapping[str, Finish],
-    *,
-    offsets: Optional[int] = None,
-    threads: Optional[int] = None,
-    progress: Optional[Progress] = None,
+    settings: Mapping[str, Any],
+    threads: Optional[int],
+    progress: Optional[Progress],
 ) -> Comparison:
-    """Compares finishes on one case by the same offsets and the same draws of what is uncertain.
-
-    Args:
-        case: the case, whose traces are replaced by those of each finish. The finishes of a gear train are cases.
-        finishes: by name a profile or file for both flanks (mirrored for the wheel), or a pair of pinion and wheel;
-            at least two.
-        offsets: places along the traces at which the flanks meet, at least two; None for those that each finish needs.
-        threads, progress: as in `Case.run`.
-    """
+    """The comparison of finishes by its settings."""
     if len(finishes) < 2:
         raise AsperityError("one finish cannot be compared", Code.E205, "Give at least two finishes.")
-    if offsets is not None and offsets < 2:
-        raise AsperityError(f"offsets {offsets}: one offset has no spread", Code.E209, "Give at least two offsets.")
-    with Told(progress, "finishes") as told:
-        raw, found, verdicts = _asperity.compare(cases_of(case, finishes, offsets), threads, told)
+    with Told(progress, _asperity.steps("compare")) as told:
+        cases = cases_of(case, finishes, settings["offsets"])
+        raw, found, verdicts = _asperity.compare(cases, as_json(settings), threads, told)
     comparison = Comparison(raw, found, verdicts)
     known = [warning for finish in finishes.values() if isinstance(finish, Case) for warning in finish._about["warnings"]]
     rows = [warning for finish in comparison._values["finishes"] for warning in finish["warnings"]]

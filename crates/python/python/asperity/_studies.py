@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from ._callout import CallOut
     from ._case import CaseLike
     from ._columns import Columns
-    from ._compare import Finish
+    from ._compare import Comparison, Finish
     from ._map import Map
     from ._oil import OilFit, OilLike, OilPlan, Stribeck, Traction
     from ._progress import Progress
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 __all__ = [
     "calibrate",
     "callout",
+    "compare",
     "design",
     "evidence",
     "oil_fit",
@@ -506,3 +507,32 @@ def map(
         "band": band,
     }
     return mapped(case, finishes, settings, threads, progress)
+
+
+def compare(
+    case: CaseLike,
+    finishes: Mapping[str, Finish],
+    *,
+    offsets: Optional[int] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Comparison:
+    """Compare finishes on one case, with paired differences.
+
+    The first finish is the reference for the others. All have the same offsets and the same draws of what is
+    uncertain.
+
+    Args:
+        case: the case, whose traces are replaced by the traces of each finish; the finishes of a gear train are cases.
+        finishes: by name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, or a
+            case; at least two.
+        offsets: number of offsets along the traces at which the flanks are paired [default: those that each finish
+            needs].
+        threads, progress: as in `Case.run`.
+    """
+    from ._compare import compared
+
+    settings = {
+        "offsets": offsets,
+    }
+    return compared(case, finishes, settings, threads, progress)

@@ -10,8 +10,9 @@ use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Sco
 use asperity::train::{self, MeshRow, Outcomes};
 use asperity::uncertainty::{DrawnMesh, PairedDifference, Quantiles, difference_of_meshes};
 use asperity::{Error, PositionError};
-use asperity_core::unique;
+use asperity_core::{Code, Fault, unique};
 use asperity_report::tables::FlankTables;
+use asperity_report::{Described, Setting, settings};
 use serde::Serialize;
 
 use super::statistics::rank_correlation;
@@ -168,6 +169,45 @@ pub struct Correlation {
     pub with_loss: f64,
     /// Rank correlation within one finish, mean over the finishes.
     pub within_finishes: f64,
+}
+
+settings! {
+    /// Settings of a comparison.
+    pub struct CompareSettings {
+        /// Number of offsets along the traces at which the flanks are paired [default: those that each finish needs]
+        offsets: Option<usize>,
+    }
+}
+
+impl CompareSettings {
+    /// Refuses a single offset.
+    ///
+    /// # Errors
+    /// When there are fewer than two offsets.
+    pub fn check(&self) -> Result<(), Fault> {
+        let Some(offsets @ ..2) = self.offsets else {
+            return Ok(());
+        };
+        let message = format!("offsets = {offsets}: must be at least 2, as one has no spread");
+        Err(Fault::new(Code::E209, message))
+    }
+
+    /// Description of the study.
+    #[must_use]
+    pub fn study() -> Described {
+        let case = "The case, whose traces are replaced by the traces of each finish; the finishes of a gear train are cases";
+        let about = "By name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, or a case; at least two";
+        Described::new::<Self>(
+            "compare",
+            "Compare finishes on one case, with paired differences",
+            "The first finish is the reference for the others. All have the same offsets and the same draws of what is uncertain.",
+            "finishes",
+            vec![
+                Setting::new("case", "Case", case, None),
+                Setting::new("finishes", "Finishes", about, None),
+            ],
+        )
+    }
 }
 
 /// Runs all finishes and compares them with the first. Each loses what a run of it alone gives.
