@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::energy::{CycleFinish, CycleResult};
 use super::trace::CyclePoint;
-use crate::map::{Map, UNNAMED, banded, in_words, loss_fields, round_step};
+use crate::map::{Map, banded, in_words, loses, loss_fields, round_step};
 
 /// Approximate number of torque bins.
 const BINS: f64 = 30.0;
@@ -247,11 +247,7 @@ fn verdicts(result: &CycleResult) -> Vec<String> {
             ))
         });
         let [share, against] = [share, against].map(Option::unwrap_or_default);
-        let loses = match finish.name.as_str() {
-            UNNAMED => "These flanks lose".to_owned(),
-            name => format!("{name} loses"),
-        };
-        format!("{loses} {whole} Wh{share}{against}.")
+        format!("{} {whole} Wh{share}{against}.", loses(&finish.name))
     };
     result.finishes.iter().map(verdict).collect()
 }

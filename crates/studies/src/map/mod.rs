@@ -56,5 +56,5 @@ pub use point::{
 pub use read::read;
 pub use report::{EXPORTS, MapExtras};
 pub use settings::MapSettings;
-pub(crate) use summary::{UNNAMED, banded, in_words};
+pub(crate) use summary::{banded, in_words, loses};
 pub use surface::{Interpolated, Surface, forwards};

@@ -76,10 +76,31 @@ impl Quantity {
     }
 }
 
+/// Values of a field at the nodes around its points, whose colours are to differ; at all nodes without points.
+fn visited_values(field: &Contour) -> impl Iterator<Item = f64> {
+    let around = |nodes: &[f64], axis: usize| -> [f64; 2] {
+        let [low, high] = range(field.dots.iter().map(|point| point[axis]));
+        let below = nodes.iter().copied().filter(|node| *node <= low);
+        let above = nodes.iter().copied().filter(|node| *node >= high);
+        [
+            below.fold(f64::NEG_INFINITY, f64::max),
+            above.fold(f64::INFINITY, f64::min),
+        ]
+    };
+    let [[left, right], [low, high]] = [around(&field.columns, 0), around(&field.rows, 1)];
+    let rows = field.rows.iter().copied();
+    let nodes = rows.flat_map(|y| field.columns.iter().map(move |x| [*x, y]));
+    let is_all = field.dots.is_empty();
+    nodes.zip(&field.values).filter_map(move |([x, y], value)| {
+        let is_near = left <= x && x <= right && low <= y && y <= high;
+        (is_all || is_near).then_some(*value)
+    })
+}
+
 /// The fields with the bands of all their values together, without those that have no value.
 fn with_common_levels(mut fields: Vec<Contour>, levels: fn(&[f64]) -> Vec<f64>) -> Vec<Drawing> {
     fields.retain(|field| field.values.iter().any(|value| value.is_finite()));
-    let values = fields.iter().flat_map(|field| &field.values).copied();
+    let values = fields.iter().flat_map(visited_values);
     let values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
     let levels = levels(&values);
     let drawing = |field| {
@@ -153,28 +174,15 @@ fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
     if share == 0.0 {
         return None;
     }
-    let mut marks: Vec<(&str, usize)> = Vec::new();
-    let all = finish.points.iter().flat_map(|point| &point.outside);
-    for mark in all.filter(|mark| unusual(mark)) {
-        match marks.iter_mut().find(|(known, _)| known == mark) {
-            Some((_, count)) => *count += 1,
-            None => marks.push((mark, 1)),
-        }
-    }
-    marks.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
-    let marks = marks
-        .iter()
-        .map(|(mark, count)| format!("{} ({count})", words(mark)));
     let drawn = match share <= MOST_HATCHED {
         true => " (hatched)",
         false => "",
     };
     Some(format!(
-        "At {:.0} % of the points of {}{drawn} the model is outside of a range that it keeps at the operating point of the case. \
-        Points of each range: {}.",
+        "At {:.0} % of the points of {}{drawn} the model is outside of a range that it keeps at the operating point of the case; \
+        the table of ranges names them.",
         100.0 * share,
-        in_words(&finish.name),
-        marks.collect::<Vec<_>>().join("; ")
+        in_words(&finish.name)
     ))
 }
 
@@ -386,7 +394,7 @@ fn bands(map: &Map) -> Markup {
         return html! {};
     }
     let table = columns! { (finish, point, loss) in rows.iter().take(MOST_BANDS);
-        head name "finish" "" = &finish.name;
+        head name "finish" "" = in_words(&finish.name);
         number torque_nm "torque" "N m" "{:.2}" = point.torque_nm;
         number speed_rpm "speed" "1/min" "{:.0}" = point.speed_rpm;
         number temperature_c "temperature" "°C" = point.temperature_c;
@@ -404,7 +412,7 @@ fn bands(map: &Map) -> Markup {
 fn ranges(map: &Map) -> Table {
     columns! { warning in &map.warnings;
         text what "what" "" = words(&warning.text);
-        text finish "finish" "";
+        text finish "finish" "" = in_words(&warning.finish);
         number count "points" "";
         text points "rows of map.csv" "" = shortened(&warning.points);
     }
@@ -427,7 +435,7 @@ fn files(map: &Map) -> Table {
         drive.chain(coast).map(move |file| (finish, file))
     });
     columns! { (finish, (side, [file, sum])) in files;
-        text finish "finish" "" = &finish.name;
+        text finish "finish" "" = in_words(&finish.name);
         text flanks "flanks" "" = side;
         code file "file" "" = file;
         code sum "SHA-256" "" = sum;
@@ -437,8 +445,13 @@ fn files(map: &Map) -> Table {
 /// Scope of the losses, and the torques from which contacts are resolved.
 fn scope(map: &Map) -> String {
     let from = map.finishes.iter();
-    let from =
-        from.map(|finish| format!("{:.3} N m ({})", finish.resolved_from_nm[0], finish.name));
+    let from = from.map(|finish| {
+        format!(
+            "{:.3} N m ({})",
+            finish.resolved_from_nm[0],
+            in_words(&finish.name)
+        )
+    });
     format!(
         "Scope: {} only; no bearings, seals, churning. Points below {} are extrapolated: the traces do not resolve their contact.",
         map.scope,

@@ -7,7 +7,7 @@ use asperity_report::{Report, StudyResult, make_folder, write_bytes};
 
 use super::page;
 use super::point::Map;
-use super::summary::{bands, extremes, left_aside, notes, of_meshes};
+use super::summary::{bands, extremes, left_aside, notes, of_meshes, verdicts};
 use super::table;
 
 /// Folder of the exports within the folder of a map.
@@ -44,6 +44,7 @@ impl StudyResult for Map {
         )
         .section("Loss")
         .text([points])
+        .verdict(verdicts(self))
         .table(extremes(self))
         .table(of_meshes(self))
         .warning(left_aside(self))

@@ -27,6 +27,21 @@ pub(super) fn extremes(map: &Map) -> Table {
     table.in_file("extremes.csv")
 }
 
+/// The largest loss and the best efficiency of each finish, in words.
+pub(super) fn verdicts(map: &Map) -> impl Iterator<Item = String> {
+    map.finishes.iter().filter_map(|finish| {
+        let extremes = Extremes::of(finish)?;
+        Some(format!(
+            "{} at most {} W, at {} N m and {} 1/min; the best efficiency is {} %.",
+            loses(&finish.name),
+            extremes.loss().text(),
+            extremes.at.torque_nm,
+            extremes.at.speed_rpm,
+            extremes.efficiency().text()
+        ))
+    })
+}
+
 /// Loss of each mesh of a gear train at the largest loss of its finish.
 pub(super) fn of_meshes(map: &Map) -> Table {
     let rows = map.finishes.iter().flat_map(|finish| {
@@ -162,13 +177,21 @@ fn percent_digits(numbers: &Numbers, power: f64) -> Digits {
 }
 
 /// Name of the only finish of a map of `case.toml`: the name of the file says nothing.
-pub(crate) const UNNAMED: &str = "case";
+const UNNAMED: &str = "case";
 
 /// Name of a finish in sentences and tables.
 pub(crate) fn in_words(finish: &str) -> &str {
     match finish {
         UNNAMED => "these flanks",
         named => named,
+    }
+}
+
+/// Subject and verb of a sentence about the loss with a finish.
+pub(crate) fn loses(finish: &str) -> String {
+    match finish {
+        UNNAMED => "These flanks lose".to_owned(),
+        name => format!("{name} loses"),
     }
 }
 
