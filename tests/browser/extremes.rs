@@ -40,6 +40,13 @@ impl Table {
         self
     }
 
+    /// The rows with one of these texts in `column`.
+    fn of(mut self, column: &str, texts: &[&str]) -> Self {
+        let index = self.index(column);
+        self.rows.retain(|row| texts.contains(&row[index].as_str()));
+        self
+    }
+
     /// Numbers of a column; NaN where a cell is empty.
     fn column(&self, name: &str) -> Vec<f64> {
         let index = self.index(name);
@@ -309,7 +316,17 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
             Some(Table::read(&folder.join("../map"), "map.csv").column("loss_w"))
         }
         // Signed: where the loss falls, the bars are left of zero.
-        ("changed/sensitivity.html", _) => Some(table("sensitivity.csv").column("difference_w")),
+        ("changed/sensitivity.html", chart) => {
+            let groups: &[&str] = match chart {
+                "uncertain" => &["boundary layer", "filters"],
+                _ => &["flanks", "oil", "gears"],
+            };
+            Some(
+                table("sensitivity.csv")
+                    .of("group", groups)
+                    .column("difference_w"),
+            )
+        }
         ("pressed/ridges.html", "ridges") => Some(table("ridges.csv").column("mean_gradient_w")),
         ("pressed/ridges.html", "octaves") => {
             let octaves = table("octaves.csv");

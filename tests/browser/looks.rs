@@ -164,8 +164,8 @@ fn curves_are_rendered_in_their_colours_in_light_and_dark() {
     let rendered = [
         ("report, helical", 9000, true),
         ("report, helical", 9000, false),
-        ("found/calibration.html", 3200, true),
-        ("driven/cycle.html", 1600, false),
+        ("found/calibration.html", 7000, true),
+        ("driven/cycle.html", 3200, false),
         ("figures", 5400, false),
     ];
     for (name, height, is_dark) in rendered {
