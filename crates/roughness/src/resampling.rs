@@ -8,7 +8,7 @@
 //! | M | points on either side of a place | - |
 //! | β | steepness of the window | - |
 //!
-//! Source of the window: Kaiser (1974). A profile that λs has filtered has no waves near its Nyquist wavelength 2δ if δ is a small share
+//! Source of the window: Kaiser 1974. A profile that λs has filtered has no waves near its Nyquist wavelength 2δ if δ is a small share
 //! of λs: heights between its points then follow from the heights of the points.
 
 use std::f64::consts::PI;

@@ -24,7 +24,7 @@ use rustfft::num_traits::Zero;
 use rustfft::{Fft, FftNum, FftPlanner};
 
 use super::index_ranges::Run;
-use super::vector_lanes::vectorised;
+use super::vectorised;
 
 /// A filter of real signals whose kernel is even, so that its symbol is real.
 pub(crate) struct EvenFilter<T: FftNum = f64> {
