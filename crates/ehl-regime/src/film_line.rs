@@ -206,7 +206,7 @@ pub fn moes_of_each<const N: usize>([material, speed, load, radius]: [[f64; N]; 
     )
 }
 
-/// h_c of G, U, W and R, in logarithms: a load share asks for thousands of films of touching asperities, and powers cost most of it.
+/// h_c of G, U, W and R, in logarithms: a load share requires thousands of films of touching asperities, and powers would cost most of it.
 #[inline(always)]
 fn film_of_moes([g, u, w, r]: [f64; 4]) -> f64 {
     let u_sum = 2.0 * u;

@@ -350,7 +350,7 @@ impl FilmRheology {
         c.conductivity.si() * (1.0 + rise)
     }
 
-    /// ln η(p, T) under Barus' law with f times the pressure-viscosity coefficient, and its slope over temperature, from those of η₀.
+    /// ln η(p, T) under Barus' law with f times the pressure-viscosity coefficient, and its slope over temperature, from ln η₀ and its slope.
     #[inline(always)]
     fn barus(&self, [log, slope]: [f64; 2], pressure: f64) -> [f64; 2] {
         let t = self.constants.gold_exponent;

@@ -17,7 +17,7 @@ use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile, cite};
 
-/// M: with [`STEEPNESS`] waves of at least 2.7 spacings are kept to 2e-4 of their amplitude.
+/// M: with [`STEEPNESS`] waves of at least 2.7 spacings have their heights within 2e-4 of their amplitude.
 const REACH: usize = 12;
 /// β: side lobes of the window 80 dB below its middle.
 const STEEPNESS: f64 = 8.0;

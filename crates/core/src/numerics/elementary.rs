@@ -78,7 +78,7 @@ pub fn ln(x: f64) -> f64 {
         0.0,
         0.0,
     ];
-    /// Bits of √½, and of 1 less those: the exponent bits of their sum with x are those of 2ⁿ.
+    /// Bits of √½, and of 1 less √½: the sum of x with the second has the exponent bits of 2ⁿ.
     const ROOT: u64 = 0x3fe6_a09e_667f_3bcd;
     const TO_EXPONENT: u64 = 0x3ff0_0000_0000_0000 - ROOT;
     const MANTISSA: u64 = 0x000f_ffff_ffff_ffff;

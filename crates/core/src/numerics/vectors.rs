@@ -1,6 +1,6 @@
 //! Loops compiled for the widest vectors of the machine.
 
-/// Runs a loop compiled for the widest vectors of the machine, or, without the feature `simd`, for those of every machine.
+/// Runs a loop compiled for the widest vectors of the machine, or, without the feature `simd`, for the vectors of every machine.
 /// The result is the same on every machine: the order of the operations does not change. What the loop calls must be inlined into it.
 #[inline(always)]
 pub fn vectorised<R>(pass: impl FnOnce() -> R) -> R {
