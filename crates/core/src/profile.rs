@@ -20,7 +20,7 @@ use crate::quantity::Length;
 #[serde(try_from = "RawProfile")]
 pub struct Profile {
     spacing: Length,
-    /// Copies share them: a trace is kept as read, as evaluated, and in a result.
+    /// Copies share them: a trace is in its reading, its evaluation, and a result.
     #[serde(serialize_with = "listed")]
     heights: Arc<Vec<f64>>,
 }

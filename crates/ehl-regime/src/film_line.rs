@@ -14,6 +14,8 @@
 //! tables of cases were not available, so no range of G, U, W is checked here. Outside this regime compare with
 //! Moes' form, which has the right limits.
 
+use asperity_core::numerics::elementary::{exp, ln};
+use asperity_core::numerics::vectorised;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, cite};
 
@@ -174,19 +176,50 @@ pub fn moes(groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> 
     cite!("Moes");
     let (g, u, w) = checked(groups)?;
     let r = DomainError::positive("radius", radius)?;
+    Ok(Length::from_si(film_of_moes([g, u, w, r])))
+}
+
+/// [`moes`] of many contacts at once, in lanes of one vector: material, speed and load number, and radius \[m\]. Inputs are not checked: a
+/// film is positive and finite only if they are.
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_ehl_regime::{FilmGroups, film_line::{moes, moes_of_each}};
+/// let groups = FilmGroups { material: 4615.38, speed: 1.6599e-10, load: 4.22675e-5 };
+/// let film = moes(&groups, Length::from_si(11.6269e-3))?;
+/// let each = moes_of_each([[4615.38; 4], [1.6599e-10; 4], [4.22675e-5; 4], [11.6269e-3; 4]]);
+/// assert_eq!(each, [film.si(); 4]);
+/// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+/// ```
+#[must_use]
+pub fn moes_of_each<const N: usize>([material, speed, load, radius]: [[f64; N]; 4]) -> [f64; N] {
+    cite!("Moes");
+    vectorised(
+        #[inline(always)]
+        || {
+            let mut films = [0.0; N];
+            for k in 0..N {
+                films[k] = film_of_moes([material[k], speed[k], load[k], radius[k]]);
+            }
+            films
+        },
+    )
+}
+
+/// h_c of G, U, W and R, in logarithms: a load share requires thousands of films of touching asperities, and powers would cost most of it.
+#[inline(always)]
+fn film_of_moes([g, u, w, r]: [f64; 4]) -> f64 {
     let u_sum = 2.0 * u;
-    // In logarithms: a load share asks for thousands of films of touching asperities, and powers cost most of it.
-    let (m, l) = ((w / u_sum.sqrt()).ln(), (g * u_sum.sqrt().sqrt()).ln());
+    let (m, l) = (ln(w / u_sum.sqrt()), ln(g * u_sum.sqrt().sqrt()));
     let asymptote =
         |(factor, load, material): (f64, f64, f64)| factor.ln() + load * m + material * l;
     let h_ri = asymptote(RIGID_ISOVISCOUS);
     let h_ei = asymptote(ELASTIC_ISOVISCOUS);
     let h_rp = asymptote(RIGID_PIEZOVISCOUS);
     let h_ep = asymptote(ELASTIC_PIEZOVISCOUS);
-    let s = (7.0 + 8.0 * (-2.0 * (h_ei - h_ri).exp()).exp()) / 5.0;
-    let isoviscous = (7.0 / 3.0 * h_ri).exp() + (7.0 / 3.0 * h_ei).exp();
-    let piezoviscous = (-3.5 * h_rp).exp() + (-3.5 * h_ep).exp();
-    let sum = (3.0 * s / 7.0 * isoviscous.ln()).exp() + (-2.0 * s / 7.0 * piezoviscous.ln()).exp();
-    let film = (sum.ln() / s).exp();
-    Ok(Length::from_si(film * u_sum.sqrt() * r))
+    let s = (7.0 + 8.0 * exp(-2.0 * exp(h_ei - h_ri))) / 5.0;
+    let isoviscous = exp(7.0 / 3.0 * h_ri) + exp(7.0 / 3.0 * h_ei);
+    let piezoviscous = exp(-3.5 * h_rp) + exp(-3.5 * h_ep);
+    let sum = exp(3.0 * s / 7.0 * ln(isoviscous)) + exp(-2.0 * s / 7.0 * ln(piezoviscous));
+    exp(ln(sum) / s) * u_sum.sqrt() * r
 }

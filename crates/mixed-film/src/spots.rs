@@ -17,8 +17,8 @@ use std::f64::consts::PI;
 use asperity_core::cite;
 use asperity_core::quantity::{Length, Temperature};
 use asperity_ehl_regime::FilmGroups;
-use asperity_ehl_regime::film_line::moes;
-use asperity_oil::{FilmOilState, FilmRheology};
+use asperity_ehl_regime::film_line::{moes, moes_of_each};
+use asperity_oil::{FilmOilState, FilmPoint, FilmRheology, LANES};
 use asperity_tribo_friction::boundary::boundary_share;
 
 use crate::error::LoadShareError;
@@ -86,6 +86,40 @@ struct SpotFilm {
     film: f64,
     /// Share of its load on the boundary layer.
     boundary_share: f64,
+    /// Mean pressure of the spot \[Pa\].
+    pressure: f64,
+}
+
+impl SpotFilm {
+    const NONE: Self = Self {
+        part: 0.0,
+        film: 0.0,
+        boundary_share: 0.0,
+        pressure: 0.0,
+    };
+}
+
+/// The Hertz contact that a spot is part of.
+#[derive(Debug, Clone, Copy)]
+struct Contact {
+    /// Load \[N/m\].
+    load: f64,
+    /// Width \[m\].
+    width: f64,
+}
+
+impl Contact {
+    fn of(spot: &Spot) -> Self {
+        Self {
+            load: spot.joint_load.si(),
+            width: spot.width.si(),
+        }
+    }
+
+    /// Mean pressure \[Pa\].
+    fn pressure(self) -> f64 {
+        self.load / self.width
+    }
 }
 
 /// Part of its way through the contact in which a spot is one that formed in the inlet.
@@ -170,11 +204,13 @@ impl SpotConditions<'_> {
         cite!("Larsson-Andersson");
         let state = self.rheology.state(self.wall)?;
         let (mut total, mut sum) = (0.0, SpotFriction::default());
-        for (spot, stress) in spots.iter().zip(stresses) {
-            let f = spot.load.si();
-            let contact = [spot.joint_load.si(), spot.width.si()];
-            sum.add(&self.of_spot(&state, contact, stress)?, f);
-            total += f;
+        for (spots, stresses) in spots.chunks(LANES).zip(stresses.chunks_mut(LANES)) {
+            let contacts = spots.iter().map(Contact::of);
+            for (spot, of_spot) in spots.iter().zip(self.of_each(&state, contacts, stresses)?) {
+                let f = spot.load.si();
+                sum.add(&of_spot, f);
+                total += f;
+            }
         }
         let mut mean = SpotFriction::default();
         if total > 0.0 {
@@ -189,9 +225,10 @@ impl SpotConditions<'_> {
     /// When a spot has no film.
     pub(crate) fn limits_shear_rate(&self, spots: &[Spot]) -> Result<bool, LoadShareError> {
         let state = self.rheology.state(self.wall)?;
-        for spot in spots {
-            let films = self.films(&state, [spot.joint_load.si(), spot.width.si()])?;
-            if films.iter().any(|at| at.part > 0.0 && at.film < THINNEST) {
+        for spots in spots.chunks(LANES) {
+            let films = self.films_of_each(&state, spots.iter().map(Contact::of))?;
+            let mut films = films[..spots.len()].iter().flatten();
+            if films.any(|at| at.part > 0.0 && at.film < THINNEST) {
                 return Ok(true);
             }
         }
@@ -219,57 +256,80 @@ impl SpotConditions<'_> {
         let total: f64 = spots.iter().map(|spot| spot.load.si()).sum();
         let mut stresses = vec![SpotStresses::default(); spots.len()];
         let mean = self.friction_from(spots, &mut stresses)?.total(boundary);
-        let slopes = |(spot, mut stress): (&Spot, SpotStresses)| {
-            let mut at = |f: f64, b: f64| -> Result<f64, LoadShareError> {
-                let of_spot = self.of_spot(&state, [f, b], &mut stress)?;
-                Ok(of_spot.total(boundary))
-            };
+        let slopes = |(spot, stress): (&Spot, SpotStresses)| {
             let (f, h) = (spot.load.si(), SLOPE_STEP);
-            let (joint, b) = (spot.joint_load.si(), spot.width.si());
-            let by_joint_load = (at(joint * (1.0 + h), b)? - at(joint * (1.0 - h), b)?) / joint;
-            let by_width = (at(joint, b * (1.0 + h))? - at(joint, b * (1.0 - h))?) / b;
+            let Contact { load, width } = Contact::of(spot);
+            let steps = [
+                (1.0, 1.0),
+                (1.0 + h, 1.0),
+                (1.0 - h, 1.0),
+                (1.0, 1.0 + h),
+                (1.0, 1.0 - h),
+            ];
+            let contacts = steps.into_iter().map(|(of_load, of_width)| Contact {
+                load: load * of_load,
+                width: width * of_width,
+            });
+            let found = self.of_each(&state, contacts, &mut [stress; 5])?;
+            let [here, more, less, wider, narrower, ..] =
+                found.map(|of_spot| of_spot.total(boundary));
+            let by_joint_load = (more - less) / load;
+            let by_width = (wider - narrower) / width;
             let of_contact = [by_joint_load, by_width].map(|slope| f * slope / (2.0 * h * total));
-            let by_load = (at(joint, b)? - mean) / total;
-            Ok([by_load, of_contact[0], of_contact[1]])
+            Ok([(here - mean) / total, of_contact[0], of_contact[1]])
         };
         spots.iter().zip(stresses).map(slopes).collect()
     }
 
-    /// Friction and film of a contact with load and width `[f, b]`. `stresses` holds the shear stresses of its films at a nearby
-    /// state, if known, and the solution afterwards.
-    fn of_spot(
+    /// Friction and film of up to [`LANES`] contacts. `stresses` holds the shear stresses of their films at a nearby state, if known, and
+    /// the solution afterwards.
+    fn of_each(
         &self,
         state: &FilmOilState,
-        [f, b]: [f64; 2],
-        stresses: &mut SpotStresses,
-    ) -> Result<SpotFriction, LoadShareError> {
-        let pressure = f / b;
-        let mut sum = SpotFriction::default();
-        for (at, stress) in self.films(state, [f, b])?.iter().zip(stresses) {
-            if at.part == 0.0 {
-                continue;
+        contacts: impl Iterator<Item = Contact> + Clone,
+        stresses: &mut [SpotStresses],
+    ) -> Result<[SpotFriction; LANES], LoadShareError> {
+        let films = self.films_of_each(state, contacts.clone())?;
+        let mut found = [SpotFriction::default(); LANES];
+        let wall = self.wall.si();
+        for which in [0, 1] {
+            // The contacts that have this film.
+            let (mut sheared, mut count) = ([0; LANES], 0);
+            let mut points = [(FilmPoint::REST, None); LANES];
+            for (k, contact) in contacts.clone().enumerate() {
+                let at = &films[k][which];
+                if at.part > 0.0 {
+                    let film = at.film.max(THINNEST);
+                    let point = self
+                        .rheology
+                        .film_point(contact.pressure(), self.sliding, film);
+                    let start = stresses[k][which];
+                    let start = start.map(|near| near.stress + near.slope * (wall - near.wall));
+                    (sheared[count], points[count]) = (k, (point, start));
+                    count += 1;
+                }
             }
-            let rheology = self.rheology;
-            let point = rheology.film_point(pressure, self.sliding, at.film.max(THINNEST));
-            let wall = self.wall.si();
-            let start = stress.map(|near| near.stress + near.slope * (wall - near.wall));
-            let (sheared, slope) = rheology.heated_stress(&point, wall, start)?;
-            *stress = Some(SpotStress {
-                wall,
-                stress: sheared.value,
-                slope,
-            });
-            let of_film = SpotFriction {
-                boundary_share: at.boundary_share,
-                lubricated: (1.0 - at.boundary_share) * sheared.value / pressure,
-                film: at.film,
-            };
-            sum.add(&of_film, at.part);
+            let points = points[..count].iter().copied();
+            let solved = self.rheology.heated_stresses(points, wall)?;
+            for (k, [stress, slope]) in sheared[..count].iter().copied().zip(solved) {
+                stresses[k][which] = Some(SpotStress {
+                    wall,
+                    stress,
+                    slope,
+                });
+                let at = &films[k][which];
+                let of_film = SpotFriction {
+                    boundary_share: at.boundary_share,
+                    lubricated: (1.0 - at.boundary_share) * stress / at.pressure,
+                    film: at.film,
+                };
+                found[k].add(&of_film, at.part);
+            }
         }
-        Ok(sum)
+        Ok(found)
     }
 
-    /// The films of a contact with load and width.
+    /// The films of up to [`LANES`] contacts.
     ///
     /// ```text
     /// β = k β(h(u_m)) + (1 − k) max(β_i, β(h(|u₁ − u₂|/2))),  β(h) = 1/(1 + h/h_b)            [Carried-film]
@@ -278,21 +338,13 @@ impl SpotConditions<'_> {
     /// A spot that forms inside the contact is surrounded by oil under its pressure. Sliding holds this oil at the stress where
     /// τ/τ₀ is large, and for flow along the motion Eyring's viscosity η/cosh(τ/τ₀) is there τ₀ h/V, whatever η is: the
     /// film that flows in is below a nanometre. β_i is what its roughness holds above the boundary layer.
-    fn films(
+    fn films_of_each(
         &self,
         state: &FilmOilState,
-        contact: [f64; 2],
-    ) -> Result<[SpotFilm; 2], LoadShareError> {
-        let with_film = |part: f64, film: f64| -> Result<SpotFilm, LoadShareError> {
-            let share = boundary_share(Length::from_si(film), self.boundary_layer)?;
-            let boundary_share = share.clamp(0.0, 1.0);
-            Ok(SpotFilm {
-                part,
-                film,
-                boundary_share,
-            })
-        };
-        let (speed, inner) = match self.feed {
+        contacts: impl Iterator<Item = Contact> + Clone,
+    ) -> Result<[[SpotFilm; 2]; LANES], LoadShareError> {
+        let mut films = [[SpotFilm::NONE; 2]; LANES];
+        let (entrainment, inner) = match self.feed {
             Feed::At(speed) => (speed, None),
             Feed::Carried {
                 entrainment,
@@ -300,45 +352,101 @@ impl SpotConditions<'_> {
                 half_width,
                 inner_boundary,
             } => {
-                let part = carried_part(entrainment, self.sliding, half_width, contact[1]);
-                (entrainment, Some((part, half_sliding, inner_boundary)))
+                // Without a boundary layer nothing is left of the share on it.
+                let held = match self.boundary_layer.si() {
+                    layer if layer > 0.0 => layer * (1.0 / inner_boundary - 1.0),
+                    _ => f64::INFINITY,
+                };
+                (entrainment, Some((half_sliding, half_width, held)))
             }
         };
-        let film = self.film(state, contact, speed)?;
-        let Some((part, half_sliding, inner_boundary)) = inner.filter(|(part, ..)| *part < 1.0)
-        else {
-            return Ok([with_film(1.0, film)?, with_film(0.0, film)?]);
+        let flowing = self.flowing(state, contacts.clone(), entrainment)?;
+        let Some((half_sliding, half_width, held)) = inner else {
+            for ((of_spot, contact), film) in films.iter_mut().zip(contacts).zip(flowing) {
+                of_spot[0] = self.with_film(1.0, film, contact)?;
+            }
+            return Ok(films);
         };
-        cite!("Carried-film");
-        // Without a boundary layer nothing is left of the share on it.
-        let held = match self.boundary_layer.si() {
-            layer if layer > 0.0 => layer * (1.0 / inner_boundary - 1.0),
-            _ => f64::INFINITY,
-        };
+        let part =
+            |contact: &Contact| carried_part(entrainment, self.sliding, half_width, contact.width);
         // A film rises with its speed, at most in proportion.
-        let least_flowing = film * (half_sliding / speed).min(1.0);
-        let held = match held < least_flowing {
-            true => held,
-            false => held.min(self.film(state, contact, half_sliding)?),
+        let may_be_thinner = |film: f64| held >= film * (half_sliding / entrainment).min(1.0);
+        let mut of_each = contacts.clone().zip(flowing);
+        let slow = match of_each.any(|(contact, film)| part(&contact) < 1.0 && may_be_thinner(film))
+        {
+            true => self.flowing(state, contacts.clone(), half_sliding)?,
+            false => [f64::INFINITY; LANES],
         };
-        Ok([with_film(part, film)?, with_film(1.0 - part, held)?])
+        for (k, contact) in contacts.enumerate() {
+            let (part, film) = (part(&contact), flowing[k]);
+            if part < 1.0 {
+                cite!("Carried-film");
+                let held = if may_be_thinner(film) {
+                    held.min(slow[k])
+                } else {
+                    held
+                };
+                films[k][1] = self.with_film(1.0 - part, held, contact)?;
+            }
+            films[k][0] = self.with_film(part, film, contact)?;
+        }
+        Ok(films)
     }
 
-    /// Film \[m\] of a contact with load and width `[f, b]`, fed at a speed.
-    fn film(
+    fn with_film(
+        &self,
+        part: f64,
+        film: f64,
+        contact: Contact,
+    ) -> Result<SpotFilm, LoadShareError> {
+        let share = boundary_share(Length::from_si(film), self.boundary_layer)?;
+        Ok(SpotFilm {
+            part,
+            film,
+            boundary_share: share.clamp(0.0, 1.0),
+            pressure: contact.pressure(),
+        })
+    }
+
+    /// Films \[m\] of up to [`LANES`] contacts, fed at a speed.
+    fn flowing(
         &self,
         state: &FilmOilState,
-        [f, b]: [f64; 2],
+        contacts: impl Iterator<Item = Contact> + Clone,
         speed: f64,
-    ) -> Result<f64, LoadShareError> {
+    ) -> Result<[f64; LANES], LoadShareError> {
         let modulus = 2.0 * self.modulus;
-        let radius = PI * self.modulus * 0.25 * b * b / (4.0 * f);
-        let groups = FilmGroups {
-            material: state.pressure_viscosity.si() * modulus,
-            speed: state.viscosity.si() * speed / (modulus * radius),
-            load: f / (modulus * radius),
+        let groups_of = |contact: Contact| {
+            let Contact { load, width } = contact;
+            let radius = PI * self.modulus * 0.25 * width * width / (4.0 * load);
+            let groups = FilmGroups {
+                material: state.pressure_viscosity.si() * modulus,
+                speed: state.viscosity.si() * speed / (modulus * radius),
+                load: load / (modulus * radius),
+            };
+            (groups, radius)
         };
-        Ok(moes(&groups, Length::from_si(radius))?.si())
+        let mut inputs = [[1.0; LANES]; 4];
+        for (k, contact) in contacts.clone().enumerate() {
+            let (of_contact, radius) = groups_of(contact);
+            let FilmGroups {
+                material,
+                speed,
+                load,
+            } = of_contact;
+            for (lanes, value) in inputs.iter_mut().zip([material, speed, load, radius]) {
+                lanes[k] = value;
+            }
+        }
+        let films = moes_of_each(inputs);
+        for (contact, film) in contacts.zip(films) {
+            if !(film.is_finite() && film > 0.0) {
+                // It names what is wrong.
+                let (groups, radius) = groups_of(contact);
+                moes(&groups, Length::from_si(radius))?;
+            }
+        }
+        Ok(films)
     }
 }
 

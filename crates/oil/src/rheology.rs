@@ -21,7 +21,8 @@
 use std::sync::Arc;
 
 use asperity_core::cite;
-use asperity_core::numerics::{Solved, newton_root};
+use asperity_core::numerics::elementary::{arsinh, exp};
+use asperity_core::numerics::{Solved, newton_root, vectorised};
 use asperity_core::quantity::{
     DynamicViscosity, Length, PerKelvin, Pressure, PressureViscosity, Speed, Temperature,
     ThermalConductivity,
@@ -32,8 +33,9 @@ use serde::Serialize;
 use crate::viscosity_pressure::{ROELANDS_LOG, ROELANDS_PER_PASCAL, roelands_growth};
 use crate::viscosity_table::ViscosityTable;
 use crate::{
-    BaseOil, CarreauConstants, LARGEST_BARUS_EXPONENT, Lubricant, LubricantError, PressureLaw,
-    ShearLawName, TractionConstants, gold_pressure_viscosity, limited_stress_by,
+    BaseOil, CarreauConstants, LARGEST_BARUS_EXPONENT, LIMIT_POWER, Lubricant, LubricantError,
+    PressureLaw, ShearLawName, TractionConstants, gold_pressure_viscosity, limited_stress,
+    limited_stress_by,
 };
 
 /// Temperature at which Gold's formula gives α, 80 °C.
@@ -46,8 +48,14 @@ const FILM_MEAN: f64 = 1.0 / 12.0;
 const STRESS_TOLERANCE: f64 = 1e-6;
 /// Largest stress that a start is taken to be near to, over the start.
 const START_REACH: f64 = 2.0;
-/// Above this ln(η γ̇/τ₀) the hyperbolic sine is its exponential to 3e-11 of the stress.
-const STEEP: f64 = 12.0;
+/// ln(η γ̇/τ₀) above which arsinh is a logarithm to the last digit.
+const STEEP: f64 = 300.0;
+/// Points whose stresses are solved at a time.
+pub const LANES: usize = 8;
+/// Highest stress over the unheated one, with its rounding.
+const ROUNDED: f64 = 1.0 + 1e-9;
+/// Steps after which points that are solved together have converged, or are solved each by itself within its bracket.
+const STEPS_TOGETHER: usize = 8;
 
 /// Shear behaviour of one oil: viscosity over temperature, pressure law, shear law, limit.
 ///
@@ -304,9 +312,10 @@ impl FilmRheology {
         })
     }
 
+    #[inline(always)]
     fn alpha(&self, log_viscosity: f64) -> f64 {
         let t = self.constants.gold_exponent;
-        self.alpha_reference * (t * (log_viscosity - self.log_reference)).exp()
+        self.alpha_reference * exp(t * (log_viscosity - self.log_reference))
     }
 
     /// The point of a film at a pressure \[Pa\], a sliding speed \[m/s\] and a film thickness \[m\].
@@ -341,50 +350,50 @@ impl FilmRheology {
         c.conductivity.si() * (1.0 + rise)
     }
 
-    /// ln η(p, T) with f times the pressure-viscosity coefficient, and its slope over temperature.
-    fn log_viscosity(&self, point: &FilmPoint, temperature: f64) -> [f64; 2] {
-        let [log, slope] = self.viscosity.at(temperature);
-        match self.pressure {
-            PressureLaw::Barus => {
-                let factor = self.constants.pressure_viscosity_factor;
-                let exponent = factor * self.alpha(log) * point.pressure;
-                if exponent < LARGEST_BARUS_EXPONENT {
-                    let t = self.constants.gold_exponent;
-                    [log + exponent, slope * (1.0 + t * exponent)]
-                } else {
-                    [log + LARGEST_BARUS_EXPONENT, slope]
-                }
-            }
-            PressureLaw::Roelands => {
-                let rise = (log + ROELANDS_LOG) * point.roelands_growth;
-                if rise < LARGEST_ROELANDS {
-                    [log + rise, slope * (1.0 + point.roelands_growth)]
-                } else {
-                    [log + LARGEST_ROELANDS, slope]
-                }
-            }
-        }
+    /// ln η(p, T) under Barus' law with f times the pressure-viscosity coefficient, and its slope over temperature, from ln η₀ and its slope.
+    #[inline(always)]
+    fn barus(&self, [log, slope]: [f64; 2], pressure: f64) -> [f64; 2] {
+        let t = self.constants.gold_exponent;
+        let exponent = self.constants.pressure_viscosity_factor * self.alpha(log) * pressure;
+        let is_held = exponent >= LARGEST_BARUS_EXPONENT;
+        let steepness = if is_held { 1.0 } else { 1.0 + t * exponent };
+        let held = exponent.min(LARGEST_BARUS_EXPONENT);
+        [log + held, slope * steepness]
+    }
+
+    /// The same under Roelands' law, by the growth of its exponent.
+    #[inline(always)]
+    fn roelands([log, slope]: [f64; 2], growth: f64) -> [f64; 2] {
+        let rise = (log + ROELANDS_LOG) * growth;
+        let is_held = rise >= LARGEST_ROELANDS;
+        let steepness = if is_held { 1.0 } else { 1.0 + growth };
+        [log + rise.min(LARGEST_ROELANDS), slope * steepness]
+    }
+
+    /// Eyring's τ_E and its slope over temperature, from ln(η γ̇) and its slope.
+    #[inline(always)]
+    fn eyring(&self, newton: f64, slope: f64) -> [f64; 2] {
+        let tau_0 = self.constants.eyring_stress.si();
+        let ratio = newton - self.log_eyring_stress;
+        // Beyond it the hyperbolic sine is its exponential, whose square would overflow.
+        let held = ratio.min(STEEP);
+        let x = exp(held);
+        let root = (1.0 + x * x).sqrt();
+        [
+            tau_0 * (arsinh(x, root) + (ratio - held)),
+            tau_0 * slope * x / root,
+        ]
     }
 
     /// τ_E and its slope over temperature, from logarithms: η under pressure overflows before its logarithm does.
-    fn unlimited(&self, log_viscosity: [f64; 2], log_rate: f64) -> [f64; 2] {
-        let [log, slope] = log_viscosity;
+    fn unlimited(&self, [log, slope]: [f64; 2], log_rate: f64) -> [f64; 2] {
         let newton = log + log_rate;
         match self.shear {
             ShearLawName::Newton => {
                 let stress = newton.exp();
                 [stress, stress * slope]
             }
-            ShearLawName::Eyring => {
-                let tau_0 = self.constants.eyring_stress.si();
-                let ratio = newton - self.log_eyring_stress;
-                if ratio > STEEP {
-                    return [tau_0 * (ratio + std::f64::consts::LN_2), tau_0 * slope];
-                }
-                let x = ratio.exp();
-                let root = (1.0 + x * x).sqrt();
-                [tau_0 * arsinh(x, root), tau_0 * slope * x / root]
-            }
+            ShearLawName::Eyring => self.eyring(newton, slope),
             ShearLawName::Carreau => {
                 let CarreauConstants {
                     critical_stress,
@@ -409,15 +418,21 @@ impl FilmRheology {
     ///
     /// τ = τ_E (1 + (τ_E/τ_L)^m)^(−1/m)                                     `[Limiting-shear]`
     fn stress(&self, point: &FilmPoint, temperature: f64) -> [f64; 2] {
-        let free = self.unlimited(self.log_viscosity(point, temperature), point.log_rate);
-        let limit = self.limit(point, temperature);
+        let at_ambient = self.viscosity.at(temperature);
+        let log = match self.pressure {
+            PressureLaw::Barus => self.barus(at_ambient, point.pressure),
+            PressureLaw::Roelands => Self::roelands(at_ambient, point.roelands_growth),
+        };
+        let free = self.unlimited(log, point.log_rate);
+        let limit = self.limit(point.pressure, temperature);
         limited_stress_by(self.constants.limit_power, free, limit)
     }
 
     /// τ_L = τ_L0 + Λ exp(−b_L (T − 363.15)) p, and its slope over temperature.
-    fn limit(&self, point: &FilmPoint, temperature: f64) -> [f64; 2] {
+    #[inline(always)]
+    fn limit(&self, pressure: f64, temperature: f64) -> [f64; 2] {
         let c = &self.constants;
-        let proportional = c.limiting_shear_near(temperature) * point.pressure;
+        let proportional = c.limiting_shear_near(temperature) * pressure;
         let fall = c.limiting_shear_fall.si();
         [c.ambient_limit.si() + proportional, -fall * proportional]
     }
@@ -425,7 +440,7 @@ impl FilmRheology {
     /// τ_L at a mean temperature of the film \[Pa\].
     #[must_use]
     pub fn limiting_stress(&self, point: &FilmPoint, temperature: f64) -> f64 {
-        self.limit(point, temperature)[0]
+        self.limit(point.pressure, temperature)[0]
     }
 
     /// Shear stress of a film with its own heat, between walls of a given temperature.
@@ -539,15 +554,164 @@ impl FilmRheology {
         let solved = solved.map_err(LubricantError::heated_stress)?;
         Ok((solved, slope / (1.0 - point.heating * slope)))
     }
+
+    /// [`heated_stress`](Self::heated_stress) of up to [`LANES`] points with their starts, and the slopes: in lanes of one vector where
+    /// the laws are Eyring's with the usual limit, otherwise each by itself.
+    ///
+    /// # Errors
+    /// As [`heated_stress`](Self::heated_stress).
+    pub fn heated_stresses(
+        &self,
+        points: impl Iterator<Item = (FilmPoint, Option<f64>)>,
+        wall_temperature: f64,
+    ) -> Result<[[f64; 2]; LANES], LubricantError> {
+        let mut lanes = Lanes::default();
+        let mut each = [(FilmPoint::REST, None); LANES];
+        let mut count = 0;
+        for (place, point) in each.iter_mut().zip(points) {
+            *place = point;
+            count += 1;
+        }
+        let is_usual = self.shear == ShearLawName::Eyring
+            && self.constants.limit_power == LIMIT_POWER
+            && self.constants.limiting_shear_fall.si() >= 0.0;
+        let is_sheared = |(point, _): &(FilmPoint, Option<f64>)| {
+            point.log_rate > f64::NEG_INFINITY && point.heating > 0.0
+        };
+        if is_usual && count > 0 && each[..count].iter().all(is_sheared) {
+            cite!("Film-heat");
+            for k in 0..LANES {
+                // The first point fills the lanes that are left.
+                let (point, start) = each[if k < count { k } else { 0 }];
+                lanes.pressure[k] = point.pressure;
+                lanes.growth[k] = point.roelands_growth;
+                lanes.log_rate[k] = point.log_rate;
+                lanes.heating[k] = point.heating;
+                lanes.start[k] = start.unwrap_or(0.0);
+            }
+            let found = self.together(&lanes, wall_temperature).or_else(|| {
+                // A start was too far off.
+                lanes.start = [0.0; LANES];
+                self.together(&lanes, wall_temperature)
+            });
+            if let Some(found) = found {
+                return Ok(found);
+            }
+        }
+        let mut found = [[0.0; 2]; LANES];
+        for (found, (point, start)) in found.iter_mut().zip(&each[..count]) {
+            let (stress, slope) = self.heated_stress(point, wall_temperature, *start)?;
+            *found = [stress.value, slope];
+        }
+        Ok(found)
+    }
+
+    /// Stresses and slopes of all lanes; `None` where one leaves its bracket, which bisection would not.
+    fn together(&self, lanes: &Lanes, wall: f64) -> Option<[[f64; 2]; LANES]> {
+        vectorised(
+            #[inline(always)]
+            || match self.pressure {
+                PressureLaw::Barus => {
+                    let log = |at_ambient, pressure, _| self.barus(at_ambient, pressure);
+                    self.newton(lanes, wall, log)
+                }
+                PressureLaw::Roelands => {
+                    let log = |at_ambient, _, growth| Self::roelands(at_ambient, growth);
+                    self.newton(lanes, wall, log)
+                }
+            },
+        )
+    }
+
+    /// Newton's method until the last lane has converged.
+    #[inline(always)]
+    fn newton(
+        &self,
+        lanes: &Lanes,
+        wall: f64,
+        log: impl Fn([f64; 2], f64, f64) -> [f64; 2],
+    ) -> Option<[[f64; 2]; LANES]> {
+        let mut tau = lanes.start;
+        let mut highest = [0.0; LANES];
+        for k in 0..LANES {
+            highest[k] = START_REACH * tau[k];
+        }
+        if lanes.start.iter().any(|start| *start <= 0.0) {
+            // One Newton step from the unheated stress, which is the highest.
+            let (cold, slope) = self.stresses(lanes, &[wall; LANES], &log);
+            for k in 0..LANES {
+                let is_new = lanes.start[k] <= 0.0;
+                let first = cold[k] / (1.0 - lanes.heating[k] * slope[k]);
+                tau[k] = if is_new { first } else { tau[k] };
+                highest[k] = if is_new {
+                    ROUNDED * cold[k]
+                } else {
+                    highest[k]
+                };
+            }
+        }
+        for _ in 0..STEPS_TOGETHER {
+            let mut temperature = [0.0; LANES];
+            for k in 0..LANES {
+                temperature[k] = wall + lanes.heating[k] * tau[k];
+            }
+            let (law, falls) = self.stresses(lanes, &temperature, &log);
+            let (mut is_outside, mut is_far) = (0_u64, 0_u64);
+            let mut slope = [0.0; LANES];
+            for k in 0..LANES {
+                let steepness = 1.0 - lanes.heating[k] * falls[k];
+                let step = (tau[k] - law[k]) / steepness;
+                let next = tau[k] - step;
+                is_outside |= u64::from(!(next > 0.0 && next <= highest[k]));
+                is_far |= u64::from(step.abs() > STRESS_TOLERANCE * next);
+                tau[k] = next;
+                slope[k] = falls[k] / steepness;
+            }
+            if is_outside != 0 {
+                return None;
+            }
+            if is_far == 0 {
+                return Some(std::array::from_fn(|k| [tau[k], slope[k]]));
+            }
+        }
+        None
+    }
+
+    /// τ and dτ/dT of all lanes, of Eyring's law below the usual limit. Only the table of η₀ is read lane by lane.
+    #[inline(always)]
+    fn stresses(
+        &self,
+        lanes: &Lanes,
+        temperature: &[f64; LANES],
+        log_viscosity: impl Fn([f64; 2], f64, f64) -> [f64; 2],
+    ) -> ([f64; LANES], [f64; LANES]) {
+        let (mut log, mut slope) = ([0.0; LANES], [0.0; LANES]);
+        for k in 0..LANES {
+            [log[k], slope[k]] = self.viscosity.at(temperature[k]);
+        }
+        let (mut stress, mut by_temperature) = ([0.0; LANES], [0.0; LANES]);
+        for k in 0..LANES {
+            let at_ambient = [log[k], slope[k]];
+            let [log, slope] = log_viscosity(at_ambient, lanes.pressure[k], lanes.growth[k]);
+            let free = self.eyring(log + lanes.log_rate[k], slope);
+            let limit = self.limit(lanes.pressure[k], temperature[k]);
+            let [value, falls] = limited_stress(free, limit);
+            stress[k] = value;
+            by_temperature[k] = falls;
+        }
+        (stress, by_temperature)
+    }
 }
 
-/// arsinh x of an x from 0 to 10¹⁰⁰, from `root` = √(1 + x²): to the last digits, at a third of the cost of the standard
-/// library's, which guards against overflow.
-fn arsinh(x: f64, root: f64) -> f64 {
-    match x > 0.5 {
-        true => (x + root).ln(),
-        false => (x + x * x / (1.0 + root)).ln_1p(),
-    }
+/// Points that are sheared together, a quantity an array.
+#[derive(Default)]
+struct Lanes {
+    pressure: [f64; LANES],
+    growth: [f64; LANES],
+    log_rate: [f64; LANES],
+    heating: [f64; LANES],
+    /// 0 where none is known.
+    start: [f64; LANES],
 }
 
 #[cfg(test)]
@@ -585,12 +749,73 @@ mod tests {
     }
 
     #[test]
-    fn the_inverse_hyperbolic_sine_agrees_with_the_standard_library_to_the_last_digits() {
-        for k in -1200..=520 {
-            let x = 10_f64.powf(0.01 * f64::from(k));
-            let own = arsinh(x, (1.0 + x * x).sqrt());
-            assert!((own / x.asinh() - 1.0).abs() < 6e-16, "{x}");
+    fn points_sheared_together_have_the_stresses_of_each() {
+        let oil = crate::LubricantInput {
+            oil: Some("m100".to_owned()),
+            ..crate::LubricantInput::default()
+        };
+        let oil = oil.resolve(GOLD_TEMPERATURE).unwrap();
+        let oil = FilmRheology::new(&oil, BaseOil::Mineral).unwrap();
+        let of = |fall: f64, power: f64| TractionConstants {
+            limiting_shear_fall: PerKelvin::from_si(fall),
+            limit_power: power,
+            ..*oil.constants()
+        };
+        let default = oil.constants().limit_power;
+        for (constants, shear, pressure) in [
+            (of(0.0, default), ShearLawName::Eyring, PressureLaw::Barus),
+            (
+                of(2e-3, default),
+                ShearLawName::Eyring,
+                PressureLaw::Roelands,
+            ),
+            (of(-2e-3, default), ShearLawName::Eyring, PressureLaw::Barus),
+            (of(0.0, 2.5), ShearLawName::Eyring, PressureLaw::Barus),
+            (
+                of(0.0, default),
+                ShearLawName::Carreau,
+                PressureLaw::Roelands,
+            ),
+        ] {
+            let oil = oil.clone().with_constants(constants).unwrap();
+            let oil = oil.with_laws(shear, pressure);
+            for k in 0..4000 {
+                let part = |digit: f64, i: usize| (f64::from(k) * digit + 0.37 * i as f64).fract();
+                let wall = 330.0 + 120.0 * part(0.754_878, 0);
+                let points: Vec<_> = (0..1 + k as usize % LANES)
+                    .map(|i| {
+                        let film = 1e-9 * 1000f64.powf(part(0.618_034, i));
+                        let sliding = if k % 50 == 7 {
+                            0.0
+                        } else {
+                            12.0 * part(0.569_84, i)
+                        };
+                        let point = oil.film_point(4e9 * part(0.819_173, i), sliding, film);
+                        let (alone, _) = oil.heated_stress(&point, wall, None).unwrap();
+                        // A near start, a far one, or none.
+                        let start = match (k as usize + i) % 3 {
+                            0 => None,
+                            1 => Some(1.01 * alone.value),
+                            _ => Some(0.3 * alone.value),
+                        };
+                        (point, start)
+                    })
+                    .collect();
+                let found = oil.heated_stresses(points.iter().copied(), wall).unwrap();
+                for ((point, start), [stress, slope]) in points.iter().zip(found) {
+                    let (alone, of_alone) = oil.heated_stress(point, wall, *start).unwrap();
+                    let near =
+                        |a: f64, b: f64, tolerance: f64| (a - b).abs() <= tolerance * b.abs();
+                    assert!(
+                        near(stress, alone.value, 1e-11),
+                        "{shear:?} {k}: {stress} {alone:?}"
+                    );
+                    assert!(
+                        near(slope, of_alone, 1e-4),
+                        "{shear:?} {k}: {slope} {of_alone}"
+                    );
+                }
+            }
         }
-        assert_eq!(arsinh(0.0, 1.0), 0.0);
     }
 }

@@ -214,7 +214,7 @@ impl ShearThinning {
 /// assert!((stress / 5e6 - 1.0).abs() < 1e-4 && slope > 0.999);
 /// assert_eq!(limited_stress([5e6, 1.0], [0.0, 0.0]), [0.0, 0.0]);
 /// ```
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn limited_stress(free: [f64; 2], limit: [f64; 2]) -> [f64; 2] {
     limited_stress_by(LIMIT_POWER, free, limit)
@@ -224,34 +224,31 @@ pub fn limited_stress(free: [f64; 2], limit: [f64; 2]) -> [f64; 2] {
 ///
 /// Both stresses with their slopes over some variable, and so is the result. The smaller stress is the factor in front, so
 /// that no power overflows. A limit that is not positive gives 0.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn limited_stress_by(
     power: f64,
     [free, free_slope]: [f64; 2],
     [limit, limit_slope]: [f64; 2],
 ) -> [f64; 2] {
-    if limit <= 0.0 {
-        return [0.0, 0.0];
-    }
-    let r = free / limit;
-    if r < 1.0 {
-        let (raised, root) = raised(r, power);
-        let share = 1.0 / (root * (1.0 + raised));
-        [free / root, share * (free_slope + raised * r * limit_slope)]
+    // Selections instead of branches: a loop over many compiles to lanes.
+    let is_free = free < limit;
+    let (small, large) = (free.min(limit), free.max(limit));
+    let by_small = if is_free { free_slope } else { limit_slope };
+    let by_large = if is_free { limit_slope } else { free_slope };
+    let ratio = small / large;
+    let (raised, root) = raised(ratio, power);
+    let share = 1.0 / (root * (1.0 + raised));
+    let [stress, slope] = [small / root, share * (by_small + raised * ratio * by_large)];
+    if limit > 0.0 {
+        [stress, slope]
     } else {
-        let s = limit / free;
-        let (raised, root) = raised(s, power);
-        let share = 1.0 / (root * (1.0 + raised));
-        [
-            limit / root,
-            share * (limit_slope + raised * s * free_slope),
-        ]
+        [0.0, 0.0]
     }
 }
 
 /// r^m and (1 + r^m)^(1/m); the power 4 without a logarithm.
-#[inline]
+#[inline(always)]
 fn raised(ratio: f64, power: f64) -> (f64, f64) {
     if power == LIMIT_POWER {
         let raised = (ratio * ratio) * (ratio * ratio);

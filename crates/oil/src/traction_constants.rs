@@ -1,6 +1,7 @@
 //! Constants of an oil for film friction besides its viscosity; symbols as in `rheology`.
 
 use asperity_core::DomainError;
+use asperity_core::numerics::elementary::exp;
 use asperity_core::quantity::{PerKelvin, Pressure, Temperature, ThermalConductivity};
 use serde::{Deserialize, Serialize};
 
@@ -130,12 +131,10 @@ impl TractionConstants {
     }
 
     /// The same at a temperature \[K\].
+    #[inline(always)]
     pub(crate) fn limiting_shear_near(&self, temperature: f64) -> f64 {
         let fall = self.limiting_shear_fall.si();
-        match fall == 0.0 {
-            true => self.limiting_shear,
-            false => self.limiting_shear * (-fall * (temperature - LIMIT_TEMPERATURE)).exp(),
-        }
+        self.limiting_shear * exp(-fall * (temperature - LIMIT_TEMPERATURE))
     }
 
     /// The shear law of this name with its constants; Carreau's with the sharpness 2.

@@ -8,7 +8,7 @@
 //! | M | points on either side of a place | - |
 //! | β | steepness of the window | - |
 //!
-//! Source of the window: Kaiser (1974). A profile that λs has filtered has no waves near its Nyquist wavelength 2δ if δ is a small share
+//! Source of the window: Kaiser 1974. A profile that λs has filtered has no waves near its Nyquist wavelength 2δ if δ is a small share
 //! of λs: heights between its points then follow from the heights of the points.
 
 use std::f64::consts::PI;
@@ -17,7 +17,7 @@ use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile, cite};
 
-/// M: with [`STEEPNESS`] waves of at least 2.7 spacings are kept to 2e-4 of their amplitude.
+/// M: with [`STEEPNESS`] waves of at least 2.7 spacings have their heights within 2e-4 of their amplitude.
 const REACH: usize = 12;
 /// β: side lobes of the window 80 dB below its middle.
 const STEEPNESS: f64 = 8.0;

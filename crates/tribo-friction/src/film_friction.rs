@@ -34,7 +34,7 @@ use asperity_core::material::Material;
 use asperity_core::numerics::{Solved, gauss_legendre, newton_root};
 use asperity_core::quantity::{Length, Pressure, Temperature};
 use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
-use asperity_oil::{FilmPoint, FilmRheology};
+use asperity_oil::{FilmPoint, FilmRheology, LANES};
 use serde::Serialize;
 
 use crate::error::FrictionError;
@@ -428,12 +428,17 @@ impl<'a> LoadedFilm<'a> {
         let warmer = rise - self.last_rise;
         self.last_rise = rise;
         let mut sum = [0.0, 0.0];
-        for node in &mut self.nodes {
-            let start = node.stress.map(|[before, slope]| before + slope * warmer);
-            let (stress, slope) = self.rheology.heated_stress(&node.point, wall, start)?;
-            node.stress = Some([stress.value, slope]);
-            sum[0] += node.weight * stress.value;
-            sum[1] += node.weight * slope;
+        for nodes in self.nodes.chunks_mut(LANES) {
+            let start = |[before, slope]: [f64; 2]| before + slope * warmer;
+            let points = nodes
+                .iter()
+                .map(|node| (node.point, node.stress.map(start)));
+            let found = self.rheology.heated_stresses(points, wall)?;
+            for (node, [stress, slope]) in nodes.iter_mut().zip(found) {
+                node.stress = Some([stress, slope]);
+                sum[0] += node.weight * stress;
+                sum[1] += node.weight * slope;
+            }
         }
         Ok(sum)
     }

@@ -18,13 +18,12 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use asperity_core::numerics::FourierNumber;
+use asperity_core::numerics::{FourierNumber, vectorised};
 use rustfft::num_complex::Complex;
 use rustfft::num_traits::Zero;
 use rustfft::{Fft, FftNum, FftPlanner};
 
 use super::index_ranges::Run;
-use super::vector_lanes::vectorised;
 
 /// A filter of real signals whose kernel is even, so that its symbol is real.
 pub(crate) struct EvenFilter<T: FftNum = f64> {

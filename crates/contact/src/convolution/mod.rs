@@ -7,6 +7,7 @@ mod index_ranges;
 mod tests;
 mod vector_lanes;
 
+pub(crate) use asperity_core::numerics::vectorised;
 pub(crate) use even_filter::{Buffers, EvenFilter, fast_length};
 pub(crate) use index_ranges::{Run, extend, listed, parts};
-pub(crate) use vector_lanes::{Lanes, vectorised};
+pub(crate) use vector_lanes::Lanes;

@@ -1,4 +1,4 @@
-//! Sums over arrays in vector lanes, compiled for the widest vectors of the machine.
+//! Sums over arrays in vector lanes.
 
 /// Partial sums that are added in parallel: a vector of 512 bits.
 const LANES: usize = 8;
@@ -47,18 +47,6 @@ impl<const K: usize> Lanes<K> {
     pub(crate) fn total(self) -> [f64; K] {
         self.reduce(|a, b| std::array::from_fn(|k| a[k] + b[k]))
     }
-}
-
-/// Runs a loop compiled for the widest vectors of the machine, or, without the feature `simd`, for those of every machine.
-/// The result is the same on every machine: the order of the operations does not change.
-#[inline(always)]
-pub(crate) fn vectorised<R>(pass: impl FnOnce() -> R) -> R {
-    #[cfg(feature = "simd")]
-    {
-        pulp::Arch::new().dispatch(pass)
-    }
-    #[cfg(not(feature = "simd"))]
-    pass()
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 mod cholesky;
 mod convolution;
+pub mod elementary;
 mod elliptic;
 mod fft_length;
 mod gauss_legendre;
@@ -12,6 +13,7 @@ mod root;
 mod statistics;
 mod student_t;
 mod sums;
+mod vectors;
 
 pub use asperity_fourier::{FourierNumber, complex_inverse, real_transforms};
 pub use cholesky::Cholesky;
@@ -26,6 +28,7 @@ pub use root::{Root, RootError, find_root};
 pub use statistics::{deviation, distinct, mean, median, median_in_place};
 pub use student_t::{student_t_below, student_t_quantile, student_t_within};
 pub use sums::{add_times, dot, extremes, range, sum};
+pub use vectors::vectorised;
 
 /// ∫ y dx by the trapezoidal rule over points `x`, `y` of equal number (fewer than two give 0).
 pub fn trapezoid(x: &[f64], y: &[f64]) -> f64 {
