@@ -205,15 +205,16 @@ fn outside<T: Judged>(table: &T) -> Vec<Outside> {
             numbers
                 .find(|number| (number / divisor).is_finite() && !within(number / divisor, range))
         };
+        let impossible = first(limits.possible);
+        // Nearly all numbers are usual, and every change of a case has all of them judged: they need no text of their key.
+        let Some(value) = impossible.or_else(|| first(limits.usual)) else {
+            return;
+        };
         let key = at.to_string();
         // A relation follows from numbers of its table, which may be known as impossible.
         let table = key.rsplit_once('.').map_or("", |(table, _)| table);
         let follows = |before: &Outside| !before.is_possible && is_within(&before.key, table);
-        if !limits.relation.is_empty() && found.iter().any(follows) {
-            return;
-        }
-        let impossible = first(limits.possible);
-        if let Some(value) = impossible.or_else(|| first(limits.usual)) {
+        if limits.relation.is_empty() || !found.iter().any(follows) {
             found.push(Outside {
                 key,
                 entry: at.entry(),
