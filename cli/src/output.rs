@@ -18,7 +18,7 @@ use crate::failure::Failure;
 pub fn print_json(value: &dyn erased_serde::Serialize) -> Result<(), Failure> {
     let text = json_text(value).map_err(|error| match error {
         NotJson::NotFinite(number) => Fault::internal(number).about("no result"),
-        other => Fault::internal(other).about("cannot be written as JSON"),
+        NotJson::Other(other) => Fault::internal(other).about("cannot be written as JSON"),
     })?;
     write(&format!("{text}\n"))
 }

@@ -111,7 +111,7 @@ pub(crate) fn not_json(path: &Path) -> impl Fn(NotJson) -> Fault {
     let path = path.to_owned();
     move |reason| match reason {
         NotJson::NotFinite(source) => not_finite(&path)(source),
-        reason => Fault::of(Code::E401, reason).about(path.display()),
+        NotJson::Other(source) => Fault::of(Code::E401, source).about(path.display()),
     }
 }
 

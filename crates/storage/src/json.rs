@@ -9,7 +9,6 @@ use crate::finite::{NotFinite, check_finite};
 
 /// Fault of a value that is to be written as JSON.
 #[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
 pub enum NotJson {
     /// A number is not finite.
     #[error(transparent)]
