@@ -259,12 +259,11 @@ fn the_thinned_tables_of_a_contact_keep_the_extremes_of_the_fields() {
             let all = ends(&mut whole.surface.iter().map(column));
             assert_eq!(kept, all, "{case}: column {number}");
         }
-        let profile = outcome.traces[0].as_ref();
-        let of_flank = FlankTables::new(&outcome.result.flanks[0], profile);
-        let trace = &of_flank.unwrap().unwrap().trace;
+        let pinion = FlankTables::new(&outcome.result.flanks[0], outcome.traces[0].as_ref());
+        let trace = pinion.unwrap().unwrap().trace;
         let drawn = &shown.flanks[0].as_ref().unwrap().trace;
         let levelled = |rows: &[TraceRow]| ends(&mut rows.iter().map(|row| row.form_removed_um));
         assert!(drawn.len() < trace.len());
-        assert_eq!(levelled(drawn), levelled(trace), "{case}");
+        assert_eq!(levelled(drawn), levelled(&trace), "{case}");
     }
 }
