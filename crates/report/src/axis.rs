@@ -96,7 +96,7 @@ impl Nodes {
     /// The nodes of the setting `name`.
     ///
     /// # Errors
-    /// When the text is not an axis, or there is no node.
+    /// When the text is not an axis, or has no nodes.
     pub fn nodes(&self, name: &str) -> Result<Vec<f64>, Fault> {
         let nodes = match self {
             Self::Numbers(numbers) => Ok(numbers.clone()),

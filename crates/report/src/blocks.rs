@@ -9,7 +9,8 @@
 //! | [`table`](Report::table) | aligned columns | a table | its file, if it has one |
 //! | [`figures`](Report::figures) | | charts | |
 //! | [`code`](Report::code): text to copy | as it is | as it is | |
-//! | [`rows`](Report::rows): data of a figure | | | a file |
+//! | [`rows`](Report::rows), [`text_file`](Report::text_file), [`file`](Report::file) | | | a file |
+//! | [`markup`](Report::markup) | | as it is | |
 //!
 //! [`section`](Report::section) and [`heading`](Report::heading) part them; [`on_page`](Report::on_page) and
 //! [`in_terminal`](Report::in_terminal) leave blocks to one face, [`in_folder`](Report::in_folder) leaves a table to the folder.
@@ -29,6 +30,28 @@ use crate::wrap::wrapped;
 use crate::{tables, write_text};
 
 /// Report of a study.
+///
+/// ```
+/// use asperity_report::{Cell, Report, columns};
+/// let losses = [("ground", 706.2, [562.0, 918.0]), ("superfinished", 452.1, [361.0, 557.0])];
+/// let table = columns! { (name, loss, ends) in losses;
+///     head finish "finish" "" = name;
+///     interval loss_w "loss" "W" = Cell::interval(loss, ends);
+/// };
+/// let report = Report::new("Two finishes", "example")
+///     .section("Losses")
+///     .verdict(["Superfinished flanks lose less."])
+///     .table(table.in_file("losses.csv"));
+/// let lines = [
+///     "Two finishes",
+///     "Superfinished flanks lose less.",
+///     "finish               loss [W]",
+///     "ground         710 (560..920)",
+///     "superfinished  450 (360..560)",
+/// ];
+/// assert_eq!(report.terminal().lines().collect::<Vec<_>>(), lines);
+/// assert!(report.page().contains("<td class=\"number\">710 (560..920)</td>"));
+/// ```
 #[must_use]
 pub struct Report<'a> {
     title: String,
@@ -165,7 +188,7 @@ impl<'a> Report<'a> {
         self.with([Block::Figures(Box::new(draw))])
     }
 
-    /// Parts of a page that are no other block.
+    /// Markup of the page for which there is no other block.
     pub fn markup(self, write: impl Fn() -> Markup + 'a) -> Self {
         self.with([Block::Markup(Box::new(write))])
     }

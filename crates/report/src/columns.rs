@@ -138,15 +138,15 @@ impl<T: Into<Value> + ToString> From<T> for Cell {
     }
 }
 
-impl From<f64> for Value {
-    fn from(value: f64) -> Self {
-        Self::Number(value)
+impl<T: Clone + Into<Self>> From<&T> for Value {
+    fn from(value: &T) -> Self {
+        value.clone().into()
     }
 }
 
-impl From<&f64> for Value {
-    fn from(value: &f64) -> Self {
-        Self::Number(*value)
+impl From<f64> for Value {
+    fn from(value: f64) -> Self {
+        Self::Number(value)
     }
 }
 
@@ -156,21 +156,9 @@ impl From<usize> for Value {
     }
 }
 
-impl From<&usize> for Value {
-    fn from(count: &usize) -> Self {
-        Self::Count(*count)
-    }
-}
-
 impl From<String> for Value {
     fn from(text: String) -> Self {
         Self::Text(text)
-    }
-}
-
-impl From<&String> for Value {
-    fn from(text: &String) -> Self {
-        Self::Text(text.clone())
     }
 }
 
@@ -180,21 +168,9 @@ impl From<&str> for Value {
     }
 }
 
-impl From<&&str> for Value {
-    fn from(text: &&str) -> Self {
-        Self::from(*text)
-    }
-}
-
 impl From<u32> for Value {
     fn from(count: u32) -> Self {
         Self::Count(count as usize)
-    }
-}
-
-impl From<&u32> for Value {
-    fn from(count: &u32) -> Self {
-        Self::from(*count)
     }
 }
 
@@ -437,10 +413,15 @@ impl Table {
     pub fn write(&self, folder: &Path) -> Result<(), Fault> {
         let columns = || self.columns.iter().filter(|column| !column.name.is_empty());
         let names = columns().flat_map(Column::names).map(Value::Text);
-        let rows = (0..self.rows()).map(|row| {
-            let cells = columns().filter_map(|column| column.cells.get(row));
-            cells.flat_map(|cell| cell.values.iter().cloned()).collect()
-        });
+        // Every row has a value of every name, also where a cell is missing or has no interval.
+        let values = |column: &Column, row: usize| {
+            let cell = column.cells.get(row).map_or(&[][..], |cell| &cell.values);
+            let mut values = cell.to_vec();
+            values.resize(column.names().len(), Value::Missing);
+            values
+        };
+        let rows =
+            (0..self.rows()).map(|row| columns().flat_map(|column| values(column, row)).collect());
         let lines: Vec<Vec<Value>> = [names.collect()].into_iter().chain(rows).collect();
         tables::write(&folder.join(self.file), lines)
     }
@@ -481,15 +462,6 @@ impl Table {
             if name.is_some_and(|name| headings.contains(&name)) {
                 column.faces = faces;
             }
-        }
-        self
-    }
-
-    /// The table, whose columns are in its file only.
-    #[must_use]
-    pub fn unshown(mut self) -> Self {
-        for column in &mut self.columns {
-            column.faces = Faces::File;
         }
         self
     }

@@ -21,13 +21,18 @@ pub fn watts(value: f64) -> String {
     rounded(value, (0.1 * value.abs()).max(LEAST_W))
 }
 
-/// The saving of all listed ridges together, by a run.
-pub fn saving(ridges: &Ridges) -> String {
+/// The saving of all listed ridges together, by a run, as a sentence.
+pub fn verdict(ridges: &Ridges) -> String {
+    format!("Pressing {}.", saving(ridges))
+}
+
+/// The listed ridges and what pressing them saves.
+fn saving(ridges: &Ridges) -> String {
     let saved = ridges.loss_w - ridges.pressed_loss_w;
     let sampled = ridges.sampling_quantiles_w.map(|[low, high]| [-high, -low]);
     let quantiles = ridges.saving_quantiles_w.or(sampled);
     format!(
-        "pressing these {} ridges to the mean line saves {}, by a run",
+        "these {} ridges to the mean line saves {}, by a run",
         ridges.rows.len(),
         with_interval(saved, quantiles, " W")
     )
@@ -94,7 +99,8 @@ pub fn notes(ridges: &Ridges) -> Vec<String> {
 
 /// The line of a run: the saving, or why there is none; `None` if the ridges were not sought.
 pub fn line(result: &RunResult) -> Option<String> {
-    let found = result.ridges.as_ref().map(saving);
+    let found = result.ridges.as_ref();
+    let found = found.map(|ridges| format!("pressing {}", saving(ridges)));
     let none = || Some(format!("not computed: {}", result.no_ridges.as_ref()?));
     Some(format!("ridges: {}", found.or_else(none)?))
 }

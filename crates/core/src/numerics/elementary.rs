@@ -1,7 +1,8 @@
 //! Exponential and logarithm without branches, calls or tables: a loop over many of them compiles to vector lanes, and gives the same
 //! numbers on every machine.
 //!
-//! Both are within two units of the last digit of the exact values. The system's functions cost a call each and forbid lanes.
+//! Both are within two units of the last digit of the exact values. The system's functions cost a call each and forbid lanes; the
+//! library of vectors that the workspace uses has neither. Reduction by two parts of ln 2: Cody and Waite 1980.
 
 use std::f64::consts::LOG2_E;
 

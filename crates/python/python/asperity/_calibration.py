@@ -12,7 +12,7 @@ from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._columns import Columns, table_text
 from ._errors import Code
-from ._progress import Progress, Told
+from ._progress import Progress, Steps
 from ._record import Table, warned
 from ._study import RawStudy, Study, as_json
 
@@ -81,8 +81,8 @@ def designed(
     case: CaseLike, settings: Mapping[str, Any], threads: Optional[int], progress: Optional[Progress]
 ) -> Design:
     """The design of measurements by its settings."""
-    with Told(progress, _asperity.steps("design")) as told:
-        return warned(Design(_asperity.design(as_case(case)._raw, as_json(settings), threads, told)))
+    with Steps(progress, _asperity.steps("design")) as steps:
+        return warned(Design(_asperity.design(as_case(case)._raw, as_json(settings), threads, steps)))
 
 
 class Evidence(Study):
@@ -115,5 +115,5 @@ def calibrated(
         name, text = "rig", table_text(rig, "rig", Code.E134)
     beside = None if case is None else as_case(case)._raw
     named = [(key, as_case(one)._raw) for key, one in (cases or {}).items()]
-    with Told(progress, _asperity.steps("calibrate")) as told:
-        return warned(Calibration(_asperity.calibrate(name, text, folder, beside, named, as_json(settings), threads, told)))
+    with Steps(progress, _asperity.steps("calibrate")) as steps:
+        return warned(Calibration(_asperity.calibrate(name, text, folder, beside, named, as_json(settings), threads, steps)))

@@ -16,7 +16,7 @@ from ._files import is_read, text_of
 from ._html import page
 from ._keys import Schema, Traces, changes, kind_of, written
 from ._own_laws import Called, Law, exponent_of, name_of
-from ._progress import Progress, Told
+from ._progress import Progress, Steps
 from ._quantity import OPERATING, as_keys
 from ._record import Record, Table, warned
 from ._result import Regime, RunResult
@@ -276,8 +276,8 @@ class Case:
 
         Ctrl-C ends the run.
         """
-        with Told(progress, self.title) as told:
-            found = RunResult._of(self._raw.run(detail, band, threads, told))
+        with Steps(progress, self.title) as steps:
+            found = RunResult._of(self._raw.run(detail, band, threads, steps))
         return warned(found, self._about["warnings"])
 
     def regime(self, *, threads: Optional[int] = None) -> Regime:

@@ -11,7 +11,7 @@ from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._errors import AsperityError, Code, warn
 from ._profile import Profile
-from ._progress import Progress, Told
+from ._progress import Progress, Steps
 from ._record import Table, drawn, variable
 from ._study import RawStudy, Study, as_json
 
@@ -137,9 +137,9 @@ def compared(
     """The comparison of finishes by its settings."""
     if len(finishes) < 2:
         raise AsperityError("one finish cannot be compared", Code.E205, "Give at least two finishes.")
-    with Told(progress, _asperity.steps("compare")) as told:
+    with Steps(progress, _asperity.steps("compare")) as steps:
         cases = cases_of(case, finishes, settings["offsets"])
-        raw, found, verdicts = _asperity.compare(cases, as_json(settings), threads, told)
+        raw, found, verdicts = _asperity.compare(cases, as_json(settings), threads, steps)
     comparison = Comparison(raw, found, verdicts)
     known = [warning for finish in finishes.values() if isinstance(finish, Case) for warning in finish._about["warnings"]]
     rows = [warning for finish in comparison._values["finishes"] for warning in finish["warnings"]]

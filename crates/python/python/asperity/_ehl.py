@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Optional
 from . import _asperity
 from ._case import CaseLike, as_case
 from ._html import Chart, page, shown
-from ._progress import Progress, Told
+from ._progress import Progress, Steps
 from ._quantity import Floats, Quantity, stated_or_none
 from ._record import Record, variable, warned
 
@@ -95,6 +95,6 @@ def ehl(
         "eyring_stress": stated_or_none(eyring_stress, "Pressure", "eyring_stress"),
         "compare": compare,
     }
-    with Told(progress, "half-widths travelled") as told:
-        text, arrays = _asperity.ehl(as_case(case)._raw, json.dumps(asked), threads, told)
+    with Steps(progress, "half-widths travelled") as steps:
+        text, arrays = _asperity.ehl(as_case(case)._raw, json.dumps(asked), threads, steps)
     return warned(EhlRecord({**json.loads(text), **arrays}))

@@ -16,7 +16,7 @@ from ._compare import Finish, cases_of
 from ._errors import AsperityError, Code, warn
 from ._html import Chart, page, shown
 from ._keys import Traces, changes
-from ._progress import Progress, Told
+from ._progress import Progress, Steps
 from ._quantity import Floats, Numbers, Quantities, Quantity, operating, together
 from ._record import Table, Values, variable, warned
 from ._study import Study, Unpickled, as_json, files_of
@@ -241,8 +241,8 @@ def mapped(
     """The map of a case, or of its finishes, by its settings."""
     base = as_case(case)
     named = cases_of(base, finishes, None) if finishes else [(base.title or "case", base._raw)]
-    with Told(progress, _asperity.steps("map")) as told:
-        found = Map(_asperity.map(named, as_json(settings), threads, told))
+    with Steps(progress, _asperity.steps("map")) as steps:
+        found = Map(_asperity.map(named, as_json(settings), threads, steps))
     return warned(found, base._about["warnings"])
 
 

@@ -9,7 +9,7 @@ Progress = Union[Callable[[int, int], object], Any]
 """``f(done, total)``, the class ``tqdm`` or a bar of it."""
 
 
-class Told:
+class Steps:
     """Progress in the form that the compiled part calls; closed by ``with``."""
 
     def __init__(self, progress: Optional[Progress], what: str) -> None:

@@ -11,7 +11,7 @@ from typing import Any, Optional, Protocol, Union
 from . import _asperity
 from ._errors import AsperityError, Code
 from ._html import page
-from ._progress import Progress, Told
+from ._progress import Progress, Steps
 from ._record import Record
 
 
@@ -106,5 +106,5 @@ def run_study(
     progress: Optional[Progress] = None,
 ) -> RawStudy:
     """The study ``name`` of what is given, by its settings."""
-    with Told(progress, _asperity.steps(name)) as told:
-        return _asperity.study(name, given, as_json(settings), threads, told)
+    with Steps(progress, _asperity.steps(name)) as steps:
+        return _asperity.study(name, given, as_json(settings), threads, steps)

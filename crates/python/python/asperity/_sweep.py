@@ -12,7 +12,7 @@ from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._errors import AsperityError, Code, warn
 from ._keys import Schema, written
-from ._progress import Progress, Told
+from ._progress import Progress, Steps
 from ._quantity import OPERATING, as_keys
 from ._record import Record, Table
 
@@ -68,7 +68,7 @@ class Sweep(Iterator[Record]):
             raise AsperityError(text, Code.E140, "Read the study again.")
         self._source = source
         self._threads = threads
-        self._told = Told(progress, "cases")
+        self._steps = Steps(progress, "cases")
         self._rows = rows or []
         self._given = 0
         self._header = self._raw.header
@@ -90,7 +90,7 @@ class Sweep(Iterator[Record]):
 
     def __next__(self) -> Record:
         if self._given == len(self._raw):
-            self._told.__exit__()
+            self._steps.__exit__()
             raise StopIteration
         if self._given == len(self._rows):
             self._advance()
@@ -104,8 +104,8 @@ class Sweep(Iterator[Record]):
             row = dict(zip(self._header, cells))
             texts = {"id": row["id"], "outside": row["outside"], "code": row["code"] or None, "case": int(row["case"])}
             self._rows.append({name: texts[name] if name in texts else _value(cell) for name, cell in row.items()})
-        if self._told.call is not None:
-            self._told.call(len(self._rows), len(self._raw))
+        if self._steps.call is not None:
+            self._steps.call(len(self._rows), len(self._raw))
         firsts = {code: row["case"] for row in reversed(self._rows[first:]) for code in row["outside"].split()}
         warn(
             f"{code} {_title(code)}, first in case {case}; the column outside shows which cases have it"

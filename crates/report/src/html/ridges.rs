@@ -6,7 +6,7 @@ use maud::{Markup, html};
 
 use super::page::figure;
 use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
-use crate::ridges::{NOTE, notes, saving, saving_of, watts};
+use crate::ridges::{NOTE, notes, saving_of, verdict, watts};
 use crate::tables::BODIES;
 use crate::{Cell, Table, columns};
 
@@ -23,7 +23,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
     html! {
         @if let Some(why) = &result.no_ridges { p { "Not computed: " (why) "." } }
         @if let Some(ridges) = &result.ridges {
-            p { strong { (saving(ridges)) "." } " The loss of " (watts(ridges.loss_w)) " W that this refers to is with every constant at its "
+            p { strong { (verdict(ridges)) } " The loss of " (watts(ridges.loss_w)) " W that this refers to is with every constant at its "
                 "median; " code { "asperity ridges" } " lists all of these ridges and the loss by wavelength." }
             @for note in notes(ridges) { p { (note) } }
             (charts(ridges, Some("result.json")))

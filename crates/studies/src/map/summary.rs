@@ -94,9 +94,10 @@ impl<'a> Extremes<'a> {
     /// The largest loss \[W\].
     fn loss(&self) -> Cell {
         let most = &self.most;
-        let drawn = most.loss_median_w.zip(most.loss_quantiles_w);
-        let (median, quantiles) = drawn.unzip();
-        Cell::with_ends(banded(most.loss_w, drawn), median, quantiles)
+        match most.loss_median_w.zip(most.loss_quantiles_w) {
+            Some((median, quantiles)) => Cell::interval(median, quantiles),
+            None => Cell::with_ends(banded(most.loss_w, None), None, None),
+        }
     }
 
     /// The largest loss over the power there \[%\].

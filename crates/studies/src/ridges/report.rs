@@ -4,7 +4,7 @@ use asperity::result::loss_band::rounded;
 use asperity::result::ridges::{FlankWatts, Kinks, OctaveRow, Ridges};
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::html::ridges::{charts, table};
-use asperity_report::ridges::{NOTE, notes, saving, saving_of, watts};
+use asperity_report::ridges::{NOTE, notes, saving_of, verdict, watts};
 use asperity_report::tables::BODIES;
 use asperity_report::{Report, StudyResult, Table, columns};
 use serde::Serialize;
@@ -112,12 +112,6 @@ fn kinks(kinks: &Kinks) -> Option<String> {
             table, {limited_slopes} with a limited slope of the gap, {floors} at a floor (next to: 1 nm of mean gap)."
         )
     })
-}
-
-/// The saving, as a sentence.
-fn verdict(study: &Ridges) -> String {
-    let saving = saving(study);
-    format!("{}.", saving.replacen("pressing", "Pressing", 1))
 }
 
 fn headline(study: &Ridges) -> String {

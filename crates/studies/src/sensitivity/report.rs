@@ -26,10 +26,10 @@ impl StudyResult for Sensitivity {
             .section("What you can change")
             .text([headline(self)])
             .verdict(largest(self))
-            .figures(|| chart(self, &CHANGEABLE))
+            .figures(|| chart(self, true))
             .warning(left_aside(self))
             .section("What is not known well")
-            .figures(|| chart(self, &UNCERTAIN))
+            .figures(|| chart(self, false))
             .section("Parts")
             .table(table(self))
             .text(refused(self))
@@ -40,43 +40,24 @@ impl StudyResult for Sensitivity {
 /// A change with its effect.
 type Changed<'a> = (&'a SensitivityRow, &'a Effect);
 
-/// Changes that a designer makes, of a title and an identifier.
-const CHANGEABLE: Changes = Changes {
-    id: "sensitivity",
-    title: "Change of the loss by finish, oil and relief, with 5 to 95 % by the sampling of the flanks",
-    groups: &["flanks", "oil", "gears"],
-};
-/// Changes of quantities that no drawing states.
-const UNCERTAIN: Changes = Changes {
-    id: "uncertain",
-    title: "Change of the loss by boundary layer and filters, with 5 to 95 % by the sampling of the flanks",
-    groups: &["boundary layer", "filters"],
-};
+/// Groups of changes that a designer makes; no drawing states the quantities of the others.
+const CHANGEABLE: [&str; 3] = ["flanks", "oil", "gears"];
 
-/// Groups of changes in one chart.
-struct Changes {
-    id: &'static str,
-    title: &'static str,
-    groups: &'static [&'static str],
-}
-
-impl Changes {
-    /// The changes with an effect, the largest first.
-    fn of<'a>(&self, study: &'a Sensitivity) -> Vec<Changed<'a>> {
-        let rows = study.rows.iter();
-        let rows = rows.filter_map(|row| Some((row, row.effect.as_ref()?)));
-        let mut rows: Vec<Changed<'_>> = rows
-            .filter(|(row, _)| self.groups.contains(&row.group))
-            .collect();
-        let size = |(_, effect): &Changed<'_>| effect.difference_w.abs();
-        rows.sort_by(|a, b| size(b).total_cmp(&size(a)));
-        rows
-    }
+/// The changes with an effect that a designer makes, or the others, the largest first.
+fn changes(study: &Sensitivity, is_changeable: bool) -> Vec<Changed<'_>> {
+    let rows = study.rows.iter();
+    let rows = rows.filter(|row| CHANGEABLE.contains(&row.group) == is_changeable);
+    let mut rows: Vec<Changed<'_>> = rows
+        .filter_map(|row| Some((row, row.effect.as_ref()?)))
+        .collect();
+    let size = |(_, effect): &Changed<'_>| effect.difference_w.abs();
+    rows.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    rows
 }
 
 /// The largest change that can be made, in words.
 fn largest(study: &Sensitivity) -> Option<String> {
-    let changes = CHANGEABLE.of(study);
+    let changes = changes(study, true);
     let (row, effect) = changes.first()?;
     Some(format!(
         "The largest change: {}, {} W, {} %.",
@@ -86,19 +67,27 @@ fn largest(study: &Sensitivity) -> Option<String> {
     ))
 }
 
-/// The changes of some groups over one axis; `None` if no one has an effect.
-fn chart(study: &Sensitivity, of: &Changes) -> Option<Drawing> {
-    let bars = of.of(study).into_iter().map(|(row, effect)| Bar {
-        name: named(row),
-        value: Some(effect.difference_w),
-        spread: effect.sampling_quantiles_w,
-        text: format!("{} W, {} %", change(effect), share(effect)),
-    });
+/// The changes that a designer makes, or the others, over one axis; `None` if no one has an effect.
+fn chart(study: &Sensitivity, is_changeable: bool) -> Option<Drawing> {
+    let (id, of) = match is_changeable {
+        true => ("sensitivity", "finish, oil and relief"),
+        false => ("uncertain", "boundary layer and filters"),
+    };
+    let bars = changes(study, is_changeable)
+        .into_iter()
+        .map(|(row, effect)| Bar {
+            name: named(row),
+            value: Some(effect.difference_w),
+            spread: effect.sampling_quantiles_w,
+            text: format!("{} W, {} %", change(effect), share(effect)),
+        });
     let bars: Vec<Bar> = bars.collect();
     (!bars.is_empty()).then(|| {
         Drawing::Bars(BarChart {
-            id: of.id.to_owned(),
-            title: of.title.to_owned(),
+            id: id.to_owned(),
+            title: format!(
+                "Change of the loss by {of}, with 5 to 95 % by the sampling of the flanks"
+            ),
             source: TABLE.to_owned(),
             axis: Axis::new("change of the loss", "W"),
             bars,

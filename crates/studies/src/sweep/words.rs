@@ -112,7 +112,7 @@ pub(super) fn table(merged: &Merged) -> Table {
     };
     let indices = match merged.effects.iter().any(|row| row.indices.is_some()) {
         true => indices,
-        false => indices.unshown(),
+        false => indices.unshown_of(&["first index", "total index"]),
     };
     table.with(indices).brief(&["input"]).in_file(EFFECTS)
 }
