@@ -349,19 +349,27 @@ impl TraceSpectrum {
         let (signal, work) = space.split_at_mut(points);
         // The mean; all other coefficients follow.
         signal[0] = Complex::default();
-        for (k, &value) in first.spectrum.iter().enumerate().skip(1) {
-            let scale = factor(Length::from_si(length / k as f64)) / points as f64;
-            let one = value * scale;
-            let other = second.map_or_else(Complex::default, |trace| trace.spectrum[k] * scale);
-            // Of an even number of points the last coefficient is its own mirror: real.
-            let (one, other) = if 2 * k == points {
-                (one.re.into(), other.re.into())
-            } else {
-                (one, other)
-            };
-            let turned = |value: Complex<f64>| Complex::new(-value.im, value.re);
-            signal[points - k] = one.conj() + turned(other.conj());
-            signal[k] = one + turned(other);
+        let count = first.spectrum.len() - 1;
+        let scale = |k: usize| factor(Length::from_si(length / k as f64)) / points as f64;
+        let (low, high) = signal[1..].split_at_mut(count);
+        let others = second.map(|second| &second.spectrum[1..]);
+        // What one wave of both traces is in the signal, and its mirror image.
+        let both = |k: usize, scale: f64| {
+            let one = first.spectrum[k + 1] * scale;
+            let other = others.map_or_else(Complex::default, |others| others[k] * scale);
+            [
+                Complex::new(one.re - other.im, one.im + other.re),
+                Complex::new(one.re + other.im, other.re - one.im),
+            ]
+        };
+        // Of an even number of points the last wave is its own mirror image: real.
+        if let Some(last) = low.get_mut(high.len()) {
+            let [one, mirror] = both(high.len(), scale(count));
+            *last = 0.5 * (one + mirror);
+        }
+        let places = low.iter_mut().zip(high.iter_mut().rev()).enumerate();
+        for (k, (place, mirror)) in places {
+            [*place, *mirror] = both(k, scale(k + 1));
         }
         first.inverse.process_with_scratch(signal, work);
         let imaginary = |_: &Self| signal.iter().map(|value| value.im).collect();

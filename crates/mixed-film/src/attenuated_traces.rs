@@ -49,17 +49,13 @@ impl AttenuatedTraces {
                 ));
             }
         }
-        let sums = |of: &[Vec<f64>; 2]| -> Vec<f64> {
-            let [first, second] = [0, 1].map(|k: usize| &of[k][starts[k]..starts[k] + points]);
-            first.iter().zip(second).map(|(a, b)| a + b).collect()
-        };
-        Ok(self.of(sums))
-    }
-
-    fn of(&self, window: impl Fn(&[Vec<f64>; 2]) -> Vec<f64>) -> WindowRoughness {
-        let pressures = self.pressures.as_ref().map(&window);
-        let heights = window(&self.heights);
-        WindowRoughness::of(&heights, pressures.as_deref(), self.peak_weight)
+        let cut = |of| parts(of, starts, points);
+        let pressures = self.pressures.as_ref().map(cut);
+        Ok(WindowRoughness::of(
+            cut(&self.heights),
+            pressures,
+            self.peak_weight,
+        ))
     }
 
     /// Derivative of σ_d over the sum of the heights at each point of two windows, which are mirrored beyond the ends of their
@@ -99,8 +95,15 @@ impl AttenuatedTraces {
         if let (Some(first), Some(second)) = (inside(0), inside(1)) {
             return self.window([first, second], points);
         }
-        Ok(self.of(|of| mirrored_sums(of, starts, points)))
+        let sums = |of| mirrored_sums(of, starts, points);
+        let (heights, pressures) = (sums(&self.heights), self.pressures.as_ref().map(sums));
+        let pressures = pressures.as_ref().map(|sums| [sums.as_slice()]);
+        Ok(WindowRoughness::of([&heights], pressures, self.peak_weight))
     }
+}
+
+fn parts(of: &[Vec<f64>; 2], starts: [usize; 2], points: usize) -> [&[f64]; 2] {
+    [0, 1].map(|k: usize| &of[k][starts[k]..starts[k] + points])
 }
 
 fn mirrored_sums(of: &[Vec<f64>; 2], starts: [isize; 2], points: usize) -> Vec<f64> {

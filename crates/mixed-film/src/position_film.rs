@@ -15,7 +15,7 @@ use asperity_ehl_regime::{
     Attenuation, FilmConditions, FilmLaw, GapLaw, MoesNumbers, PairSpectrum, RoughInlet,
     ThermalLaw, thermal_loading,
 };
-use asperity_oil::FilmRheology;
+use asperity_oil::{FilmRheology, ShearedPoint};
 use asperity_tribo_friction::boundary::{
     BOUNDARY_FRICTION, BOUNDARY_LAYER, INNER_BOUNDARY, SharedFriction,
 };
@@ -27,7 +27,7 @@ use crate::error::LoadShareError;
 use crate::rough_contact::{ContactState, RoughContact};
 use crate::solution::{LineLosses, LoadShareSolution, ShareEvidence};
 use crate::spot_tree::Spot;
-use crate::spots::{Feed, SpotConditions, SpotFriction, SpotStresses};
+use crate::spots::{Feed, SpotConditions, SpotFriction, SpotList};
 use crate::window_roughness::{FilmPressure, Flattening, GapRoughness, WindowRoughness};
 
 /// Relative step at which the secant iteration for friction ends: it leaves 2e-9 of the loss of the shipped e-drive case, 7e-8 at
@@ -35,9 +35,6 @@ use crate::window_roughness::{FilmPressure, Flattening, GapRoughness, WindowRoug
 const TOLERANCE: f64 = 3e-5;
 /// Relative step in φ^¼ at which the direct solves end: 4e-8 of the share.
 const DIRECT_TOLERANCE: f64 = 1e-8;
-
-/// Shear stresses of every spot of some contacts at the last temperature.
-type Stresses = Vec<Vec<SpotStresses>>;
 
 /// Thinnest film in a valley or on a peak of the ripple, over the smooth film.
 const THINNEST_RIPPLE: f64 = 0.2;
@@ -599,10 +596,9 @@ impl<'a> PositionFilm<'a> {
         let is_cold = unit_rise == 0.0 || self.film.heat() == FilmHeat::Isothermal;
         // Other windows at a position rub alike; the first starts from the friction of cold surfaces.
         let begun = self.before.filter(|_| !is_cold);
-        let none = |(spots, _): &(&[Spot], f64)| vec![SpotStresses::default(); spots.len()];
-        let mut stresses: Stresses = spots.iter().map(none).collect();
+        let mut spots = SpotList::of(spots);
         let begin = unit_rise * begun.map_or(0.0, |[mu, _]| mu);
-        let ([film, slope], first) = self.parts_at(begin, spots, &mut stresses)?;
+        let ([film, slope], first) = self.parts_at(begin, &mut spots)?;
         let mut last = [(begin, film, first); 2];
         let found = self.shared(phi, film, &first).parts()?.total();
         if is_cold {
@@ -621,12 +617,12 @@ impl<'a> PositionFilm<'a> {
             Some(at_from) => at_from,
             None => {
                 let rise = unit_rise * mu;
-                let total =
-                    self.parts_at(rise, spots, &mut stresses)
-                        .and_then(|([film, _], spot)| {
-                            last = [last[1], (rise, film, spot)];
-                            Ok(self.shared(phi, film, &spot).parts()?.total())
-                        });
+                let total = self
+                    .parts_at(rise, &mut spots)
+                    .and_then(|([film, _], spot)| {
+                        last = [last[1], (rise, film, spot)];
+                        Ok(self.shared(phi, film, &spot).parts()?.total())
+                    });
                 match total {
                     Ok(total) => mu - total,
                     Err(error) => {
@@ -679,21 +675,18 @@ impl<'a> PositionFilm<'a> {
         Ok((shared, spot.film, evidence))
     }
 
-    /// Film friction with its slope, and the spots', at a rise of the surface temperature; `stresses` of the last rise are
-    /// replaced.
+    /// Film friction with its slope, and the spots', at a rise of the surface temperature.
     fn parts_at(
         &mut self,
         rise: f64,
-        spots: &[(&[Spot], f64)],
-        stresses: &mut Stresses,
+        spots: &mut SpotList,
     ) -> Result<([f64; 2], SpotFriction), LoadShareError> {
-        let film = self.film.friction_at(rise)?;
         let conditions = self.spot_conditions(rise);
-        let mut sum = SpotFriction::default();
-        for ((spots, weight), stresses) in spots.iter().zip(stresses) {
-            sum.add(&conditions.friction_from(spots, stresses)?, *weight);
-        }
-        Ok((film, sum))
+        // Film and spots have the same walls: their points fill the lanes of a vector.
+        let film = &mut self.film;
+        let shear = |points: &mut [ShearedPoint]| Ok(film.friction_beside(rise, points)?);
+        let (spots, film) = conditions.friction_of(spots, shear)?;
+        Ok((film, spots))
     }
 
     /// The spots at a rise of the surface temperature.

@@ -3,6 +3,9 @@
 //! The film carries 1 − φ of the load as that share of the Hertz pressure and deforms both flanks; the
 //! asperities carry φ on the roughness as it is outside the contact, up to the flow pressure.
 
+use std::cell::RefCell;
+use std::sync::Arc;
+
 use asperity_contact::dense_reference::FixedSets;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::{
@@ -89,13 +92,7 @@ impl SparsePressure {
 pub struct RoughContact {
     /// Undeformed gap x²/2R − z \[m\].
     undeformed: Vec<f64>,
-    /// Hertz pressure at the cell centres, scaled to the load \[Pa\].
-    hertz: Vec<f64>,
-    /// Displacement by it \[m\].
-    hertz_displacement: Vec<f64>,
-    /// Cells over which the gap is averaged, and cells of the Hertz contact.
-    core: std::ops::Range<usize>,
-    inside: std::ops::Range<usize>,
+    smooth: Arc<SmoothContact>,
     gap: Vec<f64>,
     last: Option<(f64, Vec<f64>)>,
     solver: Solver,
@@ -103,9 +100,73 @@ pub struct RoughContact {
     load: f64,
     modulus: Pressure,
     flow_pressure: f64,
-    max_hertz: f64,
     settings: SolverSettings,
     is_exact: bool,
+}
+
+/// The contact of smooth flanks on the cells of a window, which all windows of a position share.
+struct SmoothContact {
+    /// Number of cells, and bits of spacing, load, radius and modulus.
+    of: (usize, [u64; 4]),
+    /// Hertz pressure at the cell centres, scaled to the load \[Pa\].
+    hertz: Vec<f64>,
+    /// Displacement by it \[m\].
+    displacement: Vec<f64>,
+    /// Cells over which the gap is averaged, and cells of the Hertz contact.
+    core: std::ops::Range<usize>,
+    inside: std::ops::Range<usize>,
+    max_hertz: f64,
+}
+
+thread_local! {
+    /// The smooth contact that was made last: the windows of a position are made one after the other.
+    static LAST: RefCell<Option<Arc<SmoothContact>>> = const { RefCell::new(None) };
+}
+
+impl SmoothContact {
+    /// The contact in the middle of `window`, whose numbers are valid; made by the thread before, if it was the last one.
+    fn of(window: &RoughWindow<'_>, solver: &mut Solver) -> Result<Arc<Self>, LoadShareError> {
+        let n = window.composite.len();
+        let (dx, w, r) = (window.spacing.si(), window.load.si(), window.radius.si());
+        let of = (n, [dx, w, r, window.modulus.si()].map(f64::to_bits));
+        if let Some(last) = LAST.with_borrow(|last| last.clone().filter(|last| last.of == of)) {
+            return Ok(last);
+        }
+        let a = HertzLine::new(window.load, window.radius, window.modulus)?
+            .half_width
+            .si();
+        let place = |i: usize| place(i, n, dx);
+        let mut hertz: Vec<f64> = (0..n)
+            .map(|i| (1.0 - (place(i) / a).powi(2)).max(0.0).sqrt())
+            .collect();
+        let scale = w / (hertz.iter().sum::<f64>() * dx);
+        for p in &mut hertz {
+            *p *= scale;
+        }
+        let mut displacement = vec![0.0; n];
+        let cell = (window.spacing, window.modulus);
+        solver.displacement(cell, &hertz, &mut displacement)?;
+        let within = |limit: f64| {
+            let first = (0..n).find(|&i| place(i).abs() < limit).unwrap_or(0);
+            let count = (first..n).take_while(|&i| place(i).abs() < limit).count();
+            first..first + count
+        };
+        let made = Arc::new(Self {
+            of,
+            max_hertz: hertz.iter().fold(0.0, |m: f64, &p| m.max(p)),
+            hertz,
+            displacement,
+            core: within(CORE * a),
+            inside: within(a),
+        });
+        LAST.set(Some(made.clone()));
+        Ok(made)
+    }
+}
+
+/// Place of cell `i` of `n`, `dx` apart, from the middle of the window.
+fn place(i: usize, n: usize, dx: f64) -> f64 {
+    i as f64 * dx - 0.5 * (n as f64 - 1.0) * dx
 }
 
 impl RoughContact {
@@ -120,51 +181,29 @@ impl RoughContact {
         let dx = DomainError::positive("spacing", window.spacing)?;
         let flow = DomainError::positive("flow pressure", window.flow_pressure)?;
         let line = HertzLine::new(window.load, window.radius, window.modulus)?;
-        let a = line.half_width.si();
         let n = window.composite.len();
         let reach = 0.5 * (n as f64 - 1.0) * dx;
         let rule = "must be longer than the Hertz contact is wide";
-        DomainError::require(reach > a, "half the window", reach, "m", rule)?;
+        let fits = reach > line.half_width.si();
+        DomainError::require(fits, "half the window", reach, "m", rule)?;
         for &z in window.composite {
             DomainError::finite("height", Length::from_si(z))?;
         }
-        let place = |i: usize| i as f64 * dx - reach;
-        let undeformed: Vec<f64> = window
-            .composite
-            .iter()
-            .enumerate()
-            .map(|(i, z)| place(i).powi(2) / (2.0 * r) - z)
-            .collect();
-        let mut hertz: Vec<f64> = (0..n)
-            .map(|i| (1.0 - (place(i) / a).powi(2)).max(0.0).sqrt())
-            .collect();
-        let scale = w / (hertz.iter().sum::<f64>() * dx);
-        for p in &mut hertz {
-            *p *= scale;
-        }
-        let max_hertz = hertz.iter().fold(0.0, |m: f64, &p| m.max(p));
-        let least = LEAST_FLOW_PRESSURE * max_hertz;
+        let mut solver = Solver::new(n, Boundary::FreeEnds)?;
+        let smooth = SmoothContact::of(window, &mut solver)?;
+        let least = LEAST_FLOW_PRESSURE * smooth.max_hertz;
         if flow < least {
             return Err(LoadShareError::FlowPressureTooLow {
                 flow_pressure: window.flow_pressure,
                 least: Pressure::from_si(least),
             });
         }
-        let mut hertz_displacement = vec![0.0; n];
-        let mut solver = Solver::new(n, Boundary::FreeEnds)?;
-        let cell = (window.spacing, window.modulus);
-        solver.displacement(cell, &hertz, &mut hertz_displacement)?;
-        let within = |limit: f64| {
-            let first = (0..n).find(|&i| place(i).abs() < limit).unwrap_or(0);
-            let count = (first..n).take_while(|&i| place(i).abs() < limit).count();
-            first..first + count
-        };
+        let heights = window.composite.iter().enumerate();
         Ok(Self {
-            undeformed,
-            hertz,
-            hertz_displacement,
-            core: within(CORE * a),
-            inside: within(a),
+            undeformed: heights
+                .map(|(i, z)| place(i, n, dx).powi(2) / (2.0 * r) - z)
+                .collect(),
+            smooth,
             gap: vec![0.0; n],
             last: None,
             solver,
@@ -172,7 +211,6 @@ impl RoughContact {
             load: w,
             modulus: window.modulus,
             flow_pressure: flow,
-            max_hertz,
             settings: window.settings,
             is_exact: false,
         })
@@ -200,12 +238,12 @@ impl RoughContact {
     /// Mean gap where the flanks, deformed by the whole film pressure, first touch anywhere in the window.
     #[must_use]
     pub fn first_touch_gap(&self) -> Length {
-        let gap = |i: usize| self.undeformed[i] + self.hertz_displacement[i];
+        let gap = |i: usize| self.undeformed[i] + self.smooth.displacement[i];
         let least = (0..self.undeformed.len())
             .map(gap)
             .fold(f64::INFINITY, f64::min);
-        let sum: f64 = self.core.clone().map(|i| gap(i) - least).sum();
-        Length::from_si(sum / self.core.len() as f64)
+        let sum: f64 = self.smooth.core.clone().map(|i| gap(i) - least).sum();
+        Length::from_si(sum / self.smooth.core.len() as f64)
     }
 
     /// The contact at one asperity share.
@@ -222,8 +260,8 @@ impl RoughContact {
         let rule = "must be above 0 and not above 1";
         DomainError::require(phi > 0.0 && phi <= 1.0, "asperity share", phi, "-", rule)?;
         let fluid = 1.0 - phi;
-        let limit = self.flow_pressure - fluid * self.max_hertz;
-        let parts = self.undeformed.iter().zip(&self.hertz_displacement);
+        let limit = self.flow_pressure - fluid * self.smooth.max_hertz;
+        let parts = self.undeformed.iter().zip(&self.smooth.displacement);
         for (gap, (h, u)) in self.gap.iter_mut().zip(parts) {
             *gap = h + fluid * u;
         }
@@ -253,12 +291,16 @@ impl RoughContact {
     }
 
     fn state(&self, phi: f64, solution: ContactSolution) -> ContactState {
-        let core: f64 = solution.gap[self.core.clone()]
+        let core: f64 = solution.gap[self.smooth.core.clone()]
             .iter()
             .map(|g| g.max(0.0))
             .sum();
-        let touching = self.inside.clone().filter(|&i| solution.pressure[i] > 0.0);
-        let both = solution.pressure.iter().zip(&self.hertz);
+        let touching = self
+            .smooth
+            .inside
+            .clone()
+            .filter(|&i| solution.pressure[i] > 0.0);
+        let both = solution.pressure.iter().zip(&self.smooth.hertz);
         let highest = both.fold(0.0, |m: f64, (p, h)| m.max(p + (1.0 - phi) * h));
         let mut spots = Vec::new();
         for cells in runs(&solution.pressure) {
@@ -266,9 +308,9 @@ impl RoughContact {
         }
         ContactState {
             asperity_share: phi,
-            mean_gap: Length::from_si(core / self.core.len() as f64),
+            mean_gap: Length::from_si(core / self.smooth.core.len() as f64),
             spots,
-            area: touching.count() as f64 / self.inside.len() as f64,
+            area: touching.count() as f64 / self.smooth.inside.len() as f64,
             max_pressure: Pressure::from_si(highest),
             dissipated: solution.dissipated,
             solution,
@@ -304,7 +346,7 @@ impl RoughContact {
         let fluid = 1.0 - state.asperity_share;
         let problem = ContactProblem {
             pressure_limit: Some(Pressure::from_si(
-                self.flow_pressure - fluid * self.max_hertz,
+                self.flow_pressure - fluid * self.smooth.max_hertz,
             )),
             ..ContactProblem::new(
                 &self.undeformed,
@@ -314,9 +356,9 @@ impl RoughContact {
             )
         };
         let sets = FixedSets::of(&problem, pressure)?;
-        let each = by_gap / self.core.len() as f64;
+        let each = by_gap / self.smooth.core.len() as f64;
         let mut apart = vec![0.0; pressure.len()];
-        for i in self.core.clone() {
+        for i in self.smooth.core.clone() {
             if pressure[i] == 0.0 && state.solution.gap[i] > 0.0 {
                 apart[i] = each;
             }
@@ -339,10 +381,10 @@ impl RoughContact {
 
     /// Derivative of `by_gap` times the mean gap of first touch over the heights of the composite window.
     pub(crate) fn first_touch_gradient(&self, by_gap: f64) -> Vec<f64> {
-        let gap = |i: usize| self.undeformed[i] + self.hertz_displacement[i];
+        let gap = |i: usize| self.undeformed[i] + self.smooth.displacement[i];
         let mut gradient = vec![0.0; self.undeformed.len()];
-        for i in self.core.clone() {
-            gradient[i] -= by_gap / self.core.len() as f64;
+        for i in self.smooth.core.clone() {
+            gradient[i] -= by_gap / self.smooth.core.len() as f64;
         }
         let first = (0..gradient.len()).min_by(|i, j| gap(*i).total_cmp(&gap(*j)));
         if let Some(first) = first {

@@ -18,8 +18,8 @@ use asperity_core::cite;
 use asperity_core::quantity::{Length, Temperature};
 use asperity_ehl_regime::FilmGroups;
 use asperity_ehl_regime::film_line::{moes, moes_of_each};
-use asperity_oil::{FilmOilState, FilmPoint, FilmRheology, LANES};
-use asperity_tribo_friction::boundary::boundary_share;
+use asperity_oil::{FilmOilState, FilmRheology, LANES, ShearedPoint};
+use asperity_tribo_friction::boundary::{boundary_share, share_on_layer};
 
 use crate::error::LoadShareError;
 use crate::spot_tree::{BySpot, Spot};
@@ -175,6 +175,34 @@ impl SpotFriction {
     }
 }
 
+/// Spots of some contacts whose mean friction is sought, with the stresses of their films at the last temperature.
+#[derive(Debug, Clone)]
+pub(crate) struct SpotList {
+    contacts: Vec<Contact>,
+    /// Weight of each in the mean.
+    weights: Vec<f64>,
+    stresses: Vec<SpotStresses>,
+}
+
+impl SpotList {
+    /// The spots of some contacts, with the weight of each contact.
+    pub(crate) fn of(contacts: &[(&[Spot], f64)]) -> Self {
+        let count = contacts.iter().map(|(spots, _)| spots.len()).sum();
+        let mut list = Self {
+            contacts: Vec::with_capacity(count),
+            weights: Vec::with_capacity(count),
+            stresses: vec![SpotStresses::default(); count],
+        };
+        for (spots, weight) in contacts {
+            let total: f64 = spots.iter().map(|spot| spot.load.si()).sum();
+            list.contacts.extend(spots.iter().map(Contact::of));
+            let weights = spots.iter().map(|spot| weight * spot.load.si() / total);
+            list.weights.extend(weights);
+        }
+        list
+    }
+}
+
 impl SpotConditions<'_> {
     /// Boundary share, friction and film of touching spots.
     ///
@@ -186,37 +214,31 @@ impl SpotConditions<'_> {
     /// # Errors
     /// When a spot has no film.
     pub(crate) fn friction(&self, spots: &[Spot]) -> Result<SpotFriction, LoadShareError> {
-        self.friction_from(spots, &mut vec![SpotStresses::default(); spots.len()])
+        let mut spots = SpotList::of(&[(spots, 1.0)]);
+        Ok(self.friction_of(&mut spots, |points| self.shear(points))?.0)
     }
 
-    /// [`friction`](Self::friction), started from the shear stress of each spot at a nearby temperature if it is known.
-    /// `stresses` holds the solutions afterwards.
+    /// [`friction`](Self::friction) of the spots of a list; `shear` solves the stresses of their films, together with what else it
+    /// has, and returns that.
     ///
     /// # Errors
-    /// When a spot has no film.
-    pub(crate) fn friction_from(
+    /// When a spot has no film, and those of `shear`.
+    pub(crate) fn friction_of<T>(
         &self,
-        spots: &[Spot],
-        stresses: &mut [SpotStresses],
-    ) -> Result<SpotFriction, LoadShareError> {
+        spots: &mut SpotList,
+        shear: impl FnOnce(&mut [ShearedPoint]) -> Result<T, LoadShareError>,
+    ) -> Result<(SpotFriction, T), LoadShareError> {
         cite!("Spot-friction");
-        cite!("Limiting-shear");
-        cite!("Larsson-Andersson");
-        let state = self.rheology.state(self.wall)?;
-        let (mut total, mut sum) = (0.0, SpotFriction::default());
-        for (spots, stresses) in spots.chunks(LANES).zip(stresses.chunks_mut(LANES)) {
-            let contacts = spots.iter().map(Contact::of);
-            for (spot, of_spot) in spots.iter().zip(self.of_each(&state, contacts, stresses)?) {
-                let f = spot.load.si();
-                sum.add(&of_spot, f);
-                total += f;
-            }
-        }
+        let (found, other) = self.of_each(&spots.contacts, &mut spots.stresses, shear)?;
         let mut mean = SpotFriction::default();
-        if total > 0.0 {
-            mean.add(&sum, 1.0 / total);
+        for (of_spot, weight) in found.iter().zip(&spots.weights) {
+            mean.add(of_spot, *weight);
         }
-        Ok(mean)
+        Ok((mean, other))
+    }
+
+    fn shear(&self, points: &mut [ShearedPoint]) -> Result<(), LoadShareError> {
+        Ok(self.rheology.shear(points.iter_mut(), self.wall.si())?)
     }
 
     /// Whether the film of a spot is thinner than the smallest film thickness used for its shear rate.
@@ -225,14 +247,10 @@ impl SpotConditions<'_> {
     /// When a spot has no film.
     pub(crate) fn limits_shear_rate(&self, spots: &[Spot]) -> Result<bool, LoadShareError> {
         let state = self.rheology.state(self.wall)?;
-        for spots in spots.chunks(LANES) {
-            let films = self.films_of_each(&state, spots.iter().map(Contact::of))?;
-            let mut films = films[..spots.len()].iter().flatten();
-            if films.any(|at| at.part > 0.0 && at.film < THINNEST) {
-                return Ok(true);
-            }
-        }
-        Ok(false)
+        let contacts: Vec<Contact> = spots.iter().map(Contact::of).collect();
+        let films = self.films(&state, &contacts)?;
+        let mut films = films.iter().flatten();
+        Ok(films.any(|at| at.part > 0.0 && at.film < THINNEST))
     }
 
     /// Derivatives of the mean friction coefficient of `spots`, with the coefficient `boundary` of the boundary layer, over
@@ -252,81 +270,110 @@ impl SpotConditions<'_> {
         boundary: f64,
     ) -> Result<Vec<BySpot>, LoadShareError> {
         cite!("Spot-gradient");
-        let state = self.rheology.state(self.wall)?;
         let total: f64 = spots.iter().map(|spot| spot.load.si()).sum();
-        let mut stresses = vec![SpotStresses::default(); spots.len()];
-        let mean = self.friction_from(spots, &mut stresses)?.total(boundary);
-        let slopes = |(spot, stress): (&Spot, SpotStresses)| {
-            let (f, h) = (spot.load.si(), SLOPE_STEP);
+        let mut list = SpotList::of(&[(spots, 1.0)]);
+        let (mean, ()) = self.friction_of(&mut list, |points| self.shear(points))?;
+        let mean = mean.total(boundary);
+        let h = SLOPE_STEP;
+        let steps = [
+            (1.0, 1.0),
+            (1.0 + h, 1.0),
+            (1.0 - h, 1.0),
+            (1.0, 1.0 + h),
+            (1.0, 1.0 - h),
+        ];
+        let moved = list.contacts.iter().flat_map(|contact| {
+            steps.map(|(of_load, of_width)| Contact {
+                load: contact.load * of_load,
+                width: contact.width * of_width,
+            })
+        });
+        let moved: Vec<Contact> = moved.collect();
+        let starts = list.stresses.iter().flat_map(|stress| [*stress; 5]);
+        let mut starts: Vec<SpotStresses> = starts.collect();
+        let (found, ()) = self.of_each(&moved, &mut starts, |points| self.shear(points))?;
+        let slopes = |(spot, found): (&Spot, &[SpotFriction; 5])| {
+            let f = spot.load.si();
             let Contact { load, width } = Contact::of(spot);
-            let steps = [
-                (1.0, 1.0),
-                (1.0 + h, 1.0),
-                (1.0 - h, 1.0),
-                (1.0, 1.0 + h),
-                (1.0, 1.0 - h),
-            ];
-            let contacts = steps.into_iter().map(|(of_load, of_width)| Contact {
-                load: load * of_load,
-                width: width * of_width,
-            });
-            let found = self.of_each(&state, contacts, &mut [stress; 5])?;
-            let [here, more, less, wider, narrower, ..] =
-                found.map(|of_spot| of_spot.total(boundary));
+            let [here, more, less, wider, narrower] = found.map(|of_spot| of_spot.total(boundary));
             let by_joint_load = (more - less) / load;
             let by_width = (wider - narrower) / width;
             let of_contact = [by_joint_load, by_width].map(|slope| f * slope / (2.0 * h * total));
-            Ok([(here - mean) / total, of_contact[0], of_contact[1]])
+            [(here - mean) / total, of_contact[0], of_contact[1]]
         };
-        spots.iter().zip(stresses).map(slopes).collect()
+        let found = found.as_chunks().0;
+        Ok(spots.iter().zip(found).map(slopes).collect())
     }
 
-    /// Friction and film of up to [`LANES`] contacts. `stresses` holds the shear stresses of their films at a nearby state, if known, and
-    /// the solution afterwards.
-    fn of_each(
+    /// Friction and film of contacts. `stresses` holds the shear stresses of their films at a nearby state, if known, and the
+    /// solution afterwards, which `shear` finds.
+    fn of_each<T>(
         &self,
-        state: &FilmOilState,
-        contacts: impl Iterator<Item = Contact> + Clone,
+        contacts: &[Contact],
         stresses: &mut [SpotStresses],
-    ) -> Result<[SpotFriction; LANES], LoadShareError> {
-        let films = self.films_of_each(state, contacts.clone())?;
-        let mut found = [SpotFriction::default(); LANES];
+        shear: impl FnOnce(&mut [ShearedPoint]) -> Result<T, LoadShareError>,
+    ) -> Result<(Vec<SpotFriction>, T), LoadShareError> {
+        cite!("Limiting-shear");
+        cite!("Larsson-Andersson");
+        let state = self.rheology.state(self.wall)?;
+        let films = self.films(&state, contacts)?;
         let wall = self.wall.si();
-        for which in [0, 1] {
-            // The contacts that have this film.
-            let (mut sheared, mut count) = ([0; LANES], 0);
-            let mut points = [(FilmPoint::REST, None); LANES];
-            for (k, contact) in contacts.clone().enumerate() {
-                let at = &films[k][which];
-                if at.part > 0.0 {
-                    let film = at.film.max(THINNEST);
-                    let point = self
-                        .rheology
-                        .film_point(contact.pressure(), self.sliding, film);
-                    let start = stresses[k][which];
-                    let start = start.map(|near| near.stress + near.slope * (wall - near.wall));
-                    (sheared[count], points[count]) = (k, (point, start));
-                    count += 1;
+        let mut sheared = Vec::with_capacity(2 * contacts.len());
+        for (of_contact, stresses) in films.iter().zip(&*stresses) {
+            let films = of_contact.iter().zip(stresses);
+            sheared.extend(films.filter(|(at, _)| at.part > 0.0).map(|(at, near)| {
+                let film = at.film.max(THINNEST);
+                ShearedPoint {
+                    point: self.rheology.film_point(at.pressure, self.sliding, film),
+                    start: near.map(|near| near.stress + near.slope * (wall - near.wall)),
+                    stress: [0.0; 2],
                 }
-            }
-            let points = points[..count].iter().copied();
-            let solved = self.rheology.heated_stresses(points, wall)?;
-            for (k, [stress, slope]) in sheared[..count].iter().copied().zip(solved) {
-                stresses[k][which] = Some(SpotStress {
+            }));
+        }
+        let other = shear(&mut sheared)?;
+        let mut sheared = sheared.iter();
+        let mut found = vec![SpotFriction::default(); contacts.len()];
+        let of_contacts = films.iter().zip(stresses).zip(&mut found);
+        for ((of_contact, stresses), found) in of_contacts {
+            let films = of_contact.iter().zip(stresses);
+            for (at, own) in films.filter(|(at, _)| at.part > 0.0) {
+                let Some(&ShearedPoint {
+                    stress: [stress, slope],
+                    ..
+                }) = sheared.next()
+                else {
+                    break;
+                };
+                *own = Some(SpotStress {
                     wall,
                     stress,
                     slope,
                 });
-                let at = &films[k][which];
                 let of_film = SpotFriction {
                     boundary_share: at.boundary_share,
                     lubricated: (1.0 - at.boundary_share) * stress / at.pressure,
                     film: at.film,
                 };
-                found[k].add(&of_film, at.part);
+                found.add(&of_film, at.part);
             }
         }
-        Ok(found)
+        Ok((found, other))
+    }
+
+    /// The films of contacts.
+    fn films(
+        &self,
+        state: &FilmOilState,
+        contacts: &[Contact],
+    ) -> Result<Vec<[SpotFilm; 2]>, LoadShareError> {
+        cite!("Boundary-share");
+        // The layer is checked once; films are positive.
+        boundary_share(Length::from_si(1.0), self.boundary_layer)?;
+        let mut films = vec![[SpotFilm::NONE; 2]; contacts.len()];
+        for (films, contacts) in films.chunks_mut(LANES).zip(contacts.chunks(LANES)) {
+            self.films_of_each(state, contacts, films)?;
+        }
+        Ok(films)
     }
 
     /// The films of up to [`LANES`] contacts.
@@ -341,9 +388,9 @@ impl SpotConditions<'_> {
     fn films_of_each(
         &self,
         state: &FilmOilState,
-        contacts: impl Iterator<Item = Contact> + Clone,
-    ) -> Result<[[SpotFilm; 2]; LANES], LoadShareError> {
-        let mut films = [[SpotFilm::NONE; 2]; LANES];
+        contacts: &[Contact],
+        films: &mut [[SpotFilm; 2]],
+    ) -> Result<(), LoadShareError> {
         let (entrainment, inner) = match self.feed {
             Feed::At(speed) => (speed, None),
             Feed::Carried {
@@ -360,25 +407,25 @@ impl SpotConditions<'_> {
                 (entrainment, Some((half_sliding, half_width, held)))
             }
         };
-        let flowing = self.flowing(state, contacts.clone(), entrainment)?;
+        let flowing = self.flowing(state, contacts, entrainment)?;
         let Some((half_sliding, half_width, held)) = inner else {
             for ((of_spot, contact), film) in films.iter_mut().zip(contacts).zip(flowing) {
-                of_spot[0] = self.with_film(1.0, film, contact)?;
+                of_spot[0] = self.with_film(1.0, film, contact);
             }
-            return Ok(films);
+            return Ok(());
         };
         let part =
             |contact: &Contact| carried_part(entrainment, self.sliding, half_width, contact.width);
         // A film rises with its speed, at most in proportion.
         let may_be_thinner = |film: f64| held >= film * (half_sliding / entrainment).min(1.0);
-        let mut of_each = contacts.clone().zip(flowing);
-        let slow = match of_each.any(|(contact, film)| part(&contact) < 1.0 && may_be_thinner(film))
+        let mut of_each = contacts.iter().zip(flowing);
+        let slow = match of_each.any(|(contact, film)| part(contact) < 1.0 && may_be_thinner(film))
         {
-            true => self.flowing(state, contacts.clone(), half_sliding)?,
+            true => self.flowing(state, contacts, half_sliding)?,
             false => [f64::INFINITY; LANES],
         };
-        for (k, contact) in contacts.enumerate() {
-            let (part, film) = (part(&contact), flowing[k]);
+        for (k, (contact, of_spot)) in contacts.iter().zip(films).enumerate() {
+            let (part, film) = (part(contact), flowing[k]);
             if part < 1.0 {
                 cite!("Carried-film");
                 let held = if may_be_thinner(film) {
@@ -386,38 +433,32 @@ impl SpotConditions<'_> {
                 } else {
                     held
                 };
-                films[k][1] = self.with_film(1.0 - part, held, contact)?;
+                of_spot[1] = self.with_film(1.0 - part, held, contact);
             }
-            films[k][0] = self.with_film(part, film, contact)?;
+            of_spot[0] = self.with_film(part, film, contact);
         }
-        Ok(films)
+        Ok(())
     }
 
-    fn with_film(
-        &self,
-        part: f64,
-        film: f64,
-        contact: Contact,
-    ) -> Result<SpotFilm, LoadShareError> {
-        let share = boundary_share(Length::from_si(film), self.boundary_layer)?;
-        Ok(SpotFilm {
+    fn with_film(&self, part: f64, film: f64, contact: &Contact) -> SpotFilm {
+        SpotFilm {
             part,
             film,
-            boundary_share: share.clamp(0.0, 1.0),
+            boundary_share: share_on_layer(film, self.boundary_layer.si()),
             pressure: contact.pressure(),
-        })
+        }
     }
 
     /// Films \[m\] of up to [`LANES`] contacts, fed at a speed.
     fn flowing(
         &self,
         state: &FilmOilState,
-        contacts: impl Iterator<Item = Contact> + Clone,
+        contacts: &[Contact],
         speed: f64,
     ) -> Result<[f64; LANES], LoadShareError> {
         let modulus = 2.0 * self.modulus;
-        let groups_of = |contact: Contact| {
-            let Contact { load, width } = contact;
+        let groups_of = |contact: &Contact| {
+            let Contact { load, width } = *contact;
             let radius = PI * self.modulus * 0.25 * width * width / (4.0 * load);
             let groups = FilmGroups {
                 material: state.pressure_viscosity.si() * modulus,
@@ -427,7 +468,7 @@ impl SpotConditions<'_> {
             (groups, radius)
         };
         let mut inputs = [[1.0; LANES]; 4];
-        for (k, contact) in contacts.clone().enumerate() {
+        for (k, contact) in contacts.iter().enumerate() {
             let (of_contact, radius) = groups_of(contact);
             let FilmGroups {
                 material,
@@ -439,7 +480,7 @@ impl SpotConditions<'_> {
             }
         }
         let films = moes_of_each(inputs);
-        for (contact, film) in contacts.zip(films) {
+        for (contact, film) in contacts.iter().zip(films) {
             if !(film.is_finite() && film > 0.0) {
                 // It names what is wrong.
                 let (groups, radius) = groups_of(contact);

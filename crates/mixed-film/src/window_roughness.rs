@@ -1,6 +1,7 @@
 //! Roughness of a window as the inlet of its contact leaves it: how high it is, and where the film's pressure ripples.
 
 use asperity_core::cite;
+use asperity_core::numerics::{Lanes, vectorised};
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::Attenuation;
 use serde::{Deserialize, Serialize};
@@ -104,17 +105,59 @@ impl WindowRoughness {
         }
     }
 
+    /// Records the equations behind a roughness that is known from before.
+    pub fn cite_known(&self) {
+        cite!("Venner");
+        cite!("Attenuated-trace");
+        cite!("Gap-roughness");
+        if !self.ripple.is_empty() {
+            cite!("Ripple-pressure");
+            cite!("Ripple-parts");
+        }
+    }
+
     /// Whether pressure flattens it anywhere.
     pub(crate) fn is_rippled(&self) -> bool {
         self.ripple.iter().any(|part| part.pressure != 0.0)
     }
 
-    /// The window of the sums of two flattened heights \[m\], and of the pressures \[Pa\] that flatten them.
-    pub(crate) fn of(heights: &[f64], pressures: Option<&[f64]>, peak_weight: f64) -> Self {
+    /// The window of the sums of `N` flattened heights \[m\], and of the pressures \[Pa\] that flatten them.
+    pub(crate) fn of<const N: usize>(
+        heights: [&[f64]; N],
+        pressures: Option<[&[f64]; N]>,
+        peak_weight: f64,
+    ) -> Self {
         Self {
             deviation: deviation(heights, peak_weight),
-            ripple: pressures.map_or_else(Vec::new, |pressures| ripple(heights, pressures)),
+            ripple: pressures.map_or_else(Vec::new, |pressures| {
+                ripple(&AtPlaces::of(heights, pressures))
+            }),
         }
+    }
+}
+
+/// Sums of pressures and heights at the evaluated places of a window.
+struct AtPlaces {
+    pressures: Vec<f64>,
+    heights: Vec<f64>,
+}
+
+impl AtPlaces {
+    fn of<const N: usize>(heights: [&[f64]; N], pressures: [&[f64]; N]) -> Self {
+        let points = heights[0].len();
+        let sums = |of: [&[f64]; N]| {
+            let sum = |i: usize| of.iter().map(|values| values[i]).sum();
+            places(points).map(sum).collect()
+        };
+        Self {
+            pressures: sums(pressures),
+            heights: sums(heights),
+        }
+    }
+
+    fn iter(&self) -> impl Iterator<Item = (f64, f64)> {
+        let pressures = self.pressures.iter().copied();
+        pressures.zip(self.heights.iter().copied())
     }
 }
 
@@ -131,25 +174,28 @@ fn mean(values: &[f64]) -> f64 {
 /// Across ridges the flow is the mean of h⁻³, in which what lies below the mean line hardly counts. Both sums are the same for
 /// heights that are distributed evenly about their mean. w is 1 up to a lay of 1/3, 0 at 1, and between them linear in
 /// the lay factor t.
-fn deviation(heights: &[f64], weight: f64) -> Length {
+///
+/// The heights are the sums of those of `N` arrays.
+fn deviation<const N: usize>(heights: [&[f64]; N], weight: f64) -> Length {
     cite!("Gap-roughness");
-    let n = heights.len() as f64;
-    if weight == 0.0 {
-        let (mut sum, mut squares) = (0.0, 0.0);
-        for z in heights {
-            sum += z;
-            squares += z * z;
-        }
-        let mean = sum / n;
-        return Length::from_si((squares / n - mean * mean).max(0.0).sqrt());
-    }
-    let line = mean(heights);
-    let square = |z: &f64| {
-        let y = z - line;
-        let above = y.max(0.0);
-        weight * 2.0 * above * above + (1.0 - weight) * y * y
-    };
-    Length::from_si((heights.iter().map(square).sum::<f64>() / n).sqrt())
+    let n = heights[0].len() as f64;
+    // The compiler turns sums in lanes into vectors, but not a sum in order.
+    let squares = vectorised(
+        #[inline(always)]
+        || {
+            let mut sum = Lanes::new([0.0]);
+            sum.fold(heights, |[sum], of| [sum + of.iter().sum::<f64>()]);
+            let line = sum.total()[0] / n;
+            let mut squares = Lanes::new([0.0]);
+            squares.fold(heights, |[sum], of| {
+                let y = of.iter().sum::<f64>() - line;
+                let above = if y > 0.0 { y } else { 0.0 };
+                [sum + weight * 2.0 * above * above + (1.0 - weight) * y * y]
+            });
+            squares.total()[0]
+        },
+    );
+    Length::from_si((squares / n).sqrt())
 }
 
 /// Derivative of σ_d over each of `heights`; zero where σ_d is.
@@ -160,7 +206,7 @@ fn deviation(heights: &[f64], weight: f64) -> Length {
 pub(crate) fn deviation_gradient(heights: &[f64], weight: f64) -> Vec<f64> {
     cite!("Rms-gradient");
     let n = heights.len() as f64;
-    let deviation = deviation(heights, weight).si();
+    let deviation = deviation([heights], weight).si();
     if deviation == 0.0 {
         return vec![0.0; heights.len()];
     }
@@ -186,16 +232,19 @@ struct Scale {
 
 impl Scale {
     fn of(pressures: &[f64]) -> Self {
-        let values = || places(pressures.len()).map(|i| pressures[i]);
-        let n = values().count() as f64;
-        let mean = values().sum::<f64>() / n;
-        let squares = values().map(|p| (p - mean) * (p - mean)).sum::<f64>();
+        let n = pressures.len() as f64;
+        let mean = pressures.iter().sum::<f64>() / n;
+        let squares = pressures
+            .iter()
+            .map(|p| (p - mean) * (p - mean))
+            .sum::<f64>();
         Self {
             mean,
             deviation: (squares / n).sqrt(),
         }
     }
 
+    #[inline(always)]
     fn u(self, pressure: f64) -> f64 {
         (pressure - self.mean) / self.deviation
     }
@@ -209,52 +258,77 @@ impl Scale {
     /// heights. What falls beyond the first or last part counts in it. At the mean a part is .17 standard deviations wide, at twice
     /// the deviation .47.
     fn placed(self, pressure: f64) -> Placed {
+        let (place, root) = self.place(pressure);
+        let slope = 0.25 * PARTS as f64 / (root * root * root);
+        let (middle, weights) = weights(place);
+        let [below, above] = [weights[0], weights[2]].map(|weight| (2.0 * weight).sqrt());
+        [
+            (middle.saturating_sub(1), weights[0], -below * slope),
+            (middle, weights[1], (below - above) * slope),
+            ((middle + 1).min(PARTS - 1), weights[2], above * slope),
+        ]
+    }
+
+    /// N times the place among the parts from 0 to 1, and √(1 + u²/4).
+    #[inline(always)]
+    fn place(self, pressure: f64) -> (f64, f64) {
         let u = self.u(pressure);
         let root = (1.0 + 0.25 * u * u).sqrt();
-        let parts = PARTS as f64;
-        let place = parts * (0.5 + 0.25 * u / root);
-        let slope = 0.25 * parts / (root * root * root);
-        let middle = (place as usize).min(PARTS - 1);
-        let x = place - middle as f64 - 0.5;
-        let [below, above] = [0.5 - x, 0.5 + x];
-        [
-            (
-                middle.saturating_sub(1),
-                0.5 * below * below,
-                -below * slope,
-            ),
-            (middle, 0.75 - x * x, -2.0 * x * slope),
-            (
-                (middle + 1).min(PARTS - 1),
-                0.5 * above * above,
-                above * slope,
-            ),
-        ]
+        (PARTS as f64 * (0.5 + 0.25 * u / root), root)
     }
 }
 
+/// The middle one of the three parts in which a place counts, and its weights in them.
+#[inline(always)]
+fn weights(place: f64) -> (usize, [f64; 3]) {
+    let middle = (place as usize).min(PARTS - 1);
+    let x = place - middle as f64 - 0.5;
+    let [below, above] = [0.5 - x, 0.5 + x];
+    (
+        middle,
+        [0.5 * below * below, 0.75 - x * x, 0.5 * above * above],
+    )
+}
+
 /// Number of places in each part, with the sums over them of pressure and height.
-fn sums(heights: &[f64], pressures: &[f64], scale: Scale) -> [[f64; 3]; PARTS] {
-    let mut sums = [[0.0; 3]; PARTS];
-    for i in places(pressures.len()) {
-        let (p, z) = (pressures[i], heights[i]);
-        for (part, weight, _) in scale.placed(p) {
-            for (sum, value) in sums[part].iter_mut().zip([1.0, p, z]) {
+fn sums(at: &AtPlaces, scale: Scale) -> [[f64; 3]; PARTS] {
+    let mut places = at.pressures.clone();
+    vectorised(
+        #[inline(always)]
+        || {
+            for place in &mut places {
+                *place = scale.place(*place).0;
+            }
+        },
+    );
+    // A part before the first and one behind the last, which count in these; four numbers each are a vector.
+    let mut sums = [[0.0; 4]; PARTS + 2];
+    for (place, (p, z)) in places.iter().zip(at.iter()) {
+        let (middle, weights) = weights(*place);
+        for (sums, weight) in sums[middle..].iter_mut().zip(weights) {
+            for (sum, value) in sums.iter_mut().zip([1.0, p, z, 0.0]) {
                 *sum += weight * value;
             }
         }
     }
-    sums
+    for k in 0..3 {
+        sums[1][k] += sums[0][k];
+        sums[PARTS][k] += sums[PARTS + 1][k];
+    }
+    std::array::from_fn(|part| {
+        let [places, pressure, height, _] = sums[part + 1];
+        [places, pressure, height]
+    })
 }
 
 /// The parts of a window that have places, in the order of their pressures.
-fn ripple(heights: &[f64], pressures: &[f64]) -> Vec<RipplePart> {
+fn ripple(at: &AtPlaces) -> Vec<RipplePart> {
     cite!("Ripple-parts");
-    let scale = Scale::of(pressures);
+    let scale = Scale::of(&at.pressures);
     if scale.deviation == 0.0 {
         return Vec::new();
     }
-    let sums = sums(heights, pressures, scale);
+    let sums = sums(at, scale);
     let total = |of: usize| sums.iter().map(|part| part[of]).sum::<f64>();
     let n = total(0);
     let height = total(2) / n;
@@ -283,11 +357,12 @@ pub(crate) fn part_gradient(
 ) -> [Vec<f64>; 2] {
     cite!("Ripple-gradient");
     let mut gradient = [0, 1].map(|_| vec![0.0; pressures.len()]);
-    let scale = Scale::of(pressures);
+    let at = AtPlaces::of([heights], [pressures]);
+    let scale = Scale::of(&at.pressures);
     if scale.deviation == 0.0 {
         return gradient;
     }
-    let sums = sums(heights, pressures, scale);
+    let sums = sums(&at, scale);
     let n = sums.iter().map(|part| part[0]).sum::<f64>();
     let mut of_parts = [[0.0; 3]; PARTS];
     let filled = (0..PARTS).filter(|k| sums[*k][0] > 0.0);
@@ -336,6 +411,10 @@ pub(crate) fn part_gradient(
 mod tests {
     use super::*;
 
+    fn ripple(heights: &[f64], pressures: &[f64]) -> Vec<RipplePart> {
+        super::ripple(&AtPlaces::of([heights], [pressures]))
+    }
+
     fn wave(points: usize) -> Vec<f64> {
         let turn = std::f64::consts::TAU / points as f64;
         (0..points)
@@ -347,17 +426,17 @@ mod tests {
     fn peaks_of_even_heights_have_their_standard_deviation() {
         let heights = wave(1000);
         for weight in [0.0, 0.3, 1.0] {
-            let found = deviation(&heights, weight).si();
+            let found = deviation([&heights], weight).si();
             assert!((found - 0.5_f64.sqrt()).abs() < 1e-12, "{weight}: {found}");
         }
         // A plateau with one deep valley in ten: nine tenths a tenth above the mean line, a tenth nine tenths below it.
         let plateau: Vec<f64> = (0..1000).map(|i| f64::from(u8::from(i >= 100))).collect();
-        let found = deviation(&plateau, 1.0).si();
+        let found = deviation([&plateau], 1.0).si();
         assert!(
             (found - (2.0_f64 * 0.9 * 0.01).sqrt()).abs() < 1e-12,
             "{found}"
         );
-        let rms = deviation(&plateau, 0.0).si();
+        let rms = deviation([&plateau], 0.0).si();
         assert!((rms - 0.3).abs() < 1e-12, "{rms}");
     }
 
@@ -370,7 +449,7 @@ mod tests {
                 let at = |step: f64| {
                     let mut moved = heights.clone();
                     moved[i] += step;
-                    deviation(&moved, weight).si()
+                    deviation([&moved], weight).si()
                 };
                 let quotient = (at(1e-6) - at(-1e-6)) / 2e-6;
                 assert!((gradient[i] - quotient).abs() < 1e-9, "{weight} {i}");

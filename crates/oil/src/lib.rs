@@ -58,7 +58,7 @@ pub use pressure_viscosity::{
     GOLD_FIT, HIGHEST_PLAUSIBLE, LOWEST_PLAUSIBLE, gold_pressure_viscosity,
     plausible_pressure_viscosity,
 };
-pub use rheology::{FilmOilState, FilmPoint, FilmRheology, GOLD_TEMPERATURE, LANES};
+pub use rheology::{FilmOilState, FilmPoint, FilmRheology, GOLD_TEMPERATURE, LANES, ShearedPoint};
 pub use shear_law::{
     LIMIT_POWER, ShearLaw, ShearLawName, ShearThinning, TangentFluidity, limited_stress,
     limited_stress_by,

@@ -137,6 +137,17 @@ impl FilmPoint {
     }
 }
 
+/// A point of a film with its stress, which is solved together with those of others.
+#[derive(Debug, Clone, Copy)]
+pub struct ShearedPoint {
+    /// The point.
+    pub point: FilmPoint,
+    /// A guess of the stress, such as that at a temperature nearby \[Pa\].
+    pub start: Option<f64>,
+    /// The stress \[Pa\] and its slope over the temperature of the walls \[Pa/K\], once solved.
+    pub stress: [f64; 2],
+}
+
 impl FilmRheology {
     /// The rheology of a lubricant on this base oil, with α by Gold's formula at 80 °C.
     ///
@@ -560,7 +571,7 @@ impl FilmRheology {
     ///
     /// # Errors
     /// As [`heated_stress`](Self::heated_stress).
-    pub fn heated_stresses(
+    fn heated_stresses(
         &self,
         points: impl Iterator<Item = (FilmPoint, Option<f64>)>,
         wall_temperature: f64,
@@ -604,6 +615,30 @@ impl FilmRheology {
             *found = [stress.value, slope];
         }
         Ok(found)
+    }
+
+    /// Solves the stresses of `points` between walls at a temperature \[K\] with their own heat, [`LANES`] at a time.
+    ///
+    /// # Errors
+    /// As [`heated_stress`](Self::heated_stress).
+    pub fn shear<'a>(
+        &self,
+        points: impl Iterator<Item = &'a mut ShearedPoint>,
+        wall_temperature: f64,
+    ) -> Result<(), LubricantError> {
+        let mut points = points.fuse();
+        loop {
+            let mut together: [Option<&mut ShearedPoint>; LANES] =
+                std::array::from_fn(|_| points.next());
+            if together[0].is_none() {
+                return Ok(());
+            }
+            let of_each = together.iter().flatten().map(|at| (at.point, at.start));
+            let found = self.heated_stresses(of_each, wall_temperature)?;
+            for (at, stress) in together.iter_mut().flatten().zip(found) {
+                at.stress = stress;
+            }
+        }
     }
 
     /// Stresses and slopes of all lanes; `None` where one leaves its bracket, which bisection would not.

@@ -23,18 +23,32 @@ pub fn thin<R: Copy, const N: usize>(
     coordinate: impl Fn(&R) -> f64,
     columns: impl Fn(&R) -> [f64; N],
 ) -> Vec<R> {
-    if rows.len() <= 2 * bins {
-        return rows.to_vec();
+    thin_made(rows.len(), bins, |i| rows[i], coordinate, columns)
+}
+
+/// [`thin`] of `count` rows that are made when they are looked at, so that a long table is never in memory.
+pub(crate) fn thin_made<R, const N: usize>(
+    count: usize,
+    bins: usize,
+    row: impl Fn(usize) -> R,
+    coordinate: impl Fn(&R) -> f64,
+    columns: impl Fn(&R) -> [f64; N],
+) -> Vec<R> {
+    if count <= 2 * bins {
+        return (0..count).map(row).collect();
     }
-    let coordinates = rows.iter().map(&coordinate);
-    let [low, high] = range(coordinates.filter(|at| at.is_finite()));
+    let at = |i: usize| coordinate(&row(i));
+    let [low, high] = range((0..count).map(at).filter(|at| at.is_finite()));
     // The cast saturates, and an undefined coordinate is in the first bin.
-    let bin =
-        |row: &R| (((coordinate(row) - low) / (high - low) * bins as f64) as usize).min(bins - 1);
-    let mut selected = vec![0, rows.len() - 1];
-    let mut from = 0;
-    for group in rows.chunk_by(|a, b| bin(a) == bin(b)) {
-        let cells: Vec<[f64; N]> = group.iter().map(&columns).collect();
+    let bin = |i: usize| (((at(i) - low) / (high - low) * bins as f64) as usize).min(bins - 1);
+    let mut selected = vec![0, count - 1];
+    let (mut from, mut cells) = (0, Vec::new());
+    while from < count {
+        // Consecutive rows in one bin.
+        let here = bin(from);
+        let end = (from + 1..count).find(|i| bin(*i) != here).unwrap_or(count);
+        cells.clear();
+        cells.extend((from..end).map(|i| columns(&row(i))));
         for column in 0..N {
             let (mut lowest, mut highest, mut undefined) = (None, None, None);
             // One pass: pages have hundreds of thousands of cells.
@@ -55,11 +69,11 @@ pub fn thin<R: Copy, const N: usize>(
             let found = lowest.into_iter().chain(highest).chain(undefined);
             selected.extend(found.map(|k| from + k));
         }
-        from += group.len();
+        from = end;
     }
     selected.sort_unstable();
     selected.dedup();
-    selected.into_iter().map(|k| rows[k]).collect()
+    selected.into_iter().map(row).collect()
 }
 
 #[cfg(test)]

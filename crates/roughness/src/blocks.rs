@@ -6,6 +6,10 @@ use asperity_core::numerics::good_fft_length;
 const SHORTEST: usize = 8192;
 /// Transform length in units of the kernel reach: 14 of 16 reaches are new points. From 8 to 24 the time is the same.
 const REACHES: usize = 16;
+/// Length from which a transform has the fewest reaches with as little time: the memory of a transform is four times that of its
+/// points.
+const LONG: usize = 1 << 18;
+const FEW_REACHES: usize = 8;
 
 /// Block sizes of a trace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,7 +24,7 @@ impl Blocks {
     /// Block sizes for `n` points and a kernel that extends `m` points to either side.
     pub(crate) fn of(n: usize, m: usize) -> Self {
         let whole = good_fft_length(n + m);
-        let block = good_fft_length((REACHES * m).max(SHORTEST));
+        let block = good_fft_length((REACHES * m).min(LONG.max(FEW_REACHES * m)).max(SHORTEST));
         if whole <= block {
             return Self {
                 length: whole,

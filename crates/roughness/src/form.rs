@@ -145,7 +145,7 @@ pub fn fit(heights: &[f64], degree: usize) -> Result<Polynomial, RoughnessError>
 pub fn remove(profile: &Profile, form: Form) -> Result<Profile, RoughnessError> {
     let z = profile.heights();
     let residual = match form {
-        Form::None => z.to_vec(),
+        Form::None => return Ok(profile.clone()),
         Form::Mean | Form::Level | Form::Poly2 => {
             let degree = match form {
                 Form::Mean => 0,

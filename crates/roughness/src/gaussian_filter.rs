@@ -242,12 +242,18 @@ pub fn mean_line_gradient(
 
 /// Σ w_k zᵢ₊ₖ over the points that exist.
 fn convolve(z: &[f64], w: &[f64]) -> Vec<f64> {
+    convolve_above(z, 0.0, w)
+}
+
+/// Σ w_k (zᵢ₊ₖ − z₀) over the points that exist.
+fn convolve_above(z: &[f64], offset: f64, w: &[f64]) -> Vec<f64> {
     // A λ_s filter has few weights; up to this number a direct sum is faster than transforms.
     const FEW: usize = 24;
     let (n, m) = (z.len(), w.len() - 1);
     let mut out = vec![0.0; n];
+    let above = |z: &[f64]| z.iter().map(|z| z - offset).collect::<Vec<f64>>();
     if m <= FEW {
-        summed(z, w, &mut out);
+        summed(&above(z), w, &mut out);
         return out;
     }
     let blocks = Blocks::of(n, m);
@@ -259,7 +265,7 @@ fn convolve(z: &[f64], w: &[f64]) -> Vec<f64> {
         let end = (start + step).min(n);
         // The block depends on up to m points before and after it.
         let (from, to) = (start.saturating_sub(m), (end + m).min(n));
-        product.apply(&z[from..to], &mut piece);
+        product.apply(&above(&z[from..to]), &mut piece);
         out[start..end].copy_from_slice(&piece[start - from..end - from]);
     }
     out
@@ -343,9 +349,8 @@ impl<'a> Moments<'a> {
 fn renormalised(z: &[f64], w: &[f64]) -> Vec<f64> {
     // The offset of a raw trace, up to 0.1 m, would cause rounding errors in the transform.
     let offset = z.iter().sum::<f64>() / z.len() as f64;
-    let centred: Vec<f64> = z.iter().map(|z| z - offset).collect();
     let moments = Moments::new(w, z.len());
-    let mut line = convolve(&centred, w);
+    let mut line = convolve_above(z, offset, w);
     for (i, w) in line.iter_mut().enumerate() {
         *w = offset + *w / moments.sum_at(i);
     }

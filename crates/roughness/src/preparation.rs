@@ -47,6 +47,26 @@ impl Default for Preparation {
     }
 }
 
+/// Largest spacing of the points of a prepared trace over the cut-off λs of its filter.
+///
+/// Of the shortest wave that points a fifth of λs apart hold, two fifths of λs, the filter leaves 1.3 %. On sixteen pairs of flanks and
+/// gears the loss is then within .08 % of that with all points, film friction, gap and σ_d within .14 %, the share of the asperities
+/// within .0007 of the load (`docs/records/spacing.md`).
+const SHARE_OF_NOISE_CUTOFF: f64 = 0.2;
+impl Preparation {
+    /// Largest spacing at which points show all that the filter λ_s leaves, λ_s/5; `None` without one.
+    ///
+    /// ```
+    /// use asperity_roughness::preparation::Preparation;
+    /// assert_eq!(Preparation::default().coarsest_spacing(), Some("0.5 um".parse()?));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn coarsest_spacing(&self) -> Option<Length> {
+        self.lambda_s.map(|cutoff| cutoff * SHARE_OF_NOISE_CUTOFF)
+    }
+}
+
 /// Filter for the mean line at λ_c.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -312,15 +332,17 @@ fn filtered(
     ends: Ends,
     filter: RoughnessFilter,
 ) -> Result<(Profile, usize, Option<RobustEvidence>), RoughnessError> {
-    let (line, evidence) = match filter {
+    let (mut rough, evidence) = match filter {
         RoughnessFilter::Gaussian => (mean_line(primary, lambda_c, ends)?, None),
         RoughnessFilter::RobustGaussian => {
             let line = robust_mean_line(primary, lambda_c)?;
             (line.heights, Some(line.evidence))
         }
     };
-    let heights = primary.heights().iter().zip(&line);
-    let rough = heights.map(|(z, w)| z - w).collect();
+    // In place of the line: a long trace is large.
+    for (z, line) in primary.heights().iter().zip(&mut rough) {
+        *line = z - *line;
+    }
     let rough = Profile::new(primary.spacing(), rough)?;
     if ends != Ends::Cut {
         return Ok((rough, 0, evidence));

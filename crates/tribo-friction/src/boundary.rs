@@ -63,7 +63,15 @@ pub fn boundary_share(film: Length, boundary_layer: Length) -> Result<f64, Frict
     let h_b = DomainError::non_negative("boundary layer", boundary_layer)?;
     let rule = "film and boundary layer must not both be zero";
     DomainError::require(h + h_b > 0.0, "boundary layer", h_b, "m", rule)?;
-    Ok(h_b / (h_b + h))
+    Ok(share_on_layer(h, h_b))
+}
+
+/// [`boundary_share`] of a film and a layer \[m\] for a loop over many films, around which the equation is cited and the numbers are
+/// checked.
+#[inline(always)]
+#[must_use]
+pub fn share_on_layer(film: f64, layer: f64) -> f64 {
+    layer / (layer + film)
 }
 
 /// The three parts of the friction of a rough lubricated contact.

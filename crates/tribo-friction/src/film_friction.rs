@@ -34,7 +34,7 @@ use asperity_core::material::Material;
 use asperity_core::numerics::{Solved, gauss_legendre, newton_root};
 use asperity_core::quantity::{Length, Pressure, Temperature};
 use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
-use asperity_oil::{FilmPoint, FilmRheology, LANES};
+use asperity_oil::{FilmPoint, FilmRheology, ShearedPoint};
 use serde::Serialize;
 
 use crate::error::FrictionError;
@@ -123,21 +123,33 @@ pub struct FilmFrictionSolution {
     pub evidence: Solved,
 }
 
-/// A Gauss node of the contact, and the stress there at the last temperature with its slope \[Pa/K\].
+/// A Gauss node of the contact.
 #[derive(Debug, Clone)]
 struct Node {
-    point: FilmPoint,
+    at: ShearedPoint,
     /// Friction coefficient per stress \[1/Pa\].
     weight: f64,
-    stress: Option<[f64; 2]>,
+    /// Whether the stress is that of the last temperature, or of a film near to this one.
+    is_known: bool,
 }
 
 impl Node {
-    const EMPTY: Self = Self {
-        point: FilmPoint::REST,
-        weight: 0.0,
-        stress: None,
-    };
+    fn new(point: FilmPoint, weight: f64) -> Self {
+        Self {
+            at: ShearedPoint {
+                point,
+                start: None,
+                stress: [0.0; 2],
+            },
+            weight,
+            is_known: false,
+        }
+    }
+
+    /// The stress with its slope, if it is known.
+    fn stress(&self) -> Option<[f64; 2]> {
+        self.is_known.then_some(self.at.stress)
+    }
 }
 
 /// The film of one contact, for evaluation at any surface temperature.
@@ -276,10 +288,9 @@ impl<'a> LoadedFilm<'a> {
             range.check(value, &mut outside);
         }
         let sliding = (u1 - u2).abs();
-        let node = |&[pressure, weight]: &[f64; 2]| Node {
-            point: point(rheology, heat, [pressure, sliding, area.film]),
-            weight,
-            stress: None,
+        let node = |&[pressure, weight]: &[f64; 2]| {
+            let point = point(rheology, heat, [pressure, sliding, area.film]);
+            Node::new(point, weight)
         };
         Ok(Self {
             rheology,
@@ -332,10 +343,9 @@ impl<'a> LoadedFilm<'a> {
 
     /// The node of the film before and behind the contact, of a film that carries `share` of the load.
     fn inlet_node(&self, share: f64) -> Option<Node> {
-        (self.inlet > 0.0).then(|| Node {
-            point: point(self.rheology, self.heat, [0.0, self.sliding, self.film]),
-            weight: self.inlet / share,
-            stress: None,
+        (self.inlet > 0.0).then(|| {
+            let point = point(self.rheology, self.heat, [0.0, self.sliding, self.film]);
+            Node::new(point, self.inlet / share)
         })
     }
 
@@ -354,10 +364,11 @@ impl<'a> LoadedFilm<'a> {
     pub fn carry(&mut self, share: f64) -> Result<(), FrictionError> {
         cite!("Own-pressure");
         require_share(share)?;
-        self.nodes.resize(self.hertz.len(), Node::EMPTY);
+        let rest = Node::new(FilmPoint::REST, 0.0);
+        self.nodes.resize(self.hertz.len(), rest);
         for (node, [pressure, weight]) in self.nodes.iter_mut().zip(&self.hertz) {
             let at = [share * pressure, self.sliding, self.film];
-            node.point = point(self.rheology, self.heat, at);
+            node.at.point = point(self.rheology, self.heat, at);
             node.weight = weight / share;
         }
         self.nodes.extend(self.inlet_node(share));
@@ -382,7 +393,8 @@ impl<'a> LoadedFilm<'a> {
         let areas: f64 = parts.iter().map(|part| part.area).sum();
         let rule = "must be positive";
         DomainError::require(areas > 0.0, "area of the film", areas, "-", rule)?;
-        self.nodes.resize(self.few.len() * GROUPS, Node::EMPTY);
+        let rest = Node::new(FilmPoint::REST, 0.0);
+        self.nodes.resize(self.few.len() * GROUPS, rest);
         let logs: Vec<f64> = parts.iter().map(|part| part.film.ln()).collect();
         let places = self.nodes.chunks_exact_mut(GROUPS);
         for ([pressure, weight], nodes) in self.few.iter().zip(places) {
@@ -394,9 +406,11 @@ impl<'a> LoadedFilm<'a> {
             {
                 let film = (group.log_film / group.load).exp();
                 let at = [group.square / group.load, self.sliding, film];
-                node.point = point(self.rheology, self.heat, at);
+                node.at.point = point(self.rheology, self.heat, at);
                 node.weight = weight / share * group.load / at[0] / areas;
-                node.stress = before.and_then(|before| guess(&before, at[0]));
+                let near = before.and_then(|before| guess(&before, at[0]));
+                node.is_known = near.is_some();
+                node.at.stress = near.unwrap_or_default();
             }
         }
         self.nodes.extend(self.inlet_node(share));
@@ -421,24 +435,37 @@ impl<'a> LoadedFilm<'a> {
     /// # Errors
     /// When a stress has no root, which no finite input causes.
     pub fn friction_at(&mut self, rise: f64) -> Result<[f64; 2], FrictionError> {
+        self.friction_beside(rise, &mut [])
+    }
+
+    /// [`friction_at`](Self::friction_at), with the stresses of `others` between the same walls: points that are sheared together
+    /// fill the lanes of a vector.
+    ///
+    /// # Errors
+    /// As [`friction_at`](Self::friction_at).
+    pub fn friction_beside(
+        &mut self,
+        rise: f64,
+        others: &mut [ShearedPoint],
+    ) -> Result<[f64; 2], FrictionError> {
         cite!("Limiting-shear");
         cite!("Larsson-Andersson");
         cite!("Alpha-T");
-        let wall = self.bulk + rise;
         let warmer = rise - self.last_rise;
         self.last_rise = rise;
-        let mut sum = [0.0, 0.0];
-        for nodes in self.nodes.chunks_mut(LANES) {
+        for node in &mut self.nodes {
             let start = |[before, slope]: [f64; 2]| before + slope * warmer;
-            let points = nodes
-                .iter()
-                .map(|node| (node.point, node.stress.map(start)));
-            let found = self.rheology.heated_stresses(points, wall)?;
-            for (node, [stress, slope]) in nodes.iter_mut().zip(found) {
-                node.stress = Some([stress, slope]);
-                sum[0] += node.weight * stress;
-                sum[1] += node.weight * slope;
-            }
+            node.at.start = node.stress().map(start);
+        }
+        let nodes = self.nodes.iter_mut().map(|node| &mut node.at);
+        let points = nodes.chain(others);
+        self.rheology.shear(points, self.bulk + rise)?;
+        let mut sum = [0.0, 0.0];
+        for node in &mut self.nodes {
+            node.is_known = true;
+            let [stress, slope] = node.at.stress;
+            sum[0] += node.weight * stress;
+            sum[1] += node.weight * slope;
         }
         Ok(sum)
     }
@@ -450,7 +477,7 @@ impl<'a> LoadedFilm<'a> {
     pub fn solve(&mut self) -> Result<Checked<FilmFrictionSolution>, FrictionError> {
         // From scratch, so that the result does not depend on earlier evaluations.
         for node in &mut self.nodes {
-            node.stress = None;
+            node.is_known = false;
         }
         let [cold, slope] = self.friction_at(0.0)?;
         let c = self.rise_per_friction;
@@ -500,12 +527,13 @@ impl<'a> LoadedFilm<'a> {
         let warmer = rise - self.last_rise;
         let (mut largest, mut mean, mut limited, mut weights) = (0.0_f64, 0.0, 0.0, 0.0);
         for node in &self.nodes {
-            let stress = (node.stress).map_or(0.0, |[stress, slope]| stress + slope * warmer);
-            let film_rise = node.point.heating() * stress;
-            let load = node.weight * node.point.pressure();
+            let point = &node.at.point;
+            let stress = (node.stress()).map_or(0.0, |[stress, slope]| stress + slope * warmer);
+            let film_rise = point.heating() * stress;
+            let load = node.weight * point.pressure();
             let limit = self
                 .rheology
-                .limiting_stress(&node.point, self.bulk + rise + film_rise);
+                .limiting_stress(point, self.bulk + rise + film_rise);
             largest = largest.max(film_rise);
             mean += load * film_rise;
             weights += load;
@@ -588,8 +616,8 @@ type NearStresses = [[f64; 3]; GROUPS];
 fn near_stresses(nodes: &[Node]) -> Option<NearStresses> {
     let mut known = [[0.0; 3]; GROUPS];
     for (known, node) in known.iter_mut().zip(nodes) {
-        let [stress, slope] = node.stress?;
-        *known = [node.point.pressure(), stress, slope];
+        let [stress, slope] = node.stress()?;
+        *known = [node.at.point.pressure(), stress, slope];
     }
     Some(known)
 }

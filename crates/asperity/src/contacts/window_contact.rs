@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use asperity_core::cancel::checkpoint;
 use asperity_core::quantity::{Length, LineLoad};
-use asperity_mixed_film::{ContactTable, RoughContact};
+use asperity_mixed_film::{ContactTable, Flattening, RoughContact, WindowRoughness};
 
 use super::inputs::WindowInputs;
 use crate::mesh::MeshPosition;
@@ -23,6 +23,8 @@ pub(crate) struct WindowContact {
     pub window: Option<Window>,
     /// The contact at the shares solved so far, once a film needed it.
     pub table: OnceLock<ContactTable>,
+    /// Roughness that the first film left: films that differ in friction only leave the same.
+    pub flattened: OnceLock<(Flattening, WindowRoughness)>,
 }
 
 /// Which window of a mesh it is, with its load.
@@ -72,6 +74,7 @@ impl WindowContact {
             window: Window::at(surfaces, position, inputs.reach, k, count)?,
             roughness: surfaces.roughness_at(position, inputs.reach, (k, count))?,
             table: OnceLock::new(),
+            flattened: OnceLock::new(),
         }))
     }
 

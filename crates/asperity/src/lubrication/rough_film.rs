@@ -1,5 +1,7 @@
 //! Film and rough contact of one mesh position: the load share at any offset.
 
+use std::borrow::Cow;
+
 use asperity_core::Checked;
 use asperity_core::profile::mirrored_indices;
 
@@ -87,11 +89,23 @@ impl<'a> RoughFilm<'a> {
         Ok(*self.flattening.insert(flattening))
     }
 
-    /// Roughness of the attenuated windows.
-    fn roughness(&mut self, window: Window) -> Result<WindowRoughness, PositionError> {
+    /// Roughness of the attenuated windows of `contact`.
+    fn roughness<'c>(
+        &mut self,
+        contact: &'c WindowContact,
+        window: Window,
+    ) -> Result<Cow<'c, WindowRoughness>, PositionError> {
         let flattening = self.flattening()?;
+        if let Some((of, known)) = contact.flattened.get()
+            && *of == flattening
+        {
+            known.cite_known();
+            return Ok(Cow::Borrowed(known));
+        }
         let window = (window.starts, window.points);
-        (self.surfaces).window(window, &flattening, &mut self.traces)
+        let made = (self.surfaces).window(window, &flattening, &mut self.traces)?;
+        let _ = contact.flattened.set((flattening, made.clone()));
+        Ok(Cow::Owned(made))
     }
 
     /// Load share and friction of a window; its contact is solved as far as that needs, and stored.
@@ -103,7 +117,7 @@ impl<'a> RoughFilm<'a> {
         contact: &WindowContact,
         window: Window,
     ) -> Result<Checked<LoadShareSolution>, PositionError> {
-        let roughness = self.roughness(window)?;
+        let roughness = self.roughness(contact, window)?;
         let (table, rough) = contact.table()?;
         (self.film).solve_rows(table, &roughness, || {
             rough.map_or_else(|| contact.rough(), Ok)
@@ -147,7 +161,7 @@ impl RoughFilm<'_> {
         force: f64,
         sums: &mut HeightGradient,
     ) -> Result<(), PositionError> {
-        let roughness = self.roughness(window)?;
+        let roughness = self.roughness(contact, window)?;
         let Some(table) = contact.table.get() else {
             return Ok(());
         };

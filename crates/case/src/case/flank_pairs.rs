@@ -150,12 +150,6 @@ pub(super) fn longer_than_active(
     })
 }
 
-/// Largest spacing of the points of a prepared trace over the cut-off λs of its filter.
-///
-/// Of the shortest wave that points a fifth of λs apart hold, two fifths of λs, the filter leaves 1.3 %. On sixteen pairs of flanks and
-/// gears the loss is then within .08 % of that with all points, film friction, gap and σ_d within .14 %, the share of the asperities
-/// within .0007 of the load (`docs/records/spacing.md`).
-const SHARE_OF_NOISE_CUTOFF: f64 = 0.2;
 /// Usual spacing of a stylus instrument \[m\].
 const USUAL_SPACING: f64 = 0.5e-6;
 /// Half-width at the pitch point, with the whole load on one pair of teeth, over the narrowest on the path: more than gears have.
@@ -182,11 +176,8 @@ pub(super) fn spacing_of<'a>(
     let [largest, finest] = prepared.fold(
         [of_contacts.min(USUAL_SPACING), f64::INFINITY],
         |[largest, finest], of| {
-            let cutoff = of.recipe.lambda_s.unwrap_or_default().si();
-            [
-                largest.min(SHARE_OF_NOISE_CUTOFF * cutoff),
-                finest.min(of.spacing.si()),
-            ]
+            let coarsest = of.recipe.coarsest_spacing().unwrap_or_default();
+            [largest.min(coarsest.si()), finest.min(of.spacing.si())]
         },
     );
     finest

@@ -5,9 +5,7 @@ mod even_filter;
 mod index_ranges;
 #[cfg(test)]
 mod tests;
-mod vector_lanes;
 
-pub(crate) use asperity_core::numerics::vectorised;
+pub(crate) use asperity_core::numerics::{Lanes, vectorised};
 pub(crate) use even_filter::{Buffers, EvenFilter, fast_length};
 pub(crate) use index_ranges::{Run, extend, listed, parts};
-pub(crate) use vector_lanes::Lanes;

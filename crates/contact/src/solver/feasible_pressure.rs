@@ -54,20 +54,43 @@ fn load_round_off(pressure: &[f64], sum: f64) -> f64 {
 pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
     let round_off = load_round_off(pressure, sum);
     let mut count = shift_and_clip(pressure, 0.0, limit);
+    if (sum - count.sum).abs() <= round_off {
+        return;
+    }
+    // Few points of a rough contact lie between the bounds: they are shifted by themselves.
+    let is_inside = |p: &f64| *p > 0.0 && *p < limit;
+    let mut moved: Vec<f64> = pressure.iter().copied().filter(is_inside).collect();
+    let held = limit_load(pressure, limit);
     for _ in 0..MAX_SHIFTS {
         let missing = sum - count.sum;
-        if missing.abs() <= round_off {
-            return;
-        }
-        if count.interior == 0.0 {
+        if missing.abs() <= round_off || count.interior == 0.0 {
             break;
         }
-        count = shift_and_clip(pressure, missing / count.interior, limit);
+        count = shift_and_clip(&mut moved, missing / count.interior, limit);
+        count.sum += held;
+    }
+    let places = pressure.iter_mut().filter(|p| is_inside(p));
+    for (place, p) in places.zip(moved) {
+        *place = p;
     }
     if (count.sum - sum).abs() > ACCEPTED * sum {
         // All points in contact are at the limit.
         project(pressure, sum, limit);
     }
+}
+
+/// Load of the points at the limit.
+fn limit_load(pressure: &[f64], limit: f64) -> f64 {
+    let mut lanes = Lanes::new([0.0]);
+    vectorised(
+        #[inline(always)]
+        || {
+            lanes.fold([pressure], |[sum], [p]| {
+                [sum + if p == limit { p } else { 0.0 }]
+            });
+        },
+    );
+    lanes.total()[0]
 }
 
 /// Projects `pressure` onto the pressures within 0..`limit` with Σp = `sum`: all points are shifted by

@@ -22,6 +22,7 @@ mod search_direction;
 mod single_grid;
 mod workspace;
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use asperity_core::cancel::Cancelled;
@@ -88,13 +89,33 @@ pub struct Solver {
     work: Workspace,
 }
 
+thread_local! {
+    /// Operators and buffers of the solver that was dropped last: the windows of a contact are solved one after the other, and to
+    /// make their operators anew costs a third of a solution.
+    static LAST: Cell<Option<(SolverShape, Levels, Workspace)>> = const { Cell::new(None) };
+}
+
+impl Drop for Solver {
+    fn drop(&mut self) {
+        if self.shape.points <= LARGE_GRID {
+            let own = (
+                self.shape,
+                std::mem::take(&mut self.levels),
+                std::mem::take(&mut self.work),
+            );
+            // At the end of a thread nothing is kept.
+            let _ = LAST.try_with(|last| last.set(Some(own)));
+        }
+    }
+}
+
 /// Operators by number of points, cached for the grids and windows solved so far.
+#[derive(Default)]
 struct Levels {
-    boundary: Boundary,
     /// Kernel of free ends of the largest grid so far; smaller grids use its first cells.
     column: Vec<f64>,
-    planner: FftPlanner<f64>,
-    inverse_planner: FftPlanner<f32>,
+    planner: Option<FftPlanner<f64>>,
+    inverse_planner: Option<FftPlanner<f32>>,
     displacements: BTreeMap<usize, EvenFilter>,
     singles: BTreeMap<usize, EvenFilter<f32>>,
     inverses: BTreeMap<usize, EvenFilter<f32>>,
@@ -108,49 +129,43 @@ impl Levels {
             self.displacements.clear();
             self.singles.clear();
             self.inverses.clear();
-            self.planner = f64::planner();
-            self.inverse_planner = f32::planner();
+            self.planner = None;
+            self.inverse_planner = None;
         }
     }
 
     /// Displacement operator of a grid; enlarges `buffers` to what it needs.
-    fn displacement(&mut self, points: usize, buffers: &mut Buffers) -> &EvenFilter {
+    fn displacement(
+        &mut self,
+        points: usize,
+        boundary: Boundary,
+        buffers: &mut Buffers,
+    ) -> &EvenFilter {
         self.make_room(points);
-        let (planner, column) = (&mut self.planner, &mut self.column);
-        let filter = self.displacements.entry(points).or_insert_with(|| {
-            displacement_filter(planner, points, self.boundary, column, buffers)
-        });
+        let planner = self.planner.get_or_insert_with(f64::planner);
+        let column = &mut self.column;
+        let filter = (self.displacements.entry(points))
+            .or_insert_with(|| displacement_filter(planner, points, boundary, column, buffers));
         free_if_large(column);
         buffers.reserve(filter);
         filter
     }
 
     /// Operators of an iteration on a grid; enlarges the buffers of the workspace to what they need.
-    fn level(&mut self, points: usize, work: &mut Workspace) -> Level<'_> {
-        self.make_room(points);
-        let planner = &mut self.inverse_planner;
-        let inverse = self
-            .inverses
-            .entry(points)
-            .or_insert_with(|| inverse_filter(planner, points));
+    fn level(&mut self, points: usize, boundary: Boundary, work: &mut Workspace) -> Level<'_> {
+        self.displacement(points, boundary, &mut work.buffers);
+        let planner = self.inverse_planner.get_or_insert_with(f32::planner);
+        let inverse =
+            (self.inverses.entry(points)).or_insert_with(|| inverse_filter(planner, points));
         work.single_buffers.reserve(inverse);
-        let (planner, column, buffers) = (&mut self.planner, &mut self.column, &mut work.buffers);
-        let displacement = self.displacements.entry(points).or_insert_with(|| {
-            displacement_filter(planner, points, self.boundary, column, buffers)
-        });
-        free_if_large(column);
-        buffers.reserve(displacement);
-        let planner = &mut self.inverse_planner;
-        let single = self
-            .singles
-            .entry(points)
-            .or_insert_with(|| displacement.single(planner));
+        let displacement = &self.displacements[&points];
+        let single = (self.singles.entry(points)).or_insert_with(|| displacement.single(planner));
         work.single_buffers.reserve(single);
         Level {
             displacement,
             single,
             inverse,
-            boundary: self.boundary,
+            boundary,
         }
     }
 }
@@ -180,18 +195,13 @@ impl Solver {
         if points < LEAST_POINTS {
             return Err(ContactError::too_few_points(points, LEAST_POINTS));
         }
+        let shape = SolverShape { points, boundary };
+        let last = LAST.take().filter(|(of, ..)| *of == shape);
+        let (_, levels, work) = last.unwrap_or((shape, Levels::default(), Workspace::default()));
         Ok(Self {
-            shape: SolverShape { points, boundary },
-            levels: Levels {
-                boundary,
-                column: vec![],
-                planner: f64::planner(),
-                inverse_planner: f32::planner(),
-                displacements: BTreeMap::new(),
-                singles: BTreeMap::new(),
-                inverses: BTreeMap::new(),
-            },
-            work: Workspace::default(),
+            shape,
+            levels,
+            work,
         })
     }
 
@@ -213,7 +223,7 @@ impl Solver {
         cite_kernel(self.shape.boundary);
         let compliance = cell_compliance(spacing, modulus)?;
         let buffers = &mut self.work.buffers;
-        let filter = self.levels.displacement(self.shape.points, buffers);
+        let filter = (self.levels).displacement(self.shape.points, self.shape.boundary, buffers);
         displace(filter, buffers, compliance, pressure, displacement)
     }
 
@@ -282,7 +292,7 @@ impl Solver {
     ) -> Result<DiscreteProblem<'a>, ContactError> {
         let (points, buffers) = (self.shape.points, &mut self.work.buffers);
         DiscreteProblem::new(problem, |prescribed, compliance| {
-            let whole = self.levels.displacement(points, buffers);
+            let whole = (self.levels).displacement(points, self.shape.boundary, buffers);
             whole.filter(buffers, compliance, prescribed);
             buffers.signal(points)
         })
@@ -301,7 +311,7 @@ impl Solver {
         // The buffers are made once, for the finest grid, instead of growing from grid to grid.
         if self.shape.points <= LARGE_GRID {
             let buffers = &mut self.work.buffers;
-            self.levels.displacement(self.shape.points, buffers);
+            (self.levels).displacement(self.shape.points, self.shape.boundary, buffers);
         }
         let mut grids = grids(self.shape.points);
         if !settings.cascade {
@@ -351,7 +361,7 @@ impl Solver {
         self.work
             .pressure
             .extend_from_slice(&pressure[window.range()]);
-        let level = self.levels.level(window.points, &mut self.work);
+        let level = (self.levels).level(window.points, self.shape.boundary, &mut self.work);
         let iterations = minimise(level, &mut self.work, task)?;
         pressure.fill(0.0);
         pressure[window.range()].copy_from_slice(&self.work.pressure);
@@ -409,7 +419,8 @@ impl Solver {
             self.work.release();
         }
         let buffers = &mut self.work.buffers;
-        let displacement = self.levels.displacement(pressure.len(), buffers);
+        let boundary = self.shape.boundary;
+        let displacement = (self.levels).displacement(pressure.len(), boundary, buffers);
         self.work.refresh(displacement, &task);
     }
 

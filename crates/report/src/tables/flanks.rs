@@ -5,14 +5,15 @@ use std::path::Path;
 use asperity::result::FlankRecord;
 use asperity_core::{Fault, Profile};
 use asperity_roughness::RoughnessError;
-use asperity_roughness::form;
+use asperity_roughness::form::{self, Form};
 use asperity_roughness::material_ratio::abbott_curve;
-use asperity_roughness::preparation::{Prepared, prepare};
+use asperity_roughness::preparation::{Preparation, Prepared, prepare};
+use asperity_roughness::resampling::respaced;
 use asperity_roughness::spectral::power_spectrum;
 use serde::{Deserialize, Serialize};
 
 use super::csv_table::{read, write};
-use crate::thin::{BINS, thin};
+use crate::thin::{BINS, thin_made};
 use crate::units::MICRO;
 
 /// Names of the two flanks in files.
@@ -77,18 +78,20 @@ impl FlankTables {
         record: &FlankRecord,
         profile: Option<&Profile>,
     ) -> Result<Option<Self>, RoughnessError> {
-        let whole = |of: Evaluated| {
+        let whole = |of: Evaluated<'_>| {
+            let curve = of.material_ratio()?;
+            let ratios = (0..curve.len()).map(|k| ratio_row(&curve, k));
             Ok(Self {
                 spectrum: of.spectrum()?,
-                material_ratio: of.material_ratio()?,
-                trace: of.trace(),
+                material_ratio: ratios.collect(),
+                trace: (0..of.points()).map(|i| of.trace_row(i)).collect(),
             })
         };
         Evaluated::of(record, profile)?.map(whole).transpose()
     }
 
-    /// [`new`](Self::new) thinned for display, with the extremes of every drawn curve, and the spectrum averaged in bands. One whole
-    /// table is in memory at a time: a trace of a million points makes a hundred megabytes of them.
+    /// [`new`](Self::new) thinned for display, with the extremes of every drawn curve, and the spectrum averaged in bands. No whole
+    /// table is in memory: a trace of a million points makes a hundred megabytes of them.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -96,17 +99,20 @@ impl FlankTables {
         record: &FlankRecord,
         profile: Option<&Profile>,
     ) -> Result<Option<Self>, RoughnessError> {
-        let thinned = |of: Evaluated| {
+        let thinned = |of: Evaluated<'_>| {
             let spectrum = in_bands(&of.spectrum()?);
-            let material_ratio = thin(
-                &of.material_ratio()?,
+            let curve = of.material_ratio()?;
+            let material_ratio = thin_made(
+                curve.len(),
                 BINS,
+                |k| ratio_row(&curve, k),
                 |row| row.material_ratio_percent,
                 |row| [row.height_um],
             );
-            let trace = thin(
-                &of.trace(),
+            let trace = thin_made(
+                of.points(),
                 BINS,
+                |i| of.trace_row(i),
                 |row| row.x_um,
                 |row| {
                     let rough = row.roughness_um.unwrap_or(f64::NAN);
@@ -173,61 +179,87 @@ fn in_bands(rows: &[SpectrumRow]) -> Vec<SpectrumRow> {
     bands.map(row).collect()
 }
 
+/// Row `k` of the material ratio curve with these heights.
+fn ratio_row(heights: &[f64], k: usize) -> MaterialRatioRow {
+    MaterialRatioRow {
+        material_ratio_percent: 100.0 * (k as f64 + 0.5) / heights.len() as f64,
+        height_um: heights[k] * MICRO,
+    }
+}
+
 /// A trace with its form removed and filtered.
-struct Evaluated {
-    raw: Profile,
+struct Evaluated<'a> {
+    measured: &'a Profile,
+    is_mirrored: bool,
     form_removed: Profile,
     prepared: Prepared,
 }
 
-impl Evaluated {
-    fn of(record: &FlankRecord, profile: Option<&Profile>) -> Result<Option<Self>, RoughnessError> {
-        let (Some(profile), Some(preparation)) = (profile, &record.preparation) else {
+impl<'a> Evaluated<'a> {
+    fn of(
+        record: &FlankRecord,
+        profile: Option<&'a Profile>,
+    ) -> Result<Option<Self>, RoughnessError> {
+        let (Some(measured), Some(preparation)) = (profile, &record.preparation) else {
             return Ok(None);
         };
-        let raw = match record.mirrored {
-            true => profile.mirrored(),
-            false => profile.clone(),
+        let recipe = preparation.recipe;
+        let form_removed = match record.mirrored {
+            true => form::remove(&measured.mirrored(), recipe.form)?,
+            false => form::remove(measured, recipe.form)?,
+        };
+        let rest = Preparation {
+            form: Form::None,
+            ..recipe
         };
         Ok(Some(Self {
-            form_removed: form::remove(&raw, preparation.recipe.form)?,
-            prepared: prepare(&raw, &preparation.recipe)?,
-            raw,
+            prepared: prepare(&form_removed, &rest)?,
+            form_removed,
+            measured,
+            is_mirrored: record.mirrored,
         }))
     }
 
-    fn trace(&self) -> Vec<TraceRow> {
-        let (measured, level) = (self.raw.heights(), self.form_removed.heights());
+    fn points(&self) -> usize {
+        self.measured.len()
+    }
+
+    fn trace_row(&self, i: usize) -> TraceRow {
         let rough = self.prepared.profile.heights();
-        let rows = (0..measured.len()).map(|i| TraceRow {
-            x_um: i as f64 * self.raw.spacing().si() * MICRO,
-            measured_um: measured[i] * MICRO,
-            form_removed_um: level[i] * MICRO,
+        let place = match self.is_mirrored {
+            true => self.points() - 1 - i,
+            false => i,
+        };
+        TraceRow {
+            x_um: i as f64 * self.measured.spacing().si() * MICRO,
+            measured_um: self.measured.heights()[place] * MICRO,
+            form_removed_um: self.form_removed.heights()[i] * MICRO,
             roughness_um: i
                 .checked_sub(self.prepared.first_index)
                 .and_then(|k| rough.get(k))
                 .map(|z| z * MICRO),
-        });
-        rows.collect()
+        }
     }
 
-    fn material_ratio(&self) -> Result<Vec<MaterialRatioRow>, RoughnessError> {
-        let curve = abbott_curve(self.prepared.profile.heights())?;
-        let count = curve.len() as f64;
-        let rows = curve
-            .iter()
-            .enumerate()
-            .map(|(k, height)| MaterialRatioRow {
-                material_ratio_percent: 100.0 * (k as f64 + 0.5) / count,
-                height_um: height * MICRO,
-            });
-        Ok(rows.collect())
+    /// Heights of the material ratio curve.
+    fn material_ratio(&self) -> Result<Vec<f64>, RoughnessError> {
+        Ok(abbott_curve(self.prepared.profile.heights())?)
     }
 
+    /// The spectrum, of waves that the points of a run have: λs leaves nothing of the shorter ones, which a finer trace would have
+    /// by the hundred thousand.
     fn spectrum(&self) -> Result<Vec<SpectrumRow>, RoughnessError> {
         /// Cubic micrometres per cubic metre.
         const CUBIC_MICRO: f64 = MICRO * MICRO * MICRO;
-        let spectrum = power_spectrum(&self.prepared.profile)?;
+        let Prepared {
+            profile, record, ..
+        } = &self.prepared;
+        let spectrum = match record.recipe.coarsest_spacing() {
+            Some(coarsest) if coarsest > profile.spacing() => {
+                power_spectrum(&respaced(profile, coarsest)?)?
+            }
+            _ => power_spectrum(profile)?,
+        };
         // The mean, at frequency zero, is omitted.
         let points = spectrum.density.iter().enumerate().skip(1);
         let rows = points.map(|(k, density)| {

@@ -4,16 +4,26 @@
 const LANES: usize = 8;
 
 /// `K` sums (or extreme values) over points, in an order that does not depend on the machine.
-pub(crate) struct Lanes<const K: usize>([[f64; K]; LANES]);
+///
+/// ```
+/// use asperity_core::numerics::Lanes;
+/// let mut lanes = Lanes::new([0.0, f64::NEG_INFINITY]);
+/// lanes.fold([&[1.0, 2.0, 5.0], &[3.0, 2.0, 1.0]], |[sum, most], [x, y]| [sum + x * y, most.max(x)]);
+/// assert_eq!(lanes.reduce(|a, b| [a[0] + b[0], a[1].max(b[1])]), [12.0, 5.0]);
+/// ```
+#[derive(Debug, Clone)]
+pub struct Lanes<const K: usize>([[f64; K]; LANES]);
 
 impl<const K: usize> Lanes<K> {
-    pub(crate) fn new(initial: [f64; K]) -> Self {
+    /// Sums that begin with `initial` in every lane.
+    #[must_use]
+    pub fn new(initial: [f64; K]) -> Self {
         Self([initial; LANES])
     }
 
     /// Adds the points of `N` arrays of the same length by `step`.
     #[inline(always)]
-    pub(crate) fn fold<const N: usize>(
+    pub fn fold<const N: usize>(
         &mut self,
         arrays: [&[f64]; N],
         step: impl Fn([f64; K], [f64; N]) -> [f64; K],
@@ -38,13 +48,15 @@ impl<const K: usize> Lanes<K> {
     }
 
     /// Combines the lanes by `join`.
-    pub(crate) fn reduce(self, join: impl Fn([f64; K], [f64; K]) -> [f64; K]) -> [f64; K] {
+    #[must_use]
+    pub fn reduce(self, join: impl Fn([f64; K], [f64; K]) -> [f64; K]) -> [f64; K] {
         let [first, others @ ..] = self.0;
         others.into_iter().fold(first, join)
     }
 
     /// Adds the lanes.
-    pub(crate) fn total(self) -> [f64; K] {
+    #[must_use]
+    pub fn total(self) -> [f64; K] {
         self.reduce(|a, b| std::array::from_fn(|k| a[k] + b[k]))
     }
 }
