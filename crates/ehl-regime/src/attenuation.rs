@@ -316,6 +316,65 @@ impl TraceSpectrum {
         heights
     }
 
+    /// Sums y = F₁ s₁ + F₂ s₂ of two signals of each of two traces, free of their means: each wave of the first is multiplied by
+    /// the first of `factors` of its wavelength, each of the second by the second.
+    ///
+    /// Three transforms where each signal alone would take two.
+    #[must_use]
+    pub fn filtered_sums(
+        traces: [&Self; 2],
+        signals: [[&[f64]; 2]; 2],
+        factors: impl Fn(Length) -> [f64; 2],
+    ) -> [Vec<f64>; 2] {
+        cite!("Attenuated-trace");
+        let [first, second] = traces;
+        let [one, other] = [0, 1].map(|k: usize| traces[k].summed_waves(signals[k], &factors));
+        let real_and_imaginary = |mut waves: Vec<Complex<f64>>, plan: &Arc<dyn Fft<f64>>| {
+            plan.process(&mut waves);
+            let imaginary = waves.iter().map(|value| value.im).collect();
+            [waves.iter().map(|value| value.re).collect(), imaginary]
+        };
+        if first.points == second.points && first.spacing == second.spacing {
+            let both = one.iter().zip(&other);
+            let both = both.map(|(a, b)| Complex::new(a.re - b.im, a.im + b.re));
+            return real_and_imaginary(both.collect(), &first.inverse);
+        }
+        let [[one, _], [other, _]] = [
+            real_and_imaginary(one, &first.inverse),
+            real_and_imaginary(other, &second.inverse),
+        ];
+        [one, other]
+    }
+
+    /// Waves of F₁ s₁ + F₂ s₂ over the number of points.
+    fn summed_waves(
+        &self,
+        [first, second]: [&[f64]; 2],
+        factors: &impl Fn(Length) -> [f64; 2],
+    ) -> Vec<Complex<f64>> {
+        // The inverse transform of the conjugate is the conjugate of the transform Z of s₁ + i s₂.
+        let pairs = first.iter().zip(second);
+        let mut waves: Vec<_> = pairs.map(|(a, b)| Complex::new(*a, -b)).collect();
+        self.inverse.process(&mut waves);
+        let n = self.points;
+        let length = n as f64 * self.spacing;
+        waves[0] = Complex::default();
+        for k in 1..=n / 2 {
+            let [f, g] = factors(Length::from_si(length / k as f64));
+            let [f, g] = [f, g].map(|factor| 0.5 * factor / n as f64);
+            let (z, mirror) = (waves[k].conj(), waves[n - k]);
+            // S₁ = (Z_k + conj Z_n₋ₖ)/2, S₂ = (Z_k − conj Z_n₋ₖ)/2i
+            let (sum, difference) = (z + mirror, z - mirror);
+            let value = Complex::new(
+                f * sum.re + g * difference.im,
+                f * sum.im - g * difference.re,
+            );
+            waves[n - k] = value.conj();
+            waves[k] = value;
+        }
+        waves
+    }
+
     /// Heights of one trace, or of two of as many points in the real and the imaginary part of one signal.
     fn transformed(
         first: &Self,

@@ -357,8 +357,16 @@ impl ContactTable {
 
 impl TableRow {
     /// Lets the next solution of `contact` start from this row.
-    pub(crate) fn start(&self, contact: &mut RoughContact) {
+    fn start(&self, contact: &mut RoughContact) {
         contact.start_from(self.asperity_share, &self.pressure);
+    }
+
+    /// The contact of this row, whose pressures are known.
+    ///
+    /// # Errors
+    /// When it is not that of `contact`.
+    pub(crate) fn of(&self, contact: &mut RoughContact) -> Result<ContactState, LoadShareError> {
+        contact.known(self.asperity_share, &self.pressure)
     }
 }
 

@@ -70,7 +70,7 @@ pub use contact_table::{ContactTable, TABLE_SHARES, TableRow};
 pub use error::LoadShareError;
 pub use film_alone::FilmAlone;
 pub use point_contact::{PointContact, PointFilm};
-pub use position_film::gradient::{FlattenedGradient, Kinks, ShareGradient};
+pub use position_film::gradient::{FlattenedGradient, Kinks, ShareGradient, Unflattening};
 pub use position_film::{InletSupply, LoadShareSettings, PositionFilm, SmoothFilm, SpotSpeed};
 pub use rough_contact::{ContactState, RoughContact, RoughWindow};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};

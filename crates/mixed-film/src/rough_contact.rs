@@ -9,7 +9,7 @@ use std::sync::Arc;
 use asperity_contact::dense_reference::FixedSets;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::{
-    Boundary, ContactProblem, ContactSolution, Control, Solver, SolverSettings,
+    Boundary, ContactError, ContactProblem, ContactSolution, Solver, SolverSettings,
 };
 use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
 use asperity_core::{DomainError, cite};
@@ -259,35 +259,78 @@ impl RoughContact {
         let phi = asperity_share;
         let rule = "must be above 0 and not above 1";
         DomainError::require(phi > 0.0 && phi <= 1.0, "asperity share", phi, "-", rule)?;
+        let limit = self.limit(phi).si();
+        let start = self.last.take().map(|(before, mut pressure)| {
+            let scale = phi / before;
+            for p in &mut pressure {
+                *p = (*p * scale).min(BELOW_LIMIT * limit);
+            }
+            pressure
+        });
+        let is_exact = self.is_exact;
+        let solution = self.pressed(phi, |solver, problem, settings| {
+            let problem = ContactProblem {
+                start: start.as_deref(),
+                ..*problem
+            };
+            match is_exact {
+                true => solver.solve_exactly(&problem, settings),
+                false => solver.solve(&problem, settings),
+            }
+        })?;
+        self.last = Some((phi, solution.pressure.clone()));
+        Ok(self.state(phi, solution))
+    }
+
+    /// The contact at one asperity share, whose pressures are known.
+    ///
+    /// # Errors
+    /// When they are not those of the contact.
+    pub(crate) fn known(
+        &mut self,
+        asperity_share: f64,
+        pressure: &SparsePressure,
+    ) -> Result<ContactState, LoadShareError> {
+        cite!("Share-contact");
+        let all = pressure.on(self.points());
+        let solution = self.pressed(asperity_share, |solver, problem, settings| {
+            solver.solved_by(problem, settings, (&all, 0))
+        })?;
+        Ok(self.state(asperity_share, solution))
+    }
+
+    /// Largest pressure of the asperities at an asperity share.
+    fn limit(&self, asperity_share: f64) -> Pressure {
+        let film = (1.0 - asperity_share) * self.smooth.max_hertz;
+        Pressure::from_si(self.flow_pressure - film)
+    }
+
+    /// The problem at one asperity share, solved by `solve`.
+    fn pressed(
+        &mut self,
+        phi: f64,
+        solve: impl FnOnce(
+            &mut Solver,
+            &ContactProblem<'_>,
+            &SolverSettings,
+        ) -> Result<ContactSolution, ContactError>,
+    ) -> Result<ContactSolution, LoadShareError> {
         let fluid = 1.0 - phi;
-        let limit = self.flow_pressure - fluid * self.smooth.max_hertz;
+        let limit = self.limit(phi);
         let parts = self.undeformed.iter().zip(&self.smooth.displacement);
         for (gap, (h, u)) in self.gap.iter_mut().zip(parts) {
             *gap = h + fluid * u;
         }
-        let start = self.last.as_ref().map(|(before, pressure)| {
-            let scale = phi / before;
-            pressure
-                .iter()
-                .map(|p| (p * scale).min(BELOW_LIMIT * limit))
-                .collect::<Vec<f64>>()
-        });
         let problem = ContactProblem {
-            gap: &self.gap,
-            spacing: self.spacing,
-            modulus: self.modulus,
-            boundary: Boundary::FreeEnds,
-            control: Control::Load(LineLoad::from_si(phi * self.load)),
-            prescribed_pressure: None,
-            pressure_limit: Some(Pressure::from_si(limit)),
-            start: start.as_deref(),
+            pressure_limit: Some(limit),
+            ..ContactProblem::new(
+                &self.gap,
+                self.spacing,
+                self.modulus,
+                LineLoad::from_si(phi * self.load),
+            )
         };
-        let solution = match self.is_exact {
-            true => self.solver.solve_exactly(&problem, &self.settings)?,
-            false => self.solver.solve(&problem, &self.settings)?,
-        };
-        self.last = Some((phi, solution.pressure.clone()));
-        Ok(self.state(phi, solution))
+        Ok(solve(&mut self.solver, &problem, &self.settings)?)
     }
 
     fn state(&self, phi: f64, solution: ContactSolution) -> ContactState {
@@ -343,11 +386,8 @@ impl RoughContact {
     ) -> Result<Vec<f64>, LoadShareError> {
         cite!("Share-contact-gradient");
         let pressure = &state.solution.pressure;
-        let fluid = 1.0 - state.asperity_share;
         let problem = ContactProblem {
-            pressure_limit: Some(Pressure::from_si(
-                self.flow_pressure - fluid * self.smooth.max_hertz,
-            )),
+            pressure_limit: Some(self.limit(state.asperity_share)),
             ..ContactProblem::new(
                 &self.undeformed,
                 self.spacing,

@@ -176,12 +176,15 @@ impl SpotFriction {
 }
 
 /// Spots of some contacts whose mean friction is sought, with the stresses of their films at the last temperature.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct SpotList {
     contacts: Vec<Contact>,
     /// Weight of each in the mean.
     weights: Vec<f64>,
     stresses: Vec<SpotStresses>,
+    /// Memory for their films and for the points of these.
+    films: Vec<[SpotFilm; 2]>,
+    sheared: Vec<ShearedPoint>,
 }
 
 impl SpotList {
@@ -192,6 +195,8 @@ impl SpotList {
             contacts: Vec::with_capacity(count),
             weights: Vec::with_capacity(count),
             stresses: vec![SpotStresses::default(); count],
+            films: Vec::with_capacity(count),
+            sheared: Vec::with_capacity(2 * count),
         };
         for (spots, weight) in contacts {
             let total: f64 = spots.iter().map(|spot| spot.load.si()).sum();
@@ -229,11 +234,11 @@ impl SpotConditions<'_> {
         shear: impl FnOnce(&mut [ShearedPoint]) -> Result<T, LoadShareError>,
     ) -> Result<(SpotFriction, T), LoadShareError> {
         cite!("Spot-friction");
-        let (found, other) = self.of_each(&spots.contacts, &mut spots.stresses, shear)?;
+        let weights = std::mem::take(&mut spots.weights);
         let mut mean = SpotFriction::default();
-        for (of_spot, weight) in found.iter().zip(&spots.weights) {
-            mean.add(of_spot, *weight);
-        }
+        let add = |k: usize, of_spot: &SpotFriction| mean.add(of_spot, weights[k]);
+        let other = self.of_each(spots, shear, add)?;
+        spots.weights = weights;
         Ok((mean, other))
     }
 
@@ -247,9 +252,9 @@ impl SpotConditions<'_> {
     /// When a spot has no film.
     pub(crate) fn limits_shear_rate(&self, spots: &[Spot]) -> Result<bool, LoadShareError> {
         let state = self.rheology.state(self.wall)?;
-        let contacts: Vec<Contact> = spots.iter().map(Contact::of).collect();
-        let films = self.films(&state, &contacts)?;
-        let mut films = films.iter().flatten();
+        let mut list = SpotList::of(&[(spots, 1.0)]);
+        self.find_films(&state, &mut list)?;
+        let mut films = list.films.iter().flatten();
         Ok(films.any(|at| at.part > 0.0 && at.film < THINNEST))
     }
 
@@ -288,10 +293,18 @@ impl SpotConditions<'_> {
                 width: contact.width * of_width,
             })
         });
-        let moved: Vec<Contact> = moved.collect();
         let starts = list.stresses.iter().flat_map(|stress| [*stress; 5]);
-        let mut starts: Vec<SpotStresses> = starts.collect();
-        let (found, ()) = self.of_each(&moved, &mut starts, |points| self.shear(points))?;
+        let mut moved = SpotList {
+            contacts: moved.collect(),
+            stresses: starts.collect(),
+            ..SpotList::default()
+        };
+        let mut found = Vec::with_capacity(moved.contacts.len());
+        self.of_each(
+            &mut moved,
+            |points| self.shear(points),
+            |_, of_spot| found.push(*of_spot),
+        )?;
         let slopes = |(spot, found): (&Spot, &[SpotFriction; 5])| {
             let f = spot.load.si();
             let Contact { load, width } = Contact::of(spot);
@@ -305,20 +318,26 @@ impl SpotConditions<'_> {
         Ok(spots.iter().zip(found).map(slopes).collect())
     }
 
-    /// Friction and film of contacts. `stresses` holds the shear stresses of their films at a nearby state, if known, and the
-    /// solution afterwards, which `shear` finds.
+    /// Friction and film of the contacts of a list, one after the other to `each`. The list holds the shear stresses of their films
+    /// afterwards, which `shear` finds.
     fn of_each<T>(
         &self,
-        contacts: &[Contact],
-        stresses: &mut [SpotStresses],
+        list: &mut SpotList,
         shear: impl FnOnce(&mut [ShearedPoint]) -> Result<T, LoadShareError>,
-    ) -> Result<(Vec<SpotFriction>, T), LoadShareError> {
+        mut each: impl FnMut(usize, &SpotFriction),
+    ) -> Result<T, LoadShareError> {
         cite!("Limiting-shear");
         cite!("Larsson-Andersson");
         let state = self.rheology.state(self.wall)?;
-        let films = self.films(&state, contacts)?;
+        self.find_films(&state, list)?;
+        let SpotList {
+            stresses,
+            films,
+            sheared,
+            ..
+        } = list;
         let wall = self.wall.si();
-        let mut sheared = Vec::with_capacity(2 * contacts.len());
+        sheared.clear();
         for (of_contact, stresses) in films.iter().zip(&*stresses) {
             let films = of_contact.iter().zip(stresses);
             sheared.extend(films.filter(|(at, _)| at.part > 0.0).map(|(at, near)| {
@@ -330,20 +349,13 @@ impl SpotConditions<'_> {
                 }
             }));
         }
-        let other = shear(&mut sheared)?;
+        let other = shear(sheared)?;
         let mut sheared = sheared.iter();
-        let mut found = vec![SpotFriction::default(); contacts.len()];
-        let of_contacts = films.iter().zip(stresses).zip(&mut found);
-        for ((of_contact, stresses), found) in of_contacts {
+        for (k, (of_contact, stresses)) in films.iter().zip(stresses).enumerate() {
+            let mut found = SpotFriction::default();
             let films = of_contact.iter().zip(stresses);
-            for (at, own) in films.filter(|(at, _)| at.part > 0.0) {
-                let Some(&ShearedPoint {
-                    stress: [stress, slope],
-                    ..
-                }) = sheared.next()
-                else {
-                    break;
-                };
+            for ((at, own), point) in films.filter(|(at, _)| at.part > 0.0).zip(&mut sheared) {
+                let [stress, slope] = point.stress;
                 *own = Some(SpotStress {
                     wall,
                     stress,
@@ -356,24 +368,25 @@ impl SpotConditions<'_> {
                 };
                 found.add(&of_film, at.part);
             }
+            each(k, &found);
         }
-        Ok((found, other))
+        Ok(other)
     }
 
-    /// The films of contacts.
-    fn films(
-        &self,
-        state: &FilmOilState,
-        contacts: &[Contact],
-    ) -> Result<Vec<[SpotFilm; 2]>, LoadShareError> {
+    /// Sets the films of the contacts of a list.
+    fn find_films(&self, state: &FilmOilState, list: &mut SpotList) -> Result<(), LoadShareError> {
         cite!("Boundary-share");
         // The layer is checked once; films are positive.
         boundary_share(Length::from_si(1.0), self.boundary_layer)?;
-        let mut films = vec![[SpotFilm::NONE; 2]; contacts.len()];
+        let SpotList {
+            contacts, films, ..
+        } = list;
+        films.clear();
+        films.resize(contacts.len(), [SpotFilm::NONE; 2]);
         for (films, contacts) in films.chunks_mut(LANES).zip(contacts.chunks(LANES)) {
             self.films_of_each(state, contacts, films)?;
         }
-        Ok(films)
+        Ok(())
     }
 
     /// The films of up to [`LANES`] contacts.

@@ -200,19 +200,22 @@ impl RoughFilm<'_> {
         Ok(())
     }
 
-    /// The gradient over the heights of the traces.
-    pub(crate) fn gradient(&self, sums: &HeightGradient) -> Result<[Vec<f64>; 2], PositionError> {
+    /// The gradient over the heights of the traces at each offset, whose sums are `of_offsets`.
+    pub(crate) fn gradients(
+        &self,
+        of_offsets: &[HeightGradient],
+    ) -> Result<Vec<[Vec<f64>; 2]>, PositionError> {
         let spectra = self.surfaces.whole_spectra()?;
-        let pair = self.surfaces.pair_spectrum()?;
-        let mut gradient = self.film.unflattened(spectra, pair, &sums.flattened)?;
-        for (sum, direct) in gradient
-            .iter_mut()
-            .flatten()
-            .zip(sums.direct.iter().flatten())
-        {
-            *sum += direct;
-        }
-        Ok(gradient)
+        let unflattening = (self.film).unflattening(spectra, self.surfaces.pair_spectrum()?)?;
+        let of = |sums: &HeightGradient| {
+            let mut gradient = unflattening.gradient(&sums.flattened);
+            let direct = sums.direct.iter().flatten();
+            for (sum, direct) in gradient.iter_mut().flatten().zip(direct) {
+                *sum += direct;
+            }
+            gradient
+        };
+        Ok(of_offsets.iter().map(of).collect())
     }
 }
 

@@ -244,16 +244,17 @@ impl Lubrication<'_> {
         let mut rough = rough.ok_or_else(PositionError::no_profile)?;
         let count = contacts.len();
         let force = at.weight * at.mean_sliding() * at.load.si();
-        let mut by_offset = Vec::with_capacity(count);
+        let mut of_offsets = Vec::with_capacity(count);
         let mut kinks = Kinks::default();
         for contact in contacts {
             let mut sums = HeightGradient::none(self.surfaces)?;
             if let Some(window) = contact.window {
                 rough.add_gradient((contact, window), force, &mut sums)?;
             }
-            by_offset.push(rough.gradient(&sums)?);
             kinks += sums.kinks;
+            of_offsets.push(sums);
         }
+        let by_offset = rough.gradients(&of_offsets)?;
         Ok(PositionGradient { by_offset, kinks })
     }
 

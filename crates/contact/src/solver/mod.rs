@@ -236,6 +236,21 @@ impl Solver {
         problem: &ContactProblem,
         settings: &SolverSettings,
     ) -> Result<ContactSolution, ContactError> {
+        self.check(problem, settings)?;
+        // What the solver solved before must not show, not even in the rounding of a result.
+        self.work.coarse.forget_nodes();
+        let discrete = self.discrete(problem)?;
+        let start = self.start(&discrete, settings)?;
+        let (iterations, certified) = self.solve_finest(&discrete, settings, start)?;
+        self.solution(&discrete, settings, iterations, &certified)
+    }
+
+    /// Checks that a problem is well posed and of the shape of the solver.
+    fn check(
+        &self,
+        problem: &ContactProblem,
+        settings: &SolverSettings,
+    ) -> Result<(), ContactError> {
         cite_kernel(problem.boundary);
         problem.validate()?;
         let tolerance = settings.tolerance;
@@ -256,12 +271,7 @@ impl Solver {
         if shape != self.shape {
             return Err(ContactError::solver_mismatch(self.shape, shape));
         }
-        // What the solver solved before must not show, not even in the rounding of a result.
-        self.work.coarse.forget_nodes();
-        let discrete = self.discrete(problem)?;
-        let start = self.start(&discrete, settings)?;
-        let (iterations, certified) = self.solve_finest(&discrete, settings, start)?;
-        self.solution(&discrete, settings, iterations, &certified)
+        Ok(())
     }
 
     /// Solves a problem as [`solve`](Self::solve), then finds its exact sets: its error is round-off.
@@ -279,11 +289,25 @@ impl Solver {
             ..*problem
         };
         let exact = solve_dense(&sets)?.pressure;
+        self.solved_by(problem, settings, (&exact, solution.iterations))
+    }
+
+    /// The solution of a problem whose pressure is known, with its certificate and the number of iterations that found it.
+    ///
+    /// # Errors
+    /// When the pressure is not the solution within the tolerance.
+    pub fn solved_by(
+        &mut self,
+        problem: &ContactProblem,
+        settings: &SolverSettings,
+        (pressure, iterations): (&[f64], usize),
+    ) -> Result<ContactSolution, ContactError> {
+        self.check(problem, settings)?;
         let discrete = self.discrete(problem)?;
-        self.open_whole_grid(&discrete, settings, &exact);
+        self.open_whole_grid(&discrete, settings, pressure);
         let whole = Window::whole(self.shape.points);
         let certified = self.certify(&discrete.task(whole, settings, 0));
-        self.solution(&discrete, settings, solution.iterations, &certified)
+        self.solution(&discrete, settings, iterations, &certified)
     }
 
     fn discrete<'a>(

@@ -28,7 +28,8 @@
 use std::ops::AddAssign;
 
 use asperity_core::cite;
-use asperity_core::quantity::Length;
+use asperity_core::numerics::{add_times, dot};
+use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 use asperity_ehl_regime::{Attenuation, GapLaw, PairSpectrum, TraceSpectrum};
 use asperity_tribo_friction::FilmHeat;
@@ -104,7 +105,19 @@ pub struct FlattenedGradient {
     pub pressures: [Vec<f64>; 2],
 }
 
-impl PositionFilm<'_> {
+/// Adjoint of the flattening of two traces by the inlet of a contact.
+#[derive(Debug, Clone)]
+pub struct Unflattening<'s> {
+    spectra: &'s [TraceSpectrum; 2],
+    attenuation: Attenuation,
+    modulus: Pressure,
+    /// dz_d/d ln n and dp′/d ln n of both traces.
+    slopes: [[Vec<f64>; 2]; 2],
+    /// d ln n/dz, if the flattening depends on the heights.
+    by_height: Option<[Vec<f64>; 2]>,
+}
+
+impl Unflattening<'_> {
     /// Gradient of a number over the heights of both whole traces, from its gradient over their heights as the inlet of this
     /// contact flattens them, and over the pressures that do.
     ///
@@ -115,16 +128,38 @@ impl PositionFilm<'_> {
     /// R = (π E*/l)(1 − A) is the pressure over the height of a wave.
     ///
     /// The second term is zero with the gap law `power`, whose flattening does not depend on the heights.
+    #[must_use]
+    pub fn gradient(&self, flattened: &FlattenedGradient) -> [Vec<f64>; 2] {
+        cite!("Flattened-gradient");
+        let (attenuation, modulus) = (&self.attenuation, self.modulus);
+        let FlattenedGradient { heights, pressures } = flattened;
+        let signals = [0, 1].map(|body: usize| [heights, pressures].map(|of| &*of[body]));
+        let factors = |wave| [attenuation.ratio(wave), attenuation.ripple(wave, modulus)];
+        let spectra = self.spectra.each_ref();
+        let mut gradient = TraceSpectrum::filtered_sums(spectra, signals, factors);
+        let Some(by_height) = &self.by_height else {
+            return gradient;
+        };
+        let pairs = signals.iter().zip(&self.slopes);
+        let products = pairs.flat_map(|(of, slopes)| of.iter().zip(slopes));
+        let by_scale: f64 = products.map(|(of, slopes)| dot(of, slopes)).sum();
+        for (of_body, by_height) in gradient.iter_mut().zip(by_height) {
+            add_times(of_body, by_scale, by_height);
+        }
+        gradient
+    }
+}
+
+impl PositionFilm<'_> {
+    /// The adjoint of the flattening of two traces, with their spectra.
     ///
     /// # Errors
     /// When the film is not positive or a number is not finite.
-    pub fn unflattened(
+    pub fn unflattening<'s>(
         &self,
-        spectra: &[TraceSpectrum; 2],
+        spectra: &'s [TraceSpectrum; 2],
         pair: &PairSpectrum,
-        flattened: &FlattenedGradient,
-    ) -> Result<[Vec<f64>; 2], LoadShareError> {
-        cite!("Flattened-gradient");
+    ) -> Result<Unflattening<'s>, LoadShareError> {
         let inlet = match self.gap_law {
             GapLaw::Power => None,
             GapLaw::Inlet => Some(self.inlet(pair)?),
@@ -133,38 +168,19 @@ impl PositionFilm<'_> {
             Some(inlet) => inlet.attenuation,
             None => Attenuation::new(self.gap_law, self.nabla)?,
         };
-        let mut by_scale = 0.0;
-        let mut gradient = [Vec::new(), Vec::new()];
-        for (body, of_body) in gradient.iter_mut().enumerate() {
-            let (own, spacing) = (&spectra[body], spectra[body].spacing());
-            let product = |of: &[f64], slopes: Vec<f64>| {
-                (of.iter().zip(slopes)).fold(0.0, |sum, (a, b)| sum + a * b)
-            };
-            let heights = &flattened.heights[body];
-            *of_body = TraceSpectrum::new(heights, spacing)?.attenuated(&attenuation);
-            by_scale += product(heights, own.filtered(|wave| attenuation.slope(wave)));
-            let pressures = &flattened.pressures[body];
-            if pressures.iter().all(|of_pressure| *of_pressure == 0.0) {
-                continue;
-            }
-            let modulus = self.contact.modulus;
-            let ripple = |wave| attenuation.ripple(wave, modulus);
-            let by_pressure = TraceSpectrum::new(pressures, spacing)?.filtered(ripple);
-            for (sum, height) in of_body.iter_mut().zip(by_pressure) {
-                *sum += height;
-            }
-            let slope = |wave| attenuation.ripple_slope(wave, modulus);
-            by_scale += product(pressures, own.filtered(slope));
-        }
-        if let Some(inlet) = inlet {
-            let by_height = inlet.scale_gradient(pair, spectra.each_ref());
-            for (of_body, by_height) in gradient.iter_mut().zip(by_height) {
-                for (sum, d_log_scale) in of_body.iter_mut().zip(by_height) {
-                    *sum += by_scale * d_log_scale;
-                }
-            }
-        }
-        Ok(gradient)
+        let modulus = self.contact.modulus;
+        Ok(Unflattening {
+            spectra,
+            attenuation,
+            modulus,
+            slopes: spectra.each_ref().map(|own| {
+                [
+                    own.filtered(|wave| attenuation.slope(wave)),
+                    own.filtered(|wave| attenuation.ripple_slope(wave, modulus)),
+                ]
+            }),
+            by_height: inlet.map(|inlet| inlet.scale_gradient(pair, spectra.each_ref())),
+        })
     }
 
     /// Kinks at or next to which a window is, known by its table.
@@ -324,8 +340,7 @@ impl PositionFilm<'_> {
             if of_gap == 0.0 && weight == 0.0 {
                 continue;
             }
-            row.start(contact);
-            let state = contact.at(row.asperity_share)?;
+            let state = row.of(contact)?;
             let mut of_spots = self.spot_conditions(rise).slopes(&state.spots, boundary)?;
             for slope in of_spots.iter_mut().flatten() {
                 *slope *= by_asperities * weight;

@@ -55,8 +55,9 @@ fn gradient(flanks: &Flanks, settings: &LoadShareSettings) -> [Vec<f64>; 2] {
         }
     }
     let mut sums = film
-        .unflattened(&flanks.spectra, &pair, &flattened)
-        .unwrap();
+        .unflattening(&flanks.spectra, &pair)
+        .unwrap()
+        .gradient(&flattened);
     for (body, sums) in sums.iter_mut().enumerate() {
         for (i, by_height) in places(body).zip(&found.by_height) {
             sums[i] += by_height;
