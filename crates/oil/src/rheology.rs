@@ -52,7 +52,7 @@ const START_REACH: f64 = 2.0;
 const STEEP: f64 = 300.0;
 /// Points whose stresses are solved at a time.
 pub const LANES: usize = 8;
-/// Highest stress over the unheated one, with its rounding.
+/// Highest stress over the unheated one where the limit does not rise, with its rounding.
 const ROUNDED: f64 = 1.0 + 1e-9;
 /// Steps after which points that are solved together have converged, or are solved each by itself within its bracket.
 const STEPS_TOGETHER: usize = 8;
@@ -551,12 +551,7 @@ impl FilmRheology {
         let solved = near.map_or_else(
             || {
                 let cold = self.stress(point, wall_temperature);
-                // Where the limit rises with the temperature, the stress may rise above the unheated one, even if it falls at
-                // first.
-                let highest = match self.constants.limiting_shear_fall.si() < 0.0 {
-                    true => 2.0 * cold[0],
-                    false => cold[0],
-                };
+                let highest = self.highest_over_cold() * cold[0];
                 // One Newton step from the unheated stress.
                 root(highest, cold[0] / (1.0 - point.heating * cold[1]))
             },
@@ -564,6 +559,15 @@ impl FilmRheology {
         );
         let solved = solved.map_err(LubricantError::heated_stress)?;
         Ok((solved, slope / (1.0 - point.heating * slope)))
+    }
+
+    /// Highest stress over the unheated one: where the limit rises with the temperature, the stress may rise above that, even if it
+    /// falls at first.
+    fn highest_over_cold(&self) -> f64 {
+        match self.constants.limiting_shear_fall.si() < 0.0 {
+            true => 2.0,
+            false => ROUNDED,
+        }
     }
 
     /// [`heated_stress`](Self::heated_stress) of up to [`LANES`] points with their starts, and the slopes: in lanes of one vector where
@@ -583,9 +587,8 @@ impl FilmRheology {
             *place = point;
             count += 1;
         }
-        let is_usual = self.shear == ShearLawName::Eyring
-            && self.constants.limit_power == LIMIT_POWER
-            && self.constants.limiting_shear_fall.si() >= 0.0;
+        let is_usual =
+            self.shear == ShearLawName::Eyring && self.constants.limit_power == LIMIT_POWER;
         let is_sheared = |(point, _): &(FilmPoint, Option<f64>)| {
             point.log_rate > f64::NEG_INFINITY && point.heating > 0.0
         };
@@ -672,17 +675,14 @@ impl FilmRheology {
             highest[k] = START_REACH * tau[k];
         }
         if lanes.start.iter().any(|start| *start <= 0.0) {
-            // One Newton step from the unheated stress, which is the highest.
+            // One Newton step from the unheated stress.
+            let most = self.highest_over_cold();
             let (cold, slope) = self.stresses(lanes, &[wall; LANES], &log);
             for k in 0..LANES {
                 let is_new = lanes.start[k] <= 0.0;
                 let first = cold[k] / (1.0 - lanes.heating[k] * slope[k]);
                 tau[k] = if is_new { first } else { tau[k] };
-                highest[k] = if is_new {
-                    ROUNDED * cold[k]
-                } else {
-                    highest[k]
-                };
+                highest[k] = if is_new { most * cold[k] } else { highest[k] };
             }
         }
         for _ in 0..STEPS_TOGETHER {

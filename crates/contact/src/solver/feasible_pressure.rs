@@ -4,8 +4,6 @@ use crate::convolution::{Lanes, vectorised};
 
 /// Points that are shifted and summed at a time: 8 KB, which stay in the first-level cache between both.
 const BLOCK: usize = 1 << 10;
-/// Points of which one comparison says that none is under pressure.
-const FEW: usize = 8;
 /// Most uniform shifts. Each moves the points that reach a bound out of the next, so a few are enough;
 /// a contact that needs more is projected.
 const MAX_SHIFTS: usize = 50;
@@ -56,33 +54,15 @@ fn load_round_off(pressure: &[f64], sum: f64) -> f64 {
 pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
     let round_off = load_round_off(pressure, sum);
     let mut count = shift_and_clip(pressure, 0.0, limit);
-    if (sum - count.sum).abs() <= round_off {
-        return;
-    }
-    // Few points of a rough contact lie between the bounds: they are shifted by themselves.
-    let is_inside = |p: &f64| (*p > 0.0) & (*p < limit);
-    let mut moved = Vec::with_capacity(count.interior as usize);
-    let mut held = 0.0;
-    for block in pressure.chunks(FEW) {
-        if block.iter().fold(false, |any, p| any | (*p > 0.0)) {
-            moved.extend(block.iter().filter(|p| is_inside(p)));
-            held += block.iter().filter(|p| **p >= limit).sum::<f64>();
-        }
-    }
     for _ in 0..MAX_SHIFTS {
         let missing = sum - count.sum;
-        if missing.abs() <= round_off || count.interior == 0.0 {
+        if missing.abs() <= round_off {
+            return;
+        }
+        if count.interior == 0.0 {
             break;
         }
-        count = shift_and_clip(&mut moved, missing / count.interior, limit);
-        count.sum += held;
-    }
-    let mut moved = moved.into_iter();
-    for block in pressure.chunks_mut(FEW) {
-        if block.iter().fold(false, |any, p| any | (*p > 0.0)) {
-            let places = block.iter_mut().filter(|p| is_inside(p));
-            places.zip(&mut moved).for_each(|(place, p)| *place = p);
-        }
+        count = shift_and_clip(pressure, missing / count.interior, limit);
     }
     if (count.sum - sum).abs() > ACCEPTED * sum {
         // All points in contact are at the limit.
