@@ -88,12 +88,8 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
     match &cli.command {
         Command::Run(args) => commands::run::run(args, common),
         Command::Report(args) => commands::report::report(args, common),
-        Command::Compare(args) => commands::compare::compare(args, common),
-        Command::Map(args) => commands::map::map(args, common),
-        Command::Cycle(args) => commands::cycle::cycle(args, common),
         Command::Study(study) => commands::study::study(study, common),
         Command::Sweep(command) => commands::sweep::sweep(command, common),
-        Command::Calibrate(args) => commands::calibrate::calibrate(args, common),
         Command::Completions { kind } => commands::completions::completions(*kind, common),
         Command::Figures(args) => commands::figures::figures(args, common),
         Command::Regime(args) => commands::regime::regime(args, common),

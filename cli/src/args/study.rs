@@ -57,6 +57,9 @@ pub struct StudyArgs<S: StudySettings<Input: Given> + Args> {
     /// Folder of the result
     #[arg(long, short)]
     pub output: Option<PathBuf>,
+    /// Do not write a folder
+    #[arg(long, conflicts_with = "output")]
+    pub no_output: bool,
     /// Limits of the work.
     #[command(flatten)]
     pub limits: <S::Input as Given>::Limits,
@@ -99,8 +102,16 @@ fn registered<S: StudySettings<Input: Given> + Args>() -> Registered {
     }
 }
 
+/// Name of the folder of a study with the end `kind`.
+pub fn named(subject: &str, kind: &str) -> String {
+    match kind {
+        "" => subject.to_owned(),
+        kind => format!("{subject}-{kind}"),
+    }
+}
+
 /// The study as the command `name`.
-fn command<S: StudySettings<Input: Given> + Args>(name: &'static str) -> Command {
+pub fn command<S: StudySettings<Input: Given> + Args>(name: &'static str) -> Command {
     let mut command = StudyArgs::<S>::augment_args(Command::new(name)).about(S::ABOUT);
     for setting in S::described() {
         command = command.mut_arg(setting.name, |arg| {
@@ -108,11 +119,8 @@ fn command<S: StudySettings<Input: Given> + Args>(name: &'static str) -> Command
             arg.allow_hyphen_values(takes_values)
         });
     }
-    let named_by = S::Input::NAMED_BY;
-    let folder = format!(
-        "Folder of the result [default: results/{named_by}-{}, named as for run]",
-        S::FOLDER
-    );
+    let name = named(S::Input::NAMED_BY, S::FOLDER);
+    let folder = format!("Folder of the result [default: results/{name}, named as for run]");
     let command = command.mut_arg("output", |arg| arg.help(folder));
     let help = help::<S>(&command);
     command.after_help(help)

@@ -12,7 +12,7 @@ use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_ban
 use asperity::{Contacts, LoadedCase};
 use asperity_core::{Code, Fault};
 use asperity_report::chart::{Axis, Drawing, Interval, Tornado};
-use asperity_report::{Report, StudyResult, StudySettings, Table, Work, columns, settings};
+use asperity_report::{Report, StudyResult, StudySettings, Table, Watch, Work, columns, settings};
 use serde::{Deserialize, Serialize};
 
 use crate::oil::fit::PointErrors;
@@ -123,8 +123,8 @@ impl StudySettings for EvidenceSettings {
         Ok(Some(Work::new(train.cases().cloned().collect(), 2)))
     }
 
-    fn run(&self, train: Train, progress: Progress<'_>) -> Result<EvidenceTable, Fault> {
-        EvidenceTable::of(&train, &self.efforts()?, progress)
+    fn run(&self, train: Train, watch: &Watch<'_>) -> Result<EvidenceTable, Fault> {
+        EvidenceTable::of(&train, &self.efforts()?, watch.progress)
     }
 }
 
@@ -438,9 +438,8 @@ const NOT_DRAWN: &str = "The temperature is taken as exact and has no line: the 
 impl StudyResult for EvidenceTable {
     const KIND: &'static str = "evidence";
     const NAME: &'static str = "evidence";
-    type Context<'a> = ();
 
-    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         let loss = self.loss_text(self.loss.quantiles_w, " W");
         Report::new(&self.title, format!("{} · evidence", self.program))
             .section("Measurements that narrow the interval")

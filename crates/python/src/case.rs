@@ -247,16 +247,12 @@ impl Case {
         pinion: PathBuf,
         wheel: Option<PathBuf>,
         traces: Traces<'_>,
-        offsets: Option<usize>,
     ) -> PyResult<Self> {
         let held = profiles(&traces);
         let loaded = self.only()?;
         alone(py, || {
             let changed = loaded.holding(&held).with(|input| {
                 input.surface.put_traces(&pinion, wheel.as_deref());
-                if offsets.is_some() {
-                    input.model.offsets = offsets;
-                }
             })?;
             Ok(Self(Arc::new(changed.into())))
         })

@@ -45,6 +45,22 @@ impl Input for LoadedCase {
     }
 }
 
+/// Callbacks of a study.
+pub struct Watch<'a> {
+    /// Called with the number of steps so far and the number of all, 0 where it is not known.
+    pub progress: Progress<'a>,
+    /// Called with what is known before the result.
+    pub say: &'a dyn Fn(&str),
+}
+
+impl Watch<'_> {
+    /// No callbacks.
+    pub const SILENT: Watch<'static> = Watch {
+        progress: &|_, _| {},
+        say: &|_| {},
+    };
+}
+
 /// Work of a study, for the estimate of its time and memory before it begins.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
@@ -68,12 +84,12 @@ pub trait StudySettings: Settings {
     /// Its subject.
     type Input: Input;
     /// Result of the study.
-    type Found: for<'a> StudyResult<Context<'a> = ()> + Send + Sync + 'static;
+    type Found: StudyResult + Send + Sync + 'static;
     /// Words of the command.
     const COMMAND: &'static str;
     /// Name of the function in Python.
     const FUNCTION: &'static str = Self::COMMAND;
-    /// End of the name of its folder.
+    /// End of the name of its folder; empty if the name of its subject is the whole name.
     const FOLDER: &'static str = Self::COMMAND;
     /// Question that it answers, in a line.
     const ABOUT: &'static str;
@@ -99,7 +115,7 @@ pub trait StudySettings: Settings {
     ///
     /// # Errors
     /// When a setting has no sense, or the study has no result.
-    fn run(&self, input: Self::Input, progress: Progress<'_>) -> Result<Self::Found, Fault>;
+    fn run(&self, input: Self::Input, watch: &Watch<'_>) -> Result<Self::Found, Fault>;
 }
 
 /// Description of a study.
@@ -123,33 +139,17 @@ pub struct Described {
 }
 
 impl Described {
-    /// Description of the study `function` by the settings `S`, which command and Python run each in its own way.
-    #[must_use]
-    pub fn new<S: Settings>(
-        function: &'static str,
-        about: &'static str,
-        method: &'static str,
-        steps: &'static str,
-        input: Vec<Setting>,
-    ) -> Self {
-        Self {
-            command: function,
-            function,
-            about,
-            method,
-            steps,
-            input,
-            settings: S::described(),
-        }
-    }
-
     /// Description of the study `S`.
     #[must_use]
     pub fn of<S: StudySettings>() -> Self {
-        let input = S::Input::described();
         Self {
             command: S::COMMAND,
-            ..Self::new::<S>(S::FUNCTION, S::ABOUT, S::METHOD, S::STEPS, input)
+            function: S::FUNCTION,
+            about: S::ABOUT,
+            method: S::METHOD,
+            steps: S::STEPS,
+            input: S::Input::described(),
+            settings: S::described(),
         }
     }
 }

@@ -42,7 +42,7 @@ mod wrap;
 pub use axis::Nodes;
 pub use blocks::Report;
 pub use columns::{Cell, Column, Kind, Number, Table, Value};
-pub use described::{Described, Input, StudySettings, Work};
+pub use described::{Described, Input, StudySettings, Watch, Work};
 pub use folder::{
     Fields, PAGE, make_folder, parse_result, read_result, redraw, title_of, write_bytes,
     write_json, write_text, write_unsolved,

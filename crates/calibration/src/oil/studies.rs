@@ -1,11 +1,10 @@
 //! Settings of the studies of oils.
 
 use asperity::LoadedCase;
-use asperity::pipeline::Progress;
 use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
 use asperity_core::quantity::{Force, Length, Ratio, Speed, Temperature, Time};
 use asperity_core::{Code, DomainError, Fault};
-use asperity_report::{Input, Nodes, Setting, StudySettings, Work, settings};
+use asperity_report::{Input, Nodes, Setting, StudySettings, Watch, Work, settings};
 
 use super::error::of_table;
 use super::fit::PointErrors;
@@ -191,7 +190,7 @@ impl StudySettings for TractionSettings {
         Ok(None)
     }
 
-    fn run(&self, OfOil(oil): OfOil, _: Progress<'_>) -> Result<TractionCurves, Fault> {
+    fn run(&self, OfOil(oil): OfOil, _: &Watch<'_>) -> Result<TractionCurves, Fault> {
         let boundary_friction = self.boundary_friction.unwrap_or(BOUNDARY_FRICTION);
         let is_valid = boundary_friction > 0.0 && boundary_friction < 1.0;
         let (name, rule) = ("boundary_friction", "must lie between 0 and 1");
@@ -250,7 +249,7 @@ impl StudySettings for OilFitSettings {
         Ok(None)
     }
 
-    fn run(&self, given: MeasuredOil, _: Progress<'_>) -> Result<OilFit, Fault> {
+    fn run(&self, given: MeasuredOil, _: &Watch<'_>) -> Result<OilFit, Fault> {
         let machine = self.specimens.machine()?;
         let settings = FitSettings {
             is_wide: self.priors.wide,
@@ -298,7 +297,7 @@ impl StudySettings for OilPlanSettings {
         Ok(None)
     }
 
-    fn run(&self, given: OilOfCase, _: Progress<'_>) -> Result<OilPlan, Fault> {
+    fn run(&self, given: OilOfCase, _: &Watch<'_>) -> Result<OilPlan, Fault> {
         let settings = PlanSettings {
             machine: self.specimens.machine()?,
             is_wide: self.priors.wide,
@@ -359,7 +358,7 @@ impl StudySettings for StribeckSettings {
         Ok(None)
     }
 
-    fn run(&self, given: MeasuredOil, _: Progress<'_>) -> Result<Stribeck, Fault> {
+    fn run(&self, given: MeasuredOil, _: &Watch<'_>) -> Result<Stribeck, Fault> {
         self.work(&given)?;
         let machine = self.specimens.machine()?;
         let mut all = Readings::default();

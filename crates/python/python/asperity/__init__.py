@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from ._html import Chart
     from ._laws import film_thickness, friction_coefficient, hertz, thermal_reduction
     from ._library import RexsCase, demo, from_rexs, gears, oils, rexs_contents, steels
-    from ._map import Cycle, Map, cycle, read_map
+    from ._map import Cycle, Map, read_map
     from ._oil import OilFit, OilPlan, Stribeck, Traction
     from ._profile import Parameters, Parts, Profile, generate, read_profile
     from ._record import Record, Table
@@ -51,7 +51,7 @@ else:
         "_html": "Chart",
         "_laws": "film_thickness friction_coefficient hertz thermal_reduction",
         "_library": "RexsCase demo from_rexs gears oils rexs_contents steels",
-        "_map": "Cycle Map cycle read_map",
+        "_map": "Cycle Map read_map",
         "_oil": "OilFit OilPlan Stribeck Traction",
         "_profile": "Parameters Parts Profile generate read_profile",
         "_record": "Record Table",
@@ -113,7 +113,6 @@ __all__ = [
     "Table",
     "Traction",
     "__version__",
-    "cycle",
     "demo",
     "ehl",
     "explain",
