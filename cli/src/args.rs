@@ -175,8 +175,11 @@ pub enum Command {
         #[arg(long, conflicts_with_all = ["code", "json"])]
         markdown: bool,
     },
-    /// Print the JSON schema of the case file
+    /// Print the JSON schema of the case file, or of the settings of the studies
     Schema {
+        /// Print the schema of the settings instead: an object for each study by the name of its function in Python
+        #[arg(long, conflicts_with = "markdown")]
+        settings: bool,
         /// Print the page docs/CASE_FILE.md instead: every key with its unit, default and meaning
         #[arg(long, conflicts_with = "json")]
         markdown: bool,

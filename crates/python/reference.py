@@ -30,7 +30,7 @@ TOPICS = {
     "Studies": "compare Comparison map read_map Map cycle Cycle sensitivity Sensitivity ridges Ridges callout CallOut sweep Sweep",
     "Measurements": "calibrate Calibration design Design evidence Evidence",
     "Oils": "oil_traction Traction oil_plan OilPlan oil_fit OilFit stribeck Stribeck",
-    "The library": "gears steels oils",
+    "The library": "gears steels oils schema",
     "Errors and warnings": "AsperityError AsperityWarning Place explain Explanation",
     "Tables and charts": "Record Table Chart",
 }

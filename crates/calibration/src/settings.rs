@@ -72,8 +72,8 @@ impl StudySettings for CalibrationSettings {
         ],
     ];
     const METHOD: &'static str = "The table has one row per measured point: torque_nm, speed_rpm, temperature_c, loss_w (or \
-        torque_loss_nm), sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order, flank_state, case. What the \
-        points can identify is said before the fit. calibration.toml in the result holds the table [calibration] for the case.";
+        torque_loss_nm), sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order, flank_state, case. The \
+        result says what the points can identify. calibration.toml in it holds the table [calibration] for the case.";
     const STEPS: &'static str = "evaluations";
 
     fn work(&self, _: &RigFiles) -> Result<Option<Work>, Fault> {

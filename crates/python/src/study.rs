@@ -149,16 +149,21 @@ fn described<S: StudySettings>() -> Described {
     Described::of::<S>()
 }
 
+/// The studies with their settings.
+pub fn studies_described() -> Vec<Described> {
+    every_study!(described).into()
+}
+
 /// The studies with their settings, as JSON.
 #[pyfunction]
 pub fn studies() -> PyResult<String> {
-    Ok(failure::json(&every_study!(described))?)
+    Ok(failure::json(&studies_described())?)
 }
 
 /// Steps that the progress of the study `name` counts.
 #[pyfunction]
 pub fn steps(name: &str) -> PyResult<&'static str> {
-    let mut all = every_study!(described).into_iter();
+    let mut all = studies_described().into_iter();
     let study = all.find(|study| study.function == name);
     Ok(study.ok_or_else(|| unknown(name))?.steps)
 }

@@ -4,9 +4,11 @@ use asperity::case::LoadedCase;
 use asperity::case::train::Train;
 use asperity::pipeline::Progress;
 use asperity_core::Fault;
+use schemars::generate::SchemaSettings;
 use serde::Serialize;
+use serde_json::{Map, Value, json};
 
-use crate::settings::{Setting, Settings};
+use crate::settings::{SchemaOf, Setting, Settings};
 use crate::study::StudyResult;
 
 /// Subject of a study: a case, an oil, measured curves. Each face makes it from its own arguments.
@@ -119,7 +121,7 @@ pub trait StudySettings: Settings {
 }
 
 /// Description of a study.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]
 pub struct Described {
     /// Words of the command.
@@ -136,6 +138,9 @@ pub struct Described {
     pub input: Vec<Setting>,
     /// Its settings.
     pub settings: Vec<Setting>,
+    /// JSON Schema of its settings.
+    #[serde(skip)]
+    pub schema: SchemaOf,
 }
 
 impl Described {
@@ -150,6 +155,27 @@ impl Described {
             steps: S::STEPS,
             input: S::Input::described(),
             settings: S::described(),
+            schema: S::schema,
         }
     }
+}
+
+/// JSON Schema of an object with the settings of some of the `studies`, each by the name of its function.
+#[must_use]
+pub fn schema_of_settings(studies: &[Described]) -> Value {
+    let mut generator = SchemaSettings::draft2020_12().into_generator();
+    let mut properties = Map::new();
+    for study in studies {
+        let mut schema = (study.schema)(&mut generator);
+        schema.insert("description".to_owned(), study.about.into());
+        properties.insert(study.function.to_owned(), schema.to_value());
+    }
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Settings of studies",
+        "type": "object",
+        "properties": properties,
+        "additionalProperties": false,
+        "$defs": generator.take_definitions(true),
+    })
 }

@@ -111,7 +111,11 @@ settings! {
 }
 
 impl Specimens {
-    fn machine(&self) -> Result<Machine, Fault> {
+    /// The machine of these specimens.
+    ///
+    /// # Errors
+    /// When a length is not positive.
+    pub fn machine(&self) -> Result<Machine, Fault> {
         Ok(Machine::ball_on_disc(
             self.ball_radius,
             self.second_radius,
@@ -135,7 +139,11 @@ settings! {
 }
 
 impl PriorSettings {
-    fn errors(&self) -> Result<PointErrors, Fault> {
+    /// Errors of the points that state none.
+    ///
+    /// # Errors
+    /// When they are not between 0 and 1.
+    pub fn errors(&self) -> Result<PointErrors, Fault> {
         let errors = PointErrors {
             relative: self.point_sd.value(),
             floor: self.point_floor,
@@ -280,6 +288,22 @@ settings! {
     }
 }
 
+impl OilPlanSettings {
+    /// The settings as the computation takes them.
+    ///
+    /// # Errors
+    /// When a setting has no sense.
+    pub fn plan(&self) -> Result<PlanSettings, Fault> {
+        Ok(PlanSettings {
+            machine: self.specimens.machine()?,
+            is_wide: self.priors.wide,
+            zero: self.priors.zero,
+            errors: self.priors.errors()?,
+            simulate: self.simulate,
+        })
+    }
+}
+
 impl StudySettings for OilPlanSettings {
     type Input = OilOfCase;
     type Found = OilPlan;
@@ -298,14 +322,7 @@ impl StudySettings for OilPlanSettings {
     }
 
     fn run(&self, given: OilOfCase, _: &Watch<'_>) -> Result<OilPlan, Fault> {
-        let settings = PlanSettings {
-            machine: self.specimens.machine()?,
-            is_wide: self.priors.wide,
-            zero: self.priors.zero,
-            errors: self.priors.errors()?,
-            simulate: self.simulate,
-        };
-        OilPlan::of(&given.oil, given.case.as_ref(), &settings)
+        OilPlan::of(&given.oil, given.case.as_ref(), &self.plan()?)
     }
 }
 

@@ -12,7 +12,7 @@ laws are in SI units. Errors are `AsperityError`, warnings `AsperityWarning`, wi
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Optional
 
 from . import _asperity, _studies
 from ._asperity import __version__
@@ -128,6 +128,7 @@ __all__ = [
     "read_profile",
     "read_result",
     "rexs_contents",
+    "schema",
     "solve_contact",
     "steels",
     "subsurface_stress",
@@ -143,6 +144,15 @@ class Explanation(NamedTuple):
     title: str
     meaning: str
     remedy: str
+
+
+def schema(kind: Literal["gears", "mesh", "settings"] = "gears") -> dict[str, Any]:
+    """JSON schema of a case with this table of gears, or of the settings of the studies, each by the name of its function."""
+    # At its first need: it is not part of a run.
+    import json
+
+    found: dict[str, Any] = json.loads(_asperity.schema(kind))
+    return found
 
 
 def explain(code: str) -> Optional[Explanation]:
