@@ -14,7 +14,7 @@ E_DRIVE = CASES / "e-drive.toml"
 FEW = {"positions": 3, "offsets": 2}
 KEYS = [f"--set=model.{name}={value}" for name, value in FEW.items()]
 LOAD_SHARE = "--set=model.load_share=zhu-hu"
-FINISHES = {name: (PROFILES / f"{name}_pinion.csv", PROFILES / f"{name}_wheel.csv") for name in ("ground", "superfinished")}
+FINISHES = {name: (PROFILES / f"{name}_pinion.csv", PROFILES / f"{name}_wheel.csv") for name in ("ground", "ground_fine")}
 OPTIONS = [f"--finish={name}={pinion},{wheel}" for name, (pinion, wheel) in FINISHES.items()]
 MAP = ["--torque=-100,40,100", "--speed=500,9000", "--temperature=60,90"]
 TRACE = "time_s,torque_nm,speed_rpm\n0,40,500\n30,90,4000\n60,60,3000\n"

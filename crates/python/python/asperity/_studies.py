@@ -299,9 +299,8 @@ def calibrate(
     """Boundary friction, boundary layer and film traction from losses measured on a rig.
 
     The table has one row per measured point: torque_nm, speed_rpm, temperature_c, loss_w (or torque_loss_nm),
-    sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order, flank_state, case. What the
-    points can identify is said before the fit. calibration.toml in the result holds the table [calibration] for the
-    case.
+    sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order, flank_state, case. The result
+    says what the points can identify. calibration.toml in it holds the table [calibration] for the case.
 
     Args:
         rig: the measurements, with the columns of the command; a column simulated may say that their losses are.
