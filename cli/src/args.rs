@@ -1,14 +1,13 @@
 //! The command line.
 
-mod calibrate;
 mod ehl;
 mod finish;
 mod from_rexs;
-mod map;
 mod oil;
 mod profile;
 mod set;
 mod study;
+mod sweep;
 mod values;
 mod work;
 
@@ -16,14 +15,11 @@ use std::path::PathBuf;
 
 use asperity::case::{Formulation, PathPoint};
 use asperity_core::quantity::{Length, LineLoad, Pressure};
-use asperity_studies::compare::CompareSettings;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-pub use calibrate::CalibrateArgs;
 pub use ehl::{EhlArgs, ViscosityLawArg};
 pub use finish::FinishArg;
 pub use from_rexs::{CaseCommand, FromRexsArgs};
-pub use map::{CycleArgs, MapArgs, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 pub use oil::{GivenCurves, GivenOil, GivenOilOfCase, NoLimits, OilCommand};
 pub use profile::{
     FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
@@ -31,7 +27,8 @@ pub use profile::{
     Wavelengths,
 };
 pub use set::SetArgs;
-pub use study::{Given, Group, StudyArgs, StudyCommand, Subject, Top};
+pub use study::{Given, Group, StudyArgs, StudyCommand, Subject, Top, command, named};
+pub use sweep::{SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 pub use values::name_of;
 pub use work::WorkArgs;
 
@@ -122,46 +119,12 @@ pub enum Command {
     /// Make a case from the file of another program
     #[command(subcommand)]
     Case(CaseCommand),
-    /// Compare finishes: several profile sets on one case, with paired differences
-    #[command(after_help = "Examples:\n  asperity compare demo/case.toml \\\n    \
-        --finish ground=demo/ground_pinion.csv,demo/ground_wheel.csv \\\n    \
-        --finish superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv\n\n\
-        The first finish is the reference for the others. A single file serves both flanks, mirrored\n\
-        for the wheel; two files, separated by a comma, are pinion and wheel.")]
-    Compare(CompareArgs),
-    /// Losses over torque, speed and temperature, in both directions of the power
-    #[command(after_help = "Examples:\n  asperity map demo/case.toml\n  \
-        asperity map demo/case.toml --torque -150..150:13 --speed 500..16000:8 --temperature 60,90\n  \
-        asperity map demo/case.toml \\\n    \
-        --finish ground=demo/ground_pinion.csv,demo/ground_wheel.csv \\\n    \
-        --finish superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv \\\n    \
-        --export vecto,modelica,fmu\n\n\
-        The losses are of the mesh only, without bearings, seals and churning. Every point is the\n\
-        run at this torque, speed and temperature.")]
-    Map(MapArgs),
-    /// Energy lost over a driving cycle, from a map
-    #[command(
-        after_help = "Examples:\n  asperity cycle results/demo-case-map demo/urban.csv\n  \
-        asperity cycle results/demo-case-map trace.csv --set vehicle.mass=\"1600 kg\" --temperature 90"
-    )]
-    Cycle(CycleArgs),
     /// Studies of the library
     #[command(flatten)]
     Study(StudyCommand<Top>),
     /// Run many cases: crossed axes and samples of the inputs, in shards
     #[command(subcommand)]
     Sweep(SweepCommand),
-    /// Boundary friction, boundary layer and film traction from losses measured on a rig, or a design for that
-    #[command(
-        after_help = "Examples:\n  asperity calibrate rig.csv case.toml -o results/rig\n  \
-        asperity calibrate rig.csv case.toml --hold boundary-layer\n  \
-        asperity calibrate --design case.toml --hours 8 --torque-max 180 --speed-max 3000\n\n\
-        The table has one row per measured point: torque_nm, speed_rpm, temperature_c, loss_w (or\n\
-        torque_loss_nm), sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order,\n\
-        flank_state, case. What the points can identify is printed before the fit. calibration.toml in the\n\
-        result holds the table [calibration] for the case."
-    )]
-    Calibrate(CalibrateArgs),
     /// Draw the figures of the 2022 paper, each with its table of values
     #[command(after_help = "Example:\n  asperity figures -o docs/figures")]
     Figures(FiguresArgs),
@@ -212,8 +175,11 @@ pub enum Command {
         #[arg(long, conflicts_with_all = ["code", "json"])]
         markdown: bool,
     },
-    /// Print the JSON schema of the case file
+    /// Print the JSON schema of the case file, or of the settings of the studies
     Schema {
+        /// Print the schema of the settings instead: an object for each study by the name of its function in Python
+        #[arg(long, conflicts_with = "markdown")]
+        settings: bool,
         /// Print the page docs/CASE_FILE.md instead: every key with its unit, default and meaning
         #[arg(long, conflicts_with = "json")]
         markdown: bool,
@@ -322,32 +288,6 @@ pub struct ReportArgs {
     /// Number of the mesh position whose contact is shown [default: the one with the highest pressure]
     #[arg(long)]
     pub position: Option<usize>,
-}
-
-/// A case and the finishes to compare on it.
-#[derive(Debug, Args)]
-pub struct CompareArgs {
-    /// Case file, whose traces are replaced by the traces of each finish; - reads standard input
-    pub case: PathBuf,
-    /// Keys of the case set on the command line.
-    #[command(flatten)]
-    pub set: SetArgs,
-    /// A finish and its traces, in a gear train of all meshes or of one; give at least two
-    #[arg(
-        long = "finish",
-        required = true,
-        value_name = "NAME[@MESH]=PINION.csv[,WHEEL.csv]"
-    )]
-    pub finishes: Vec<FinishArg>,
-    /// Settings of the comparison.
-    #[command(flatten)]
-    pub settings: CompareSettings,
-    /// Folder of the comparison [default: results/<name of the case>-compare, named as for run]
-    #[arg(long, short)]
-    pub output: Option<PathBuf>,
-    /// Limits of time and memory.
-    #[command(flatten)]
-    pub work: WorkArgs,
 }
 
 /// Shell whose completions are printed.

@@ -30,7 +30,7 @@ const QUESTIONS: [(&str, &[&str]); 7] = [
         &["demo", "new", "check", "run", "report", "diff"],
     ),
     (COMPARE, &["compare", "sweep"]),
-    ("Narrow the interval", &["evidence", "calibrate"]),
+    ("Narrow the interval", &["evidence", "calibrate", "design"]),
     ("Torque, speed and drive cycles", &["map", "cycle"]),
     (
         "One part of the model",

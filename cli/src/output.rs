@@ -181,17 +181,13 @@ impl Progress {
         self.bar.set_message(work);
     }
 
-    /// Shows the count `done` of an unknown total.
-    pub fn count(&self, done: usize) {
-        if done == 1 {
-            self.style("{spinner} {msg} {pos}  {elapsed}");
-        }
-        self.bar.set_position(done as u64);
-    }
-
-    /// Shows the count `done` of `total`.
+    /// Shows the count `done` of `total`, which is 0 where it is not known.
     pub fn at(&self, done: usize, total: usize) {
-        if self.bar.length() != Some(total as u64) {
+        if total == 0 {
+            if done == 1 {
+                self.style("{spinner} {msg} {pos}  {elapsed}");
+            }
+        } else if self.bar.length() != Some(total as u64) {
             self.style("{msg} {bar:30} {pos}/{len}  {per_sec}  {eta} left");
             self.bar.set_length(total as u64);
         }

@@ -131,7 +131,7 @@ fn command(code: Code) -> Option<&'static str> {
             "asperity check lists every unusual number of a case."
         }
         Code::E310 => {
-            "asperity calibrate takes these as --hold boundary-layer, and as --design with --torque-max, --speed-max and --temperature."
+            "asperity calibrate takes these as --hold boundary-layer, and asperity design with --torque-max, --speed-max and --temperature."
         }
         Code::E322 => "asperity oil stribeck takes times of rubbing as --rubbing \"0 s,2 h\".",
         Code::E319 => "asperity oil fit takes it for all readings as --point-floor 0.001.",

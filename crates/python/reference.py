@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 import asperity
-from asperity import _asperity
+from asperity import _asperity, _studies
 
 FILE = Path(__file__).resolve().parents[2] / "docs" / "PYTHON_API.md"
 HEAD = """# Python API
@@ -30,7 +30,7 @@ TOPICS = {
     "Studies": "compare Comparison map read_map Map cycle Cycle sensitivity Sensitivity ridges Ridges callout CallOut sweep Sweep",
     "Measurements": "calibrate Calibration design Design evidence Evidence",
     "Oils": "oil_traction Traction oil_plan OilPlan oil_fit OilFit stribeck Stribeck",
-    "The library": "gears steels oils",
+    "The library": "gears steels oils schema",
     "Errors and warnings": "AsperityError AsperityWarning Place explain Explanation",
     "Tables and charts": "Record Table Chart",
 }
@@ -146,12 +146,16 @@ def of_function(name, function):
 def written():
     """The text of the page."""
     public = {*asperity.__all__, "map"} - {"__version__"}
-    listed = [name for names in TOPICS.values() for name in names.split()]
+    topics = {topic: names.split() for topic, names in TOPICS.items()}
+    # A study without results of its own needs no entry above.
+    named = {name for names in topics.values() for name in names}
+    topics["Studies"] += [name for name in _studies.__all__ if name not in named]
+    listed = [name for names in topics.values() for name in names]
     if {*listed} != public or len(listed) != len(public):
         raise ValueError(f"names of no topic or of two: {public.symmetric_difference(listed) or listed}")
     blocks = [HEAD]
-    for topic, names in TOPICS.items():
-        things = {name: getattr(asperity, name) for name in names.split()}
+    for topic, names in topics.items():
+        things = {name: getattr(asperity, name) for name in names}
         blocks.append(f"## {topic}\n")
         for name, thing in things.items():
             blocks.append((of_class if isinstance(thing, type) else of_function)(name, thing) + "\n")

@@ -17,7 +17,7 @@ from asperity._quantity import OPERATING
 
 FOLDER = Path(__file__).parent / "python" / "asperity"
 RESULTS = {
-    "calibrate": "Calibration", "callout": "CallOut", "compare": "Comparison", "design": "Design", "evidence": "Evidence", "map": "Map", "oil_fit": "OilFit", "oil_plan": "OilPlan", "oil_traction": "Traction", "ridges": "Ridges",
+    "calibrate": "Calibration", "callout": "CallOut", "compare": "Comparison", "cycle": "Cycle", "design": "Design", "evidence": "Evidence", "map": "Map", "oil_fit": "OilFit", "oil_plan": "OilPlan", "oil_traction": "Traction", "ridges": "Ridges",
     "sensitivity": "Sensitivity", "stribeck": "Stribeck",
 }
 """Classes of the results of studies that have attributes of their own."""
@@ -233,33 +233,36 @@ Written by crates/python/typed.py from the settings of the compiled part.
 
 from __future__ import annotations
 
-%sfrom typing import TYPE_CHECKING, Optional, Union
+from collections.abc import Mapping, Sequence
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 if TYPE_CHECKING:
 %s
 __all__ = %s
 '''
-TYPES = {"usize": "int", "u64": "int", "f64": "float", "bool": "bool", "String": "str", "Ratio": "Union[float, str]"}
+TYPES = {"usize": "int", "u64": "int", "f64": "float", "bool": "bool", "String": "str", "Ratio": "Union[float, str]", "PathBuf": "Union[str, PathLike[str]]"}
 INPUTS = {
     "Case": ("CaseLike", None, "as_case({0})._raw"),
     "Option<Case>": ("Optional[CaseLike]", "None", "None if {0} is None else as_case({0})._raw"),
     "Oil": ("OilLike", None, "raw_oil({0})"),
-    "Finishes": ("Mapping[str, Finish]", None, "{0}"),
-    "Option<Cases>": ("Optional[Mapping[str, CaseLike]]", "None", "{0}"),
-    "Option<Finishes>": ("Optional[Mapping[str, Finish]]", "None", "{0}"),
-    "Table": ("Columns", None, "{0}"),
+    "CaseOfFinishes": ("CaseLike", None, None),
+    "Finishes": ("Mapping[str, Finish]", None, "cases_of(case, {0})"),
+    "Option<Finishes>": ("Optional[Mapping[str, Finish]]", "None", "cases_of(case, {0})"),
+    "Option<Cases>": ("Optional[Mapping[str, CaseLike]]", "None", "[(key, as_case(one)._raw) for key, one in ({0} or {{}}).items()]"),
+    "Rig": ("Columns", None, 'table_of({0}, "rig", Code.E134)'),
+    "Map": ("Map", None, "{0}._raw"),
+    "Cycle": ("Columns", None, 'table_of({0}, "cycle", Code.E101)'),
+    "Option<Vehicle>": ("Optional[Mapping[str, Any]]", "None", "vehicle_keys({0})"),
     "Vec<Curves>": ("Union[Columns, Sequence[Columns]]", None, 'tables_of_curves({0}, "{0}")'),
 }
-"""Arguments of what a study is about: type, default and value for the compiled part."""
-BY_NAME = ("Option<Cases>", "Option<Finishes>")
+"""Arguments of what a study is about: type, default and value for the compiled part, none of an argument that another one takes."""
+BY_NAME = ("Option<Cases>", "Option<Finishes>", "Option<Vehicle>")
 """Those that are given by name only."""
-RUNNERS = {"calibrate": "calibrated", "compare": "compared", "design": "designed", "map": "mapped"}
-"""Functions of the package that run a study which the compiled part does not run as the others."""
 HOMES = {
-    "CaseLike": "_case", "Columns": "_columns", "Finish": "_compare", "Numbers": "_quantity", "OilLike": "_oil", "Progress": "_progress", "Quantities": "_quantity",
-    "Quantity": "_quantity", "Study": "_study", "as_case": "_case", "calibrated": "_calibration", "compared": "_compare", "designed": "_calibration",
-    "mapped": "_map", "nodes": "_quantity", "raw_oil": "_oil", "run_study": "_study",
-    "tables_of_curves": "_oil", "warned": "_record", "written": "_quantity",
+    "CaseLike": "_case", "Code": "_errors", "Columns": "_columns", "Finish": "_compare", "Numbers": "_quantity", "OilLike": "_oil", "Progress": "_progress",
+    "Quantities": "_quantity", "Quantity": "_quantity", "Study": "_study", "as_case": "_case", "cases_of": "_compare", "nodes": "_quantity", "number": "_quantity",
+    "ran": "_study", "raw_oil": "_oil", "table_of": "_columns", "tables_of_curves": "_oil", "vehicle_keys": "_keys", "written": "_quantity",
 }
 """Modules of the names that the functions use."""
 
@@ -273,6 +276,8 @@ def one(kind, name):
     """Type of a value of a setting, and the value for the compiled part."""
     if kind in QUANTITIES:
         return "Quantity", f'written({name}, "{kind}", "{name}")'
+    if kind == "PathBuf":
+        return TYPES[kind], f"fspath({name})"
     choices = {rust: python for python, rust, _ in _asperity.choices()}
     return choices.get(kind) or TYPES[kind], name
 
@@ -284,6 +289,9 @@ def argument(setting):
         own, _ = unit_of(name)
         rows = [(own, "Optional[Numbers]", "None"), (name, "Optional[Quantities]", "None")]
         return rows, f'nodes("{own}", {own}, {name}, {json.dumps(default)})'.replace("null", "None")
+    if name in OPERATING:
+        of = name.rsplit("_", 1)[0]
+        return [(name, "Optional[float]", "None"), (of, "Optional[Quantity]", "None")], f'number("{name}", {name}, {of})'
     if kind == "Vec<NamedHours>":
         return [(name, "Optional[Mapping[str, float]]", "None")], f'[f"{{key}}={{value}}" for key, value in ({name} or {{}}).items()]'
     if kind.startswith("Vec<"):
@@ -342,12 +350,10 @@ def study(found):
     values = "".join(f'        "{name}": {value},\n' for name, _, value in rows)
     settings = f"    settings = {{\n{values}    }}\n" if values else ""
     passed = ["settings" if values else "{}", *(name for name, *_ in threads)]
-    if name in RUNNERS:
-        body = f"{settings}    return {RUNNERS[name]}({', '.join([row[0] for row in given] + passed)})\n"
-    else:
-        raws = ", ".join(row[3].format(row[0]) for row in given)
-        call = ", ".join([f'"{name}"', f"({raws},)" if len(given) == 1 else f"({raws})", *passed])
-        body = f"{settings}    return warned({result}(run_study({call})))\n"
+    raws = ", ".join(row[3].format(row[0]) for row in given if row[3])
+    alone = sum(row[3] is not None for row in given) == 1
+    call = ", ".join([result, f'"{name}"', f"({raws},)" if alone else f"({raws})", *passed])
+    body = f"{settings}    return ran({call})\n"
     return signature, f'''    """{found["about"]}.
 
 {textwrap.fill(found["method"], 118, initial_indent="    ", subsequent_indent="    ")}
@@ -363,11 +369,9 @@ def studies():
     """The text of the studies."""
     every = [(found["function"], *study(found)) for found in json.loads(_asperity.studies())]
     signatures = "".join(signature for _, signature, _ in every)
-    abstract = [name for name in ("Mapping", "Sequence") if f"{name}[" in signatures]
-    containers = f"from collections.abc import {', '.join(abstract)}\n" if abstract else ""
     # `from asperity import *` must not replace the built-in function map.
     names = "[\n" + "".join(f'    "{name}",\n' for name in sorted(name for name, *_ in every) if name != "map") + "]"
-    return HEAD_OF_STUDIES % (containers, imports(signatures, "    "), names) + "\n" + "\n".join(f"\n{signature}{body}" for _, signature, body in every)
+    return HEAD_OF_STUDIES % (imports(signatures, "    "), names) + "\n" + "\n".join(f"\n{signature}{body}" for _, signature, body in every)
 
 
 FILES = {FOLDER / "keys.py": written, FOLDER / "_studies.py": studies}

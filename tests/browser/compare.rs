@@ -74,9 +74,9 @@ fn the_tables_that_the_page_of_a_comparison_names_are_there() {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("compared");
     let found = ground_and_superfinished();
-    found.write((), &folder).unwrap();
+    found.write(&folder).unwrap();
     // An older comparison is replaced as a whole.
-    found.write((), &folder).unwrap();
+    found.write(&folder).unwrap();
     let page = std::fs::read_to_string(folder.join("compare.html")).unwrap();
     for rest in page.split("data: <code>").skip(1) {
         assert!(folder.join(&rest[..rest.find('<').unwrap()]).is_file());

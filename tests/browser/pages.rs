@@ -226,8 +226,7 @@ const COMMANDS: [(&[&str], &[&str]); 12] = [
     ),
     (
         &[
-            "calibrate",
-            "--design",
+            "design",
             "case.toml",
             "--simulate",
             "4",

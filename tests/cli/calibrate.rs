@@ -60,15 +60,7 @@ struct Rehearsal {
 impl Rehearsal {
     fn new() -> Self {
         let bench = bench();
-        let design = [
-            "calibrate",
-            "--design",
-            "case.toml",
-            "--simulate",
-            "4",
-            "-o",
-            "design",
-        ];
+        let design = ["design", "case.toml", "--simulate", "4", "-o", "design"];
         let axes = ["--torque", "60,183.4", "--speed", "25..4400:7:log"];
         let designed = bench.run(&[&design[..], &axes].concat()).well().out;
         let simulated = fs::read_to_string(bench.path("design/simulated.csv")).unwrap();
@@ -359,16 +351,16 @@ fn a_design_stays_within_the_rig_and_holds_what_the_rig_cannot_identify() {
     let bench = Bench::new();
     bench.run(&["demo", "rig"]).well();
     let coarse = ["--set", "model.positions=3", "--set", "model.offsets=2"];
-    let run = |arguments: &[&str]| bench.run(&[&["calibrate"], arguments, &coarse].concat());
+    let run = |arguments: &[&str]| bench.run(&[arguments, &coarse].concat());
     let designed = |folder: &str| -> serde_json::Value {
         let text = fs::read_to_string(bench.path(folder).join("design.json")).unwrap();
         serde_json::from_str(&text).unwrap()
     };
     // The case states 145 N m, and 12 000 1/min for its map.
-    run(&["--design", "rig/case.toml", "-o", "a"]).well();
+    run(&["design", "rig/case.toml", "-o", "a"]).well();
     assert_eq!(largest(&designed("a")["points"]), [145.0, 12_000.0]);
     let said = run(&[
-        "--design",
+        "design",
         "rig/case.toml",
         "--torque-max",
         "120",
@@ -403,15 +395,7 @@ fn a_design_stays_within_the_rig_and_holds_what_the_rig_cannot_identify() {
         ["boundary_friction", "limiting_shear", "eyring_stress"]
     );
     // One temperature is designed alike.
-    let said = run(&[
-        "--design",
-        "rig/case.toml",
-        "--temperature",
-        "90",
-        "-o",
-        "c",
-    ])
-    .well();
+    let said = run(&["design", "rig/case.toml", "--temperature", "90", "-o", "c"]).well();
     assert!(
         said.unwrapped().contains("temperature: only 90 °C"),
         "{}",
@@ -420,6 +404,7 @@ fn a_design_stays_within_the_rig_and_holds_what_the_rig_cannot_identify() {
 
     // Suggestions stay within the table, or within the limits that are stated.
     let table = [
+        "calibrate",
         "b/simulated.csv",
         "rig/case.toml",
         "--hold",
@@ -443,20 +428,19 @@ fn a_design_stays_within_the_rig_and_holds_what_the_rig_cannot_identify() {
     let [torque, speed] = largest(&suggested);
     assert!(torque <= 90.0 && speed <= 4000.0, "{torque} {speed}");
     assert_eq!(suggested[0]["temperature_c"], 75.0);
-    let said = run(&["--design", "rig/case.toml", "--speed-max", "0"]);
+    let said = run(&["design", "rig/case.toml", "--speed-max", "0"]);
     said.refused(2, "E209", &["--speed-max = 0: must be positive"]);
 }
 
 #[test]
 fn a_design_takes_no_table_and_its_limits_must_leave_points() {
     let bench = bench();
-    let said = bench.run(&["calibrate", "--design", "rig.csv", "case.toml"]);
-    said.refused(2, "E205", &["--design"]);
-    let said = bench.run(&["calibrate", "--design", "case.toml", "--hours", "0.5"]);
+    let said = bench.run(&["design", "rig.csv", "case.toml"]);
+    said.refused(2, "E213", &["case.toml"]);
+    let said = bench.run(&["design", "case.toml", "--hours", "0.5"]);
     said.refused(2, "E209", &["points of an assembly"]);
     let said = bench.run(&[
-        "calibrate",
-        "--design",
+        "design",
         "case.toml",
         "--hours",
         "1.25",
@@ -468,10 +452,10 @@ fn a_design_takes_no_table_and_its_limits_must_leave_points() {
         "E209",
         &["points = 5: are too few to confirm the errors"],
     );
-    let said = bench.run(&["calibrate", "--design", "case.toml", "--speed", "a..b"]);
+    let said = bench.run(&["design", "case.toml", "--speed", "a..b"]);
     said.refused(2, "E209", &["--speed"]);
     fs::create_dir(bench.path("mine")).unwrap();
     bench.write("mine/notes.txt", "kept");
-    let said = bench.run(&["calibrate", "--design", "case.toml", "-o", "mine"]);
+    let said = bench.run(&["design", "case.toml", "-o", "mine"]);
     said.refused(2, "E401", &["mine"]);
 }

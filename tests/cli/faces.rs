@@ -382,15 +382,7 @@ fn every_study_has_one_value_on_every_face() {
         &with(&["evidence", "case.toml", "-o", "e"]),
     );
     let axes = ["--torque", "60,183.4", "--speed", "25..4400:7:log"];
-    let design = [
-        "calibrate",
-        "--design",
-        "rig.toml",
-        "--simulate",
-        "4",
-        "-o",
-        "d",
-    ];
+    let design = ["design", "rig.toml", "--simulate", "4", "-o", "d"];
     check("d", "design", &run(&[&design[..], &axes].concat()));
     let calibrate = ["calibrate", "d/simulated.csv", "rig.toml", "-o", "b"];
     check("b", "calibration", &run(&calibrate));

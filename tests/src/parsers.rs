@@ -17,7 +17,7 @@ use asperity_roughness::generate::Recipe;
 use asperity_storage::{check_folder, replace_folder, save};
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle;
-use asperity_studies::map::{self, Axes, MapBand, MapExtras};
+use asperity_studies::map::{self, Axes, MapBand};
 use asperity_studies::sweep::{Cases, Study};
 use tempfile::TempDir;
 
@@ -212,9 +212,7 @@ fn small_map() -> &'static TempDir {
         let axes = Axes::new(&[-100.0, 145.0], &[9000.0], &[90.0]).unwrap();
         let found = map::map(&[finish], &axes, MapBand::None, &|_, _| ()).unwrap();
         let place = tempfile::tempdir().unwrap();
-        found
-            .write(MapExtras::default(), &place.path().join("map"))
-            .unwrap();
+        found.write(&place.path().join("map")).unwrap();
         place
     })
 }
@@ -244,11 +242,11 @@ pub fn map_json(bytes: &[u8]) -> bool {
             return false;
         }
     };
-    assert!(!found.summary(MapExtras::default()).is_empty());
+    assert!(!found.summary().is_empty());
     let table = "time_s,torque_nm,speed_rpm\n0,100,2000\n1,120,8000\n2,-50,3000\n";
     let cycle = cycle::cycle(table, None).unwrap();
-    let _ = cycle::evaluate(&found, 0, (&cycle, "cycle"), true);
-    let _ = found.write(MapExtras::default(), &place.path().join("drawn"));
+    let _ = cycle::evaluate(&found.clone().into(), 0, (&cycle, "cycle"), true);
+    let _ = found.write(&place.path().join("drawn"));
     true
 }
 

@@ -12,10 +12,11 @@ use asperity_calibration::evidence::{Effort, EvidenceTable};
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::{Priors, TractionProblem, Zero};
 use asperity_calibration::oil::{
-    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, Reading, SetPoint,
-    Setting, read_table, set_points, simulated,
+    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, OilPlanSettings, PlanSettings,
+    PriorSettings, Reading, SetPoint, Setting, read_table, set_points, simulated,
 };
 use asperity_core::numerics::standard_normal_quantile;
+use asperity_report::Settings as _;
 
 use crate::band::{Banded, both};
 use crate::load_share::{shipped, with};
@@ -34,7 +35,7 @@ fn oil_file(case: &LoadedCase, is_scattered: bool) -> String {
         floor: 1e-3,
     };
     if !is_scattered {
-        errors = PointErrors::default();
+        errors = PriorSettings::usual().unwrap().errors().unwrap();
         for reading in &mut readings {
             let found = machine.predict(&oil.rheology, &reading.setting).unwrap();
             reading.traction = found.friction.coefficient;
@@ -163,15 +164,14 @@ const STRATA: usize = 4;
 /// Oil files of simulated machines that measure the minimal plan on the oil of a case.
 fn simulated_oil_files(case: &LoadedCase) -> Vec<String> {
     let oil = OilBase::of_case(&case.case, ConstantsOf::Family).unwrap();
-    let machine = Machine::USUAL;
-    let (zero, errors, is_wide) = (Zero::Curve, PointErrors::default(), false);
-    let settings = PlanSettings {
+    let settings = OilPlanSettings::usual().unwrap().plan().unwrap();
+    let PlanSettings {
         machine,
         is_wide,
         zero,
         errors,
-        simulate: None,
-    };
+        ..
+    } = settings;
     let plan = OilPlan::of(&oil, None, &settings).unwrap();
     let mut table =
         String::from("load_n,mean_speed_m_s,slide_roll_percent,temperature_c,traction\n");

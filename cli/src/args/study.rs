@@ -57,6 +57,9 @@ pub struct StudyArgs<S: StudySettings<Input: Given> + Args> {
     /// Folder of the result
     #[arg(long, short)]
     pub output: Option<PathBuf>,
+    /// Do not write a folder
+    #[arg(long, conflicts_with = "output")]
+    pub no_output: bool,
     /// Limits of the work.
     #[command(flatten)]
     pub limits: <S::Input as Given>::Limits,
@@ -99,8 +102,16 @@ fn registered<S: StudySettings<Input: Given> + Args>() -> Registered {
     }
 }
 
+/// Name of the folder of a study with the end `kind`.
+pub fn named(subject: &str, kind: &str) -> String {
+    match kind {
+        "" => subject.to_owned(),
+        kind => format!("{subject}-{kind}"),
+    }
+}
+
 /// The study as the command `name`.
-fn command<S: StudySettings<Input: Given> + Args>(name: &'static str) -> Command {
+pub fn command<S: StudySettings<Input: Given> + Args>(name: &'static str) -> Command {
     let mut command = StudyArgs::<S>::augment_args(Command::new(name)).about(S::ABOUT);
     for setting in S::described() {
         command = command.mut_arg(setting.name, |arg| {
@@ -108,11 +119,8 @@ fn command<S: StudySettings<Input: Given> + Args>(name: &'static str) -> Command
             arg.allow_hyphen_values(takes_values)
         });
     }
-    let named_by = S::Input::NAMED_BY;
-    let folder = format!(
-        "Folder of the result [default: results/{named_by}-{}, named as for run]",
-        S::FOLDER
-    );
+    let name = named(S::Input::NAMED_BY, S::FOLDER);
+    let folder = format!("Folder of the result [default: results/{name}, named as for run]");
     let command = command.mut_arg("output", |arg| arg.help(folder));
     let help = help::<S>(&command);
     command.after_help(help)
@@ -196,7 +204,9 @@ impl<G: Group> Subcommand for StudyCommand<G> {
 
 #[cfg(test)]
 mod tests {
-    use asperity_report::Described;
+    use asperity_report::{Described, schema_of_settings};
+    use clap::Arg;
+    use serde_json::{Value, json};
 
     use super::*;
 
@@ -215,6 +225,69 @@ mod tests {
             assert!(!study.about.is_empty() && !study.input.is_empty());
             let mut settings = study.input.iter().chain(&study.settings);
             assert!(settings.all(|setting| !setting.about.is_empty()));
+        }
+    }
+
+    /// The choices of a type of the schema, or of its definition, with hyphens.
+    fn choices(node: &Value, definitions: &Value) -> Vec<String> {
+        let name = |node: &Value| Some(node["$ref"].as_str()?.rsplit('/').next()?.to_owned());
+        let parts = ["anyOf", "oneOf", "enum"].iter().flat_map(|key| {
+            let parts = node[*key].as_array();
+            parts.cloned().unwrap_or_default()
+        });
+        let inner = parts.chain(node.get("items").cloned());
+        let inner = inner.chain(name(node).map(|name| definitions[name].clone()));
+        let own = node.as_str().or(node["const"].as_str());
+        let own = own.map(|name| name.replace('_', "-")).into_iter();
+        own.chain(inner.flat_map(|node| choices(&node, definitions)))
+            .collect()
+    }
+
+    #[test]
+    fn the_schema_of_the_settings_is_that_of_the_options() {
+        fn options<S: StudySettings<Input: Given> + Args>() -> (&'static str, Command, bool) {
+            let is_complete = S::of_json(json!({})).is_ok();
+            (S::FUNCTION, command::<S>("study"), is_complete)
+        }
+        let schema = schema_of_settings(&every_study!(described));
+        let studies = schema["properties"].as_object().unwrap();
+        let all = every_study!(options);
+        assert_eq!(studies.len(), all.len());
+        let described = every_study!(described).into_iter();
+        for ((function, command, is_complete), described) in all.into_iter().zip(described) {
+            let study = &studies[function];
+            assert_eq!(study["description"], described.about);
+            let settings = study["properties"].as_object().unwrap();
+            assert_eq!(settings.len(), described.settings.len());
+            let required = study["required"].as_array().unwrap();
+            assert_eq!(required.is_empty(), is_complete, "{function}");
+            for (name, setting) in settings {
+                let what = format!("{function} {name}: {setting}");
+                let of_name = |arg: &&Arg| arg.get_id() == name.as_str();
+                let option = command.get_arguments().find(of_name).unwrap();
+                let help = option.get_help().map(ToString::to_string);
+                assert_eq!(setting["description"].as_str(), help.as_deref(), "{what}");
+                let is_required = required.iter().any(|one| one == name.as_str());
+                assert_eq!(option.is_required_set(), is_required, "{what}");
+                let default = match &setting["default"] {
+                    Value::String(text) => text.clone(),
+                    Value::Null => String::new(),
+                    other => other.to_string(),
+                };
+                let of_option = match option.get_action().takes_values() {
+                    true => option.get_default_values(),
+                    false => &[],
+                };
+                let of_option = of_option.iter().map(|text| text.to_string_lossy());
+                assert_eq!(of_option.collect::<String>(), default, "{what}");
+                let values = option.get_possible_values();
+                let values = values.iter().map(|value| value.get_name().to_owned());
+                let is_flag = !option.get_action().takes_values();
+                let of_option: Vec<String> = values.filter(|_| !is_flag).collect();
+                let of_schema = choices(setting, &schema["$defs"]);
+                assert!(of_option.is_empty() || of_option == of_schema, "{what}");
+                assert_eq!(is_flag, setting["type"] == "boolean", "{what}");
+            }
         }
     }
 

@@ -14,7 +14,7 @@ use crate::args::{FinishArg, SetArgs};
 use crate::failure::Failure;
 
 /// Rejects finishes with equal names, or for the same mesh.
-pub fn check_names(finishes: &[FinishArg]) -> Result<(), Failure> {
+fn check_names(finishes: &[FinishArg]) -> Result<(), Failure> {
     for (index, finish) in finishes.iter().enumerate() {
         let FinishArg { name, mesh, .. } = finish;
         let mut before = finishes[..index].iter();
@@ -29,12 +29,11 @@ pub fn check_names(finishes: &[FinishArg]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The case with the traces of each finish and a `change` of every mesh; meshes that a finish does not name keep their flanks.
+/// The case with the traces of each finish; meshes that a finish does not name keep their flanks.
 pub fn finishes(
     case: &Path,
     set: &SetArgs,
     stated: &[FinishArg],
-    change: &dyn Fn(&mut CaseInput),
 ) -> Result<Vec<Finish<Train>>, Failure> {
     check_names(stated)?;
     // Read once for all finishes, since standard input can be read only once.
@@ -53,7 +52,6 @@ pub fn finishes(
             for (_, traces) in traces.iter().filter(|(mesh, _)| mesh.is_none()) {
                 traces.put_into(input);
             }
-            change(input);
         };
         let train = load_text(text.clone(), folder, set, &of_all)?;
         let is_of =

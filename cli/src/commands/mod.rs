@@ -1,12 +1,9 @@
 //! One file per command.
 
 mod bibtex;
-pub mod calibrate;
 pub mod check;
-pub mod compare;
 pub mod completions;
 pub mod contact;
-pub mod cycle;
 pub mod demo;
 pub mod diff;
 pub mod ehl;
@@ -17,7 +14,6 @@ pub mod from_rexs;
 pub mod gear;
 pub mod gears;
 mod given;
-pub mod map;
 pub mod new_case;
 pub mod oil;
 pub mod oils;

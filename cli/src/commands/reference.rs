@@ -3,7 +3,8 @@
 use asperity::equations::{self, Equation};
 use asperity::message::{self, Explanation};
 use asperity_core::Code;
-use asperity_report::columns;
+use asperity_report::{Described, StudySettings, columns, schema_of_settings};
+use asperity_studies::every_study;
 use serde_json::{Value, json};
 
 use crate::args::{Common, EquationsArgs};
@@ -121,11 +122,20 @@ fn as_json(entry: &Explanation) -> Value {
     })
 }
 
-/// `asperity schema`
-pub fn schema(markdown: bool, common: &Common) -> Result<(), Failure> {
-    if markdown {
-        let page = asperity::case::markdown().map_err(|error| Failure::of(&error))?;
-        return print_text(common, &page);
-    }
-    print_json(&asperity::case::schema())
+/// `asperity schema --markdown`
+pub fn keys(common: &Common) -> Result<(), Failure> {
+    let page = asperity::case::markdown().map_err(|error| Failure::of(&error))?;
+    print_text(common, &page)
+}
+
+/// `asperity schema`, of a case or of the settings of the studies
+pub fn schema(of_settings: bool) -> Result<(), Failure> {
+    print_json(&match of_settings {
+        true => schema_of_settings(&every_study!(described)),
+        false => asperity::case::schema(),
+    })
+}
+
+fn described<S: StudySettings>() -> Described {
+    Described::of::<S>()
 }

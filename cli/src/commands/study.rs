@@ -1,18 +1,16 @@
 //! The studies of the library; target and output of every study.
 
-use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use asperity_core::Fault;
-use asperity_report::{StudyResult, StudySettings};
+use asperity_report::{StudyResult, StudySettings, Watch};
 use asperity_studies::every_study;
-use clap::{Arg, ArgMatches, Args, Command, FromArgMatches as _};
+use clap::{Arg, ArgMatches, Args, FromArgMatches as _};
 
 use super::refuse_other;
-use crate::args::{Common, Given, Group, StudyArgs, StudyCommand};
+use crate::args::{Common, Given, Group, StudyArgs, StudyCommand, command, named};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, WRITING, print_json, print_verdict, shown};
+use crate::output::{Progress, READING, WRITING, print_json, print_text, print_verdict, shown};
 
 /// A study with the arguments of its command.
 type Run = fn(&ArgMatches, &Common) -> Result<(), Failure>;
@@ -42,11 +40,14 @@ fn run<S: StudySettings<Input: Given> + Args>(
     let progress = Progress::of(common.quiet, READING);
     let given = S::Input::read(&args.given, &args.set)?;
     let title = S::title(&given.input);
-    let folder = folder::<S::Found>(args.output.as_deref(), &given.name, S::FOLDER, &title)?;
-    let file = given.file;
+    let target = || {
+        let name = named(&given.name.to_string_lossy(), S::FOLDER);
+        folder::<S::Found>(args.output.as_deref(), &name, &title)
+    };
+    let folder = (!args.no_output).then(target).transpose()?;
     let refused = |error: Fault| {
         let named = of_option::<S>(error.clone());
-        match &file {
+        match &given.file {
             Some(file) if named == error => error.about(file.display()),
             _ => named,
         }
@@ -55,21 +56,31 @@ fn run<S: StudySettings<Input: Given> + Args>(
         S::Input::check(&args.limits, &work)?;
     }
     progress.begin(S::STEPS);
-    let told = |done, total| progress.at(done, total);
-    let found = args.settings.run(given.input, &told).map_err(refused)?;
+    let watch = Watch {
+        progress: &|done, total| progress.at(done, total),
+        say: &|text| {
+            if !common.json {
+                // An error of standard output is reported at the end of the command.
+                let _ = print_text(common, text);
+            }
+        },
+    };
+    let found = args.settings.run(given.input, &watch).map_err(refused)?;
     progress.begin(WRITING);
-    write(&found, (), &folder)?;
+    if let Some(folder) = &folder {
+        found.write(folder)?;
+    }
     drop(progress);
-    print(&found, (), Some(&folder), None, common)
+    print(&found, folder.as_deref(), common)
 }
 
-/// An error whose message begins with the name of a setting, under the name of its option.
-pub fn of_option<S: Args>(error: Fault) -> Fault {
-    let command = S::augment_args(Command::new(""));
+/// An error whose message begins with the name of an argument, under the name of its option.
+fn of_option<S: StudySettings<Input: Given> + Args>(error: Fault) -> Fault {
+    let command = command::<S>("");
     let about = |arg: &Arg| {
         let rest = error.message().strip_prefix(arg.get_id().as_str())?;
         let is_own = rest.starts_with(": ") || rest.starts_with(" = ");
-        is_own.then(|| format!("--{}{rest}", arg.get_long().unwrap_or_default()))
+        is_own.then(|| Some(format!("--{}{rest}", arg.get_long()?)))?
     };
     match command.get_arguments().find_map(about) {
         Some(message) => error.saying(message),
@@ -77,15 +88,14 @@ pub fn of_option<S: Args>(error: Fault) -> Fault {
     }
 }
 
-/// Folder of a study with `title`, checked before the computation: `output`, or by default `results/NAME-KIND`, which is
+/// Folder of a study with `title`, checked before the computation: `output`, or by default `results/NAME`, which is
 /// refused if it holds a study of this kind with another title.
 pub fn folder<S: StudyResult>(
     output: Option<&Path>,
-    name: &OsStr,
-    kind: &str,
+    name: &str,
     title: &str,
 ) -> Result<PathBuf, Failure> {
-    let default = || Path::new("results").join(format!("{}-{kind}", name.to_string_lossy()));
+    let default = || Path::new("results").join(name);
     let folder = output.map_or_else(default, Path::to_owned);
     S::check_target(&folder)?;
     if let (Some(older), None) = (S::title_of(&folder), output) {
@@ -94,46 +104,19 @@ pub fn folder<S: StudyResult>(
     Ok(folder)
 }
 
-/// Writes a study as `folder`.
-pub fn write<'a, S: StudyResult>(
-    study: &'a S,
-    context: S::Context<'a>,
-    folder: &Path,
-) -> Result<(), Failure> {
-    let written = study.write(context, folder);
-    Ok(written?)
-}
-
-/// Writes a study as `folder` and prints it, with the time since `begin`.
-pub fn finish<'a, S: StudyResult>(
-    study: &'a S,
-    context: S::Context<'a>,
-    folder: &Path,
-    begin: Option<Instant>,
-    common: &Common,
-) -> Result<(), Failure> {
-    write(study, context, folder)?;
-    print(study, context, Some(folder), begin, common)
-}
-
-/// Prints a study and, if it was written, its folder, with the time since `begin`.
-pub fn print<'a, S: StudyResult>(
-    study: &'a S,
-    context: S::Context<'a>,
+/// Prints a study and, if it was written, its folder.
+pub fn print<S: StudyResult>(
+    study: &S,
     folder: Option<&Path>,
-    begin: Option<Instant>,
     common: &Common,
 ) -> Result<(), Failure> {
     if common.json {
         return print_json(study);
     }
-    let report = study.report(context);
+    let report = study.report();
     let mut text = report.terminal();
     if let Some(folder) = folder {
-        let time = begin.map_or(String::new(), |begin| {
-            format!(" in {:.1} s", begin.elapsed().as_secs_f64())
-        });
-        text.push_str(&format!("wrote {}{time}\n", shown(folder)));
+        text.push_str(&format!("wrote {}\n", shown(folder)));
     }
     print_verdict(common, &text, &report.verdict_lines())
 }

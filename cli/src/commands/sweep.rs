@@ -6,12 +6,13 @@ use std::time::Instant;
 
 use asperity::message::{self, Warning};
 use asperity_core::Code;
+use asperity_report::StudyResult as _;
 use asperity_studies::sweep::{
     self, Event, Merged, Plan, Refused, Shard, Status, Study, SweepError,
 };
 
 use super::study;
-use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
+use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs, named};
 use crate::failure::Failure;
 use crate::interrupt::cancelling;
 use crate::output::{Progress, print, shown};
@@ -220,10 +221,11 @@ fn status(args: &SweepArgs, common: &Common) -> Result<(), Failure> {
 fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
     let study = load(&args.sweep)?;
     let folder = parts(&args.sweep, &study);
-    let (name, title) = (study.name.as_ref(), &study.case.title);
-    let target = study::folder::<Merged>(args.output.as_deref(), name, "sweep", title)?;
+    let name = named(&study.name, "sweep");
+    let target = study::folder::<Merged>(args.output.as_deref(), &name, &study.case.title)?;
     let merged = sweep::merge(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
-    study::finish(&merged, (), &target, None, common)?;
+    merged.write(&target)?;
+    study::print(&merged, Some(&target), common)?;
     if merged.failed < merged.cases {
         return Ok(());
     }

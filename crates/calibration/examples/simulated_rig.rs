@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         assemblies: 2,
     };
     let found = plan(&case, &limits, &[], &|_| {})?;
-    print!("{}", found.summary(None));
+    print!("{}", found.summary());
     // A rig whose oil and flanks are not those of the defaults.
     let truth = case.with_key("model.boundary_friction", "0.095")?;
     let losses = design::simulated(&truth, &found, 1)?;
@@ -35,6 +35,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let table = RigTable::of_rows("SIMULATED", rows.collect(), true);
     let cases = [RigCase { name: None, case }];
     let found = calibrate(table, "", &cases, &[], &Watch::SILENT)?;
-    print!("{}", found.summary(()));
+    print!("{}", found.summary());
     Ok(())
 }

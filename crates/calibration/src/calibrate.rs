@@ -7,6 +7,7 @@ use asperity::case::CalibratedName;
 use asperity::fingerprint::sha256;
 use asperity::message::Warning;
 use asperity_core::{Code, Fault};
+use asperity_report::Watch;
 use nalgebra::DVector;
 
 use crate::birge::Scatter;
@@ -24,22 +25,7 @@ use crate::result::{
 };
 use crate::rig::{Rig, RigCase};
 use crate::rig_table::{RigTable, SIMULATED, Scope};
-
-/// Callbacks of a calibration.
-pub struct Watch<'a> {
-    /// Called with the number of evaluations so far and an estimate of their total.
-    pub progress: &'a (dyn Fn(usize, usize) + Sync),
-    /// Called before the fit with the identifiability of the parameters.
-    pub before_the_fit: &'a dyn Fn(&Identifiability),
-}
-
-impl Watch<'_> {
-    /// No callbacks.
-    pub const SILENT: Watch<'static> = Watch {
-        progress: &|_, _| {},
-        before_the_fit: &|_| {},
-    };
-}
+use crate::summary::before_the_fit;
 
 /// Number of bootstrap samples.
 const SAMPLES: usize = 200;
@@ -49,7 +35,7 @@ const SEED: u64 = 18;
 const FEW_ASSEMBLIES: usize = 5;
 
 /// Fits the parameters of boundary layer and film that are not `held` to the measurements of `table`. The result holds
-/// the hash of its `text`.
+/// the hash of its `text`. What the points can identify is said before the fit.
 ///
 /// ```text
 /// read, check -> contacts of every torque -> share refused? -> outliers -> information -> stages, fit
@@ -93,7 +79,7 @@ pub fn calibrate(
     let problem = Problem::new(&first.1, &first.0, &priors, observations.clone());
     rig.check_outliers(&problem)?;
     let identifiability = rig.identifiability(&problem, &progress)?;
-    (watch.before_the_fit)(&identifiability);
+    (watch.say)(&before_the_fit(&identifiability));
     let fit = rig.fit(observations, first, &progress)?;
     rig.check_scatter(&fit)?;
     let evaluations = done.load(Ordering::Relaxed);

@@ -62,6 +62,9 @@ pub struct Design {
     pub candidates: usize,
     /// Warnings.
     pub warnings: Vec<Warning>,
+    /// Simulated losses at the points \[W\], as [`simulated`] gives them, for a table of their own.
+    #[serde(skip)]
+    pub simulated_w: Option<Vec<f64>>,
 }
 
 /// Point to measure.
@@ -200,6 +203,7 @@ pub fn plan(
         parameters: expected,
         candidates: operating_points.len(),
         warnings,
+        simulated_w: None,
     })
 }
 

@@ -12,12 +12,13 @@ use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_ban
 use asperity::{Contacts, LoadedCase};
 use asperity_core::{Code, Fault};
 use asperity_report::chart::{Axis, Drawing, Interval, Tornado};
-use asperity_report::{Report, StudyResult, StudySettings, Table, Work, columns, settings};
+use asperity_report::{
+    Report, Settings as _, StudyResult, StudySettings, Table, Watch, Work, columns, settings,
+};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::oil::fit::PointErrors;
-use crate::oil::problem::Zero;
-use crate::oil::{ConstantsOf, Machine, OilBase, PlanSettings, left_of_loss};
+use crate::oil::{ConstantsOf, OilBase, OilPlanSettings, left_of_loss};
 
 /// Standard deviation of the logarithm of a boundary friction measured on a traction machine: its transfer to gears.
 const TRANSFER: f64 = 0.10;
@@ -61,7 +62,7 @@ impl Effort {
 }
 
 /// Hours of a measurement as text, `NAME=HOURS`.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(transparent)]
 pub struct NamedHours(String);
 
@@ -123,8 +124,8 @@ impl StudySettings for EvidenceSettings {
         Ok(Some(Work::new(train.cases().cloned().collect(), 2)))
     }
 
-    fn run(&self, train: Train, progress: Progress<'_>) -> Result<EvidenceTable, Fault> {
-        EvidenceTable::of(&train, &self.efforts()?, progress)
+    fn run(&self, train: Train, watch: &Watch<'_>) -> Result<EvidenceTable, Fault> {
+        EvidenceTable::of(&train, &self.efforts()?, watch.progress)
     }
 }
 
@@ -339,13 +340,7 @@ fn of_case(case: &LoadedCase) -> Vec<Known> {
 
 /// Measurements of the film friction of `oil`.
 fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<Vec<Known>, Fault> {
-    let settings = PlanSettings {
-        machine: Machine::USUAL,
-        is_wide: false,
-        zero: Zero::Curve,
-        errors: PointErrors::default(),
-        simulate: None,
-    };
+    let settings = OilPlanSettings::usual()?.plan()?;
     let (left, slope) = left_of_loss(oil, case, &settings)?;
     let rows = [
         ("traction-curve", "one traction curve of the oil"),
@@ -438,9 +433,8 @@ const NOT_DRAWN: &str = "The temperature is taken as exact and has no line: the 
 impl StudyResult for EvidenceTable {
     const KIND: &'static str = "evidence";
     const NAME: &'static str = "evidence";
-    type Context<'a> = ();
 
-    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         let loss = self.loss_text(self.loss.quantiles_w, " W");
         Report::new(&self.title, format!("{} · evidence", self.program))
             .section("Measurements that narrow the interval")

@@ -7,8 +7,9 @@ use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 use asperity::profile_io::read::read_table;
 use asperity_core::Fault;
+use asperity_report::{Input, Setting, Watch};
 
-use crate::calibrate::{Watch, calibrate};
+use crate::calibrate::calibrate;
 use crate::result::Calibration;
 use crate::rig::RigCase;
 use crate::rig_table::RigTable;
@@ -17,6 +18,7 @@ use crate::rig_table::RigTable;
 const LARGEST_TABLE: u64 = 10_000_000;
 
 /// Rig table with its text and the cases of its rows.
+#[derive(Debug, Clone)]
 pub struct RigFiles {
     /// The table.
     pub table: RigTable,
@@ -24,6 +26,24 @@ pub struct RigFiles {
     pub text: String,
     /// Its cases.
     pub cases: Vec<RigCase>,
+}
+
+impl Input for RigFiles {
+    fn described() -> Vec<Setting> {
+        let rig = "The measurements, with the columns of the command; a column simulated may say that their losses are";
+        let case = "The case of rows that name none";
+        let cases = "Cases by the names in the column case; others are files relative to the table, or to the working directory";
+        vec![
+            Setting::new("rig", "Rig", rig, None),
+            Setting::new("case", "Option<Case>", case, None),
+            Setting::new("cases", "Option<Cases>", cases, None),
+        ]
+    }
+
+    fn title(&self) -> String {
+        let first = self.cases.first();
+        first.map_or_else(String::new, |first| first.case.case.title.clone())
+    }
 }
 
 impl RigFiles {

@@ -48,9 +48,10 @@ pub mod simulate;
 mod summary;
 pub mod surfaces;
 
+pub use asperity_report::Watch;
 pub use asperity_table::RowFault;
 pub use block::block;
-pub use calibrate::{Watch, calibrate};
+pub use calibrate::calibrate;
 pub use design::{Design, Limits, plan};
 pub use files::{RigFiles, table_text};
 pub use result::{
@@ -60,4 +61,3 @@ pub use result::{
 pub use rig::{Rig, RigCase};
 pub use rig_table::{Reach, RigRow, RigTable, Scope};
 pub use settings::{CalibrationSettings, DesignSettings};
-pub use summary::before_the_fit;

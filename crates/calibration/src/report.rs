@@ -24,9 +24,8 @@ const POINTS: &str = "points.csv";
 impl StudyResult for Calibration {
     const KIND: &'static str = KIND;
     const NAME: &'static str = "calibration";
-    type Context<'a> = ();
 
-    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         let kind = if self.is_simulated {
             "calibration on SIMULATED losses"
         } else {
@@ -91,10 +90,8 @@ impl StudyResult for Calibration {
 impl StudyResult for Design {
     const KIND: &'static str = KIND;
     const NAME: &'static str = "design";
-    /// Simulated losses at the points \[W\].
-    type Context<'a> = Option<&'a [f64]>;
 
-    fn report<'a>(&'a self, simulated: Option<&'a [f64]>) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         let limits = &self.limits;
         let report = Report::new(
             &self.title,
@@ -116,9 +113,13 @@ impl StudyResult for Design {
         ))
         .table(design_bands(self))
         .warning(&self.warnings)
-        .text(simulated.map(|_| "simulated.csv holds SIMULATED losses at these points."))
+        .text(
+            self.simulated_w
+                .as_ref()
+                .map(|_| "simulated.csv holds SIMULATED losses at these points."),
+        )
         .text_file("design.csv", rig_table(self, None));
-        match simulated {
+        match &self.simulated_w {
             Some(losses) => report.text_file("simulated.csv", rig_table(self, Some(losses))),
             None => report,
         }

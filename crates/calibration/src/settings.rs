@@ -1,13 +1,15 @@
 //! Settings of a calibration, and of a design of measurements for one.
 
-use asperity::case::{CalibratedName, Case};
+use asperity::case::{CalibratedName, Case, LoadedCase};
 use asperity_core::Fault;
 use asperity_core::quantity::Ratio;
-use asperity_report::{Described, Nodes, Setting, settings};
+use asperity_report::{Nodes, StudySettings, Watch, Work, settings};
 
-use crate::design::Limits;
+use crate::design::{Design, Limits, plan, simulated};
 use crate::error;
+use crate::files::RigFiles;
 use crate::identifiability::rounded;
+use crate::result::Calibration;
 use crate::rig_table::Reach;
 
 settings! {
@@ -48,28 +50,40 @@ impl CalibrationSettings {
             temperatures_c: nodes("temperature", self.temperature.as_ref())?,
         })
     }
+}
 
-    /// Description of the study.
-    #[must_use]
-    pub fn study() -> Described {
-        let about = "The measurements, with the columns of the command; a column simulated may say that their losses are";
-        let rig = Setting::new("rig", "Table", about, None);
-        let case = Setting::new(
-            "case",
-            "Option<Case>",
-            "The case of rows that name none",
-            None,
-        );
-        let about = "Cases by the names in the column case; others are files relative to the table, or to the working directory";
-        let cases = Setting::new("cases", "Option<Cases>", about, None);
-        Described::new::<Self>(
-            "calibrate",
-            "Boundary friction, boundary layer and film traction from losses measured on a rig",
-            "The table has one row per measured point: torque_nm, speed_rpm, temperature_c, loss_w (or torque_loss_nm), \
-                sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order, flank_state, case.",
-            "evaluations",
-            vec![rig, case, cases],
-        )
+impl StudySettings for CalibrationSettings {
+    type Input = RigFiles;
+    type Found = Calibration;
+    const COMMAND: &'static str = "calibrate";
+    const FOLDER: &'static str = "calibration";
+    const ABOUT: &'static str =
+        "Boundary friction, boundary layer and film traction from losses measured on a rig";
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[
+        &[
+            ("rig", "rig.csv"),
+            ("case", "case.toml"),
+            ("output", "results/rig"),
+        ],
+        &[
+            ("rig", "rig.csv"),
+            ("case", "case.toml"),
+            ("hold", "boundary-layer"),
+        ],
+    ];
+    const METHOD: &'static str = "The table has one row per measured point: torque_nm, speed_rpm, temperature_c, loss_w (or \
+        torque_loss_nm), sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order, flank_state, case. The \
+        result says what the points can identify. calibration.toml in it holds the table [calibration] for the case.";
+    const STEPS: &'static str = "evaluations";
+
+    fn work(&self, _: &RigFiles) -> Result<Option<Work>, Fault> {
+        self.reach()?;
+        Ok(None)
+    }
+
+    fn run(&self, mut rig: RigFiles, watch: &Watch<'_>) -> Result<Calibration, Fault> {
+        rig.table.reach = self.reach()?;
+        rig.calibrate(&self.hold, watch)
     }
 }
 
@@ -77,9 +91,9 @@ settings! {
     /// Settings of a design of measurements.
     pub struct DesignSettings {
         /// Torques to choose from in N m: a..b:n, a..b:n:log or a list [default: a third of the largest, and the largest]
-        [value_name = "AXIS", requires = "design", conflicts_with = "torque_max_nm"] torque: Option<Nodes>,
+        [value_name = "AXIS", conflicts_with = "torque_max_nm"] torque: Option<Nodes>,
         /// Speeds to choose from in 1/min [default: 8 speeds from a fiftieth of the largest up to it]
-        [value_name = "AXIS", requires = "design", conflicts_with = "speed_max_rpm"] speed: Option<Nodes>,
+        [value_name = "AXIS", conflicts_with = "speed_max_rpm"] speed: Option<Nodes>,
         /// Measuring time in hours, without heating
         [value_name = "H"] hours: f64 = 8,
         /// Minutes per point
@@ -90,7 +104,7 @@ settings! {
         [value_name = "N"] assemblies: usize = 2,
         /// Also write simulated.csv: losses at these points, simulated with the case and random errors of this seed, to
         /// test a calibration
-        [requires = "design", value_name = "SEED"] simulate: Option<u64>,
+        [value_name = "SEED"] simulate: Option<u64>,
         ..rig: CalibrationSettings,
     }
 }
@@ -139,18 +153,37 @@ impl DesignSettings {
             assemblies: self.assemblies,
         })
     }
+}
 
-    /// Description of the study.
-    #[must_use]
-    pub fn study() -> Described {
-        let about = "The gears and flanks on the rig";
-        Described::new::<Self>(
-            "design",
-            "Points of a rig whose losses determine the calibrated constants best",
-            "Points within the limits are chosen that narrow the constants most, as the command calibrate with its option \
-                design does.",
-            "evaluations",
-            vec![Setting::new("case", "Case", about, None)],
-        )
+impl StudySettings for DesignSettings {
+    type Input = LoadedCase;
+    type Found = Design;
+    const COMMAND: &'static str = "design";
+    const ABOUT: &'static str =
+        "Points of a rig whose losses determine the calibrated constants best";
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[&[
+        ("case", "case.toml"),
+        ("hours", "8"),
+        ("torque_max_nm", "180"),
+        ("speed_max_rpm", "3000"),
+    ]];
+    const METHOD: &'static str = "Points within the limits are chosen that narrow the constants most, the gears and flanks of the case \
+        being on the rig. design.csv in the result is the table to fill in for asperity calibrate.";
+    const STEPS: &'static str = "evaluations";
+
+    fn work(&self, case: &LoadedCase) -> Result<Option<Work>, Fault> {
+        // The contacts of every torque.
+        let torques = self.limits(&case.case)?.torques_nm.len();
+        Ok(Some(Work::new(vec![case.clone()], torques)))
+    }
+
+    fn run(&self, case: LoadedCase, watch: &Watch<'_>) -> Result<Design, Fault> {
+        let limits = self.limits(&case.case)?;
+        let mut found = plan(&case, &limits, &self.rig.hold, &|done| {
+            (watch.progress)(done, 0);
+        })?;
+        let losses = self.simulate.map(|seed| simulated(&case, &found, seed));
+        found.simulated_w = losses.transpose()?;
+        Ok(found)
     }
 }

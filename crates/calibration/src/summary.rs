@@ -65,7 +65,7 @@ pub(crate) fn scatter(calibration: &Calibration) -> String {
 
 /// Summary of the identifiability, printed before the fit.
 #[must_use]
-pub fn before_the_fit(identifiability: &Identifiability) -> String {
+pub(crate) fn before_the_fit(identifiability: &Identifiability) -> String {
     let mut text = String::new();
     let temperatures: Vec<String> = identifiability
         .temperatures_c

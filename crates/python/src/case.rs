@@ -17,6 +17,7 @@ use asperity::quantity::Length;
 use asperity::result::gear_report;
 use asperity::train;
 use asperity_calibration::evidence::execute;
+use asperity_report::schema_of_settings;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
@@ -25,6 +26,7 @@ use crate::choices::{Detail, named};
 use crate::contact::found;
 use crate::failure::{self, Failure};
 use crate::outcome::{Found, Outcome};
+use crate::study::studies_described;
 use crate::own_laws::PythonLaw;
 use crate::trace::Trace;
 use crate::work::{alone, in_parallel};
@@ -78,10 +80,12 @@ impl CaseContent {
 #[derive(Clone)]
 pub struct Case(Arc<Train>);
 
-/// JSON schema of a case file with the tables `kind`: `gears`, or `planetary` and `mesh` of a gear train.
+/// JSON schema of a case file with the tables `kind`: `gears`, or `planetary` and `mesh` of a gear train; or of the `settings`
+/// of the studies.
 #[pyfunction]
 pub fn schema(kind: &str) -> PyResult<String> {
     let schema = match kind {
+        "settings" => schema_of_settings(&studies_described()),
         "planetary" | "mesh" => case::schema_of_named_meshes(),
         _ => case::schema(),
     };
@@ -247,16 +251,12 @@ impl Case {
         pinion: PathBuf,
         wheel: Option<PathBuf>,
         traces: Traces<'_>,
-        offsets: Option<usize>,
     ) -> PyResult<Self> {
         let held = profiles(&traces);
         let loaded = self.only()?;
         alone(py, || {
             let changed = loaded.holding(&held).with(|input| {
                 input.surface.put_traces(&pinion, wheel.as_deref());
-                if offsets.is_some() {
-                    input.model.offsets = offsets;
-                }
             })?;
             Ok(Self(Arc::new(changed.into())))
         })

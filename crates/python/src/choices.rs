@@ -25,7 +25,7 @@ use serde::de::{DeserializeOwned, Deserializer, Error as _, Visitor};
 use serde::{Deserialize, forward_to_deserialize_any};
 
 use crate::failure::Failure;
-use crate::studies::COLUMNS;
+use crate::maps::COLUMNS;
 
 /// The choice called `name`; `what` is the argument that it was given to.
 pub fn named<T: DeserializeOwned>(what: &str, name: &str) -> Result<T, Failure> {

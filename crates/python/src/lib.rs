@@ -2,7 +2,6 @@
 //! Python's lock, arrays and JSON out. Nothing here computes; units, tables and charts are made in Python.
 
 mod arrays;
-mod calibration;
 mod case;
 mod choices;
 mod command;
@@ -11,12 +10,12 @@ mod ehl;
 mod failure;
 mod laws;
 mod library;
+mod maps;
 mod oil;
 mod outcome;
 mod own_laws;
 mod quantity;
 mod stored;
-mod studies;
 mod study;
 mod sweep;
 mod trace;
@@ -27,8 +26,6 @@ use pyo3::prelude::*;
 /// The compiled part of the package asperity.
 #[pymodule]
 mod _asperity {
-    #[pymodule_export]
-    use super::calibration::{Calibration, calibrate, design};
     #[pymodule_export]
     use super::case::{Case, schema};
     #[pymodule_export]
@@ -52,9 +49,9 @@ mod _asperity {
     #[pymodule_export]
     use super::stored::{diff, read_result, summary};
     #[pymodule_export]
-    use super::studies::{Map, axis, compare, cycle, map, read_map};
+    use super::maps::{Map, axis, read_map};
     #[pymodule_export]
-    use super::study::{Study, steps, studies, study};
+    use super::study::{Study, keys_of, steps, studies, study};
     #[pymodule_export]
     use super::sweep::Cases;
     #[pymodule_export]

@@ -30,7 +30,7 @@ def rig(tmp_path_factory, command):
     case = folder / "case.json"
     case.write_text(json.dumps(CASE))
     axes = ("--torque", "60,183.4", "--speed", "25..4400:7:log", "--simulate", "4")
-    subprocess.run([command, "calibrate", "--design", case, *axes, "-o", folder / "design"], check=True, capture_output=True)
+    subprocess.run([command, "design", case, *axes, "-o", folder / "design"], check=True, capture_output=True)
     table = folder / "design" / "simulated.csv"
     return table, case, json_of(command, "calibrate", table, case, "-o", folder / "found")
 

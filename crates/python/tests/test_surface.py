@@ -8,18 +8,17 @@ import numpy as np
 import pytest
 
 import asperity
-from asperity import AsperityError
+from asperity import AsperityError, _asperity
 from conftest import CASES, PROFILES, ROOT, json_of, small
 
 FEW = {"positions": 4, "offsets": 4}
 KEYS = [f"--set=model.{name}={value}" for name, value in FEW.items()]
 
 TWINS = {
-    "run": "Case", "report": "read_result", "check": "Case", "diff": "RunResult", "oil": "oil_fit", "oils": "oils",
-    "steels": "steels", "gears": "gears", "case": "from_rexs", "compare": "compare", "map": "map", "cycle": "cycle",
-    "sensitivity": "sensitivity", "evidence": "evidence", "ridges": "ridges", "callout": "callout", "sweep": "sweep", "calibrate": "calibrate", "regime": "Case",
-    "gear": "Case", "contact": "solve_contact", "ehl": "ehl", "film": "Case", "profile": "read_profile",
-    "explain": "explain", "demo": "demo", "schema": "keys",
+    "run": "Case", "report": "read_result", "check": "Case", "diff": "RunResult", "oils": "oils", "steels": "steels",
+    "gears": "gears", "case": "from_rexs", "sweep": "sweep", "regime": "Case", "gear": "Case", "contact": "solve_contact",
+    "ehl": "ehl", "film": "Case", "profile": "read_profile", "explain": "explain", "demo": "demo", "schema": "schema",
+    **{study["command"].split()[0]: study["function"] for study in json.loads(_asperity.studies())},
 }
 WITHOUT = {"new", "figures", "completions", "equations"}
 
@@ -122,7 +121,7 @@ def test_measurements_and_designs_are_those_of_the_command(command, tmp_path):
             asperity.callout(few, loss, **wrong)
         assert refused.value.code == code
     limits = ["--hours", "4", "--torque-max", "180", "--speed-max", "3000", "--temperature", "40,90"]
-    expected = json_of(command, "calibrate", "--design", file, *KEYS, *limits, "-o", tmp_path / "design")
+    expected = json_of(command, "design", file, *KEYS, *limits, "-o", tmp_path / "design")
     plan = asperity.design(case, hours=4, torque_max_nm=180, speed_max_rpm=3000, temperature_c=[40, 90])
     assert plan.to_dict() == expected and len(plan.to_pandas()) == len(plan.points)
     for wrong in ({"torque_max_nm": -1}, {"sigma": float("nan")}, {"hours": 0}, {"speed_rpm": [[1, 2]]}):

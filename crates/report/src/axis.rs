@@ -4,6 +4,7 @@ use std::convert::Infallible;
 use std::str::FromStr;
 
 use asperity_core::{Code, Fault};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Largest number of nodes of an axis.
@@ -75,7 +76,7 @@ pub fn rounded_to(value: f64, digits: i32) -> f64 {
 }
 
 /// Nodes of a setting, as text that [`axis`] parses or as numbers.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Nodes {
     /// Numbers.

@@ -4,9 +4,11 @@ use asperity::case::LoadedCase;
 use asperity::case::train::Train;
 use asperity::pipeline::Progress;
 use asperity_core::Fault;
+use schemars::generate::SchemaSettings;
 use serde::Serialize;
+use serde_json::{Map, Value, json};
 
-use crate::settings::{Setting, Settings};
+use crate::settings::{SchemaOf, Setting, Settings};
 use crate::study::StudyResult;
 
 /// Subject of a study: a case, an oil, measured curves. Each face makes it from its own arguments.
@@ -45,6 +47,22 @@ impl Input for LoadedCase {
     }
 }
 
+/// Callbacks of a study.
+pub struct Watch<'a> {
+    /// Called with the number of steps so far and the number of all, 0 where it is not known.
+    pub progress: Progress<'a>,
+    /// Called with what is known before the result.
+    pub say: &'a dyn Fn(&str),
+}
+
+impl Watch<'_> {
+    /// No callbacks.
+    pub const SILENT: Watch<'static> = Watch {
+        progress: &|_, _| {},
+        say: &|_| {},
+    };
+}
+
 /// Work of a study, for the estimate of its time and memory before it begins.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
@@ -68,12 +86,12 @@ pub trait StudySettings: Settings {
     /// Its subject.
     type Input: Input;
     /// Result of the study.
-    type Found: for<'a> StudyResult<Context<'a> = ()> + Send + Sync + 'static;
+    type Found: StudyResult + Send + Sync + 'static;
     /// Words of the command.
     const COMMAND: &'static str;
     /// Name of the function in Python.
     const FUNCTION: &'static str = Self::COMMAND;
-    /// End of the name of its folder.
+    /// End of the name of its folder; empty if the name of its subject is the whole name.
     const FOLDER: &'static str = Self::COMMAND;
     /// Question that it answers, in a line.
     const ABOUT: &'static str;
@@ -99,11 +117,11 @@ pub trait StudySettings: Settings {
     ///
     /// # Errors
     /// When a setting has no sense, or the study has no result.
-    fn run(&self, input: Self::Input, progress: Progress<'_>) -> Result<Self::Found, Fault>;
+    fn run(&self, input: Self::Input, watch: &Watch<'_>) -> Result<Self::Found, Fault>;
 }
 
 /// Description of a study.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]
 pub struct Described {
     /// Words of the command.
@@ -120,36 +138,44 @@ pub struct Described {
     pub input: Vec<Setting>,
     /// Its settings.
     pub settings: Vec<Setting>,
+    /// JSON Schema of its settings.
+    #[serde(skip)]
+    pub schema: SchemaOf,
 }
 
 impl Described {
-    /// Description of the study `function` by the settings `S`, which command and Python run each in its own way.
-    #[must_use]
-    pub fn new<S: Settings>(
-        function: &'static str,
-        about: &'static str,
-        method: &'static str,
-        steps: &'static str,
-        input: Vec<Setting>,
-    ) -> Self {
-        Self {
-            command: function,
-            function,
-            about,
-            method,
-            steps,
-            input,
-            settings: S::described(),
-        }
-    }
-
     /// Description of the study `S`.
     #[must_use]
     pub fn of<S: StudySettings>() -> Self {
-        let input = S::Input::described();
         Self {
             command: S::COMMAND,
-            ..Self::new::<S>(S::FUNCTION, S::ABOUT, S::METHOD, S::STEPS, input)
+            function: S::FUNCTION,
+            about: S::ABOUT,
+            method: S::METHOD,
+            steps: S::STEPS,
+            input: S::Input::described(),
+            settings: S::described(),
+            schema: S::schema,
         }
     }
+}
+
+/// JSON Schema of an object with the settings of some of the `studies`, each by the name of its function.
+#[must_use]
+pub fn schema_of_settings(studies: &[Described]) -> Value {
+    let mut generator = SchemaSettings::draft2020_12().into_generator();
+    let mut properties = Map::new();
+    for study in studies {
+        let mut schema = (study.schema)(&mut generator);
+        schema.insert("description".to_owned(), study.about.into());
+        properties.insert(study.function.to_owned(), schema.to_value());
+    }
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Settings of studies",
+        "type": "object",
+        "properties": properties,
+        "additionalProperties": false,
+        "$defs": generator.take_definitions(true),
+    })
 }

@@ -42,7 +42,7 @@ mod wrap;
 pub use axis::Nodes;
 pub use blocks::Report;
 pub use columns::{Cell, Column, Kind, Number, Table, Value};
-pub use described::{Described, Input, StudySettings, Work};
+pub use described::{Described, Input, StudySettings, Watch, Work, schema_of_settings};
 pub use folder::{
     Fields, PAGE, make_folder, parse_result, read_result, redraw, title_of, write_bytes,
     write_json, write_text, write_unsolved,
@@ -50,7 +50,7 @@ pub use folder::{
 pub use page_tables::PageTables;
 pub use printed::{stated, stated_parts};
 pub use results::{Results, check_place, texts, write_folder, write_load_points};
-pub use settings::{Setting, Settings, Stated, taken};
+pub use settings::{SchemaOf, Setting, Settings, Stated, schema_of, taken};
 pub use study::StudyResult;
 pub use summary::{
     besides_the_mesh, brief, headline, models, published_laws, summary, summary_within,

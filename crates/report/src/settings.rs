@@ -1,6 +1,7 @@
 //! Settings of studies, each stated once; the faces make options, arguments and documents from them.
 
 use asperity_core::{Code, Fault};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
@@ -35,6 +36,21 @@ impl Setting {
             default,
         }
     }
+
+    /// Whether it must be stated: a type that can be absent is `None`, `false` or empty.
+    fn is_required(&self) -> bool {
+        let can_be_absent = ["Option<", "Vec<", "bool"];
+        let is_absent = can_be_absent.iter().any(|kind| self.kind.starts_with(kind));
+        self.default.is_none() && !is_absent
+    }
+}
+
+/// JSON Schema of a type.
+pub type SchemaOf = fn(&mut SchemaGenerator) -> Schema;
+
+/// JSON Schema of the type `T`, which may refer to a definition.
+pub fn schema_of<T: JsonSchema>(generator: &mut SchemaGenerator) -> Schema {
+    generator.subschema_for::<T>()
 }
 
 /// Settings as an object of JSON.
@@ -45,11 +61,44 @@ pub trait Settings: Sized {
     /// The settings in their order.
     fn described() -> Vec<Setting>;
 
+    /// JSON Schemas of their types in the same order.
+    fn types() -> Vec<SchemaOf>;
+
+    /// JSON Schema of an object that [`Settings::of_json`] reads.
+    fn schema(generator: &mut SchemaGenerator) -> Schema {
+        let mut properties = Stated::new();
+        let settings = Self::described();
+        for (setting, of_type) in settings.iter().zip(Self::types()) {
+            let mut schema = of_type(generator);
+            schema.insert("description".to_owned(), setting.about.into());
+            if let Some(default) = &setting.default {
+                schema.insert("default".to_owned(), default.clone());
+            }
+            properties.insert(setting.name.to_owned(), schema.to_value());
+        }
+        let required = settings.iter().filter(|setting| setting.is_required());
+        let required: Vec<&str> = required.map(|setting| setting.name).collect();
+        json_schema!({
+            "type": "object",
+            "properties": properties,
+            "required": required,
+            "additionalProperties": false,
+        })
+    }
+
     /// Removes the settings from an object of JSON; a setting that it lacks has its default.
     ///
     /// # Errors
     /// Names a setting that is missing or of another type.
     fn take(stated: &mut Stated) -> Result<Self, Fault>;
+
+    /// The settings if none is stated.
+    ///
+    /// # Errors
+    /// When one must be stated.
+    fn usual() -> Result<Self, Fault> {
+        Self::take(&mut Stated::new())
+    }
 
     /// Settings from an object of JSON; a setting that it lacks has its default.
     ///
@@ -154,6 +203,13 @@ macro_rules! settings {
                 )),*];
                 let all = own.into_iter();
                 $(let all = all.chain(<$parts as $crate::Settings>::described());)*
+                all.collect()
+            }
+
+            fn types() -> Vec<$crate::SchemaOf> {
+                let own: Vec<$crate::SchemaOf> = vec![$($crate::schema_of::<$kind>),*];
+                let all = own.into_iter();
+                $(let all = all.chain(<$parts as $crate::Settings>::types());)*
                 all.collect()
             }
 

@@ -15,22 +15,17 @@ pub trait StudyResult: Serialize + Sized {
     const KIND: &'static str;
     /// Name of the JSON file and of the page, without extension.
     const NAME: &'static str;
-    /// Data besides the result that its folder shows; `()` if there are none.
-    type Context<'a>: Copy
-    where
-        Self: 'a;
-
     /// Its report.
-    fn report<'a>(&'a self, context: Self::Context<'a>) -> Report<'a>;
+    fn report(&self) -> Report<'_>;
 
     /// Summary for the terminal.
-    fn summary<'a>(&'a self, context: Self::Context<'a>) -> String {
-        self.report(context).terminal()
+    fn summary(&self) -> String {
+        self.report().terminal()
     }
 
     /// Page of the result.
-    fn page<'a>(&'a self, context: Self::Context<'a>) -> String {
-        self.report(context).page()
+    fn page(&self) -> String {
+        self.report().page()
     }
 
     /// Checks that a result may be written as folder `target`.
@@ -50,11 +45,11 @@ pub trait StudyResult: Serialize + Sized {
     ///
     /// # Errors
     /// When a file cannot be written, or `target` holds something else.
-    fn write<'a>(&'a self, context: Self::Context<'a>, target: &Path) -> Result<(), Fault> {
+    fn write(&self, target: &Path) -> Result<(), Fault> {
         let name = Self::NAME;
         replace_folder(target, Self::KIND, |folder| {
             write_json(&folder.join(format!("{name}.json")), self)?;
-            let report = self.report(context);
+            let report = self.report();
             report.write_files(folder)?;
             write_text(&folder.join(format!("{name}.html")), &report.page())
         })

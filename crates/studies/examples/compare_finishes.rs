@@ -23,6 +23,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             case,
         });
     }
-    print!("{}", compare(&finishes, &|_, _| {})?.summary(()));
+    print!("{}", compare(&finishes, &|_, _| {})?.summary());
     Ok(())
 }

@@ -14,7 +14,7 @@ use asperity_storage::whole_text;
 use asperity_studies::compare::{Finish, FinishResult, compare, difference_with_interval};
 use asperity_studies::cycle::{cycle, evaluate};
 use asperity_studies::export::Field;
-use asperity_studies::map::{Axes, Map, MapBand, MapExtras, Point, map, read};
+use asperity_studies::map::{Axes, Map, MapBand, Point, map, read};
 use asperity_studies::sweep::{Cases, Study};
 
 const TWO_STAGES: &str = r#"
@@ -224,13 +224,13 @@ fn a_comparison_of_a_train_has_the_losses_of_its_runs_and_the_differences_of_its
     // A difference that is exactly 0 has no interval.
     assert_eq!(difference_with_interval(&of(same)), ["0", "0"]);
     // Its summary, its page and its tables.
-    let summary = found.summary(());
+    let summary = found.summary();
     assert!(
         summary.contains("second, fine") && found.verdicts().len() == 3,
         "{summary}"
     );
     let folder = tempfile::tempdir().unwrap();
-    found.write((), &folder.path().join("compare")).unwrap();
+    found.write(&folder.path().join("compare")).unwrap();
     let rows = whole_text(&folder.path().join("compare/meshes.csv"), 100_000).unwrap();
     assert_eq!(
         rows.lines().filter(|row| !row.starts_with('#')).count(),
@@ -413,13 +413,13 @@ fn a_cycle_on_the_map_of_a_train_loses_its_loss_times_the_time() {
     // The map as written and read again.
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path().join("map");
-    found.write(MapExtras::default(), &folder).unwrap();
+    found.write(&folder).unwrap();
     let found = read(&folder).unwrap();
-    let summary = found.summary(MapExtras::default());
+    let summary = found.summary();
     assert!(summary.contains("\nground  first "), "{summary}");
     let text = "time_s,torque_nm,speed_rpm\n0,60,4000\n1800,60,4000\n3600,60,4000\n";
     let constant = cycle(text, None).unwrap();
-    let energies = evaluate(&found, 0, (&constant, "constant"), false).unwrap();
+    let energies = evaluate(&found.clone().into(), 0, (&constant, "constant"), false).unwrap();
     let numbers = at(&found, 60.0).numbers.unwrap();
     let finish = &energies.finishes[0];
     assert!((finish.lost_wh / numbers.loss_w - 1.0).abs() < 1e-12);
@@ -429,7 +429,7 @@ fn a_cycle_on_the_map_of_a_train_loses_its_loss_times_the_time() {
     assert!(low_wh > 0.99 * low && high_wh < 1.01 * high && high_wh - low_wh > 0.8 * (high - low));
     // Without torque there is no power of which the loss is a share.
     let idle = map_of(train(TWO_STAGES, &[]), &[0.0], MapBand::None);
-    assert!(!idle.summary(MapExtras::default()).contains("inf"));
+    assert!(!idle.summary().contains("inf"));
     // A vehicle is a table of the train, too.
     let driven = cycle(
         "time_s,speed_km_h\n0,0\n10,20\n20,20\n",
@@ -437,7 +437,7 @@ fn a_cycle_on_the_map_of_a_train_loses_its_loss_times_the_time() {
     )
     .unwrap();
     assert!(
-        evaluate(&found, 0, (&driven, "driven"), false)
+        evaluate(&found.clone().into(), 0, (&driven, "driven"), false)
             .unwrap()
             .finishes[0]
             .lost_wh
@@ -491,5 +491,5 @@ fn seals_and_bearings_are_the_added_part_of_a_map() {
         - 1;
     assert_eq!(fields[1].added_nm.as_ref().unwrap()[index], parts / omega);
     assert_eq!(fields[1].mesh_nm[index], run.loss_w / omega);
-    assert!(found.summary(MapExtras::default()).contains("W431"));
+    assert!(found.summary().contains("W431"));
 }

@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
+use asperity::profile_io::read::read_table;
 use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
 use asperity_core::{Code, Profile, number};
+use asperity_studies::cycle::LARGEST_TABLE;
 use asperity_table::Table;
 
 use super::solved::POINTS_HEAD;
-use crate::commands::cycle::table_in;
 use crate::failure::Failure;
 
 /// Values on an even grid.
@@ -60,7 +61,11 @@ const UNEVEN: f64 = 0.05;
 
 /// Reads the positions and one other column of a file.
 pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
-    of_text(&path.display().to_string(), &table_in(path)?, column)
+    of_text(
+        &path.display().to_string(),
+        &read_table(path, LARGEST_TABLE)?,
+        column,
+    )
 }
 
 /// Reads the positions and one other column of the table in `text`, named `name` in messages.

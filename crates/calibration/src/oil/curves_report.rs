@@ -18,9 +18,8 @@ const SHOWN: [(f64, &str); 4] = [
 impl StudyResult for TractionCurves {
     const KIND: &'static str = "traction curves";
     const NAME: &'static str = "traction";
-    type Context<'a> = ();
 
-    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         let guide = format!(
             "Solid: predicted where the film is at least three times as thick as the roughness. Dashed: a guide to the boundary \
             friction of {}, not a prediction; it is in no file.",

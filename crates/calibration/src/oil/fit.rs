@@ -33,16 +33,6 @@ impl PointErrors {
     }
 }
 
-impl Default for PointErrors {
-    /// Misfit of the law, and the scatter of readings.
-    fn default() -> Self {
-        Self {
-            relative: 0.015,
-            floor: 3e-4,
-        }
-    }
-}
-
 /// Fit by one law of pressure.
 #[derive(Debug, Clone)]
 pub struct LawFit<'a> {

@@ -19,9 +19,8 @@ const CURVES: usize = 6;
 impl StudyResult for OilFit {
     const KIND: &'static str = "fit of traction curves";
     const NAME: &'static str = "oil_fit";
-    type Context<'a> = ();
 
-    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         let names: Vec<&str> = self.constants.iter().map(|one| one.name.as_str()).collect();
         let other = &self.other_law;
         let mut report = Report::new(

@@ -69,14 +69,6 @@ pub struct PredictedFriction {
 }
 
 impl Machine {
-    /// The usual one: a ball of 19.05 mm diameter on a flat disc, 15 nm of roughness together.
-    pub const USUAL: Self = Self {
-        radii: [Length::from_si(9.525e-3); 2],
-        material: STEEL,
-        bulk_rise: BULK_RISE,
-        roughness: Length::from_si(15e-9),
-    };
-
     /// A steel ball on a second ball, or on a flat disc, with the roughness of both together.
     ///
     /// # Errors

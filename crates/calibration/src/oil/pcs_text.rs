@@ -35,7 +35,7 @@ const SAME: f64 = 0.02;
 const ONE_IN: usize = 20;
 
 /// Probe whose temperature is taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize, schemars::JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Probe {

@@ -222,11 +222,9 @@ impl OilPlan {
     /// When the film has no solution at a point, or the case has no loss.
     ///
     /// ```
-    /// use asperity_calibration::oil::fit::PointErrors;
-    /// use asperity_calibration::oil::problem::Zero;
-    /// use asperity_calibration::oil::{Machine, OilBase, OilPlan, PlanSettings};
-    /// let machine = Machine::ball_on_disc("9.525 mm".parse()?, None, "15 nm".parse()?)?;
-    /// let settings = PlanSettings { machine, is_wide: false, zero: Zero::Curve, errors: PointErrors::default(), simulate: None };
+    /// use asperity_calibration::oil::{OilBase, OilPlan, OilPlanSettings};
+    /// use asperity_report::Settings;
+    /// let settings = OilPlanSettings::usual()?.plan()?;
     /// let plan = OilPlan::of(&OilBase::of_library("m100")?, None, &settings)?;
     /// assert_eq!((plan.curves.len(), plan.points.len()), (12, 120));
     /// // A full plan leaves less of each error than one curve.

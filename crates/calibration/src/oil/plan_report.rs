@@ -44,9 +44,8 @@ struct ErrorRow<'a> {
 impl StudyResult for OilPlan {
     const KIND: &'static str = "traction plan";
     const NAME: &'static str = "oil_plan";
-    type Context<'a> = ();
 
-    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         let simulated =
             format!("{SIMULATED_TABLE} holds {SIMULATED} readings of the minimal plan.");
         let report = Report::new(&self.title, format!("{} · traction plan", self.program))

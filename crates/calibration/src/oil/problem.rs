@@ -57,7 +57,7 @@ const STEP: f64 = 1e-3;
 const LEAST_RISE: f64 = 1e-6;
 
 /// Zeros of the friction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize, schemars::JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Zero {

@@ -15,9 +15,8 @@ const POINTS: &str = "points.csv";
 impl StudyResult for Stribeck {
     const KIND: &'static str = "boundary friction";
     const NAME: &'static str = "stribeck";
-    type Context<'a> = ();
 
-    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         let report = Report::new(&self.title, format!("{} · boundary friction", self.program))
             .section("Boundary friction")
             .verdict([verdict(self)])

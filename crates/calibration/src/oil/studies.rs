@@ -1,11 +1,10 @@
 //! Settings of the studies of oils.
 
 use asperity::LoadedCase;
-use asperity::pipeline::Progress;
 use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
 use asperity_core::quantity::{Force, Length, Ratio, Speed, Temperature, Time};
 use asperity_core::{Code, DomainError, Fault};
-use asperity_report::{Input, Nodes, Setting, StudySettings, Work, settings};
+use asperity_report::{Input, Nodes, Setting, StudySettings, Watch, Work, settings};
 
 use super::error::of_table;
 use super::fit::PointErrors;
@@ -112,7 +111,11 @@ settings! {
 }
 
 impl Specimens {
-    fn machine(&self) -> Result<Machine, Fault> {
+    /// The machine of these specimens.
+    ///
+    /// # Errors
+    /// When a length is not positive.
+    pub fn machine(&self) -> Result<Machine, Fault> {
         Ok(Machine::ball_on_disc(
             self.ball_radius,
             self.second_radius,
@@ -136,7 +139,11 @@ settings! {
 }
 
 impl PriorSettings {
-    fn errors(&self) -> Result<PointErrors, Fault> {
+    /// Errors of the points that state none.
+    ///
+    /// # Errors
+    /// When they are not between 0 and 1.
+    pub fn errors(&self) -> Result<PointErrors, Fault> {
         let errors = PointErrors {
             relative: self.point_sd.value(),
             floor: self.point_floor,
@@ -191,7 +198,7 @@ impl StudySettings for TractionSettings {
         Ok(None)
     }
 
-    fn run(&self, OfOil(oil): OfOil, _: Progress<'_>) -> Result<TractionCurves, Fault> {
+    fn run(&self, OfOil(oil): OfOil, _: &Watch<'_>) -> Result<TractionCurves, Fault> {
         let boundary_friction = self.boundary_friction.unwrap_or(BOUNDARY_FRICTION);
         let is_valid = boundary_friction > 0.0 && boundary_friction < 1.0;
         let (name, rule) = ("boundary_friction", "must lie between 0 and 1");
@@ -250,7 +257,7 @@ impl StudySettings for OilFitSettings {
         Ok(None)
     }
 
-    fn run(&self, given: MeasuredOil, _: Progress<'_>) -> Result<OilFit, Fault> {
+    fn run(&self, given: MeasuredOil, _: &Watch<'_>) -> Result<OilFit, Fault> {
         let machine = self.specimens.machine()?;
         let settings = FitSettings {
             is_wide: self.priors.wide,
@@ -281,6 +288,22 @@ settings! {
     }
 }
 
+impl OilPlanSettings {
+    /// The settings as the computation takes them.
+    ///
+    /// # Errors
+    /// When a setting has no sense.
+    pub fn plan(&self) -> Result<PlanSettings, Fault> {
+        Ok(PlanSettings {
+            machine: self.specimens.machine()?,
+            is_wide: self.priors.wide,
+            zero: self.priors.zero,
+            errors: self.priors.errors()?,
+            simulate: self.simulate,
+        })
+    }
+}
+
 impl StudySettings for OilPlanSettings {
     type Input = OilOfCase;
     type Found = OilPlan;
@@ -298,15 +321,8 @@ impl StudySettings for OilPlanSettings {
         Ok(None)
     }
 
-    fn run(&self, given: OilOfCase, _: Progress<'_>) -> Result<OilPlan, Fault> {
-        let settings = PlanSettings {
-            machine: self.specimens.machine()?,
-            is_wide: self.priors.wide,
-            zero: self.priors.zero,
-            errors: self.priors.errors()?,
-            simulate: self.simulate,
-        };
-        OilPlan::of(&given.oil, given.case.as_ref(), &settings)
+    fn run(&self, given: OilOfCase, _: &Watch<'_>) -> Result<OilPlan, Fault> {
+        OilPlan::of(&given.oil, given.case.as_ref(), &self.plan()?)
     }
 }
 
@@ -359,7 +375,7 @@ impl StudySettings for StribeckSettings {
         Ok(None)
     }
 
-    fn run(&self, given: MeasuredOil, _: Progress<'_>) -> Result<Stribeck, Fault> {
+    fn run(&self, given: MeasuredOil, _: &Watch<'_>) -> Result<Stribeck, Fault> {
         self.work(&given)?;
         let machine = self.specimens.machine()?;
         let mut all = Readings::default();

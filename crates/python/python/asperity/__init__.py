@@ -12,7 +12,7 @@ laws are in SI units. Errors are `AsperityError`, warnings `AsperityWarning`, wi
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Optional
 
 from . import _asperity, _studies
 from ._asperity import __version__
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from ._html import Chart
     from ._laws import film_thickness, friction_coefficient, hertz, thermal_reduction
     from ._library import RexsCase, demo, from_rexs, gears, oils, rexs_contents, steels
-    from ._map import Cycle, Map, cycle, read_map
+    from ._map import Cycle, Map, read_map
     from ._oil import OilFit, OilPlan, Stribeck, Traction
     from ._profile import Parameters, Parts, Profile, generate, read_profile
     from ._record import Record, Table
@@ -51,7 +51,7 @@ else:
         "_html": "Chart",
         "_laws": "film_thickness friction_coefficient hertz thermal_reduction",
         "_library": "RexsCase demo from_rexs gears oils rexs_contents steels",
-        "_map": "Cycle Map cycle read_map",
+        "_map": "Cycle Map read_map",
         "_oil": "OilFit OilPlan Stribeck Traction",
         "_profile": "Parameters Parts Profile generate read_profile",
         "_record": "Record Table",
@@ -113,7 +113,6 @@ __all__ = [
     "Table",
     "Traction",
     "__version__",
-    "cycle",
     "demo",
     "ehl",
     "explain",
@@ -129,6 +128,7 @@ __all__ = [
     "read_profile",
     "read_result",
     "rexs_contents",
+    "schema",
     "solve_contact",
     "steels",
     "subsurface_stress",
@@ -144,6 +144,15 @@ class Explanation(NamedTuple):
     title: str
     meaning: str
     remedy: str
+
+
+def schema(kind: Literal["gears", "mesh", "settings"] = "gears") -> dict[str, Any]:
+    """JSON schema of a case with this table of gears, or of the settings of the studies, each by the name of its function."""
+    # At its first need: it is not part of a run.
+    import json
+
+    found: dict[str, Any] = json.loads(_asperity.schema(kind))
+    return found
 
 
 def explain(code: str) -> Optional[Explanation]:

@@ -206,7 +206,7 @@ class Case:
         raw = self._raw.with_law(kind, name_of(law), exponent_of(kind, law), called.__call__)
         return Case._of(raw, {**self._laws, kind: called}, self._raw)
 
-    def _on_finish(self, finish: Any, offsets: Optional[int]) -> Case:
+    def _on_finish(self, finish: Any) -> Case:
         """The case on the traces of a finish: one for both flanks, or those of pinion and wheel."""
         traces: Traces = []
         pair = finish if isinstance(finish, (tuple, list)) else (finish,)
@@ -221,7 +221,7 @@ class Case:
 
         names = [name(trace) for trace in pair]
         wheel = names[1] if len(names) == 2 else None
-        return Case._of(self._raw.on_finish(names[0], wheel, traces, offsets), self._laws, self._raw)
+        return Case._of(self._raw.on_finish(names[0], wheel, traces), self._laws, self._raw)
 
     @property
     def title(self) -> str:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from os import PathLike
-from typing import IO, TYPE_CHECKING, Any, Union
+from os import PathLike, fspath
+from typing import IO, TYPE_CHECKING, Any, Optional, Union
 
 from ._errors import AsperityError
 from ._files import is_read, text_of
@@ -36,6 +36,13 @@ def table_text(columns_by_name: Any, what: str, code: str) -> str:
     writer.writerow(columns)
     writer.writerows([_cell(value) for value in row] for row in zip(*columns.values()))
     return written.getvalue()
+
+
+def table_of(table: Columns, name: str, code: str) -> tuple[str, Optional[str]]:
+    """A table by its name with its text, which a file does not have, or the error ``code``."""
+    if isinstance(table, (str, PathLike)):
+        return fspath(table), None
+    return name, table_text(table, name, code)
 
 
 def _cell(value: Any) -> str:

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union, cast
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
-from ._errors import AsperityError, Code, warn
 from ._profile import Profile
-from ._progress import Progress, Steps
 from ._record import Table, drawn, variable
-from ._study import RawStudy, Study, as_json
+from ._study import RawStudy, Study
 
 if TYPE_CHECKING:
     import pandas
@@ -30,14 +28,13 @@ def _loss(finish: Mapping[str, Any]) -> Any:
     return uncertainty["loss"] if uncertainty else finish.get("loss_distribution")
 
 
-def cases_of(case: CaseLike, finishes: Mapping[str, Finish], offsets: Optional[int]) -> list[tuple[str, _asperity.Case]]:
-    """The case on each finish."""
+def cases_of(case: CaseLike, finishes: Optional[Mapping[str, Finish]]) -> list[tuple[str, _asperity.Case]]:
+    """The case on each finish, or on its own flanks."""
     base = as_case(case)
-    found = []
-    for name, finish in finishes.items():
-        made = finish if isinstance(finish, Case) else base._on_finish(finish, offsets)
-        found.append((name, made._raw))
-    return found
+    if not finishes:
+        return [(base.title or "case", base._raw)]
+    made = {name: of if isinstance(of, Case) else base._on_finish(of) for name, of in finishes.items()}
+    return [(name, of._raw) for name, of in made.items()]
 
 
 class Comparison(Study):
@@ -49,13 +46,15 @@ class Comparison(Study):
     the models that have the other sign.
     """
 
-    def __init__(self, raw: RawStudy, offsets: str, verdicts: list[str]) -> None:
+    def __init__(self, raw: RawStudy, more: Optional[tuple[str, list[str]]] = None) -> None:
         super().__init__(raw)
-        self._offsets: list[list[dict[str, Any]]] = json.loads(offsets)
-        self._verdicts = verdicts
+        self._more = more or cast("_asperity.Study", raw).compared()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (*super().__reduce__()[1], json.dumps(self._offsets), self._verdicts)
+        return type(self), (*super().__reduce__()[1], self._more)
+
+    def _doubts(self) -> Iterable[Any]:
+        return dict.fromkeys(warning for finish in self._values["finishes"] for warning in finish["warnings"])
 
     @property
     def names(self) -> list[str]:
@@ -70,7 +69,7 @@ class Comparison(Study):
     @property
     def verdicts(self) -> list[str]:
         """What the difference of every finish but the first decides, in words."""
-        return list(self._verdicts)
+        return list(self._more[1])
 
     @property
     def correlations(self) -> Table:
@@ -80,7 +79,7 @@ class Comparison(Study):
     @property
     def offsets(self) -> dict[str, Table]:
         """Efficiency and losses at each offset, by the name of the finish; empty of a gear train."""
-        return {name: Table(rows) for name, rows in zip(self.names, self._offsets)}
+        return {name: Table(rows) for name, rows in zip(self.names, json.loads(self._more[0]))}
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per finish: loss, its median and quantiles, difference to the first with its quantiles and verdict."""
@@ -125,23 +124,3 @@ class Comparison(Study):
 
     def _rows(self) -> list[tuple[str, str]]:
         return [*self._losses(), *(("", verdict) for verdict in self.verdicts)]
-
-
-def compared(
-    case: CaseLike,
-    finishes: Mapping[str, Finish],
-    settings: Mapping[str, Any],
-    threads: Optional[int],
-    progress: Optional[Progress],
-) -> Comparison:
-    """The comparison of finishes by its settings."""
-    if len(finishes) < 2:
-        raise AsperityError("one finish cannot be compared", Code.E205, "Give at least two finishes.")
-    with Steps(progress, _asperity.steps("compare")) as steps:
-        cases = cases_of(case, finishes, settings["offsets"])
-        raw, found, verdicts = _asperity.compare(cases, as_json(settings), threads, steps)
-    comparison = Comparison(raw, found, verdicts)
-    known = [warning for finish in finishes.values() if isinstance(finish, Case) for warning in finish._about["warnings"]]
-    rows = [warning for finish in comparison._values["finishes"] for warning in finish["warnings"]]
-    warn(dict.fromkeys(rows), [*as_case(case)._about["warnings"], *known])
-    return comparison

@@ -130,6 +130,11 @@ def _inline(value: Any) -> str:
     return json.dumps(value, ensure_ascii=False)
 
 
+def vehicle_keys(vehicle: Optional[Mapping[str, Any]]) -> list[tuple[str, Optional[str]]]:
+    """Keys of a vehicle in place of those of a case."""
+    return changes({"vehicle": dict(vehicle)} if vehicle else {}, "gears", [])
+
+
 _OF_VALUES = ("finish", "rq", "ra", "rz", "rpk", "asperity_radius")
 
 

@@ -3,23 +3,17 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union, cast
 
 import numpy as np
 
 from . import _asperity
-from ._case import CaseLike, as_case
-from ._columns import Columns, table_text
-from ._compare import Finish, cases_of
 from ._errors import AsperityError, Code, warn
 from ._html import Chart, page, shown
-from ._keys import Traces, changes
-from ._progress import Progress, Steps
 from ._quantity import Floats, Numbers, Quantities, Quantity, operating, together
-from ._record import Table, Values, variable, warned
-from ._study import Study, Unpickled, as_json, files_of
+from ._record import Table, variable
+from ._study import RawStudy, Study, Unpickled, files_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -34,7 +28,7 @@ else:
 _DIMENSIONS = ("finish", "temperature_c", "torque_nm", "speed_rpm")
 
 
-class Map(Values, MapArrays):
+class Map(Study, MapArrays):
     """A map of losses: arrays over finish, temperature, torque and speed.
 
     ``loss_w``, ``loss_torque_nm``, ``efficiency`` and the other numbers have the shape (finishes, temperatures,
@@ -42,11 +36,11 @@ class Map(Values, MapArrays):
     points below the smallest torque whose contacts the traces resolve. ``scope`` is ``"mesh"``: no bearings, seals, churning.
     """
 
-    def __init__(self, raw: _asperity.Map) -> None:
-        super().__init__(json.loads(raw.json()))
-        self._raw = raw
+    def __init__(self, raw: RawStudy) -> None:
+        super().__init__(raw)
+        self._map = _asperity.Map.of(cast("_asperity.Study", raw))
         shape = (len(self.temperature_c), len(self.torque_nm), len(self.speed_rpm))
-        points = [raw.points(number) for number in range(len(self.finishes))]
+        points = [self._map.points(number) for number in range(len(self.finishes))]
         self._points: dict[str, Any] = {
             name: np.stack([np.asarray(of[name]).reshape(shape) for of in points]) for name in points[0]
         }
@@ -121,7 +115,7 @@ class Map(Values, MapArrays):
         at = operating("temperature_c", temperature_c, temperature)
         torques, speeds = together(given)
         places = torques.ravel().tolist(), speeds.ravel().tolist()
-        found, outside = self._raw.loss_torque(number, self._node(at), *places)
+        found, outside = self._map.loss_torque(number, self._node(at), *places)
         if outside.any():
             text = f"{outside.sum()} of {outside.size} places are outside the map; loss over torque is constant there"
             warn([{"code": Code.W401, "text": text}])
@@ -158,7 +152,7 @@ class Map(Values, MapArrays):
 
         tables = [None if file is None else fspath(file) for file in (added, cycle)]
         written = []
-        files, found = self._raw.export(format, *tables)
+        files, found = self._map.export(format, *tables)
         warn(json.loads(found))
         for name, content in files:
             file = Path(folder) / name
@@ -168,10 +162,6 @@ class Map(Values, MapArrays):
                 raise AsperityError(f"{file}: {error}", Code.E401, "Choose another place.") from error
             written.append(file)
         return written
-
-    def write(self, folder: Union[str, PathLike[str]]) -> None:
-        """Writes the folder of ``asperity map``."""
-        self._raw.write(fspath(folder))
 
     def to_dict(self) -> dict[str, Any]:
         """All but the raw handles in Python's own types, points as nested lists."""
@@ -204,9 +194,6 @@ class Map(Values, MapArrays):
         title = f"Loss at {self.torque_nm[-1]:g} N m"
         return shown(Chart(title, self.speed_rpm.tolist(), series, ("speed in 1/min", "loss in W")), ax)
 
-    def __str__(self) -> str:
-        return self._raw.summary()
-
     def __repr__(self) -> str:
         points = self._points["loss_w"]
         return f"<Map {self._values['title']!r}: {' x '.join(str(count) for count in points.shape)} points>"
@@ -231,21 +218,6 @@ def _places(own: str, given: Optional[Numbers], text: Optional[Quantities]) -> F
     return found.reshape(np.shape(given)) if given is not None else found[0] if is_single else found
 
 
-def mapped(
-    case: CaseLike,
-    finishes: Optional[Mapping[str, Finish]],
-    settings: Mapping[str, Any],
-    threads: Optional[int],
-    progress: Optional[Progress],
-) -> Map:
-    """The map of a case, or of its finishes, by its settings."""
-    base = as_case(case)
-    named = cases_of(base, finishes, None) if finishes else [(base.title or "case", base._raw)]
-    with Steps(progress, _asperity.steps("map")) as steps:
-        found = Map(_asperity.map(named, as_json(settings), threads, steps))
-    return warned(found, base._about["warnings"])
-
-
 class Cycle(Study):
     """Energy lost over a cycle: ``finishes`` (name, energies in Wh, quantiles ...), ``drive_wh``, ``coast_wh`` ..."""
 
@@ -257,34 +229,6 @@ class Cycle(Study):
     def to_pandas(self) -> pandas.DataFrame:
         """One row per finish."""
         return self.finishes.to_pandas()
-
-
-def cycle(
-    map: Map,
-    trace: Columns,
-    *,
-    temperature_c: Optional[float] = None,
-    temperature: Optional[Quantity] = None,
-    vehicle: Optional[Mapping[str, Any]] = None,
-    allow_outside: bool = False,
-) -> Cycle:
-    """Energy lost over a cycle, with its interval where the map was drawn.
-
-    Args:
-        map: the map.
-        trace: file, frame or columns: time_s, and torque_nm with speed_rpm at the pinion, or speed_km_h.
-        temperature_c, temperature: a node of the map; default the first.
-        vehicle: keys of ``[vehicle]``, ``{"mass": "1600 kg"}``, in place of those of the case.
-        allow_outside: accept a cycle with more than 5 % of its energy outside of the map.
-    """
-    node = map._node(operating("temperature_c", temperature_c, temperature))
-    if isinstance(trace, (str, PathLike)):
-        table: tuple[str, Optional[str]] = (fspath(trace), None)
-    else:
-        table = ("cycle", table_text(trace, "cycle", Code.E101))
-    traces: Traces = []
-    keys = [(key, value or "") for key, value in changes({"vehicle": dict(vehicle)} if vehicle else {}, "gears", traces)]
-    return warned(Cycle(_asperity.cycle(map._raw, table, node, keys, allow_outside)))
 
 
 def read_map(folder: Union[str, PathLike[str]]) -> Map:

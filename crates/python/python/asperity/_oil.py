@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from os import PathLike, fspath
+from os import PathLike
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _asperity
 from ._errors import Code
 from ._case import Case, CaseLike, as_case
-from ._columns import table_text
+from ._columns import table_of
 from ._record import Table
 from ._study import Study
 
@@ -123,11 +123,5 @@ def raw_oil(oil: OilLike) -> Union[str, _asperity.Case]:
 def tables_of_curves(curves: Any, what: str) -> list[tuple[str, Optional[str]]]:
     """Names of tables, with the text of each that is not a file."""
     many = curves if isinstance(curves, (list, tuple)) else [curves]
-    tables: list[tuple[str, Optional[str]]] = []
-    for number, table in enumerate(many, 1):
-        if isinstance(table, (str, PathLike)):
-            tables.append((fspath(table), None))
-        else:
-            name = what if len(many) == 1 else f"{what} {number}"
-            tables.append((name, table_text(table, name, Code.E317)))
-    return tables
+    names = [what] if len(many) == 1 else [f"{what} {number}" for number in range(1, len(many) + 1)]
+    return [table_of(table, name, Code.E317) for table, name in zip(many, names)]

@@ -185,6 +185,20 @@ def nodes(own: str, given: Optional[Numbers], text: Optional[Quantities], defaul
     return default if found is None else axis_of(flat(found, own), own)
 
 
+def _single(name: str, found: Optional[Floats]) -> float:
+    """The only number of an operating quantity."""
+    if found is None or found.shape != (1,):
+        text = f"{name}: {found}: one number is expected"
+        raise AsperityError(text, Code.E204, f"Give a number in {OPERATING[name].unit}.")
+    return float(found[0])
+
+
+def number(own: str, given: Optional[float], text: Optional[Quantity]) -> Optional[float]:
+    """A number of an operating quantity in its unit, if one is given."""
+    found = operating(own, given, text)
+    return None if found is None else _single(own, found)
+
+
 def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
     """Keys of a case, the numbers of its operating point as text with their units."""
     keys: dict[str, Any] = {}
@@ -193,10 +207,8 @@ def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
         if of is None:
             keys[name] = value
             continue
-        found = operating(name, value, None)
-        if found is None or found.shape != (1,):
-            raise AsperityError(f"{name}: {value!r}: one number is expected", Code.E204, f"Give a number in {of.unit}.")
-        keys[of.key] = f"{float(found[0])!r} {of.unit}".replace(".0 ", " ")
+        found = _single(name, operating(name, value, None))
+        keys[of.key] = f"{found!r} {of.unit}".replace(".0 ", " ")
     return keys
 
 

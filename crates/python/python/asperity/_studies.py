@@ -6,7 +6,8 @@ Written by crates/python/typed.py from the settings of the compiled part.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Optional, Union
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 if TYPE_CHECKING:
     from ._calibration import Calibration, Design, Evidence
@@ -14,18 +15,19 @@ if TYPE_CHECKING:
     from ._case import CaseLike
     from ._columns import Columns
     from ._compare import Comparison, Finish
-    from ._map import Map
+    from ._map import Cycle, Map
     from ._oil import OilFit, OilLike, OilPlan, Stribeck, Traction
     from ._progress import Progress
     from ._quantity import Numbers, Quantities, Quantity
     from ._ridges import Ridges
     from ._sensitivity import Sensitivity
-    from .keys import Band, CalibratedParameter, RoughnessParameter, TemperatureColumn, Zero
+    from .keys import Band, CalibratedParameter, ExportFormat, RoughnessParameter, TemperatureColumn, Zero
 
 __all__ = [
     "calibrate",
     "callout",
     "compare",
+    "cycle",
     "design",
     "evidence",
     "oil_fit",
@@ -35,6 +37,133 @@ __all__ = [
     "sensitivity",
     "stribeck",
 ]
+
+
+def compare(
+    case: CaseLike,
+    finishes: Mapping[str, Finish],
+    *,
+    offsets: Optional[int] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Comparison:
+    """Compare finishes on one case, with paired differences.
+
+    The first finish is the reference for the others. All have the same offsets and the same draws of what is
+    uncertain.
+
+    Args:
+        case: the case, whose traces are replaced by the traces of each finish; the finishes of a gear train are cases.
+        finishes: by name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, or a
+            case; at least two.
+        offsets: number of offsets along the traces at which the flanks are paired [default: those that each finish
+            needs].
+        threads, progress: as in `Case.run`.
+    """
+    from ._compare import Comparison, cases_of
+    from ._study import ran
+
+    settings = {
+        "offsets": offsets,
+    }
+    return ran(Comparison, "compare", (cases_of(case, finishes),), settings, threads, progress)
+
+
+def map(
+    case: CaseLike,
+    *,
+    finishes: Optional[Mapping[str, Finish]] = None,
+    torque_nm: Optional[Numbers] = None,
+    torque: Optional[Quantities] = None,
+    speed_rpm: Optional[Numbers] = None,
+    speed: Optional[Quantities] = None,
+    temperature_c: Optional[Numbers] = None,
+    temperature: Optional[Quantities] = None,
+    band: Band = "nodes",
+    cycle: Optional[Union[str, PathLike[str]]] = None,
+    export: Sequence[ExportFormat] = (),
+    add_loss: Optional[Union[str, PathLike[str]]] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Map:
+    """Losses over torque, speed and temperature, in both directions of the power.
+
+    The losses are of the mesh only, without bearings, seals and churning. Every point is the run at this torque,
+    speed and temperature; its quantiles (loss_median_w, loss_p05_w, loss_p95_w) are from draws at three torques and
+    three speeds.
+
+    Args:
+        case: the case.
+        finishes: finishes by name, as in `compare` [default: the traces of the case].
+        torque_nm, torque: torques at the pinion, numbers or text as ``"10..100:5 N m"`` [default: 0 and 12 from 1 % of
+            the largest, both signs]; 0 is added between both signs.
+        speed_rpm, speed: speeds of the pinion, numbers or text as ``"10..100:5 1/min"`` [default: 0, 1 and 16 more,
+            closer at low speed]; 0 is added.
+        temperature_c, temperature: temperatures of the flanks, numbers or text as ``"10..100:5 °C"`` [default: the
+            temperature of the case].
+        band: whether the loss has median, 5 and 95 % quantiles, as in asperity run.
+        cycle: cycle whose points are drawn over the map, in the format of asperity cycle.
+        export: also write the map for these programs, into the folder of the map.
+        add_loss: table with the loss torque of bearings, seals and churning, added to the exports as a separate part:
+            columns torque_nm, speed_rpm, loss_torque_nm (and temperature_c).
+        threads, progress: as in `Case.run`.
+    """
+    from ._compare import cases_of
+    from ._map import Map
+    from ._quantity import nodes
+    from ._study import ran
+
+    settings = {
+        "torque": nodes("torque_nm", torque_nm, torque, None),
+        "speed": nodes("speed_rpm", speed_rpm, speed, None),
+        "temperature": nodes("temperature_c", temperature_c, temperature, None),
+        "band": band,
+        "cycle": None if cycle is None else fspath(cycle),
+        "export": list(export),
+        "add_loss": None if add_loss is None else fspath(add_loss),
+    }
+    return ran(Map, "map", (cases_of(case, finishes),), settings, threads, progress)
+
+
+def cycle(
+    map: Map,
+    trace: Columns,
+    *,
+    vehicle: Optional[Mapping[str, Any]] = None,
+    temperature_c: Optional[float] = None,
+    temperature: Optional[Quantity] = None,
+    columns: Sequence[str] = (),
+    allow_outside: bool = False,
+    threads: Optional[int] = None,
+) -> Cycle:
+    """Energy lost over a driving cycle, from a map.
+
+    The loss torque is interpolated between the points of the map; its interval follows from the draws of the map.
+
+    Args:
+        map: the map.
+        trace: file, frame or columns: time_s, and torque_nm with speed_rpm at the pinion, or speed_km_h.
+        vehicle: keys of `[vehicle]`, ``{"mass": "1600 kg"}``, in place of those of the case.
+        temperature_c, temperature: temperature of the flanks in °C, one of the map [default: the first].
+        columns: names of the columns of a cycle without names, or in place of its own, e.g. time_s,speed_km_h; - leaves
+            one out.
+        allow_outside: permit more than 5 % of the energy of the cycle outside of the map, where the ratio of loss to
+            torque is constant.
+        threads: as in `Case.run`.
+    """
+    from ._columns import table_of
+    from ._errors import Code
+    from ._keys import vehicle_keys
+    from ._map import Cycle
+    from ._quantity import number
+    from ._study import ran
+
+    settings = {
+        "temperature_c": number("temperature_c", temperature_c, temperature),
+        "columns": list(columns),
+        "allow_outside": allow_outside,
+    }
+    return ran(Cycle, "cycle", (map._raw, table_of(trace, "cycle", Code.E101), vehicle_keys(vehicle)), settings, threads)
 
 
 def sensitivity(
@@ -53,11 +182,10 @@ def sensitivity(
         threads, progress: as in `Case.run`.
     """
     from ._case import as_case
-    from ._record import warned
     from ._sensitivity import Sensitivity
-    from ._study import run_study
+    from ._study import ran
 
-    return warned(Sensitivity(run_study("sensitivity", (as_case(case)._raw,), {}, threads, progress)))
+    return ran(Sensitivity, "sensitivity", (as_case(case)._raw,), {}, threads, progress)
 
 
 def ridges(
@@ -76,11 +204,10 @@ def ridges(
         threads, progress: as in `Case.run`.
     """
     from ._case import as_case
-    from ._record import warned
     from ._ridges import Ridges
-    from ._study import run_study
+    from ._study import ran
 
-    return warned(Ridges(run_study("ridges", (as_case(case)._raw,), {}, threads, progress)))
+    return ran(Ridges, "ridges", (as_case(case)._raw,), {}, threads, progress)
 
 
 def callout(
@@ -115,8 +242,7 @@ def callout(
     from ._callout import CallOut
     from ._case import as_case
     from ._quantity import written
-    from ._record import warned
-    from ._study import run_study
+    from ._study import ran
 
     settings = {
         "loss": written(loss, "Power", "loss"),
@@ -127,7 +253,7 @@ def callout(
         "lots": lots,
         "seed": seed,
     }
-    return warned(CallOut(run_study("callout", (as_case(case)._raw,), settings, threads, progress)))
+    return ran(CallOut, "callout", (as_case(case)._raw,), settings, threads, progress)
 
 
 def evidence(
@@ -149,13 +275,128 @@ def evidence(
     """
     from ._calibration import Evidence
     from ._case import as_case
-    from ._record import warned
-    from ._study import run_study
+    from ._study import ran
 
     settings = {
         "hours": [f"{key}={value}" for key, value in (hours or {}).items()],
     }
-    return warned(Evidence(run_study("evidence", (as_case(case)._raw,), settings, threads, progress)))
+    return ran(Evidence, "evidence", (as_case(case)._raw,), settings, threads, progress)
+
+
+def calibrate(
+    rig: Columns,
+    case: Optional[CaseLike] = None,
+    *,
+    cases: Optional[Mapping[str, CaseLike]] = None,
+    hold: Sequence[CalibratedParameter] = (),
+    torque_max_nm: Optional[float] = None,
+    speed_max_rpm: Optional[float] = None,
+    temperature_c: Optional[Numbers] = None,
+    temperature: Optional[Quantities] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Calibration:
+    """Boundary friction, boundary layer and film traction from losses measured on a rig.
+
+    The table has one row per measured point: torque_nm, speed_rpm, temperature_c, loss_w (or torque_loss_nm),
+    sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order, flank_state, case. The result
+    says what the points can identify. calibration.toml in it holds the table [calibration] for the case.
+
+    Args:
+        rig: the measurements, with the columns of the command; a column simulated may say that their losses are.
+        case: the case of rows that name none.
+        cases: cases by the names in the column case; others are files relative to the table, or to the working
+            directory.
+        hold: hold a parameter at the value of the case instead of fitting it.
+        torque_max_nm: largest torque of the rig at the pinion in N m [default: the largest of the table; of a design
+            map.torque_max of the case, or its torque].
+        speed_max_rpm: largest speed of the rig at the pinion in 1/min [default: the largest of the table; of a design
+            map.speed_max of the case, or its speed].
+        temperature_c, temperature: oil temperatures of the rig, numbers or text as ``"10..100:5 °C"`` [default: lowest,
+            middle and highest of the table; of a design 40,65,90, extended to the temperature of the case].
+        threads, progress: as in `Case.run`.
+    """
+    from ._calibration import Calibration
+    from ._case import as_case
+    from ._columns import table_of
+    from ._errors import Code
+    from ._quantity import nodes
+    from ._study import ran
+
+    settings = {
+        "hold": list(hold),
+        "torque_max_nm": torque_max_nm,
+        "speed_max_rpm": speed_max_rpm,
+        "temperature": nodes("temperature_c", temperature_c, temperature, None),
+    }
+    return ran(Calibration, "calibrate", (table_of(rig, "rig", Code.E134), None if case is None else as_case(case)._raw, [(key, as_case(one)._raw) for key, one in (cases or {}).items()]), settings, threads, progress)
+
+
+def design(
+    case: CaseLike,
+    *,
+    torque_nm: Optional[Numbers] = None,
+    torque: Optional[Quantities] = None,
+    speed_rpm: Optional[Numbers] = None,
+    speed: Optional[Quantities] = None,
+    hours: float = 8,
+    minutes_per_point: float = 15,
+    sigma: Union[float, str] = "3 %",
+    assemblies: int = 2,
+    simulate: Optional[int] = None,
+    hold: Sequence[CalibratedParameter] = (),
+    torque_max_nm: Optional[float] = None,
+    speed_max_rpm: Optional[float] = None,
+    temperature_c: Optional[Numbers] = None,
+    temperature: Optional[Quantities] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Design:
+    """Points of a rig whose losses determine the calibrated constants best.
+
+    Points within the limits are chosen that narrow the constants most, the gears and flanks of the case being on the
+    rig. design.csv in the result is the table to fill in for asperity calibrate.
+
+    Args:
+        case: the case.
+        torque_nm, torque: torques to choose from, numbers or text as ``"10..100:5 N m"`` [default: a third of the
+            largest, and the largest].
+        speed_rpm, speed: speeds to choose from, numbers or text as ``"10..100:5 1/min"`` [default: 8 speeds from a
+            fiftieth of the largest up to it].
+        hours: measuring time in hours, without heating.
+        minutes_per_point: minutes per point.
+        sigma: standard deviation of a point relative to its loss.
+        assemblies: number of assemblies; each measures all points.
+        simulate: also write simulated.csv: losses at these points, simulated with the case and random errors of this
+            seed, to test a calibration.
+        hold: hold a parameter at the value of the case instead of fitting it.
+        torque_max_nm: largest torque of the rig at the pinion in N m [default: the largest of the table; of a design
+            map.torque_max of the case, or its torque].
+        speed_max_rpm: largest speed of the rig at the pinion in 1/min [default: the largest of the table; of a design
+            map.speed_max of the case, or its speed].
+        temperature_c, temperature: oil temperatures of the rig, numbers or text as ``"10..100:5 °C"`` [default: lowest,
+            middle and highest of the table; of a design 40,65,90, extended to the temperature of the case].
+        threads, progress: as in `Case.run`.
+    """
+    from ._calibration import Design
+    from ._case import as_case
+    from ._quantity import nodes
+    from ._study import ran
+
+    settings = {
+        "torque": nodes("torque_nm", torque_nm, torque, None),
+        "speed": nodes("speed_rpm", speed_rpm, speed, None),
+        "hours": hours,
+        "minutes_per_point": minutes_per_point,
+        "sigma": sigma,
+        "assemblies": assemblies,
+        "simulate": simulate,
+        "hold": list(hold),
+        "torque_max_nm": torque_max_nm,
+        "speed_max_rpm": speed_max_rpm,
+        "temperature": nodes("temperature_c", temperature_c, temperature, None),
+    }
+    return ran(Design, "design", (as_case(case)._raw,), settings, threads, progress)
 
 
 def oil_traction(
@@ -193,8 +434,7 @@ def oil_traction(
     """
     from ._oil import Traction, raw_oil
     from ._quantity import nodes, written
-    from ._record import warned
-    from ._study import run_study
+    from ._study import ran
 
     settings = {
         "load": written(load, "Force", "load"),
@@ -206,7 +446,7 @@ def oil_traction(
         "ball_radius": written(ball_radius, "Length", "ball_radius"),
         "second_radius": None if second_radius is None else written(second_radius, "Length", "second_radius"),
     }
-    return warned(Traction(run_study("oil_traction", (raw_oil(oil),), settings, threads)))
+    return ran(Traction, "oil_traction", (raw_oil(oil),), settings, threads)
 
 
 def oil_fit(
@@ -246,8 +486,7 @@ def oil_fit(
     """
     from ._oil import OilFit, raw_oil, tables_of_curves
     from ._quantity import written
-    from ._record import warned
-    from ._study import run_study
+    from ._study import ran
 
     settings = {
         "temperature_column": temperature_column,
@@ -260,7 +499,7 @@ def oil_fit(
         "point_sd": point_sd,
         "point_floor": point_floor,
     }
-    return warned(OilFit(run_study("oil_fit", (tables_of_curves(curves, "curves"), raw_oil(oil)), settings, threads)))
+    return ran(OilFit, "oil_fit", (tables_of_curves(curves, "curves"), raw_oil(oil)), settings, threads)
 
 
 def oil_plan(
@@ -298,8 +537,7 @@ def oil_plan(
     from ._case import as_case
     from ._oil import OilPlan, raw_oil
     from ._quantity import written
-    from ._record import warned
-    from ._study import run_study
+    from ._study import ran
 
     settings = {
         "simulate": simulate,
@@ -311,7 +549,7 @@ def oil_plan(
         "point_sd": point_sd,
         "point_floor": point_floor,
     }
-    return warned(OilPlan(run_study("oil_plan", (raw_oil(oil), None if case is None else as_case(case)._raw), settings, threads)))
+    return ran(OilPlan, "oil_plan", (raw_oil(oil), None if case is None else as_case(case)._raw), settings, threads)
 
 
 def stribeck(
@@ -343,8 +581,7 @@ def stribeck(
     """
     from ._oil import Stribeck, raw_oil, tables_of_curves
     from ._quantity import written
-    from ._record import warned
-    from ._study import run_study
+    from ._study import ran
 
     settings = {
         "rubbing": [written(one, "Time", "rubbing") for one in rubbing],
@@ -353,186 +590,4 @@ def stribeck(
         "ball_radius": written(ball_radius, "Length", "ball_radius"),
         "second_radius": None if second_radius is None else written(second_radius, "Length", "second_radius"),
     }
-    return warned(Stribeck(run_study("stribeck", (tables_of_curves(curves, "curves"), raw_oil(oil)), settings, threads)))
-
-
-def calibrate(
-    rig: Columns,
-    case: Optional[CaseLike] = None,
-    *,
-    cases: Optional[Mapping[str, CaseLike]] = None,
-    hold: Sequence[CalibratedParameter] = (),
-    torque_max_nm: Optional[float] = None,
-    speed_max_rpm: Optional[float] = None,
-    temperature_c: Optional[Numbers] = None,
-    temperature: Optional[Quantities] = None,
-    threads: Optional[int] = None,
-    progress: Optional[Progress] = None,
-) -> Calibration:
-    """Boundary friction, boundary layer and film traction from losses measured on a rig.
-
-    The table has one row per measured point: torque_nm, speed_rpm, temperature_c, loss_w (or torque_loss_nm),
-    sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order, flank_state, case.
-
-    Args:
-        rig: the measurements, with the columns of the command; a column simulated may say that their losses are.
-        case: the case of rows that name none.
-        cases: cases by the names in the column case; others are files relative to the table, or to the working
-            directory.
-        hold: hold a parameter at the value of the case instead of fitting it.
-        torque_max_nm: largest torque of the rig at the pinion in N m [default: the largest of the table; of a design
-            map.torque_max of the case, or its torque].
-        speed_max_rpm: largest speed of the rig at the pinion in 1/min [default: the largest of the table; of a design
-            map.speed_max of the case, or its speed].
-        temperature_c, temperature: oil temperatures of the rig, numbers or text as ``"10..100:5 °C"`` [default: lowest,
-            middle and highest of the table; of a design 40,65,90, extended to the temperature of the case].
-        threads, progress: as in `Case.run`.
-    """
-    from ._calibration import calibrated
-    from ._quantity import nodes
-
-    settings = {
-        "hold": list(hold),
-        "torque_max_nm": torque_max_nm,
-        "speed_max_rpm": speed_max_rpm,
-        "temperature": nodes("temperature_c", temperature_c, temperature, None),
-    }
-    return calibrated(rig, case, cases, settings, threads, progress)
-
-
-def design(
-    case: CaseLike,
-    *,
-    torque_nm: Optional[Numbers] = None,
-    torque: Optional[Quantities] = None,
-    speed_rpm: Optional[Numbers] = None,
-    speed: Optional[Quantities] = None,
-    hours: float = 8,
-    minutes_per_point: float = 15,
-    sigma: Union[float, str] = "3 %",
-    assemblies: int = 2,
-    simulate: Optional[int] = None,
-    hold: Sequence[CalibratedParameter] = (),
-    torque_max_nm: Optional[float] = None,
-    speed_max_rpm: Optional[float] = None,
-    temperature_c: Optional[Numbers] = None,
-    temperature: Optional[Quantities] = None,
-    threads: Optional[int] = None,
-    progress: Optional[Progress] = None,
-) -> Design:
-    """Points of a rig whose losses determine the calibrated constants best.
-
-    Points within the limits are chosen that narrow the constants most, as the command calibrate with its option
-    design does.
-
-    Args:
-        case: the gears and flanks on the rig.
-        torque_nm, torque: torques to choose from, numbers or text as ``"10..100:5 N m"`` [default: a third of the
-            largest, and the largest].
-        speed_rpm, speed: speeds to choose from, numbers or text as ``"10..100:5 1/min"`` [default: 8 speeds from a
-            fiftieth of the largest up to it].
-        hours: measuring time in hours, without heating.
-        minutes_per_point: minutes per point.
-        sigma: standard deviation of a point relative to its loss.
-        assemblies: number of assemblies; each measures all points.
-        simulate: also write simulated.csv: losses at these points, simulated with the case and random errors of this
-            seed, to test a calibration.
-        hold: hold a parameter at the value of the case instead of fitting it.
-        torque_max_nm: largest torque of the rig at the pinion in N m [default: the largest of the table; of a design
-            map.torque_max of the case, or its torque].
-        speed_max_rpm: largest speed of the rig at the pinion in 1/min [default: the largest of the table; of a design
-            map.speed_max of the case, or its speed].
-        temperature_c, temperature: oil temperatures of the rig, numbers or text as ``"10..100:5 °C"`` [default: lowest,
-            middle and highest of the table; of a design 40,65,90, extended to the temperature of the case].
-        threads, progress: as in `Case.run`.
-    """
-    from ._calibration import designed
-    from ._quantity import nodes
-
-    settings = {
-        "torque": nodes("torque_nm", torque_nm, torque, None),
-        "speed": nodes("speed_rpm", speed_rpm, speed, None),
-        "hours": hours,
-        "minutes_per_point": minutes_per_point,
-        "sigma": sigma,
-        "assemblies": assemblies,
-        "simulate": simulate,
-        "hold": list(hold),
-        "torque_max_nm": torque_max_nm,
-        "speed_max_rpm": speed_max_rpm,
-        "temperature": nodes("temperature_c", temperature_c, temperature, None),
-    }
-    return designed(case, settings, threads, progress)
-
-
-def map(
-    case: CaseLike,
-    *,
-    finishes: Optional[Mapping[str, Finish]] = None,
-    torque_nm: Optional[Numbers] = None,
-    torque: Optional[Quantities] = None,
-    speed_rpm: Optional[Numbers] = None,
-    speed: Optional[Quantities] = None,
-    temperature_c: Optional[Numbers] = None,
-    temperature: Optional[Quantities] = None,
-    band: Band = "nodes",
-    threads: Optional[int] = None,
-    progress: Optional[Progress] = None,
-) -> Map:
-    """Losses over torque, speed and temperature, in both directions of the power.
-
-    The losses are of the mesh only, without bearings, seals and churning. Every point is the run at this torque,
-    speed and temperature; its quantiles (loss_median_w, loss_p05_w, loss_p95_w) are from draws at three torques and
-    three speeds.
-
-    Args:
-        case: the case.
-        finishes: finishes by name, as in `compare` [default: the traces of the case].
-        torque_nm, torque: torques at the pinion, numbers or text as ``"10..100:5 N m"`` [default: 0 and 12 from 1 % of
-            the largest, both signs]; 0 is added between both signs.
-        speed_rpm, speed: speeds of the pinion, numbers or text as ``"10..100:5 1/min"`` [default: 0, 1 and 16 more,
-            closer at low speed]; 0 is added.
-        temperature_c, temperature: temperatures of the flanks, numbers or text as ``"10..100:5 °C"`` [default: the
-            temperature of the case].
-        band: whether the loss has median, 5 and 95 % quantiles, as in asperity run.
-        threads, progress: as in `Case.run`.
-    """
-    from ._map import mapped
-    from ._quantity import nodes
-
-    settings = {
-        "torque": nodes("torque_nm", torque_nm, torque, None),
-        "speed": nodes("speed_rpm", speed_rpm, speed, None),
-        "temperature": nodes("temperature_c", temperature_c, temperature, None),
-        "band": band,
-    }
-    return mapped(case, finishes, settings, threads, progress)
-
-
-def compare(
-    case: CaseLike,
-    finishes: Mapping[str, Finish],
-    *,
-    offsets: Optional[int] = None,
-    threads: Optional[int] = None,
-    progress: Optional[Progress] = None,
-) -> Comparison:
-    """Compare finishes on one case, with paired differences.
-
-    The first finish is the reference for the others. All have the same offsets and the same draws of what is
-    uncertain.
-
-    Args:
-        case: the case, whose traces are replaced by the traces of each finish; the finishes of a gear train are cases.
-        finishes: by name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, or a
-            case; at least two.
-        offsets: number of offsets along the traces at which the flanks are paired [default: those that each finish
-            needs].
-        threads, progress: as in `Case.run`.
-    """
-    from ._compare import compared
-
-    settings = {
-        "offsets": offsets,
-    }
-    return compared(case, finishes, settings, threads, progress)
+    return ran(Stribeck, "stribeck", (tables_of_curves(curves, "curves"), raw_oil(oil)), settings, threads)

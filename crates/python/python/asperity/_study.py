@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from os import PathLike, fspath
-from typing import Any, Optional, Protocol, Union
+from typing import Any, Optional, Protocol, TypeVar, Union
 
 from . import _asperity
-from ._errors import AsperityError, Code
+from ._errors import AsperityError, Code, warn
 from ._html import page
 from ._progress import Progress, Steps
 from ._record import Record
@@ -89,6 +89,14 @@ class Study(Record):
     def _rows(self) -> list[tuple[str, str]]:
         return []
 
+    def _doubts(self) -> Iterable[Any]:
+        """Its warnings."""
+        doubts: Iterable[Any] = self._values.get("warnings", ())
+        return doubts
+
+
+S = TypeVar("S", bound=Study)
+
 
 def as_json(settings: Mapping[str, Any]) -> str:
     """Settings as JSON, whose numbers are finite."""
@@ -98,13 +106,25 @@ def as_json(settings: Mapping[str, Any]) -> str:
     return json.dumps(settings)
 
 
-def run_study(
+def _cases(given: Any) -> Iterator[_asperity.Case]:
+    """The cases among what is given."""
+    if isinstance(given, _asperity.Case):
+        yield given
+    elif isinstance(given, (list, tuple)):
+        for one in given:
+            yield from _cases(one)
+
+
+def ran(
+    kind: type[S],
     name: str,
     given: tuple[Any, ...],
     settings: Mapping[str, Any],
     threads: Optional[int],
     progress: Optional[Progress] = None,
-) -> RawStudy:
-    """The study ``name`` of what is given, by its settings."""
+) -> S:
+    """The study ``name`` of what is given, by its settings, after a warning of each doubt that the cases do not have."""
     with Steps(progress, _asperity.steps(name)) as steps:
-        return _asperity.study(name, given, as_json(settings), threads, steps)
+        found = kind(_asperity.study(name, given, as_json(settings), threads, steps))
+    warn(found._doubts(), (warning for case in _cases(given) for warning in json.loads(case.warnings)))
+    return found

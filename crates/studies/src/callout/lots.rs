@@ -17,6 +17,7 @@ use asperity_roughness::height_parameters::Mode;
 use chacha20::ChaCha8Rng;
 use rand_core::Rng;
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::de::IntoDeserializer;
 use serde::{Deserialize, Serialize};
 
@@ -37,7 +38,7 @@ const FEWEST_TRACES: usize = 32;
 const NOMINAL_STREAM: u64 = 1 << 40;
 
 /// Roughness parameter of a call-out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum RoughnessParameter {
     /// Reduced peak height.

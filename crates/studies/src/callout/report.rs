@@ -18,9 +18,8 @@ const NOTE: &str = "A lot is a set of flanks of the recipe of the traces; it mee
 impl StudyResult for CallOut {
     const KIND: &'static str = "call-out";
     const NAME: &'static str = "callout";
-    type Context<'a> = ();
 
-    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         Report::new(&self.title, "call-out")
             .section("Limit")
             .text([headline(self)])

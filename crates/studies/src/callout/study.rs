@@ -9,7 +9,7 @@ use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 use asperity_core::quantity::{Power, Ratio};
 use asperity_core::{DomainError, Fault};
-use asperity_report::{StudySettings, Work, settings};
+use asperity_report::{StudySettings, Watch, Work, settings};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -77,8 +77,8 @@ impl StudySettings for CallOutSettings {
         Ok(Some(Work::new(vec![pair], runs)))
     }
 
-    fn run(&self, case: LoadedCase, progress: Progress<'_>) -> Result<CallOut, Fault> {
-        callout(&case, self, progress)
+    fn run(&self, case: LoadedCase, watch: &Watch<'_>) -> Result<CallOut, Fault> {
+        callout(&case, self, watch.progress)
     }
 }
 

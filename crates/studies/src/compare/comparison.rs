@@ -12,7 +12,7 @@ use asperity::uncertainty::{DrawnMesh, PairedDifference, Quantiles, difference_o
 use asperity::{Error, PositionError};
 use asperity_core::{Code, Fault, unique};
 use asperity_report::tables::FlankTables;
-use asperity_report::{Described, Setting, settings};
+use asperity_report::{Input, Setting, StudySettings, Watch, Work, settings};
 use serde::Serialize;
 
 use super::statistics::rank_correlation;
@@ -179,34 +179,96 @@ settings! {
     }
 }
 
-impl CompareSettings {
-    /// Refuses a single offset.
-    ///
-    /// # Errors
-    /// When there are fewer than two offsets.
-    pub fn check(&self) -> Result<(), Fault> {
-        let Some(offsets @ ..2) = self.offsets else {
-            return Ok(());
-        };
-        let message = format!("offsets = {offsets}: must be at least 2, as one has no spread");
-        Err(Fault::new(Code::E209, message))
+/// A case on several finishes.
+#[derive(Debug, Clone)]
+pub struct Finishes(pub Vec<Finish<Train>>);
+
+impl Finishes {
+    /// The arguments of a case and its finishes.
+    pub(crate) fn arguments(
+        case: &'static str,
+        kind: &'static str,
+        finishes: &'static str,
+    ) -> Vec<Setting> {
+        vec![
+            Setting::new("case", "CaseOfFinishes", case, None),
+            Setting::new("finishes", kind, finishes, None),
+        ]
     }
 
-    /// Description of the study.
-    #[must_use]
-    pub fn study() -> Described {
-        let case = "The case, whose traces are replaced by the traces of each finish; the finishes of a gear train are cases";
-        let about = "By name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, or a case; at least two";
-        Described::new::<Self>(
-            "compare",
-            "Compare finishes on one case, with paired differences",
-            "The first finish is the reference for the others. All have the same offsets and the same draws of what is uncertain.",
-            "finishes",
-            vec![
-                Setting::new("case", "Case", case, None),
-                Setting::new("finishes", "Finishes", about, None),
-            ],
+    /// The case of the first finish.
+    pub(crate) fn first(&self) -> Result<&Train, Fault> {
+        let first = self.0.first().map(|finish| &finish.case);
+        first.ok_or_else(|| Fault::new(Code::E205, "finishes: none is given"))
+    }
+}
+
+impl Input for Finishes {
+    fn described() -> Vec<Setting> {
+        Self::arguments(
+            "The case, whose traces are replaced by the traces of each finish; the finishes of a gear train are cases",
+            "Finishes",
+            "By name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, or a case; at least two",
         )
+    }
+
+    fn title(&self) -> String {
+        let first = self.0.first();
+        first.map_or_else(String::new, |first| first.case.title.clone())
+    }
+}
+
+impl CompareSettings {
+    /// The finishes with the stated number of offsets.
+    fn applied(&self, Finishes(finishes): Finishes) -> Result<Finishes, Fault> {
+        if finishes.len() < 2 {
+            let message = "finishes: one finish cannot be compared; give at least two";
+            return Err(Fault::new(Code::E205, message));
+        }
+        let Some(offsets) = self.offsets else {
+            return Ok(Finishes(finishes));
+        };
+        if offsets < 2 {
+            let message = format!("offsets = {offsets}: must be at least 2, as one has no spread");
+            return Err(Fault::new(Code::E209, message));
+        }
+        let on = |Finish { name, case }: Finish<Train>| {
+            let case = case.with(&|input| input.model.offsets = Some(offsets))?;
+            Ok(Finish { name, case })
+        };
+        let changed = finishes.into_iter().map(on);
+        Ok(Finishes(changed.collect::<Result<_, Error>>()?))
+    }
+}
+
+impl StudySettings for CompareSettings {
+    type Input = Finishes;
+    type Found = Comparison;
+    const COMMAND: &'static str = "compare";
+    const ABOUT: &'static str = "Compare finishes on one case, with paired differences";
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[&[
+        ("case", "demo/case.toml"),
+        (
+            "finishes",
+            "ground=demo/ground_pinion.csv,demo/ground_wheel.csv",
+        ),
+        (
+            "finishes",
+            "superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv",
+        ),
+    ]];
+    const METHOD: &'static str = "The first finish is the reference for the others. All have the same offsets and the same draws of what \
+        is uncertain.";
+    const STEPS: &'static str = "finishes";
+
+    fn work(&self, given: &Finishes) -> Result<Option<Work>, Fault> {
+        let finishes = self.applied(given.clone())?;
+        let meshes = finishes.first()?.cases().cloned().collect();
+        Ok(Some(Work::new(meshes, finishes.0.len())))
+    }
+
+    fn run(&self, given: Finishes, watch: &Watch<'_>) -> Result<Comparison, Fault> {
+        Ok(compare(&self.applied(given)?.0, watch.progress)?)
     }
 }
 

@@ -12,8 +12,8 @@ mod words;
 
 pub(crate) use comparison::files;
 pub use comparison::{
-    CaseRun, CompareSettings, Comparison, Correlation, Finish, FinishResult, MeshOfFinish, compare,
-    drawn_together,
+    CaseRun, CompareSettings, Comparison, Correlation, Finish, FinishResult, Finishes,
+    MeshOfFinish, compare, drawn_together,
 };
 pub use statistics::rank_correlation;
 pub use words::{difference_with_interval, verdict};

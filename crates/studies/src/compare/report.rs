@@ -16,9 +16,8 @@ use super::words::{loss, meshes, note, run_in, scope, table, warnings};
 impl StudyResult for Comparison {
     const KIND: &'static str = "comparison";
     const NAME: &'static str = "compare";
-    type Context<'a> = ();
 
-    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         let names: Vec<&str> = self.finishes.iter().map(|finish| &*finish.name).collect();
         let of_pair = self.pairs().next().is_some();
         let report = Report::new(

@@ -2,6 +2,7 @@
 
 use super::trace::{Cycle, CyclePoint};
 use crate::map::Surface;
+use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{Code, Fault};
 
 /// Largest share of the energy at the pinion outside of a map, where losses are extrapolated: a choice of this program.
@@ -92,6 +93,9 @@ pub(super) fn share(
 
 impl From<Uncovered> for Fault {
     fn from(error: Uncovered) -> Self {
-        Self::of(Code::E314, error)
+        let remedy = Remedy::act("compute the map up to these torques and speeds")
+            .or_set(Setting::Key("allow_outside"), Value::Any)
+            .because("to accept the ratio of loss to torque at the edge");
+        Self::of(Code::E314, error).with(remedy)
     }
 }

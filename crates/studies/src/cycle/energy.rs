@@ -1,6 +1,7 @@
 //! Energies of a cycle on a map.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use asperity::balance::{efficiency, sum};
 use asperity::message::Warning;
@@ -52,6 +53,9 @@ pub struct CycleResult {
     /// Points of the cycle, for table and chart.
     #[serde(skip)]
     pub points: Vec<CyclePoint>,
+    /// Map on which the cycle was evaluated.
+    #[serde(skip)]
+    pub map: Arc<Map>,
 }
 
 /// Energy loss with one finish.
@@ -115,7 +119,7 @@ fn holes() -> Fault {
 /// # Errors
 /// When a point of the map has no result, too much of the cycle is outside of the map, or the energies do not add up.
 pub fn evaluate(
-    map: &Map,
+    map: &Arc<Map>,
     temperature: usize,
     (cycle, name): (&Cycle, &str),
     takes_any: bool,
@@ -211,6 +215,7 @@ pub fn evaluate(
         warnings: cycle.warnings.clone(),
         finishes,
         points: cycle.points.clone(),
+        map: Arc::clone(map),
     })
 }
 

@@ -20,8 +20,10 @@ mod coverage;
 mod draws;
 mod energy;
 mod report;
+mod study;
 mod trace;
 
 pub use coverage::{Coverage, Uncovered};
 pub use energy::{CycleFinish, CycleResult, evaluate};
-pub use trace::{Cycle, CycleError, CyclePoint, cycle, named_cycle};
+pub use study::{CycleOnMap, CycleSettings};
+pub use trace::{Cycle, CycleError, CyclePoint, LARGEST_TABLE, cycle, named_cycle, read};

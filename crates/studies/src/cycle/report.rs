@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::energy::{CycleFinish, CycleResult};
 use super::trace::CyclePoint;
-use crate::map::{Map, banded, in_words, loses, loss_fields, round_step};
+use crate::map::{banded, in_words, loses, loss_fields, round_step};
 
 /// Approximate number of torque bins.
 const BINS: f64 = 30.0;
@@ -22,16 +22,14 @@ const NOTE: &str = "Medians, in brackets 5 and 95 % quantiles over the draws of 
 impl StudyResult for CycleResult {
     const KIND: &'static str = "cycle";
     const NAME: &'static str = "cycle";
-    /// Map on which the cycle was evaluated.
-    type Context<'a> = &'a Map;
 
-    fn report<'a>(&'a self, map: &'a Map) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         Report::new(
             &self.title,
             format!("{} · cycle {}", self.program, self.cycle),
         )
         .section("Energy")
-        .text([conditions(self, map)])
+        .text([conditions(self)])
         .verdict(verdicts(self))
         .figures(|| [over_time(self)])
         .table(table(self))
@@ -39,7 +37,7 @@ impl StudyResult for CycleResult {
         .warning(left_aside(self))
         .warning(&self.warnings)
         .section("Operating points")
-        .figures(|| operating_points(self, map))
+        .figures(|| operating_points(self))
         .method(is_banded(self).then_some(NOTE))
         .rows("cycle.csv", || rows(self))
     }
@@ -79,11 +77,11 @@ fn rows(result: &CycleResult) -> impl Iterator<Item = CyclePointRow<'_>> {
 }
 
 /// The cycle and its energies.
-fn conditions(result: &CycleResult, map: &Map) -> String {
+fn conditions(result: &CycleResult) -> String {
     let way = result
         .distance_km
         .map_or(String::new(), |km| format!(", {} km", decimals(km, 2)));
-    let [pinion, wheel] = map.shafts();
+    let [pinion, wheel] = result.map.shafts();
     format!(
         "Cycle {}: {} s{way}, {} Wh at the {pinion} while it drives, {} Wh while the {wheel} drives, flanks at {} °C; loss of the {} only.",
         result.cycle,
@@ -107,7 +105,8 @@ fn outside(result: &CycleResult) -> String {
 }
 
 /// The map with the points of the cycle, and the energy by torque.
-fn operating_points(result: &CycleResult, map: &Map) -> Vec<Drawing> {
+fn operating_points(result: &CycleResult) -> Vec<Drawing> {
+    let map = &result.map;
     let visited: Vec<[f64; 2]> = result.points.iter().map(CyclePoint::forwards).collect();
     let mut temperatures = map.axes.temperature_c.iter();
     let nearest = temperatures.position(|temperature| *temperature == result.temperature_c);

@@ -2,10 +2,13 @@
 
 use std::f64::consts::PI;
 use std::fmt::Display;
+use std::path::Path;
 
 use asperity::case::{VehicleInput, range_of};
 use asperity::message::Warning;
+use asperity::profile_io::read::read_table;
 use asperity_core::number;
+use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{Code, Fault};
 use asperity_table::{Ragged, RowFault, Table};
 
@@ -57,8 +60,7 @@ impl CyclePoint {
     }
 }
 
-/// Error of a cycle. A command distinguishes the errors of names, which its options state, and those of the vehicle, whose case
-/// has a text.
+/// Error of a cycle. The errors of names have a remedy of their own, and those of the vehicle a case with a text.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CycleError {
@@ -165,9 +167,28 @@ impl From<CycleError> for Fault {
         match error {
             CycleError::Impossible(error) => (*error).into(),
             CycleError::Fault(fault) => fault,
-            error => Self::of(error.code(), error),
+            error => {
+                let names = Value::Like("time_s,-,speed_km_h".into());
+                let remedy = Remedy::act("write these names above the rows")
+                    .or_set(Setting::Columns, names)
+                    .because("in the order of the columns, where - leaves one out");
+                Self::of(error.code(), error).with(remedy)
+            }
         }
     }
+}
+
+/// Largest size of a table in bytes.
+pub const LARGEST_TABLE: u64 = 100_000_000;
+
+/// Reads the cycle in a file, as [`cycle`].
+///
+/// # Errors
+/// As [`cycle`], and when the file cannot be read.
+pub fn read(file: &Path, vehicle: Option<&VehicleInput>) -> Result<Cycle, Fault> {
+    let text = read_table(file, LARGEST_TABLE)?;
+    let found = cycle(&text, vehicle);
+    found.map_err(|error| Fault::from(error).about(file.display()))
 }
 
 /// Reads the cycle in `text`, a table with a header row ([`Table`]), whose columns may have the names that other programs give

@@ -1,11 +1,14 @@
 //! Loss torque of bearings, seals and churning, from a user's table.
 
 use std::fmt::Display;
+use std::path::Path;
 
+use crate::cycle::LARGEST_TABLE;
 use crate::map::Axes;
 use asperity::efficiency::EfficiencyError;
 use asperity::efficiency::loss_table::LossTable;
 use asperity::loss_table::read;
+use asperity::profile_io::read::read_table;
 use asperity_core::message::Warning;
 use asperity_core::{Code, Fault};
 
@@ -42,6 +45,15 @@ pub(crate) fn twice(name: impl Display) -> Fault {
 }
 
 impl AddedLoss {
+    /// Reads the table in a file, as [`AddedLoss::read`].
+    ///
+    /// # Errors
+    /// As [`AddedLoss::read`], and when the file cannot be read.
+    pub fn open(file: &Path) -> Result<Self, Fault> {
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        Self::read(&name, &read_table(file, LARGEST_TABLE)?)
+    }
+
     /// Reads a table as [`read`] does.
     ///
     /// # Errors

@@ -1,6 +1,7 @@
 //! Errors of exports.
 
 use asperity_core::number;
+use asperity_core::remedy::{Remedy, Setting};
 use asperity_core::{Code, Fault};
 
 /// A point has no result.
@@ -68,6 +69,7 @@ pub(crate) fn no_cycle(format: &'static str) -> Fault {
         Code::E205,
         format!("{format} takes one number, weighted by a cycle, and no cycle was given"),
     )
+    .with(Remedy::state(Setting::Key("cycle")))
 }
 
 /// The cycle is partly outside of the map.

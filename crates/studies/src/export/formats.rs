@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use asperity_core::Fault;
 use asperity_core::message::Warning;
-use serde::Deserialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::json;
 
 use super::added::AddedLoss;
 use super::error;
@@ -15,7 +17,9 @@ use crate::cycle::Cycle;
 use crate::map::Map;
 
 /// Export format.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, JsonSchema,
+)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Format {
@@ -35,6 +39,22 @@ pub enum Format {
     Fastsim,
     /// ADVISOR transmission map, output side, .m
     Advisor,
+}
+
+impl Format {
+    /// An error of the files in this format.
+    fn refused(self, error: Fault) -> Fault {
+        let name = json!(self);
+        let about = error
+            .about(name.as_str().unwrap_or_default())
+            .about("export");
+        match about.remedy().is_empty() {
+            true => about.helping(
+                "The map itself can be computed without exports; a format may need other axes.",
+            ),
+            false => about,
+        }
+    }
 }
 
 /// File to write.
@@ -72,13 +92,14 @@ impl With<'_> {
 /// # Errors
 /// When a point has no result, the format cannot hold the map, or two finishes would have files of one name.
 pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFile>, Fault> {
+    let names = map.finishes.iter().map(|finish| finish.name.as_str());
+    let names: Vec<&str> = names.collect();
+    check(&names, format, with.cycle.is_some())?;
+    files_of(map, format, with).map_err(|error| format.refused(error))
+}
+
+fn files_of(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFile>, Fault> {
     let mut files = Vec::new();
-    let names: Vec<&str> = map
-        .finishes
-        .iter()
-        .map(|finish| finish.name.as_str())
-        .collect();
-    check_names(&names, format)?;
     for (index, finish) in map.finishes.iter().enumerate() {
         let fields = Field::all(map, index, with.added)?;
         let name = file_name(&finish.name);
@@ -111,11 +132,20 @@ pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFil
     Ok(files)
 }
 
-/// Checks that each of `finishes` has files of its own in a format.
+/// Checks that each of `finishes` has files of its own in a format, and that a format of one number has a cycle.
 ///
 /// # Errors
-/// When two of them would have files of one name.
-pub fn check_names(finishes: &[&str], format: Format) -> Result<(), Fault> {
+/// When two of them would have files of one name, or the cycle is missing.
+pub fn check(finishes: &[&str], format: Format, has_cycle: bool) -> Result<(), Fault> {
+    let names = check_names(finishes, format);
+    let checked = names.and_then(|()| match format == Format::Fastsim && !has_cycle {
+        true => Err(error::no_cycle("fastsim")),
+        false => Ok(()),
+    });
+    checked.map_err(|error| format.refused(error))
+}
+
+fn check_names(finishes: &[&str], format: Format) -> Result<(), Fault> {
     let mut taken: Vec<(String, &str)> = Vec::new();
     for finish in finishes {
         let name = file_name(finish);

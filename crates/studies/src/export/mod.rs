@@ -31,5 +31,5 @@ pub use added::AddedLoss;
 pub use field::Field;
 pub use fitted::{GearBoxFit, gear_box_fit};
 pub use fmu::c_source;
-pub use formats::{ExportFile, Format, With, check_names, export};
+pub use formats::{ExportFile, Format, With, check, export};
 pub use mat4::{Mat4, Matrix};

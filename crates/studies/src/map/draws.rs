@@ -10,13 +10,14 @@
 use asperity::uncertainty::{Predictive, Quantiles};
 use asperity_core::numerics::{NodeInterval, add_times, distinct};
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;
 use super::surface::forwards;
 
 /// Points of a map whose draws are computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum MapBand {

@@ -39,7 +39,7 @@ mod page;
 mod point;
 mod read;
 mod report;
-mod settings;
+mod study;
 mod summary;
 mod surface;
 mod table;
@@ -54,7 +54,6 @@ pub use point::{
     EXTENDED, FinishMap, Map, MapGearbox, MapWarning, MeshPart, Numbers, Point, ranges,
 };
 pub use read::read;
-pub use report::{EXPORTS, MapExtras};
-pub use settings::MapSettings;
+pub use study::{CaseOrFinishes, MapSettings, MapStudy};
 pub(crate) use summary::{banded, in_words, loses};
 pub use surface::{Interpolated, Surface, forwards};

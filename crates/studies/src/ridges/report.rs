@@ -19,9 +19,8 @@ const OCTAVES: &str = "octaves.csv";
 impl StudyResult for RidgeStudy {
     const KIND: &'static str = "study of ridges";
     const NAME: &'static str = "ridges";
-    type Context<'a> = ();
 
-    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         let study = &self.found;
         let mut report = Report::new(&study.title, "ridges")
             .section("Where the loss is made")

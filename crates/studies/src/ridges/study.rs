@@ -13,7 +13,7 @@ use asperity::{Error, PositionError};
 use asperity_core::quantity::Length;
 use asperity_core::{Fault, Profile};
 use asperity_report::tables::BODIES;
-use asperity_report::{StudySettings, Work, settings};
+use asperity_report::{StudySettings, Watch, Work, settings};
 use asperity_roughness::composite::spaced;
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 use serde::Serialize;
@@ -77,8 +77,8 @@ impl StudySettings for RidgeSettings {
         Ok(Some(Work::new(vec![case.clone()], RUNS)))
     }
 
-    fn run(&self, case: LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, Fault> {
-        Ok(ridges(&case, progress)?)
+    fn run(&self, case: LoadedCase, watch: &Watch<'_>) -> Result<RidgeStudy, Fault> {
+        Ok(ridges(&case, watch.progress)?)
     }
 }
 

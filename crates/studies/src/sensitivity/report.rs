@@ -19,9 +19,8 @@ const NOTE: &str = "In brackets: 5 to 95 % by the sampling of the flanks. Other 
 impl StudyResult for Sensitivity {
     const KIND: &'static str = "sensitivity study";
     const NAME: &'static str = "sensitivity";
-    type Context<'a> = ();
 
-    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         Report::new(&self.title, "sensitivity")
             .section("What you can change")
             .text([headline(self)])

@@ -10,7 +10,7 @@ use asperity::uncertainty::sampling_interval;
 use asperity::{Contacts, Error, PositionError};
 use asperity_core::quantity::Power;
 use asperity_core::{Code, Fault};
-use asperity_report::{StudySettings, Work, settings};
+use asperity_report::{StudySettings, Watch, Work, settings};
 use serde::Serialize;
 
 use super::changes::{CHANGES, Change, changes};
@@ -154,8 +154,8 @@ impl StudySettings for SensitivitySettings {
         Ok(Some(Work::new(meshes, 1 + CHANGES)))
     }
 
-    fn run(&self, train: Train, progress: Progress<'_>) -> Result<Sensitivity, Fault> {
-        Ok(sensitivity(&train, progress)?)
+    fn run(&self, train: Train, watch: &Watch<'_>) -> Result<Sensitivity, Fault> {
+        Ok(sensitivity(&train, watch.progress)?)
     }
 }
 

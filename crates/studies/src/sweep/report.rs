@@ -21,9 +21,8 @@ const OVER_AXES: &str = "Mean of the cases at each value of an axis, and the ran
 impl StudyResult for Merged {
     const KIND: &'static str = "sweep";
     const NAME: &'static str = "sweep";
-    type Context<'a> = ();
 
-    fn report<'a>(&'a self, (): ()) -> Report<'a> {
+    fn report(&self) -> Report<'_> {
         let has_effects = self.effects.iter().any(|row| row.effect.is_some());
         let outside = self.outside.iter().map(|(code, count)| {
             let title = explain(code).map_or("", |entry| entry.title);
