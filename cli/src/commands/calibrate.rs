@@ -33,7 +33,7 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     rig.table.reach = settings.reach().map_err(of_option::<DesignSettings>)?;
     let progress = Progress::of(common.quiet, "evaluations");
     let tell = |result: &Identifiability| {
-        if !common.json {
+        if common.notes && !common.json {
             // An error of standard output is reported at the end of the command.
             let _ = print_text(common, &before_the_fit(result));
         }

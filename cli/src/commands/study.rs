@@ -14,6 +14,9 @@ use crate::args::{Common, Given, Group, StudyArgs, StudyCommand};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING, print_json, print_verdict, shown};
 
+/// Most lines of a first screen before its last line.
+const FIRST_SCREEN: usize = 9;
+
 /// A study with the arguments of its command.
 type Run = fn(&ArgMatches, &Common) -> Result<(), Failure>;
 
@@ -128,12 +131,25 @@ pub fn print<'a, S: StudyResult>(
         return print_json(study);
     }
     let report = study.report(context);
-    let mut text = report.terminal();
-    if let Some(folder) = folder {
+    let (mut text, left_out) = match common.notes {
+        true => (report.terminal(), 0),
+        false => report.brief(FIRST_SCREEN),
+    };
+    let more = match left_out {
+        0 => String::new(),
+        1 => "1 more line: --notes".to_owned(),
+        count => format!("{count} more lines: --notes"),
+    };
+    let written = folder.map_or(String::new(), |folder| {
         let time = begin.map_or(String::new(), |begin| {
             format!(" in {:.1} s", begin.elapsed().as_secs_f64())
         });
-        text.push_str(&format!("wrote {}{time}\n", shown(folder)));
+        format!("wrote {}{time}", shown(folder))
+    });
+    let last = format!("{written}   {more}");
+    if !last.trim().is_empty() {
+        text += last.trim();
+        text.push('\n');
     }
     print_verdict(common, &text, &report.verdict_lines())
 }

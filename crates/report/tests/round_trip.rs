@@ -267,7 +267,7 @@ fn the_thinned_tables_of_a_contact_keep_the_extremes_of_the_fields() {
         assert!(share > 0.0 && share < 1.0, "{case}: {share}");
         let page = asperity_report::html::render(&outcome.result, &tables).unwrap();
         let says = format!(
-            "down to {depth:.0} µm, in {:.1} % of the section",
+            "down to {depth:.0} µm. It does so in {:.1} % of the section",
             100.0 * share
         );
         assert!(page.contains(&says), "{case}: {says}");

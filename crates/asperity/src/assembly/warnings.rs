@@ -552,7 +552,7 @@ fn yielding<'a>(
         found.push(Warning::new(
             Code::W405,
             format!(
-                "p0 {:.0} MPa exceeds {FIRST_YIELD} x the elastic limit {:.0} MPa, and flow below the surface is not modelled{zone}",
+                "p0 {:.0} MPa exceeds {FIRST_YIELD} x the elastic limit {:.0} MPa: the flanks yield below the surface, which is not modelled{zone}",
                 highest * 1e-6,
                 loaded.case.elastic_limit().si() * 1e-6
             ),
@@ -577,7 +577,7 @@ fn stress(
     let widest = zones.max_by(|one, other| one.yield_share.total_cmp(&other.yield_share));
     let zone = widest.map_or(String::new(), |zone| {
         format!(
-            ": the von Mises stress exceeds the elastic limit down to {:.0} um, in {:.1} % of the section below a contact",
+            ". The von Mises stress exceeds the elastic limit down to {:.0} um, in {:.1} % of the section below a contact",
             zone.yield_depth.si() * 1e6,
             100.0 * zone.yield_share
         )
@@ -594,7 +594,7 @@ fn stress(
         found.push(Warning::new(
             Code::W409,
             format!(
-                "asperities yield at {count} of {} positions, expect running-in{zone}",
+                "asperities yield at {count} of {} positions: expect running-in{zone}",
                 positions.len()
             ),
         ));

@@ -39,8 +39,8 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
                 @let limit = format!("{:.0}", elastic_limit(result)?.si() * 1e-6);
                 @if share > 0.0 {
                     " The von Mises stress exceeds the elastic limit of " (limit) " MPa down to "
-                    (format!("{depth:.0}")) " µm, in " (format!("{:.1}", 100.0 * share))
-                    " % of the section below the contact, as wide as the contact and half as deep."
+                    (format!("{depth:.0}")) " µm. It does so in " (format!("{:.1}", 100.0 * share))
+                    " % of the section below the contact, which is as wide as the contact and half as deep."
                 } @else {
                     " The von Mises stress stays below the elastic limit of " (limit) " MPa."
                 }
