@@ -63,6 +63,9 @@ pub struct Common {
     /// Print only errors
     #[arg(long, short, global = true)]
     pub quiet: bool,
+    /// Print everything behind the first screen: all tables, explanations and warnings in full
+    #[arg(long, global = true)]
+    pub notes: bool,
     /// Number of threads [default: all cores]; the result does not depend on it
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
@@ -240,9 +243,6 @@ pub struct RunArgs {
     /// Print the sources of the equations used as BibTeX
     #[arg(long, conflicts_with = "json")]
     pub cite: bool,
-    /// Print everything behind the verdict: power, friction, loss factors, convergence, all warnings in full
-    #[arg(long)]
-    pub notes: bool,
     /// Result folder [default: results/<name of the case>, and results/demo-case for demo/case.toml; refused if it holds
     /// the result of a case with another title]
     #[arg(long, short)]

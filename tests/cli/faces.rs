@@ -272,6 +272,30 @@ impl<'a> Folder<'a> {
     }
 }
 
+/// Cells of a row that tell it from others, where a terminal has no room for all.
+const LEAST_CELLS: usize = 4;
+/// Most words of a sentence, or of a part of it up to a colon or semicolon.
+const MOST_WORDS: usize = 25;
+
+/// Checks the sentences of the paragraphs and items of a page: few words, and a capital at the beginning.
+fn plain_sentences(page: &str, name: &str) {
+    for (tag, text) in elements(page, &["p", "li", "figcaption", "summary"]) {
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        for sentence in text.split([';', ':']).flat_map(|part| part.split(". ")) {
+            let words = sentence.split_whitespace().count();
+            assert!(words <= MOST_WORDS, "{name}: {words} words: {sentence}");
+        }
+        // A paragraph of a file begins with its name.
+        let first = text.split(' ').next().unwrap_or_default();
+        let is_name = first.contains(['.', '_', '/']) || tag.contains("class=");
+        let is_small = text.starts_with(char::is_lowercase);
+        assert!(
+            !is_small || is_name || tag.starts_with("li"),
+            "{name}: {text}"
+        );
+    }
+}
+
 /// Checks the page, the tables and the JSON of `folder`, and what the terminal said of it; returns the number of cells.
 fn agree(bench: &Bench, folder: &str, name: &str, said: &str) -> usize {
     let read = |file: &str| fs::read_to_string(bench.path(folder).join(file)).unwrap();
@@ -286,8 +310,10 @@ fn agree(bench: &Bench, folder: &str, name: &str, said: &str) -> usize {
             row.iter().filter(in_line).count()
         };
         let most = lines.iter().map(count).max().unwrap_or(0);
-        assert!(2 * most >= row.len(), "{folder}: {row:?} is not in\n{said}");
+        let is_there = 2 * most >= row.len() || most >= LEAST_CELLS;
+        assert!(is_there, "{folder}: {row:?} is not in\n{said}");
     }
+    plain_sentences(&read(&format!("{name}.html")), name);
     tables.iter().map(|table| files.check(table)).sum()
 }
 
@@ -340,7 +366,16 @@ fn every_study_has_one_value_on_every_face() {
         format!("{flank}_smooth.csv")
     });
     let smooth = format!("smooth={}", smooth.join(","));
-    let run = |arguments: &[&str]| bench.run(arguments).well().unwrapped();
+    let run = |arguments: &[&str]| {
+        let first = bench.run(arguments).well().out;
+        assert!(first.lines().count() <= 10, "{first}");
+        let all = bench.run(&[arguments, &["--notes"]].concat()).well();
+        for line in first.lines().chain(all.out.lines()) {
+            let is_code = line.contains(" = ");
+            assert!(line.chars().count() <= 80 || is_code, "{line}");
+        }
+        all.unwrapped()
+    };
     let few = ["--set", "model.positions=4", "--set", "model.offsets=2"];
     let with = |command: &[&str]| run(&[command, &few].concat());
     let mut checked = BTreeMap::new();

@@ -25,7 +25,7 @@ fn table(survey: &FilmSurvey) -> String {
         number thickness_over_radius "film over radius" "" "{:.1e}";
     };
     format!(
-        "pressure difference across the film at {:.4} of the path (p0 {:.0} MPa, central film {:.3} um)\n{}",
+        "pressure difference across the film at {:.4} of the path\np0 {:.0} MPa, central film {:.3} um\n{}",
         survey.path_fraction,
         survey.hertz_pressure_pa * 1e-6,
         survey.film_central_m * 1e6,

@@ -49,5 +49,5 @@ fn table(rows: &[RegimeRow]) -> String {
         // No friction is computed here.
         text regime "regime" "" = Regime::of_friction(row.mixed_share, 0.0, 0.0).name();
     };
-    table.text("")
+    table.brief(&["minimum film"]).text("")
 }

@@ -65,18 +65,18 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
         return print_text(common, &bibtex(runs()));
     }
     let results = Results::from(&outcome);
-    let text = match args.notes || args.models || args.laws || args.explain_defaults {
-        true => results.with_each(&|result| details(result, args)),
+    let text = match common.notes || args.models || args.laws || args.explain_defaults {
+        true => results.with_each(&|result| details(result, args, common.notes)),
         false => results.brief(columns()),
     };
     let count = runs().map(|run| run.warnings.len()).sum();
-    let text = text + &last_lines(target.as_ref(), &train.title, args, count);
+    let text = text + &last_lines(target.as_ref(), &train.title, common.notes, count);
     print_verdict(common, &text, &[results.headline()])
 }
 
 /// The summary of a run, with what `args` request in addition.
-fn details(result: &RunResult, args: &RunArgs) -> String {
-    let mut text = match args.notes {
+fn details(result: &RunResult, args: &RunArgs, notes: bool) -> String {
+    let mut text = match notes {
         true => report::summary_within(result, columns()),
         false => report::brief(result, columns()),
     };
@@ -86,15 +86,15 @@ fn details(result: &RunResult, args: &RunArgs) -> String {
     if args.laws {
         text.push_str(&report::published_laws(result));
     }
-    if args.explain_defaults || args.notes {
+    if args.explain_defaults || notes {
         text.push_str(&defaults(&result.defaults, args.explain_defaults));
     }
     text
 }
 
 /// Last lines of the output: the folder, and the number of warnings if they are not printed.
-fn last_lines(target: Option<&Target>, title: &str, args: &RunArgs, count: usize) -> String {
-    let more = match (args.notes, count) {
+fn last_lines(target: Option<&Target>, title: &str, notes: bool, count: usize) -> String {
+    let more = match (notes, count) {
         (true, _) => String::new(),
         (false, 1) => "1 note: --notes".to_owned(),
         (false, count) => format!("{count} notes: --notes"),

@@ -12,6 +12,9 @@ use crate::args::{Common, Given, Group, StudyArgs, StudyCommand, command, named}
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING, print_json, print_text, print_verdict, shown};
 
+/// Most lines of a first screen before its last line.
+const FIRST_SCREEN: usize = 9;
+
 /// A study with the arguments of its command.
 type Run = fn(&ArgMatches, &Common) -> Result<(), Failure>;
 
@@ -59,7 +62,7 @@ fn run<S: StudySettings<Input: Given> + Args>(
     let watch = Watch {
         progress: &|done, total| progress.at(done, total),
         say: &|text| {
-            if !common.json {
+            if common.notes && !common.json {
                 // An error of standard output is reported at the end of the command.
                 let _ = print_text(common, text);
             }
@@ -114,9 +117,20 @@ pub fn print<S: StudyResult>(
         return print_json(study);
     }
     let report = study.report();
-    let mut text = report.terminal();
-    if let Some(folder) = folder {
-        text.push_str(&format!("wrote {}\n", shown(folder)));
+    let (mut text, left_out) = match common.notes {
+        true => (report.terminal(), 0),
+        false => report.brief(FIRST_SCREEN),
+    };
+    let more = match left_out {
+        0 => String::new(),
+        1 => "1 more line: --notes".to_owned(),
+        count => format!("{count} more lines: --notes"),
+    };
+    let written = folder.map_or(String::new(), |folder| format!("wrote {}", shown(folder)));
+    let last = format!("{written}   {more}");
+    if !last.trim().is_empty() {
+        text += last.trim();
+        text.push('\n');
     }
     print_verdict(common, &text, &report.verdict_lines())
 }

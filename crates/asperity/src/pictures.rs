@@ -4,8 +4,9 @@
 use std::sync::Arc;
 
 use asperity_contact::ContactWarning;
-use asperity_contact::subsurface::{graded_depths, subsurface_stress};
-use asperity_core::quantity::{Length, Pressure};
+use asperity_contact::plasticity::plastic_stress;
+use asperity_contact::subsurface::{Peak, graded_depths, subsurface_stress};
+use asperity_core::quantity::Length;
 
 use crate::contacts::{
     Displacements, LoadStep, Pressed, Pressing, WindowContact, pressing_history,
@@ -22,16 +23,24 @@ use asperity_case::flanks::WindowPair;
 pub(crate) struct Picture {
     /// Fields along the contact, if they are requested.
     pub fields: Option<PositionFields>,
-    /// Largest von Mises stress below the contact, and its depth.
-    pub von_mises: Option<(Pressure, Length)>,
+    /// Summary of the stress below the contact, if that was computed.
+    pub stress: Option<StressBelow>,
     /// The flanks facing each other.
     pub view: ContactView,
     /// Doubts about the rough contact.
     pub doubts: Vec<ContactWarning>,
 }
 
-/// Stress below a surface with its largest von Mises stress and the depth of that.
-type Below = (SubsurfaceFields, Option<(Pressure, Length)>);
+/// Summary of the stress below a contact.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct StressBelow {
+    /// Largest von Mises stress.
+    pub largest: Peak,
+    /// Greatest depth at which the von Mises stress exceeds the elastic limit; zero if it does so nowhere.
+    pub yield_depth: Length,
+    /// Share in which it does so, of the section as wide as the Hertz contact and half as deep.
+    pub yield_share: f64,
+}
 
 impl Picture {
     /// The contact of `position` in its first window, with its fields and the history of its load if these are
@@ -68,23 +77,23 @@ impl Picture {
             pressed.history = pressing_history(&pressing, &pressed)
                 .map_err(|error| error.keeping(&pair.x, &pair.gap))?;
         }
-        let (fields, von_mises) = fields(case, position, &pair, pressed)?;
+        let (fields, stress) = fields(case, position, &pair, pressed)?;
         Ok(Some(Self {
             view: view(&fields, &position.at),
             fields: with_fields.then_some(fields),
-            von_mises,
+            stress,
             doubts,
         }))
     }
 }
 
-/// Fields along a contact with the largest von Mises stress below it and its depth.
+/// Fields along a contact with a summary of the stress below it.
 fn fields(
     case: &Case,
     position: &LubricatedPosition,
     pair: &WindowPair,
     pressed: Pressed,
-) -> Result<(PositionFields, Option<(Pressure, Length)>), PositionError> {
+) -> Result<(PositionFields, Option<StressBelow>), PositionError> {
     let (at, offset) = (&position.at, &position.offsets[0]);
     let n = pair.x.len();
     let displacements = match &pressed.solids {
@@ -103,7 +112,7 @@ fn fields(
     let shear = offset.shear(case, at, &pressed);
     let sums = solid.iter().zip(&pressed.fluid).map(|(s, f)| s + f);
     let total: Vec<f64> = sums.collect();
-    let (subsurface, von_mises) = stress_below(case, at, pair, &total, &shear)?.unzip();
+    let (subsurface, stress) = stress_below(case, at, pair, &total, &shear)?.unzip();
     let displacement = |body: usize| {
         let pairs = displacements.elastic[body]
             .iter()
@@ -131,7 +140,7 @@ fn fields(
             .map(history_row)
             .collect(),
     };
-    Ok((fields, von_mises.flatten()))
+    Ok((fields, stress.flatten()))
 }
 
 fn history_row((index, step): (usize, &LoadStep)) -> HistoryRow {
@@ -182,7 +191,7 @@ fn stress_below(
     pair: &WindowPair,
     pressure: &[f64],
     shear: &[f64],
-) -> Result<Option<Below>, PositionError> {
+) -> Result<Option<(SubsurfaceFields, Option<StressBelow>)>, PositionError> {
     let spacing = pair.spacing;
     if case.model.depths < 2 {
         return Ok(None);
@@ -191,13 +200,21 @@ fn stress_below(
     let depths = graded_depths(spacing, half_width, case.model.depths)?;
     let field = subsurface_stress(pressure, Some(shear), spacing, &depths)?;
     let von_mises = field.von_mises(case.materials[0].poisson)?;
-    let largest = field.peak(&von_mises).map(|peak| (peak.value, peak.depth));
+    let plastic = plastic_stress(&von_mises, case.elastic_limit())?;
+    let yield_depth = field.yield_zone(&plastic).map(|zone| zone.deepest);
+    let middle = Length::from_si(-pair.x.first().copied().unwrap_or_default());
+    let stress = field.peak(&von_mises).map(|largest| StressBelow {
+        largest,
+        yield_depth: yield_depth.unwrap_or_default(),
+        yield_share: field.yield_share(&plastic, middle, half_width),
+    });
     let fields = SubsurfaceFields {
         depths,
         sigma_xx: field.sigma_xx,
         sigma_zz: field.sigma_zz,
         tau_xz: field.tau_xz,
         von_mises,
+        plastic_stress: plastic,
     };
-    Ok(Some((fields, largest)))
+    Ok(Some((fields, stress)))
 }

@@ -38,7 +38,7 @@ impl StudyResult for Calibration {
             format!("{} · {kind}, {}", self.program, self.table),
         )
         .section("Parameters")
-        .text(self.is_simulated.then_some(REHEARSAL))
+        .verdict(self.is_simulated.then_some(REHEARSAL))
         .verdict([verdict(self)])
         .figures(|| [measured(self)])
         .table(fitted(self))
@@ -170,7 +170,7 @@ pub(crate) fn notes<'a>(
     let rehearsal = format!("{SIMULATED} curves: a rehearsal, not a measurement.");
     report
         .text(sentences)
-        .text(is_simulated.then_some(rehearsal))
+        .verdict(is_simulated.then_some(rehearsal))
         .warning(warnings)
 }
 

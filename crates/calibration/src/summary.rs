@@ -78,12 +78,12 @@ pub(crate) fn before_the_fit(identifiability: &Identifiability) -> String {
             format!("{low:.2} to {high:.2}")
         });
     // Writing into a string cannot fail.
-    let _ = writeln!(
-        text,
+    let line = format!(
         "identifiability by {} operating points (temperatures {} °C, Lambda* {lambda_star})",
         identifiability.points,
         temperatures.join(", ")
     );
+    let _ = writeln!(text, "{}", wrapped(&line, "  "));
     text.push_str(&identified(&identifiability.parameters).text("  "));
     if let Some((first, other, value)) = &identifiability.worst_correlation {
         let _ = writeln!(

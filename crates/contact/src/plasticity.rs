@@ -31,25 +31,22 @@ pub const FIRST_YIELD: f64 = 1.79;
 
 /// σ_pl = max(0, σ_VM − σ_y)                                                                  `[P6]`
 ///
-/// The part of a von Mises stress beyond the elastic limit.
+/// The part of von Mises stresses \[Pa\] beyond the elastic limit, as
+/// [`StressField::von_mises`](crate::subsurface::StressField::von_mises) returns them.
 ///
 /// # Errors
-/// When the stress is negative or the elastic limit is not positive.
+/// When the elastic limit is not positive.
 ///
 /// ```
 /// use asperity_contact::plasticity::plastic_stress;
-/// assert_eq!(plastic_stress("300 MPa".parse()?, "235 MPa".parse()?)?.to_string(), "65 MPa");
-/// assert_eq!(plastic_stress("200 MPa".parse()?, "235 MPa".parse()?)?.si(), 0.0);
+/// assert_eq!(plastic_stress(&[300e6, 200e6], "235 MPa".parse()?)?, [65e6, 0.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn plastic_stress(
-    von_mises: Pressure,
-    elastic_limit: Pressure,
-) -> Result<Pressure, ContactError> {
+pub fn plastic_stress(von_mises: &[f64], elastic_limit: Pressure) -> Result<Vec<f64>, DomainError> {
     cite!("P6");
-    let stress = DomainError::non_negative("von Mises stress", von_mises)?;
     let limit = DomainError::positive("elastic limit", elastic_limit)?;
-    Ok(Pressure::from_si((stress - limit).max(0.0)))
+    let beyond = von_mises.iter().map(|stress| (stress - limit).max(0.0));
+    Ok(beyond.collect())
 }
 
 /// p_flow = 3·σ_y of the softer body                                                     [Tabor-1]
@@ -201,13 +198,11 @@ mod tests {
 
     #[test]
     fn stress_is_plastic_beyond_the_elastic_limit_only() {
-        let stress = |mises: f64| {
-            plastic_stress(Pressure::from_si(mises), Pressure::from_si(235e6)).map(Pressure::si)
-        };
-        assert_eq!(stress(235e6), Ok(0.0));
-        assert_eq!(stress(0.0), Ok(0.0));
-        assert_eq!(stress(500e6), Ok(265e6));
-        assert!(stress(-1.0).is_err() && stress(f64::NAN).is_err());
+        let limit = Pressure::from_si(235e6);
+        let stress = plastic_stress(&[235e6, 0.0, 500e6], limit);
+        assert_eq!(stress, Ok(vec![0.0, 0.0, 265e6]));
+        assert!(plastic_stress(&[1.0], Pressure::from_si(0.0)).is_err());
+        assert!(plastic_stress(&[1.0], Pressure::from_si(f64::NAN)).is_err());
     }
 
     #[test]

@@ -30,7 +30,7 @@ pub use message::{Code, Fault, Place};
 pub use message_number::{decimals, number, number_with_unit};
 pub use profile::Profile;
 pub use quantity::Quantity;
-pub use remedy::{Action, Remedy, Setting};
+pub use remedy::{Action, Remedy, Setting, capitalised};
 pub use repeated_fault::RepeatedFault;
 pub use unique::unique;
 

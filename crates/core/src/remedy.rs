@@ -217,13 +217,20 @@ impl Remedy {
     /// The remedy as a sentence without its full stop, each action in the words of `say`.
     pub fn sentence(&self, say: impl Fn(&Action) -> String) -> String {
         let parts: Vec<String> = self.0.iter().map(say).collect();
-        let text = parts.join(", or ");
-        let mut letters = text.chars();
-        match letters.next() {
-            Some(first) => first.to_uppercase().chain(letters).collect(),
-            None => text,
-        }
+        capitalised(&parts.join(", or "))
     }
+}
+
+/// `text` with a capital at the beginning.
+///
+/// ```
+/// assert_eq!(asperity_core::capitalised("ground flanks lose more."), "Ground flanks lose more.");
+/// ```
+pub fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next();
+    let first = first.into_iter().flat_map(char::to_uppercase);
+    first.chain(letters).collect()
 }
 
 /// In the words of the keys.

@@ -311,9 +311,11 @@ fn sums(at: &AtPlaces, scale: Scale) -> [[f64; 3]; PARTS] {
             }
         }
     }
-    for k in 0..3 {
-        sums[1][k] += sums[0][k];
-        sums[PARTS][k] += sums[PARTS + 1][k];
+    let [before, first, .., last, behind] = &mut sums;
+    for (part, outside) in [(first, before), (last, behind)] {
+        for (sum, more) in part.iter_mut().zip(outside) {
+            *sum += *more;
+        }
     }
     std::array::from_fn(|part| {
         let [places, pressure, height, _] = sums[part + 1];

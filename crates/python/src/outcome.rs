@@ -120,6 +120,7 @@ impl Outcome {
                 ("sigma_zz", &below.sigma_zz),
                 ("tau_xz", &below.tau_xz),
                 ("von_mises", &below.von_mises),
+                ("plastic_stress", &below.plastic_stress),
             ]);
         }
         let arrays = arrays.into_iter();

@@ -18,7 +18,7 @@
 use std::fmt::Display;
 use std::path::Path;
 
-use asperity_core::Fault;
+use asperity_core::{Fault, capitalised};
 use asperity_storage::one_line;
 use maud::{Markup, Render, html};
 use serde::Serialize;
@@ -151,9 +151,10 @@ impl<'a> Report<'a> {
         self.with([Block::Heading(text.into())])
     }
 
-    /// Sentences that answer the question.
-    pub fn verdict(self, lines: impl IntoIterator<Item = impl Into<String>>) -> Self {
-        self.with(lines.into_iter().map(|line| Block::Verdict(line.into())))
+    /// Sentences that answer the question, each with a capital at its beginning.
+    pub fn verdict(self, lines: impl IntoIterator<Item = impl AsRef<str>>) -> Self {
+        let lines = lines.into_iter();
+        self.with(lines.map(|line| Block::Verdict(capitalised(line.as_ref()))))
     }
 
     /// Paragraphs.
@@ -213,44 +214,92 @@ impl<'a> Report<'a> {
         self.with([Block::File(Box::new(write))])
     }
 
-    /// The report in a terminal.
+    /// The report in a terminal, with everything that it holds.
     #[must_use]
     pub fn terminal(&self) -> String {
-        let mut text = String::new();
-        if !self.title.is_empty() {
-            text = format!("{}\n", one_line(&self.title));
-        }
+        let mut text = self.title_line();
         let mut is_after_table = false;
+        for (block, part) in self.parts() {
+            let is_table = matches!(block, Block::Table(_));
+            let is_parted = is_table || matches!(block, Block::Heading(_));
+            if is_parted && is_after_table && !part.is_empty() {
+                text.push('\n');
+            }
+            is_after_table = is_table && (is_after_table || !part.is_empty());
+            text += &part;
+        }
+        text
+    }
+
+    /// The first screen in a terminal, of at most `lines` lines, and the number of lines that it leaves out: the verdict, then
+    /// the first table as far as there is room, then texts.
+    #[must_use]
+    pub fn brief(&self, lines: usize) -> (String, usize) {
+        let title = self.title_line();
+        let parts = self.parts();
+        let count = |part: &str| part.lines().count();
+        let mut shown: Vec<usize> = vec![0; parts.len()];
+        let mut room = lines.saturating_sub(count(&title));
+        let mut show = |k: usize, least: usize| {
+            let all = count(&parts[k].1);
+            let fits = all.min(room);
+            if fits >= least.min(all) {
+                shown[k] = fits;
+                room -= fits;
+            }
+        };
+        let of = |is_wanted: fn(&Block<'_>) -> bool| {
+            let blocks = parts.iter().enumerate();
+            let wanted = blocks.filter(move |(_, (block, _))| is_wanted(block));
+            wanted.map(|(k, _)| k).collect::<Vec<usize>>()
+        };
+        for k in of(|block| matches!(block, Block::Verdict(_))) {
+            show(k, 1);
+        }
+        let table = of(|block| matches!(block, Block::Table(table) if !table.is_empty()));
+        if let Some(k) = table.first() {
+            // Of a table there are its headings and a row at least.
+            let heading = match parts[*k].0 {
+                Block::Table(table) => table.heading_height(),
+                _ => 0,
+            };
+            show(*k, heading + 1);
+        }
+        for k in of(|block| matches!(block, Block::Text(_))) {
+            show(k, usize::MAX);
+        }
+        let all: usize = parts.iter().map(|(_, part)| count(part)).sum();
+        let left_out = all - shown.iter().sum::<usize>();
+        let parts = parts.iter().zip(shown);
+        let text = parts.flat_map(|((_, part), lines)| part.split_inclusive('\n').take(lines));
+        (title + &text.collect::<String>(), left_out)
+    }
+
+    fn title_line(&self) -> String {
+        match self.title.is_empty() {
+            true => String::new(),
+            false => format!("{}\n", one_line(&self.title)),
+        }
+    }
+
+    /// The blocks of the terminal with their lines.
+    fn parts(&self) -> Vec<(&Block<'a>, String)> {
         let blocks = self.blocks.iter();
-        for (_, block) in blocks.filter(|(faces, _)| matches!(faces, Faces::Both | Faces::Terminal))
-        {
+        let blocks = blocks.filter(|(faces, _)| matches!(faces, Faces::Both | Faces::Terminal));
+        let part = |(_, block): &'_ (Faces, Block<'a>)| -> Option<String> {
             let (shown, indent) = match block {
                 Block::Verdict(line) | Block::Text(line) => (line, HANGING),
                 Block::Heading(line) | Block::Method(line) => (line, ""),
                 Block::Warning(line) => (line, "     "),
-                Block::Code(code) => {
-                    text += code;
-                    is_after_table = false;
-                    continue;
-                }
-                Block::Table(table) => {
-                    if is_after_table && !table.is_empty() {
-                        text.push('\n');
-                    }
-                    text += &table.text("");
-                    is_after_table |= !table.is_empty();
-                    continue;
-                }
-                _ => continue,
+                Block::Code(code) => return Some(code.clone()),
+                Block::Table(table) => return Some(table.text("")),
+                _ => return None,
             };
-            if matches!(block, Block::Heading(_)) && is_after_table {
-                text.push('\n');
-            }
-            is_after_table = false;
-            text += &wrapped(&one_line(shown), indent);
-            text.push('\n');
-        }
-        text
+            Some(wrapped(&one_line(shown), indent) + "\n")
+        };
+        blocks
+            .filter_map(|block| Some((&block.1, part(block)?)))
+            .collect()
     }
 
     /// The lines of the verdict in a terminal.

@@ -216,7 +216,7 @@ impl<T: Number + Copy> Number for &T {
 /// Lines of a heading in the terminal that need no wider column.
 const USUAL: usize = 2;
 
-/// Least width in which a text of the last column is wrapped.
+/// Least width in which a text is wrapped.
 const LEAST_ROOM: usize = 15;
 
 /// Lines of the tallest of the `headings`.
@@ -346,6 +346,21 @@ impl Column {
         let of_cells = self.cells.iter().map(Cell::width);
         let of_words = self.words().into_iter().map(|word| length(word.trim_end()));
         of_cells.chain(of_words).max().unwrap_or(0)
+    }
+
+    /// Least width in which its texts can be wrapped; the width of its numbers.
+    fn wrapped_width(&self) -> usize {
+        let least = self.least_width();
+        if self.kind.is_number() {
+            return least;
+        }
+        let words = self.cells.iter().flat_map(|cell| {
+            let words = cell.line().split(' ').map(length).max();
+            words.into_iter().collect::<Vec<usize>>()
+        });
+        let of_heading = self.words().into_iter().map(|word| length(word.trim_end()));
+        let longest = words.chain(of_heading).max().unwrap_or(0);
+        longest.max(LEAST_ROOM).min(least)
     }
 
     /// Lines of the heading in the terminal, of at most `width` characters.
@@ -537,28 +552,53 @@ impl Table {
         }
     }
 
-    /// Lines of a row in the terminal: a long text in the last column has several.
+    /// Number of lines of its headings in the terminal.
+    pub(crate) fn heading_height(&self) -> usize {
+        let (columns, widths) = self.fitted("");
+        tallest(&Self::headings(&columns, &widths))
+    }
+
+    /// The columns that fit into a terminal, with their widths: texts are wrapped as far as their words allow, then columns at
+    /// the right are left to the page and the file.
+    fn fitted(&self, indent: &str) -> (Vec<&Column>, Vec<usize>) {
+        let mut columns = self.in_terminal();
+        loop {
+            let mut widths = Self::widths(&columns, indent);
+            let total = length(indent) + widths.iter().map(|width| width + 2).sum::<usize>();
+            let mut excess = total.saturating_sub(COLUMNS + 2);
+            for (width, column) in widths.iter_mut().zip(&columns) {
+                let spare = width.saturating_sub(column.wrapped_width());
+                let saved = spare.min(excess);
+                *width -= saved;
+                excess -= saved;
+            }
+            if excess == 0 || columns.len() <= 2 {
+                return (columns, widths);
+            }
+            columns.pop();
+        }
+    }
+
+    /// Lines of a row in the terminal: a text longer than its column has several.
     fn lines(columns: &[&Column], row: usize, widths: &[usize]) -> Vec<Vec<String>> {
         let cells = columns.iter().map(|column| column.cells.get(row));
         let cells = cells.map(|cell| cell.map_or(String::new(), |cell| cell.line().into_owned()));
-        let mut cells: Vec<String> = cells.collect();
-        let is_long = |(text, width): (&String, &usize)| length(text) > *width;
-        if !cells.last().zip(widths.last()).is_some_and(is_long) {
-            return vec![cells];
-        }
-        let last = cells.pop().unwrap_or_default();
-        let text = wrapped_within(&last, "", widths[cells.len()]);
-        let lines = text.lines().map(|line| {
-            let blank = vec![String::new(); cells.len()];
-            let mut all = std::mem::replace(&mut cells, blank);
-            all.push(line.to_owned());
-            all
+        let wrapped = cells.zip(widths).map(|(text, width)| {
+            let text = wrapped_within(&text, "", *width);
+            text.lines().map(str::to_owned).collect::<Vec<String>>()
         });
-        lines.collect()
+        let wrapped: Vec<Vec<String>> = wrapped.collect();
+        let count = wrapped.iter().map(Vec::len).max().unwrap_or(0).max(1);
+        let line = |k: usize| {
+            let cells = wrapped.iter();
+            let cell = |lines: &Vec<String>| lines.get(k).cloned().unwrap_or_default();
+            cells.map(cell).collect()
+        };
+        (0..count).map(line).collect()
     }
 
-    /// The table for the terminal: aligned columns, two spaces between them, each line after `indent`. A long text in the last
-    /// column is wrapped if there is room for it.
+    /// The table for the terminal: aligned columns, two spaces between them, each line after `indent`. Texts are wrapped where
+    /// the columns are wider than a terminal, and columns for which there is no room are left out.
     ///
     /// ```
     /// use asperity_report::columns;
@@ -585,8 +625,7 @@ impl Table {
         if self.is_empty() {
             return String::new();
         }
-        let columns = self.in_terminal();
-        let widths = Self::widths(&columns, indent);
+        let (columns, widths) = self.fitted(indent);
         let headings = Self::headings(&columns, &widths);
         let tall = tallest(&headings);
         let blank = String::new();
@@ -734,6 +773,35 @@ mod tests {
         assert_eq!(none.lines().count(), 6, "{none}");
         assert!(none.lines().all(|line| line.chars().count() <= 81));
         assert!(table("a\nb").text("").contains("a\\u{a}b "));
+    }
+
+    #[test]
+    fn a_table_wider_than_a_terminal_has_wrapped_names_and_fewer_columns() {
+        let name =
+            "losses of these gears with other flanks on a rig, at seven points of torque and speed";
+        let column = |k: usize| {
+            Column::new(
+                Kind::Number,
+                &format!("quantity {k}"),
+                "W",
+                ["1234567890 (1..2)"],
+            )
+        };
+        let table = Table::new([Column::new(Kind::Head, "measurement", "", [name])])
+            .with((0..6).map(column));
+        let text = table.text("");
+        assert!(
+            text.lines().all(|line| line.chars().count() <= COLUMNS),
+            "{text}"
+        );
+        assert!(
+            text.contains("quantity 2") && !text.contains("quantity 5"),
+            "{text}"
+        );
+        assert!(
+            text.contains("losses of these") && text.contains("speed"),
+            "{text}"
+        );
     }
 
     #[test]

@@ -85,6 +85,15 @@ impl PrintedLoss {
     }
 }
 
+/// Parts of the loss of a mesh: name, watts and text, which add up to the printed loss.
+pub fn parts_of(result: &RunResult) -> impl Iterator<Item = (&'static str, f64, String)> {
+    let uncertainty = result.uncertainty.as_ref();
+    let scale = uncertainty.map_or(1.0, Uncertainty::scale);
+    let printed = PrintedLoss::of(&result.summary, &result.running_in, uncertainty);
+    let parts = printed.parts.into_iter();
+    parts.map(move |part| (part.name, scale * part.watts, part.text))
+}
+
 /// Names of the two parts of the friction of asperities.
 pub(crate) const LUBRICATED: &str = "lubricated asperities";
 pub(crate) const BOUNDARY: &str = "boundary layer";

@@ -241,6 +241,40 @@ fn the_thinned_tables_of_a_contact_keep_the_extremes_of_the_fields() {
         let stresses = ends(&mut whole.subsurface.iter().map(|row| row.von_mises_mpa));
         let exact = ends(&mut below.von_mises.iter().map(|stress| 1e-6 * stress));
         assert!(near(stresses, exact), "{case}: {stresses:?} {exact:?}");
+        // The zone that yields is where the von Mises stress exceeds the elastic limit of the softer steel.
+        let row = &outcome.result.path[whole.position - 1];
+        let yields = whole
+            .subsurface
+            .iter()
+            .filter(|row| row.plastic_stress_mpa > 0.0);
+        let limits = yields
+            .clone()
+            .map(|row| row.von_mises_mpa - row.plastic_stress_mpa);
+        let limit = if case == "table2.toml" { 235.0 } else { 1500.0 };
+        assert!(limits.clone().all(|of| (of - limit).abs() < 0.02) && limits.count() > 0);
+        let elastic = whole
+            .subsurface
+            .iter()
+            .filter(|row| row.plastic_stress_mpa == 0.0);
+        assert!(elastic.clone().all(|row| row.von_mises_mpa < limit + 0.02) && elastic.count() > 0);
+        let deepest = yields.map(|row| row.depth_um).fold(0.0, f64::max);
+        let depth = row.yield_depth_um.unwrap();
+        assert!(
+            (deepest - depth).abs() < 1e-5 * depth,
+            "{case}: {deepest} {depth}"
+        );
+        let share = row.yield_share.unwrap();
+        assert!(share > 0.0 && share < 1.0, "{case}: {share}");
+        let page = asperity_report::html::render(&outcome.result, &tables).unwrap();
+        let says = format!(
+            "down to {depth:.0} µm. It does so in {:.1} % of the section",
+            100.0 * share
+        );
+        assert!(page.contains(&says), "{case}: {says}");
+        assert!(
+            page.contains(&format!("elastic limit {limit:.0} MPa")),
+            "{case}"
+        );
         let shown = tables.thinned(&outcome.result, "page.json").unwrap();
         let surface = &shown.contact.unwrap().surface;
         assert!(surface.len() < whole.surface.len());

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use asperity_contact::plasticity::plastic_stress;
 use asperity_contact::subsurface::{
     Peak, StressField, YieldZone, graded_depths, subsurface_stress,
 };
@@ -60,9 +61,10 @@ pub fn stress(contact: &SolvedContact, args: &ContactArgs, path: &Path) -> Resul
         .map_err(|error| outside(&error))?;
     let none = || Failure::new(Code::E501, "a stress field without values");
     let yield_zone = match args.elastic_limit {
-        Some(limit) => field
-            .yield_zone(args.poisson, limit)
-            .map_err(|error| outside(&error))?,
+        Some(limit) => {
+            let plastic = plastic_stress(&mises, limit).map_err(|error| outside(&error))?;
+            field.yield_zone(&plastic)
+        }
         None => None,
     };
     let result = Stress {

@@ -539,17 +539,21 @@ fn row(case: &Case, position: &LubricatedPosition, rolling: f64, per_width: f64)
         plastic_work_j_per_m: touching(|contact| contact.plastic_work),
         von_mises_max_mpa: None,
         von_mises_depth_um: None,
+        yield_depth_um: None,
+        yield_share: None,
         iterations: contacts.iter().map(|contact| contact.iterations).sum(),
         load_error: contacts.iter().map(|c| c.load_error).fold(0.0, f64::max),
     }
 }
 
-/// Rows of the path with the largest von Mises stress of their pictures.
+/// Rows of the path with the stress below the contacts of their pictures.
 fn with_stress(mut path: Vec<PositionRow>, pictures: &[Option<Picture>]) -> Vec<PositionRow> {
     for (row, picture) in path.iter_mut().zip(pictures) {
-        let stress = picture.as_ref().and_then(|picture| picture.von_mises);
-        row.von_mises_max_mpa = stress.map(|(stress, _)| stress.si() * 1e-6);
-        row.von_mises_depth_um = stress.map(|(_, depth)| depth.si() * 1e6);
+        let stress = picture.as_ref().and_then(|picture| picture.stress);
+        row.von_mises_max_mpa = stress.map(|stress| stress.largest.value.si() * 1e-6);
+        row.von_mises_depth_um = stress.map(|stress| stress.largest.depth.si() * 1e6);
+        row.yield_depth_um = stress.map(|stress| stress.yield_depth.si() * 1e6);
+        row.yield_share = stress.map(|stress| stress.yield_share);
     }
     path
 }

@@ -92,7 +92,7 @@ pub(crate) fn of_case(
     micropitting(loaded, &mut found);
     found.extend(far_lay(loaded, None)?);
     no_sliding(loaded, at(), &mut found);
-    yielding(loaded, at(), &mut found)?;
+    yielding(loaded, at(), "", &mut found)?;
     covered(loaded, at(), &mut found);
     let edge_contact = mesh.load.edge_contact_note()?;
     let evidence = mesh.load.evidence();
@@ -536,29 +536,29 @@ fn contacts(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
     }
 }
 
-/// W405: yield below the surface by the smooth contact; the pressure that the flanks bear, the limit, and whether it is passed.
+/// W405: yield below the surface by the smooth contact, with the words about its zone; the pressure that the flanks bear, and
+/// whether it is passed.
 fn yielding<'a>(
     loaded: &LoadedCase,
     positions: impl Iterator<Item = &'a MeshPosition>,
+    zone: &str,
     found: &mut Vec<Warning>,
-) -> Result<([f64; 2], bool), PositionError> {
-    let materials = &loaded.case.materials;
-    let bearable = first_yield_pressure(&materials[0], &materials[1])?.si();
-    let limits = materials.each_ref().map(|steel| steel.elastic_limit.si());
-    let limit = limits[0].min(limits[1]);
+) -> Result<(f64, bool), PositionError> {
+    let [pinion, wheel] = &loaded.case.materials;
+    let bearable = first_yield_pressure(pinion, wheel)?.si();
     let pressures = positions.map(|at| at.hertz.max_pressure.si());
     let highest = pressures.fold(0.0, f64::max);
     if highest > bearable {
         found.push(Warning::new(
             Code::W405,
             format!(
-                "p0 {:.0} MPa exceeds {FIRST_YIELD} x the elastic limit {:.0} MPa: the flanks yield below the surface, which is not modelled",
+                "p0 {:.0} MPa exceeds {FIRST_YIELD} x the elastic limit {:.0} MPa: the flanks yield below the surface, which is not modelled{zone}",
                 highest * 1e-6,
-                limit * 1e-6
+                loaded.case.elastic_limit().si() * 1e-6
             ),
         ));
     }
-    Ok(([bearable, limit], highest > bearable))
+    Ok((bearable, highest > bearable))
 }
 
 /// W405, W409, W410: yield below the surface, and flow of the asperities.
@@ -568,8 +568,23 @@ fn stress(
     pictures: &[Option<Picture>],
     found: &mut Vec<Warning>,
 ) -> Result<(), PositionError> {
+    // The zone of the position with the largest share.
+    let stresses = pictures
+        .iter()
+        .flatten()
+        .filter_map(|picture| picture.stress);
+    let zones = stresses.filter(|stress| stress.yield_share > 0.0);
+    let widest = zones.max_by(|one, other| one.yield_share.total_cmp(&other.yield_share));
+    let zone = widest.map_or(String::new(), |zone| {
+        format!(
+            ". The von Mises stress exceeds the elastic limit down to {:.0} um, in {:.1} % of the section below a contact",
+            zone.yield_depth.si() * 1e6,
+            100.0 * zone.yield_share
+        )
+    });
     let at = positions.iter().map(|position| &position.at);
-    let ([bearable, limit], yields) = yielding(loaded, at, found)?;
+    let (bearable, yields) = yielding(loaded, at, &zone, found)?;
+    let limit = loaded.case.elastic_limit();
     let flowing = |position: &&LubricatedPosition| {
         let mut contacts = position.offsets.iter().filter_map(|offset| offset.contact);
         contacts.any(|contact| contact.plastic_work > 0.0)
@@ -579,7 +594,7 @@ fn stress(
         found.push(Warning::new(
             Code::W409,
             format!(
-                "asperities yield at {count} of {} positions: expect running-in",
+                "asperities yield at {count} of {} positions: expect running-in{zone}",
                 positions.len()
             ),
         ));
@@ -595,7 +610,7 @@ fn stress(
             Code::W410,
             format!(
                 "asperities yield below their surface (von Mises stress above the elastic limit {:.0} MPa) in {strained} of {contacts} contacts, as usual before running-in",
-                limit * 1e-6,
+                limit.si() * 1e-6,
             ),
         ));
     }
@@ -607,11 +622,11 @@ fn stress(
 fn strained(
     position: &LubricatedPosition,
     picture: Option<&Picture>,
-    limit: f64,
+    limit: Pressure,
     bearable: f64,
 ) -> usize {
-    let stress = picture.and_then(|picture| picture.von_mises);
-    let fields = stress.map(|(stress, _)| stress.si() > limit);
+    let stress = picture.and_then(|picture| picture.stress);
+    let fields = stress.map(|stress| stress.largest.value > limit);
     let offsets = position.offsets.iter().enumerate();
     let yields = offsets.filter(|(index, offset)| match fields {
         Some(yields) if *index == 0 => yields,

@@ -369,6 +369,13 @@ pub struct PositionRow {
     pub von_mises_max_mpa: Option<f64>,
     /// Its depth \[µm\].
     pub von_mises_depth_um: Option<f64>,
+    /// Greatest depth at which the von Mises stress exceeds the elastic limit at the first offset \[µm\]; 0 if it does
+    /// so nowhere.
+    #[serde(default)]
+    pub yield_depth_um: Option<f64>,
+    /// Share in which it does so, of the section as wide as the Hertz contact and half as deep.
+    #[serde(default)]
+    pub yield_share: Option<f64>,
     /// Iterations of the contact solver, summed over the offsets.
     pub iterations: usize,
     /// Largest relative load error of a contact solution.
@@ -578,6 +585,8 @@ pub struct SubsurfaceFields {
     pub tau_xz: Vec<f64>,
     /// Von Mises stress \[Pa\].
     pub von_mises: Vec<f64>,
+    /// Von Mises stress beyond the elastic limit \[Pa\], else 0.
+    pub plastic_stress: Vec<f64>,
 }
 
 /// A step on the way to the solution.

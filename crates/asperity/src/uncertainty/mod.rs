@@ -51,6 +51,7 @@ use asperity_uncertainty::{
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use asperity_uncertainty::{
     Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter, model_deviation,
+    sorted_quantiles,
 };
 pub use change::{ChangeDraws, few_offsets_of, sampling_interval};
 pub use difference::{

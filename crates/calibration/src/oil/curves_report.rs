@@ -75,7 +75,7 @@ fn conditions(traction: &TractionCurves) -> String {
 fn notes(traction: &TractionCurves) -> Vec<String> {
     let percent = traction.deviations.map(|deviation| 100.0 * deviation);
     let mut notes = vec![format!(
-        "The band is the 5 to 95 % range of the friction by the constants of the oil only: standard deviations of {:.0} % of the Eyring stress, {:.0} % of the limiting shear stress and {:.0} % of the pressure-viscosity coefficient in friction.",
+        "The band is the 5 to 95 % range of the friction by the constants of the oil only. Their standard deviations are {:.0} % (Eyring stress), {:.0} % (limiting shear stress) and {:.0} % (pressure-viscosity coefficient in friction).",
         percent[0], percent[1], percent[2]
     )];
     let thin = traction

@@ -28,6 +28,10 @@ impl StudyResult for OilFit {
             format!("{} · fit of traction curves", self.program),
         )
         .section("Constants")
+        .verdict([self.verdict()])
+        .figures(|| curves(self))
+        .text(["Dots: measured. Lines: fitted, with gain and zero."])
+        .on_page()
         .table(
             constants(&self.constants)
                 .with(further(self))
@@ -49,10 +53,6 @@ impl StudyResult for OilFit {
             .heading("Correlations")
             .on_page()
             .table(correlations("constant", &names, &self.correlations))
-            .on_page()
-            .section("Measured and fitted")
-            .figures(|| curves(self))
-            .text(["Dots: measured. Lines: fitted, with gain and zero."])
             .on_page()
             .section("Residuals")
             .figures(|| residuals(self))
@@ -89,6 +89,25 @@ const METHOD: &str = "5 to 95 %: the constant lies between these quantiles with 
     error of the family remains.";
 
 impl OilFit {
+    /// The constants that the points determine, and the law of pressure.
+    fn verdict(&self) -> String {
+        let constants = self.constants.iter();
+        let open = constants.filter(|one| !one.is_identified);
+        let open: Vec<&str> = open.map(|one| one.name.as_str()).collect();
+        let count = self.constants.len();
+        let of_constants = match open.is_empty() {
+            true => format!("The points determine all {count} constants"),
+            false => format!("The points do not determine {}", open.join(", ")),
+        };
+        let law = self.pressure_law.name();
+        match self.is_law_decided {
+            true => format!("{of_constants}; the law of pressure is {law}."),
+            false => {
+                format!("{of_constants}; they do not decide the law of pressure, {law} fits best.")
+            }
+        }
+    }
+
     /// Fitted constants and points, in words.
     fn sentences(&self) -> Vec<String> {
         let [readings, points, kept] = self.counts;

@@ -249,6 +249,13 @@ pub(super) fn resolve_checked(
 }
 
 impl Case {
+    /// Elastic limit of the softer steel.
+    #[must_use]
+    pub fn elastic_limit(&self) -> Pressure {
+        let [pinion, wheel] = self.materials.each_ref().map(|steel| steel.elastic_limit);
+        if wheel < pinion { wheel } else { pinion }
+    }
+
     /// The law of pressure besides the one of the run that the curves of the oil file admit, with its probability; `None` if
     /// the curves or the case decide.
     #[must_use]

@@ -237,30 +237,21 @@ impl StressField {
 
     /// Zone in which the von Mises stress exceeds the elastic limit; `None` if there is no such zone.
     ///
-    /// # Errors
-    /// When ν is outside −1 < ν ≤ 0.5 or the limit is not positive.
+    /// `plastic`: [`plastic_stress`](crate::plasticity::plastic_stress) of this field, one value per point.
     ///
     /// ```
+    /// use asperity_contact::plasticity::plastic_stress;
     /// use asperity_contact::subsurface::subsurface_stress;
     /// let field = subsurface_stress(&[1e9; 8], None, "10 um".parse()?, &[10e-6, 40e-6, 90e-6])?;
-    /// assert!(field.yield_zone(0.3, "2 GPa".parse()?)?.is_none());
-    /// let zone = field.yield_zone(0.3, "0.45 GPa".parse()?)?.ok_or("elastic")?;
+    /// let mises = field.von_mises(0.3)?;
+    /// assert!(field.yield_zone(&plastic_stress(&mises, "2 GPa".parse()?)?).is_none());
+    /// let zone = field.yield_zone(&plastic_stress(&mises, "0.45 GPa".parse()?)?).ok_or("elastic")?;
     /// assert!(zone.deepest.si() > 10e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn yield_zone(
-        &self,
-        poisson: f64,
-        elastic_limit: Pressure,
-    ) -> Result<Option<YieldZone>, ContactError> {
-        let limit = DomainError::positive("elastic limit", elastic_limit)?;
-        let mises = self.von_mises(poisson)?;
+    pub fn yield_zone(&self, plastic: &[f64]) -> Option<YieldZone> {
         let mut zone: Option<YieldZone> = None;
-        for (index, _) in mises
-            .iter()
-            .enumerate()
-            .filter(|(_, mises)| **mises > limit)
-        {
+        for (index, _) in self.beyond(plastic) {
             let depth = Length::from_si(self.depths[index / self.points]);
             let position = self.position(index % self.points);
             let grown = zone.get_or_insert(YieldZone {
@@ -276,7 +267,38 @@ impl StressField {
             grown.first = smaller(grown.first, position);
             grown.last = larger(grown.last, position);
         }
-        Ok(zone)
+        zone
+    }
+
+    /// Share of a section in which the von Mises stress exceeds the elastic limit, 0 to 1.
+    ///
+    /// The section is 2·`half_width` wide about `middle`, which counts from the first point, and `half_width` deep. A
+    /// depth of the grid represents the layer between the middles to its neighbours, the first one up to the surface.
+    ///
+    /// `plastic`: [`plastic_stress`](crate::plasticity::plastic_stress) of this field, one value per point.
+    pub fn yield_share(&self, plastic: &[f64], middle: Length, half_width: Length) -> f64 {
+        let reach = half_width.si();
+        let middles = self.depths.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+        let bounds: Vec<f64> = [0.0].into_iter().chain(middles).chain([reach]).collect();
+        let layers = bounds.windows(2);
+        let layers: Vec<f64> = layers
+            .map(|bound| bound[1].min(reach) - bound[0].min(reach))
+            .collect();
+        let is_below = |point: usize| (self.position(point) - middle).si().abs() <= reach;
+        let columns = (0..self.points).filter(|point| is_below(*point)).count();
+        let beyond = self.beyond(plastic).map(|(index, _)| index);
+        let beyond = beyond.filter(|index| is_below(index % self.points));
+        let area: f64 = beyond.map(|index| layers[index / self.points]).sum();
+        if columns == 0 {
+            return 0.0;
+        }
+        area / (columns as f64 * reach)
+    }
+
+    /// Points of this field with a plastic stress, with their numbers.
+    fn beyond<'a>(&self, plastic: &'a [f64]) -> impl Iterator<Item = (usize, &'a f64)> {
+        let of_field = plastic.iter().take(self.sigma_xx.len()).enumerate();
+        of_field.filter(|(_, stress)| **stress > 0.0)
     }
 
     /// An equivalent stress at every point.

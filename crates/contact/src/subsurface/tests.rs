@@ -2,6 +2,8 @@
 
 use asperity_core::quantity::{Length, Pressure};
 
+use crate::plasticity::plastic_stress;
+
 use super::{StressField, graded_depths, hertz_stress, subsurface_stress};
 use crate::ContactError;
 use crate::hertz_line::HertzLine;
@@ -95,13 +97,49 @@ fn yield_begins_in_the_depth_of_the_largest_mises_stress() {
     let (dx, pressure) = hertz_cells(64);
     let depths = graded_depths(Length::from_si(0.02), Length::from_si(1.0), 300).unwrap();
     let field = field(&pressure, None, dx, &depths);
-    let zone = |limit| field.yield_zone(0.3, Pressure::from_si(limit)).unwrap();
+    let mises = field.von_mises(0.3).unwrap();
+    let zone = |limit| {
+        let plastic = plastic_stress(&mises, Pressure::from_si(limit)).unwrap();
+        field.yield_zone(&plastic)
+    };
     assert_eq!(zone(0.558), None);
     let small = zone(0.557).unwrap();
     assert!(small.shallowest.si() < 0.704 && small.deepest.si() > 0.704);
     let large = zone(0.4).unwrap();
     assert!(large.points > small.points && large.first < small.first && large.last > small.last);
-    assert!(field.yield_zone(0.3, Pressure::from_si(0.0)).is_err());
+}
+
+#[test]
+fn the_share_that_yields_is_the_share_by_the_closed_form_of_hertz() {
+    let (dx, pressure) = hertz_cells(64);
+    let depths = graded_depths(Length::from_si(0.005), Length::from_si(1.0), 300).unwrap();
+    let field = field(&pressure, None, dx, &depths);
+    let mises = field.von_mises(0.3).unwrap();
+    // The middle lies between the points 191 and 192.
+    let middle = Length::from_si(191.5 * dx);
+    let half_width = Length::from_si(1.0);
+    for limit in [0.3, 0.45, 0.55] {
+        let plastic = plastic_stress(&mises, Pressure::from_si(limit)).unwrap();
+        let share = field.yield_share(&plastic, middle, half_width);
+        // Middles of cells of the section.
+        let n = 200;
+        let at = |k: usize| (k as f64 + 0.5) / n as f64;
+        let cells = (0..n * n).map(|k| [at(k / n), at(k % n)].map(Length::from_si));
+        let yields = |[x, z]: &[Length; 2]| {
+            let stress = hertz_stress(&hertz(), 0.0, *x, *z).unwrap();
+            stress.von_mises(0.3).unwrap().si() > limit
+        };
+        let exact = cells.filter(yields).count() as f64 / (n * n) as f64;
+        assert!(
+            exact > 0.0 && (share - exact).abs() < 4e-3,
+            "{limit}: {share} {exact}"
+        );
+    }
+    let elastic = plastic_stress(&mises, Pressure::from_si(0.56)).unwrap();
+    assert_eq!(field.yield_share(&elastic, middle, half_width), 0.0);
+    // A section without a point has no such share.
+    let away = Length::from_si(100.0);
+    assert_eq!(field.yield_share(&mises, away, half_width), 0.0);
 }
 
 #[test]

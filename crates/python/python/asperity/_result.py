@@ -30,7 +30,7 @@ class Fields(Record):
 
     ``x``, ``height_pinion``, ``height_wheel``, ``displacement_*``, ``plastic_*``, ``gap`` (m), ``pressure_solid``,
     ``pressure_fluid``, ``shear`` (Pa); where stress was computed ``depths`` (m) and ``sigma_xx``, ``sigma_zz``,
-    ``tau_xz``, ``von_mises`` of shape (depths, n) in Pa.
+    ``tau_xz``, ``von_mises``, ``plastic_stress`` (von Mises stress beyond the elastic limit) of shape (depths, n) in Pa.
     """
 
     @property
@@ -70,11 +70,11 @@ class Fields(Record):
 
 def _unit_of_field(name: str) -> str:
     """Unit of a field along the contact: stresses in Pa, all else in m."""
-    is_stress = name.startswith(("pressure", "sigma", "tau", "von_mises", "shear"))
+    is_stress = name.startswith(("pressure", "sigma", "tau", "von_mises", "plastic_stress", "shear"))
     return "Pa" if is_stress else "m"
 
 
-_DEPTHS = ("sigma_xx", "sigma_zz", "tau_xz", "von_mises")
+_DEPTHS = ("sigma_xx", "sigma_zz", "tau_xz", "von_mises", "plastic_stress")
 
 
 class Summary(Values, SummaryValues):

@@ -174,8 +174,8 @@ PathColumn = Literal[
     "boundary_share", "mean_gap_um", "roughness_over_film", "full_film", "mu_film", "mu", "flash_k", "flash_max_k",
     "sliding_w_per_m", "sliding_deviation_w_per_m", "sliding_standard_error_w_per_m", "sliding_error_freedom",
     "face_zone", "film_w_per_m", "lubricated_asperity_w_per_m", "boundary_w_per_m", "rolling_w_per_m",
-    "contact_fraction", "p_max_mpa", "plastic_work_j_per_m", "von_mises_max_mpa", "von_mises_depth_um", "iterations",
-    "load_error",
+    "contact_fraction", "p_max_mpa", "plastic_work_j_per_m", "von_mises_max_mpa", "von_mises_depth_um",
+    "yield_depth_um", "yield_share", "iterations", "load_error",
 ]
 
 
@@ -299,6 +299,8 @@ class PathArrays:
     plastic_work_j_per_m: NDArray[Any]
     von_mises_max_mpa: NDArray[Any]
     von_mises_depth_um: NDArray[Any]
+    yield_depth_um: NDArray[Any]
+    yield_share: NDArray[Any]
     iterations: NDArray[Any]
     load_error: NDArray[Any]
 

@@ -5,6 +5,7 @@ use super::canvas::{Anchor, Canvas, LINE};
 use super::dress::Dress;
 use super::frame::{RIGHT, TICK_BELOW, WIDTH, document, right_end};
 use super::text_width::{NAME, name_lines, widest, width};
+use super::xy::COLOURS;
 
 /// Bar.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +20,7 @@ pub struct Bar {
     pub text: String,
 }
 
-/// Chart of bars from zero.
+/// Chart of bars from zero. Neighbours of one name are a group: the name is printed once, and each bar has its own colour.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BarChart {
     /// Identifier for links.
@@ -99,6 +100,8 @@ fn room<'a>(names: impl Iterator<Item = &'a Vec<String>>) -> f64 {
 /// Row of a chart: a bar between two values, a whisker, and a text at its right.
 struct Row<'a> {
     name: &'a str,
+    /// Number in its group.
+    in_group: usize,
     bar: Option<[f64; 2]>,
     whisker: Option<[f64; 2]>,
     text: &'a str,
@@ -117,21 +120,24 @@ impl BarChart {
     pub(super) const KIND: &str = "bar-chart";
 
     fn rows(&self) -> Vec<Row<'_>> {
-        let row = |bar| {
+        let row = |k: usize| {
             let Bar {
                 name,
                 value,
                 spread,
                 text,
-            }: &Bar = bar;
+            } = &self.bars[k];
+            let before = self.bars[..k].iter().rev();
+            let in_group = before.take_while(|other| other.name == *name).count();
             Row {
-                name,
+                name: if in_group == 0 { name } else { "" },
+                in_group,
                 bar: value.map(|value| [value.min(0.0), value.max(0.0)]),
                 whisker: spread.filter(|_| value.is_some()),
                 text,
             }
         };
-        self.bars.iter().map(row).collect()
+        (0..self.bars.len()).map(row).collect()
     }
 
     /// The chart as SVG.
@@ -151,6 +157,7 @@ impl Tornado {
             let Interval { name, ends, text }: &Interval = interval;
             Row {
                 name,
+                in_group: 0,
                 bar: Some(*ends),
                 whisker: None,
                 text,
@@ -179,11 +186,16 @@ fn drawn(
 ) -> String {
     const THICK: f64 = 17.0;
     const APART: f64 = 9.0;
+    const IN_GROUP: f64 = 2.0;
     let names: Vec<Vec<String>> = rows.iter().map(|row| lines(row.name)).collect();
     let left = room(names.iter());
-    let high = |lines: &Vec<String>| (LINE * lines.len() as f64).max(THICK + APART);
+    let is_followed = |k: usize| rows.get(k + 1).is_some_and(|next| next.in_group > 0);
+    let high = |(k, lines): (usize, &Vec<String>)| {
+        let apart = if is_followed(k) { IN_GROUP } else { APART };
+        (LINE * lines.len() as f64).max(THICK + apart)
+    };
     let top = if dress == Dress::Alone { 36.0 } else { 10.0 };
-    let bottom = top + names.iter().map(high).sum::<f64>() + 4.0;
+    let bottom = top + names.iter().enumerate().map(high).sum::<f64>() + 4.0;
     let height = bottom + 50.0;
     let range = range(axis, middle, rows);
     let right = right_of(rows, left, &range);
@@ -199,9 +211,10 @@ fn drawn(
         );
     }
     let mut begin = top + 2.0;
-    for (row, lines) in rows.iter().zip(&names) {
-        let at = begin + 0.5 * high(lines);
-        begin += high(lines);
+    for (k, (row, lines)) in rows.iter().zip(&names).enumerate() {
+        let high = high((k, lines));
+        let at = begin + 0.5 * high;
+        begin += high;
         let y = at - 0.5 * THICK;
         let above = 0.5 * LINE * (lines.len() - 1) as f64;
         for (number, line) in lines.iter().enumerate() {
@@ -209,7 +222,11 @@ fn drawn(
             canvas.label("name", [left - GAP, base], Anchor::End, line);
         }
         if let Some([low, high]) = row.bar {
-            canvas.rect("bar", [px(low), y], [px(high) - px(low), THICK]);
+            let class = match row.in_group {
+                0 => "bar".to_owned(),
+                k => format!("bar c{}", k % COLOURS),
+            };
+            canvas.rect(&class, [px(low), y], [px(high) - px(low), THICK]);
         }
         if let Some(ends) = row.whisker {
             whisker(&mut canvas, ends.map(px), [y + 4.0, y + THICK - 4.0]);
@@ -296,6 +313,27 @@ mod tests {
         let end = 110.0 + 0.9 * (right - 110.0);
         assert!(end + GAP + width("9 W, outside its range", NAME) <= WIDTH);
         assert!(right > 110.0 + 60.0);
+    }
+
+    #[test]
+    fn bars_of_one_name_are_a_group_with_one_name_and_a_colour_for_each() {
+        let bar = |name: &str, value: f64| Bar {
+            name: name.to_owned(),
+            value: Some(value),
+            spread: None,
+            text: format!("{value} W"),
+        };
+        let chart = BarChart {
+            id: "pairs".to_owned(),
+            title: "Pairs".to_owned(),
+            source: "pairs.csv".to_owned(),
+            axis: Axis::new("loss", "W"),
+            bars: vec![bar("film", 4.0), bar("film", 3.0), bar("rolling", 2.0)],
+        };
+        let svg = chart.svg(Dress::Page);
+        assert_eq!(svg.matches(">film</text>").count(), 1);
+        assert_eq!(svg.matches("class=\"bar\"").count(), 2);
+        assert_eq!(svg.matches("class=\"bar c1\"").count(), 1);
     }
 
     #[test]

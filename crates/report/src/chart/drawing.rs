@@ -6,6 +6,7 @@ use super::dress::Dress;
 use super::facing::Facing;
 use super::mesh::MeshPicture;
 use super::strip::Strip;
+use super::symbol::TextureSymbol;
 use super::xy::Chart;
 
 /// Chart of any kind.
@@ -25,6 +26,8 @@ pub enum Drawing {
     Mesh(MeshPicture),
     /// Two flanks in contact.
     Facing(Facing),
+    /// A symbol of surface texture.
+    Symbol(TextureSymbol),
 }
 
 impl Drawing {
@@ -38,6 +41,7 @@ impl Drawing {
             Self::Contour(chart) => chart.svg(dress),
             Self::Mesh(chart) => chart.svg(dress),
             Self::Facing(chart) => chart.svg(dress),
+            Self::Symbol(symbol) => symbol.svg(dress),
         }
     }
 
@@ -51,6 +55,7 @@ impl Drawing {
             Self::Contour(_) => Contour::KIND,
             Self::Mesh(_) => MeshPicture::KIND,
             Self::Facing(_) => Facing::KIND,
+            Self::Symbol(_) => TextureSymbol::KIND,
         }
     }
 
@@ -64,6 +69,7 @@ impl Drawing {
             Self::Contour(chart) => &chart.id,
             Self::Mesh(chart) => &chart.id,
             Self::Facing(chart) => &chart.id,
+            Self::Symbol(symbol) => &symbol.id,
         }
     }
 
@@ -77,6 +83,7 @@ impl Drawing {
             Self::Contour(chart) => &chart.title,
             Self::Mesh(chart) => &chart.title,
             Self::Facing(chart) => &chart.title,
+            Self::Symbol(symbol) => &symbol.title,
         }
     }
 
@@ -90,6 +97,7 @@ impl Drawing {
             Self::Contour(chart) => &chart.source,
             Self::Mesh(chart) => &chart.source,
             Self::Facing(chart) => &chart.source,
+            Self::Symbol(symbol) => &symbol.source,
         }
     }
 
@@ -98,9 +106,7 @@ impl Drawing {
         match self {
             Self::Curves(chart) => Some(chart.data()),
             Self::Contour(chart) => Some(chart.data()),
-            Self::Bars(_) | Self::Tornado(_) | Self::Strip(_) | Self::Mesh(_) | Self::Facing(_) => {
-                None
-            }
+            _ => None,
         }
     }
 

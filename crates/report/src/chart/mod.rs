@@ -2,7 +2,7 @@
 //!
 //! A [`Chart`] holds curves over an axis, a [`BarChart`] bars from zero, a [`Tornado`] intervals about a middle,
 //! a [`Strip`] shares along the path of contact, a [`Contour`] a field, a [`MeshPicture`] two gears in mesh, a [`Facing`] two
-//! flanks in contact at one of several positions. Each is drawn for a page, which adds title and legend as text, or as a
+//! flanks in contact at one of several positions, a [`TextureSymbol`] the call-out of a drawing. Each is drawn for a page, which adds title and legend as text, or as a
 //! separate file.
 
 mod axis;
@@ -17,6 +17,7 @@ mod mesh;
 mod spread;
 mod stacked;
 mod strip;
+mod symbol;
 mod text_width;
 mod xy;
 
@@ -30,4 +31,5 @@ pub(crate) use mesh::ASPECT;
 pub use mesh::{MeshBody, MeshPicture, MeshPoint, MeshTrace};
 pub use stacked::stacked;
 pub use strip::Strip;
+pub use symbol::TextureSymbol;
 pub use xy::{Chart, Level, Line, Mark, Series};

@@ -15,7 +15,7 @@ use crate::thin::{BINS, thin};
 /// Number of bins of the curves for the zoom of the script.
 const ZOOM_BINS: usize = 1000;
 /// Number of colours of curves.
-const COLOURS: usize = 6;
+pub(super) const COLOURS: usize = 6;
 
 /// Line style of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

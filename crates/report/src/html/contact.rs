@@ -35,6 +35,16 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
                 " The mean of this maximum over all offsets is " (format!("{mean:.0}"))
                 " MPa; by default the position where it is highest is shown."
             }
+            @if let (Some(depth), Some(share)) = (row.yield_depth_um, row.yield_share) {
+                @let limit = format!("{:.0}", elastic_limit(result)?.si() * 1e-6);
+                @if share > 0.0 {
+                    " The von Mises stress exceeds the elastic limit of " (limit) " MPa down to "
+                    (format!("{depth:.0}")) " µm. It does so in " (format!("{:.1}", 100.0 * share))
+                    " % of the section below the contact, which is as wide as the contact and half as deep."
+                } @else {
+                    " The von Mises stress stays below the elastic limit of " (limit) " MPa."
+                }
+            }
         }
         div.charts { @for drawing in &drawings { (figure(drawing)) } }
     })

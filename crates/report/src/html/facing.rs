@@ -153,6 +153,6 @@ fn caption(result: &RunResult, row: &PositionRow, exaggeration: f64) -> String {
     parts.push(format!("{contact:.0} °C in the contact"));
     format!(
         "{}. Heights are drawn {exaggeration:.0} times as large as lengths.",
-        parts.join(", ")
+        parts.join("; ")
     )
 }

@@ -67,6 +67,9 @@ pub struct SubsurfaceRow {
     /// Von Mises stress \[MPa\].
     #[serde(serialize_with = "six_digits", deserialize_with = "number")]
     pub von_mises_mpa: f64,
+    /// Von Mises stress beyond the elastic limit, else 0 \[MPa\].
+    #[serde(serialize_with = "six_digits", deserialize_with = "number")]
+    pub plastic_stress_mpa: f64,
 }
 
 /// Six digits: the fields are large and serve for display.
@@ -317,6 +320,7 @@ fn subsurface(x: &[f64], below: &SubsurfaceFields, at: &PositionRow) -> Vec<Subs
                 sigma_zz_mpa: rounded(below.sigma_zz[at] * MEGA),
                 tau_xz_mpa: rounded(below.tau_xz[at] * MEGA),
                 von_mises_mpa: rounded(below.von_mises[at] * MEGA),
+                plastic_stress_mpa: rounded(below.plastic_stress[at] * MEGA),
             }
         })
     });

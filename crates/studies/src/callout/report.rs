@@ -2,11 +2,11 @@
 
 use asperity::result::loss_band::rounded;
 use asperity_core::quantity::Power;
-use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
+use asperity_report::chart::{Axis, Chart, Drawing, Line, Mark, Series, TextureSymbol};
 use asperity_report::{Cell, Report, StudyResult, Table, columns};
 
 use super::error::watts;
-use super::study::{CallOut, LimitRow, ParameterRow};
+use super::study::{CallOut, CurvePoint, LimitRow, ParameterRow};
 
 /// Explanation of the numbers.
 const NOTE: &str = "A lot is a set of flanks of the recipe of the traces; it meets the loss if the mean over 16 pairs of its \
@@ -24,6 +24,12 @@ impl StudyResult for CallOut {
             .section("Limit")
             .text([headline(self)])
             .verdict(self.limits.iter().map(limit_line))
+            .figures(|| {
+                self.limits
+                    .iter()
+                    .map(|row| symbol(self, row))
+                    .collect::<Vec<_>>()
+            })
             .figures(|| [curve_chart(self)])
             .text([inspection(self), losses(self)])
             .table(table(self))
@@ -49,24 +55,82 @@ fn traces_chart(study: &CallOut) -> Drawing {
     Drawing::Curves(chart.with(Series::through("limit", Line::Dots, points)))
 }
 
+/// Loss by the height, with the scatter of the lots; the limit of the mean is the inspected height.
 fn curve_chart(study: &CallOut) -> Drawing {
     let (x, y) = (
         Axis::new("height of the flanks over the recipe", ""),
-        Axis::new("mean loss of lots of the recipe", "W"),
+        Axis::new("loss", "W"),
     );
-    let title = "Loss by the height of the flanks";
-    let points = study.curve.iter().map(|point| [point.height, point.loss_w]);
-    let chart = Chart::new("curve", title, "curve.csv", x, y)
-        .with(Series::through("loss", Line::Dots, points))
+    let title = "Loss by the height of the flanks, shaded 5 to 95 % of the lots";
+    let of =
+        |value: fn(&CurvePoint) -> f64| -> Vec<f64> { study.curve.iter().map(value).collect() };
+    let heights = of(|point| point.height);
+    let [low, high] = [of(|point| point.loss_p05_w), of(|point| point.loss_p95_w)];
+    let mut chart = Chart::new("curve", title, "curve.csv", x, y)
+        .curve(
+            "mean of lots of the recipe",
+            Line::Dots,
+            &heights,
+            &of(|point| point.loss_w),
+        )
+        .with(Series::band_of(
+            0,
+            "5 to 95 % of the lots",
+            &heights,
+            &low,
+            &high,
+        ))
         .level(study.loss_w, "stated loss");
+    if let Some(row) = study.limits.first() {
+        chart = chart.marked(&[
+            Mark {
+                at: row.limit / row.recipe,
+                label: "limit".to_owned(),
+            },
+            Mark {
+                at: 1.0,
+                label: "recipe".to_owned(),
+            },
+        ]);
+    }
     Drawing::Curves(chart)
+}
+
+/// The call-out as it stands on a drawing.
+fn symbol(study: &CallOut, row: &LimitRow) -> Drawing {
+    let mm = |um: Option<f64>| um.map_or(String::new(), |um| number(um * 1e-3));
+    let [short, long] = study.wavelengths_um.map(mm);
+    let band = match short.is_empty() && long.is_empty() {
+        true => String::new(),
+        false => format!("{short}-{long} / "),
+    };
+    let traces = match study.traces {
+        1 => "one trace".to_owned(),
+        count => format!("mean of {count} traces"),
+    };
+    Drawing::Symbol(TextureSymbol {
+        id: format!("symbol-{}", row.flank),
+        title: format!("{} on the drawing", flank_of(row)),
+        source: "limits.csv".to_owned(),
+        requirement: format!("U {band}{} {}", row.parameter, limited(row.limit)),
+        note: traces,
+    })
+}
+
+/// A number without zeros at its end.
+fn number(value: f64) -> String {
+    let text = rounded(value, 0.05 * value);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
 }
 
 fn headline(study: &CallOut) -> String {
     format!(
-        "{} in {:.0} % of the lots at the limit; scatter {:.0} %.",
-        Power::from_si(study.loss_w),
+        "At the limit {:.0} % of the lots lose at most {}; the heights of a lot scatter by {:.0} %.",
         100.0 * study.confidence,
+        Power::from_si(study.loss_w),
         100.0 * study.scatter
     )
 }
@@ -80,18 +144,27 @@ fn limit_line(row: &LimitRow) -> String {
         "" => "",
         _ => " µm",
     };
-    let flank = match row.flank {
-        "both" => "Both flanks".to_owned(),
-        "pinion" => "Pinion".to_owned(),
-        _ => "Wheel".to_owned(),
-    };
-    let text = |value: f64| rounded(value, SCATTER * value);
     format!(
-        "{flank}: mean {} at most {}{unit} (the recipe has {}{unit}).",
+        "{}: mean {} at most {}{unit} (the recipe has {}{unit}).",
+        flank_of(row),
         row.parameter,
-        text(row.limit),
-        text(row.recipe)
+        limited(row.limit),
+        limited(row.recipe)
     )
+}
+
+/// A value of the parameter with the digits that the scatter leaves.
+fn limited(value: f64) -> String {
+    rounded(value, SCATTER * value)
+}
+
+/// Name of the flank of a limit.
+fn flank_of(row: &LimitRow) -> &'static str {
+    match row.flank {
+        "both" => "Both flanks",
+        "pinion" => "Pinion",
+        _ => "Wheel",
+    }
 }
 
 /// Traces and wavelengths.
@@ -101,14 +174,7 @@ fn inspection(study: &CallOut) -> String {
         _ => " of each gear",
     };
     let plural = if study.traces == 1 { "" } else { "s" };
-    let um = |value: f64| {
-        let text = rounded(value, 0.05 * value);
-        let digits = match text.contains('.') {
-            true => text.trim_end_matches('0').trim_end_matches('.'),
-            false => &text,
-        };
-        format!("{digits} µm")
-    };
+    let um = |value: f64| format!("{} µm", number(value));
     let band = match study.wavelengths_um {
         [Some(short), Some(long)] => format!("wavelengths {} to {}", um(short), um(long)),
         [None, Some(long)] => format!("wavelengths up to {}", um(long)),

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::pipeline::Progress;
+use asperity::uncertainty::sorted_quantiles;
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 use asperity_core::quantity::{Power, Ratio};
@@ -27,6 +28,8 @@ const STEP: f64 = 1.25;
 const AROUND: i32 = 3;
 /// Lots of the recipe whose mean loss is the curve.
 const NOMINAL_LOTS: usize = 3;
+/// Probabilities of the losses of lots about the curve.
+const PROBABILITIES_OF_LOTS: [f64; 2] = [0.05, 0.95];
 /// Estimated points of the curve, for the estimate of the time.
 const CURVE: usize = 10;
 
@@ -204,6 +207,10 @@ pub struct CurvePoint {
     pub height: f64,
     /// Mean loss \[W\].
     pub loss_w: f64,
+    /// 5 % quantile of the loss over the lots \[W\].
+    pub loss_p05_w: f64,
+    /// 95 % quantile of it \[W\].
+    pub loss_p95_w: f64,
 }
 
 /// Computes the call-out of a case; `progress` is called with the number of completed runs.
@@ -307,7 +314,7 @@ fn of_process(
                     .limit,
             })
             .collect(),
-        curve: curve.points(),
+        curve: curve.points(&met),
         lots: settings.lots,
         seed: settings.seed,
     })
@@ -418,10 +425,17 @@ impl Curve {
         interpolate(&self.nodes, ln_height)
     }
 
-    fn points(&self) -> Vec<CurvePoint> {
+    /// A lot that loses the stated loss at the height s* loses at the height s what lots of the recipe lose at s·s₀/s*,
+    /// where s₀ is their height for the stated loss.
+    fn points(&self, lots: &[MetLot]) -> Vec<CurvePoint> {
+        let heights: Vec<f64> = lots.iter().map(|lot| lot.ln_height).collect();
+        let [low, high] = sorted_quantiles(&heights, PROBABILITIES_OF_LOTS);
+        let of_lots = |ln: f64, height: f64| self.loss_at(ln + self.height.ln() - height);
         let point = |[ln, loss_w]: &[f64; 2]| CurvePoint {
             height: ln.exp(),
             loss_w: *loss_w,
+            loss_p05_w: of_lots(*ln, high),
+            loss_p95_w: of_lots(*ln, low),
         };
         self.nodes.iter().map(point).collect()
     }

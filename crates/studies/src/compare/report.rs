@@ -2,13 +2,14 @@
 
 use asperity::quantity::Length;
 use asperity::result::loss_band::Uncertainty;
+use asperity_core::unique;
 use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
 use asperity_report::html::{along, points};
-use asperity_report::tables::BODIES;
+use asperity_report::tables::{BODIES, FlankTables, SpectrumRow};
 use asperity_report::units::MICRO;
-use asperity_report::{Cell, Column, Kind, Report, StudyResult, Table, columns};
+use asperity_report::{Cell, Column, Kind, Report, StudyResult, Table, columns, parts_of};
 
-use super::comparison::Comparison;
+use super::comparison::{Comparison, PairOfFinish};
 use super::tables;
 use super::windows::PARAMETERS;
 use super::words::{loss, meshes, note, run_in, scope, table, warnings};
@@ -57,7 +58,8 @@ const NO_TRACE: &str = "The flanks are given only by roughness values: no trace 
 /// Sections of a comparison of pairs.
 fn of_pairs<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
     let report = report
-        .figures(|| [along_the_path(comparison)])
+        .figures(|| [parts(comparison), along_the_path(comparison)])
+        .rows("parts.csv", || tables::parts(comparison))
         .section("Flanks")
         .table(parameters(comparison))
         .on_page()
@@ -202,12 +204,27 @@ fn traces(comparison: &Comparison, body: usize) -> Option<Drawing> {
     (!chart.series.is_empty()).then_some(Drawing::Curves(chart))
 }
 
+/// Bands of the spectrum of the flank `body` in which the filters of the case leave heights: the wavelengths between half of
+/// λs and twice λc, where a Gaussian filter passes at least 6 and 16 % of a height.
+fn passed<'a>(
+    pair: &'a PairOfFinish,
+    body: usize,
+    tables: &FlankTables,
+) -> impl Iterator<Item = SpectrumRow> + use<'a> {
+    let recipe = pair.result.flanks[body].preparation.as_ref();
+    let cutoffs = recipe.map_or([None; 2], |one| [one.recipe.lambda_s, one.recipe.lambda_c]);
+    let [shortest, longest] = cutoffs.map(|cutoff| cutoff.map(|cutoff| 1e3 * cutoff.si()));
+    let range = 0.5 * shortest.unwrap_or(0.0)..=2.0 * longest.unwrap_or(f64::INFINITY);
+    let bands = tables.spectrum_in_bands().into_iter();
+    bands.filter(move |row| range.contains(&(1.0 / row.frequency_per_mm)))
+}
+
 /// Spectra of the flank `body` of all finishes; `None` without a trace.
 fn spectra(comparison: &Comparison, body: usize) -> Option<Drawing> {
     let name = BODIES[body];
     let mut chart = Chart::new(
         &format!("spectra-{name}"),
-        &format!("Power spectral density of the {name}, means of bands"),
+        &format!("Power spectral density of the {name}, where the filters leave heights"),
         "spectra.csv",
         Axis::new("wavelength", "µm").log(),
         Axis::new("density", "µm³").log(),
@@ -216,10 +233,8 @@ fn spectra(comparison: &Comparison, body: usize) -> Option<Drawing> {
         let Some(tables) = &pair.tables[body] else {
             continue;
         };
-        let bands = tables.spectrum_in_bands();
-        let points = bands
-            .iter()
-            .map(|row| [1e3 / row.frequency_per_mm, row.density_um3]);
+        let points =
+            passed(pair, body, tables).map(|row| [1e3 / row.frequency_per_mm, row.density_um3]);
         chart = chart.with(Series::through(&finish.name, Line::Solid, points));
     }
     (!chart.series.is_empty()).then_some(Drawing::Curves(chart))
@@ -277,6 +292,36 @@ fn bars(comparison: &Comparison) -> Drawing {
         id: "losses".to_owned(),
         title: "Loss of each finish".to_owned(),
         source: "compare.csv".to_owned(),
+        axis: Axis::new("loss", "W"),
+        bars: bars.collect(),
+    })
+}
+
+/// Parts of the losses, paired.
+fn parts(comparison: &Comparison) -> Drawing {
+    let of: Vec<_> = comparison
+        .pairs()
+        .map(|(finish, pair)| (&finish.name, parts_of(&pair.result).collect::<Vec<_>>()))
+        .collect();
+    let names = unique(
+        of.iter()
+            .flat_map(|(_, parts)| parts.iter().map(|part| part.0)),
+    );
+    let bars = names.into_iter().flat_map(|name| {
+        of.iter().filter_map(move |(finish, parts)| {
+            let (_, watts, text) = parts.iter().find(|part| part.0 == name)?;
+            Some(Bar {
+                name: name.to_owned(),
+                value: Some(*watts),
+                spread: None,
+                text: format!("{text}, {finish}"),
+            })
+        })
+    });
+    Drawing::Bars(BarChart {
+        id: "parts".to_owned(),
+        title: "Parts of the loss".to_owned(),
+        source: "parts.csv".to_owned(),
         axis: Axis::new("loss", "W"),
         bars: bars.collect(),
     })

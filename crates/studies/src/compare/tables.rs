@@ -1,5 +1,6 @@
 //! Files of a comparison of pairs.
 
+use asperity_report::parts_of;
 use asperity_report::tables::{BODIES, FlankTables};
 use serde::Serialize;
 
@@ -29,6 +30,24 @@ pub(super) fn path(comparison: &Comparison) -> impl Iterator<Item = PathRow<'_>>
                 loss_p05_w_per_m: quantiles.map(|[low, _]| low),
                 loss_p95_w_per_m: quantiles.map(|[_, high]| high),
             }
+        })
+    })
+}
+
+/// Row of `parts.csv`: a part of the loss of a finish.
+#[derive(Serialize)]
+pub(super) struct PartRow<'a> {
+    finish: &'a str,
+    part: &'static str,
+    loss_w: f64,
+}
+
+pub(super) fn parts(comparison: &Comparison) -> impl Iterator<Item = PartRow<'_>> {
+    comparison.pairs().flat_map(|(finish, pair)| {
+        parts_of(&pair.result).map(|(part, loss_w, _)| PartRow {
+            finish: &finish.name,
+            part,
+            loss_w,
         })
     })
 }

@@ -16,8 +16,8 @@ use crate::map::{banded, in_words, loses, loss_fields, round_step};
 const BINS: f64 = 30.0;
 
 /// Content of the brackets.
-const NOTE: &str = "Medians, in brackets 5 and 95 % quantiles over the draws of the map, which are common to all points of the cycle \
-    and to both finishes of a difference.";
+const NOTE: &str = "Medians, in brackets 5 and 95 % quantiles over the draws of the map. All points of the cycle and both \
+    finishes of a difference share the draws.";
 
 impl StudyResult for CycleResult {
     const KIND: &'static str = "cycle";

@@ -129,6 +129,7 @@ fn renamed(mut drawing: Drawing, title: &str, table: &str) -> Drawing {
         Drawing::Contour(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Mesh(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Facing(chart) => (&mut chart.title, &mut chart.source),
+        Drawing::Symbol(symbol) => (&mut symbol.title, &mut symbol.source),
     };
     title.clone_into(own_title);
     table.clone_into(source);

@@ -175,12 +175,11 @@ fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
         return None;
     }
     let drawn = match share <= MOST_HATCHED {
-        true => " (hatched)",
-        false => "",
+        true => "Hatched: at",
+        false => "At",
     };
     Some(format!(
-        "At {:.0} % of the points of {}{drawn} the model is outside of a range that it keeps at the operating point of the case; \
-        the table of ranges names them.",
+        "{drawn} {:.0} % of the points of {} the model is extrapolated, which it is not at the operating point of the case.",
         100.0 * share,
         in_words(&finish.name)
     ))
@@ -401,9 +400,9 @@ fn bands(map: &Map) -> Markup {
         number loss "loss" "W" = loss;
     };
     html! {
-        p { "Median of the loss with its 5 and 95 % quantiles, as for a run, at the nodes of torque and speed whose draws were "
-            "computed; between them the logarithms of the draws are interpolated. The same at negative torque, unless there are "
-            "coast flanks. All points are in map.csv." }
+        p { "Median of the loss with its 5 and 95 % quantiles, as for a run. The draws were computed at these torques and speeds; "
+            "between them their logarithms are interpolated. Negative torques have the same losses, unless there are coast flanks. "
+            "All points are in map.csv." }
         (table)
         @if rows.len() > MOST_BANDS { p { (rows.len() - MOST_BANDS) " more in map.csv." } }
     }

@@ -107,16 +107,22 @@ fn kinks(kinks: &Kinks) -> Option<String> {
     } = kinks;
     (*windows > 0).then(|| {
         format!(
-            "Kinks: of {windows} windows {apart} apart, {first_touch} next to first touch, {rows} next to a row of the contact \
-            table, {limited_slopes} with a limited slope of the gap, {floors} at a floor (next to: 1 nm of mean gap)."
+            "Kinks of the loss, of {windows} windows: {apart} are apart, {first_touch} next to first touch, {rows} next to a row of \
+            the contact table. With a limited slope of the gap: {limited_slopes}; at a floor: {floors}. Next to means within 1 nm of \
+            mean gap."
         )
     })
 }
 
 fn headline(study: &Ridges) -> String {
     let loss = rounded(study.loss_w, 0.01 * study.loss_w);
-    let steep = watts(study.by_log_height_w);
-    format!("Loss {loss} W at the medians of all constants; d(loss)/d ln(height) {steep} W.")
+    let of_percent = rounded(
+        0.01 * study.by_log_height_w,
+        0.001 * study.by_log_height_w.abs(),
+    );
+    format!(
+        "Loss {loss} W at the medians of all constants; 1 % more height of both flanks adds {of_percent} W."
+    )
 }
 
 fn wavelengths(octave: &OctaveRow) -> String {

@@ -94,9 +94,15 @@ fn chart(study: &Sensitivity, is_changeable: bool) -> Option<Drawing> {
     })
 }
 
-/// The changes of the loss and of its parts; "-" where the model refuses the change.
+/// The changes of the loss and of its parts, those that a designer makes first, the largest first; "-" where the model refuses the change.
 fn table(study: &Sensitivity) -> Table {
-    let rows = study.rows.iter().map(|row| (row, row.effect.as_ref()));
+    let changed = [true, false].map(|is_changeable| changes(study, is_changeable));
+    let changed = changed
+        .concat()
+        .into_iter()
+        .map(|(row, effect)| (row, Some(effect)));
+    let refused = study.rows.iter().filter(|row| row.effect.is_none());
+    let rows = changed.chain(refused.map(|row| (row, None)));
     let in_words = |text: &str| Cell::shown(with_mu(text), text.into());
     let share = |effect: &Effect| Cell::shown(share(effect), Value::Number(100.0 * effect.change));
     let part = |effect: Option<&Effect>, k: usize| {
@@ -120,7 +126,15 @@ fn table(study: &Sensitivity) -> Table {
         number rolling_w "rolling" "W" = part(effect, 3);
         file code = Cell::optional(row.refused.as_ref().map(|refused| refused.code.as_str()));
     };
-    table.brief(&["of"]).in_file(TABLE)
+    table
+        .brief(&[
+            "of",
+            "film",
+            "lubricated asperities",
+            "boundary layer",
+            "rolling",
+        ])
+        .in_file(TABLE)
 }
 
 /// The changes that the model refuses, with the reasons.

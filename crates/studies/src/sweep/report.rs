@@ -13,8 +13,9 @@ use super::merged::{EffectRow, Merged};
 use super::words::{Output, input_name, table};
 
 /// How the effects are computed.
-const METHOD: &str = "Change of a result from the mean of the lowest to the mean of the highest quarter of an input, or with a choice \
-    against the first one, by a linear regression on all inputs; in brackets its 5 and 95 % quantiles.";
+const METHOD: &str = "Change of a result from the mean of the lowest quarter of an input to the mean of the highest quarter. A choice is \
+    compared with the first one. The changes follow from a linear regression on all inputs; in brackets are their 5 and 95 % \
+    quantiles.";
 /// Content of the charts over the axes.
 const OVER_AXES: &str = "Mean of the cases at each value of an axis, and the range of all of them.";
 
@@ -32,6 +33,7 @@ impl StudyResult for Merged {
         let over_axes = (!charts.is_empty()).then_some(OVER_AXES);
         let mut report = Report::new(&self.title, format!("sweep {}", self.name))
             .section("Results over the axes")
+            .verdict(largest(self))
             .text([format!(
                 "{} cases, {} without a result.",
                 self.cases, self.failed
@@ -150,13 +152,32 @@ fn over(axis: &InputColumn, name: &str, values: &[f64]) -> Option<Drawing> {
     }
 }
 
-/// Inputs by the size of their effect on a result, largest first; to the left where the result falls.
-fn tornado(merged: &Merged, name: &str) -> Option<Drawing> {
+/// The input with the largest effect on the first result, in words; `None` without effects.
+fn largest(merged: &Merged) -> Option<String> {
+    let (name, _) = merged.outputs.first()?;
     let output = Output::of(name);
+    let row = *by_size(merged, name).first()?;
+    Some(format!(
+        "{} changes most with {}: {}.",
+        output.name,
+        input_name(&row.input),
+        output.change(&row.effect?)
+    ))
+}
+
+/// The inputs by the size of their effect on a result, the largest first.
+fn by_size<'a>(merged: &'a Merged, name: &str) -> Vec<&'a EffectRow> {
     let rows = merged.effects.iter().filter(|row| row.output == name);
     let mut rows: Vec<&EffectRow> = rows.filter(|row| row.effect.is_some()).collect();
     let size = |row: &EffectRow| row.effect.map_or(0.0, |effect| effect.difference.abs());
     rows.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    rows
+}
+
+/// Inputs by the size of their effect on a result, largest first; to the left where the result falls.
+fn tornado(merged: &Merged, name: &str) -> Option<Drawing> {
+    let output = Output::of(name);
+    let rows = by_size(merged, name);
     let bar = |row: &&EffectRow| {
         let effect = row.effect?;
         Some(Bar {
