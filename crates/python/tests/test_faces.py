@@ -90,7 +90,7 @@ def at(tmp_path_factory):
 
 
 @pytest.mark.filterwarnings("ignore::asperity.AsperityWarning")
-@pytest.mark.parametrize("name", REGISTRY)
+@pytest.mark.parametrize("name", sorted(REGISTRY, key=[*STUDIES, *REGISTRY].index))
 def test_a_study_has_one_value_on_every_face(name, at, command, monkeypatch):
     monkeypatch.chdir(at)
     arguments, call = STUDIES.get(name, ([E_DRIVE, *KEYS], lambda _: getattr(asperity, name)(few())))
