@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::fs;
 
+use asperity_report::{Input, StudyResult, StudySettings};
+use asperity_studies::every_study;
 use serde_json::Value;
 
 use crate::bench::{Bench, E_DRIVE, root};
@@ -382,10 +384,6 @@ fn every_study_has_one_value_on_every_face() {
     let mut check = |folder: &str, name: &'static str, said: &str| {
         checked.insert(name, agree(&bench, folder, name, said));
     };
-    let said = with(&["sensitivity", "case.toml", "-o", "s"]);
-    check("s", "sensitivity", &said);
-    let said = with(&["ridges", "case.toml", "-o", "r"]);
-    check("r", "ridges", &said);
     let share = ["--set", "model.load_share=zhu-hu", "--lots", "20"];
     let call = ["callout", "case.toml", "--loss", "600 W", "-o", "l"];
     check("l", "callout", &with(&[&call[..], &share].concat()));
@@ -411,11 +409,6 @@ fn every_study_has_one_value_on_every_face() {
         "sweep",
         &run(&["sweep", "merge", "study.toml", "-o", "w"]),
     );
-    check(
-        "e",
-        "evidence",
-        &with(&["evidence", "case.toml", "-o", "e"]),
-    );
     let axes = ["--torque", "60,183.4", "--speed", "25..4400:7:log"];
     let design = ["design", "rig.toml", "--simulate", "4", "-o", "d"];
     check("d", "design", &run(&[&design[..], &axes].concat()));
@@ -437,6 +430,13 @@ fn every_study_has_one_value_on_every_face() {
         "k",
     ];
     check("k", "stribeck", &run(&stribeck));
+    // A study of a case that needs no settings is run without any.
+    for (command, name) in every_study!(without_settings).into_iter().flatten() {
+        if !checked.contains_key(name) {
+            let said = with(&[command, "case.toml", "-o", name]);
+            checked.insert(name, agree(&bench, name, name, &said));
+        }
+    }
     assert!(checked.values().all(|cells| *cells > 0), "{checked:?}");
     // No study is left out.
     let folders = ["crates/studies/src", "crates/calibration/src"];
@@ -447,6 +447,12 @@ fn every_study_has_one_value_on_every_face() {
         assert!(checked.contains_key(name), "{name} is not in this test");
         rest = after;
     }
+}
+
+/// The command of a study of a case alone that needs no settings, and the name of its JSON file.
+fn without_settings<S: StudySettings>() -> Option<(&'static str, &'static str)> {
+    let is_of_case = matches!(&S::Input::described()[..], [only] if only.kind == "Case");
+    (is_of_case && S::usual().is_ok()).then_some((S::COMMAND, S::Found::NAME))
 }
 
 /// Texts of the sources in a folder.

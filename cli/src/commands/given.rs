@@ -87,6 +87,7 @@ impl Given for Finishes {
     const NAMED_BY: &'static str = OF_CASE;
 
     fn read(args: &GivenFinishes, set: &SetArgs) -> Result<Subject<Self>, Failure> {
+        Self::check_count(args.finishes.len())?;
         Ok(Subject {
             input: Self(finishes(&args.case, set, &args.finishes)?),
             name: result_name(&args.case),

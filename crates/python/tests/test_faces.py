@@ -52,8 +52,6 @@ STUDIES = {
         ["map", "trace.csv", "--temperature", "90"],
         lambda at: asperity.cycle(asperity.read_map(at / "map"), at / "trace.csv", temperature="363.15 K"),
     ),
-    "sensitivity": ([E_DRIVE, *KEYS], lambda at: asperity.sensitivity(few())),
-    "ridges": ([E_DRIVE, *KEYS], lambda at: asperity.ridges(few())),
     "callout": (
         [E_DRIVE, *KEYS, LOAD_SHARE, "--loss", "600 W", "--lots", "20"],
         lambda at: asperity.callout(few(load_share="zhu-hu"), "600 W", lots=20),
@@ -72,12 +70,13 @@ STUDIES = {
     "oil_fit": (["oil_plan/simulated.csv", "--oil", "m100"], lambda at: asperity.oil_fit("oil_plan/simulated.csv", "m100")),
     "stribeck": (["stribeck.csv", "--oil", "m100"], lambda at: asperity.stribeck("stribeck.csv", "m100")),
 }
-"""Arguments of the command, and the same study in Python; a study may read what one before it wrote."""
+"""Arguments of the command, and the same study in Python; a study may read what one before it wrote. A study of a case that needs
+no settings is run without any."""
 REGISTRY = {study["function"]: study for study in json.loads(_asperity.studies())}
 
 
-def test_no_study_is_left_out():
-    assert STUDIES.keys() == REGISTRY.keys()
+def test_no_entry_is_of_another_study():
+    assert STUDIES.keys() <= REGISTRY.keys()
 
 
 @pytest.fixture(scope="module")
@@ -91,10 +90,10 @@ def at(tmp_path_factory):
 
 
 @pytest.mark.filterwarnings("ignore::asperity.AsperityWarning")
-@pytest.mark.parametrize("name", STUDIES)
+@pytest.mark.parametrize("name", sorted(REGISTRY, key=[*STUDIES, *REGISTRY].index))
 def test_a_study_has_one_value_on_every_face(name, at, command, monkeypatch):
     monkeypatch.chdir(at)
-    arguments, call = STUDIES[name]
+    arguments, call = STUDIES.get(name, ([E_DRIVE, *KEYS], lambda _: getattr(asperity, name)(few())))
     words = [command, *REGISTRY[name]["command"].split(), *map(str, arguments), "-o", name]
     printed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
     stated, run = [], _asperity.study

@@ -196,6 +196,20 @@ impl Finishes {
         ]
     }
 
+    /// Refuses to compare a single finish.
+    ///
+    /// # Errors
+    /// When `count` is below two.
+    pub fn check_count(count: usize) -> Result<(), Fault> {
+        match count < 2 {
+            true => {
+                let message = "one finish cannot be compared; give at least two";
+                Err(Fault::new(Code::E205, message))
+            }
+            false => Ok(()),
+        }
+    }
+
     /// The case of the first finish.
     pub(crate) fn first(&self) -> Result<&Train, Fault> {
         let first = self.0.first().map(|finish| &finish.case);
@@ -221,10 +235,7 @@ impl Input for Finishes {
 impl CompareSettings {
     /// The finishes with the stated number of offsets.
     fn applied(&self, Finishes(finishes): Finishes) -> Result<Finishes, Fault> {
-        if finishes.len() < 2 {
-            let message = "finishes: one finish cannot be compared; give at least two";
-            return Err(Fault::new(Code::E205, message));
-        }
+        Finishes::check_count(finishes.len())?;
         let Some(offsets) = self.offsets else {
             return Ok(Finishes(finishes));
         };

@@ -19,6 +19,7 @@
 mod coverage;
 mod draws;
 mod energy;
+mod error;
 mod report;
 mod study;
 mod trace;
@@ -26,4 +27,4 @@ mod trace;
 pub use coverage::{Coverage, Uncovered};
 pub use energy::{CycleFinish, CycleResult, evaluate};
 pub use study::{CycleOnMap, CycleSettings};
-pub use trace::{Cycle, CycleError, CyclePoint, LARGEST_TABLE, cycle, named_cycle, read};
+pub use trace::{Cycle, CyclePoint, LARGEST_TABLE, cycle, named_cycle, read};

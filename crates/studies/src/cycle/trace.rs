@@ -1,17 +1,15 @@
 //! Reading of a cycle, and conversion to the pinion.
 
 use std::f64::consts::PI;
-use std::fmt::Display;
 use std::path::Path;
 
 use asperity::case::{VehicleInput, range_of};
 use asperity::message::Warning;
 use asperity::profile_io::read::read_table;
-use asperity_core::number;
-use asperity_core::remedy::{Remedy, Setting, Value};
-use asperity_core::{Code, Fault};
-use asperity_table::{Ragged, RowFault, Table};
+use asperity_core::Fault;
+use asperity_table::Table;
 
+use super::error;
 use crate::map::forwards;
 
 /// Density of air at 20 °C \[kg/m³\].
@@ -60,124 +58,6 @@ impl CyclePoint {
     }
 }
 
-/// Error of a cycle. The errors of names have a remedy of their own, and those of the vehicle a case with a text.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum CycleError {
-    /// Columns are missing.
-    #[error(
-        "{}; required are a time with torque and speed of the pinion, or a time with the speed of a vehicle, in columns like time_s, torque_nm, speed_rpm, speed_km_h, speed_mph, grade_percent",
-        match has_names { true => format!("columns {found}"), false => format!("no line of names above the first row {found}") }
-    )]
-    Columns {
-        /// Columns of the table, or its first row.
-        found: String,
-        /// Whether the table has names.
-        has_names: bool,
-    },
-    /// A quantity is stated in two columns.
-    #[error("columns {0} and {1} state one quantity")]
-    Twice(String, String),
-    /// A number of the vehicle that no vehicle has.
-    #[error(transparent)]
-    Impossible(#[from] Box<asperity::Error>),
-    /// An error that no caller distinguishes from others.
-    #[error(transparent)]
-    Fault(#[from] Fault),
-}
-
-impl CycleError {
-    /// A number of a column, or of a quantity computed from the speed of the vehicle, that is not possible for a vehicle or gear
-    /// drive: its absolute value is above `limit`.
-    fn beyond(line: usize, column: &'static str, value: f64, limit: f64) -> Self {
-        Self::at_line(
-            line,
-            format!(
-                "{column} = {} is beyond -{} to {}; check unit and decimal point",
-                number(value),
-                number(limit),
-                number(limit)
-            ),
-        )
-    }
-
-    /// Time \[s\] that does not increase.
-    fn time(line: usize, time_s: f64, before: f64) -> Self {
-        Self::at_line(
-            line,
-            format!(
-                "time_s = {} does not rise from {} before it; if another recording begins here, take one of them",
-                number(time_s),
-                number(before)
-            ),
-        )
-    }
-
-    /// Fewer than two points.
-    fn short() -> Self {
-        Self::refused("a cycle needs two points at least")
-    }
-
-    /// The table has the speed of a vehicle, but no vehicle is given.
-    fn no_vehicle() -> Self {
-        Self::refused("the speed of a vehicle needs the table [vehicle] in the case of the map")
-    }
-
-    /// A number of the vehicle in SI units is not valid.
-    fn vehicle(key: &'static str, value: f64, rule: &'static str) -> Self {
-        Self::refused(format!("vehicle.{key} = {} must be {rule}", number(value)))
-    }
-
-    /// An error at a line of the file, counted from 1.
-    fn at_line(line: usize, text: impl Display) -> Self {
-        Self::refused(format!("line {line}: {text}"))
-    }
-
-    fn refused(text: impl Into<String>) -> Self {
-        Fault::new(Code::E101, text).into()
-    }
-
-    /// Stable code.
-    #[must_use]
-    pub fn code(&self) -> Code {
-        match self {
-            Self::Impossible(error) => error.code(),
-            Self::Fault(fault) => fault.code(),
-            Self::Columns { .. } | Self::Twice(..) => Code::E101,
-        }
-    }
-}
-
-/// A row has another number of cells than the header.
-impl From<Ragged> for CycleError {
-    fn from(ragged: Ragged) -> Self {
-        Fault::of(Code::E101, ragged).into()
-    }
-}
-
-/// A cell is not a finite number.
-impl From<RowFault> for CycleError {
-    fn from(cell: RowFault) -> Self {
-        Self::refused(format!("line {cell}"))
-    }
-}
-
-impl From<CycleError> for Fault {
-    fn from(error: CycleError) -> Self {
-        match error {
-            CycleError::Impossible(error) => (*error).into(),
-            CycleError::Fault(fault) => fault,
-            error => {
-                let names = Value::Like("time_s,-,speed_km_h".into());
-                let remedy = Remedy::act("write these names above the rows")
-                    .or_set(Setting::Columns, names)
-                    .because("in the order of the columns, where - leaves one out");
-                Self::of(error.code(), error).with(remedy)
-            }
-        }
-    }
-}
-
 /// Largest size of a table in bytes.
 pub const LARGEST_TABLE: u64 = 100_000_000;
 
@@ -188,7 +68,7 @@ pub const LARGEST_TABLE: u64 = 100_000_000;
 pub fn read(file: &Path, vehicle: Option<&VehicleInput>) -> Result<Cycle, Fault> {
     let text = read_table(file, LARGEST_TABLE)?;
     let found = cycle(&text, vehicle);
-    found.map_err(|error| Fault::from(error).about(file.display()))
+    found.map_err(|error| error.about(file.display()))
 }
 
 /// Reads the cycle in `text`, a table with a header row ([`Table`]), whose columns may have the names that other programs give
@@ -203,9 +83,9 @@ pub fn read(file: &Path, vehicle: Option<&VehicleInput>) -> Result<Cycle, Fault>
 /// let found = cycle("time_s,torque_nm,speed_rpm\n0,10,1000\n1,20,1000\n3,0,0\n", None)?;
 /// assert_eq!(found.points[1].weight_s, 1.5);
 /// assert!(cycle("time_s,speed_km_h\n0,0\n1,3\n", None).is_err());
-/// # Ok::<(), asperity_studies::cycle::CycleError>(())
+/// # Ok::<(), asperity_core::Fault>(())
 /// ```
-pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleError> {
+pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, Fault> {
     named_cycle(text, None, vehicle)
 }
 
@@ -220,24 +100,24 @@ pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleE
 /// let names = ["time_s", "-", "torque_nm", "speed_rpm"].map(str::to_owned);
 /// let found = named_cycle("0\t7\t10\t1000\n1\t7\t20\t1000\n", Some(&names), None)?;
 /// assert_eq!(found.points[1].torque_nm, 20.0);
-/// # Ok::<(), asperity_studies::cycle::CycleError>(())
+/// # Ok::<(), asperity_core::Fault>(())
 /// ```
 pub fn named_cycle(
     text: &str,
     names: Option<&[String]>,
     vehicle: Option<&VehicleInput>,
-) -> Result<Cycle, CycleError> {
-    let table = Columns(Table::named(text, names)?);
+) -> Result<Cycle, Fault> {
+    let table = Columns(Table::named(text, names).map_err(error::ragged)?);
     let time = table.time()?;
     if time.len() < 2 {
-        return Err(CycleError::short());
+        return Err(error::short());
     }
     if let Some(row) = (1..time.len()).find(|&k| time[k] <= time[k - 1]) {
-        return Err(CycleError::time(table.line(row), time[row], time[row - 1]));
+        return Err(error::time(table.line(row), time[row], time[row - 1]));
     }
     let vehicle = vehicle.map(checked).transpose()?;
     let warnings = vehicle.map(VehicleInput::unusual).transpose();
-    let mut warnings = warnings.map_err(Box::new)?.unwrap_or_default();
+    let mut warnings = warnings?.unwrap_or_default();
     let (torque, speed, way) = match [table.found("torque_nm")?, table.found("speed_rpm")?] {
         [Some(torque), Some(speed)] => {
             let (torque, speed) = (table.numbers(torque)?, table.numbers(speed)?);
@@ -252,7 +132,7 @@ pub fn named_cycle(
         _ => {
             let speed = table.column("speed_km_h")?;
             let speed = speed.ok_or_else(|| table.lacking())?;
-            let vehicle = vehicle.ok_or_else(CycleError::no_vehicle)?;
+            let vehicle = vehicle.ok_or_else(error::no_vehicle)?;
             let grade = table.column("grade_percent")?;
             let speeds: Vec<f64> = speed.iter().map(|speed| speed / 3.6).collect();
             let (torque, rpm) = at_the_pinion(vehicle, &time, &speeds, grade.as_deref());
@@ -313,7 +193,7 @@ fn at_the_pinion(
     (torque.collect(), rpm.collect())
 }
 
-fn checked(vehicle: &VehicleInput) -> Result<&VehicleInput, CycleError> {
+fn checked(vehicle: &VehicleInput) -> Result<&VehicleInput, Fault> {
     let positive = [
         ("mass", vehicle.mass.si()),
         ("wheel_radius", vehicle.wheel_radius.si()),
@@ -327,13 +207,13 @@ fn checked(vehicle: &VehicleInput) -> Result<&VehicleInput, CycleError> {
     for (key, value) in positive {
         if !(value.is_finite() && value > 0.0) {
             let rule = "greater than zero";
-            return Err(CycleError::vehicle(key, value, rule));
+            return Err(error::vehicle(key, value, rule));
         }
     }
     for (key, value) in not_negative {
         if !(value.is_finite() && value >= 0.0) {
             let rule = "zero or more";
-            return Err(CycleError::vehicle(key, value, rule));
+            return Err(error::vehicle(key, value, rule));
         }
     }
     Ok(vehicle)
@@ -633,15 +513,13 @@ struct Found<'a> {
 }
 
 impl Columns {
-    fn lacking(&self) -> CycleError {
-        CycleError::Columns {
-            found: Vec::from_iter(self.0.heads()).join(", "),
-            has_names: self.0.has_names(),
-        }
+    fn lacking(&self) -> Fault {
+        let found = Vec::from_iter(self.0.heads()).join(", ");
+        error::columns(&found, self.0.has_names())
     }
 
     /// The times \[s\]: a column of them, or of dates, from the first.
-    fn time(&self) -> Result<Vec<f64>, CycleError> {
+    fn time(&self) -> Result<Vec<f64>, Fault> {
         if let Some(time) = self.column("time_s")? {
             return Ok(time);
         }
@@ -656,12 +534,13 @@ impl Columns {
                 )
             };
             seconds(text).ok_or_else(fault)
-        })?;
+        });
+        let time = time.map_err(error::cell)?;
         Ok(time.iter().map(|at| at - time[0]).collect())
     }
 
     /// A column of [`QUANTITIES`]; `None` if the table has none of its names.
-    fn found(&self, column: &'static str) -> Result<Option<Found<'_>>, CycleError> {
+    fn found(&self, column: &'static str) -> Result<Option<Found<'_>>, Fault> {
         let known = QUANTITIES.iter().find(|quantity| quantity.column == column);
         let names = self.0.names().iter().map(String::as_str);
         let mut there = names.filter_map(|name| Some((name, known?.unit(name)?)));
@@ -669,38 +548,34 @@ impl Columns {
             return Ok(None);
         };
         if let Some((other, _)) = there.next() {
-            return Err(CycleError::Twice(name.to_owned(), other.to_owned()));
+            return Err(error::twice(name, other));
         }
         Ok(Some(Found { column, name, unit }))
     }
 
     /// The numbers of a column that was found.
-    fn numbers(&self, found: Found<'_>) -> Result<Vec<f64>, CycleError> {
+    fn numbers(&self, found: Found<'_>) -> Result<Vec<f64>, Fault> {
         let Found { column, name, unit } = found;
-        let numbers = self.0.values(|row| Ok(unit.converted(row.number(name)?)))?;
+        let numbers = self.0.values(|row| Ok(unit.converted(row.number(name)?)));
+        let numbers = numbers.map_err(error::cell)?;
         self.check(column, &numbers)?;
         Ok(numbers)
     }
 
     /// The numbers of a column of [`QUANTITIES`]; `None` if the table has none of its names.
-    fn column(&self, column: &'static str) -> Result<Option<Vec<f64>>, CycleError> {
+    fn column(&self, column: &'static str) -> Result<Option<Vec<f64>>, Fault> {
         let found = self.found(column)?;
         found.map(|found| self.numbers(found)).transpose()
     }
 
     /// Rejects impossible numbers of a column.
-    fn check(&self, column: &'static str, numbers: &[f64]) -> Result<(), CycleError> {
+    fn check(&self, column: &'static str, numbers: &[f64]) -> Result<(), Fault> {
         let limit = limit(column);
         let beyond = numbers
             .iter()
             .position(|value| value.abs() > limit || value.is_nan());
         beyond.map_or(Ok(()), |row| {
-            Err(CycleError::beyond(
-                self.line(row),
-                column,
-                numbers[row],
-                limit,
-            ))
+            Err(error::beyond(self.line(row), column, numbers[row], limit))
         })
     }
 
