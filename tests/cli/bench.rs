@@ -156,8 +156,26 @@ impl Bench {
         }
     }
 
-    /// Runs the program in the folder.
+    /// Runs the program in the folder, a study with all that it prints.
     pub fn run(&self, arguments: &[&str]) -> Said {
+        const STUDIES: [&str; 9] = [
+            "calibrate",
+            "callout",
+            "compare",
+            "cycle",
+            "evidence",
+            "map",
+            "oil",
+            "ridges",
+            "sensitivity",
+        ];
+        let is_study = arguments.first().is_some_and(|name| STUDIES.contains(name));
+        let notes: &[&str] = if is_study { &["--notes"] } else { &[] };
+        self.first_screen(&[arguments, notes].concat())
+    }
+
+    /// Runs the program in the folder with these arguments only.
+    pub fn first_screen(&self, arguments: &[&str]) -> Said {
         self.run_with(arguments, &[])
     }
 

@@ -216,7 +216,7 @@ fn a_map_has_nodes_at_rest_and_its_points_are_those_of_runs() {
     // Most of it is extrapolated, so that a sentence says so in place of hatching.
     assert!(
         page.contains("Efficiency, these flanks, 90 °C")
-            && page.contains("of these flanks the model is outside of a range")
+            && page.contains("of these flanks the model is extrapolated")
     );
     assert!(!page.contains("class=\"hatch\""));
 }

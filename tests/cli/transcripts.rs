@@ -83,7 +83,7 @@ fn run_line(bench: &Bench, line: &str, may_fail: bool) -> Option<String> {
         }
         _ => return None,
     };
-    let said = bench.run(arguments);
+    let said = bench.first_screen(arguments);
     assert!(may_fail || said.status == 0, "{line}\n{}", said.err);
     Some(said.out + &said.err)
 }
@@ -94,6 +94,9 @@ fn settled(line: &str) -> String {
         Some(end) => &line[..end],
         None => line,
     };
+    if let Some((written, more)) = line.split_once("   ").filter(|_| line.ends_with("--notes")) {
+        return format!("{}   {more}", settled(written));
+    }
     let seconds = line
         .strip_suffix(" s")
         .and_then(|rest| rest.rsplit_once(" in "))

@@ -232,7 +232,7 @@ impl<'a> Report<'a> {
     }
 
     /// The first screen in a terminal, of at most `lines` lines, and the number of lines that it leaves out: the verdict, then
-    /// the first table as far as there is room, then texts.
+    /// the first table as far as there is room, then texts and warnings.
     #[must_use]
     pub fn brief(&self, lines: usize) -> (String, usize) {
         let title = self.title_line();
@@ -265,7 +265,9 @@ impl<'a> Report<'a> {
             };
             show(*k, heading + 1);
         }
-        for k in of(|block| matches!(block, Block::Text(_))) {
+        let texts = of(|block| matches!(block, Block::Text(_)));
+        let warnings = of(|block| matches!(block, Block::Warning(_)));
+        for k in texts.into_iter().chain(warnings) {
             show(k, usize::MAX);
         }
         let all: usize = parts.iter().map(|(_, part)| count(part)).sum();

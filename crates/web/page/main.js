@@ -41,6 +41,8 @@ const state = {
   own: false,
   // Whether anything was chosen or written by the user, so that the draft is kept.
   touched: false,
+  // The pair of flanks to compare with the present one.
+  first: null,
   // What the result that is shown was computed of.
   ran: null,
   // The gears of the library, by their names.
@@ -339,9 +341,15 @@ async function take(files, body) {
     const isWheels = ({ name }) => /wheel|rad|gear.?2/i.test(name);
     traces.sort((a, b) => isWheels(a) - isWheels(b));
     const isFree = (each) => !state.held.has(bare(state.files[each]));
-    for (const [at, file] of traces.entries()) {
-      const alone = isWheels(file) || (isFree("wheel") && !isFree("pinion")) ? "wheel" : "pinion";
-      await setFlank(traces.length > 1 ? ["pinion", "wheel"][Math.min(at, 1)] : alone, file);
+    const isWhole = state.own && !isFree("pinion") && !isFree("wheel");
+    let before = isWhole ? { ...state.files } : null;
+    for (const pair of pairsOf(traces, isWheels)) {
+      for (const [at, file] of pair.entries()) {
+        const alone = isWheels(file) || (isFree("wheel") && !isFree("pinion")) ? "wheel" : "pinion";
+        await setFlank(pair.length > 1 ? ["pinion", "wheel"][Math.min(at, 1)] : alone, file);
+      }
+      if (pair.length === 2) askToCompare(before);
+      before = { ...state.files };
     }
     if (gearboxes.length) await takeGearbox(gearboxes[0]);
   } catch (failure) {
@@ -350,6 +358,40 @@ async function take(files, body) {
     refuse(failure);
   }
 }
+
+// Traces of two finishes as two pairs, each with its wheel second; others as they are.
+function pairsOf(traces, isWheels) {
+  if (traces.length !== 4) return [traces];
+  const half = traces.filter(isWheels).length === 2 ? 2 : 1;
+  return half === 2 ? [[traces[0], traces[2]], [traces[1], traces[3]]] : [traces.slice(0, 2), traces.slice(2)];
+}
+
+// With two pairs of flanks at hand, asks whether to compare them.
+function askToCompare(first) {
+  const names = (files) => `${bare(files.pinion)} and ${bare(files.wheel)}`;
+  const second = { ...state.files };
+  state.first = first && !state.apart && names(first) !== names(second) ? first : null;
+  element("two").hidden = !state.first;
+  if (state.first) element("two-names").textContent = `Two finishes: A, ${names(first)}; B, ${names(second)}.`;
+}
+
+element("compare").addEventListener("click", async () => {
+  const [first, second] = [state.first, { ...state.files }];
+  element("two").hidden = true;
+  const set = async (files) => {
+    state.files = { ...files };
+    write();
+    await Promise.all(["pinion", "wheel"].map(look));
+  };
+  // What is shown may be the first finish already.
+  await set(first);
+  const isShown = state.ran?.inputs === inputs() && !used().some(({ name, bytes }) => state.ran.held.get(name) !== bytes);
+  if (!isShown) await run();
+  if (form.dataset.run !== "done") return;
+  element("hold").checked = false;
+  await set(second);
+  await run();
+});
 
 for (const kind of ["dragenter", "dragover"]) {
   addEventListener(kind, (event) => {
@@ -459,6 +501,7 @@ async function run() {
   busy(true);
   note("running");
   status.textContent = "Reading the traces …";
+  element("show").hidden = true;
   const given = { name: state.name, text: text.value, inputs: inputs(), held: new Map(state.held) };
   const files = [...state.held].map(([name, bytes]) => ({ name, bytes }));
   try {
@@ -467,11 +510,12 @@ async function run() {
       element("bar").value = done;
       status.textContent = done < total ? `Position ${done} of ${total}` : "Uncertainty of the loss …";
     });
-    showResult(found, given);
+    await showResult(found, given);
     state.ran = given;
     changed();
     note("done");
     status.textContent = `Done in ${found.seconds.toFixed(1)} s`;
+    element("show").hidden = false;
   } catch (failure) {
     if (failure.code === "cancelled") status.textContent = "Cancelled";
     refuse(failure);
@@ -486,6 +530,10 @@ form.addEventListener("submit", (event) => {
   if (!element("run").disabled) run();
 });
 element("cancel").addEventListener("click", () => runs.stop());
+element("show").addEventListener("click", () => {
+  element("main").scrollIntoView({ block: "start" });
+  element("main").focus({ preventScroll: true });
+});
 
 // --- the start
 

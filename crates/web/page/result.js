@@ -41,19 +41,6 @@ function node(name, text, className) {
   return each;
 }
 
-// A part of the headline: a value, or rows of names and values.
-function tile({ name, value, rows, note }) {
-  const box = node("div");
-  const content = node("dd", value);
-  if (rows.length) {
-    const table = content.appendChild(node("table"));
-    for (const [of, what] of rows) table.insertRow().append(node("th", of), node("td", what));
-  }
-  box.append(node("dt", name), content);
-  if (note) box.append(node("dd", note, "hint"));
-  return box;
-}
-
 // What the result was computed of, in words.
 function inputsOf({ operation, mesh, surface }) {
   const files = filesOf([surface, mesh]).map((name) => name.split(/[/\\]/).pop());
@@ -107,6 +94,7 @@ function showReports(files) {
     };
     frame.srcdoc = new TextDecoder().decode(files[name]);
   };
+  const drawn = new Promise((resolve) => frame.addEventListener("load", resolve, { once: true }));
   choice.hidden = reports.length < 2;
   choice.replaceChildren(...reports.map((name) => {
     const each = button(name === REPORT ? "Whole gearbox" : `Mesh ${title(name)}`, () => show(name));
@@ -114,6 +102,7 @@ function showReports(files) {
     return each;
   }));
   show(REPORT);
+  return drawn;
 }
 
 // Marks the result as one of other inputs.
@@ -123,6 +112,7 @@ export function setStale(is) {
   element("report").tabIndex = is ? -1 : 0;
 }
 
+// Shows a result; done when its report is drawn.
 export function showResult(found, given) {
   for (const place of shown) URL.revokeObjectURL(place);
   shown = [];
@@ -131,15 +121,15 @@ export function showResult(found, given) {
   element("result").hidden = false;
   element("title").textContent = found.title;
   element("time").textContent = `Computed in ${found.seconds.toFixed(2)} s on this machine for ${inputsOf(found.inputs)}.`;
-  element("tiles").replaceChildren(...found.tiles.map(tile));
   showBoth(found.versus);
   element("summary").textContent = found.summary;
   const names = Object.keys(found.files);
   const links = [link(given.name, given.text), ...names.map((name) => link(name, found.files[name]))];
   element("files").replaceChildren("Save: ", ...links);
-  showReports(found.files);
+  const drawn = showReports(found.files);
   const { top } = element("main").getBoundingClientRect();
   if (top < 0 || top > innerHeight / 2) element("main").scrollIntoView({ block: "start" });
+  return drawn;
 }
 
 export function clearError() {

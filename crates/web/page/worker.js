@@ -33,7 +33,7 @@ const tasks = {
     const contents = Object.fromEntries(found.names.map((each) => [each, found.file(each)]));
     held.free();
     const { title, summary } = found;
-    return { title, summary, files: contents, seconds, inputs: JSON.parse(found.inputs()), tiles: JSON.parse(found.tiles()), versus: sideBySide(found, hold) };
+    return { title, summary, files: contents, seconds, inputs: JSON.parse(found.inputs()), versus: sideBySide(found, hold) };
   },
 };
 

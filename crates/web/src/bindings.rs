@@ -75,14 +75,6 @@ impl Finished {
         self.0.summary()
     }
 
-    /// The headline as JSON.
-    ///
-    /// # Errors
-    /// When it cannot be written: the failure as JSON.
-    pub fn tiles(&self) -> Result<String, JsValue> {
-        written(Ok(self.0.tiles()))
-    }
-
     /// The keys of the case as JSON.
     ///
     /// # Errors

@@ -221,6 +221,10 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
     let less = if sign < 0.0 { "less" } else { "more" };
     let by = format!("{other} loses {share} % {less} than {first}, {watts} W");
     let count = difference.models.len();
+    let all = match count {
+        1 => "the one other model".to_owned(),
+        count => format!("all {count} models"),
+    };
     let range = difference.model_range_w().map_or(String::new(), |range| {
         let digits = Digits::of_interval(difference.quantiles_w);
         format!(" ({} W)", digits.range(turned(range)))
@@ -228,9 +232,9 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
     match &difference.verdict {
         Verdict::Equal => format!("{other} loses exactly as much as {first}"),
         Verdict::Holds if count == 0 => format!("{by}; the sign holds"),
-        Verdict::Holds => format!("{by}; the sign holds under all {count} models{range}"),
+        Verdict::Holds => format!("{by}; the sign holds under {all}{range}"),
         Verdict::Except(models) => format!(
-            "{by}; the sign holds under all {count} models{range} except {}",
+            "{by}; the sign holds under {all}{range} except {}",
             models.join(", ")
         ),
         _ => {

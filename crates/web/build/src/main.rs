@@ -35,6 +35,9 @@ const COPIED: [(&str, &str, &[&str]); 4] = [
     ("fixtures/profiles", "examples", &["csv"]),
 ];
 
+/// Picture of the start, from where in the repository.
+const PICTURE: &str = "docs/gallery/finishes.svg";
+
 fn main() -> ExitCode {
     let Some(folder) = env::args_os().nth(1) else {
         eprintln!("name the folder to write, e.g. target/web");
@@ -66,6 +69,7 @@ fn build(folder: &Path) -> Result<(), Box<dyn Error>> {
     for (from, to, endings) in COPIED {
         copy(&root.join(from), &folder.join(to), endings)?;
     }
+    fs::copy(root.join(PICTURE), folder.join("finishes.svg"))?;
     println!(
         "wrote {}; serve it by any file server, e.g.",
         folder.display()
