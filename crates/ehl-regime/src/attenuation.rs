@@ -20,7 +20,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use asperity_core::numerics::{complex_inverse, real_transforms};
+use asperity_core::numerics::{complex_inverse, extremes, real_transforms};
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, cite};
 use rustfft::Fft;
@@ -352,15 +352,24 @@ impl TraceSpectrum {
         [first, second]: [&[f64]; 2],
         factors: &impl Fn(Length) -> [f64; 2],
     ) -> Vec<Complex<f64>> {
+        // Both as large as each other: the round-off of the larger would drown the smaller.
+        let largest = |signal: &[f64]| {
+            let (low, high) = extremes(signal);
+            high.max(-low)
+        };
+        let [one, other] = [first, second].map(largest);
+        let size = if one > 0.0 { one } else { 1.0 } / if other > 0.0 { other } else { 1.0 };
+        let is_alone = other == 0.0;
         // The inverse transform of the conjugate is the conjugate of the transform Z of s₁ + i s₂.
         let pairs = first.iter().zip(second);
-        let mut waves: Vec<_> = pairs.map(|(a, b)| Complex::new(*a, -b)).collect();
+        let mut waves: Vec<_> = pairs.map(|(a, b)| Complex::new(*a, -size * b)).collect();
         self.inverse.process(&mut waves);
         let n = self.points;
         let length = n as f64 * self.spacing;
         waves[0] = Complex::default();
         for k in 1..=n / 2 {
             let [f, g] = factors(Length::from_si(length / k as f64));
+            let g = if is_alone { 0.0 } else { g / size };
             let [f, g] = [f, g].map(|factor| 0.5 * factor / n as f64);
             let (z, mirror) = (waves[k].conj(), waves[n - k]);
             // S₁ = (Z_k + conj Z_n₋ₖ)/2, S₂ = (Z_k − conj Z_n₋ₖ)/2i

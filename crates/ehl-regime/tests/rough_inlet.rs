@@ -422,3 +422,44 @@ fn the_scale_of_a_rough_inlet_has_the_gradient_of_its_differences() {
     let none = found.scale_gradient(&waves, spectra.each_ref());
     assert!(none.iter().flatten().all(|g| *g == 0.0));
 }
+
+#[test]
+fn sums_of_filtered_signals_are_those_of_each() {
+    for (points, others) in [(300, 300), (301, 301), (301, 280), (7, 2)] {
+        // The second signals are small and have large factors, as pressures beside heights.
+        let signal = |points: usize, seed: f64| -> Vec<f64> {
+            let size = if seed == 0.7 || seed == 1.7 {
+                1e-16
+            } else {
+                1.0
+            };
+            let value = |i: usize| size * (seed * (i * i) as f64).sin();
+            (0..points).map(value).collect()
+        };
+        let signals = [(points, 0.3), (points, 0.7), (others, 1.1), (others, 1.7)]
+            .map(|(points, seed)| signal(points, seed));
+        let dx = Length::from_si(0.5e-6);
+        let spectra = signals
+            .each_ref()
+            .map(|signal| TraceSpectrum::new(signal, dx).unwrap());
+        let first = |wave: Length| 1.0 / (1.0 + wave.si() * 1e5);
+        let second = |wave: Length| 1e11 / wave.si();
+        let [a, b, c, d] = &signals;
+        let found =
+            TraceSpectrum::filtered_sums([&spectra[0], &spectra[2]], [[a, b], [c, d]], |wave| {
+                [first(wave), second(wave)]
+            });
+        for (body, found) in found.iter().enumerate() {
+            let [one, other] = [0, 1].map(|k: usize| &spectra[2 * body + k]);
+            let expected = one.filtered(first).into_iter().zip(other.filtered(second));
+            assert_eq!(found.len(), one.points());
+            for (found, (one, other)) in found.iter().zip(expected) {
+                let expected = one + other;
+                assert!(
+                    (found - expected).abs() < 1e-12,
+                    "{points} {body}: {found} {expected}"
+                );
+            }
+        }
+    }
+}

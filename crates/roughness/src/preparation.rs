@@ -58,8 +58,8 @@ impl Preparation {
     ///
     /// ```
     /// use asperity_roughness::preparation::Preparation;
-    /// assert_eq!(Preparation::default().coarsest_spacing(), Some("0.5 um".parse()?));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// let spacing = Preparation::default().coarsest_spacing();
+    /// assert!(spacing.is_some_and(|spacing| (spacing.si() - 0.5e-6).abs() < 1e-20));
     /// ```
     #[must_use]
     pub fn coarsest_spacing(&self) -> Option<Length> {
