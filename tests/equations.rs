@@ -136,7 +136,7 @@ fn the_table_has_the_formulas_of_the_doc_comments() {
 }
 
 fn lines(file: &str) -> Vec<String> {
-    let text = fs::read_to_string(root().join("crates/asperity/src/equations").join(file)).unwrap();
+    let text = fs::read_to_string(root().join("crates").join(file)).unwrap();
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     lines.map(str::to_owned).collect()
 }
@@ -144,7 +144,7 @@ fn lines(file: &str) -> Vec<String> {
 #[test]
 fn every_row_has_a_formula_sources_and_a_test() {
     let number = |tag: &str| tag.strip_prefix('P')?.parse::<u32>().ok();
-    let rows = lines("rows.txt");
+    let rows = lines("core/src/provenance/rows.txt");
     let mut keys = BTreeSet::new();
     let sources = sources();
     for (row, equation) in rows.iter().zip(all()) {
@@ -172,7 +172,7 @@ fn every_row_has_a_formula_sources_and_a_test() {
         all().is_sorted_by(|a, b| order(a.tag) < order(b.tag)),
         "order of rows.txt"
     );
-    let listed = lines("sources.txt");
+    let listed = lines("asperity/src/equations/sources.txt");
     let texts: BTreeSet<&str> = listed
         .iter()
         .filter_map(|row| Some(row.split_once(" | ")?.1))

@@ -1,12 +1,13 @@
 //! The equations of the model: tag, formula, file, test, sources and misprints of the 2022 paper.
 //!
 //! Formula and file of an equation come from the doc comment that ends in its tag; `formulas.txt` is written from the
-//! doc comments of the workspace. `rows.txt` has the title, the test, the keys of the sources and the misprint, and
-//! `sources.txt` the bibliography.
+//! doc comments of the workspace. The rows of `asperity-core`, which has the tags, have the title, the test, the keys of the
+//! sources and the misprint, and `sources.txt` the bibliography.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
+use asperity_core::provenance::ROWS;
 use serde::Serialize;
 
 /// A publication.
@@ -78,9 +79,7 @@ static EQUATIONS: LazyLock<Vec<Equation>> = LazyLock::new(|| {
             misprint: misprint.first().copied(),
         })
     };
-    rows(include_str!("rows.txt"))
-        .filter_map(equation)
-        .collect()
+    rows(ROWS).filter_map(equation).collect()
 });
 
 /// Every equation of the model: those of the 2022 paper by number, then the others by tag.
@@ -100,14 +99,7 @@ pub fn find(tag: &str) -> Option<&'static Equation> {
 
 /// The equations with these tags, in the order of [`all`].
 pub(crate) fn of_tags(tags: &BTreeSet<&'static str>) -> Vec<&'static Equation> {
-    static PLACES: LazyLock<BTreeMap<&str, usize>> = LazyLock::new(|| {
-        let rows = all().iter().enumerate();
-        rows.map(|(place, row)| (row.tag, place)).collect()
-    });
-    let places = tags.iter().filter_map(|tag| PLACES.get(tag).copied());
-    let mut places: Vec<usize> = places.collect();
-    places.sort_unstable();
-    places.into_iter().map(|place| &all()[place]).collect()
+    all().iter().filter(|row| tags.contains(row.tag)).collect()
 }
 
 /// The distinct sources of `equations`, by key.

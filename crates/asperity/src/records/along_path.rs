@@ -3,14 +3,13 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::numerics::{NodeInterval, interpolate};
-use asperity_core::provenance::{Provenance, note};
+use asperity_core::provenance::{Provenance, TAGS, note};
 use asperity_core::quantity::Length;
 use asperity_ehl::{Estimate, RecordSettings, transient};
 use rayon::prelude::*;
 
 use super::path_record::PathRecord;
 use super::store::RecordStore;
-use crate::equations::find;
 use crate::mesh::{MeshPosition, Resolution};
 use crate::reference_solution::{Inlet, ReferenceContact, ReferenceError, ReferenceSettings};
 use crate::result::RecordedFriction;
@@ -96,9 +95,8 @@ impl PathRecords {
     /// Notes the equations of the records, solved now or before.
     pub(crate) fn cite(&self) {
         let tags = self.places.iter().flat_map(|place| &place.record.tags);
-        for equation in tags.filter_map(|tag| find(tag)) {
-            note(equation.tag);
-        }
+        let place = |tag: &String| TAGS.iter().position(|known| known == tag);
+        tags.filter_map(place).for_each(note);
     }
 
     /// Records that a run has to solve at most.
