@@ -25,12 +25,9 @@ impl StudyResult for CallOut {
             .text([headline(self)])
             .verdict(self.limits.iter().map(limit_line))
             .figures(|| {
-                self.limits
-                    .iter()
-                    .map(|row| symbol(self, row))
-                    .collect::<Vec<_>>()
+                let symbols = self.limits.iter().map(|row| symbol(self, row));
+                symbols.chain([curve_chart(self)]).collect::<Vec<_>>()
             })
-            .figures(|| [curve_chart(self)])
             .text([inspection(self), losses(self)])
             .table(table(self))
             .section("By the number of traces")
@@ -65,7 +62,12 @@ fn curve_chart(study: &CallOut) -> Drawing {
     let of =
         |value: fn(&CurvePoint) -> f64| -> Vec<f64> { study.curve.iter().map(value).collect() };
     let heights = of(|point| point.height);
-    let [low, high] = [of(|point| point.loss_p05_w), of(|point| point.loss_p95_w)];
+    let points = study.curve.iter();
+    let band =
+        points.filter_map(|point| Some([point.height, point.loss_p05_w?, point.loss_p95_w?]));
+    let band: Vec<[f64; 3]> = band.collect();
+    let [of_band, low, high] =
+        [0, 1, 2].map(|k| band.iter().map(|row| row[k]).collect::<Vec<f64>>());
     let mut chart = Chart::new("curve", title, "curve.csv", x, y)
         .curve(
             "mean of lots of the recipe",
@@ -76,7 +78,7 @@ fn curve_chart(study: &CallOut) -> Drawing {
         .with(Series::band_of(
             0,
             "5 to 95 % of the lots",
-            &heights,
+            &of_band,
             &low,
             &high,
         ))

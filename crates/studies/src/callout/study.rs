@@ -207,10 +207,10 @@ pub struct CurvePoint {
     pub height: f64,
     /// Mean loss \[W\].
     pub loss_w: f64,
-    /// 5 % quantile of the loss over the lots \[W\].
-    pub loss_p05_w: f64,
+    /// 5 % quantile of the loss over the lots \[W\]; `None` where it follows from heights beyond the curve.
+    pub loss_p05_w: Option<f64>,
     /// 95 % quantile of it \[W\].
-    pub loss_p95_w: f64,
+    pub loss_p95_w: Option<f64>,
 }
 
 /// Computes the call-out of a case; `progress` is called with the number of completed runs.
@@ -430,7 +430,14 @@ impl Curve {
     fn points(&self, lots: &[MetLot]) -> Vec<CurvePoint> {
         let heights: Vec<f64> = lots.iter().map(|lot| lot.ln_height).collect();
         let [low, high] = sorted_quantiles(&heights, PROBABILITIES_OF_LOTS);
-        let of_lots = |ln: f64, height: f64| self.loss_at(ln + self.height.ln() - height);
+        let ends =
+            [self.nodes.first(), self.nodes.last()].map(|node| node.map_or(0.0, |node| node[0]));
+        let of_lots = |ln: f64, height: f64| {
+            let place = ln + self.height.ln() - height;
+            (ends[0]..=ends[1])
+                .contains(&place)
+                .then(|| self.loss_at(place))
+        };
         let point = |[ln, loss_w]: &[f64; 2]| CurvePoint {
             height: ln.exp(),
             loss_w: *loss_w,

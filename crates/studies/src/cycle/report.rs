@@ -185,7 +185,7 @@ fn table(result: &CycleResult) -> Table {
             finish.difference_quantiles_wh,
         );
     };
-    table.in_file("energies.csv")
+    table.brief(&["braking"]).in_file("energies.csv")
 }
 
 /// Whether the energies have quantiles.
