@@ -26,7 +26,7 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use asperity_core::cancel::Cancelled;
-use asperity_core::numerics::FourierNumber;
+use asperity_core::numerics::{FourierNumber, extremes};
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 use asperity_core::{DomainError, cite};
 use rustfft::FftPlanner;
@@ -516,7 +516,7 @@ impl Solver {
             approach: Length::from_si(approach),
             datum: problem.datum(),
             contact_fraction: touching as f64 / pressure.len() as f64,
-            max_pressure: Pressure::from_si(pressure.iter().fold(0.0, |m, &p| f64::max(m, p))),
+            max_pressure: Pressure::from_si(extremes(&pressure).1),
             dissipated,
             elastic_energy: discrete.elastic_energy(&pressure, &displacement),
             plastic_displacement,
