@@ -150,7 +150,7 @@ fn what_a_thread_solved_before_does_not_show_in_a_contact() {
         let pressures = |share: f64| {
             let control = match whole.control {
                 Control::Load(load) => Control::Load(load * share),
-                approach @ Control::Approach { .. } => approach,
+                other => other,
             };
             let problem = ContactProblem { control, ..whole };
             solve(&problem, &SolverSettings::default())
