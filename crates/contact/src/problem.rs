@@ -1,6 +1,7 @@
 //! Contact problem, settings of its solver, and solution.
 
 use asperity_core::DomainError;
+use asperity_core::numerics::vectorised;
 use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
 use serde::{Deserialize, Serialize};
 
@@ -269,7 +270,7 @@ impl ContactProblem<'_> {
         }
         if let Some(start) = self.start {
             let rule = "must be finite and not negative";
-            let holds = |p: f64| p.is_finite() && p >= 0.0;
+            let holds = |p: f64| p.is_finite() & (p >= 0.0);
             check_elements("start", start, points, "Pa", holds, rule)?;
         }
         if let Some(limit) = self.pressure_limit {
@@ -337,6 +338,14 @@ fn check_elements(
             need,
             got: values.len(),
         });
+    }
+    // All are looked at, in lanes of one vector, before the first bad one is sought.
+    let all_hold = vectorised(
+        #[inline(always)]
+        || values.iter().fold(true, |all, &value| all & holds(value)),
+    );
+    if all_hold {
+        return Ok(());
     }
     match values.iter().position(|&value| !holds(value)) {
         None => Ok(()),

@@ -142,6 +142,38 @@ fn transforms_and_the_dense_matrix_give_the_same_rough_contact() {
 }
 
 #[test]
+fn what_a_thread_solved_before_does_not_show_in_a_contact() {
+    // A solver takes over the operators of the one before, whose windows had other lengths.
+    for points in [1_201, 5_000] {
+        let (gap, spacing) = rough_gap(points);
+        let whole = hertz_problem(&gap, spacing);
+        let pressures = |share: f64| {
+            let control = match whole.control {
+                Control::Load(load) => Control::Load(load * share),
+                other => other,
+            };
+            let problem = ContactProblem { control, ..whole };
+            solve(&problem, &SolverSettings::default())
+                .unwrap()
+                .pressure
+        };
+        let alone = std::thread::scope(|scope| scope.spawn(|| [1.0, 0.05].map(&pressures)).join());
+        let after = std::thread::scope(|scope| {
+            let others = || {
+                for share in [0.02, 0.1, 0.3, 0.6] {
+                    pressures(share);
+                }
+                [0.05, 1.0].map(&pressures)
+            };
+            scope.spawn(others).join()
+        });
+        let ([one, other], [first, second]) = (alone.unwrap(), after.unwrap());
+        assert_eq!(one, second);
+        assert_eq!(other, first);
+    }
+}
+
+#[test]
 fn a_contact_solved_to_its_exact_sets_has_the_pressures_of_the_dense_matrix() {
     let (gap, spacing) = rough_gap(300);
     for limit in [None, Some(Pressure::from_si(4e9))] {

@@ -11,6 +11,7 @@ use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::{
     Boundary, ContactError, ContactProblem, ContactSolution, Solver, SolverSettings,
 };
+use asperity_core::numerics::Lanes;
 use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
 use asperity_core::{DomainError, cite};
 
@@ -343,8 +344,15 @@ impl RoughContact {
             .inside
             .clone()
             .filter(|&i| solution.pressure[i] > 0.0);
-        let both = solution.pressure.iter().zip(&self.smooth.hertz);
-        let highest = both.fold(0.0, |m: f64, (p, h)| m.max(p + (1.0 - phi) * h));
+        let mut highest = Lanes::new([0.0]);
+        highest.fold(
+            [&solution.pressure, &self.smooth.hertz],
+            |[most], [p, h]| {
+                let both = p + (1.0 - phi) * h;
+                [if both > most { both } else { most }]
+            },
+        );
+        let [highest] = highest.reduce(|a, b| [a[0].max(b[0])]);
         let mut spots = Vec::new();
         for cells in runs(&solution.pressure) {
             push_spots(&solution.pressure[cells], self.spacing, &mut spots);

@@ -1,7 +1,7 @@
 //! Roughness of a window as the inlet of its contact leaves it: how high it is, and where the film's pressure ripples.
 
 use asperity_core::cite;
-use asperity_core::numerics::{Lanes, vectorised};
+use asperity_core::numerics::{Lanes, add_times, vectorised};
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::Attenuation;
 use serde::{Deserialize, Serialize};
@@ -312,11 +312,8 @@ fn sums(at: &AtPlaces, scale: Scale) -> [[f64; 3]; PARTS] {
         }
     }
     let [before, first, .., last, behind] = &mut sums;
-    for (part, outside) in [(first, before), (last, behind)] {
-        for (sum, more) in part.iter_mut().zip(outside) {
-            *sum += *more;
-        }
-    }
+    add_times(first, 1.0, before);
+    add_times(last, 1.0, behind);
     std::array::from_fn(|part| {
         let [places, pressure, height, _] = sums[part + 1];
         [places, pressure, height]

@@ -53,6 +53,7 @@ impl Default for Preparation {
 /// gears the loss is then within .08 % of that with all points, film friction, gap and σ_d within .14 %, the share of the asperities
 /// within .0007 of the load (`docs/records/spacing.md`).
 const SHARE_OF_NOISE_CUTOFF: f64 = 0.2;
+
 impl Preparation {
     /// Largest spacing at which points show all that the filter λ_s leaves, λ_s/5; `None` without one.
     ///

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::f64::consts::PI;
 
 use asperity_core::cite;
+use asperity_core::numerics::extremes;
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 
 use super::cascadic_multigrid::Window;
@@ -84,8 +85,7 @@ impl<'a> DiscreteProblem<'a> {
                 }
             }
         }
-        let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
-        let most = gap.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let (least, most) = extremes(&gap);
         Ok(Self {
             problem,
             gap,

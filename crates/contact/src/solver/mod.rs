@@ -26,10 +26,9 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use asperity_core::cancel::Cancelled;
-use asperity_core::numerics::FourierNumber;
+use asperity_core::numerics::{FourierNumber, extremes};
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 use asperity_core::{DomainError, cite};
-use rustfft::FftPlanner;
 
 use crate::boundary::Boundary;
 use crate::convolution::{Buffers, EvenFilter};
@@ -43,6 +42,7 @@ use crate::problem::{
     ContactProblem, ContactSolution, LEAST_POINTS, MAX_TOLERANCE, SolverSettings,
 };
 use cascadic_multigrid::{Window, grids, is_smooth, prolong, prolong_slopes, restrict};
+use coarse_space::CoarseSpace;
 use discrete_problem::{DiscreteProblem, touching};
 use single_grid::minimise;
 use workspace::{Assessment, Level, Task, Workspace};
@@ -98,6 +98,8 @@ thread_local! {
 impl Drop for Solver {
     fn drop(&mut self) {
         if self.shape.points <= LARGE_GRID {
+            // Its planner has a history.
+            self.work.coarse = CoarseSpace::default();
             let own = (
                 self.shape,
                 std::mem::take(&mut self.levels),
@@ -109,13 +111,12 @@ impl Drop for Solver {
     }
 }
 
-/// Operators by number of points, cached for the grids and windows solved so far.
+/// Operators by number of points, cached for the grids and windows solved so far. Each has a planner of its own: what a planner
+/// has planned before shows in the rounding of its transforms.
 #[derive(Default)]
 struct Levels {
     /// Kernel of free ends of the largest grid so far; smaller grids use its first cells.
     column: Vec<f64>,
-    planner: Option<FftPlanner<f64>>,
-    inverse_planner: Option<FftPlanner<f32>>,
     displacements: BTreeMap<usize, EvenFilter>,
     singles: BTreeMap<usize, EvenFilter<f32>>,
     inverses: BTreeMap<usize, EvenFilter<f32>>,
@@ -129,8 +130,6 @@ impl Levels {
             self.displacements.clear();
             self.singles.clear();
             self.inverses.clear();
-            self.planner = None;
-            self.inverse_planner = None;
         }
     }
 
@@ -142,10 +141,10 @@ impl Levels {
         buffers: &mut Buffers,
     ) -> &EvenFilter {
         self.make_room(points);
-        let planner = self.planner.get_or_insert_with(f64::planner);
         let column = &mut self.column;
-        let filter = (self.displacements.entry(points))
-            .or_insert_with(|| displacement_filter(planner, points, boundary, column, buffers));
+        let filter = (self.displacements.entry(points)).or_insert_with(|| {
+            displacement_filter(&mut f64::planner(), points, boundary, column, buffers)
+        });
         free_if_large(column);
         buffers.reserve(filter);
         filter
@@ -154,12 +153,12 @@ impl Levels {
     /// Operators of an iteration on a grid; enlarges the buffers of the workspace to what they need.
     fn level(&mut self, points: usize, boundary: Boundary, work: &mut Workspace) -> Level<'_> {
         self.displacement(points, boundary, &mut work.buffers);
-        let planner = self.inverse_planner.get_or_insert_with(f32::planner);
-        let inverse =
-            (self.inverses.entry(points)).or_insert_with(|| inverse_filter(planner, points));
+        let inverse = (self.inverses.entry(points))
+            .or_insert_with(|| inverse_filter(&mut f32::planner(), points));
         work.single_buffers.reserve(inverse);
         let displacement = &self.displacements[&points];
-        let single = (self.singles.entry(points)).or_insert_with(|| displacement.single(planner));
+        let single = (self.singles.entry(points))
+            .or_insert_with(|| displacement.single(&mut f32::planner()));
         work.single_buffers.reserve(single);
         Level {
             displacement,
@@ -516,7 +515,7 @@ impl Solver {
             approach: Length::from_si(approach),
             datum: problem.datum(),
             contact_fraction: touching as f64 / pressure.len() as f64,
-            max_pressure: Pressure::from_si(pressure.iter().fold(0.0, |m, &p| f64::max(m, p))),
+            max_pressure: Pressure::from_si(extremes(&pressure).1),
             dissipated,
             elastic_energy: discrete.elastic_energy(&pressure, &displacement),
             plastic_displacement,

@@ -194,12 +194,21 @@ impl Workspace {
         let half_width = (last - first + 1).div_ceil(2);
         let points = self.pressure.len();
         let about = first.saturating_sub(half_width)..(last + half_width + 1).min(points);
-        let deformed = self.opening[about.clone()].iter().zip(&task.gap[about]);
-        let (least, most) = deformed
-            .map(|(v, h)| v - h)
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), u| {
-                (f64::min(least, u), f64::max(most, u))
-            });
+        let arrays = [&self.opening[about.clone()], &task.gap[about]];
+        let mut lanes = Lanes::new([f64::INFINITY, f64::NEG_INFINITY]);
+        vectorised(
+            #[inline(always)]
+            || {
+                lanes.fold(arrays, |[least, most], [v, h]| {
+                    let u = v - h;
+                    [
+                        if u < least { u } else { least },
+                        if u > most { u } else { most },
+                    ]
+                });
+            },
+        );
+        let [least, most] = lanes.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
         most - least
     }
 
