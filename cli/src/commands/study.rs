@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use asperity_core::Fault;
-use asperity_report::{StudyResult, StudySettings, Watch};
+use asperity_report::{LeftOut, StudyResult, StudySettings, Watch};
 use asperity_studies::every_study;
 use clap::{Arg, ArgMatches, Args, FromArgMatches as _};
 
@@ -118,13 +118,12 @@ pub fn print<S: StudyResult>(
     }
     let report = study.report();
     let (mut text, left_out) = match common.notes {
-        true => (report.terminal(), 0),
+        true => (report.terminal(), LeftOut::default()),
         false => report.brief(FIRST_SCREEN),
     };
-    let more = match left_out {
+    let more = match left_out.lines {
         0 => String::new(),
-        1 => "1 more line: --notes".to_owned(),
-        count => format!("{count} more lines: --notes"),
+        _ => format!("{left_out}: --notes"),
     };
     let written = folder.map_or(String::new(), |folder| format!("wrote {}", shown(folder)));
     let last = format!("{written}   {more}");

@@ -29,6 +29,27 @@ use crate::html::{Section, figure, page_of};
 use crate::wrap::wrapped;
 use crate::{tables, write_text};
 
+/// Number of lines that a first screen leaves out, and of the warnings among them.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Lines.
+    pub lines: usize,
+    /// Warnings.
+    pub warnings: usize,
+}
+
+impl Display for LeftOut {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let plural = |count: usize| if count == 1 { "" } else { "s" };
+        let Self { lines, warnings } = *self;
+        write!(f, "{lines} more line{}", plural(lines))?;
+        match warnings {
+            0 => Ok(()),
+            _ => write!(f, " with {warnings} warning{}", plural(warnings)),
+        }
+    }
+}
+
 /// Report of a study.
 ///
 /// ```
@@ -231,10 +252,10 @@ impl<'a> Report<'a> {
         text
     }
 
-    /// The first screen in a terminal, of at most `lines` lines, and the number of lines that it leaves out: the verdict, then
-    /// the first table as far as there is room, then texts and warnings.
+    /// The first screen in a terminal, of at most `lines` lines, and what it leaves out: the verdict, a short warning, then the
+    /// first table as far as there is room, then texts and other warnings.
     #[must_use]
-    pub fn brief(&self, lines: usize) -> (String, usize) {
+    pub fn brief(&self, lines: usize) -> (String, LeftOut) {
         let title = self.title_line();
         let parts = self.parts();
         let count = |part: &str| part.lines().count();
@@ -256,6 +277,12 @@ impl<'a> Report<'a> {
         for k in of(|block| matches!(block, Block::Verdict(_))) {
             show(k, 1);
         }
+        // Of the warnings the first is worth more than rows of a table, unless it is a paragraph.
+        let warnings = of(|block| matches!(block, Block::Warning(_)));
+        let first = warnings.first().filter(|k| count(&parts[**k].1) <= 3);
+        if let Some(k) = first {
+            show(*k, usize::MAX);
+        }
         let table = of(|block| matches!(block, Block::Table(table) if !table.is_empty()));
         if let Some(k) = table.first() {
             // Of a table there are its headings and a row at least.
@@ -266,12 +293,15 @@ impl<'a> Report<'a> {
             show(*k, heading + 1);
         }
         let texts = of(|block| matches!(block, Block::Text(_)));
-        let warnings = of(|block| matches!(block, Block::Warning(_)));
-        for k in texts.into_iter().chain(warnings) {
-            show(k, usize::MAX);
+        let others = warnings.iter().skip(usize::from(first.is_some()));
+        for k in texts.iter().chain(others) {
+            show(*k, usize::MAX);
         }
         let all: usize = parts.iter().map(|(_, part)| count(part)).sum();
-        let left_out = all - shown.iter().sum::<usize>();
+        let left_out = LeftOut {
+            lines: all - shown.iter().sum::<usize>(),
+            warnings: warnings.iter().filter(|k| shown[**k] == 0).count(),
+        };
         let parts = parts.iter().zip(shown);
         let text = parts.flat_map(|((_, part), lines)| part.split_inclusive('\n').take(lines));
         (title + &text.collect::<String>(), left_out)

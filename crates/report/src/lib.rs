@@ -40,7 +40,7 @@ mod whole;
 mod wrap;
 
 pub use axis::Nodes;
-pub use blocks::Report;
+pub use blocks::{LeftOut, Report};
 pub use columns::{Cell, Column, Kind, Number, Table, Value};
 pub use described::{Described, Input, StudySettings, Watch, Work, schema_of_settings};
 pub use folder::{

@@ -1,6 +1,6 @@
 //! Tables in the terminal.
 
-use asperity_report::columns;
+use asperity_report::{Report, columns};
 
 #[test]
 fn a_long_text_in_the_last_column_stays_in_its_column() {
@@ -35,4 +35,30 @@ fn columns_are_added_and_left_out_by_their_headings() {
     assert_eq!(squares.lines().last(), Some("     4"));
     let none = columns! { loss in [None, Some(0.125)]; number loss "loss" "W" "{:.2}" = loss; };
     assert_eq!(none.text("").lines().nth(2), Some("   -"));
+}
+
+#[test]
+fn a_first_screen_keeps_a_short_warning_and_counts_the_others() {
+    let rows = || columns! { k in 1..=20_usize; number number "number" "" = k; };
+    let warnings = ["W436 one parameter is held", "W431 the gearbox is left out"];
+    let report = Report::new("A study", "example")
+        .section("Result")
+        .verdict(["It pays."])
+        .table(rows())
+        .warning(warnings);
+    let (text, left_out) = report.brief(6);
+    let lines: Vec<&str> = text.lines().map(str::trim).collect();
+    assert_eq!(lines[..2], ["A study", "It pays."]);
+    assert_eq!(lines.len(), 6);
+    assert!(lines.contains(&warnings[0]), "{text}");
+    assert!(!text.contains("W431"), "{text}");
+    assert_eq!(left_out.warnings, 1);
+    assert_eq!(
+        lines.len() + left_out.lines,
+        report.terminal().lines().count()
+    );
+    assert_eq!(
+        left_out.to_string(),
+        format!("{} more lines with 1 warning", left_out.lines)
+    );
 }
