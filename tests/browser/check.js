@@ -266,7 +266,7 @@
     for (const part of all("details")) part.open = true;
     const sizes = all("figure").map((figure) => {
       const box = figure.querySelector("svg.chart").getBoundingClientRect();
-      const shapes = all(".curves path, .field path, rect.bar, rect.mixed, rect.film", figure).map((s) => s.getBBox());
+      const shapes = all(".curves path, .field path, rect.bar, rect.mixed, rect.film, .symbol-chart line", figure).map((s) => s.getBBox());
       return { id: figure.id, width: box.width, size: Math.max(0, ...shapes.map((b) => b.width + b.height)) };
     });
     return {

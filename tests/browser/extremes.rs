@@ -335,6 +335,14 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
         // Coloured cells of the traces: no curve is a whole column.
         ("pressed/ridges.html", _) => None,
         ("limited/callout.html", "traces") => Some(table("traces.csv").column("limit_over_recipe")),
+        ("limited/callout.html", _) if curve.starts_with("5 to 95 %") => {
+            let curve = table("curve.csv");
+            let [low, high] = ["loss_p05_w", "loss_p95_w"].map(|name| curve.column(name));
+            // Of the ends of the curve one side of the scatter is not known, and nothing is drawn.
+            let both = low.into_iter().zip(high);
+            let both = both.filter(|(low, high)| low.is_finite() && high.is_finite());
+            Some(both.flat_map(|(low, high)| [low, high]).collect())
+        }
         ("limited/callout.html", _) => Some(table("curve.csv").column("loss_w")),
         ("swept/sweep.html", chart) if chart.contains("-over-") => {
             let (output, axis) = chart.split_once("-over-").unwrap();

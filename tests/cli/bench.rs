@@ -158,11 +158,12 @@ impl Bench {
 
     /// Runs the program in the folder, a study with all that it prints.
     pub fn run(&self, arguments: &[&str]) -> Said {
-        const STUDIES: [&str; 9] = [
+        const STUDIES: [&str; 10] = [
             "calibrate",
             "callout",
             "compare",
             "cycle",
+            "design",
             "evidence",
             "map",
             "oil",

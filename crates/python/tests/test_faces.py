@@ -94,7 +94,7 @@ def at(tmp_path_factory):
 def test_a_study_has_one_value_on_every_face(name, at, command, monkeypatch):
     monkeypatch.chdir(at)
     arguments, call = STUDIES.get(name, ([E_DRIVE, *KEYS], lambda _: getattr(asperity, name)(few())))
-    words = [command, *REGISTRY[name]["command"].split(), *map(str, arguments), "-o", name]
+    words = [command, *REGISTRY[name]["command"].split(), *map(str, arguments), "-o", name, "--notes"]
     printed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
     stated, run = [], _asperity.study
 
