@@ -302,8 +302,9 @@ impl Chart {
         for mark in &self.marks {
             let at = frame.px(mark.at);
             canvas.line("mark", [at, frame.top], [at, frame.bottom]);
-            // Letters that would overlap are moved.
-            let x = at.max(free);
+            // Letters that would overlap or leave the frame are moved.
+            let end = frame.right - 0.5 * width(&mark.label, TICK);
+            let x = at.min(end).max(free);
             canvas.label("letter", [x, frame.top - 5.0], Anchor::Middle, &mark.label);
             free = x + 4.0 + width(&mark.label, TICK);
         }
