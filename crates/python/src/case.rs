@@ -26,8 +26,8 @@ use crate::choices::{Detail, named};
 use crate::contact::found;
 use crate::failure::{self, Failure};
 use crate::outcome::{Found, Outcome};
-use crate::study::studies_described;
 use crate::own_laws::PythonLaw;
+use crate::study::studies_described;
 use crate::trace::Trace;
 use crate::work::{alone, in_parallel};
 

@@ -43,13 +43,13 @@ mod _asperity {
     #[pymodule_export]
     use super::library::{demo, from_rexs, gears, oils, rexs_contents, steels};
     #[pymodule_export]
+    use super::maps::{Map, axis, read_map};
+    #[pymodule_export]
     use super::outcome::Outcome;
     #[pymodule_export]
     use super::quantity::{si_units, to_si};
     #[pymodule_export]
     use super::stored::{diff, read_result, summary};
-    #[pymodule_export]
-    use super::maps::{Map, axis, read_map};
     #[pymodule_export]
     use super::study::{Study, keys_of, steps, studies, study};
     #[pymodule_export]

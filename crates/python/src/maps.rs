@@ -36,7 +36,9 @@ pub fn axis(text: &str) -> PyResult<Vec<f64>> {
 /// The map in a folder.
 #[pyfunction]
 pub fn read_map(py: Python<'_>, folder: PathBuf) -> PyResult<Study> {
-    alone(py, || Ok(Study::of(MapStudy::from(mapping::read(&folder)?))))
+    alone(py, || {
+        Ok(Study::of(MapStudy::from(mapping::read(&folder)?)))
+    })
 }
 
 type Column = (&'static str, fn(&Numbers) -> Option<f64>);
@@ -114,7 +116,9 @@ impl Map {
             )
         };
         let found = self.map().finishes.get(finish).ok_or_else(none)?;
-        let surface = found.surface(&self.map().axes, temperature).ok_or_else(none)?;
+        let surface = found
+            .surface(&self.map().axes, temperature)
+            .ok_or_else(none)?;
         let places = torque.into_iter().zip(speed);
         let (values, marks): (Vec<f64>, Vec<bool>) = places
             .map(|(torque, speed)| surface.loss_torque(torque, speed))
@@ -136,7 +140,9 @@ impl Map {
         alone(py, || {
             let added = added.map(|file| AddedLoss::open(&file)).transpose()?;
             let vehicle = self.map().input.vehicle.as_ref();
-            let cycle = drive.map(|file| driving::read(&file, vehicle)).transpose()?;
+            let cycle = drive
+                .map(|file| driving::read(&file, vehicle))
+                .transpose()?;
             let with = With {
                 added: added.as_ref(),
                 cycle: cycle.as_ref(),
