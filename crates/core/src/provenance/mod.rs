@@ -216,7 +216,12 @@ mod tests {
     fn work_that_panics_leaves_its_tags_to_its_collection() {
         let (outer, inner) = (Provenance::new(), Provenance::new());
         outer.collect(|| {
-            let work = || inner.collect(|| -> () { std::panic::resume_unwind(Box::new(second())) });
+            let work = || {
+                inner.collect(|| -> () {
+                    second();
+                    std::panic::resume_unwind(Box::new("stopped"));
+                })
+            };
             assert!(std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).is_err());
             first();
         });
