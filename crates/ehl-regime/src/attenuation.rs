@@ -358,8 +358,11 @@ impl TraceSpectrum {
             high.max(-low)
         };
         let [one, other] = [first, second].map(largest);
-        let size = if one > 0.0 { one } else { 1.0 } / if other > 0.0 { other } else { 1.0 };
         let is_alone = other == 0.0;
+        let size = match one > 0.0 && !is_alone {
+            true => one / other,
+            false => 1.0,
+        };
         // The inverse transform of the conjugate is the conjugate of the transform Z of s₁ + i s₂.
         let pairs = first.iter().zip(second);
         let mut waves: Vec<_> = pairs.map(|(a, b)| Complex::new(*a, -size * b)).collect();

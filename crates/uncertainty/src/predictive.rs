@@ -27,7 +27,7 @@ use serde::{Deserialize, Serialize};
 use crate::draw::{DRAWS, Draw, flank_draws, shared_draws};
 use crate::hypercube::StudentOfNormal;
 use crate::parameters::{AXES, Ranged, UncertainParameter};
-use crate::quantiles::{Quantiles, sorted_quantiles};
+use crate::quantiles::{ENDS, Quantiles, sorted_quantiles};
 use crate::relief::ReliefFactors;
 use crate::sampling_error::SamplingError;
 use crate::surface::QuadraticSurface;
@@ -486,7 +486,7 @@ impl Predictive {
             let drawn = draws
                 .iter()
                 .map(|(z, factor)| sliding * factor * ln(z).exp());
-            sorted_quantiles(&drawn.collect::<Vec<_>>(), [0.05, 0.95])
+            sorted_quantiles(&drawn.collect::<Vec<_>>(), ENDS)
         };
         sliding_w_per_m.iter().enumerate().map(at).collect()
     }

@@ -5,6 +5,9 @@ use serde::{Deserialize, Serialize};
 /// Probabilities of the lower quantile, the median and the upper quantile.
 pub const PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
 
+/// Probabilities of the ends of an interval.
+pub const ENDS: [f64; 2] = [PROBABILITIES[0], PROBABILITIES[2]];
+
 /// Median, 5 % and 95 % quantiles of drawn losses, and the standard deviation of their logarithms.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Quantiles {

@@ -19,7 +19,7 @@ use crate::sampling::{means_of_pairs, pair_sampling, windows_of_traces};
 use asperity_case::case::LoadedCase;
 use asperity_case::error::Error;
 use asperity_uncertainty::{
-    Predictive, Ranged, SamplingError, StudentOfNormal, UncertainParameter, flank_draws,
+    ENDS, Predictive, Ranged, SamplingError, StudentOfNormal, UncertainParameter, flank_draws,
     sorted_quantiles,
 };
 
@@ -119,7 +119,7 @@ impl ChangeDraws {
         let drawn = draws.map(|(j, (factor, z))| {
             factor * of_lay(j).unwrap_or(1.0) * (mean + error * table.at(*z))
         });
-        sorted_quantiles(&drawn.collect::<Vec<_>>(), [0.05, 0.95])
+        sorted_quantiles(&drawn.collect::<Vec<_>>(), ENDS)
     }
 }
 

@@ -50,8 +50,8 @@ use asperity_uncertainty::{
 
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use asperity_uncertainty::{
-    Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter, model_deviation,
-    sorted_quantiles,
+    ENDS, Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter,
+    model_deviation, sorted_quantiles,
 };
 pub use change::{ChangeDraws, few_offsets_of, sampling_interval};
 pub use difference::{
@@ -225,7 +225,7 @@ fn uncertainty(
         sampling: sampling(loaded, &predictive, &nominal),
         boundary_w: predictive.inner_boundary.as_ref().map(|inner| {
             let of_run = nominal.summary.boundary_w * quantiles.median_w / predictive.at_medians_w;
-            [0.05, 0.95].map(|place| of_run * inner.boundary_at(place))
+            ENDS.map(|place| of_run * inner.boundary_at(place))
         }),
         structures: structures.collect(),
         other_models: others,

@@ -2,8 +2,8 @@
 //!
 //! A [`Chart`] holds curves over an axis, a [`BarChart`] bars from zero, a [`Tornado`] intervals about a middle,
 //! a [`Strip`] shares along the path of contact, a [`Contour`] a field, a [`MeshPicture`] two gears in mesh, a [`Facing`] two
-//! flanks in contact at one of several positions, a [`TextureSymbol`] the call-out of a drawing. Each is drawn for a page, which adds title and legend as text, or as a
-//! separate file.
+//! flanks in contact at one of several positions, a [`TextureSymbol`] the call-out of a drawing. Each is drawn for a page, which adds
+//! title and legend as text, or as a separate file.
 
 mod axis;
 mod bars;

@@ -21,7 +21,7 @@ pub struct TextureSymbol {
     pub note: String,
 }
 
-/// Height of the shorter leg and of the longer one above the vertex, in the ratio of the standard to the height of the letters.
+/// Height of the shorter leg and of the longer one above the vertex.
 const LEGS: [f64; 2] = [24.0, 54.0];
 /// Horizontal part of a leg of 60° over its height.
 const SLOPE: f64 = 0.577_350_269;

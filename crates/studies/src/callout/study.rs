@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::pipeline::Progress;
-use asperity::uncertainty::sorted_quantiles;
+use asperity::uncertainty::{ENDS, sorted_quantiles};
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 use asperity_core::quantity::{Power, Ratio};
@@ -28,8 +28,6 @@ const STEP: f64 = 1.25;
 const AROUND: i32 = 3;
 /// Lots of the recipe whose mean loss is the curve.
 const NOMINAL_LOTS: usize = 3;
-/// Probabilities of the losses of lots about the curve.
-const PROBABILITIES_OF_LOTS: [f64; 2] = [0.05, 0.95];
 /// Estimated points of the curve, for the estimate of the time.
 const CURVE: usize = 10;
 
@@ -429,7 +427,7 @@ impl Curve {
     /// where s₀ is their height for the stated loss.
     fn points(&self, lots: &[MetLot]) -> Vec<CurvePoint> {
         let heights: Vec<f64> = lots.iter().map(|lot| lot.ln_height).collect();
-        let [low, high] = sorted_quantiles(&heights, PROBABILITIES_OF_LOTS);
+        let [low, high] = sorted_quantiles(&heights, ENDS);
         let ends =
             [self.nodes.first(), self.nodes.last()].map(|node| node.map_or(0.0, |node| node[0]));
         let of_lots = |ln: f64, height: f64| {

@@ -179,7 +179,7 @@ fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
         false => "At",
     };
     Some(format!(
-        "{drawn} {:.0} % of the points of {} the model is extrapolated, which it is not at the operating point of the case.",
+        "{drawn} {:.0} % of the points of {} the model is extrapolated; at the operating point of the case it is not.",
         100.0 * share,
         in_words(&finish.name)
     ))
