@@ -46,6 +46,79 @@ pub fn circles(sources: &Path) -> Vec<Vec<String>> {
         .collect()
 }
 
+/// The modules at the top of a crate as layers: each below those that import it.
+pub struct Layers {
+    /// Modules of the longest chain of imports, the uppermost first.
+    pub longest: Vec<String>,
+    /// Imports that close a circle of modules.
+    pub upward: Vec<String>,
+}
+
+/// Layers of the crate with these `sources`, of its modules at the top with all files below them.
+pub fn layers(sources: &Path) -> Layers {
+    let mut files = BTreeMap::new();
+    let top = ["lib.rs", "main.rs"].into_iter();
+    for top in top.filter(|top| sources.join(top).exists()) {
+        read(sources, top, &[], &mut files);
+    }
+    let module_of = |file: &str| {
+        let first = file.split('/').next().unwrap_or(file);
+        first.trim_end_matches(".rs").to_owned()
+    };
+    let is_top = |module: &String| module == "lib" || module == "main";
+    let mut edges: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for (module, source) in &files {
+        let from = module_of(&source.file);
+        let to = targets(&files, module, source);
+        let to = to.iter().map(|file| module_of(file));
+        let to = to.filter(|to| *to != from && !is_top(to));
+        edges.entry(from.clone()).or_default().extend(to);
+    }
+    edges.retain(|module, _| !is_top(module));
+    let circles = strong_components(&edges);
+    let closes = |from: &String, to: &String| {
+        let mut circles = circles.iter();
+        circles.any(|circle| circle.contains(from) && circle.contains(to))
+    };
+    let mut upward = Vec::new();
+    for (from, to) in &edges {
+        let closing = to.iter().filter(|to| closes(from, to));
+        upward.extend(closing.map(|to| format!("{from} -> {to}")));
+    }
+    let mut longest = Vec::new();
+    if upward.is_empty() {
+        let mut known = BTreeMap::new();
+        for module in edges.keys() {
+            let chain = chain_below(module, &edges, &mut known);
+            if chain.len() > longest.len() {
+                longest = chain;
+            }
+        }
+    }
+    Layers { longest, upward }
+}
+
+/// Longest chain of imports from a module, of modules without a circle.
+fn chain_below(
+    module: &String,
+    edges: &BTreeMap<String, BTreeSet<String>>,
+    known: &mut BTreeMap<String, Vec<String>>,
+) -> Vec<String> {
+    if let Some(chain) = known.get(module) {
+        return chain.clone();
+    }
+    let mut longest = Vec::new();
+    for next in edges.get(module).into_iter().flatten() {
+        let chain = chain_below(next, edges, known);
+        if chain.len() > longest.len() {
+            longest = chain;
+        }
+    }
+    longest.insert(0, module.clone());
+    known.insert(module.clone(), longest.clone());
+    longest
+}
+
 /// Reads a file and all its children.
 fn read(root: &Path, file: &str, module: &[String], files: &mut BTreeMap<Module, Source>) {
     let text = fs::read_to_string(root.join(file)).unwrap();

@@ -46,8 +46,26 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "crates/flanks",
+        &[
+            "asperity-core",
+            "asperity-profile-io",
+            "asperity-roughness",
+            "asperity-gear",
+            "asperity-contact",
+            "asperity-ehl",
+            "asperity-ehl-regime",
+            "asperity-tribo-friction",
+            "asperity-ns-film",
+            "asperity-mixed-film",
+            "asperity-efficiency",
+            "asperity-oil",
+        ],
+    ),
+    (
         "crates/case",
         &[
+            "asperity-flanks",
             "asperity-core",
             "asperity-oil",
             "asperity-profile-io",
@@ -303,6 +321,28 @@ fn the_files_of_a_crate_import_each_other_without_circles() {
         "files that import each other in a circle:\n{}",
         circles.join("\n")
     );
+}
+
+/// Largest number of layers of the modules at the top of crates in which a case becomes a result.
+const LAYERS: &[(&str, usize)] = &[
+    ("crates/flanks", 9),
+    ("crates/case", 9),
+    ("crates/asperity", 13),
+];
+
+#[test]
+fn the_modules_of_a_crate_are_layers() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    for (folder, most) in LAYERS {
+        let layers = file_imports::layers(&root.join(folder).join("src"));
+        let count = layers.longest.len();
+        println!(
+            "{folder}: {count} layers, {} upward imports",
+            layers.upward.len()
+        );
+        assert!(layers.upward.is_empty(), "{folder}: {:?}", layers.upward);
+        assert!(count <= *most, "{folder}: {}", layers.longest.join(" -> "));
+    }
 }
 
 #[test]

@@ -74,9 +74,9 @@ pub use asperity_case::{
 };
 pub use assembly::Reversed;
 pub use case::{Case, CaseInput, LoadedCase};
-pub use contacts::{ContactStore, Contacts};
+pub use contacts::Contacts;
 pub use error::{Error, PositionError, UnsolvedContact};
-pub use pipeline::losses;
+pub use pipeline::{ContactStore, losses};
 pub use result::{Outcome, RunResult};
 pub use run::Run;
 

@@ -13,16 +13,17 @@ pub mod balance;
 pub mod case;
 pub mod error;
 pub mod fingerprint;
-pub mod flanks;
 pub mod formula_film;
 pub mod key_words;
 pub mod laws;
 pub mod load_share_law;
 #[cfg_attr(not(feature = "case-files"), path = "no_loss_table.rs")]
 pub mod loss_table;
-pub mod mesh_position;
 
 pub mod physical_limits;
 pub mod recorded_share;
 
 pub use asperity_core::message;
+/// Traces on their flanks, and the windows in contact at a mesh position.
+pub use asperity_flanks as flanks;
+pub use asperity_flanks::mesh_position;

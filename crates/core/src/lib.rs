@@ -7,6 +7,7 @@
 
 pub mod cancel;
 pub mod checked;
+pub mod derived;
 pub mod error;
 pub mod hardness;
 pub mod line_contact;

@@ -6,12 +6,10 @@ mod inputs;
 mod offsets;
 mod pressed;
 pub mod running_in;
-mod store;
 mod tables;
 mod window_contact;
 
 pub use dry_contact::{DryContact, dry_contact};
-pub use store::ContactStore;
 pub use tables::Contacts;
 
 pub(crate) use displacements::Displacements;

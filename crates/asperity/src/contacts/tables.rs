@@ -11,7 +11,7 @@ use super::inputs::{ContactInputs, Offsets, WindowInputs};
 use super::offsets::offsets_needed;
 use super::window_contact::WindowContact;
 use crate::mesh::{Mesh, MeshPosition, numbered};
-use asperity_case::case::{Case, LoadInputs, LoadedCase};
+use asperity_case::case::{Case, LoadedCase};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::flanks::placement::check_coverage;
 
@@ -101,7 +101,7 @@ impl Contacts {
     }
 
     /// Whether these are the contacts by `inputs`.
-    pub(super) fn are_by(&self, inputs: &ContactInputs) -> bool {
+    pub(crate) fn are_by(&self, inputs: &ContactInputs) -> bool {
         self.have_windows_of(inputs) && self.inputs.mesh == inputs.mesh
     }
 
@@ -209,7 +209,7 @@ impl Contacts {
 
     /// The load over the teeth of `case`, if it is the load of the contacts.
     pub(crate) fn load_map(&self, case: &Case) -> Option<&LoadMap> {
-        (self.inputs.mesh.load == LoadInputs::of(case)).then_some(&self.load)
+        (self.inputs.mesh.load == case.load_inputs()).then_some(&self.load)
     }
 
     /// Number of windows.

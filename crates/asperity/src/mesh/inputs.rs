@@ -20,7 +20,7 @@ pub(crate) struct MeshInputs {
 impl MeshInputs {
     pub(crate) fn of(case: &Case) -> Self {
         Self {
-            load: LoadInputs::of(case),
+            load: case.load_inputs(),
             modulus: case.modulus,
             formulation: case.formulation,
             face_zones: case.face_zones.clone(),

@@ -16,6 +16,7 @@ mod bulk_temperature;
 mod gradient;
 mod kept_fields;
 mod stages;
+mod store;
 mod survey;
 
 pub use gradient::{
@@ -26,6 +27,7 @@ pub use stages::{
     Progress, check, chooses_offsets, coldest_losses_with, contacts, contacts_beside, losses,
     losses_with, settled,
 };
+pub use store::ContactStore;
 pub use survey::{FilmRow, FilmSurvey, RegimeRow, film, survey};
 
 pub(crate) use stages::{losses_of, outcome};

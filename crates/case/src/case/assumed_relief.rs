@@ -2,12 +2,10 @@
 
 use asperity_core::cite;
 use asperity_core::quantity::{Length, Torque};
-use asperity_gear::{
-    AmountDirection, GearError, LoadConditions, LoadDistribution, LoadLaw, MicroGeometry, Relief,
-    ReliefExtent, ReliefShape,
-};
+use asperity_gear::{AmountDirection, GearError, MicroGeometry, Relief, ReliefExtent, ReliefShape};
 
 use super::input::CaseInput;
+use super::load_inputs::LoadInputs;
 
 /// Tip relief of gears whose case states none: between none and the approach of the teeth under their largest load.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,14 +19,37 @@ pub struct AssumedRelief {
     pub gears: [bool; 2],
 }
 
+/// What such a relief follows from.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ReliefInputs {
+    /// The load without it, at the larger of the torque of the case and the largest torque of its map.
+    load: LoadInputs,
+    /// Gears whose relief is not stated.
+    unstated: [bool; 2],
+}
+
+impl ReliefInputs {
+    /// The inputs of a case whose load is `load`.
+    pub(super) fn of(input: &CaseInput, load: &LoadInputs) -> Self {
+        let flanks = [input.gears.pinion, input.gears.wheel].map(Option::unwrap_or_default);
+        let own = load.torque.si().abs();
+        let most = input.map.and_then(|map| map.torque_max);
+        let torque = most.map_or(own, |most| most.si().abs().max(own));
+        Self {
+            load: load.at(Torque::from_si(torque)),
+            unstated: flanks.map(|flank| flank.tip_relief.is_none() && !flank.is_from_trace()),
+        }
+    }
+}
+
 impl AssumedRelief {
     /// Amount of a run, over the approach.
     pub const AMOUNT: f64 = 0.5;
     /// Roll length of a run, relative to the roll length to the end of double contact.
     pub const LENGTH: f64 = 0.75;
 
-    /// The relief that a case does not state, under the larger of its torque and the largest torque of its map; `None`
-    /// if both gears state theirs, or a single pair of teeth carries the load throughout.
+    /// The relief that a case does not state; `None` if both gears state theirs, or a single pair of teeth carries the load
+    /// throughout.
     ///
     /// ```text
     /// C_a = c δ over the roll length l L,  L = (ε_α − 1) p_et                      [Assumed-relief]
@@ -36,36 +57,22 @@ impl AssumedRelief {
     ///
     /// # Errors
     /// When the load over the teeth has no solution without relief.
-    pub(super) fn of(
-        input: &CaseInput,
-        law: &LoadLaw,
-        conditions: &LoadConditions<'_>,
-    ) -> Result<Option<Self>, GearError> {
-        let flanks = [input.gears.pinion, input.gears.wheel].map(Option::unwrap_or_default);
-        let gears = flanks.map(|flank| flank.tip_relief.is_none() && !flank.is_from_trace());
-        let pair = conditions.pair;
-        let path = pair.path();
+    pub(super) fn of(inputs: &ReliefInputs) -> Result<Option<Self>, GearError> {
+        let ReliefInputs { load, unstated } = inputs;
+        let path = load.gears.path();
         let beyond = path.eps_alpha - 1.0;
-        if gears == [false; 2] || !law.is_elastic() || beyond <= 0.0 {
+        if *unstated == [false; 2] || !load.is_elastic() || beyond <= 0.0 {
             return Ok(None);
         }
-        let most = input.map.and_then(|map| map.torque_max);
-        let torque = most.map_or(conditions.torque.si().abs(), |most| {
-            most.si().abs().max(conditions.torque.si().abs())
-        });
-        let loaded = LoadConditions {
-            torque: Torque::from_si(torque),
-            ..*conditions
-        };
         // Under a load that no teeth bear the stiffness is meaningless; the pressure then names the load.
-        let approach = law.load_map(&loaded)?.evidence().mean_approach;
+        let approach = load.by_its_law()?.evidence().mean_approach;
         let Some(approach) = approach.filter(|approach| approach.si() > 0.0) else {
             return Ok(None);
         };
         Ok(Some(Self {
             approach,
             roll_length: path.base_pitch * beyond,
-            gears,
+            gears: *unstated,
         }))
     }
 

@@ -32,8 +32,8 @@ impl FinishName {
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
-            Self::Ground => "ground",
-            Self::Superfinished => "superfinished",
+            Self::Ground => Finish::Ground.name(),
+            Self::Superfinished => Finish::Superfinished.name(),
             Self::Honed => "honed",
             Self::Hobbed => "hobbed",
             Self::Shaved => "shaved",

@@ -1,20 +1,15 @@
-//! Several traces of a flank: the files that a list names, their teeth, and the zone of the face that each represents.
+//! Several traces of a flank: the files that a list names, and their teeth.
 
 use std::path::{Path, PathBuf};
 
 use asperity_core::DomainError;
-use asperity_core::quantity::Length;
+use asperity_flanks::trace_sites::TraceSite;
 
 use super::error::CaseError;
 use super::files::Reader;
 use super::input::FlankInput;
 use super::section::Section;
 use super::trace_list::{TraceEntry, TraceInput, TraceList, is_pattern};
-
-/// Largest number of pairs of teeth that are all computed.
-const MOST_PAIRS: usize = 64;
-/// Least number of teeth of each flank that are paired if there are more pairs.
-const LEAST_TEETH: usize = 8;
 
 /// A trace of a list: the keys to read it by, its tooth and its place.
 #[derive(Debug, Clone)]
@@ -25,12 +20,8 @@ pub(super) struct Listed {
     pub is_of_a_list: bool,
     /// Whether the list states its place.
     pub has_own_place: bool,
-    /// Index of the tooth, from 0 in the order of the list.
-    pub tooth: usize,
-    /// Number of the tooth as stated.
-    pub number: Option<u32>,
-    /// Place across the face.
-    pub y: Option<Length>,
+    /// Its tooth, and its place across the face.
+    pub site: TraceSite,
 }
 
 impl Listed {
@@ -40,9 +31,7 @@ impl Listed {
             input: input.clone(),
             is_of_a_list: false,
             has_own_place: false,
-            tooth: 0,
-            number: None,
-            y: None,
+            site: TraceSite::default(),
         }
     }
 }
@@ -85,7 +74,7 @@ pub(super) fn listed(
             DomainError::non_negative("y", y).map_err(section.domain("traces"))?;
         }
         let is_again = |other: &Listed| {
-            other.tooth != tooth
+            other.site.tooth != tooth
                 && other.input.file.as_ref() == Some(&trace.file)
                 && other.input.row == trace.row.or(flank.row)
         };
@@ -94,14 +83,14 @@ pub(super) fn listed(
                 "names a trace of several teeth: the scatter between teeth needs a trace of each",
             ));
         }
-        let same = traces.iter().filter(|other| other.tooth == tooth);
+        let same = traces.iter().filter(|other| other.site.tooth == tooth);
         for other in same {
-            if trace.y.is_none() || other.y.is_none() {
+            if trace.y.is_none() || other.site.y.is_none() {
                 return Err(conflict(
                     "several traces of one tooth need y, the place across the face, each",
                 ));
             }
-            if trace.y == other.y {
+            if trace.y == other.site.y {
                 return Err(conflict("two traces are of the same tooth at the same y"));
             }
         }
@@ -117,9 +106,11 @@ pub(super) fn listed(
             },
             is_of_a_list: true,
             has_own_place: trace.at.is_some() || trace.from.is_some(),
-            tooth,
-            number: trace.tooth,
-            y: trace.y,
+            site: TraceSite {
+                tooth,
+                number: trace.tooth,
+                y: trace.y,
+            },
         });
     }
     Ok(traces)
@@ -146,7 +137,7 @@ pub(super) fn rows(
             rows: None,
             ..flank.clone()
         });
-        trace.tooth = k;
+        trace.site.tooth = k;
         trace
     };
     Ok((0..rows).map(listed).collect())
@@ -180,62 +171,4 @@ fn matching(
         true => Err(refused(Some(shown))),
         false => Ok(matching),
     }
-}
-
-/// Number of teeth of `traces`.
-pub(super) fn teeth(traces: &[Listed]) -> usize {
-    traces
-        .iter()
-        .map(|trace| trace.tooth + 1)
-        .max()
-        .unwrap_or(0)
-}
-
-/// Number of teeth of each flank that are paired: all up to 64 pairs, otherwise at least eight of a flank that has them and as
-/// many as make 64 pairs.
-pub(super) fn paired(teeth: [usize; 2]) -> [usize; 2] {
-    match teeth[0] * teeth[1] <= MOST_PAIRS {
-        true => teeth,
-        false => [0, 1].map(|body: usize| {
-            let of_others = MOST_PAIRS / teeth[1 - body].max(1);
-            teeth[body].min(of_others.max(LEAST_TEETH))
-        }),
-    }
-}
-
-/// Places y/b between the zones of the face; within a zone the nearest trace of each tooth is the same.
-pub(super) fn zones(flanks: [&[Listed]; 2], width: Length) -> Vec<f64> {
-    /// Edges that are nearer to each other count as one.
-    const SAME: f64 = 1e-9;
-    let mut edges: Vec<f64> = Vec::new();
-    for traces in flanks {
-        for tooth in 0..teeth(traces) {
-            let mut places: Vec<f64> = of_tooth(traces, tooth)
-                .filter_map(|(_, trace)| Some(trace.y? / width))
-                .collect();
-            places.sort_by(f64::total_cmp);
-            edges.extend(places.windows(2).map(|ends| 0.5 * (ends[0] + ends[1])));
-        }
-    }
-    edges.sort_by(f64::total_cmp);
-    edges.dedup_by(|a, b| (*a - *b).abs() < SAME);
-    edges
-}
-
-/// Index of the trace of `tooth` that lies nearest to `across`, a place y/b.
-pub(super) fn nearest(
-    traces: &[Listed],
-    tooth: usize,
-    across: f64,
-    width: Length,
-) -> Option<usize> {
-    let away = |trace: &Listed| trace.y.map_or(0.0, |y| (y / width - across).abs());
-    of_tooth(traces, tooth)
-        .min_by(|a, b| away(a.1).total_cmp(&away(b.1)))
-        .map(|(index, _)| index)
-}
-
-fn of_tooth(traces: &[Listed], tooth: usize) -> impl Iterator<Item = (usize, &Listed)> {
-    let all = traces.iter().enumerate();
-    all.filter(move |(_, trace)| trace.tooth == tooth)
 }

@@ -1,57 +1,44 @@
-//! One flank of a case: its trace read and prepared, or its roughness values.
+//! One flank of a case: the keys of its trace, and the places of what is wrong with it.
 
 use std::borrow::Cow;
 use std::path::Path;
 
+use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::Remedy;
-use asperity_core::{DomainError, Profile};
+use asperity_core::{Code, DomainError};
+use asperity_flanks::flank_form::FormError;
+use asperity_flanks::read_place::PlaceError;
+use asperity_flanks::surfaces::{FlankReport, Texture};
+use asperity_flanks::trace::{
+    Flank, PreparedTrace, TraceContent, TraceError, TraceInputs, lines_across, prepared_trace,
+};
+use asperity_flanks::trace_filters::{Filters, StatedFilters};
 use asperity_gear::Gear;
 use asperity_profile_io::Warning as ReadWarning;
-use asperity_profile_io::read::steepness::implausible;
-use asperity_profile_io::read::{
-    LengthUnit, ReadFault, ReadOptions, Reading, TraceCut, TraceLine, read_surface_bytes,
-    read_with_conditions,
-};
-use asperity_roughness::height_parameters::Mode;
-use asperity_roughness::outliers::{OutlierRecord, Outliers, replace};
-use asperity_roughness::preparation::{Preparation, RoughnessFilter, prepare, profiles};
-use asperity_roughness::{Parameters, Warning as RoughnessWarning};
+use asperity_profile_io::read::{ReadOptions, TraceLine, read_surface_bytes};
 
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::{Content, Reader};
-use super::flank_form::{self, FormError};
-use super::flank_place::{PlaceError, PlaceKeys, ReadPlace, read_place};
+use super::flank_inputs::FlankInputs;
+use super::flank_place::stated_place;
 use super::flank_sample::{self, Listed};
 use super::input::{FlankInput, Side};
-use super::resolve::Case;
 use super::section::{Section, domain};
 use super::source::Source;
-use super::trace_filters::Filters;
-use crate::flanks::placement::PlacedTrace;
-use crate::flanks::surfaces::{FlankReport, Texture};
 use crate::key_words::with_keys;
-use asperity_core::message::Warning;
 
-/// Case, text and files that both flanks are read with.
+/// What the flanks of a case follow from, with the text and the files that both are read with.
 #[derive(Clone, Copy)]
 pub(super) struct Context<'a> {
-    pub case: &'a Case,
+    pub inputs: &'a FlankInputs,
     pub source: &'a Source,
     pub files: &'a Reader<'a>,
 }
 
-/// A flank with its trace, if there is one.
-pub(super) struct Flank {
-    pub texture: Texture,
-    pub report: FlankReport,
-    pub raw: Option<Profile>,
-    /// Roughness values that follow from others.
-    pub assumed: Vec<DefaultUsed>,
-    /// Place on the flank, if it is known.
-    pub placed: Option<PlacedTrace>,
-}
+/// A flank, and the values of it that follow from others.
+pub(super) type Known = (Flank, Vec<DefaultUsed>);
 
 /// Table of a flank in the case file, and the keys at which file and place of a trace are stated.
 #[derive(Clone)]
@@ -121,7 +108,7 @@ pub(super) fn flank(
     keys: &Keys,
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
-) -> Result<Flank, CaseError> {
+) -> Result<Known, CaseError> {
     let section = Section::of(context.source, keys.table);
     let input = &listed.input;
     let value = input.rq.or(input.ra).or(input.rz);
@@ -133,16 +120,9 @@ pub(super) fn flank(
             let rule = "give file, the trace of the flank, or rq (ra or rz) when there is none";
             Err(section.conflict_of_key("", rule))
         }
-        (None, Some(_)) if flank_form::is_from_trace(context.case, gear_of(keys.table)) => {
+        (None, Some(_)) if context.inputs.has_form_of_trace(gear_of(keys.table)) => {
             let none = "a flank known by roughness values alone";
-            let of = (context.case, gear_of(keys.table));
-            let error = FormError::NotPlaced;
-            Err(flank_form::refused(
-                error,
-                of,
-                (none, &keys.at),
-                context.source,
-            ))
+            Err(no_form(FormError::NotPlaced, none, keys, context))
         }
         (None, Some(_)) => values(input, section),
         (Some(file), _) => {
@@ -158,7 +138,7 @@ pub(super) fn flank(
     }
 }
 
-fn values(input: &FlankInput, section: Section<'_>) -> Result<Flank, CaseError> {
+fn values(input: &FlankInput, section: Section<'_>) -> Result<Known, CaseError> {
     let checked = |key: &str, name, length: Option<Length>| {
         let checked = length.map(|length| DomainError::positive(name, length));
         checked.transpose().map_err(section.domain(key))
@@ -201,13 +181,13 @@ fn values(input: &FlankInput, section: Section<'_>) -> Result<Flank, CaseError> 
         asperity_radius: checked("asperity_radius", "asperity radius", input.asperity_radius)?
             .map(Length::from_si),
     };
-    Ok(Flank {
+    let flank = Flank {
         texture,
         report: FlankReport::default(),
         raw: None,
-        assumed,
         placed: None,
-    })
+    };
+    Ok((flank, assumed))
 }
 
 fn trace(
@@ -216,8 +196,8 @@ fn trace(
     keys: &Keys,
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
-) -> Result<Flank, CaseError> {
-    let case = context.case;
+) -> Result<Known, CaseError> {
+    let inputs = context.inputs;
     let gear = gear_of(keys.table);
     // The name in the case, which errors repeat; warnings, which are listed on pages, shorten a full path.
     let name = file.display().to_string();
@@ -225,50 +205,43 @@ fn trace(
         Some(last) => last.to_string_lossy().into_owned(),
         None => name.clone(),
     };
-    let mut read = read_trace(input, file, keys, context)?;
-    let place = place_of(input, &mut read, keys, context)?;
-    let mirrored = match &place {
-        Some(place) => place.turned,
-        None => input.mirrored.unwrap_or(false),
+    let (content, sum) = context
+        .files
+        .open(file, context.source, keys.file.clone())?;
+    let conditions = match &content {
+        Content::Bytes(_) => context.files.conditions(file),
+        Content::Heights(_) => None,
     };
-    let raw = if mirrored {
-        read.profile.mirrored()
-    } else {
-        read.profile.clone()
+    let of_trace = TraceInputs {
+        name: &name,
+        content: match &content {
+            Content::Bytes(bytes) => TraceContent::Bytes(bytes, conditions.as_deref()),
+            Content::Heights(profile) => TraceContent::Heights(profile),
+        },
+        options: &read_options(input),
+        is_line_stated: input.line.is_some(),
+        outliers: inputs.surface.outliers,
+        place: stated_place(input.from, input.at, input.mirrored),
+        filters: inputs.filters(),
+        shortest_form: match inputs.has_form_of_trace(gear) {
+            false => None,
+            true => {
+                let shortest = inputs.shortest_form.clone();
+                shortest.map_err(|error| no_form(error, &name, keys, context))?
+            }
+        },
     };
-    let refused = |source| CaseError::preparation(&name, source);
-    let mut filters = Filters::of(case, &short, read.reading.as_ref());
-    if let Some(place) = place.filter(|place| place.reference.is_some()) {
-        filters.keep_ends(case, keys.table, &place);
+    let prepared = prepared_trace(of_trace, (&inputs.gears, gear));
+    let prepared = prepared.map_err(|error| placed(error, (&name, &short), keys, context))?;
+    let PreparedTrace {
+        mut flank,
+        filters,
+        assumed_from,
+        warnings: doubts,
+    } = prepared;
+    if matches!(content, Content::Bytes(_)) {
+        flank.report.sha256 = Some(sum);
     }
-    let of_form =
-        |error| flank_form::refused(error, (case, gear), (&name, &keys.at), context.source);
-    let form_cutoff = filters.part_form(case, gear, read.reading.as_ref());
-    let form_cutoff = form_cutoff.map_err(of_form)?;
-    let preparation = &filters.preparation;
-    let (mut prepared, waviness) = match form_cutoff {
-        None => (prepare(&raw, preparation).map_err(refused)?, None),
-        Some(_) => {
-            let parted = profiles(&raw, preparation, RoughnessFilter::Gaussian).map_err(refused)?;
-            (parted.roughness, parted.waviness)
-        }
-    };
-    if form_cutoff.is_some() {
-        // The form was left in, to be separated from the roughness.
-        prepared
-            .warnings
-            .retain(|warning| !matches!(warning, RoughnessWarning::FormNotRemoved { .. }));
-    }
-    // Without a cut-off the whole trace is one evaluation of five sections, and nothing is filtered twice.
-    let lambda_c = preparation.lambda_c;
-    let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
-    let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, section).map_err(refused)?;
-    check_mean(
-        (input, keys, context),
-        (file, &short),
-        preparation,
-        (section, parameters.heights.rq),
-    )?;
     // A wheel without a trace has the keys of the pinion.
     let table = keys
         .file
@@ -278,95 +251,150 @@ fn trace(
         let message = format!("{short}: {warning}");
         warnings.push(Warning::new(code, with_keys(&message, &remedy, table)));
     };
-    for warning in read.reading.iter().flat_map(|reading| &reading.warnings) {
-        if lambda_c.is_some() || *warning != ReadWarning::AlreadyFiltered {
+    let reading = flank.report.reading.iter();
+    for warning in reading.flat_map(|reading| &reading.warnings) {
+        if filters.preparation.lambda_c.is_some() || *warning != ReadWarning::AlreadyFiltered {
             warn(warning.code(), warning, warning.remedy());
         }
     }
-    let replaced = read.outliers.as_ref().and_then(OutlierRecord::warning);
-    let prepared_warnings = prepared.warnings.iter().chain(&parameters.warnings);
-    for warning in replaced.iter().chain(prepared_warnings) {
-        let warning = warning.clone().on_trace(mirrored, raw.length(), read.start);
-        warn(warning.code(), &warning, warning.remedy());
+    for warning in &doubts {
+        warn(warning.code(), warning, warning.remedy());
     }
-    warnings.extend(filters.overridden.into_iter().chain(filters.parted));
-    let placed = place.and_then(|place| {
-        Some(PlacedTrace {
-            first_arc: place.first_arc(raw.len(), raw.spacing(), prepared.first_index)?,
-            direction: case.gears.arc_direction(gear),
-            base_radius: case.gears.base_radius[gear as usize].si().abs(),
-        })
-    });
-    let form = match (form_cutoff, &waviness, &placed) {
-        (None, ..) => None,
-        (Some(cutoff), Some(waviness), Some(placed)) => {
-            Some(flank_form::measured(waviness, cutoff, placed, (case, gear)).map_err(of_form)?)
-        }
-        (Some(_), ..) => return Err(of_form(FormError::NotPlaced)),
-    };
-    let report = FlankReport {
-        form,
-        trace: Some(read.profile.clone()),
-        file: Some(name),
-        sha256: read.sha256,
-        mirrored,
-        outliers: read.outliers,
-        preparation: Some(prepared.record),
-        parameters: Some(parameters),
-        reading: read.reading,
-        surrogates: None,
-        roll_lengths: placed.map(|placed| placed.roll_lengths(&prepared.profile)),
-    };
-    Ok(Flank {
-        texture: Texture::Trace(prepared.profile),
-        report,
-        raw: Some(read.profile),
-        assumed: filters.stated,
-        placed,
+    warnings.extend(overridden(&filters, inputs.filters(), &short));
+    warnings.extend(parted(&filters, gear));
+    Ok((flank, stated(&filters, assumed_from, &short, keys)))
+}
+
+/// Values of the filters that a file states, or that follow from the place of its trace.
+fn stated(filters: &Filters, assumed_from: bool, file: &str, keys: &Keys) -> Vec<DefaultUsed> {
+    let mut stated: Vec<DefaultUsed> = Vec::new();
+    for (key, of_file) in CUTOFFS.into_iter().zip(filters.of_file) {
+        stated.extend(of_file.map(|of_file| DefaultUsed {
+            key: key.into(),
+            value: format!("\"{of_file}\""),
+            source: Some(format!("stated in {file}").into()),
+        }));
+    }
+    if filters.keeps_ends {
+        stated.push(DefaultUsed {
+            key: "surface.ends".into(),
+            value: "\"reg1\"".to_owned(),
+            source: Some("a placed trace keeps its ends".into()),
+        });
+    }
+    if assumed_from {
+        stated.push(DefaultUsed {
+            key: format!("{}.from", keys.table).into(),
+            value: "\"root\"".to_owned(),
+            source: None,
+        });
+    }
+    if filters.keeps_form {
+        stated.push(DefaultUsed {
+            key: "surface.form".into(),
+            value: "\"none\"".to_owned(),
+            source: Some("of a trace that the relief is taken from".into()),
+        });
+    }
+    stated
+}
+
+/// Keys of λc and λs.
+const CUTOFFS: [&str; 2] = ["surface.cutoff", "surface.noise_cutoff"];
+
+/// W129: cut-offs of the case that differ from those of the file.
+fn overridden(filters: &Filters, stated: StatedFilters, file: &str) -> Option<Warning> {
+    let each = CUTOFFS.into_iter().zip(["λc", "λs"]);
+    let cutoffs = filters.overridden.into_iter().zip(stated.cutoffs);
+    let others = each
+        .zip(cutoffs)
+        .filter_map(|((key, name), (of_file, stated))| {
+            Some(format!("{name} {}, the case {key} = {}", of_file?, stated?))
+        });
+    let others: Vec<String> = others.collect();
+    (!others.is_empty()).then(|| {
+        Warning::new(
+            Code::W129,
+            format!("{file}: the file states {}", others.join("; ")),
+        )
     })
 }
 
-/// Rejects the mean of a surface whose Rq is far below the Rq of single lines.
-fn check_mean(
-    (input, keys, context): (&FlankInput, &Keys, Context<'_>),
-    (file, name): (&Path, &str),
-    preparation: &Preparation,
-    (section, mean): (Length, Length),
-) -> Result<(), CaseError> {
-    /// Smallest Rq of a mean, as a share of the Rq of its lines.
-    const LEAST: f64 = 0.9;
-    /// Lines that are compared.
-    const LINES: usize = 8;
-    let single = match input.line {
-        Some(TraceLine::Mean) => TraceLine::Row,
-        Some(TraceLine::MeanColumn) => TraceLine::Column,
-        _ => return Ok(()),
+/// W434: a cut-off between form and roughness that is longer than stated.
+fn parted(filters: &Filters, gear: Gear) -> Option<Warning> {
+    let (shortest, stated) = filters.parted?;
+    let stated = stated.map_or("no cut-off".to_owned(), |stated| format!("{stated}"));
+    let text = format!(
+        "form and roughness of the {gear} are parted at {:.2} mm, eight half-widths of the contact, instead of {stated}: shorter waves lie within a contact and count as roughness",
+        shortest.si() * 1e3
+    );
+    Some(Warning::new(Code::W434, text))
+}
+
+/// An error of the trace `name` at the key that is to blame.
+fn placed(
+    error: TraceError,
+    (name, short): (&str, &str),
+    keys: &Keys,
+    context: Context<'_>,
+) -> CaseError {
+    let source = context.source;
+    let conflict = |key: &Cow<'static, str>, rule| CaseError::Conflict {
+        place: source.place_of(key),
+        key: key.clone(),
+        rule,
     };
-    let of_line = |row: usize| {
-        let line = FlankInput {
-            line: Some(single),
-            row: Some(row),
-            ..input.clone()
-        };
-        // A line with missing points has no parameters, but the mean may.
-        let line = read_trace(&line, file, keys, context).ok()?;
-        let line = prepare(&line.profile, preparation).ok()?.profile;
-        let parameters = Parameters::of(&line, Mode::Iso4287, section).ok()?;
-        Some(parameters.heights.rq.si().powi(2))
-    };
-    let across = lines_across(input, file, keys, context, single)?;
-    let rows = (0..LINES).map(|k| (2 * k + 1) * across / (2 * LINES) + 1);
-    let squares: Vec<f64> = rows.filter_map(of_line).collect();
-    let lines = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
-    match mean.si() < LEAST * lines {
-        true => Err(CaseError::averaged_out(
-            context.source.place_of(&keys.file),
-            name,
-            mean,
-            Length::from_si(lines),
-        )),
-        false => Ok(()),
+    match error {
+        TraceError::Read(error) => CaseError::profile(source.place_of(&keys.file), &error),
+        TraceError::Preparation(error) => CaseError::preparation(name, error),
+        TraceError::Heights(error) => domain(source, keys.table)(error),
+        TraceError::Place(PlaceError::Rule(rule)) => conflict(&keys.at, rule),
+        TraceError::Place(PlaceError::Domain(error)) => domain(source, keys.at.clone())(error),
+        TraceError::Form(error) => no_form(error, name, keys, context),
+        TraceError::OneProfile(rule) => conflict(&keys.file, rule),
+        TraceError::AveragedOut { mean, lines } => {
+            CaseError::averaged_out(source.place_of(&keys.file), short, mean, lines)
+        }
     }
+}
+
+/// The error at the key of the relief of a gear, whose trace in `file` has no form.
+fn no_form(error: FormError, file: &str, keys: &Keys, context: Context<'_>) -> CaseError {
+    let key = match gear_of(keys.table) {
+        Gear::Pinion => "gears.pinion.relief",
+        Gear::Wheel => "gears.wheel.relief",
+    };
+    let mm = |length: Length| format!("{:.3}", length.si() * 1e3);
+    let message = match error {
+        FormError::NotPlaced => format!(
+            "the place of {file} on the flank is not known: give the roll length of a point of it, as {} = {{ roll_length = \"8.2 mm\" }}, or export it over roll lengths",
+            keys.at
+        ),
+        FormError::Filtered => format!(
+            "{file} holds a roughness profile, from which the form was removed: export the unfiltered deviations"
+        ),
+        FormError::Removed(form) => format!(
+            "surface.form = \"{}\" removes the form that is asked for: leave it out and give deviations from the involute",
+            serde_json::to_value(form)
+                .ok()
+                .and_then(|name| Some(name.as_str()?.to_owned()))
+                .unwrap_or_default()
+        ),
+        FormError::Short([from, to], [active_from, active_to]) => format!(
+            "{file} reaches from roll length {} to {} mm, and the active flank from {} to {} mm: give a trace of all of it, or draw the relief",
+            mm(from),
+            mm(to),
+            mm(active_from),
+            mm(active_to)
+        ),
+        FormError::High(range, largest) => format!(
+            "the form of {file} spans {:.1} um, and no relief of this module more than {:.0} um: the trace must be the deviation from the involute, levelled on the gear's axis",
+            range.si() * 1e6,
+            largest.si() * 1e6
+        ),
+        FormError::Unsolved(reason) => reason,
+    };
+    CaseError::value(context.source.place_of(key), Some(key), message)
 }
 
 /// The gear of a table of the flanks.
@@ -377,160 +405,12 @@ fn gear_of(key: &str) -> Gear {
     }
 }
 
-/// Place of a trace on its flank. Deviations over roll lengths count along the transverse base tangent and are turned into
-/// heights normal to the flank.
-fn place_of(
-    input: &FlankInput,
-    read: &mut ReadTrace,
-    keys: &Keys,
-    context: Context<'_>,
-) -> Result<Option<ReadPlace>, CaseError> {
-    let (gears, source) = (&context.case.gears, context.source);
-    let arc = read.reading.as_ref().and_then(|r| r.metadata.arc_from_base);
-    if arc.is_some() {
-        let normal = gears.base_helix.si().cos();
-        let heights = read.profile.heights().iter().map(|z| z * normal).collect();
-        read.profile =
-            Profile::new(read.profile.spacing(), heights).map_err(domain(source, keys.table))?;
-    }
-    let stated = PlaceKeys {
-        from: input.from,
-        at: input.at,
-        is_mirrored: input.mirrored.is_some(),
-    };
-    read_place(stated, gears, gear_of(keys.table), arc, read.start).map_err(|error| match error {
-        PlaceError::Rule(rule) => CaseError::Conflict {
-            place: source.place_of(&keys.at),
-            key: keys.at.clone(),
-            rule,
-        },
-        PlaceError::Domain(error) => domain(source, keys.at.clone())(error),
-    })
-}
-
-/// A trace as measured, with the record of its reading and the SHA-256 of its file if it comes from one.
-struct ReadTrace {
-    profile: Profile,
-    reading: Option<Reading>,
-    sha256: Option<String>,
-    /// Distance of its first point from the first point measured.
-    start: Length,
-    /// Spikes replaced.
-    outliers: Option<OutlierRecord>,
-}
-
-/// The trace in `file`, read as its keys state.
-fn read_trace(
-    input: &FlankInput,
-    file: &Path,
-    keys: &Keys,
-    context: Context<'_>,
-) -> Result<ReadTrace, CaseError> {
-    let source = context.source;
-    let cleaned = |profile: &Profile| -> Result<Option<_>, CaseError> {
-        let Some(deviations) = context.case.input.surface.outliers else {
-            return Ok(None);
-        };
-        let cleaned = replace(profile, Outliers::beyond(deviations));
-        let cleaned =
-            cleaned.map_err(|source| CaseError::preparation(file.display().to_string(), source))?;
-        Ok(Some(cleaned))
-    };
-    let name = file.display().to_string();
-    let refused = |error| CaseError::profile(source.place_of(&keys.file), &error);
-    let (bytes, sum) = match context.files.open(file, source, keys.file.clone())? {
-        (Content::Bytes(bytes), sum) => (bytes, sum),
-        (Content::Heights(profile), _) => {
-            let cut = input
-                .range
-                .map(|range| TraceCut::of_profile(&name, &profile, range));
-            let (profile, start) = match cut.transpose().map_err(refused)? {
-                Some((part, cut)) => (part, cut.start),
-                None => (profile.as_ref().clone(), Length::default()),
-            };
-            let profile = match input.invert {
-                Some(true) => {
-                    let heights = profile.heights().iter().map(|z| -z).collect();
-                    Profile::new(profile.spacing(), heights).map_err(domain(source, keys.table))?
-                }
-                _ => profile,
-            };
-            let (profile, outliers) = match cleaned(&profile)? {
-                Some((cleaned, record)) => (cleaned, Some(record)),
-                None => (profile, None),
-            };
-            if let Some(mut steepness) = implausible(&profile, LengthUnit::Metre) {
-                steepness.suspicion = steepness.suspicion.on_trace(start);
-                let fault = ReadFault::implausible_heights(steepness);
-                return Err(refused(fault.in_file(&name)));
-            }
-            return Ok(ReadTrace {
-                profile,
-                reading: None,
-                start,
-                sha256: None,
-                outliers,
-            });
-        }
-    };
-    // Roll lengths are those of the gear, unless the case states a base radius.
-    let gear = gear_of(keys.table) as usize;
-    let options = ReadOptions {
-        base_radius: input.base_radius.or(Some(Length::from_si(
-            context.case.gears.base_radius[gear].si().abs(),
-        ))),
-        ..read_options(input)
-    };
-    let conditions = context.files.conditions(file);
-    let read = read_with_conditions(&name, &bytes, conditions.as_deref(), &options);
-    let reading = read.map_err(refused)?;
-    let (reading, outliers) = match cleaned(&reading.profile)? {
-        Some((cleaned, record)) => (reading.corrected(cleaned), Some(record)),
-        None => (reading, None),
-    };
-    reading.check_heights().map_err(refused)?;
-    if !reading.format.may_hold_several() {
-        let rule = match input.line {
-            Some(_) => Some("this file holds a single profile; leave line out"),
-            None if input.row.unwrap_or(1) > 1 => {
-                Some("this file holds a single profile; leave row out")
-            }
-            None => None,
-        };
-        if let Some(rule) = rule {
-            return Err(CaseError::Conflict {
-                place: source.place_of(&keys.file),
-                key: keys.file.clone(),
-                rule,
-            });
-        }
-    }
-    Ok(ReadTrace {
-        profile: reading.profile.clone(),
-        sha256: Some(sum),
-        start: reading.cut.map_or(Length::default(), |cut| cut.start),
-        reading: Some(reading),
-        outliers,
-    })
-}
-
 /// Number of rows of the surface in `file`.
 fn surface_rows(
     input: &FlankInput,
     file: &Path,
     keys: &Keys,
     context: Context<'_>,
-) -> Result<usize, CaseError> {
-    lines_across(input, file, keys, context, TraceLine::Row)
-}
-
-/// Number of rows or columns of the surface in `file`.
-fn lines_across(
-    input: &FlankInput,
-    file: &Path,
-    keys: &Keys,
-    context: Context<'_>,
-    line: TraceLine,
 ) -> Result<usize, CaseError> {
     let source = context.source;
     let (content, _) = context.files.open(file, source, keys.file.clone())?;
@@ -540,11 +420,7 @@ fn lines_across(
     let name = file.display().to_string();
     let surface = read_surface_bytes(&name, &bytes, &read_options(input));
     let refused = |error| CaseError::profile(source.place_of(&keys.file), &error);
-    let surface = surface.map_err(refused)?;
-    Ok(match line {
-        TraceLine::Row | TraceLine::Mean => surface.rows,
-        _ => surface.columns,
-    })
+    Ok(lines_across(&surface.map_err(refused)?, TraceLine::Row))
 }
 
 /// Options of the reader from the keys of a flank.

@@ -3,25 +3,27 @@
 use std::sync::Arc;
 
 use asperity_core::provenance::Provenance;
+use asperity_core::quantity::Length;
 use asperity_core::{Code, DomainError};
 use asperity_gear::MeasuredForm;
 
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::{FileSums, Files, Reader};
-use super::flank_pairs::{Meeting, all_placed, longer_than_active, on_common_spacing};
-use super::flank_sample::{self, Listed};
-use super::flank_trace::{Context, Flank, Keys, flank, keys_of, traces_of};
+use super::flank_inputs::FlankInputs;
+use super::flank_sample::Listed;
+use super::flank_trace::{Context, Keys, flank, keys_of, traces_of};
 use super::input::FlankInput;
 use super::lay::{Lays, lays};
-use super::model::Formulation;
-use super::resolve::Case;
 use super::section::domain;
 use super::source::Source;
-use super::surrogates::{Surrogates, surrogates};
-use crate::flanks::surfaces::{FlankReport, Surfaces};
-use crate::flanks::trace_pairs::{SampledFlanks, SampledTrace};
+use super::surrogates::surrogates_of;
 use asperity_core::message::Warning;
+use asperity_flanks::meeting::{Meeting, Refined, longer_than_active, on_common_spacing};
+use asperity_flanks::surfaces::{FlankReport, Surfaces};
+use asperity_flanks::trace::Flank;
+use asperity_flanks::trace_pairs::{SampledFlanks, SampledTrace};
+use asperity_flanks::trace_sites::{TraceSite, paired, teeth as teeth_of, zones as zones_of};
 
 /// Both flanks with the records of their reading and preparation, and the warnings.
 #[derive(Debug, Clone)]
@@ -46,11 +48,20 @@ pub(super) struct Flanks {
     pub sums: Arc<FileSums>,
 }
 
-/// Reads and prepares the flanks that `case` names.
-pub(super) fn flanks(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError> {
+/// Reads and prepares the flanks of a case.
+pub(super) fn flanks(
+    inputs: &FlankInputs,
+    source: &Source,
+    files: &Files,
+) -> Result<Flanks, CaseError> {
     let provenance = Provenance::new();
     let reader = Reader::of(files);
-    let flanks = provenance.collect(|| both(case, source, &reader))?;
+    let context = Context {
+        inputs,
+        source,
+        files: &reader,
+    };
+    let flanks = provenance.collect(|| both(context))?;
     Ok(Flanks {
         provenance,
         sums: reader.into_sums().into(),
@@ -58,18 +69,18 @@ pub(super) fn flanks(case: &Case, source: &Source, files: &Files) -> Result<Flan
     })
 }
 
-fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, CaseError> {
-    let context = Context {
-        case,
+fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
+    let Context {
+        inputs: all,
         source,
-        files,
-    };
+        ..
+    } = context;
     let mut warnings = Vec::new();
-    let (pinion_input, own_wheel, side) = case.input.surface.loaded(case.torque);
+    let (pinion_input, own_wheel) = all.surface.of_side(all.side);
     // Flanks face each other: a wheel without a trace has the trace of the pinion, mirrored.
     let wheel_input = own_wheel.cloned();
     let wheel_input = wheel_input.unwrap_or_else(|| pinion_input.for_wheel());
-    let keys = keys_of(side, own_wheel.is_some());
+    let keys = keys_of(all.side, own_wheel.is_some());
     let is_list = pinion_input.traces.is_some() || pinion_input.rows.is_some();
     if is_list && own_wheel.is_none() {
         return Err(CaseError::Conflict {
@@ -82,8 +93,8 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
         traces_of(pinion_input, &keys[0], context)?,
         traces_of(&wheel_input, &keys[1], context)?,
     ];
-    let named = [0, 1].map(|body: usize| flank_sample::teeth(&lists[body]));
-    let teeth = flank_sample::paired(named);
+    let named = [0, 1].map(|body: usize| teeth_of(&sites_of(&lists[body])));
+    let teeth = paired(named);
     let inputs = [pinion_input, &wheel_input];
     for (body, list) in lists.iter_mut().enumerate() {
         match inputs[body].rows {
@@ -95,7 +106,7 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
                 };
                 *list = traces_of(&fewer, &keys[body], context)?;
             }
-            _ => list.retain(|trace| trace.tooth < teeth[body]),
+            _ => list.retain(|trace| trace.site.tooth < teeth[body]),
         }
     }
     if teeth != named {
@@ -107,31 +118,33 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
     }
     warnings.extend(lists.iter().zip(&keys).filter_map(of_one_tooth));
     let is_several = lists.iter().any(|list| list.len() > 1);
+    let sites = lists.each_ref().map(|list| sites_of(list));
     let mut flanks: [Vec<Flank>; 2] = Default::default();
+    let mut follow: [Vec<Vec<DefaultUsed>>; 2] = Default::default();
     for (body, list) in lists.iter().enumerate() {
         for trace in list {
-            flanks[body].push(flank(trace, &keys[body], context, &mut warnings)?);
+            let (flank, follows) = flank(trace, &keys[body], context, &mut warnings)?;
+            flanks[body].push(flank);
+            follow[body].push(follows);
         }
     }
-    on_common_spacing(case, &mut flanks, &mut warnings)?;
+    let refined = on_common_spacing(all.largest_spacing, &mut flanks);
+    let refined = refined.map_err(|(file, error)| CaseError::preparation(file, error))?;
+    warnings.extend(refined.map(resampled));
     let inputs = [0, 1].map(|body: usize| (&lists[body][0].input, &keys[body]));
-    let surrogates = surrogates(context, inputs, &flanks, &mut warnings)?;
+    let surrogates = surrogates_of(context, inputs, &flanks, &mut warnings)?;
     let mut assumed: Vec<DefaultUsed> = Vec::new();
-    if let Some(surrogates) = &surrogates {
-        for (flanks, record) in flanks.iter_mut().zip(&surrogates.records) {
-            if let (Some(flank), Some(_)) = (flanks.first_mut(), record) {
+    if let Some((surrogates, left_open)) = &surrogates {
+        for (body, record) in surrogates.records.iter().enumerate() {
+            if let (Some(flank), Some(_)) = (flanks[body].first_mut(), record) {
                 flank.report.surrogates.clone_from(record);
-                flank.assumed.clear();
+                follow[body][0].clear();
             }
         }
-        assumed.clone_from(&surrogates.assumed);
+        assumed.clone_from(left_open);
     }
     let stated = if own_wheel.is_some() { 2 } else { 1 };
-    for default in flanks[..stated]
-        .iter_mut()
-        .flatten()
-        .flat_map(|f| std::mem::take(&mut f.assumed))
-    {
+    for default in follow.into_iter().take(stated).flatten().flatten() {
         if !assumed.contains(&default) {
             assumed.push(default);
         }
@@ -151,39 +164,32 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
     let is_placed = all_placed(&flanks, &mut warnings);
     if !is_placed {
         let tables = keys.each_ref().map(|keys| keys.table);
-        warnings.extend(longer_than_active(case, &flanks, tables));
+        warnings.extend(too_long(longer_than_active(&all.gears, &flanks), tables));
     }
-    let width = case.gears.face_width;
-    let zones = flank_sample::zones([&lists[0], &lists[1]], width);
-    check_across(case, &lists, &zones, &keys, source)?;
+    let width = all.gears.face_width;
+    let sites = sites.each_ref().map(Vec::as_slice);
+    let zones = zones_of(sites, width);
+    check_across(all, sites, &zones, &keys, source)?;
     let meeting = Meeting {
-        case,
+        noise_cutoff: all.preparation.lambda_s,
         flanks: &flanks,
         is_placed,
     };
     let surfaces = match (surrogates, is_several) {
-        (Some(Surrogates { surfaces, .. }), _) => surfaces,
+        (Some((surrogates, _)), _) => surrogates.surfaces,
         (None, false) => meeting.surfaces([0, 0]),
         (None, true) => {
-            let pairs = meeting.pairs(&lists, teeth, (&zones, width));
+            let pairs = meeting.pairs(sites, teeth, (&zones, width));
             Surfaces::of_pairs(pairs).unwrap_or_else(|| meeting.surfaces([0, 0]))
         }
     };
     let sampled = is_several.then(|| {
         let of = |body: usize| {
-            let traces = lists[body].iter().zip(&flanks[body]);
-            let traces = traces.map(|(listed, flank)| SampledTrace {
-                tooth: listed.tooth,
-                number: listed.number,
-                y: listed.y,
-                report: flank.report.clone(),
-            });
+            let traces = sites[body].iter().zip(&flanks[body]);
+            let traces = traces.map(|(site, flank)| SampledTrace::new(*site, flank.report.clone()));
             traces.collect()
         };
-        Arc::new(SampledFlanks {
-            traces: [of(0), of(1)],
-            named,
-        })
+        Arc::new(SampledFlanks::new([of(0), of(1)], named))
     });
     let forms = flanks.each_ref().map(|flanks| {
         let forms = flanks.iter().filter_map(|flank| flank.report.form.as_ref());
@@ -218,7 +224,7 @@ fn of_one_tooth((list, keys): (&Vec<Listed>, &Keys)) -> Option<Warning> {
         .find(|(k, trace)| {
             list[..*k]
                 .iter()
-                .any(|other| other.tooth != trace.tooth && file(other) == file(trace))
+                .any(|other| other.site.tooth != trace.site.tooth && file(other) == file(trace))
         })?
         .1;
     let rows = list
@@ -252,30 +258,88 @@ fn left_out(named: [usize; 2], teeth: [usize; 2], of_rows: [bool; 2]) -> Warning
     )
 }
 
+/// Teeth and places of the traces of a list.
+fn sites_of(list: &[Listed]) -> Vec<TraceSite> {
+    list.iter().map(|trace| trace.site).collect()
+}
+
+/// Whether the place of every trace is known; known places of only some traces raise a warning and are not used.
+fn all_placed(flanks: &[Vec<Flank>; 2], warnings: &mut Vec<Warning>) -> bool {
+    let placed = flanks
+        .iter()
+        .flatten()
+        .filter(|flank| flank.placed.is_some());
+    let is_missing = |body: usize| flanks[body].iter().any(|flank| flank.placed.is_none());
+    let missing = match [is_missing(0), is_missing(1)] {
+        [false, false] => return true,
+        _ if placed.count() == 0 => return false,
+        [true, false] => "the trace of the pinion",
+        [false, true] => "the trace of the wheel",
+        [true, true] => "some traces of pinion and wheel",
+    };
+    warnings.push(Warning::new(
+        Code::W418,
+        format!(
+            "the place on the flank is not known of {missing}: windows do not follow from the mesh, all traces stand for any place of their flanks"
+        ),
+    ));
+    false
+}
+
+/// W448: flanks with traces so long that little of them can lie on the active flank.
+fn too_long(longer: [Option<[Length; 2]>; 2], tables: [&str; 2]) -> Option<Warning> {
+    let each = longer.into_iter().zip(tables);
+    let found = each.filter_map(|(longer, table)| {
+        let [longest, active] = longer?;
+        Some(format!("{longest:.3} in {table} on {active:.3}"))
+    });
+    let found: Vec<String> = found.collect();
+    (!found.is_empty()).then(|| {
+        let text = format!(
+            "filtered traces are longer than the active flank: {}. The rest was not measured there, and windows are taken from it, too. State the part on the active flank as range or the place of the trace as at; keep the trace if it was measured along the tooth or on a specimen of the same finish",
+            found.join(", and ")
+        );
+        Warning::new(Code::W448, text)
+    })
+}
+
+/// W119: traces of different spacings.
+fn resampled(refined: Refined) -> Warning {
+    let common = refined.common;
+    let text = match refined.before {
+        Some([pinion, wheel]) => format!(
+            "the flanks are spaced {pinion:.5} and {wheel:.5}; the coarser was resampled to {common:.5}"
+        ),
+        None => format!(
+            "the traces have different spacings; the coarser ones were resampled to {common:.5}"
+        ),
+    };
+    Warning::new(Code::W119, text)
+}
+
 /// Refuses traces outside of the face width or of teeth that the gear lacks, and zones of the face if a single position
 /// represents the mesh.
 fn check_across(
-    case: &Case,
-    lists: &[Vec<Listed>; 2],
+    inputs: &FlankInputs,
+    sites: [&[TraceSite]; 2],
     zones: &[f64],
     keys: &[Keys; 2],
     source: &Source,
 ) -> Result<(), CaseError> {
-    let width = case.gears.face_width;
-    for ((list, keys), teeth) in lists.iter().zip(keys).zip(case.gears.teeth) {
-        for y in list.iter().filter_map(|trace| trace.y) {
+    let width = inputs.gears.face_width;
+    for ((sites, keys), teeth) in sites.into_iter().zip(keys).zip(inputs.gears.teeth) {
+        for y in sites.iter().filter_map(|trace| trace.y) {
             let rule = "must not exceed the face width";
             DomainError::require(y <= width, "y", y.si(), "m", rule)
                 .map_err(domain(source, keys.traces()))?;
         }
-        for tooth in list.iter().filter_map(|trace| trace.number) {
+        for tooth in sites.iter().filter_map(|trace| trace.number) {
             let rule = "must not exceed the number of teeth";
             DomainError::require(tooth <= teeth, "tooth", f64::from(tooth), "-", rule)
                 .map_err(domain(source, keys.traces()))?;
         }
     }
-    let is_paper = case.formulation == Formulation::Paper;
-    match is_paper && !zones.is_empty() {
+    match inputs.has_one_position && !zones.is_empty() {
         false => Ok(()),
         true => Err(CaseError::Conflict {
             place: source.place_of(&keys[0].traces()),

@@ -3,9 +3,8 @@
 use asperity_core::DomainError;
 use asperity_core::quantity::{Angle, Length};
 use asperity_gear::{
-    AmountDirection, EndRelief, GearError, GearPair, GearPairInput, LoadConditions,
-    LoadDistribution, LoadMapSettings, MicroGeometry, Plane, Relief, ReliefExtent, ReliefShape,
-    RootForm,
+    AmountDirection, EndRelief, GearError, GearPair, GearPairInput, LoadMapSettings, MicroGeometry,
+    Plane, Relief, ReliefExtent, ReliefShape, RootForm,
 };
 
 use super::assumed_relief::AssumedRelief;
@@ -13,7 +12,7 @@ use super::defaults::Defaults;
 use super::error::CaseError;
 use super::gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 use super::input::{CaseInput, GearsInput};
-use super::model::{Formulation, Model};
+use super::model::Model;
 use super::section::{Section, domain};
 use super::source::Source;
 use super::text::key_of;
@@ -132,7 +131,7 @@ pub(super) fn gears(
     chamfered.map_err(|error| refused(error, source))
 }
 
-fn refused(error: GearError, source: &Source) -> CaseError {
+pub(super) fn refused(error: GearError, source: &Source) -> CaseError {
     match error {
         GearError::Domain(error) => domain(source, key_of("gears", error.name))(error),
         error => CaseError::gears(source.place_of_key("gears"), error),
@@ -241,20 +240,6 @@ fn refuse_drawn_and_measured(
     }
 }
 
-/// The tip relief that a case does not state; in the paper's formulation there is none.
-pub(super) fn assumed_relief(
-    input: &CaseInput,
-    formulation: Formulation,
-    (model, mesh): (&Model, &LoadConditions<'_>),
-    source: &Source,
-) -> Result<Option<AssumedRelief>, CaseError> {
-    match formulation {
-        Formulation::Paper => Ok(None),
-        Formulation::Corrected => AssumedRelief::of(input, &model.load_distribution, mesh)
-            .map_err(|error| refused(error, source)),
-    }
-}
-
 /// Lists the tip relief of the gears that state none among the defaults.
 pub(super) fn note_relief(
     input: &CaseInput,
@@ -339,30 +324,4 @@ pub(super) fn load_settings(
         edge_contact: model.edge_contact,
         cells: None,
     }
-}
-
-/// Solves for the load once, so that a law or number that these gears do not admit is reported with its place.
-pub(super) fn check_load(
-    mesh: &LoadConditions<'_>,
-    model: &Model,
-    formulation: Formulation,
-    source: &Source,
-) -> Result<(), CaseError> {
-    let not_for = |key: &'static str| {
-        move |error| match error {
-            GearError::Domain(_)
-            | GearError::UndercutContact { .. }
-            | GearError::ReliefStart { .. } => refused(error, source),
-            error => CaseError::not_for_these_gears(source.place_of(key), key, error),
-        }
-    };
-    let map = model
-        .load_distribution
-        .load_map(mesh)
-        .map_err(not_for("model.load_distribution"))?;
-    if formulation == Formulation::Corrected {
-        map.cells(model.positions)
-            .map_err(not_for("model.positions"))?;
-    }
-    Ok(())
 }

@@ -356,11 +356,19 @@ fn over(above: Option<Length>, below: Option<Length>) -> Vec<f64> {
 }
 
 impl SurfaceInput {
-    /// The flanks of pinion and wheel that carry the load at `torque`, and the side of the teeth.
-    pub(super) fn loaded(&self, torque: Torque) -> (&FlankInput, Option<&FlankInput>, Side) {
+    /// The side of the teeth that carries the load at `torque`: coast, if the case states its flanks.
+    pub(super) fn loaded_side(&self, torque: Torque) -> Side {
         match &self.coast {
-            Some(coast) if torque.si() < 0.0 => (&coast.pinion, coast.wheel.as_ref(), Side::Coast),
-            _ => (&self.pinion, self.wheel.as_ref(), Side::Drive),
+            Some(_) if torque.si() < 0.0 => Side::Coast,
+            _ => Side::Drive,
+        }
+    }
+
+    /// The flanks of pinion and wheel on a side of the teeth.
+    pub(super) fn of_side(&self, side: Side) -> (&FlankInput, Option<&FlankInput>) {
+        match (&self.coast, side) {
+            (Some(coast), Side::Coast) => (&coast.pinion, coast.wheel.as_ref()),
+            _ => (&self.pinion, self.wheel.as_ref()),
         }
     }
 }

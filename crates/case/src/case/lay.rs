@@ -1,16 +1,17 @@
 //! Lay of each flank from the surface that its traces were taken from.
 
 use asperity_core::Code;
-use asperity_core::quantity::Length;
-use asperity_profile_io::read::{Surface, TraceLine, read_surface_bytes};
-use asperity_roughness::lay::{RowLay, lay_of_rows};
+use asperity_flanks::flank_lay::{FlankLay, two_digits};
+use asperity_flanks::surface_lay::lay_of_surface;
+use asperity_flanks::trace::Flank;
+use asperity_profile_io::read::read_surface_bytes;
+use asperity_roughness::lay::RowLay;
 
 use super::defaults::DefaultUsed;
 use super::files::Content;
 use super::flank_sample::Listed;
-use super::flank_trace::{Context, Flank, Keys, read_options};
+use super::flank_trace::{Context, Keys, read_options};
 use super::resolve::Case;
-use crate::flanks::flank_lay::{FlankLay, two_digits};
 use asperity_core::message::Warning;
 use asperity_ehl_regime::Lay;
 
@@ -188,53 +189,11 @@ fn of_surface(
     };
     let name = file.display().to_string();
     let surface = read_surface_bytes(&name, &bytes, &read_options(input)).ok()?;
-    if surface.rows < 2 || surface.columns < 2 {
-        return None;
-    }
-    let along = reading.profile.spacing();
-    let finding = match input.line.unwrap_or_default() {
-        TraceLine::Column => of_lines(
-            &turned(&surface),
-            surface.rows,
-            [Some(along), surface.dx],
-            flank,
-        ),
-        _ => of_lines(
-            &surface.z,
-            surface.columns,
-            [Some(along), surface.dy],
-            flank,
-        ),
-    };
+    let line = input.line.unwrap_or_default();
+    let (along, record) = (reading.profile.spacing(), flank.report.preparation.as_ref());
+    let finding = lay_of_surface(&surface, line, along, record)?;
     Some(Measured {
         file: name,
         finding,
     })
-}
-
-fn of_lines(
-    z: &[f64],
-    points: usize,
-    spacings: [Option<Length>; 2],
-    flank: &Flank,
-) -> Result<RowLay, String> {
-    let [Some(along), Some(across)] = spacings else {
-        return Err("it does not state the distance of its rows".to_owned());
-    };
-    let Some(record) = &flank.report.preparation else {
-        return Err("its rows are not prepared".to_owned());
-    };
-    match lay_of_rows(z, points, [along, across], &record.recipe, record.filter) {
-        Ok(Ok(lay)) => Ok(lay),
-        Ok(Err(unknown)) => Err(unknown.to_string()),
-        Err(error) => Err(error.to_string()),
-    }
-}
-
-/// Heights column by column.
-fn turned(surface: &Surface) -> Vec<f64> {
-    (0..surface.columns)
-        .filter_map(|column| surface.column(column))
-        .flatten()
-        .collect()
 }

@@ -9,8 +9,6 @@ use asperity_gear::{
     MicroGeometry,
 };
 
-use super::resolve::Case;
-
 /// Inputs of the load over the teeth: two equal ones have the same load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadInputs {
@@ -43,20 +41,38 @@ impl PartialEq for Law {
 }
 
 impl LoadInputs {
-    /// The inputs that a case states.
-    #[must_use]
-    pub fn of(case: &Case) -> Self {
+    /// The inputs of a user-defined law under `conditions`.
+    pub(super) fn by_own(law: &Arc<dyn LoadDistribution>, conditions: &LoadConditions<'_>) -> Self {
+        Self::with_law(Law::Own(Arc::clone(law)), conditions)
+    }
+
+    /// The inputs of a named law under `conditions`.
+    pub(super) fn by_law(law: &LoadLaw, conditions: &LoadConditions<'_>) -> Self {
+        Self::with_law(Law::Named(law.clone()), conditions)
+    }
+
+    fn with_law(law: Law, conditions: &LoadConditions<'_>) -> Self {
         Self {
-            law: match &case.laws.load_distribution {
-                Some(own) => Law::Own(Arc::clone(own)),
-                None => Law::Named(case.model.load_distribution.clone()),
-            },
-            gears: case.gears.clone(),
-            micro_geometry: case.micro_geometry.clone(),
-            materials: case.materials,
-            settings: case.load_settings,
-            torque: case.torque,
+            law,
+            gears: conditions.pair.clone(),
+            micro_geometry: conditions.micro.clone(),
+            materials: *conditions.materials,
+            settings: *conditions.settings,
+            torque: conditions.torque,
         }
+    }
+
+    /// The same at another torque.
+    pub(super) fn at(&self, torque: Torque) -> Self {
+        Self {
+            torque,
+            ..self.clone()
+        }
+    }
+
+    /// Whether the law lets the teeth deform.
+    pub(super) fn is_elastic(&self) -> bool {
+        matches!(&self.law, Law::Named(law) if law.is_elastic())
     }
 
     /// The load over the flanks.
@@ -64,21 +80,29 @@ impl LoadInputs {
     /// # Errors
     /// When the law does not hold for these gears, or puts no load on the teeth.
     pub fn load_map(&self) -> Result<LoadMap, GearError> {
-        let law: &dyn LoadDistribution = match &self.law {
-            Law::Named(law) => law,
-            Law::Own(law) => law.as_ref(),
-        };
-        let map = law.load_map(&LoadConditions {
+        let map = self.by_its_law()?;
+        if map.samples().iter().all(|sample| sample.load.si() == 0.0) {
+            let law = self.law().name().to_owned();
+            return Err(GearError::no_load(law));
+        }
+        Ok(map)
+    }
+
+    /// The load that the law gives, which may be none.
+    pub(super) fn by_its_law(&self) -> Result<LoadMap, GearError> {
+        self.law().load_map(&LoadConditions {
             pair: &self.gears,
             torque: self.torque,
             micro: &self.micro_geometry,
             materials: &self.materials,
             settings: &self.settings,
-        })?;
-        if map.samples().iter().all(|sample| sample.load.si() == 0.0) {
-            let law = law.name().to_owned();
-            return Err(GearError::no_load(law));
+        })
+    }
+
+    fn law(&self) -> &dyn LoadDistribution {
+        match &self.law {
+            Law::Named(law) => law,
+            Law::Own(law) => law.as_ref(),
         }
-        Ok(map)
     }
 }

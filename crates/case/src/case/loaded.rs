@@ -3,38 +3,37 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use asperity_core::derived::Derived;
 use asperity_core::provenance::Provenance;
 use asperity_core::{Code, Profile};
-use asperity_gear::LoadConditions;
 use asperity_tribo_friction::XuCalibration;
 
 use super::calibration::SIMULATED;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::{Content, FileContents, FileSums, Files, Reader, XU_COEFFICIENTS};
-use super::flank_form::shortest_form;
-use super::flank_pairs::spacing_of;
+use super::flank_inputs::FlankInputs;
 use super::flanks::{Flanks, flanks};
-use super::gearbox::MeshPlace;
-use super::gears::check_load;
+use super::gearbox::{Gearbox, MeshPlace};
+use super::gearbox_input::GearboxInput;
 use super::input::CaseInput;
 use super::law_names::{FullFilmName, LoadShareName};
-use super::lay::Lays;
 use super::oil_file::OilFile;
 use super::plausibility::{
     SYMBOLS, at_pitch_point, divided_shifts, little_clearance, step_up, unusual,
 };
-use super::resolve::{Case, resolve_checked};
+use super::resolve::{Case, resolve_with};
 use super::section::Section;
 use super::shafting::Shafting;
+use super::solved_teeth::{LoadCheck, SolvedTeeth};
 use super::source::{MeshKeys, Source};
-use super::surrogates::solves_contact;
 use super::text::oil_file;
 use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::flanks::flank_lay::FlankLay;
 use crate::flanks::surfaces::{FlankReport, Surfaces};
 use crate::flanks::trace_pairs::SampledFlanks;
+use crate::laws::Laws;
 use asperity_core::message::Warning;
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_mixed_film::InletSupply;
@@ -56,21 +55,48 @@ pub struct LoadedCase {
     pub warnings: Vec<Warning>,
     /// Equations that the preparation of oil, gears and traces used.
     pub provenance: Provenance,
-    /// Equations that the preparation of the traces used, reused if a change of the case does not affect the traces.
-    of_flanks: Provenance,
-    /// Doubts about the flanks alone.
-    flank_warnings: Vec<Warning>,
-    /// Lay of each flank.
-    lays: Arc<Lays>,
-    /// Values that follow from the flanks and their files.
-    assumed: Vec<DefaultUsed>,
+    /// Values that follow from keys and files, each with its inputs.
+    derived: Arc<DerivedValues>,
     /// Name of the case, for messages about what is changed.
     name: Arc<str>,
     /// The mesh that this is the case of, in a gear train.
     mesh: Option<Arc<MeshKeys>>,
     files: Arc<Files>,
-    /// Sums of the files that flanks, gearbox, model and oil were read from.
-    sums: [Arc<FileSums>; 4],
+}
+
+/// Values that follow from the keys of a case and from its files: each is the value of a function of its inputs alone, and a
+/// changed case with equal inputs has the same.
+#[derive(Debug, Clone)]
+struct DerivedValues {
+    flanks: Derived<FlankInputs, Flanks>,
+    gearbox: Derived<Option<GearboxInput>, Read<Option<Gearbox>>>,
+    xu: Derived<Option<PathBuf>, Read<Option<XuCalibration>>>,
+    oil: Derived<Option<PathBuf>, Read<Option<Arc<OilFile>>>>,
+    teeth: SolvedTeeth,
+    /// The check of the load with the form that was measured; `None` if no form was.
+    formed: Derived<Option<LoadCheck>, ()>,
+}
+
+/// A value, and the sums of the files that it was read from.
+type Read<T> = (T, Arc<FileSums>);
+
+impl DerivedValues {
+    /// Sums of all files.
+    fn sums(&self) -> [&Arc<FileSums>; 4] {
+        [
+            &self.flanks.value().sums,
+            &self.gearbox.value().1,
+            &self.xu.value().1,
+            &self.oil.value().1,
+        ]
+    }
+}
+
+/// What a changed case keeps of the one that it was changed from.
+#[derive(Debug)]
+pub(super) struct Kept {
+    laws: Laws,
+    values: DerivedValues,
 }
 
 impl LoadedCase {
@@ -84,7 +110,7 @@ impl LoadedCase {
 
     /// Distributions of the lay of both flanks.
     pub fn flank_lays(&self) -> [FlankLay; 2] {
-        self.lays.of_flanks
+        self.derived.flanks.value().lays.of_flanks
     }
 
     /// Lay of both flanks together, if the load share depends on it and exceeds the lay of every record of mixed lubrication.
@@ -109,7 +135,7 @@ impl LoadedCase {
     /// Every file that was read for this case, and its SHA-256.
     #[must_use]
     pub fn files_read(&self) -> FileSums {
-        let of_all = self.sums.iter().flat_map(|sums| sums.iter());
+        let of_all = self.derived.sums().into_iter().flat_map(|sums| sums.iter());
         of_all
             .map(|(name, sum)| (name.clone(), sum.clone()))
             .collect()
@@ -232,16 +258,6 @@ impl LoadedCase {
         }
     }
 
-    /// Whether traces have a place on the flanks, along the profile or across the face.
-    fn is_placed(&self) -> bool {
-        let is_rolled = |flank: &FlankReport| {
-            let reading = flank.reading.as_ref();
-            let arc = reading.and_then(|reading| reading.metadata.arc_from_base);
-            flank.roll_lengths.is_some() || arc.is_some()
-        };
-        !self.case.face_zones.is_empty() || self.all_traces().into_iter().any(is_rolled)
-    }
-
     /// The case with another input; in a gear train of the mesh with these keys, or else of the same mesh as before.
     pub(super) fn changed_to(
         &self,
@@ -253,7 +269,22 @@ impl LoadedCase {
             Some(mesh) => self.source().of_mesh(mesh),
             None => self.source(),
         };
-        complete(input, &source, Arc::clone(&self.files), Some(self))
+        complete(input, &source, Arc::clone(&self.files), Some(self.kept()))
+    }
+
+    /// The values that a changed case keeps where their inputs are equal, with the flanks as they are now.
+    fn kept(&self) -> Kept {
+        let mut values = DerivedValues::clone(&self.derived);
+        values.flanks = values.flanks.with(|flanks| Flanks {
+            surfaces: self.surfaces.clone(),
+            reports: Arc::clone(&self.flanks),
+            sampled: self.sampled.clone(),
+            ..flanks
+        });
+        Kept {
+            laws: self.case.laws.clone(),
+            values,
+        }
     }
 
     /// Source of changes of the whole text: its lines hold the earlier values.
@@ -295,138 +326,129 @@ pub(super) fn keep_oil(stated: &CaseInput, input: &mut CaseInput) {
     }
 }
 
-/// Completes the case and reads its traces, or takes them from `before` if they are the same.
+/// Completes the case and reads its files; what is kept of another case is taken where its inputs are equal.
 pub(super) fn complete(
     input: CaseInput,
     source: &Source,
     files: Arc<Files>,
-    before: Option<&LoadedCase>,
+    kept: Option<Kept>,
 ) -> Result<LoadedCase, CaseError> {
     let provenance = Provenance::new();
-    // The load over the teeth was checked if only speed and temperature differ.
-    let alike = before.map(|before| &before.case);
-    let alike = alike.filter(|before| loads_alike(&before.input, &input));
-    let is_checked = alike.is_some();
-    let (oil, oil_sums) = match before {
-        Some(before) if before.case.input.lubricant.oil_file == input.lubricant.oil_file => {
-            (before.case.oil_file.clone(), Arc::clone(&before.sums[3]))
-        }
-        _ => oil_file(&input, source, &files)?,
-    };
-    let mut case = provenance.collect(|| resolve_checked(input, oil, source, alike))?;
-    let model_sums = match (before, &case.input.model.xu_coefficients) {
-        (_, None) => Arc::default(),
-        (Some(before), file) if before.case.input.model.xu_coefficients == *file => {
-            let settings = &before.case.model.friction_settings;
-            case.model.friction_settings.xu.coefficients = settings.xu.coefficients;
-            Arc::clone(&before.sums[2])
-        }
-        (_, Some(file)) => {
-            let reader = Reader::of(&files);
-            let calibration = xu_calibration(file, source, &reader)?;
-            case.model.friction_settings.xu.coefficients = calibration.coefficients;
-            reader.into_sums().into()
-        }
-    };
-    let gearbox_sums;
-    (case.gearbox, gearbox_sums) = match (before, &case.input.gearbox) {
-        (Some(before), stated) if before.case.input.gearbox == *stated => {
-            (before.case.gearbox.clone(), Arc::clone(&before.sums[1]))
-        }
-        (_, Some(stated)) => {
-            let reader = Reader::of(&files);
-            let train = Shafting::of_pair(&case).shafts;
-            let places = vec![MeshPlace::default()];
-            let parts = stated.gearbox(places, &train, (source, &reader))?;
-            (Some(parts), reader.into_sums().into())
-        }
-        (_, None) => (None, Arc::default()),
-    };
-    if let Some(before) = before {
-        case.laws = before.case.laws.clone();
+    let known = kept.as_ref().map(|kept| &kept.values);
+    let oil = Derived::renewed(
+        known.map(|known| &known.oil),
+        input.lubricant.oil_file.clone(),
+        |file| oil_file(file.as_deref(), source, &files),
+    )?;
+    let (mut case, teeth) = provenance.collect(|| {
+        let file = oil.value().0.clone();
+        resolve_with(input, file, source, known.map(|known| &known.teeth))
+    })?;
+    let xu = Derived::renewed(
+        known.map(|known| &known.xu),
+        case.input.model.xu_coefficients.clone(),
+        |file| xu_calibration(file.as_deref(), source, &files),
+    )?;
+    if let Some(calibration) = &xu.value().0 {
+        case.model.friction_settings.xu.coefficients = calibration.coefficients;
+    }
+    let gearbox = Derived::renewed(
+        known.map(|known| &known.gearbox),
+        case.input.gearbox.clone(),
+        |stated| gearbox_of_pair(stated.as_ref(), source, &files),
+    )?;
+    case.gearbox.clone_from(&gearbox.value().0);
+    if let Some(kept) = &kept {
+        case.laws = kept.laws.clone();
         case.list_laws();
     }
+    let flanks = Derived::renewed(
+        known.map(|known| &known.flanks),
+        FlankInputs::of(&case),
+        |inputs| flanks(inputs, source, &files),
+    )?;
+    let formed = known.map(|known| &known.formed);
+    let formed = enter(flanks.value(), &mut case, formed, source)?;
+    let of_flanks = flanks.value();
+    let warnings = warnings_of(&case, of_flanks, source);
+    provenance.include(&of_flanks.provenance);
+    Ok(LoadedCase {
+        surfaces: of_flanks.surfaces.clone(),
+        flanks: Arc::clone(&of_flanks.reports),
+        sampled: of_flanks.sampled.clone(),
+        case,
+        warnings,
+        provenance,
+        derived: Arc::new(DerivedValues {
+            flanks,
+            gearbox,
+            xu,
+            oil,
+            teeth,
+            formed,
+        }),
+        name: source.name().into(),
+        mesh: source.mesh().cloned(),
+        files,
+    })
+}
+
+/// Puts what the flanks show into the case: values of their files in place of defaults, lay, zones of the face, and the form of
+/// gears whose relief is taken from traces. Returns the check of the load with that form.
+fn enter(
+    flanks: &Flanks,
+    case: &mut Case,
+    known: Option<&Derived<Option<LoadCheck>, ()>>,
+    source: &Source,
+) -> Result<Derived<Option<LoadCheck>, ()>, CaseError> {
     let Flanks {
         surfaces,
-        reports,
-        sampled,
         forms,
-        lays,
-        zones,
-        warnings,
         assumed,
-        provenance: of_flanks,
-        sums: flank_sums,
-    } = match before {
-        Some(before) if same_flanks(before, &case) => Flanks {
-            surfaces: before.surfaces.clone(),
-            reports: before.flanks.clone(),
-            sampled: before.sampled.clone(),
-            forms: before.case.micro_geometry.measured.clone(),
-            lays: Arc::clone(&before.lays),
-            zones: before.case.face_zones.clone(),
-            warnings: before.flank_warnings.clone(),
-            assumed: before.assumed.clone(),
-            provenance: before.of_flanks.clone(),
-            sums: Arc::clone(&before.sums[0]),
-        },
-        _ => flanks(&case, source, &files)?,
-    };
+        ..
+    } = flanks;
     // Values that a file states replace the defaults.
     let is_default = |default: &DefaultUsed| assumed.iter().all(|stated| stated.key != default.key);
     case.defaults.retain(is_default);
     case.defaults.extend(assumed.iter().cloned());
-    lays.enter(&mut case);
+    flanks.lays.enter(case);
     if case.model.run_in && (!surfaces.are_measured() || surfaces.is_surrogate()) {
         let section = Section::of(source, "model");
         return Err(section.conflict("run_in", "needs the traces of both flanks"));
     }
-    case.face_zones = zones;
-    if forms != [None, None] {
-        let of_before = before.map(|before| &before.case.micro_geometry.measured);
-        let is_checked = is_checked && of_before == Some(&forms);
-        case.micro_geometry.measured = forms;
-        if !is_checked {
-            check_load_of(&case, source)?;
-        }
+    case.face_zones.clone_from(&flanks.zones);
+    let mut check = None;
+    if *forms != [None, None] {
+        case.micro_geometry.measured.clone_from(forms);
+        check = Some(case.load_check());
     }
+    let formed = Derived::renewed(known, check, |check| match check {
+        Some(check) => check.solve(source),
+        None => Ok(()),
+    })?;
     if surfaces.teeth().is_some() || surfaces.is_surrogate() {
-        refuse_several(&case, source)?;
+        refuse_several(case, source)?;
     }
-    let flank_warnings = warnings.clone();
-    let mut warnings = warnings;
-    let loads = at_pitch_point(&case.gears, case.modulus, case.torque, case.speed);
-    let unusual = unusual(&case.input, source, &case.oil, &loads);
-    warnings.splice(
-        0..0,
-        unusual.into_iter().chain(step_up(&case.gears, source)),
-    );
-    warnings.extend(divided_shifts(&case.input.gears, &case.gears, source));
-    warnings.extend(little_clearance(&case.input.gears, &case.gears, source));
+    Ok(formed)
+}
+
+/// Doubts about the keys of a case and its files.
+fn warnings_of(case: &Case, flanks: &Flanks, source: &Source) -> Vec<Warning> {
+    let (input, gears) = (&case.input, &case.gears);
+    let loads = at_pitch_point(gears, case.modulus, case.torque, case.speed);
+    let mut warnings = unusual(input, source, &case.oil, &loads);
+    warnings.extend(step_up(gears, source));
+    warnings.extend(flanks.warnings.iter().cloned());
+    warnings.extend(divided_shifts(&input.gears, gears, source));
+    warnings.extend(little_clearance(&input.gears, gears, source));
     warnings.extend(read_as_keys(source));
     let gearbox = case.gearbox.iter();
     warnings.extend(gearbox.flat_map(|gearbox| gearbox.warnings.iter().cloned()));
     let oil = case.oil_file.iter();
-    warnings.extend(oil.flat_map(|oil| oil.warnings(&case.input, case.temperature)));
-    warnings.extend(replaced_viscosity(&case.input.lubricant));
-    warnings.extend(simulated(&case.input, case.oil_file.as_deref()));
-    provenance.include(&of_flanks);
-    Ok(LoadedCase {
-        case,
-        surfaces,
-        flanks: reports,
-        sampled,
-        warnings,
-        provenance,
-        of_flanks,
-        flank_warnings,
-        lays,
-        assumed,
-        name: source.name().into(),
-        mesh: source.mesh().cloned(),
-        files,
-        sums: [flank_sums, gearbox_sums, model_sums, oil_sums],
-    })
+    warnings.extend(oil.flat_map(|oil| oil.warnings(input, case.temperature)));
+    warnings.extend(replaced_viscosity(&input.lubricant));
+    warnings.extend(simulated(input, case.oil_file.as_deref()));
+    warnings
 }
 
 /// Refuses models of one pair of traces if there are several.
@@ -447,45 +469,6 @@ fn refuse_several(case: &Case, source: &Source) -> Result<(), CaseError> {
     }
 }
 
-/// Whether gears, steel, torque and the model are the same in both cases.
-fn loads_alike(before: &CaseInput, input: &CaseInput) -> bool {
-    before.gears == input.gears
-        && before.material == input.material
-        && before.model == input.model
-        && before.formulation == input.formulation
-        && before.operation.torque == input.operation.torque
-}
-
-/// Solves for the load once, so that a form that the model refuses is reported with its place.
-fn check_load_of(case: &Case, source: &Source) -> Result<(), CaseError> {
-    let mesh = LoadConditions {
-        pair: &case.gears,
-        torque: case.torque,
-        micro: &case.micro_geometry,
-        materials: &case.materials,
-        settings: &case.load_settings,
-    };
-    check_load(&mesh, &case.model, case.formulation, source)
-}
-
-/// Whether the same flanks carry the load in both cases, prepared alike.
-fn same_flanks(loaded: &LoadedCase, case: &Case) -> bool {
-    let before = &loaded.case;
-    let (old, new) = (&before.input.surface, &case.input.surface);
-    let shortest = |case| shortest_form(case).ok().flatten();
-    let forms = [shortest(before), shortest(case)];
-    // Place and form of a trace and the length of a surrogate depend on the gears.
-    let is_of_gears = loaded.is_placed() || loaded.surfaces.is_surrogate() || forms != [None, None];
-    let spacing = |case: &Case| spacing_of(case, loaded.all_traces().into_iter());
-    old == new
-        && spacing(before) == spacing(case)
-        // Flanks without a trace are surrogates only where their contact is solved.
-        && solves_contact(before) == solves_contact(case)
-        && old.loaded(before.torque).2 == new.loaded(case.torque).2
-        && (!is_of_gears || before.input.gears == case.input.gears)
-        && forms[0] == forms[1]
-}
-
 /// The cache folder of the user by the rules of the system.
 fn user_cache_folder() -> Option<PathBuf> {
     let named = |name: &str| {
@@ -498,21 +481,40 @@ fn user_cache_folder() -> Option<PathBuf> {
     Some(root.join("asperity"))
 }
 
+/// The coefficients in `file`.
 fn xu_calibration(
-    file: &Path,
+    file: Option<&Path>,
     source: &Source,
-    files: &Reader<'_>,
-) -> Result<XuCalibration, CaseError> {
+    files: &Files,
+) -> Result<Read<Option<XuCalibration>>, CaseError> {
+    let Some(file) = file else {
+        return Ok((None, Arc::default()));
+    };
+    let reader = Reader::of(files);
     let refused = |message: String| Section::of(source, XU_COEFFICIENTS).value("", message);
-    let bytes = match files.open(file, source, XU_COEFFICIENTS)? {
-        (Content::Bytes(bytes), _) => bytes,
-        (Content::Heights(_), _) => {
-            return Err(refused("names a trace, not coefficients".to_owned()));
-        }
+    let Content::Bytes(bytes) = reader.open(file, source, XU_COEFFICIENTS)?.0 else {
+        return Err(refused("names a trace, not coefficients".to_owned()));
     };
     let text = std::str::from_utf8(&bytes)
         .map_err(|error| refused(format!("is not text in UTF-8: {error}")))?;
-    XuCalibration::from_json(text).map_err(|error| refused(error.to_string()))
+    let calibration = XuCalibration::from_json(text);
+    let calibration = calibration.map_err(|error| refused(error.to_string()))?;
+    Ok((Some(calibration), reader.into_sums().into()))
+}
+
+/// The parts of the gearbox of a pair of gears.
+fn gearbox_of_pair(
+    stated: Option<&GearboxInput>,
+    source: &Source,
+    files: &Files,
+) -> Result<Read<Option<Gearbox>>, CaseError> {
+    let Some(stated) = stated else {
+        return Ok((None, Arc::default()));
+    };
+    let reader = Reader::of(files);
+    let places = vec![MeshPlace::default()];
+    let parts = stated.gearbox(places, &Shafting::shafts_of_pair(), (source, &reader))?;
+    Ok((Some(parts), reader.into_sums().into()))
 }
 
 /// Names the keys that symbols in the case file are read as.

@@ -1,6 +1,7 @@
 //! Refusals of a build without the feature `case-files` in place of reading texts.
 
 use std::borrow::Cow;
+use std::path::Path;
 use std::sync::Arc;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -29,11 +30,11 @@ pub(super) fn is_key_of_named_meshes(_: &str) -> bool {
 
 /// Refuses an oil file.
 pub(super) fn oil_file(
-    input: &CaseInput,
+    name: Option<&Path>,
     source: &Source,
     _: &Files,
 ) -> Result<(Option<Arc<OilFile>>, Arc<FileSums>), CaseError> {
-    match &input.lubricant.oil_file {
+    match name {
         None => Ok((None, Arc::default())),
         Some(_) => {
             let message = "is read only by a build with feature case-files";

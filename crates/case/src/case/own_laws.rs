@@ -7,7 +7,6 @@ use asperity_gear::{GearError, LoadDistribution, LoadMap};
 use asperity_tribo_friction::{FilmFriction, NamedFriction};
 
 use super::defaults::DefaultUsed;
-use super::load_inputs::LoadInputs;
 use super::resolve::Case;
 use crate::load_share_law::LoadShare;
 use asperity_mixed_film::FilmAlone;
@@ -119,7 +118,7 @@ impl Case {
     /// # Errors
     /// When the law does not hold for these gears, or puts no load on the teeth.
     pub fn load_map(&self) -> Result<LoadMap, GearError> {
-        LoadInputs::of(self).load_map()
+        self.load_inputs().load_map()
     }
 
     /// The load sharing between film and asperities in use.

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use asperity_core::Code;
 use asperity_core::decimals;
 use asperity_core::quantity::{AngularSpeed, Pressure, Torque};
+use asperity_flanks::meeting::at_pitch;
 use asperity_gear::GearPair;
 use asperity_oil::LubricantState;
 
@@ -84,15 +85,6 @@ pub(super) fn at_pitch_point(
             name: "pitch-line speed (by speed, teeth, module)",
         },
     ]
-}
-
-/// Load per length w \[N/m\] on one pair of teeth, and radius of curvature R \[m\], at the pitch point.
-pub(super) fn at_pitch(gears: &GearPair, torque: Torque) -> (f64, f64) {
-    let path = gears.path();
-    let (c, whole) = (path.c.si(), path.t1t2.si());
-    let radius = c * (whole - c) / whole / gears.base_helix.si().cos();
-    let load = torque.si().abs() / (gears.base_radius[0].si() * gears.face_width.si());
-    (load, radius)
 }
 
 impl AtPitchPoint {

@@ -11,20 +11,22 @@ use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
 
-use super::assumed_relief::AssumedRelief;
+use super::assumed_relief::{AssumedRelief, ReliefInputs};
 use super::bulk::{BulkModel, FoundBulk, bulk_model};
 use super::calibrated;
 use super::defaults::{DefaultUsed, Defaults};
 use super::error::CaseError;
 use super::gearbox::Gearbox;
-use super::gears::{assumed_relief, check_load, gears, load_settings, micro_geometry, note_relief};
+use super::gears::{gears, load_settings, micro_geometry, note_relief};
 use super::input::{CaseInput, OperationInput, SurfaceInput, TEMPERATURE_KEYS};
+use super::load_inputs::LoadInputs;
 use super::micropitting_input::MicropittingInput;
 use super::model::{Formulation, Model, model};
 use super::oil_file::OilFile;
 use super::plausibility::{at_pitch_point, refuse_stiff_oil};
 use super::ranges::refuse_impossible;
 use super::section::{Section, domain};
+use super::solved_teeth::{LoadCheck, SolvedTeeth};
 use super::source::Source;
 use super::steel::{Steels, steels};
 use super::text::{key_of, missing_key};
@@ -94,17 +96,16 @@ pub struct Case {
 /// # Errors
 /// When a number is outside its domain, the gears cannot mesh, or the oil cannot be.
 pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
-    resolve_checked(input, None, source, None)
+    resolve_with(input, None, source, None).map(|(case, _)| case)
 }
 
-/// Completes and checks a case with the oil file that it names; the load over the teeth is not solved again if it was checked of
-/// `alike`, a case under the same load.
-pub(super) fn resolve_checked(
+/// Completes and checks a case with the oil file that it names; the load over the teeth is not solved again where it is known.
+pub(super) fn resolve_with(
     input: CaseInput,
     oil_file: Option<Arc<OilFile>>,
     source: &Source,
-    alike: Option<&Case>,
-) -> Result<Case, CaseError> {
+    known: Option<&SolvedTeeth>,
+) -> Result<(Case, SolvedTeeth), CaseError> {
     refuse_impossible(&input, source)?;
     let oil_file = oil_file.map(|file| file.by_law(input.model.film_pressure_law));
     let mut defaults = Defaults::default();
@@ -182,14 +183,11 @@ pub(super) fn resolve_checked(
         materials: &materials,
         settings: &load_settings,
     };
-    if alike.is_none() {
-        check_load(&mesh, &model, formulation, source)?;
-    }
-    let known = alike.filter(|case| case.input.map == input.map);
-    let assumed_relief = match known {
-        Some(case) => case.assumed_relief.clone(),
-        None => assumed_relief(&input, formulation, (&model, &mesh), source)?,
-    };
+    let check = load_check(&model, formulation, &mesh);
+    let has_relief = formulation == Formulation::Corrected;
+    let relief = has_relief.then(|| ReliefInputs::of(&input, &check.load));
+    let teeth = SolvedTeeth::of(known, check, relief, source)?;
+    let assumed_relief = teeth.relief().cloned();
     note_relief(&input, assumed_relief.as_ref(), source, &mut defaults);
     if let Some(assumed) = &assumed_relief {
         let [amount, length] = [AssumedRelief::AMOUNT, AssumedRelief::LENGTH];
@@ -217,7 +215,7 @@ pub(super) fn resolve_checked(
         }
     };
     let title = input.title.clone();
-    Ok(Case {
+    let case = Case {
         title: title.unwrap_or_else(|| title_by_gears(&gears.teeth, gears.normal_module)),
         formulation,
         gears,
@@ -245,10 +243,44 @@ pub(super) fn resolve_checked(
         laws: Laws::default(),
         input,
         defaults: defaults.into_list(),
-    })
+    };
+    Ok((case, teeth))
+}
+
+/// The check of the load over the teeth, by the law that the case names.
+fn load_check(model: &Model, formulation: Formulation, mesh: &LoadConditions<'_>) -> LoadCheck {
+    let along_path = formulation == Formulation::Corrected;
+    LoadCheck {
+        load: LoadInputs::by_law(&model.load_distribution, mesh),
+        positions: along_path.then_some(model.positions),
+    }
 }
 
 impl Case {
+    /// What the load over the teeth follows from.
+    #[must_use]
+    pub fn load_inputs(&self) -> LoadInputs {
+        match &self.laws.load_distribution {
+            Some(own) => LoadInputs::by_own(own, &self.load_conditions()),
+            None => LoadInputs::by_law(&self.model.load_distribution, &self.load_conditions()),
+        }
+    }
+
+    /// The check of the load over the teeth with the flanks as they are now, by the law that the case names.
+    pub(super) fn load_check(&self) -> LoadCheck {
+        load_check(&self.model, self.formulation, &self.load_conditions())
+    }
+
+    fn load_conditions(&self) -> LoadConditions<'_> {
+        LoadConditions {
+            pair: &self.gears,
+            torque: self.torque,
+            micro: &self.micro_geometry,
+            materials: &self.materials,
+            settings: &self.load_settings,
+        }
+    }
+
     /// Elastic limit of the softer steel.
     #[must_use]
     pub fn elastic_limit(&self) -> Pressure {

@@ -123,26 +123,33 @@ impl Shafting {
     /// A pair of gears whose pinion is the input.
     #[must_use]
     pub fn of_pair(case: &Case) -> Self {
-        let shaft = |name: &str, stated: Option<MeshLoad>| Shaft {
-            name: name.to_owned(),
-            speed: stated.map(|load| load.speed),
-            torque: stated.map(|load| load.torque),
-            drag: Torque::from_si(0.0),
-        };
+        let mut shafts = Self::shafts_of_pair();
+        let load = MeshLoad::of(case);
+        shafts.shafts[Self::INPUT].speed = Some(load.speed);
+        shafts.shafts[Self::INPUT].torque = Some(load.torque);
+        shafts.stages[0].teeth[1] = case.gears.ratio;
         Self {
-            shafts: GearTrain {
-                shafts: vec![
-                    shaft("pinion", Some(MeshLoad::of(case))),
-                    shaft("wheel", None),
-                ],
-                stages: vec![Stage {
-                    gears: [Self::INPUT, 1],
-                    carrier: None,
-                    teeth: [1.0, case.gears.ratio],
-                }],
-            },
+            shafts,
             kinds: vec![StageKind::Pair],
             passes_losses: false,
+        }
+    }
+
+    /// The shafts of a pair of gears without load.
+    pub(super) fn shafts_of_pair() -> GearTrain {
+        let shaft = |name: &str| Shaft {
+            name: name.to_owned(),
+            speed: None,
+            torque: None,
+            drag: Torque::from_si(0.0),
+        };
+        GearTrain {
+            shafts: vec![shaft("pinion"), shaft("wheel")],
+            stages: vec![Stage {
+                gears: [Self::INPUT, 1],
+                carrier: None,
+                teeth: [1.0, 1.0],
+            }],
         }
     }
 

@@ -35,6 +35,17 @@ pub enum Finish {
     Superfinished,
 }
 
+impl Finish {
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ground => "ground",
+            Self::Superfinished => "superfinished",
+        }
+    }
+}
+
 /// Recipe of a surrogate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surrogate {

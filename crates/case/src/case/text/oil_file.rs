@@ -1,5 +1,6 @@
 //! Reading and checks of an oil file.
 
+use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
 use asperity_core::quantity::Temperature;
@@ -11,7 +12,6 @@ use super::case_file::{CaseFile, read_part, refuse_unknown, schema_with};
 use crate::case::calibration::{Calibrated, cholesky};
 use crate::case::error::CaseError;
 use crate::case::files::{Content, FileSums, Files, OIL_FILE, Reader};
-use crate::case::input::CaseInput;
 use crate::case::oil_file::{FitQuality, FittedFriction, FittedName, OilFile, STEEPEST_FALL};
 use crate::case::section::Section;
 use crate::case::source::Source;
@@ -27,13 +27,13 @@ impl CaseFile for OilFile {
     }
 }
 
-/// The oil file that `input` names, and its sum.
+/// The oil file that a case names, and its sum.
 pub(crate) fn oil_file(
-    input: &CaseInput,
+    name: Option<&Path>,
     source: &Source,
     files: &Files,
 ) -> Result<(Option<Arc<OilFile>>, Arc<FileSums>), CaseError> {
-    let Some(name) = &input.lubricant.oil_file else {
+    let Some(name) = name else {
         return Ok((None, Arc::default()));
     };
     let reader = Reader::of(files);

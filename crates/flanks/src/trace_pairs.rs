@@ -2,7 +2,8 @@
 
 use asperity_core::quantity::Length;
 
-use super::surfaces::FlankReport;
+use crate::surfaces::FlankReport;
+use crate::trace_sites::TraceSite;
 
 /// One of several traces of a flank, as read and prepared.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,7 +29,26 @@ pub struct SampledFlanks {
     pub named: [usize; 2],
 }
 
+impl SampledTrace {
+    /// A trace with the record of its preparation.
+    #[must_use]
+    pub fn new(site: TraceSite, report: FlankReport) -> Self {
+        Self {
+            tooth: site.tooth,
+            number: site.number,
+            y: site.y,
+            report,
+        }
+    }
+}
+
 impl SampledFlanks {
+    /// The traces of both flanks, of which `named` teeth are named.
+    #[must_use]
+    pub fn new(traces: [Vec<SampledTrace>; 2], named: [usize; 2]) -> Self {
+        Self { traces, named }
+    }
+
     /// Every report, of the pinion first.
     pub fn reports(&self) -> impl Iterator<Item = &FlankReport> {
         self.traces.iter().flatten().map(|trace| &trace.report)

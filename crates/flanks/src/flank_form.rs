@@ -12,33 +12,29 @@
 
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::numerics::range;
-use asperity_core::quantity::{Length, LineLoad};
+use asperity_core::quantity::{AngularSpeed, Length, LineLoad, Pressure, Torque};
 use asperity_core::{Profile, cite};
-use asperity_gear::{FlankPoint, Gear, MeasuredForm};
+use asperity_gear::{FlankPoint, Gear, GearPair, MeasuredForm};
 use asperity_roughness::form::Form;
+use serde::Serialize;
 
-use super::error::CaseError;
-use super::gear_input::GearFlankInput;
-use super::resolve::Case;
-use super::source::Source;
-use crate::flanks::flank_form::FlankForm;
-use crate::flanks::placement::PlacedTrace;
+use crate::placement::PlacedTrace;
 
-/// The flank of `gear` in the table `gears`, and the key of its form.
-fn stated(case: &Case, gear: Gear) -> (Option<&GearFlankInput>, &'static str) {
-    match gear {
-        Gear::Pinion => (case.input.gears.pinion.as_ref(), "gears.pinion.relief"),
-        Gear::Wheel => (case.input.gears.wheel.as_ref(), "gears.wheel.relief"),
-    }
+/// Form of a flank as its trace shows it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct FlankForm {
+    /// Cut-off λ_f between form and roughness.
+    pub cutoff: Length,
+    /// Missing material at the tip end of the active flank, against where least is missing.
+    pub at_tip: Length,
+    /// The same at the root end.
+    pub at_root: Length,
+    /// The form over the roll length.
+    pub form: MeasuredForm,
 }
 
-/// Whether the form of `gear` comes from its trace.
-pub(super) fn is_from_trace(case: &Case, gear: Gear) -> bool {
-    let (flank, _) = stated(case, gear);
-    flank.is_some_and(GearFlankInput::is_from_trace)
-}
-
-/// Shortest wave of the form, if one is taken from a trace:
+/// Shortest wave of a form that is taken from a trace:
 ///
 /// ```text
 /// λ_f = max(λ_c, 8 a_H)                                                        [Form-split]
@@ -46,31 +42,32 @@ pub(super) fn is_from_trace(case: &Case, gear: Gear) -> bool {
 ///
 /// This function returns 8 a_H, rounded up to whole micrometres: a shorter wave lies within the window of a contact, where it
 /// is roughness.
-pub(super) fn shortest_form(case: &Case) -> Result<Option<Length>, FormError> {
+///
+/// # Errors
+/// When gears or contact refuse the numbers.
+pub fn shortest_form(
+    gears: &GearPair,
+    (torque, speed): (Torque, AngularSpeed),
+    modulus: Pressure,
+) -> Result<Length, FormError> {
     /// Half-widths of the shortest form.
     const HALF_WIDTHS: f64 = 8.0;
     const MICRO: f64 = 1e6;
-    if !is_from_trace(case, Gear::Pinion) && !is_from_trace(case, Gear::Wheel) {
-        return Ok(None);
-    }
     cite!("Form-split");
-    let (gears, path) = (&case.gears, case.gears.path());
+    let path = gears.path();
     let lines = gears.face_width * (path.eps_alpha / gears.base_helix.si().cos());
-    let force = gears
-        .forces(case.torque)
-        .map_err(unsolved)?
-        .normal_base
-        .si()
-        .abs();
+    let forces = gears.forces(torque).map_err(unsolved)?;
+    let force = forces.normal_base.si().abs();
     let load = LineLoad::from_si(force / lines.si());
-    let motion = gears.kinematics(path.c, case.speed).map_err(unsolved)?;
-    let hertz = HertzLine::new(load, motion.radius, case.modulus).map_err(unsolved)?;
+    let motion = gears.kinematics(path.c, speed).map_err(unsolved)?;
+    let hertz = HertzLine::new(load, motion.radius, modulus).map_err(unsolved)?;
     let shortest = (HALF_WIDTHS * hertz.half_width.si() * MICRO).ceil() / MICRO;
-    Ok(Some(Length::from_si(shortest)))
+    Ok(Length::from_si(shortest))
 }
 
 /// Reasons why a trace has no form.
-pub(super) enum FormError {
+#[derive(Debug, Clone, PartialEq)]
+pub enum FormError {
     /// The place of the trace on the flank is not known.
     NotPlaced,
     /// The file holds a roughness profile.
@@ -89,52 +86,12 @@ fn unsolved(error: impl std::fmt::Display) -> FormError {
     FormError::Unsolved(error.to_string())
 }
 
-/// The error at the key of `gear`; `file` is the name of the trace, `at` the key of its place.
-pub(super) fn refused(
-    error: FormError,
-    (case, gear): (&Case, Gear),
-    (file, at): (&str, &str),
-    source: &Source,
-) -> CaseError {
-    let (_, key) = stated(case, gear);
-    let mm = |length: Length| format!("{:.3}", length.si() * 1e3);
-    let message = match error {
-        FormError::NotPlaced => format!(
-            "the place of {file} on the flank is not known: give the roll length of a point of it, as {at} = {{ roll_length = \"8.2 mm\" }}, or export it over roll lengths"
-        ),
-        FormError::Filtered => format!(
-            "{file} holds a roughness profile, from which the form was removed: export the unfiltered deviations"
-        ),
-        FormError::Removed(form) => format!(
-            "surface.form = \"{}\" removes the form that is asked for: leave it out and give deviations from the involute",
-            serde_json::to_value(form)
-                .ok()
-                .and_then(|name| Some(name.as_str()?.to_owned()))
-                .unwrap_or_default()
-        ),
-        FormError::Short([from, to], [active_from, active_to]) => format!(
-            "{file} reaches from roll length {} to {} mm, and the active flank from {} to {} mm: give a trace of all of it, or draw the relief",
-            mm(from),
-            mm(to),
-            mm(active_from),
-            mm(active_to)
-        ),
-        FormError::High(range, largest) => format!(
-            "the form of {file} spans {:.1} um, and no relief of this module more than {:.0} um: the trace must be the deviation from the involute, levelled on the gear's axis",
-            range.si() * 1e6,
-            largest.si() * 1e6
-        ),
-        FormError::Unsolved(reason) => reason,
-    };
-    CaseError::value(source.place_of(key), Some(key), message)
-}
-
 /// The form of a flank, with the mean line `waviness` of its trace filtered at `cutoff` and placed as `placed`.
-pub(super) fn measured(
+pub(crate) fn measured(
     waviness: &Profile,
     cutoff: Length,
     placed: &PlacedTrace,
-    (case, gear): (&Case, Gear),
+    (gears, gear): (&GearPair, Gear),
 ) -> Result<FlankForm, FormError> {
     /// Largest share of the active flank that may be missing at either end of the trace.
     const MAY_MISS: f64 = 0.01;
@@ -142,9 +99,9 @@ pub(super) fn measured(
     const POINTS: f64 = 64.0;
     /// Largest range of a form, in modules; reliefs have up to 0.02.
     const LARGEST: f64 = 0.05;
-    let path = case.gears.path();
+    let path = gears.path();
     let arc = |s: Length| {
-        let arc = case.gears.arc_of(gear, FlankPoint::Position(s));
+        let arc = gears.arc_of(gear, FlankPoint::Position(s));
         arc.map(|arc| arc.si()).map_err(unsolved)
     };
     let [from, to] = {
@@ -179,14 +136,14 @@ pub(super) fn measured(
     let inner = form.roll_length.iter().filter(is_active).copied();
     let active = inner.chain([shortest, longest]).map(|at| form.at(at));
     let [lowest, highest] = range(active);
-    let largest = case.gears.normal_module * LARGEST;
+    let largest = gears.normal_module * LARGEST;
     let range = Length::from_si(highest - lowest);
     if range > largest {
         return Err(FormError::High(range, largest));
     }
     let missing = |at: Length| Length::from_si(highest - form.at(at));
     // Roll lengths grow towards the tip, of a ring towards the root.
-    let [at_root, at_tip] = match (gear, case.gears.internal) {
+    let [at_root, at_tip] = match (gear, gears.internal) {
         (Gear::Wheel, true) => [missing(longest), missing(shortest)],
         _ => [missing(shortest), missing(longest)],
     };

@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::inputs::ContactInputs;
-use super::tables::Contacts;
-use crate::pipeline;
+use super::stages::contacts;
+use crate::contacts::{ContactInputs, Contacts};
 use asperity_case::case::LoadedCase;
 
 /// Largest number of contacts stored, some megabytes each.
@@ -46,7 +45,7 @@ impl ContactStore {
         }
         let solved = missing
             .into_par_iter()
-            .map(|(_, case)| pipeline::contacts(case).ok().map(Arc::new));
+            .map(|(_, case)| contacts(case).ok().map(Arc::new));
         let solved: Vec<Option<Arc<Contacts>>> = solved.collect();
         self.known.extend(solved.into_iter().flatten());
         let most = MOST.max(cases.len());

@@ -3,33 +3,34 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-use asperity_core::Code;
 use asperity_core::cite;
 use asperity_core::profile::common_spacing;
-use asperity_core::quantity::Length;
-use asperity_gear::{FlankPoint, Gear};
+use asperity_core::quantity::{Length, Pressure, Torque};
+use asperity_gear::{FlankPoint, Gear, GearPair};
+use asperity_roughness::RoughnessError;
 use asperity_roughness::resampling::respaced;
 
-use super::error::CaseError;
-use super::flank_sample::{self, Listed};
-use super::flank_trace::Flank;
-use super::plausibility::at_pitch;
-use super::resolve::Case;
-use crate::flanks::LEAST_POINTS_PER_HALF_WIDTH;
-use crate::flanks::placement::{FULL_COVERAGE, Placement};
-use crate::flanks::surfaces::{FlankReport, PairsOfTeeth, Surfaces, Texture};
-use asperity_core::message::Warning;
+use crate::LEAST_POINTS_PER_HALF_WIDTH;
+use crate::placement::{FULL_COVERAGE, Placement};
+use crate::surfaces::{FlankReport, PairsOfTeeth, Surfaces, Texture};
+use crate::trace::Flank;
+use crate::trace_sites::{TraceSite, nearest};
 
 /// The traces of both flanks, read and prepared once, from which pairs are formed.
-pub(super) struct Meeting<'a> {
-    pub case: &'a Case,
+#[derive(Debug, Clone, Copy)]
+pub struct Meeting<'a> {
+    /// Traces of pinion and wheel.
     pub flanks: &'a [Vec<Flank>; 2],
+    /// λs of a flank without a trace.
+    pub noise_cutoff: Option<Length>,
+    /// Whether the place of every trace is known and used.
     pub is_placed: bool,
 }
 
 impl Meeting<'_> {
     /// The traces `which` of pinion and wheel in contact.
-    pub(super) fn surfaces(&self, which: [usize; 2]) -> Surfaces {
+    #[must_use]
+    pub fn surfaces(&self, which: [usize; 2]) -> Surfaces {
         let flanks = [0, 1].map(|body: usize| &self.flanks[body][which[body]]);
         // Rows of one surface are traces of their own.
         let same_trace = flanks[0].raw.is_some() && flanks[0].raw == flanks[1].raw;
@@ -38,7 +39,7 @@ impl Meeting<'_> {
             .into_iter()
             .map(|flank| match &flank.report.preparation {
                 Some(record) => record.recipe.lambda_s,
-                None => self.case.preparation.lambda_s,
+                None => self.noise_cutoff,
             })
             .max_by(|a, b| {
                 a.unwrap_or_default()
@@ -63,9 +64,10 @@ impl Meeting<'_> {
     }
 
     /// Every tooth of the pinion with every tooth of the wheel; in each zone of the face the traces nearest to it.
-    pub(super) fn pairs(
+    #[must_use]
+    pub fn pairs(
         &self,
-        lists: &[Vec<Listed>; 2],
+        sites: [&[TraceSite]; 2],
         teeth: [usize; 2],
         (zones, width): (&[f64], Length),
     ) -> PairsOfTeeth {
@@ -80,7 +82,7 @@ impl Meeting<'_> {
             let tooth = [pair / teeth[1], pair % teeth[1]];
             let zone = |across: &f64| {
                 let which = [0, 1].map(|body: usize| {
-                    flank_sample::nearest(&lists[body], tooth[body], *across, width).unwrap_or(0)
+                    nearest(sites[body], tooth[body], *across, width).unwrap_or(0)
                 });
                 made.entry(which)
                     .or_insert_with(|| self.surfaces(which))
@@ -95,39 +97,14 @@ impl Meeting<'_> {
     }
 }
 
-/// Whether the place of every trace is known; known places of only some traces raise a warning and are not used.
-pub(super) fn all_placed(flanks: &[Vec<Flank>; 2], warnings: &mut Vec<Warning>) -> bool {
-    let placed = flanks
-        .iter()
-        .flatten()
-        .filter(|flank| flank.placed.is_some());
-    let is_missing = |body: usize| flanks[body].iter().any(|flank| flank.placed.is_none());
-    let missing = match [is_missing(0), is_missing(1)] {
-        [false, false] => return true,
-        _ if placed.count() == 0 => return false,
-        [true, false] => "the trace of the pinion",
-        [false, true] => "the trace of the wheel",
-        [true, true] => "some traces of pinion and wheel",
-    };
-    warnings.push(Warning::new(
-        Code::W418,
-        format!(
-            "the place on the flank is not known of {missing}: windows do not follow from the mesh, all traces stand for any place of their flanks"
-        ),
-    ));
-    false
-}
-
-/// W448: flanks with traces so long that less than [`FULL_COVERAGE`] of them can lie on the active flank.
-pub(super) fn longer_than_active(
-    case: &Case,
-    flanks: &[Vec<Flank>; 2],
-    tables: [&str; 2],
-) -> Option<Warning> {
-    let path = case.gears.path();
-    let of_flank = |body: usize| {
+/// Longest prepared trace of each flank and the length of the active flank, where less than [`FULL_COVERAGE`] of the trace can lie
+/// on it.
+#[must_use]
+pub fn longer_than_active(gears: &GearPair, flanks: &[Vec<Flank>; 2]) -> [Option<[Length; 2]>; 2] {
+    let path = gears.path();
+    [0, 1].map(|body: usize| {
         let gear = [Gear::Pinion, Gear::Wheel][body];
-        let arc = |s| case.gears.arc_of(gear, FlankPoint::Position(s)).ok();
+        let arc = |s| gears.arc_of(gear, FlankPoint::Position(s)).ok();
         let active = Length::from_si((arc(path.e)? - arc(path.a)?).si().abs());
         let traces = flanks[body].iter().filter(|flank| flank.raw.is_some());
         let lengths = traces.filter_map(|flank| match &flank.texture {
@@ -135,19 +112,18 @@ pub(super) fn longer_than_active(
             Texture::Values { .. } => None,
         });
         let longest = lengths.max_by(|a, b| a.si().total_cmp(&b.si()))?;
-        (active / longest < FULL_COVERAGE).then(|| {
-            let table = tables[body];
-            format!("{longest:.3} in {table} on {active:.3}")
-        })
-    };
-    let found: Vec<String> = [0, 1].into_iter().filter_map(of_flank).collect();
-    (!found.is_empty()).then(|| {
-        let text = format!(
-            "filtered traces are longer than the active flank: {}. The rest was not measured there, and windows are taken from it, too. State the part on the active flank as range or the place of the trace as at; keep the trace if it was measured along the tooth or on a specimen of the same finish",
-            found.join(", and ")
-        );
-        Warning::new(Code::W448, text)
+        (active / longest < FULL_COVERAGE).then_some([longest, active])
     })
+}
+
+/// Load per length w \[N/m\] on one pair of teeth, and radius of curvature R \[m\], at the pitch point.
+#[must_use]
+pub fn at_pitch(gears: &GearPair, torque: Torque) -> (f64, f64) {
+    let path = gears.path();
+    let (c, whole) = (path.c.si(), path.t1t2.si());
+    let radius = c * (whole - c) / whole / gears.base_helix.si().cos();
+    let load = torque.si().abs() / (gears.base_radius[0].si() * gears.face_width.si());
+    (load, radius)
 }
 
 /// Usual spacing of a stylus instrument \[m\].
@@ -155,73 +131,84 @@ const USUAL_SPACING: f64 = 0.5e-6;
 /// Half-width at the pitch point, with the whole load on one pair of teeth, over the narrowest on the path: more than gears have.
 const NARROWER_ON_THE_PATH: f64 = 4.0;
 
-/// Common spacing of prepared traces: as large as the shortest λs and the narrowest contact of the case admit, and not above the usual
-/// spacing of instruments, so that another λs leaves the points of their traces; the finest one of traces that are all coarser.
-/// `None` without a prepared trace.
+/// Largest common spacing that the contacts of a mesh admit, and not above the usual spacing of instruments, so that another λs
+/// leaves the points of its traces:
 ///
 /// ```text
 /// d = max(dx_min, min(λs/5, 0.5 µm, a_min/20))                                    [Common-spacing]
 /// ```
 ///
+/// This function returns min(0.5 µm, a_min/20); [`spacing_of`] the whole.
+#[must_use]
+pub fn largest_spacing(gears: &GearPair, torque: Torque, modulus: Pressure) -> Length {
+    cite!("Common-spacing");
+    let (load, radius) = at_pitch(gears, torque);
+    let half_width = (4.0 * load * radius / (PI * modulus.si())).sqrt();
+    let of_contacts = half_width / (NARROWER_ON_THE_PATH * LEAST_POINTS_PER_HALF_WIDTH);
+    Length::from_si(of_contacts.min(USUAL_SPACING))
+}
+
+/// Common spacing of prepared traces, \[Common-spacing\]: as large as `largest` and the shortest λs admit; the finest one of traces
+/// that are all coarser. `None` without a prepared trace.
+///
 /// dx_min if a trace has no λs.
-pub(super) fn spacing_of<'a>(
-    case: &Case,
+pub fn spacing_of<'a>(
+    largest: Length,
     traces: impl Iterator<Item = &'a FlankReport>,
 ) -> Option<Length> {
-    cite!("Common-spacing");
-    let (load, radius) = at_pitch(&case.gears, case.torque);
-    let half_width = (4.0 * load * radius / (PI * case.modulus.si())).sqrt();
-    let of_contacts = half_width / (NARROWER_ON_THE_PATH * LEAST_POINTS_PER_HALF_WIDTH);
     let prepared = traces.filter_map(|trace| trace.preparation.as_ref());
-    let [largest, finest] = prepared.fold(
-        [of_contacts.min(USUAL_SPACING), f64::INFINITY],
-        |[largest, finest], of| {
+    let [largest, finest] =
+        prepared.fold([largest.si(), f64::INFINITY], |[largest, finest], of| {
             let coarsest = of.recipe.coarsest_spacing().unwrap_or_default();
             [largest.min(coarsest.si()), finest.min(of.spacing.si())]
-        },
-    );
+        });
     finest
         .is_finite()
         .then(|| Length::from_si(largest.max(finest)))
 }
 
-/// Puts all traces on one spacing, [`spacing_of`] them.
-pub(super) fn on_common_spacing(
-    case: &Case,
+/// Traces that were put on a finer spacing than their own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Refined {
+    /// The common spacing.
+    pub common: Length,
+    /// Spacings of both traces before, if each flank has one.
+    pub before: Option<[Length; 2]>,
+}
+
+/// Puts all traces on one spacing, [`spacing_of`] them. Traces that were refined are told.
+///
+/// # Errors
+/// With the name of its file, when a trace cannot be resampled.
+pub fn on_common_spacing(
+    largest: Length,
     flanks: &mut [Vec<Flank>; 2],
-    warnings: &mut Vec<Warning>,
-) -> Result<(), CaseError> {
+) -> Result<Option<Refined>, (String, RoughnessError)> {
     let all = flanks.iter().flatten().map(|flank| &flank.report);
-    let Some(common) = spacing_of(case, all) else {
-        return Ok(());
+    let Some(common) = spacing_of(largest, all) else {
+        return Ok(None);
     };
     let own = |flank: &Flank| match &flank.texture {
         Texture::Trace(profile) => Some(profile.spacing()),
         Texture::Values { .. } => None,
     };
     let first_of = |flanks: &[Flank]| flanks.iter().find_map(own);
-    let [pinion, wheel] = [first_of(&flanks[0]), first_of(&flanks[1])];
+    let before = match flanks
+        .each_ref()
+        .map(|flanks| (flanks.len(), first_of(flanks)))
+    {
+        [(1, Some(pinion)), (1, Some(wheel))] => Some([pinion, wheel]),
+        _ => None,
+    };
     let mut is_refined = false;
     for flank in flanks.iter_mut().flatten() {
         if let Texture::Trace(profile) = &flank.texture {
             let is_same = common_spacing(profile.spacing(), common).is_some();
             is_refined |= !is_same && profile.spacing() > common;
-            let changed = respaced(profile, common).map_err(|source| {
-                CaseError::preparation(flank.report.file.clone().unwrap_or_default(), source.into())
-            })?;
+            let file = || flank.report.file.clone().unwrap_or_default();
+            let changed = respaced(profile, common).map_err(|error| (file(), error.into()))?;
             flank.texture = Texture::Trace(changed);
         }
     }
-    if is_refined {
-        let text = match ([flanks[0].len(), flanks[1].len()], pinion, wheel) {
-            ([1, 1], Some(a), Some(b)) => format!(
-                "the flanks are spaced {a:.5} and {b:.5}; the coarser was resampled to {common:.5}"
-            ),
-            _ => format!(
-                "the traces have different spacings; the coarser ones were resampled to {common:.5}"
-            ),
-        };
-        warnings.push(Warning::new(Code::W119, text));
-    }
-    Ok(())
+    Ok(is_refined.then_some(Refined { common, before }))
 }

@@ -5,10 +5,10 @@ use asperity_core::Profile;
 use asperity_core::profile::mirrored_window;
 use asperity_core::quantity::{Length, Pressure};
 
+use crate::Roughness;
 use crate::error::PositionError;
-use crate::flanks::Roughness;
-use crate::flanks::{Surfaces, Texture};
 use crate::mesh_position::{MeshPosition, Resolution};
+use crate::{Surfaces, Texture};
 
 /// Least points per Hertz half-width at which a contact is resolved.
 pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
@@ -30,7 +30,7 @@ const SHIFTS: [f64; 2] = [0.569_840_290_998_053_3, 0.754_877_666_246_692_8];
 /// in contact there: the mean over the path then samples more of the traces.
 ///
 /// ```
-/// use asperity_case::flanks::window_places;
+/// use asperity_flanks::window_places;
 /// assert_eq!(window_places(1, 16, 0), [0.25, 2.0 / 3.0]);
 /// assert_eq!(window_places(1, 64, 0), window_places(1, 16, 0));
 /// ```

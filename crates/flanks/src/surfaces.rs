@@ -12,11 +12,11 @@ use asperity_roughness::section_heights::section_heights;
 use serde::Serialize;
 
 use crate::error::PositionError;
-use crate::flanks::flank_form::FlankForm;
-use crate::flanks::local_roughness::{Roughness, peaks};
-use crate::flanks::placement::Placement;
-use crate::flanks::surrogate_record::SurrogateRecord;
+use crate::flank_form::FlankForm;
+use crate::local_roughness::{Roughness, peaks};
 use crate::mesh_position::MeshPosition;
+use crate::placement::Placement;
+use crate::surrogate_record::SurrogateRecord;
 use asperity_ehl_regime::{Lay, PairSpectrum, TraceSpectrum};
 use asperity_mixed_film::TraceSpectra;
 use asperity_mixed_film::{AttenuatedTraces, Flattening, WindowRoughness};

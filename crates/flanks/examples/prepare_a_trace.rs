@@ -1,0 +1,46 @@
+//! Reads the trace of a flank, prepares it with the usual filters, and prints what became of it.
+//!
+//! ```text
+//! cargo run -p asperity-flanks --example prepare_a_trace -- fixtures/profiles/ground_pinion.csv
+//! ```
+
+use std::error::Error;
+
+use asperity_flanks::read_place::StatedPlace;
+use asperity_flanks::trace::{TraceContent, TraceInputs, prepared_trace};
+use asperity_flanks::trace_filters::StatedFilters;
+use asperity_gear::{Gear, GearPair, GearPairInput};
+use asperity_profile_io::read::ReadOptions;
+use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let name = std::env::args().nth(1).ok_or("name a trace")?;
+    let bytes = std::fs::read(&name)?;
+    let drawing = ("1.8 mm".parse()?, "23.4 deg".parse()?, "32 mm".parse()?);
+    let drawing = GearPairInput::standard([23, 68], drawing.0, drawing.1, drawing.2);
+    let gears = GearPair::new(&drawing)?;
+    let inputs = TraceInputs {
+        name: &name,
+        content: TraceContent::Bytes(&bytes, None),
+        options: &ReadOptions::default(),
+        is_line_stated: false,
+        outliers: None,
+        place: StatedPlace::default(),
+        filters: StatedFilters {
+            preparation: Preparation {
+                lambda_c: Some(LAMBDA_C),
+                lambda_s: Some(LAMBDA_S),
+                ..Preparation::default()
+            },
+            cutoffs: [None; 2],
+            ends: None,
+            form: None,
+        },
+        shortest_form: None,
+    };
+    let prepared = prepared_trace(inputs, (&gears, Gear::Pinion));
+    let prepared = prepared.map_err(|error| format!("{error:?}"))?;
+    let parameters = prepared.flank.report.parameters.ok_or("no parameters")?;
+    println!("Rq {:.3} um", 1e6 * parameters.heights.rq.si());
+    Ok(())
+}

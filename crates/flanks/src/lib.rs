@@ -1,0 +1,36 @@
+//! Flanks of gears as measured: traces read, prepared and placed, and the windows in contact at a mesh position.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`trace`] | one trace: read, turned, placed, filtered ([`trace_filters`], [`read_place`], [`flank_form`]) |
+//! | [`meeting`] | the traces of both flanks: common spacing, pairs of teeth ([`trace_sites`]) |
+//! | [`surrogates`] | generated flanks where only roughness values are known |
+//! | [`surface_lay`], [`flank_lay`] | lay of a surface, and what is known of the lay of a flank |
+//! | [`surfaces`] | both flanks as a run uses them, and as a result reports them |
+//! | [`placement`] | where traces lie on their flanks |
+//! | [`mesh_position`] | a position of the mesh without roughness and oil: motion, load, Hertz contact |
+//! | [`error`] | why a mesh position has no result |
+
+pub mod error;
+pub mod flank_form;
+pub mod flank_lay;
+pub mod local_roughness;
+pub mod meeting;
+pub mod mesh_position;
+pub mod placement;
+pub mod read_place;
+pub mod surface_lay;
+pub mod surfaces;
+pub mod surrogate_record;
+pub mod surrogates;
+pub mod trace;
+pub mod trace_filters;
+pub mod trace_pairs;
+pub mod trace_sites;
+mod window_pair;
+
+pub use local_roughness::Roughness;
+pub use surfaces::{Surfaces, Texture};
+pub use window_pair::{
+    AVERAGING_WIDTH, LEAST_POINTS_PER_HALF_WIDTH, Window, WindowPair, is_substituted, window_places,
+};

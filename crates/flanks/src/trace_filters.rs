@@ -1,0 +1,116 @@
+//! Filters of a trace: as stated, from its file, or by default.
+
+use asperity_core::quantity::Length;
+use asperity_profile_io::read::{FilterState, Reading};
+use asperity_roughness::form::Form;
+use asperity_roughness::gaussian_filter::Ends;
+use asperity_roughness::preparation::Preparation;
+
+use crate::flank_form::FormError;
+
+/// Filters of the traces of a case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StatedFilters {
+    /// Everything stated or by default.
+    pub preparation: Preparation,
+    /// Cut-offs λc and λs, if they are stated.
+    pub cutoffs: [Option<Length>; 2],
+    /// Treatment of the ends, if it is stated.
+    pub ends: Option<Ends>,
+    /// Form that is removed, if it is stated.
+    pub form: Option<Form>,
+}
+
+/// Filters of one trace, and where they differ from those of the case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Filters {
+    /// The filters.
+    pub preparation: Preparation,
+    /// Cut-offs λc and λs of the file that the case leaves open.
+    pub of_file: [Option<Length>; 2],
+    /// Cut-offs λc and λs of the file in whose place the case states others.
+    pub overridden: [Option<Length>; 2],
+    /// Whether the ends are kept since the trace is placed.
+    pub keeps_ends: bool,
+    /// Whether the form stays in the trace although the case does not state so.
+    pub keeps_form: bool,
+    /// Cut-off between form and roughness that is longer than λc, the second value.
+    pub parted: Option<(Length, Option<Length>)>,
+}
+
+impl Filters {
+    /// The filters that are stated, else those of the file, else the defaults.
+    pub(crate) fn of(stated: StatedFilters, reading: Option<&Reading>) -> Self {
+        /// Cut-offs that differ by less are the same as printed.
+        const SAME: f64 = 1e-6;
+        let mut filters = Self {
+            preparation: stated.preparation,
+            of_file: [None; 2],
+            overridden: [None; 2],
+            keeps_ends: false,
+            keeps_form: false,
+            parted: None,
+        };
+        // A roughness profile was filtered with the cut-offs of its file.
+        let unfiltered = reading.filter(|r| r.filter_state != FilterState::Roughness);
+        let Some(facts) = unfiltered.map(|reading| &reading.metadata) else {
+            return filters;
+        };
+        let preparation = &mut filters.preparation;
+        let used = [&mut preparation.lambda_c, &mut preparation.lambda_s];
+        let of_file = [facts.lambda_c, facts.lambda_s];
+        for (k, used) in used.into_iter().enumerate() {
+            let Some(of_file) = of_file[k] else {
+                continue;
+            };
+            match stated.cutoffs[k] {
+                None => {
+                    *used = Some(of_file);
+                    filters.of_file[k] = Some(of_file);
+                }
+                Some(stated) if (stated / of_file - 1.0).abs() > SAME => {
+                    filters.overridden[k] = Some(of_file);
+                }
+                Some(_) => {}
+            }
+        }
+        filters
+    }
+
+    /// Keeps the ends of a placed trace in filtering, unless their treatment is stated.
+    pub(crate) fn keep_ends(&mut self, stated: StatedFilters) {
+        if stated.ends.is_none() {
+            self.preparation.ends = Ends::Reg1;
+            self.keeps_ends = true;
+        }
+    }
+
+    /// Leaves the form in a trace from which the relief is taken, and returns the cut-off at which it is separated from the
+    /// roughness: λc, or `shortest` if that is longer.
+    pub(crate) fn part_form(
+        &mut self,
+        stated: StatedFilters,
+        shortest: Length,
+        reading: Option<&Reading>,
+    ) -> Result<Length, FormError> {
+        if reading.is_some_and(|reading| reading.filter_state == FilterState::Roughness) {
+            return Err(FormError::Filtered);
+        }
+        match stated.form {
+            None => self.keeps_form = true,
+            Some(Form::None | Form::Mean) => {}
+            Some(other) => return Err(FormError::Removed(other)),
+        }
+        self.preparation.form = Form::None;
+        let used = self.preparation.lambda_c;
+        let cutoff = match used {
+            Some(used) if used >= shortest => used,
+            _ => {
+                self.parted = Some((shortest, used));
+                shortest
+            }
+        };
+        self.preparation.lambda_c = Some(cutoff);
+        Ok(cutoff)
+    }
+}
