@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::CaseInput;
 
-const LIST: &str = "../crates/case/src/case/text/key_names.rs";
+const LIST: &str = "../crates/case/src/text/key_names.rs";
 
 #[test]
 fn every_key_of_a_row_is_a_key_of_the_case_file() {

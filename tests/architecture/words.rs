@@ -52,7 +52,7 @@ fn options(text: &str) -> impl Iterator<Item = &str> {
 /// Texts that are of the command although a library writes them.
 const OF_THE_COMMAND: [&str; 4] = [
     // A page of the documents, which tells how the command takes a case.
-    "crates/case/src/case/text/page.rs",
+    "crates/case/src/load/page.rs",
     // The heading of the page docs/EQUATIONS.md.
     "crates/asperity/src/equations/mod.rs",
     // The first screen of the command `run`.

@@ -217,7 +217,7 @@ fn a_file_that_changes_while_the_study_runs_stops_it() {
 /// Every field of the keys of a case that holds a path is the end of a key in the list that studies go by.
 #[test]
 fn no_key_that_names_a_file_is_missing_in_the_list() {
-    let folders = ["crates/case/src/case", "crates/oil/src"];
+    let folders = ["crates/case/src/input", "crates/oil/src"];
     let entries = folders.map(|folder| fs::read_dir(root().join(folder)).unwrap());
     let mut fields = BTreeSet::new();
     let paths = entries

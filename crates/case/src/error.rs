@@ -9,7 +9,8 @@ use asperity_core::{Code, Fault, Place};
 use asperity_efficiency::EfficiencyError;
 pub use asperity_flanks::error::{PositionError, UnsolvedContact};
 
-use crate::case::{CaseError, Source};
+use crate::source::case_error::CaseError;
+use crate::source::source_text::Source;
 
 /// Errors of a case or a run.
 ///

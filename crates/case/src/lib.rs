@@ -14,16 +14,25 @@ pub mod case;
 pub mod error;
 pub mod fingerprint;
 pub mod formula_film;
+mod input;
 pub mod key_words;
 pub mod laws;
-pub mod load_share_law;
+#[cfg(feature = "case-files")]
+mod load;
+mod loaded;
 #[cfg_attr(not(feature = "case-files"), path = "no_loss_table.rs")]
 pub mod loss_table;
 
 pub mod physical_limits;
 pub mod recorded_share;
+mod resolved;
+mod source;
+#[cfg_attr(not(feature = "case-files"), path = "no_text.rs")]
+mod text;
+mod train;
 
 pub use asperity_core::message;
 /// Traces on their flanks, and the windows in contact at a mesh position.
 pub use asperity_flanks as flanks;
 pub use asperity_flanks::mesh_position;
+pub use laws::load_share as load_share_law;

@@ -18,7 +18,7 @@ pub struct Derived<I, T> {
 }
 
 impl<I: PartialEq, T: Clone> Derived<I, T> {
-    /// The value of `inputs`: that of `known` if it follows from equal ones, or else what `make` makes of them.
+    /// The value of `inputs`: the known one if it follows from equal inputs, or else a new one by `make`.
     ///
     /// # Errors
     /// Those of `make`.
@@ -36,7 +36,7 @@ impl<I: PartialEq, T: Clone> Derived<I, T> {
 }
 
 impl<I, T> Derived<I, T> {
-    /// The value changed by `change`, which stays that of its inputs.
+    /// The value changed by `change`, still under its inputs.
     #[must_use]
     pub fn with(self, change: impl FnOnce(T) -> T) -> Self {
         Self {

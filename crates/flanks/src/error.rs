@@ -1,4 +1,4 @@
-//! Why a mesh position has no result.
+//! Reasons for which a mesh position has no result.
 
 use asperity_contact::ContactError;
 use asperity_core::cancel::Cancelled;

@@ -176,7 +176,7 @@ pub struct Refined {
     pub before: Option<[Length; 2]>,
 }
 
-/// Puts all traces on one spacing, [`spacing_of`] them. Traces that were refined are told.
+/// Puts all traces on one spacing, [`spacing_of`] them. Returns the spacings if traces were refined.
 ///
 /// # Errors
 /// With the name of its file, when a trace cannot be resampled.

@@ -26,7 +26,7 @@ pub struct PointOfTrace {
     pub x: Length,
 }
 
-/// What is stated about the place of a trace.
+/// Statements about the place of a trace.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StatedPlace {
     /// End at which it begins.

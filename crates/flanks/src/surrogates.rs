@@ -54,7 +54,7 @@ impl StatedParameter {
     }
 }
 
-/// What is known of a flank without a trace.
+/// Knowledge of a flank without a trace.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KnownFlank {
     /// Stated values; the heights are scaled to the first.
@@ -65,7 +65,7 @@ pub struct KnownFlank {
     pub lambda_s: Option<Length>,
 }
 
-/// Everything that surrogates follow from, but for the traces of the other flank.
+/// Everything that surrogates follow from, except the traces of the other flank.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurrogateInputs {
     /// The flanks without a trace.

@@ -19,29 +19,29 @@ use crate::read_place::{PlaceError, ReadPlace, StatedPlace, read_place};
 use crate::surfaces::{FlankReport, Texture};
 use crate::trace_filters::{Filters, StatedFilters};
 
-/// What a trace is read from.
+/// Source of a trace.
 #[derive(Debug, Clone, Copy)]
 pub enum TraceContent<'a> {
     /// Heights in memory.
     Heights(&'a Profile),
-    /// The bytes of a file, and those of its measuring conditions.
+    /// The bytes of a file, and the bytes of its measuring conditions.
     Bytes(&'a [u8], Option<&'a [u8]>),
 }
 
-/// A trace, and everything that its preparation follows from, but for the gears.
+/// A trace, and everything that its preparation follows from, except the gears.
 #[derive(Debug, Clone, Copy)]
 pub struct TraceInputs<'a> {
     /// Name of the file, for messages.
     pub name: &'a str,
-    /// What it is read from.
+    /// Its source.
     pub content: TraceContent<'a>,
-    /// How it is read.
+    /// Options of its reader.
     pub options: &'a ReadOptions,
     /// Whether the line of a surface is stated, which a file with a single profile refuses.
     pub is_line_stated: bool,
     /// Robust standard deviations beyond which spikes are replaced.
     pub outliers: Option<f64>,
-    /// What is stated about its place.
+    /// Statements about its place.
     pub place: StatedPlace,
     /// Filters.
     pub filters: StatedFilters,
@@ -75,7 +75,7 @@ pub struct PreparedTrace {
     pub warnings: Vec<Warning>,
 }
 
-/// Why a trace cannot be used.
+/// Reasons for which a trace cannot be used.
 #[derive(Debug)]
 pub enum TraceError {
     /// The file cannot be read.
@@ -84,11 +84,11 @@ pub enum TraceError {
     Preparation(RoughnessError),
     /// Heights are out of their domain.
     Heights(DomainError),
-    /// What is stated about its place contradicts itself, or the gears.
+    /// Statements about its place that contradict each other, or the gears.
     Place(PlaceError),
     /// The flank has no form.
     Form(FormError),
-    /// A key that asks for one of several profiles of a file with one.
+    /// A key that selects one of several profiles in a file with a single one.
     OneProfile(&'static str),
     /// The mean of a surface whose Rq is far below the Rq of single lines.
     AveragedOut {

@@ -21,7 +21,7 @@ pub struct StatedFilters {
     pub form: Option<Form>,
 }
 
-/// Filters of one trace, and where they differ from those of the case.
+/// Filters of one trace, with their differences from the filters of the case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Filters {
     /// The filters.
@@ -30,7 +30,7 @@ pub struct Filters {
     pub of_file: [Option<Length>; 2],
     /// Cut-offs λc and λs of the file in whose place the case states others.
     pub overridden: [Option<Length>; 2],
-    /// Whether the ends are kept since the trace is placed.
+    /// Whether the ends remain since the trace is placed.
     pub keeps_ends: bool,
     /// Whether the form stays in the trace although the case does not state so.
     pub keeps_form: bool,
@@ -39,7 +39,7 @@ pub struct Filters {
 }
 
 impl Filters {
-    /// The filters that are stated, else those of the file, else the defaults.
+    /// The stated filters, else the filters of the file, else the defaults.
     pub(crate) fn of(stated: StatedFilters, reading: Option<&Reading>) -> Self {
         /// Cut-offs that differ by less are the same as printed.
         const SAME: f64 = 1e-6;

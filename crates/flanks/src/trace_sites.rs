@@ -7,7 +7,7 @@ const MOST_PAIRS: usize = 64;
 /// Least number of teeth of each flank that are paired if there are more pairs.
 const LEAST_TEETH: usize = 8;
 
-/// Where a trace was measured: its tooth, and its place across the face.
+/// Tooth of a trace, and its place across the face.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TraceSite {
     /// Index of the tooth, from 0 in the order of the list.

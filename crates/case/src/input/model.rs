@@ -1,0 +1,444 @@
+//! Choices of the model: one row for each key, with its default by formulation and its check.
+
+use std::path::PathBuf;
+
+use asperity_core::DomainError;
+use asperity_core::quantity::{Length, Ratio};
+use asperity_efficiency::swept::HYSTERESIS;
+use asperity_ehl_regime::GapLaw;
+use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
+use asperity_ehl_regime::{FilmLaw, ThermalLaw};
+use asperity_gear::{GearPair, LoadLaw, LoadMapSettings};
+use asperity_ns_film::FluidModel;
+use asperity_oil::PressureLaw;
+use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, INNER_BOUNDARY};
+use asperity_tribo_friction::{FrictionSettings, RoughnessReading};
+use serde::{Deserialize, Serialize};
+
+use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
+use super::one_or_two::OneOrTwo;
+use super::path_point::{NamedPoint, PathPoint};
+use super::rows::{OPEN, choices};
+use crate::source::case_error::{CaseError, LOOSEST_TOLERANCE};
+use crate::source::defaults::Defaults;
+use crate::source::section::{Section, domain};
+use crate::source::source_text::Source;
+use asperity_mixed_film::{FilmPressure, GapRoughness, SpotSpeed};
+
+/// Formulation of the 2022 model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
+pub enum Formulation {
+    /// Dimensionally and physically consistent
+    #[default]
+    Corrected,
+    /// The paper's formulation, with only its misprints corrected
+    Paper,
+}
+
+/// Offsets of a case that states none, at least.
+pub const LEAST_OFFSETS: usize = 16;
+
+choices! {
+    /// Choices of the model.
+    ModelInput =>
+    /// Choices of the model, all made.
+    Model in "model" by Choices<'_>;
+
+    with {
+        /// Choices that the friction laws leave open.
+        friction_settings: FrictionSettings = friction_settings(constant_friction, clamp_roughness);
+    }
+
+    /// Number of cells along the path of contact, with one contact evaluated in each; default 16 (`paper`:
+    /// one position).
+    positions: usize = of_path(16) usual "" [1.0, 1000.0],
+        check("positions", |n| (1.0..=10_000.0).contains(&n), "must be 1 to 10000");
+    /// The single position of the `paper` formulation: 0 at A, 1 at E, or `A` … `E`; default `C`.
+    position: PathPoint => f64 = point_of_path() usual "" [0.0, 1.0],
+        check("position", |s| (0.0..=1.0).contains(&s), "must be A to E, or 0 to 1");
+    /// Number of offsets along the traces at which the flanks meet; default 16, and up to 256 where the contacts
+    /// differ from offset to offset; 4 of each pair of surrogates (`paper`: 1).
+    offsets: usize = each(LEAST_OFFSETS, 1) usual "" [1.0, 1000.0],
+        check("offsets", |n| (1.0..=10_000.0).contains(&n), "must be 1 to 10000");
+    /// Half-width of the contact window, in Hertz half-widths; default 3.
+    window: f64 = both(3.0) usual "" [1.5, 50.0],
+        check("window", |w| (1.5..=100.0).contains(&w), "must be 1.5 to 100 Hertz half-widths");
+    /// Law of the load distribution over the teeth in contact; default `elastic` (`paper`: `mean-length`).
+    load_distribution: LoadLaw = each(LoadLaw::Elastic, LoadLaw::MeanLength) => table;
+    /// Correction factor C_M of the tooth stiffness, theoretical to measured; default 0.8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stiffness_factor: f64 =
+        listed_if(load_distribution.is_elastic(), LoadMapSettings::default().stiffness_factor) usual "" [0.5, 1.5],
+        check("stiffness factor", |k| (0.05..=20.0).contains(&k), "must be 0.05 to 20");
+    /// Length over which a tooth spreads a load along its face width, in modules; default 1.55.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    face_coupling: f64 =
+        listed_if(load_distribution.is_elastic(), LoadMapSettings::default().face_coupling) usual "" [0.5, 5.0],
+        check("face coupling", |l| (0.05..=20.0).contains(&l), "must be 0.05 to 20 modules");
+    /// Include contact of tip edges outside the path of contact; default false.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    edge_contact: bool = listed_if(load_distribution.is_elastic(), false);
+    /// Friction law of the film; default `eyring` (`paper`: `xu`). `eyring`, `carreau` and `newton` describe
+    /// the film alone; the others are published laws, most of which include asperity friction in their
+    /// coefficient.
+    film_friction: FilmFrictionLaw = each(FilmFrictionLaw::Eyring, FilmFrictionLaw::Xu);
+    /// Law of viscosity against pressure for the film friction laws `eyring`, `carreau` and `newton`; default
+    /// `barus`.
+    film_pressure_law: PressureLaw = corrected(PressureLaw::default());
+    /// Factor on the friction coefficient of the film (lubricant factor); default 1.
+    friction_scale: f64 = both(1.0) usual "" [0.2, 3.0],
+        check("friction scale", |k| k > 0.0 && k <= 10.0, "must be positive and at most 10");
+    /// Friction coefficient of `film_friction = "constant"`.
+    constant_friction: f64 => Option<f64> = coefficient_of_constant_law(film_friction) usual "" [0.002, 0.2];
+    /// Coefficients of Xu's law from your own calibration: a JSON file, relative to the case file.
+    xu_coefficients: PathBuf => Option<PathBuf> = as_stated();
+    /// Lubricant factor X_L of `iso-14179-2`; default 1 (mineral oil).
+    lubricant_factor: f64 = both(1.0) usual "" [0.3, 2.0],
+        check("lubricant factor", |x| x > 0.0 && x <= 10.0, "must be positive and at most 10");
+    /// Coefficient of boundary friction μ_b; default 0.09 (`paper`: 0.3, metal on metal).
+    boundary_friction: f64 = each(BOUNDARY_FRICTION, METAL_ON_METAL) usual "" [0.02, 0.5],
+        check("boundary friction", |mu| (0.0..=2.0).contains(&mu), "must be 0 to 2");
+    /// Thickness of the boundary layer on touching asperities; default 10 nm, which applies to λs = 2.5 um.
+    boundary_layer: Length = corrected(BOUNDARY_LAYER) usual "nm" [0.5, 200.0],
+        check("boundary layer", |h| (0.0..=1e-6).contains(&h), "must be 0 to 1 um");
+    /// Lay γ of the roughness, one value for both flanks or `[pinion, wheel]`: from 0 or `across`, ridges
+    /// across the whole face width, to 1 or `isotropic`; default as measured on the surface of the traces, otherwise 1/12,
+    /// the middle of measured ground flanks.
+    lay: OneOrTwo<Lay> => [Lay; 2] = corrected(OneOrTwo::One(Lay::GROUND)) usual "" [0.0, 1.0];
+    /// Law of the mean gap that the inlet supplies to `load_share = "solved"`: `inlet` (default), whose inlet grows longer with
+    /// the gap, or `power`, whose film thickens as the asperities take load off it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gap_law: GapLaw = corrected(GapLaw::default());
+    /// Reading of the central film in film friction at Hertz's pressure, and in the gap law `power`: `mass-flow` (default) or `gap`;
+    /// at its own pressure the film is the gap.
+    central_film: CentralFilm = corrected(CentralFilm::MassFlow);
+    /// Reading of the central film in Λ* and in printed film thicknesses: `gap` (default) or `mass-flow`
+    /// (`paper`: `mass-flow`).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lambda_film: CentralFilm = each(CentralFilm::Gap, CentralFilm::MassFlow);
+    /// Film that touching asperities carry with them: `carried` (default), of the inlet until the flanks have slid past, or in all
+    /// of them of the `entrainment` speed or of half the sliding speed, `half-sliding`.
+    spot_speed: SpotSpeed = corrected(SpotSpeed::default());
+    /// Least share on the boundary layer of asperities that come into contact past the inlet, with `spot_speed = "carried"`; default
+    /// 0.75, drawn from 0.6 to 0.9.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    inner_boundary: f64 = of_carried_spots(spot_speed) usual "" [0.05, 1.0],
+        check("inner boundary", |b| (0.0..=1.0).contains(&b), "must be 0 to 1");
+    /// Pressure at which the film shears where asperities carry a share of the load: `rippled` (default), of its own share and
+    /// higher over the peaks that it flattens, `own`, of its own share, or `hertz`, of the whole load.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    film_pressure: FilmPressure = corrected(FilmPressure::default());
+    /// Heights that count in the mean gap that the inlet supplies to `load_share = "solved"`: `peaks` (default),
+    /// above the mean line, or `rms`, all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gap_roughness: GapRoughness = corrected(GapRoughness::default());
+    /// Factor on the solved asperity load share, for the band; default 1.
+    asperity_share_factor: f64 = corrected(1.0) usual "" [0.01, 1.0],
+        check("factor on the asperity share", |k| k > 0.0 && k <= 1.0, "must be above 0 and at most 1");
+    /// Film thickness law; default `dowson-toyoda` (`paper`: `hamrock-dowson`).
+    film: FilmLaw = each(FilmLaw::DowsonToyoda, FilmLaw::HamrockDowson);
+    /// Thermal reduction of the film and of rolling; default `gupta` (`paper`: `none`).
+    thermal: ThermalLaw = each(ThermalLaw::Gupta, ThermalLaw::None);
+    /// Feed the flash temperature back into the viscosity of the friction law; default false.
+    flash_feedback: bool = both(false);
+    /// Share of the load carried by the film: `solved` (default) from the rough contact; with `lambda-star`,
+    /// `zhu-hu`, `masjedi-khonsari` and `jgp` all load on asperities rubs with the boundary coefficient;
+    /// `ehl` takes shares and friction from records of transient mixed lubrication, which take a minute or
+    /// more.
+    load_share: LoadShareName = each(LoadShareName::Solved, LoadShareName::LambdaStar);
+    /// Source of a film that carries the whole load: `formulas` (default), `ehl`, the steady
+    /// elastohydrodynamic solution of smooth flanks, or `ehl-transient`, records with both traces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    full_film: FullFilmName = listed_if(false, FullFilmName::Formulas);
+    /// Thickness of the oil layers of both flanks together ahead of the contact, where an oil jet does not flood the inlet;
+    /// default flooded. The film is starved; the rolling resistance is left as flooded. Needs `gap_law = "power"`: the law
+    /// `inlet` is that of a flooded inlet.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    inlet_layer: Length => Option<Length> = starved_inlet(gap_law, load_share, full_film) usual "um" [0.01, 1000.0];
+    /// The elastohydrodynamic solutions of `load_share = "ehl"` and `full_film`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ehl: EhlInput => EhlChoices = ehl_solutions(load_share, full_film) => table;
+    /// Model of the fluid pressure across the film; default `reynolds-cross` (`paper`: `paper`).
+    fluid_pressure: FluidModel = each(FluidModel::ReynoldsCross, FluidModel::Paper);
+    /// Clamp the roughness in Xu's law at 0.6 um; default true (`paper`: false).
+    clamp_roughness: bool = each(true, false);
+    /// Step by which `paper` lowers the surfaces into each other; default 80 nm.
+    delta_step: Length = both(Length::from_si(80e-9)) usual "nm" [1.0, 1000.0],
+        check("step", |d| d > 0.0 && d < 1e-3, "must be positive and below 1 mm");
+    /// Load error at which the marching of `paper` stops; default 1 %.
+    numerical_error: Ratio => f64 = both(Ratio::new(0.01)) usual "%" [0.01, 20.0],
+        check("numerical error", |e| e > 0.0 && e <= 0.2, "must be above 0 and at most 20 %");
+    /// Tolerance of the contact solver's certificate; default 1e-8.
+    tolerance: f64 = both(1e-8) usual "" [1e-10, 1e-6],
+        check("tolerance", |t| (1e-16..=LOOSEST_TOLERANCE).contains(&t), "must be 1e-16 to 1e-4");
+    /// Include the plastic work of running-in in the losses; default false.
+    include_running_in: bool = both(false);
+    /// Run the flanks in, and compute the losses of the run-in flanks in addition to those of the flanks as measured;
+    /// default false.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    run_in: bool = of_corrected_only(false);
+    /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 0.5 % (`paper`: 0).
+    hysteresis: Ratio => f64 = each(Ratio::new(HYSTERESIS), Ratio::new(0.0)) usual "%" [0.01, 5.0],
+        check("hysteresis", |h| (0.0..=1.0).contains(&h), "must be 0 to 1");
+    /// Number of depths at which subsurface stress is computed; default 24.
+    depths: usize = both(24) usual "" [1.0, 1000.0], check("depths", |n| n <= 1000.0, "must be at most 1000");
+}
+
+choices! {
+    /// Grid and length of the elastohydrodynamic solutions, and where records are kept.
+    EhlInput =>
+    /// Choices of the elastohydrodynamic solutions.
+    EhlChoices in "model.ehl" by Choices<'_>;
+
+    with {}
+
+    /// Number of records along the path of contact; default 8. Shares and friction are interpolated between
+    /// them.
+    records: usize = of_records(8) usual "" [2.0, 64.0],
+        check("records along the path", |n| (2.0..=64.0).contains(&n), "must be 2 to 64");
+    /// Number of cells along the contact, a multiple of 64; default 512.
+    cells: usize = of_solutions(512) usual "" [64.0, 8192.0], check(
+        "cells across the film",
+        |n| n % 64.0 == 0.0 && (64.0..=8192.0).contains(&n),
+        "must be a multiple of 64, 64 to 8192"
+    );
+    /// Travel of a record in half-widths of the contact; default 20.
+    travel: f64 = of_records(20.0) usual "" [2.0, 1000.0],
+        check("travel of a record", |a| (2.0..=1000.0).contains(&a), "must be 2 to 1000 half-widths");
+    /// Cache folder for records, so that none is solved twice: `user` (default), the cache folder of the user
+    /// (`asperity` in `$XDG_CACHE_HOME`, `~/.cache` or `%LOCALAPPDATA%`), a folder relative to the case file,
+    /// or `off`.
+    cache: String = of_records("user".to_owned());
+}
+
+/// Coefficient of dry steel on steel, Table 2 of the 2022 paper.
+const METAL_ON_METAL: f64 = 0.3;
+
+impl Model {
+    /// Whether load share or full film need the oil's rheology, whatever the law of film friction.
+    pub(crate) fn shears_its_film(&self) -> bool {
+        self.load_share.supply().is_some()
+            || self.load_share == LoadShareName::Ehl
+            || self.full_film != FullFilmName::Formulas
+    }
+}
+
+/// Makes every choice that the case leaves open.
+pub(crate) fn model(
+    stated: &ModelInput,
+    formulation: Formulation,
+    gears: &GearPair,
+    source: &Source,
+    defaults: &mut Defaults,
+) -> Result<Model, CaseError> {
+    let mut choices = Choices {
+        formulation,
+        gears,
+        source,
+        defaults,
+        has_solutions: false,
+        has_records: false,
+    };
+    Model::of(stated, &mut choices)
+}
+
+/// Choice of one value after the other: the methods are the ways in which a row states its default.
+struct Choices<'a> {
+    formulation: Formulation,
+    gears: &'a GearPair,
+    source: &'a Source,
+    defaults: &'a mut Defaults,
+    /// Whether elastohydrodynamic solutions are needed.
+    has_solutions: bool,
+    /// Whether records of them along the path are needed.
+    has_records: bool,
+}
+
+type Key = &'static str;
+type Choice<T> = Result<T, CaseError>;
+
+impl Choices<'_> {
+    /// The same default in both formulations.
+    fn both<T: Serialize>(&mut self, key: Key, stated: Option<T>, default: T) -> Choice<T> {
+        self.listed_if(key, stated, true, default)
+    }
+
+    /// A default of each formulation.
+    fn each<T: Serialize>(
+        &mut self,
+        key: Key,
+        stated: Option<T>,
+        corrected: T,
+        paper: T,
+    ) -> Choice<T> {
+        let default = match self.formulation {
+            Formulation::Corrected => corrected,
+            Formulation::Paper => paper,
+        };
+        self.both(key, stated, default)
+    }
+
+    /// A default of a value that only the corrected formulation uses, and lists.
+    fn corrected<T: Serialize>(&mut self, key: Key, stated: Option<T>, default: T) -> Choice<T> {
+        let is_used = self.formulation == Formulation::Corrected;
+        self.listed_if(key, stated, is_used, default)
+    }
+
+    /// A default of elastohydrodynamic solutions.
+    fn of_solutions<T: Serialize>(&mut self, key: Key, stated: Option<T>, default: T) -> Choice<T> {
+        self.listed_if(key, stated, self.has_solutions, default)
+    }
+
+    /// A default of records along the path.
+    fn of_records<T: Serialize>(&mut self, key: Key, stated: Option<T>, default: T) -> Choice<T> {
+        self.listed_if(key, stated, self.has_records, default)
+    }
+
+    /// A default that is listed only if the run uses the value.
+    fn listed_if<T: Serialize>(
+        &mut self,
+        key: Key,
+        stated: Option<T>,
+        is_used: bool,
+        default: T,
+    ) -> Choice<T> {
+        Ok(match is_used {
+            true => self.defaults.take(key, stated, default),
+            false => stated.unwrap_or(default),
+        })
+    }
+
+    /// The least boundary share of spots that form inside the contact.
+    fn of_carried_spots(&mut self, key: Key, stated: Option<f64>, speed: SpotSpeed) -> Choice<f64> {
+        match speed {
+            SpotSpeed::Carried => self.corrected(key, stated, INNER_BOUNDARY),
+            _ if stated.is_some() => {
+                let rule = "belongs to spot_speed = \"carried\"; state both, or leave this out";
+                Err(Section::of(self.source, key).conflict("", rule))
+            }
+            _ => self.listed_if(key, stated, false, INNER_BOUNDARY),
+        }
+    }
+
+    /// No default.
+    fn as_stated<T>(&mut self, _: Key, stated: Option<T>) -> Choice<Option<T>> {
+        Ok(stated)
+    }
+
+    /// A switch that the paper's formulation does not have.
+    fn of_corrected_only(&mut self, key: Key, stated: Option<bool>, default: bool) -> Choice<bool> {
+        if self.formulation == Formulation::Paper && stated == Some(true) {
+            let rule = "belongs to the corrected formulation; leave one of the two out";
+            return Err(Section::of(self.source, key).conflict("", rule));
+        }
+        self.corrected(key, stated, default)
+    }
+
+    /// The layers of a starved inlet, which solutions with a flooded one do not have.
+    fn starved_inlet(
+        &mut self,
+        key: Key,
+        stated: Option<Length>,
+        gap: GapLaw,
+        share: LoadShareName,
+        film: FullFilmName,
+    ) -> Choice<Option<Length>> {
+        let Some(layer) = stated else {
+            return Ok(None);
+        };
+        let is_flooded = share == LoadShareName::Ehl || film != FullFilmName::Formulas;
+        if is_flooded || self.formulation == Formulation::Paper {
+            let rule = "starves the film of the formulas in the corrected formulation; leave it out or choose these";
+            return Err(Section::of(self.source, key).conflict("", rule));
+        }
+        // Its mean gap would not follow the film: the length of the inlet is that of one full of oil.
+        if gap == GapLaw::Inlet && share == LoadShareName::Solved {
+            let rule =
+                "needs model.gap_law = \"power\": the gap law inlet is that of a flooded inlet";
+            return Err(Section::of(self.source, key).conflict("", rule));
+        }
+        let rule = "must be above 0 and at most 1 mm";
+        let holds = layer.si() > 0.0 && layer.si() <= 1e-3;
+        DomainError::require(holds, "oil layer", layer.si(), "m", rule)
+            .map_err(domain(self.source, key))?;
+        Ok(stated)
+    }
+
+    /// A number of positions, of which the paper's formulation has one.
+    fn of_path(&mut self, key: Key, stated: Option<usize>, default: usize) -> Choice<usize> {
+        match self.formulation {
+            Formulation::Corrected => self.both(key, stated, default),
+            Formulation::Paper => Ok(1),
+        }
+    }
+
+    /// The pitch point by default; the middle of a path that does not contain it.
+    fn point_of_path(&mut self, key: Key, stated: Option<PathPoint>) -> Choice<f64> {
+        let path = self.gears.path();
+        let pitch = PathPoint::Named(NamedPoint::C);
+        let has_pitch = (0.0..=1.0).contains(&pitch.fraction_of(path));
+        let point = match (self.formulation, stated) {
+            (Formulation::Paper, None) if !has_pitch => {
+                let rule = "the pitch point lies outside the path of contact, so model.position needs a value from 0 (A) to 1 (E)";
+                return Err(Section::of(self.source, "gears").conflict("", rule));
+            }
+            (Formulation::Corrected, None) if !has_pitch => PathPoint::Fraction(0.5),
+            (Formulation::Paper, stated) => self.defaults.take(key, stated, pitch),
+            (Formulation::Corrected, stated) => stated.unwrap_or(pitch),
+        };
+        Ok(point.fraction_of(path))
+    }
+
+    /// The coefficient that the law `constant` needs, and that no other law takes.
+    fn coefficient_of_constant_law(
+        &mut self,
+        key: Key,
+        stated: Option<f64>,
+        law: FilmFrictionLaw,
+    ) -> Choice<Option<f64>> {
+        let rule = match (stated, law == FilmFrictionLaw::Constant) {
+            (None, true) => {
+                "is missing, and film_friction = \"constant\" needs it, as constant_friction = 0.05"
+            }
+            (Some(_), false) => {
+                "is used with film_friction = \"constant\" only; leave it out or choose that law"
+            }
+            (Some(value), true) => {
+                let holds = (0.0..=2.0).contains(&value);
+                DomainError::require(holds, "constant friction", value, "-", "must be 0 to 2")
+                    .map_err(domain(self.source, key))?;
+                return Ok(stated);
+            }
+            (None, false) => return Ok(None),
+        };
+        Err(Section::of(self.source, key).conflict("", rule))
+    }
+
+    /// The choices of the solutions that load share and full film need.
+    fn ehl_solutions(
+        &mut self,
+        _: Key,
+        stated: Option<EhlInput>,
+        share: LoadShareName,
+        film: FullFilmName,
+    ) -> Choice<EhlChoices> {
+        self.has_records = share == LoadShareName::Ehl || film == FullFilmName::EhlTransient;
+        self.has_solutions = self.has_records || film == FullFilmName::Ehl;
+        EhlChoices::of(&stated.unwrap_or_default(), self)
+    }
+}
+
+fn friction_settings(constant: Option<f64>, clamps_roughness: bool) -> FrictionSettings {
+    let mut settings = FrictionSettings {
+        constant,
+        ..FrictionSettings::default()
+    };
+    settings.xu.roughness = match clamps_roughness {
+        true => RoughnessReading::Clamped,
+        false => RoughnessReading::AsIs,
+    };
+    settings
+}

@@ -1,0 +1,76 @@
+//! All that the flanks of a case follow from, except the content of their files.
+
+use asperity_core::quantity::Length;
+use asperity_flanks::flank_form::{FormError, shortest_form};
+use asperity_flanks::meeting::largest_spacing;
+use asperity_flanks::trace_filters::StatedFilters;
+use asperity_gear::{Gear, GearPair};
+use asperity_roughness::preparation::Preparation;
+
+use crate::input::case_input::{Side, SurfaceInput};
+use crate::input::gear_input::GearFlankInput;
+use crate::input::law_names::LoadShareName;
+use crate::input::model::Formulation;
+use crate::resolved::resolve::Case;
+
+/// Inputs of the flanks: two equal ones have the same flanks, as long as the files are the same.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct FlankInputs {
+    pub surface: SurfaceInput,
+    /// Side of the teeth that carries the load.
+    pub side: Side,
+    pub gears: GearPair,
+    /// Whether the relief of pinion and wheel is taken from their traces.
+    form_of_trace: [bool; 2],
+    /// Shortest wave of such a form, if there is one.
+    pub shortest_form: Result<Option<Length>, FormError>,
+    /// Largest spacing of the traces that the contacts admit.
+    pub largest_spacing: Length,
+    pub preparation: Preparation,
+    /// Whether the contact of the flanks is solved, so that flanks without a trace need surrogates.
+    pub solves_contact: bool,
+    /// Whether a single position represents the mesh, which has no zones across the face.
+    pub has_one_position: bool,
+}
+
+impl FlankInputs {
+    pub(crate) fn of(case: &Case) -> Self {
+        let stated = &case.input.gears;
+        let form_of_trace = [&stated.pinion, &stated.wheel]
+            .map(|flank| flank.as_ref().is_some_and(GearFlankInput::is_from_trace));
+        let operation = (case.torque, case.speed);
+        let form = || shortest_form(&case.gears, operation, case.modulus);
+        let law = case.model.load_share;
+        let is_paper = case.formulation == Formulation::Paper;
+        Self {
+            surface: case.input.surface.clone(),
+            side: case.input.surface.loaded_side(case.torque),
+            gears: case.gears.clone(),
+            form_of_trace,
+            shortest_form: match form_of_trace {
+                [false, false] => Ok(None),
+                _ => form().map(Some),
+            },
+            largest_spacing: largest_spacing(&case.gears, case.torque, case.modulus),
+            preparation: case.preparation,
+            solves_contact: !is_paper && (law.supply().is_some() || law == LoadShareName::Ehl),
+            has_one_position: is_paper,
+        }
+    }
+
+    /// Whether the relief of `gear` is taken from its trace.
+    pub(crate) fn has_form_of_trace(&self, gear: Gear) -> bool {
+        self.form_of_trace[gear as usize]
+    }
+
+    /// Filters of the traces.
+    pub(crate) fn filters(&self) -> StatedFilters {
+        let stated = &self.surface;
+        StatedFilters {
+            preparation: self.preparation,
+            cutoffs: [stated.cutoff, stated.noise_cutoff],
+            ends: stated.ends,
+            form: stated.form,
+        }
+    }
+}

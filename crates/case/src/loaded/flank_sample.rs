@@ -1,0 +1,174 @@
+//! Several traces of a flank: the files that a list names, and their teeth.
+
+use std::path::{Path, PathBuf};
+
+use asperity_core::DomainError;
+use asperity_flanks::trace_sites::TraceSite;
+
+use crate::input::case_input::FlankInput;
+use crate::input::files::Reader;
+use crate::input::trace_list::{TraceEntry, TraceInput, TraceList, is_pattern};
+use crate::source::case_error::CaseError;
+use crate::source::section::Section;
+
+/// A trace of a list: the keys to read it by, its tooth and its place.
+#[derive(Debug, Clone)]
+pub(crate) struct Listed {
+    /// Keys of a flank with only this trace.
+    pub input: FlankInput,
+    /// Whether it is an entry of a list.
+    pub is_of_a_list: bool,
+    /// Whether the list states its place.
+    pub has_own_place: bool,
+    /// Its tooth, and its place across the face.
+    pub site: TraceSite,
+}
+
+impl Listed {
+    /// The one trace of a flank without a list.
+    pub(crate) fn alone(input: &FlankInput) -> Self {
+        Self {
+            input: input.clone(),
+            is_of_a_list: false,
+            has_own_place: false,
+            site: TraceSite::default(),
+        }
+    }
+}
+
+/// The traces that the list of a flank names, which is the key `traces` of its table.
+pub(crate) fn listed(
+    flank: &FlankInput,
+    list: &TraceList,
+    section: Section<'_>,
+    files: &Reader<'_>,
+) -> Result<Vec<Listed>, CaseError> {
+    let conflict = |rule| section.conflict("traces", rule);
+    let mut named: Vec<TraceInput> = Vec::new();
+    for entry in list.entries() {
+        match entry {
+            TraceEntry::Table(table) => named.push(table),
+            TraceEntry::Pattern(text) => {
+                let files = matching(&text, section, files)?.into_iter();
+                named.extend(files.map(|file| TraceInput {
+                    file,
+                    ..TraceInput::default()
+                }));
+            }
+        }
+    }
+    if named.is_empty() {
+        return Err(conflict("names no trace; give at least one, or file"));
+    }
+    let mut teeth: Vec<Option<u32>> = Vec::new();
+    let mut traces: Vec<Listed> = Vec::with_capacity(named.len());
+    for trace in named {
+        let known = teeth
+            .iter()
+            .position(|tooth| tooth.is_some() && *tooth == trace.tooth);
+        let tooth = known.unwrap_or_else(|| {
+            teeth.push(trace.tooth);
+            teeth.len() - 1
+        });
+        if let Some(y) = trace.y {
+            DomainError::non_negative("y", y).map_err(section.domain("traces"))?;
+        }
+        let is_again = |other: &Listed| {
+            other.site.tooth != tooth
+                && other.input.file.as_ref() == Some(&trace.file)
+                && other.input.row == trace.row.or(flank.row)
+        };
+        if traces.iter().any(is_again) {
+            return Err(conflict(
+                "names a trace of several teeth: the scatter between teeth needs a trace of each",
+            ));
+        }
+        let same = traces.iter().filter(|other| other.site.tooth == tooth);
+        for other in same {
+            if trace.y.is_none() || other.site.y.is_none() {
+                return Err(conflict(
+                    "several traces of one tooth need y, the place across the face, each",
+                ));
+            }
+            if trace.y == other.site.y {
+                return Err(conflict("two traces are of the same tooth at the same y"));
+            }
+        }
+        traces.push(Listed {
+            input: FlankInput {
+                file: Some(trace.file),
+                traces: None,
+                from: trace.from.or(flank.from),
+                at: trace.at.or(flank.at),
+                row: trace.row.or(flank.row),
+                range: trace.range.or(flank.range),
+                ..flank.clone()
+            },
+            is_of_a_list: true,
+            has_own_place: trace.at.is_some() || trace.from.is_some(),
+            site: TraceSite {
+                tooth,
+                number: trace.tooth,
+                y: trace.y,
+            },
+        });
+    }
+    Ok(traces)
+}
+
+/// `rows` of the `has` rows of the surface of a flank, in the middles of as many equal parts.
+pub(crate) fn rows(
+    flank: &FlankInput,
+    rows: usize,
+    has: usize,
+    section: Section<'_>,
+) -> Result<Vec<Listed>, CaseError> {
+    if flank.row.is_some() || flank.line.is_some() {
+        return Err(section.conflict("rows", "takes several rows; leave row and line out"));
+    }
+    let name = "number of rows";
+    let rule = "must be from 1 to the number of rows of the surface";
+    DomainError::require((1..=has).contains(&rows), name, rows as f64, "-", rule)
+        .map_err(section.domain("rows"))?;
+    let listed = |k: usize| {
+        let row = (2 * k + 1) * has / (2 * rows) + 1;
+        let mut trace = Listed::alone(&FlankInput {
+            row: Some(row),
+            rows: None,
+            ..flank.clone()
+        });
+        trace.site.tooth = k;
+        trace
+    };
+    Ok((0..rows).map(listed).collect())
+}
+
+/// Files whose names match `text`, sorted.
+fn matching(
+    text: &str,
+    section: Section<'_>,
+    reader: &Reader<'_>,
+) -> Result<Vec<PathBuf>, CaseError> {
+    if !is_pattern(text) {
+        return Ok(vec![text.into()]);
+    }
+    let refused = |folder: Option<String>| {
+        CaseError::no_traces(section.place("traces"), section.key("traces"), text, folder)
+    };
+    let path = Path::new(text);
+    let parent = path.parent().unwrap_or(Path::new(""));
+    let Some(folder) = reader.files.folder() else {
+        return Err(refused(None));
+    };
+    let shown = folder.join(parent).display().to_string();
+    let shown = if shown.is_empty() {
+        ".".to_owned()
+    } else {
+        shown
+    };
+    let matching = reader.files.matching(path);
+    match matching.is_empty() {
+        true => Err(refused(Some(shown))),
+        false => Ok(matching),
+    }
+}

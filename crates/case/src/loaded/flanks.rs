@@ -1,0 +1,350 @@
+//! The two flanks of a case: traces read and prepared, or roughness values.
+
+use std::sync::Arc;
+
+use asperity_core::provenance::Provenance;
+use asperity_core::quantity::Length;
+use asperity_core::{Code, DomainError};
+use asperity_gear::MeasuredForm;
+
+use super::flank_inputs::FlankInputs;
+use super::flank_sample::Listed;
+use super::flank_trace::{Context, Keys, flank, keys_of, traces_of};
+use super::lay::{Lays, lays};
+use super::surrogates::surrogates_of;
+use crate::input::case_input::FlankInput;
+use crate::input::files::{FileSums, Files, Reader};
+use crate::source::case_error::CaseError;
+use crate::source::defaults::DefaultUsed;
+use crate::source::section::domain;
+use crate::source::source_text::Source;
+use asperity_core::message::Warning;
+use asperity_flanks::meeting::{Meeting, Refined, longer_than_active, on_common_spacing};
+use asperity_flanks::surfaces::{FlankReport, Surfaces};
+use asperity_flanks::trace::Flank;
+use asperity_flanks::trace_pairs::{SampledFlanks, SampledTrace};
+use asperity_flanks::trace_sites::{TraceSite, paired, teeth as teeth_of, zones as zones_of};
+
+/// Both flanks with the records of their reading and preparation, and the warnings.
+#[derive(Debug, Clone)]
+pub(crate) struct Flanks {
+    pub surfaces: Surfaces,
+    /// Report on the first trace of each flank.
+    pub reports: Arc<[FlankReport; 2]>,
+    /// All traces, if a flank has several.
+    pub sampled: Option<Arc<SampledFlanks>>,
+    /// Form of each gear, the mean of its traces, if its relief is taken from them.
+    pub forms: [Option<MeasuredForm>; 2],
+    /// Lay of each flank.
+    pub lays: Arc<Lays>,
+    /// Places y/b between zones of the face with separate traces.
+    pub zones: Vec<f64>,
+    pub warnings: Vec<Warning>,
+    /// Roughness values that follow from others.
+    pub assumed: Vec<DefaultUsed>,
+    /// Equations of the preparation.
+    pub provenance: Provenance,
+    /// Sums of the files read.
+    pub sums: Arc<FileSums>,
+}
+
+/// Reads and prepares the flanks of a case.
+pub(crate) fn flanks(
+    inputs: &FlankInputs,
+    source: &Source,
+    files: &Files,
+) -> Result<Flanks, CaseError> {
+    let provenance = Provenance::new();
+    let reader = Reader::of(files);
+    let context = Context {
+        inputs,
+        source,
+        files: &reader,
+    };
+    let flanks = provenance.collect(|| both(context))?;
+    Ok(Flanks {
+        provenance,
+        sums: reader.into_sums().into(),
+        ..flanks
+    })
+}
+
+fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
+    let Context {
+        inputs: all,
+        source,
+        ..
+    } = context;
+    let mut warnings = Vec::new();
+    let (pinion_input, own_wheel) = all.surface.of_side(all.side);
+    // Flanks face each other: a wheel without a trace has the trace of the pinion, mirrored.
+    let wheel_input = own_wheel.cloned();
+    let wheel_input = wheel_input.unwrap_or_else(|| pinion_input.for_wheel());
+    let keys = keys_of(all.side, own_wheel.is_some());
+    let is_list = pinion_input.traces.is_some() || pinion_input.rows.is_some();
+    if is_list && own_wheel.is_none() {
+        return Err(CaseError::Conflict {
+            place: source.place_of(&keys[0].traces()),
+            key: keys[1].table.into(),
+            rule: "the pinion has several traces, and the wheel's flanks are others: give traces of the wheel, or one file",
+        });
+    }
+    let mut lists = [
+        traces_of(pinion_input, &keys[0], context)?,
+        traces_of(&wheel_input, &keys[1], context)?,
+    ];
+    let named = [0, 1].map(|body: usize| teeth_of(&sites_of(&lists[body])));
+    let teeth = paired(named);
+    let inputs = [pinion_input, &wheel_input];
+    for (body, list) in lists.iter_mut().enumerate() {
+        match inputs[body].rows {
+            // Fewer rows, still spread evenly.
+            Some(rows) if rows > teeth[body] => {
+                let fewer = FlankInput {
+                    rows: Some(teeth[body]),
+                    ..inputs[body].clone()
+                };
+                *list = traces_of(&fewer, &keys[body], context)?;
+            }
+            _ => list.retain(|trace| trace.site.tooth < teeth[body]),
+        }
+    }
+    if teeth != named {
+        warnings.push(left_out(
+            named,
+            teeth,
+            inputs.map(|input| input.rows.is_some()),
+        ));
+    }
+    warnings.extend(lists.iter().zip(&keys).filter_map(of_one_tooth));
+    let is_several = lists.iter().any(|list| list.len() > 1);
+    let sites = lists.each_ref().map(|list| sites_of(list));
+    let mut flanks: [Vec<Flank>; 2] = Default::default();
+    let mut follow: [Vec<Vec<DefaultUsed>>; 2] = Default::default();
+    for (body, list) in lists.iter().enumerate() {
+        for trace in list {
+            let (flank, follows) = flank(trace, &keys[body], context, &mut warnings)?;
+            flanks[body].push(flank);
+            follow[body].push(follows);
+        }
+    }
+    let refined = on_common_spacing(all.largest_spacing, &mut flanks);
+    let refined = refined.map_err(|(file, error)| CaseError::preparation(file, error))?;
+    warnings.extend(refined.map(resampled));
+    let inputs = [0, 1].map(|body: usize| (&lists[body][0].input, &keys[body]));
+    let surrogates = surrogates_of(context, inputs, &flanks, &mut warnings)?;
+    let mut assumed: Vec<DefaultUsed> = Vec::new();
+    if let Some((surrogates, left_open)) = &surrogates {
+        for (body, record) in surrogates.records.iter().enumerate() {
+            if let (Some(flank), Some(_)) = (flanks[body].first_mut(), record) {
+                flank.report.surrogates.clone_from(record);
+                follow[body][0].clear();
+            }
+        }
+        assumed.clone_from(left_open);
+    }
+    let stated = if own_wheel.is_some() { 2 } else { 1 };
+    for default in follow.into_iter().take(stated).flatten().flatten() {
+        if !assumed.contains(&default) {
+            assumed.push(default);
+        }
+    }
+    let first_file = |body: usize| {
+        flanks[body]
+            .first()
+            .and_then(|flank| flank.report.file.as_ref())
+    };
+    if is_several || (first_file(0).is_some() && first_file(0) == first_file(1)) {
+        // Once for the shared file.
+        warnings.dedup();
+        let mut seen = std::collections::BTreeSet::new();
+        warnings.retain(|warning| seen.insert(warning.to_string()));
+    }
+    let lays = lays(context, &lists, &flanks, &keys, &mut warnings);
+    let is_placed = all_placed(&flanks, &mut warnings);
+    if !is_placed {
+        let tables = keys.each_ref().map(|keys| keys.table);
+        warnings.extend(too_long(longer_than_active(&all.gears, &flanks), tables));
+    }
+    let width = all.gears.face_width;
+    let sites = sites.each_ref().map(Vec::as_slice);
+    let zones = zones_of(sites, width);
+    check_across(all, sites, &zones, &keys, source)?;
+    let meeting = Meeting {
+        noise_cutoff: all.preparation.lambda_s,
+        flanks: &flanks,
+        is_placed,
+    };
+    let surfaces = match (surrogates, is_several) {
+        (Some((surrogates, _)), _) => surrogates.surfaces,
+        (None, false) => meeting.surfaces([0, 0]),
+        (None, true) => {
+            let pairs = meeting.pairs(sites, teeth, (&zones, width));
+            Surfaces::of_pairs(pairs).unwrap_or_else(|| meeting.surfaces([0, 0]))
+        }
+    };
+    let sampled = is_several.then(|| {
+        let of = |body: usize| {
+            let traces = sites[body].iter().zip(&flanks[body]);
+            let traces = traces.map(|(site, flank)| SampledTrace::new(*site, flank.report.clone()));
+            traces.collect()
+        };
+        Arc::new(SampledFlanks::new([of(0), of(1)], named))
+    });
+    let forms = flanks.each_ref().map(|flanks| {
+        let forms = flanks.iter().filter_map(|flank| flank.report.form.as_ref());
+        MeasuredForm::mean(&forms.map(|flank| flank.form.clone()).collect::<Vec<_>>())
+    });
+    let reports = flanks.map(|flanks| {
+        flanks
+            .into_iter()
+            .next()
+            .map(|f| f.report)
+            .unwrap_or_default()
+    });
+    Ok(Flanks {
+        surfaces,
+        reports: Arc::new(reports),
+        sampled,
+        forms,
+        lays: Arc::new(lays),
+        zones,
+        warnings,
+        assumed,
+        provenance: Provenance::new(),
+        sums: Arc::default(),
+    })
+}
+
+/// W447: traces of a list that are lines of one surface, which is of one tooth.
+fn of_one_tooth((list, keys): (&Vec<Listed>, &Keys)) -> Option<Warning> {
+    let file = |trace: &Listed| trace.input.file.clone();
+    let mut others = list.iter().enumerate().skip(1);
+    let shared = others
+        .find(|(k, trace)| {
+            list[..*k]
+                .iter()
+                .any(|other| other.site.tooth != trace.site.tooth && file(other) == file(trace))
+        })?
+        .1;
+    let rows = list
+        .iter()
+        .filter(|trace| file(trace) == file(shared))
+        .count();
+    let text = format!(
+        "{}: {rows} lines of {} count as teeth of their own, and a surface is of one tooth: the scatter between teeth is not in the interval of the loss",
+        keys.table,
+        shared.input.file.as_ref()?.display()
+    );
+    Some(Warning::new(Code::W447, text))
+}
+
+/// W427: teeth that are in no pair.
+fn left_out(named: [usize; 2], teeth: [usize; 2], of_rows: [bool; 2]) -> Warning {
+    let which = |body: usize| match of_rows[body] {
+        true => format!("{} rows spread evenly", teeth[body]),
+        false => format!("the first {}", teeth[body]),
+    };
+    Warning::new(
+        Code::W427,
+        format!(
+            "{} traced teeth of the pinion and {} of the wheel make {} pairs: {} of the pinion and {} of the wheel are computed",
+            named[0],
+            named[1],
+            named[0] * named[1],
+            which(0),
+            which(1)
+        ),
+    )
+}
+
+/// Teeth and places of the traces of a list.
+fn sites_of(list: &[Listed]) -> Vec<TraceSite> {
+    list.iter().map(|trace| trace.site).collect()
+}
+
+/// Whether the place of every trace is known; known places of only some traces raise a warning and are not used.
+fn all_placed(flanks: &[Vec<Flank>; 2], warnings: &mut Vec<Warning>) -> bool {
+    let placed = flanks
+        .iter()
+        .flatten()
+        .filter(|flank| flank.placed.is_some());
+    let is_missing = |body: usize| flanks[body].iter().any(|flank| flank.placed.is_none());
+    let missing = match [is_missing(0), is_missing(1)] {
+        [false, false] => return true,
+        _ if placed.count() == 0 => return false,
+        [true, false] => "the trace of the pinion",
+        [false, true] => "the trace of the wheel",
+        [true, true] => "some traces of pinion and wheel",
+    };
+    warnings.push(Warning::new(
+        Code::W418,
+        format!(
+            "the place on the flank is not known of {missing}: windows do not follow from the mesh, all traces stand for any place of their flanks"
+        ),
+    ));
+    false
+}
+
+/// W448: flanks with traces so long that little of them can lie on the active flank.
+fn too_long(longer: [Option<[Length; 2]>; 2], tables: [&str; 2]) -> Option<Warning> {
+    let each = longer.into_iter().zip(tables);
+    let found = each.filter_map(|(longer, table)| {
+        let [longest, active] = longer?;
+        Some(format!("{longest:.3} in {table} on {active:.3}"))
+    });
+    let found: Vec<String> = found.collect();
+    (!found.is_empty()).then(|| {
+        let text = format!(
+            "filtered traces are longer than the active flank: {}. The rest was not measured there, and windows are taken from it, too. State the part on the active flank as range or the place of the trace as at; keep the trace if it was measured along the tooth or on a specimen of the same finish",
+            found.join(", and ")
+        );
+        Warning::new(Code::W448, text)
+    })
+}
+
+/// W119: traces of different spacings.
+fn resampled(refined: Refined) -> Warning {
+    let common = refined.common;
+    let text = match refined.before {
+        Some([pinion, wheel]) => format!(
+            "the flanks are spaced {pinion:.5} and {wheel:.5}; the coarser was resampled to {common:.5}"
+        ),
+        None => format!(
+            "the traces have different spacings; the coarser ones were resampled to {common:.5}"
+        ),
+    };
+    Warning::new(Code::W119, text)
+}
+
+/// Refuses traces outside of the face width or of teeth that the gear lacks, and zones of the face if a single position
+/// represents the mesh.
+fn check_across(
+    inputs: &FlankInputs,
+    sites: [&[TraceSite]; 2],
+    zones: &[f64],
+    keys: &[Keys; 2],
+    source: &Source,
+) -> Result<(), CaseError> {
+    let width = inputs.gears.face_width;
+    for ((sites, keys), teeth) in sites.into_iter().zip(keys).zip(inputs.gears.teeth) {
+        for y in sites.iter().filter_map(|trace| trace.y) {
+            let rule = "must not exceed the face width";
+            DomainError::require(y <= width, "y", y.si(), "m", rule)
+                .map_err(domain(source, keys.traces()))?;
+        }
+        for tooth in sites.iter().filter_map(|trace| trace.number) {
+            let rule = "must not exceed the number of teeth";
+            DomainError::require(tooth <= teeth, "tooth", f64::from(tooth), "-", rule)
+                .map_err(domain(source, keys.traces()))?;
+        }
+    }
+    match inputs.has_one_position && !zones.is_empty() {
+        false => Ok(()),
+        true => Err(CaseError::Conflict {
+            place: source.place_of(&keys[0].traces()),
+            key: keys[0].traces(),
+            rule: "y tells traces of one tooth apart across the face, which the paper's single position has not",
+        }),
+    }
+}

@@ -1,0 +1,555 @@
+//! A case with its traces: from a file, from a text with a resolver, from a value, or changed from another.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use asperity_core::derived::Derived;
+use asperity_core::provenance::Provenance;
+use asperity_core::{Code, Profile};
+use asperity_tribo_friction::XuCalibration;
+
+use super::flank_inputs::FlankInputs;
+use super::flanks::{Flanks, flanks};
+use crate::error::{Error, PositionError};
+use crate::fingerprint::Fingerprint;
+use crate::flanks::flank_lay::FlankLay;
+use crate::flanks::surfaces::{FlankReport, Surfaces};
+use crate::flanks::trace_pairs::SampledFlanks;
+use crate::input::calibration::SIMULATED;
+use crate::input::case_input::CaseInput;
+use crate::input::files::{Content, FileContents, FileSums, Files, Reader, XU_COEFFICIENTS};
+use crate::input::gearbox_input::GearboxInput;
+use crate::input::law_names::{FullFilmName, LoadShareName};
+use crate::laws::Laws;
+use crate::resolved::gearbox::{Gearbox, MeshPlace};
+use crate::resolved::oil_file::OilFile;
+use crate::resolved::plausibility::{
+    SYMBOLS, at_pitch_point, divided_shifts, little_clearance, step_up, unusual,
+};
+use crate::resolved::read_oil_file::oil_file;
+use crate::resolved::resolve::{Case, resolve_with};
+use crate::resolved::shafting::Shafting;
+use crate::resolved::solved_teeth::{LoadCheck, SolvedTeeth};
+use crate::source::case_error::CaseError;
+use crate::source::defaults::DefaultUsed;
+use crate::source::section::Section;
+use crate::source::source_text::{MeshKeys, Source};
+use asperity_core::message::Warning;
+use asperity_ehl_regime::inlet_flow::Lay;
+use asperity_mixed_film::InletSupply;
+use asperity_oil::LubricantInput;
+
+/// A case with its traces, ready to run.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct LoadedCase {
+    /// The case.
+    pub case: Case,
+    /// The flanks.
+    pub surfaces: Surfaces,
+    /// Reading and preparation of each flank, of the first trace if it has several.
+    pub flanks: Arc<[FlankReport; 2]>,
+    /// All traces if a flank has several; `None` if each has one.
+    pub sampled: Option<Arc<SampledFlanks>>,
+    /// Warnings about the files.
+    pub warnings: Vec<Warning>,
+    /// Equations that the preparation of oil, gears and traces used.
+    pub provenance: Provenance,
+    /// Values that follow from keys and files, each with its inputs.
+    derived: Arc<DerivedValues>,
+    /// Name of the case, for messages about what is changed.
+    name: Arc<str>,
+    /// The mesh that this is the case of, in a gear train.
+    mesh: Option<Arc<MeshKeys>>,
+    files: Arc<Files>,
+}
+
+/// Values that follow from the keys of a case and from its files: each is the value of a function of its inputs alone, and a
+/// changed case with equal inputs has the same.
+#[derive(Debug, Clone)]
+struct DerivedValues {
+    flanks: Derived<FlankInputs, Flanks>,
+    gearbox: Derived<Option<GearboxInput>, Read<Option<Gearbox>>>,
+    xu: Derived<Option<PathBuf>, Read<Option<XuCalibration>>>,
+    oil: Derived<Option<PathBuf>, Read<Option<Arc<OilFile>>>>,
+    teeth: SolvedTeeth,
+    /// The check of the load with the form that was measured; `None` if no form was.
+    formed: Derived<Option<LoadCheck>, ()>,
+}
+
+/// A value, and the sums of the files that it was read from.
+type Read<T> = (T, Arc<FileSums>);
+
+impl DerivedValues {
+    /// Sums of all files.
+    fn sums(&self) -> [&Arc<FileSums>; 4] {
+        [
+            &self.flanks.value().sums,
+            &self.gearbox.value().1,
+            &self.xu.value().1,
+            &self.oil.value().1,
+        ]
+    }
+}
+
+/// Values of a case for the cases that are changed from it.
+#[derive(Debug)]
+pub(crate) struct Kept {
+    laws: Laws,
+    values: DerivedValues,
+}
+
+impl LoadedCase {
+    /// Reading and preparation of every trace, of the pinion first.
+    pub fn all_traces(&self) -> Vec<&FlankReport> {
+        match &self.sampled {
+            Some(sampled) => sampled.reports().collect(),
+            None => self.flanks.iter().collect(),
+        }
+    }
+
+    /// Distributions of the lay of both flanks.
+    pub fn flank_lays(&self) -> [FlankLay; 2] {
+        self.derived.flanks.value().lays.of_flanks
+    }
+
+    /// Lay of both flanks together, if the load share depends on it and exceeds the lay of every record of mixed lubrication.
+    ///
+    /// # Errors
+    /// When the law of two lays refuses the roughness of the flanks.
+    pub fn lay_beyond_records(&self) -> Result<Option<Lay>, PositionError> {
+        let supply = self.case.load_share().supply();
+        if supply != Some(InletSupply::Rough) || !self.surfaces.are_measured() {
+            return Ok(None);
+        }
+        let lay = self.surfaces.lay(self.case.model.lay)?;
+        Ok((lay.gamma() > Lay::RECORDED.gamma()).then_some(lay))
+    }
+
+    /// Name of the case file without its folder.
+    pub fn file_name(&self) -> Option<String> {
+        let name = Path::new(&*self.name).file_name()?;
+        Some(name.to_string_lossy().into_owned())
+    }
+
+    /// Every file that was read for this case, and its SHA-256.
+    #[must_use]
+    pub fn files_read(&self) -> FileSums {
+        let of_all = self.derived.sums().into_iter().flat_map(|sums| sums.iter());
+        of_all
+            .map(|(name, sum)| (name.clone(), sum.clone()))
+            .collect()
+    }
+
+    /// Content of every file that was read for this case, with which it can be read again without them.
+    ///
+    /// # Errors
+    /// When a file on disk is no longer the one that the case was read from.
+    pub fn contents(&self) -> Result<FileContents, Error> {
+        Ok(self.files.contents(&self.files_read())?)
+    }
+
+    pub(crate) fn contents_of(&self, sums: &FileSums) -> Result<FileContents, CaseError> {
+        self.files.contents(sums)
+    }
+
+    /// The case with `folder` as the folder of files that a change names; those in memory come before those on disk.
+    #[must_use]
+    pub fn in_folder(self, folder: &Path) -> Self {
+        let held = self.files.held.clone();
+        Self {
+            files: Files::holding(Some(folder), held).into(),
+            ..self
+        }
+    }
+
+    /// Folder that names of files are relative to; `None` if all files are in memory.
+    pub fn folder(&self) -> Option<&Path> {
+        self.files.folder()
+    }
+
+    /// Name of the case in messages: the path of its file as the user gave it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Files that the case would read with any of `inputs`, and their SHA-256; unreadable files are left out.
+    #[must_use]
+    pub fn files_of(&self, inputs: &[CaseInput]) -> FileSums {
+        self.files.sums_of(inputs)
+    }
+
+    /// SHA-256 of the files with these names; unreadable files are left out.
+    pub(crate) fn sums_of_files<'a>(&self, names: impl Iterator<Item = &'a Path>) -> FileSums {
+        self.files.sums_of_names(names.map(Path::to_owned))
+    }
+
+    /// SHA-256 of everything that determines the result: every key of the case, every byte of the files read for it, the
+    /// version of the program, and every user-defined law by its `Debug` text, which must therefore show everything that
+    /// the law depends on. It does not include fields that were changed after the case was read, nor the code of a law.
+    ///
+    /// ```
+    /// use asperity_case::case;
+    /// let case = case::load("../../fixtures/cases/e-drive.toml".as_ref(), None)?;
+    /// let hotter = case.with_key("operation.bulk_temperature", "91 °C")?;
+    /// assert_ne!(case.fingerprint(), hotter.fingerprint());
+    /// assert_eq!(case.fingerprint(), hotter.with_key("operation.bulk_temperature", "90 °C")?.fingerprint());
+    /// # Ok::<(), asperity_case::error::Error>(())
+    /// ```
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        // Debug prints every digit of a number.
+        let mut input = format!("{:?}", self.case.input);
+        let laws = &self.case.laws;
+        if laws.is_any() {
+            input += &format!("{laws:?}");
+        }
+        let read = self.files_read().into_iter();
+        let sums = read.fold(
+            Fingerprint::default().with(input),
+            |sum, (name, of_file)| sum.with(name.as_os_str().as_encoded_bytes()).with(of_file),
+        );
+        sums.hex()
+    }
+
+    /// The case changed by `change`, checked again; traces are read again only if the change affects them.
+    ///
+    /// The change applies to [`Case::input`]; other changes of the public fields are lost.
+    ///
+    /// # Errors
+    /// When the changed case cannot be run.
+    pub fn with(&self, change: impl FnOnce(&mut CaseInput)) -> Result<Self, Error> {
+        let mut input = self.case.input.clone();
+        change(&mut input);
+        Ok(self.changed_to(input, None)?)
+    }
+
+    /// The case on its first pair of traces, where several teeth or surrogates are in contact.
+    #[must_use]
+    pub fn first_pair(&self) -> Self {
+        Self {
+            surfaces: self.surfaces.first_pair(),
+            sampled: None,
+            ..self.clone()
+        }
+    }
+
+    /// The case with further traces in memory, under names that [`Self::with`] can state as files.
+    #[must_use]
+    pub fn holding(&self, traces: &[(PathBuf, Profile)]) -> Self {
+        let mut files = Files::clone(&self.files);
+        for (name, trace) in traces {
+            files.hold(name, Content::Heights(Arc::new(trace.clone())));
+        }
+        Self {
+            files: files.into(),
+            ..self.clone()
+        }
+    }
+
+    /// Cache folder of records of mixed lubrication; `None` if the case disables it, has no files, or the user has no cache
+    /// folder.
+    pub fn record_folder(&self) -> Option<PathBuf> {
+        let beside = self.files.folder()?;
+        match self.case.model.ehl.cache.as_str() {
+            "off" => None,
+            "user" => user_cache_folder(),
+            folder => Some(beside.join(folder)),
+        }
+    }
+
+    /// The case with another input; in a gear train of the mesh with these keys, or else of the same mesh as before.
+    pub(crate) fn changed_to(
+        &self,
+        mut input: CaseInput,
+        mesh: Option<&Arc<MeshKeys>>,
+    ) -> Result<Self, CaseError> {
+        keep_oil(&self.case.input, &mut input);
+        let source = match mesh.or(self.mesh.as_ref()) {
+            Some(mesh) => self.source().of_mesh(mesh),
+            None => self.source(),
+        };
+        complete(input, &source, Arc::clone(&self.files), Some(self.kept()))
+    }
+
+    /// The values that a changed case keeps where their inputs are equal, with the flanks as they are now.
+    fn kept(&self) -> Kept {
+        let mut values = DerivedValues::clone(&self.derived);
+        values.flanks = values.flanks.with(|flanks| Flanks {
+            surfaces: self.surfaces.clone(),
+            reports: Arc::clone(&self.flanks),
+            sampled: self.sampled.clone(),
+            ..flanks
+        });
+        Kept {
+            laws: self.case.laws.clone(),
+            values,
+        }
+    }
+
+    /// Source of changes of the whole text: its lines hold the earlier values.
+    pub(crate) fn source(&self) -> Source {
+        Source::without_text(&self.name)
+    }
+
+    /// Reader of the files of the case.
+    pub(crate) fn reader(&self) -> Reader<'_> {
+        Reader::of(&self.files)
+    }
+
+    pub(crate) fn built(input: CaseInput, files: Files) -> Result<Self, Error> {
+        Ok(complete(input, &Source::in_memory(), files.into(), None)?)
+    }
+}
+
+/// A case as a value; files it names are relative to the working directory.
+impl TryFrom<CaseInput> for LoadedCase {
+    type Error = Error;
+
+    fn try_from(input: CaseInput) -> Result<Self, Error> {
+        Self::built(input, Files::in_folder(Path::new("")))
+    }
+}
+
+/// States the temperature of a viscosity and a density that hold at the temperature of the case, if that is changed.
+pub(crate) fn keep_oil(stated: &CaseInput, input: &mut CaseInput) {
+    let Some(temperature) = stated.operation.stated_temperature() else {
+        return;
+    };
+    let is_kept = input.operation.stated_temperature() == Some(temperature);
+    if is_kept || input.lubricant != stated.lubricant {
+        return;
+    }
+    // An oil that is not in the library is reported with its place when the case is completed.
+    if let Ok(lubricant) = stated.lubricant.stated_at(temperature) {
+        input.lubricant = lubricant;
+    }
+}
+
+/// Completes the case and reads its files; values of the case that it was changed from are taken where their inputs are equal.
+pub(crate) fn complete(
+    input: CaseInput,
+    source: &Source,
+    files: Arc<Files>,
+    kept: Option<Kept>,
+) -> Result<LoadedCase, CaseError> {
+    let provenance = Provenance::new();
+    let known = kept.as_ref().map(|kept| &kept.values);
+    let oil = Derived::renewed(
+        known.map(|known| &known.oil),
+        input.lubricant.oil_file.clone(),
+        |file| oil_file(file.as_deref(), source, &files),
+    )?;
+    let (mut case, teeth) = provenance.collect(|| {
+        let file = oil.value().0.clone();
+        resolve_with(input, file, source, known.map(|known| &known.teeth))
+    })?;
+    let xu = Derived::renewed(
+        known.map(|known| &known.xu),
+        case.input.model.xu_coefficients.clone(),
+        |file| xu_calibration(file.as_deref(), source, &files),
+    )?;
+    if let Some(calibration) = &xu.value().0 {
+        case.model.friction_settings.xu.coefficients = calibration.coefficients;
+    }
+    let gearbox = Derived::renewed(
+        known.map(|known| &known.gearbox),
+        case.input.gearbox.clone(),
+        |stated| gearbox_of_pair(stated.as_ref(), source, &files),
+    )?;
+    case.gearbox.clone_from(&gearbox.value().0);
+    if let Some(kept) = &kept {
+        case.laws = kept.laws.clone();
+        case.list_laws();
+    }
+    let flanks = Derived::renewed(
+        known.map(|known| &known.flanks),
+        FlankInputs::of(&case),
+        |inputs| flanks(inputs, source, &files),
+    )?;
+    let formed = known.map(|known| &known.formed);
+    let formed = enter(flanks.value(), &mut case, formed, source)?;
+    let of_flanks = flanks.value();
+    let warnings = warnings_of(&case, of_flanks, source);
+    provenance.include(&of_flanks.provenance);
+    Ok(LoadedCase {
+        surfaces: of_flanks.surfaces.clone(),
+        flanks: Arc::clone(&of_flanks.reports),
+        sampled: of_flanks.sampled.clone(),
+        case,
+        warnings,
+        provenance,
+        derived: Arc::new(DerivedValues {
+            flanks,
+            gearbox,
+            xu,
+            oil,
+            teeth,
+            formed,
+        }),
+        name: source.name().into(),
+        mesh: source.mesh().cloned(),
+        files,
+    })
+}
+
+/// Puts what the flanks show into the case: values of their files in place of defaults, lay, zones of the face, and the form of
+/// gears whose relief is taken from traces. Returns the check of the load with that form.
+fn enter(
+    flanks: &Flanks,
+    case: &mut Case,
+    known: Option<&Derived<Option<LoadCheck>, ()>>,
+    source: &Source,
+) -> Result<Derived<Option<LoadCheck>, ()>, CaseError> {
+    let Flanks {
+        surfaces,
+        forms,
+        assumed,
+        ..
+    } = flanks;
+    // Values that a file states replace the defaults.
+    let is_default = |default: &DefaultUsed| assumed.iter().all(|stated| stated.key != default.key);
+    case.defaults.retain(is_default);
+    case.defaults.extend(assumed.iter().cloned());
+    flanks.lays.enter(case);
+    if case.model.run_in && (!surfaces.are_measured() || surfaces.is_surrogate()) {
+        let section = Section::of(source, "model");
+        return Err(section.conflict("run_in", "needs the traces of both flanks"));
+    }
+    case.face_zones.clone_from(&flanks.zones);
+    let mut check = None;
+    if *forms != [None, None] {
+        case.micro_geometry.measured.clone_from(forms);
+        check = Some(case.load_check());
+    }
+    let formed = Derived::renewed(known, check, |check| match check {
+        Some(check) => check.solve(source),
+        None => Ok(()),
+    })?;
+    if surfaces.teeth().is_some() || surfaces.is_surrogate() {
+        refuse_several(case, source)?;
+    }
+    Ok(formed)
+}
+
+/// Doubts about the keys of a case and its files.
+fn warnings_of(case: &Case, flanks: &Flanks, source: &Source) -> Vec<Warning> {
+    let (input, gears) = (&case.input, &case.gears);
+    let loads = at_pitch_point(gears, case.modulus, case.torque, case.speed);
+    let mut warnings = unusual(input, source, &case.oil, &loads);
+    warnings.extend(step_up(gears, source));
+    warnings.extend(flanks.warnings.iter().cloned());
+    warnings.extend(divided_shifts(&input.gears, gears, source));
+    warnings.extend(little_clearance(&input.gears, gears, source));
+    warnings.extend(read_as_keys(source));
+    let gearbox = case.gearbox.iter();
+    warnings.extend(gearbox.flat_map(|gearbox| gearbox.warnings.iter().cloned()));
+    let oil = case.oil_file.iter();
+    warnings.extend(oil.flat_map(|oil| oil.warnings(input, case.temperature)));
+    warnings.extend(replaced_viscosity(&input.lubricant));
+    warnings.extend(simulated(input, case.oil_file.as_deref()));
+    warnings
+}
+
+/// Refuses models of one pair of traces if there are several.
+fn refuse_several(case: &Case, source: &Source) -> Result<(), CaseError> {
+    let model = &case.model;
+    let of_one_pair = [
+        ("run_in", model.run_in),
+        ("load_share", model.load_share == LoadShareName::Ehl),
+        ("full_film", model.full_film == FullFilmName::EhlTransient),
+    ];
+    match of_one_pair.into_iter().find(|(_, is_chosen)| *is_chosen) {
+        None => Ok(()),
+        Some((key, _)) => {
+            let rule =
+                "is of one pair of traces: name one trace of each flank, as surface.pinion.file";
+            Err(Section::of(source, "model").conflict(key, rule))
+        }
+    }
+}
+
+/// The cache folder of the user by the rules of the system.
+fn user_cache_folder() -> Option<PathBuf> {
+    let named = |name: &str| {
+        let folder = PathBuf::from(std::env::var_os(name)?);
+        folder.is_absolute().then_some(folder)
+    };
+    let root = named("XDG_CACHE_HOME")
+        .or_else(|| named("LOCALAPPDATA"))
+        .or_else(|| Some(named("HOME")?.join(".cache")))?;
+    Some(root.join("asperity"))
+}
+
+/// The coefficients in `file`.
+fn xu_calibration(
+    file: Option<&Path>,
+    source: &Source,
+    files: &Files,
+) -> Result<Read<Option<XuCalibration>>, CaseError> {
+    let Some(file) = file else {
+        return Ok((None, Arc::default()));
+    };
+    let reader = Reader::of(files);
+    let refused = |message: String| Section::of(source, XU_COEFFICIENTS).value("", message);
+    let Content::Bytes(bytes) = reader.open(file, source, XU_COEFFICIENTS)?.0 else {
+        return Err(refused("names a trace, not coefficients".to_owned()));
+    };
+    let text = std::str::from_utf8(&bytes)
+        .map_err(|error| refused(format!("is not text in UTF-8: {error}")))?;
+    let calibration = XuCalibration::from_json(text);
+    let calibration = calibration.map_err(|error| refused(error.to_string()))?;
+    Ok((Some(calibration), reader.into_sums().into()))
+}
+
+/// The parts of the gearbox of a pair of gears.
+fn gearbox_of_pair(
+    stated: Option<&GearboxInput>,
+    source: &Source,
+    files: &Files,
+) -> Result<Read<Option<Gearbox>>, CaseError> {
+    let Some(stated) = stated else {
+        return Ok((None, Arc::default()));
+    };
+    let reader = Reader::of(files);
+    let places = vec![MeshPlace::default()];
+    let parts = stated.gearbox(places, &Shafting::shafts_of_pair(), (source, &reader))?;
+    Ok((Some(parts), reader.into_sums().into()))
+}
+
+/// Names the keys that symbols in the case file are read as.
+fn read_as_keys(source: &Source) -> Option<Warning> {
+    let pairs: Vec<String> = (source.symbols())
+        .map(|[symbol, key]| format!("{symbol} is {key}"))
+        .collect();
+    (!pairs.is_empty()).then(|| Warning::new(SYMBOLS, pairs.join(", ")))
+}
+
+/// W442 if the case names an oil of the library and states its viscosity.
+fn replaced_viscosity(oil: &LubricantInput) -> Option<Warning> {
+    let (name, _) = (oil.oil.as_ref()?, oil.viscosity.as_ref()?);
+    let text = format!(
+        "lubricant.viscosity of the case replaces that of the oil {name}, of which only what the case leaves out is used"
+    );
+    Some(Warning::new(Code::W442, text))
+}
+
+/// W446: constants of the case that were fitted to simulated measurements.
+fn simulated(input: &CaseInput, oil_file: Option<&OilFile>) -> Vec<Warning> {
+    let of_oil = oil_file.map(|file| {
+        let fit = &file.film_friction;
+        ("lubricant.oil_file", fit.simulated, fit.source.as_str())
+    });
+    let of_rig = input.calibration.as_ref().map(|fit| {
+        let source = fit.source.as_deref().unwrap_or("source not stated");
+        ("calibration", fit.simulated.unwrap_or(false), source)
+    });
+    let fits = of_oil.into_iter().chain(of_rig);
+    // Files of former versions say it in the source.
+    let simulated = fits.filter(|(_, simulated, source)| *simulated || source.contains(SIMULATED));
+    let warning = |(key, _, source)| {
+        let text = format!("{key}: constants were fitted to simulated measurements: {source}");
+        Warning::new(Code::W446, text)
+    };
+    simulated.map(warning).collect()
+}

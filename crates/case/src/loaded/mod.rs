@@ -1,0 +1,11 @@
+//! A case with its flanks, ready for a run.
+
+pub mod builder;
+pub mod flank_inputs;
+pub mod flank_sample;
+pub mod flank_trace;
+pub mod flanks;
+pub mod lay;
+pub mod loaded_case;
+pub mod surrogates;
+pub mod trace;

@@ -1,0 +1,108 @@
+//! All that the load over the teeth follows from.
+
+use std::sync::Arc;
+
+use asperity_core::material::Material;
+use asperity_core::quantity::Torque;
+use asperity_gear::{
+    GearError, GearPair, LoadConditions, LoadDistribution, LoadLaw, LoadMap, LoadMapSettings,
+    MicroGeometry,
+};
+
+/// Inputs of the load over the teeth: two equal ones have the same load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadInputs {
+    law: Law,
+    /// The gears.
+    pub gears: GearPair,
+    micro_geometry: MicroGeometry,
+    materials: [Material; 2],
+    settings: LoadMapSettings,
+    /// Torque of the pinion.
+    pub torque: Torque,
+}
+
+/// Law of the load over the teeth.
+#[derive(Debug, Clone)]
+enum Law {
+    Named(LoadLaw),
+    Own(Arc<dyn LoadDistribution>),
+}
+
+impl PartialEq for Law {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Named(one), Self::Named(other)) => one == other,
+            // A user-defined law equals only itself.
+            (Self::Own(one), Self::Own(other)) => Arc::ptr_eq(one, other),
+            _ => false,
+        }
+    }
+}
+
+impl LoadInputs {
+    /// The inputs of a user-defined law under `conditions`.
+    pub(crate) fn by_own(law: &Arc<dyn LoadDistribution>, conditions: &LoadConditions<'_>) -> Self {
+        Self::with_law(Law::Own(Arc::clone(law)), conditions)
+    }
+
+    /// The inputs of a named law under `conditions`.
+    pub(crate) fn by_law(law: &LoadLaw, conditions: &LoadConditions<'_>) -> Self {
+        Self::with_law(Law::Named(law.clone()), conditions)
+    }
+
+    fn with_law(law: Law, conditions: &LoadConditions<'_>) -> Self {
+        Self {
+            law,
+            gears: conditions.pair.clone(),
+            micro_geometry: conditions.micro.clone(),
+            materials: *conditions.materials,
+            settings: *conditions.settings,
+            torque: conditions.torque,
+        }
+    }
+
+    /// The same at another torque.
+    pub(crate) fn at(&self, torque: Torque) -> Self {
+        Self {
+            torque,
+            ..self.clone()
+        }
+    }
+
+    /// Whether the law lets the teeth deform.
+    pub(crate) fn is_elastic(&self) -> bool {
+        matches!(&self.law, Law::Named(law) if law.is_elastic())
+    }
+
+    /// The load over the flanks.
+    ///
+    /// # Errors
+    /// When the law does not hold for these gears, or puts no load on the teeth.
+    pub fn load_map(&self) -> Result<LoadMap, GearError> {
+        let map = self.by_its_law()?;
+        if map.samples().iter().all(|sample| sample.load.si() == 0.0) {
+            let law = self.law().name().to_owned();
+            return Err(GearError::no_load(law));
+        }
+        Ok(map)
+    }
+
+    /// The load that the law gives, which may be none.
+    pub(crate) fn by_its_law(&self) -> Result<LoadMap, GearError> {
+        self.law().load_map(&LoadConditions {
+            pair: &self.gears,
+            torque: self.torque,
+            micro: &self.micro_geometry,
+            materials: &self.materials,
+            settings: &self.settings,
+        })
+    }
+
+    fn law(&self) -> &dyn LoadDistribution {
+        match &self.law {
+            Law::Named(law) => law,
+            Law::Own(law) => law.as_ref(),
+        }
+    }
+}

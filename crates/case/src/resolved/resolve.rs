@@ -1,0 +1,498 @@
+//! Completion of a case: defaults filled in, numbers checked.
+
+use std::sync::Arc;
+
+use asperity_core::material::{Material, reduced_modulus};
+use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
+use asperity_core::{DomainError, OutOfRange};
+use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
+use asperity_oil::{FilmRheology, Lubricant, LubricantError, LubricantState, PressureLaw};
+use asperity_roughness::form::Form;
+use asperity_roughness::gaussian_filter::Ends;
+use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
+
+use super::assumed_relief::{AssumedRelief, ReliefInputs};
+use super::bulk::{BulkModel, FoundBulk, bulk_model};
+use super::calibrated;
+use super::gearbox::Gearbox;
+use super::gears::{gears, load_settings, micro_geometry, note_relief};
+use super::load_inputs::LoadInputs;
+use super::oil_file::OilFile;
+use super::plausibility::{at_pitch_point, refuse_stiff_oil};
+use super::solved_teeth::{LoadCheck, SolvedTeeth};
+use super::steel::{Steels, steels};
+use crate::input::case_input::{CaseInput, OperationInput, SurfaceInput, TEMPERATURE_KEYS};
+use crate::input::micropitting_input::MicropittingInput;
+use crate::input::model::{Formulation, Model, model};
+use crate::input::ranges::refuse_impossible;
+use crate::laws::Laws;
+use crate::source::case_error::CaseError;
+use crate::source::defaults::{DefaultUsed, Defaults};
+use crate::source::section::{Section, domain};
+use crate::source::source_text::Source;
+use crate::text::{key_of, missing_key};
+
+/// A case with every choice made.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// Title.
+    pub title: String,
+    /// Formulation of the model.
+    pub formulation: Formulation,
+    /// Derived gear geometry.
+    pub gears: GearPair,
+    /// Modifications of the flanks, with the middle of the tip relief that is not stated.
+    pub micro_geometry: MicroGeometry,
+    /// Tip relief that the case does not state; none where it states that of both gears, and in the paper's formulation.
+    pub assumed_relief: Option<AssumedRelief>,
+    /// Numbers of the load map.
+    pub load_settings: LoadMapSettings,
+    /// Steel of pinion and wheel.
+    pub materials: [Material; 2],
+    /// Flow pressure of pinion and wheel.
+    pub flow_pressure: [Pressure; 2],
+    /// Reduced modulus E*.
+    pub modulus: Pressure,
+    /// Torque at the pinion.
+    pub torque: Torque,
+    /// Speed of the pinion.
+    pub speed: AngularSpeed,
+    /// Bulk temperature of the flanks; the temperature of the oil if `bulk` is not evaluated yet.
+    pub temperature: Temperature,
+    /// Law of the bulk temperature if it follows from the loss and is not known yet.
+    pub bulk: Option<BulkModel>,
+    /// The bulk temperature that follows from the loss, once it is known.
+    pub found_bulk: Option<FoundBulk>,
+    /// The oil.
+    pub lubricant: Lubricant,
+    /// The oil file that the case names.
+    pub oil_file: Option<Arc<OilFile>>,
+    /// The oil at the bulk temperature.
+    pub oil: LubricantState,
+    /// The oil in the film, if film friction or load share use it.
+    pub rheology: Option<FilmRheology>,
+    /// Properties of the steels outside the range of their relations.
+    pub steel_notes: Vec<OutOfRange>,
+    /// Properties of the oil outside the range of its laws.
+    pub oil_notes: Vec<OutOfRange>,
+    /// Preparation of the traces.
+    pub preparation: Preparation,
+    /// Places y/b between zones of the face with separate traces; empty if the traces represent the whole face.
+    pub face_zones: Vec<f64>,
+    /// Choices of the model.
+    pub model: Model,
+    /// Losses other than that of the mesh, if the case states any; filled in with the traces.
+    pub gearbox: Option<Gearbox>,
+    /// User-defined laws.
+    pub laws: Laws,
+    /// The case as read.
+    pub input: CaseInput,
+    /// Every default in use.
+    pub defaults: Vec<DefaultUsed>,
+}
+
+/// Completes `input`, which names no oil file, with defaults and checks it; `source` gives the places of the keys.
+///
+/// # Errors
+/// When a number is outside its domain, the gears cannot mesh, or the oil cannot be.
+pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
+    resolve_with(input, None, source, None).map(|(case, _)| case)
+}
+
+/// Completes and checks a case with the oil file that it names; the load over the teeth is not solved again where it is known.
+pub(crate) fn resolve_with(
+    input: CaseInput,
+    oil_file: Option<Arc<OilFile>>,
+    source: &Source,
+    known: Option<&SolvedTeeth>,
+) -> Result<(Case, SolvedTeeth), CaseError> {
+    refuse_impossible(&input, source)?;
+    let oil_file = oil_file.map(|file| file.by_law(input.model.film_pressure_law));
+    let mut defaults = Defaults::default();
+    let formulation = defaults.take("formulation", input.formulation, Formulation::default());
+    if formulation == Formulation::Paper && input.operation.temperature_deviation.is_some() {
+        let rule = "widens an interval, which the paper's formulation does not have; leave one of the two out";
+        return Err(Section::of(source, "operation").conflict("temperature_deviation", rule));
+    }
+    check_micropitting(&input, formulation, source)?;
+    let gears = gears(&input, source, &mut defaults)?;
+    let mut micro_geometry = micro_geometry(&input, source, &mut defaults)?;
+    let Steels {
+        materials,
+        flow_pressure,
+        notes: steel_notes,
+    } = steels(&input, source, &mut defaults)?;
+    let modulus =
+        reduced_modulus(&materials[0], &materials[1]).map_err(domain(source, "material.pinion"))?;
+    let OperationInput {
+        torque,
+        speed,
+        bulk,
+        ..
+    } = input.operation;
+    let temperature = operating_temperature(&input.operation, source)?;
+    let section = Section::of(source, "operation");
+    let is_loaded = torque.si().is_finite() && torque.si() != 0.0;
+    DomainError::require(
+        is_loaded,
+        "torque",
+        torque.si(),
+        Torque::SI_UNIT,
+        "must be finite and not zero",
+    )
+    .map_err(section.domain("torque"))?;
+    DomainError::positive("speed", speed).map_err(section.domain("speed"))?;
+    for load in at_pitch_point(&gears, modulus, torque, speed) {
+        load.refuse_impossible(source)?;
+    }
+    let lubricant_at = |error| lubricant_at(source, &input.operation, error);
+    let lubricant = match &oil_file {
+        Some(file) => file.completing(&input.lubricant),
+        None => Ok(input.lubricant.clone()),
+    };
+    let lubricant = lubricant.and_then(|oil| oil.resolve(temperature));
+    let lubricant = lubricant.map_err(lubricant_at)?;
+    for assumption in lubricant.assumptions() {
+        defaults.assume(assumption);
+    }
+    let oil = lubricant.at(temperature).map_err(lubricant_at)?;
+    refuse_stiff_oil(&oil.value, &input.operation, source)?;
+    let preparation = preparation(&input, source, &mut defaults)?;
+    let mut choices = input.model.clone();
+    if let Some(calibration) = &input.calibration {
+        calibrated::check(calibration, &input.model, formulation, source)?;
+        choices = calibrated::put_into(calibration, &choices);
+    }
+    if let Some(file) = &oil_file {
+        choices = file.put_into(&choices, formulation, source)?;
+        let by = "the law by which the constants of lubricant.oil_file were fitted".to_owned();
+        defaults.take_from(
+            "model.film_pressure_law",
+            input.model.film_pressure_law,
+            file.film_friction.pressure_law,
+            Some(by),
+        );
+    }
+    let model = model(&choices, formulation, &gears, source, &mut defaults)?;
+    let bulk = bulk_model(bulk.as_ref(), formulation, &model, source)?;
+    let load_settings = load_settings(&input, &model, source, &mut defaults);
+    let mesh = LoadConditions {
+        pair: &gears,
+        torque,
+        micro: &micro_geometry,
+        materials: &materials,
+        settings: &load_settings,
+    };
+    let check = load_check(&model, formulation, &mesh);
+    let has_relief = formulation == Formulation::Corrected;
+    let relief = has_relief.then(|| ReliefInputs::of(&input, &check.load));
+    let teeth = SolvedTeeth::of(known, check, relief, source)?;
+    let assumed_relief = teeth.relief().cloned();
+    note_relief(&input, assumed_relief.as_ref(), source, &mut defaults);
+    if let Some(assumed) = &assumed_relief {
+        let [amount, length] = [AssumedRelief::AMOUNT, AssumedRelief::LENGTH];
+        micro_geometry = assumed.put_into(&micro_geometry, amount, length);
+    }
+    let mut oil_state = oil.value;
+    let rheology = match model.film_friction.shear_law().is_some() || model.shears_its_film() {
+        false => {
+            without_film_friction(&input, source)?;
+            None
+        }
+        true => {
+            let rheology = rheology(
+                &lubricant,
+                &model,
+                temperature,
+                (&input, oil_file.as_deref()),
+            )
+            .map_err(lubricant_at)?;
+            // The whole run uses the film thickness that follows from the oil of the film friction.
+            let state = rheology.state(temperature).map_err(lubricant_at)?;
+            oil_state.pressure_viscosity = state.pressure_viscosity;
+            oil_state.thermal_conductivity = state.conductivity;
+            Some(rheology)
+        }
+    };
+    let title = input.title.clone();
+    let case = Case {
+        title: title.unwrap_or_else(|| title_by_gears(&gears.teeth, gears.normal_module)),
+        formulation,
+        gears,
+        micro_geometry,
+        assumed_relief,
+        load_settings,
+        materials,
+        flow_pressure,
+        modulus,
+        torque,
+        speed,
+        temperature,
+        bulk,
+        found_bulk: None,
+        lubricant,
+        oil_file,
+        oil: oil_state,
+        rheology,
+        steel_notes,
+        oil_notes: oil.outside,
+        preparation,
+        face_zones: Vec::new(),
+        model,
+        gearbox: None,
+        laws: Laws::default(),
+        input,
+        defaults: defaults.into_list(),
+    };
+    Ok((case, teeth))
+}
+
+/// The check of the load over the teeth, by the law that the case names.
+fn load_check(model: &Model, formulation: Formulation, mesh: &LoadConditions<'_>) -> LoadCheck {
+    let along_path = formulation == Formulation::Corrected;
+    LoadCheck {
+        load: LoadInputs::by_law(&model.load_distribution, mesh),
+        positions: along_path.then_some(model.positions),
+    }
+}
+
+impl Case {
+    /// Inputs of the load over the teeth.
+    #[must_use]
+    pub fn load_inputs(&self) -> LoadInputs {
+        match &self.laws.load_distribution {
+            Some(own) => LoadInputs::by_own(own, &self.load_conditions()),
+            None => LoadInputs::by_law(&self.model.load_distribution, &self.load_conditions()),
+        }
+    }
+
+    /// The check of the load over the teeth with the flanks as they are now, by the law that the case names.
+    pub(crate) fn load_check(&self) -> LoadCheck {
+        load_check(&self.model, self.formulation, &self.load_conditions())
+    }
+
+    fn load_conditions(&self) -> LoadConditions<'_> {
+        LoadConditions {
+            pair: &self.gears,
+            torque: self.torque,
+            micro: &self.micro_geometry,
+            materials: &self.materials,
+            settings: &self.load_settings,
+        }
+    }
+
+    /// Elastic limit of the softer steel.
+    #[must_use]
+    pub fn elastic_limit(&self) -> Pressure {
+        let [pinion, wheel] = self.materials.each_ref().map(|steel| steel.elastic_limit);
+        if wheel < pinion { wheel } else { pinion }
+    }
+
+    /// The law of pressure besides the one of the run that the curves of the oil file admit, with its probability; `None` if
+    /// the curves or the case decide.
+    #[must_use]
+    pub fn other_law(&self) -> Option<(PressureLaw, f64)> {
+        let file = self.oil_file.as_ref()?;
+        let other = file.other_law.as_ref()?;
+        let is_open = self.input.model.film_pressure_law.is_none();
+        is_open.then(|| {
+            (
+                other.pressure_law,
+                file.film_friction.probability_of_other_law(),
+            )
+        })
+    }
+}
+
+/// Title of a case without one: cases of other gears have another.
+pub(crate) fn title_by_gears(teeth: &[u32], module: Length) -> String {
+    let teeth: Vec<String> = teeth.iter().map(u32::to_string).collect();
+    format!("untitled, {} teeth, module {module}", teeth.join("/"))
+}
+
+/// Refuses properties of the oil that only film friction with a shear stress uses.
+fn without_film_friction(input: &CaseInput, source: &Source) -> Result<(), CaseError> {
+    let oil = &input.lubricant;
+    let stated = [
+        ("oil_file", oil.oil_file.is_some()),
+        (
+            "pressure_viscosity_factor",
+            oil.pressure_viscosity_factor.is_some(),
+        ),
+        (
+            "limiting_shear_temperature",
+            oil.limiting_shear_temperature.is_some(),
+        ),
+    ];
+    match stated.into_iter().find(|(_, is_stated)| *is_stated) {
+        None => Ok(()),
+        Some((key, _)) => {
+            let rule = "belongs to film friction by a shear stress, which this model does not have; leave it out";
+            Err(Section::of(source, "lubricant").conflict(key, rule))
+        }
+    }
+}
+
+/// The oil in the film: constants of its family, of the oil file or of a calibration, α as stated at the temperature of the case or by Gold.
+fn rheology(
+    lubricant: &Lubricant,
+    model: &Model,
+    bulk: Temperature,
+    (input, oil_file): (&CaseInput, Option<&OilFile>),
+) -> Result<FilmRheology, LubricantError> {
+    let family = lubricant
+        .base_oil()
+        .ok_or_else(LubricantError::no_base_oil)?;
+    let mut constants = lubricant.traction_constants(family)?;
+    if let Some(file) = oil_file {
+        file.set_constants(input, &mut constants);
+    }
+    let calibration = input.calibration.as_ref();
+    if let Some(fitted) = calibration.and_then(|fit| fit.limiting_shear) {
+        constants.limiting_shear = fitted.value;
+    }
+    if let Some(fitted) = calibration.and_then(|fit| fit.eyring_stress) {
+        constants.eyring_stress = fitted.value;
+    }
+    let rheology = FilmRheology::of(lubricant, family, constants, bulk)?;
+    let shear = model.film_friction.shear_law().unwrap_or_default();
+    Ok(rheology.with_laws(shear, model.film_pressure_law))
+}
+
+/// Filters of the traces.
+fn preparation(
+    input: &CaseInput,
+    source: &Source,
+    defaults: &mut Defaults,
+) -> Result<Preparation, CaseError> {
+    // The other keys are of the traces.
+    let SurfaceInput {
+        form,
+        cutoff,
+        noise_cutoff,
+        ends,
+        outliers,
+        pinion: _,
+        wheel: _,
+        sun: _,
+        planet: _,
+        ring: _,
+        finish: _,
+        coast: _,
+    } = &input.surface;
+    let section = Section::of(source, "surface");
+    let cutoff = defaults.take("surface.cutoff", *cutoff, LAMBDA_C);
+    let noise = defaults.take("surface.noise_cutoff", *noise_cutoff, LAMBDA_S);
+    DomainError::non_negative("cut-off", cutoff).map_err(section.domain("cutoff"))?;
+    DomainError::non_negative("noise cut-off", noise).map_err(section.domain("noise_cutoff"))?;
+    if let Some(deviations) = *outliers {
+        let is_positive = deviations > 0.0 && deviations.is_finite();
+        DomainError::require(is_positive, "outliers", deviations, "-", "must be positive")
+            .map_err(section.domain("outliers"))?;
+    }
+    let unless_zero = |length: Length| (length.si() > 0.0).then_some(length);
+    Ok(Preparation {
+        form: defaults.take("surface.form", *form, Form::Level),
+        lambda_s: unless_zero(noise),
+        lambda_c: unless_zero(cutoff),
+        ends: defaults.take("surface.ends", *ends, Ends::Cut),
+    })
+}
+
+fn check_micropitting(
+    input: &CaseInput,
+    formulation: Formulation,
+    source: &Source,
+) -> Result<(), CaseError> {
+    let Some(stated) = &input.micropitting else {
+        return Ok(());
+    };
+    let section = Section::of(source, "micropitting");
+    if formulation != Formulation::Corrected {
+        let rule = "rates the whole path, and the paper's formulation has one position; leave one of the two out";
+        return Err(section.conflict_of_key("", rule));
+    }
+    let MicropittingInput {
+        load_factor,
+        permissible,
+        ra,
+    } = stated;
+    for (key, name, value) in [
+        ("load_factor", "load factor", load_factor),
+        ("permissible", "permissible film", permissible),
+    ] {
+        let value = value.unwrap_or(1.0);
+        let holds = value.is_finite() && value > 0.0;
+        let rule = "must be finite and greater than zero";
+        DomainError::require(holds, name, value, "-", rule).map_err(section.domain(key))?;
+    }
+    for ra in ra.iter().flatten() {
+        DomainError::positive("Ra", *ra).map_err(section.domain("ra"))?;
+    }
+    Ok(())
+}
+
+/// The temperature that the case states: of the flanks, or of the oil with a law of the bulk temperature.
+fn operating_temperature(
+    operation: &OperationInput,
+    source: &Source,
+) -> Result<Temperature, CaseError> {
+    let section = Section::of(source, "operation");
+    let OperationInput {
+        bulk_temperature,
+        oil_temperature,
+        temperature: former,
+        bulk,
+        ..
+    } = operation;
+    if former.is_some() && (bulk_temperature.is_some() || oil_temperature.is_some()) {
+        let rule = "is the former name of operation.bulk_temperature, and of operation.oil_temperature with operation.bulk; leave it out";
+        return Err(section.conflict_of_key("temperature", rule));
+    }
+    if bulk_temperature.is_some() && oil_temperature.is_some() {
+        let rule = "is not used if operation.bulk_temperature is stated; leave one of the two out";
+        return Err(section.conflict_of_key("oil_temperature", rule));
+    }
+    if bulk_temperature.is_some() && bulk.is_some() {
+        let rule = "is the law of the bulk temperature, which operation.bulk_temperature states; leave the law out, or state operation.oil_temperature instead of the bulk temperature";
+        return Err(section.conflict_of_key("bulk", rule));
+    }
+    if oil_temperature.is_some() && bulk.is_none() {
+        let rule = "needs a law by which the loss heats the flanks above the oil, e.g. the line bulk = { law = \"iso\", lubrication = \"dip\" } under [operation], whose constants are unconfirmed, or \"network\" with the conductances of your gearbox; or state operation.bulk_temperature instead";
+        return Err(section.conflict_of_key("oil_temperature", rule));
+    }
+    operation.stated_temperature().ok_or_else(|| {
+        CaseError::value(
+            section.place("bulk_temperature"),
+            Some(section.table),
+            missing_key(section.table, "bulk_temperature"),
+        )
+    })
+}
+
+fn lubricant_at(source: &Source, operation: &OperationInput, error: LubricantError) -> CaseError {
+    match error {
+        LubricantError::Domain(error) => {
+            let key = key_of("lubricant", error.name);
+            let key = match TEMPERATURE_KEYS.iter().any(|(name, _)| *name == key) {
+                true => operation.temperature_key().into(),
+                false => key,
+            };
+            domain(source, key)(error)
+        }
+        error => {
+            let key = match error {
+                LubricantError::ImplausiblePressureViscosity { .. } => {
+                    "lubricant.pressure_viscosity"
+                }
+                _ => "lubricant",
+            };
+            CaseError::lubricant(
+                source.place_of_key(key),
+                key,
+                source.written(key).map(str::to_owned),
+                error,
+            )
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! The text of a case with the places of its keys, and errors at these places.
+
+pub mod case_error;
+pub mod defaults;
+pub mod nearest_name;
+pub mod section;
+pub mod source_text;
