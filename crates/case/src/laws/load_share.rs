@@ -14,11 +14,11 @@ use asperity_ehl_regime::published_shares::masjedi_khonsari;
 use asperity_tribo_friction::FilmContact;
 
 use crate::error::PositionError;
-use crate::flanks::{Roughness, WindowPair};
 use crate::formula_film::FormulaFilm;
 use crate::input::law_names::LoadShareName;
-use crate::mesh_position::MeshPosition;
 use crate::recorded_share::RecordedShare;
+use asperity_flanks::mesh_position::MeshPosition;
+use asperity_flanks::{Roughness, WindowPair};
 use asperity_mixed_film::{InletSupply, LoadShareSolution};
 
 /// Film and asperities at one mesh position and one offset: the inputs of a load-sharing law.

@@ -12,7 +12,6 @@ use asperity_core::quantity::Power;
 use super::train_parts::{MeshParts, TrainParts};
 use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
-use crate::flanks::Surfaces;
 use crate::input::case_input::CaseInput;
 use crate::input::files::{FileContents, FileSums, Reader};
 use crate::loaded::loaded_case::LoadedCase;
@@ -24,6 +23,7 @@ use crate::source::defaults::DefaultUsed;
 use crate::source::source_text::{MeshKeys, Source};
 use crate::text::is_key_of_named_meshes;
 use asperity_core::message::Warning;
+use asperity_flanks::Surfaces;
 
 pub use super::train_parts::mesh_folder;
 pub use crate::input::mesh_input::{MeshInput, PassedLosses, ShaftsInput};
