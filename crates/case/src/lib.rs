@@ -5,6 +5,7 @@
 //! | [`case`] | keys, defaults, checks, oil files, gear trains; [`case::load`] reads a file |
 //! | [`flanks`] | traces on their flanks, and the windows in contact at a mesh position |
 //! | [`laws`], [`load_share_law`] | user-defined laws in place of those that a case names |
+//! | [`formulation`], [`window_pressures`] | formulations of the model, which a program registers |
 //! | [`error`], [`message`] | errors and warnings with a code, the place in the case and a remedy |
 //!
 //! No rough contact, friction or loss is computed here: the crate `asperity` does that, and re-exports these modules.
@@ -15,6 +16,7 @@ pub mod error;
 pub mod fingerprint;
 pub mod flanks;
 pub mod formula_film;
+pub mod formulation;
 pub mod key_words;
 pub mod laws;
 pub mod load_share_law;
@@ -24,5 +26,6 @@ pub mod mesh_position;
 
 pub mod physical_limits;
 pub mod recorded_share;
+pub mod window_pressures;
 
 pub use asperity_core::message;

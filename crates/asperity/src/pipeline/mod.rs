@@ -26,6 +26,6 @@ pub use stages::{
     Progress, check, chooses_offsets, coldest_losses_with, contacts, contacts_beside, losses,
     losses_with, settled,
 };
-pub use survey::{FilmRow, FilmSurvey, RegimeRow, film, survey};
+pub use survey::{RegimeRow, survey};
 
 pub(crate) use stages::{losses_of, outcome};

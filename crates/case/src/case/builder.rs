@@ -10,11 +10,12 @@ use super::input::{
     CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput, SurfaceInput,
 };
 use super::loaded::LoadedCase;
-use super::model::{Formulation, ModelInput};
+use super::model::ModelInput;
 use super::one_or_two::OneOrTwo;
 use super::resolve::Case;
 use super::trace::{Flank, Trace};
 use crate::error::Error;
+use crate::formulation::FormulationChoice;
 use asperity_core::quantity::{AngularSpeed, Length, Temperature, Torque};
 
 /// Builder of a case; [`build`](Self::build) checks it and fills in the defaults.
@@ -126,9 +127,9 @@ impl CaseBuilder {
         self.change(|input| input.title = Some(title))
     }
 
-    /// Formulation of the model.
+    /// The formulation of the model.
     #[must_use]
-    pub fn formulation(self, formulation: Formulation) -> Self {
+    pub fn formulation(self, formulation: FormulationChoice) -> Self {
         self.change(|input| input.formulation = Some(formulation))
     }
 

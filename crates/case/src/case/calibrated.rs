@@ -4,7 +4,7 @@ use asperity_core::DomainError;
 
 use super::calibration::{Calibrated, CalibratedName, CalibrationInput, cholesky};
 use super::error::CaseError;
-use super::model::{Formulation, ModelInput};
+use super::model::ModelInput;
 use super::section::Section;
 use super::source::Source;
 
@@ -24,14 +24,9 @@ pub(super) fn put_into(calibration: &CalibrationInput, model: &ModelInput) -> Mo
 pub(super) fn check(
     calibration: &CalibrationInput,
     model: &ModelInput,
-    formulation: Formulation,
     source: &Source,
 ) -> Result<(), CaseError> {
     let section = Section::of(source, "calibration");
-    if formulation == Formulation::Paper {
-        let rule = "belongs to the corrected formulation; leave one of the two out";
-        return Err(section.conflict("", rule));
-    }
     // The other keys need no check.
     let CalibrationInput {
         source: _,

@@ -14,7 +14,7 @@ use super::flank_sample::{self, Listed};
 use super::flank_trace::{Context, Flank, Keys, flank, keys_of, traces_of};
 use super::input::FlankInput;
 use super::lay::{Lays, lays};
-use super::model::Formulation;
+use super::path_point::Positions;
 use super::resolve::Case;
 use super::section::domain;
 use super::source::Source;
@@ -274,8 +274,8 @@ fn check_across(
                 .map_err(domain(source, keys.traces()))?;
         }
     }
-    let is_paper = case.formulation == Formulation::Paper;
-    match is_paper && !zones.is_empty() {
+    let is_single = case.formulation.positions() == Positions::Single;
+    match is_single && !zones.is_empty() {
         false => Ok(()),
         true => Err(CaseError::Conflict {
             place: source.place_of(&keys[0].traces()),

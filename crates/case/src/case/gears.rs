@@ -13,7 +13,8 @@ use super::defaults::Defaults;
 use super::error::CaseError;
 use super::gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 use super::input::{CaseInput, GearsInput};
-use super::model::{Formulation, Model};
+use super::model::Model;
+use super::path_point::Positions;
 use super::section::{Section, domain};
 use super::source::Source;
 use super::text::key_of;
@@ -241,18 +242,13 @@ fn refuse_drawn_and_measured(
     }
 }
 
-/// The tip relief that a case does not state; in the paper's formulation there is none.
+/// The tip relief that a case does not state.
 pub(super) fn assumed_relief(
     input: &CaseInput,
-    formulation: Formulation,
     (model, mesh): (&Model, &LoadConditions<'_>),
     source: &Source,
 ) -> Result<Option<AssumedRelief>, CaseError> {
-    match formulation {
-        Formulation::Paper => Ok(None),
-        Formulation::Corrected => AssumedRelief::of(input, &model.load_distribution, mesh)
-            .map_err(|error| refused(error, source)),
-    }
+    AssumedRelief::of(input, &model.load_distribution, mesh).map_err(|error| refused(error, source))
 }
 
 /// Lists the tip relief of the gears that state none among the defaults.
@@ -345,7 +341,7 @@ pub(super) fn load_settings(
 pub(super) fn check_load(
     mesh: &LoadConditions<'_>,
     model: &Model,
-    formulation: Formulation,
+    positions: Positions,
     source: &Source,
 ) -> Result<(), CaseError> {
     let not_for = |key: &'static str| {
@@ -360,7 +356,7 @@ pub(super) fn check_load(
         .load_distribution
         .load_map(mesh)
         .map_err(not_for("model.load_distribution"))?;
-    if formulation == Formulation::Corrected {
+    if positions == Positions::AlongPath {
         map.cells(model.positions)
             .map_err(not_for("model.positions"))?;
     }

@@ -16,9 +16,10 @@ use super::gearbox_input::GearboxInput;
 pub use super::input_tables::*;
 use super::mesh_input::{MeshInput, PlanetaryInput, ShaftsInput};
 use super::micropitting_input::MicropittingInput;
-use super::model::{Formulation, ModelInput};
+use super::model::ModelInput;
 use super::rows::{OPEN, ratio, table};
 use super::train_heat_input::HeatInput;
+use crate::formulation::FormulationChoice;
 
 table! {
     /// A case: gears, steel, oil, operation, measured flanks, and the model to use.
@@ -28,7 +29,7 @@ table! {
     /// Title of the case, shown in every output.
     title: Option<String>;
     /// Reading of the model: `corrected` (default) or `paper`.
-    formulation: Option<Formulation>;
+    formulation: Option<FormulationChoice>;
     /// The gear pair.
     #[serde(default, skip_serializing_if = "is_unstated")]
     gears: GearsInput => table;

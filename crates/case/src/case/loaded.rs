@@ -465,7 +465,7 @@ fn check_load_of(case: &Case, source: &Source) -> Result<(), CaseError> {
         materials: &case.materials,
         settings: &case.load_settings,
     };
-    check_load(&mesh, &case.model, case.formulation, source)
+    check_load(&mesh, &case.model, case.formulation.positions(), source)
 }
 
 /// Whether the same flanks carry the load in both cases, prepared alike.

@@ -98,14 +98,14 @@ pub use law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 pub use load_inputs::LoadInputs;
 pub use loaded::LoadedCase;
 pub use micropitting_input::MicropittingInput;
-pub use model::{EhlChoices, EhlInput, Formulation, LEAST_OFFSETS, Model, ModelInput};
+pub use model::{EhlChoices, EhlInput, LEAST_OFFSETS, Model, ModelInput};
 pub use nearest_name::nearest_name;
 pub use oil_file::{
     DECISIVE, FitQuality, FittedFriction, FittedName, OilConstant, OilFile, OilSchema,
     POORLY_EXPLAINED, STEEPEST_FALL, law_error,
 };
 pub use one_or_two::OneOrTwo;
-pub use path_point::{NamedPoint, PathPoint};
+pub use path_point::{NamedPoint, PathPoint, Positions};
 pub use resolve::{Case, resolve};
 pub use rows::Limits;
 pub use shafting::{Flow, MeshLoad, Shafting, StageKind};

@@ -13,7 +13,7 @@ use serde_json::Value as Json;
 use super::calibration::{Calibrated, CalibratedName, CorrelationInput, correlation};
 use super::error::CaseError;
 use super::input::CaseInput;
-use super::model::{Formulation, ModelInput};
+use super::model::ModelInput;
 use super::section::Section;
 use super::source::Source;
 use asperity_core::message::Warning;
@@ -324,14 +324,8 @@ impl OilFile {
     pub(super) fn put_into(
         &self,
         model: &ModelInput,
-        formulation: Formulation,
         source: &Source,
     ) -> Result<ModelInput, CaseError> {
-        let section = Section::of(source, "lubricant");
-        if formulation == Formulation::Paper {
-            let rule = "belongs to the corrected formulation; leave one of the two out";
-            return Err(section.conflict("oil_file", rule));
-        }
         let law = self.film_friction.pressure_law;
         if model.film_pressure_law.is_some_and(|own| own != law) {
             let rule = "is not the law of pressure that the constants of lubricant.oil_file were fitted by; leave it out, or fit the curves again";

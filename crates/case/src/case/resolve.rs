@@ -10,6 +10,7 @@ use asperity_oil::{FilmRheology, Lubricant, LubricantError, LubricantState, Pres
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
+use serde_json::Value;
 
 use super::assumed_relief::AssumedRelief;
 use super::bulk::{BulkModel, FoundBulk, bulk_model};
@@ -20,14 +21,15 @@ use super::gearbox::Gearbox;
 use super::gears::{assumed_relief, check_load, gears, load_settings, micro_geometry, note_relief};
 use super::input::{CaseInput, OperationInput, SurfaceInput, TEMPERATURE_KEYS};
 use super::micropitting_input::MicropittingInput;
-use super::model::{Formulation, Model, model};
+use super::model::{Model, OfFormulation, model};
 use super::oil_file::OilFile;
 use super::plausibility::{at_pitch_point, refuse_stiff_oil};
 use super::ranges::refuse_impossible;
-use super::section::{Section, domain};
+use super::section::{Section, domain, in_train};
 use super::source::Source;
 use super::steel::{Steels, steels};
 use super::text::{key_of, missing_key};
+use crate::formulation::FormulationChoice;
 use crate::laws::Laws;
 
 /// A case with every choice made.
@@ -35,13 +37,13 @@ use crate::laws::Laws;
 pub struct Case {
     /// Title.
     pub title: String,
-    /// Formulation of the model.
-    pub formulation: Formulation,
+    /// The formulation of the model.
+    pub formulation: FormulationChoice,
     /// Derived gear geometry.
     pub gears: GearPair,
     /// Modifications of the flanks, with the middle of the tip relief that is not stated.
     pub micro_geometry: MicroGeometry,
-    /// Tip relief that the case does not state; none where it states that of both gears, and in the paper's formulation.
+    /// Tip relief that the case does not state; none where it states that of both gears, and in a formulation without any.
     pub assumed_relief: Option<AssumedRelief>,
     /// Numbers of the load map.
     pub load_settings: LoadMapSettings,
@@ -108,12 +110,10 @@ pub(super) fn resolve_checked(
     refuse_impossible(&input, source)?;
     let oil_file = oil_file.map(|file| file.by_law(input.model.film_pressure_law));
     let mut defaults = Defaults::default();
-    let formulation = defaults.take("formulation", input.formulation, Formulation::default());
-    if formulation == Formulation::Paper && input.operation.temperature_deviation.is_some() {
-        let rule = "widens an interval, which the paper's formulation does not have; leave one of the two out";
-        return Err(Section::of(source, "operation").conflict("temperature_deviation", rule));
-    }
-    check_micropitting(&input, formulation, source)?;
+    let formulation = FormulationChoice::default();
+    let formulation = defaults.take("formulation", input.formulation, formulation);
+    refuse_keys(formulation, &input, source)?;
+    check_micropitting(&input, source)?;
     let gears = gears(&input, source, &mut defaults)?;
     let mut micro_geometry = micro_geometry(&input, source, &mut defaults)?;
     let Steels {
@@ -159,11 +159,11 @@ pub(super) fn resolve_checked(
     let preparation = preparation(&input, source, &mut defaults)?;
     let mut choices = input.model.clone();
     if let Some(calibration) = &input.calibration {
-        calibrated::check(calibration, &input.model, formulation, source)?;
+        calibrated::check(calibration, &input.model, source)?;
         choices = calibrated::put_into(calibration, &choices);
     }
     if let Some(file) = &oil_file {
-        choices = file.put_into(&choices, formulation, source)?;
+        choices = file.put_into(&choices, source)?;
         let by = "the law by which the constants of lubricant.oil_file were fitted".to_owned();
         defaults.take_from(
             "model.film_pressure_law",
@@ -172,8 +172,13 @@ pub(super) fn resolve_checked(
             Some(by),
         );
     }
-    let model = model(&choices, formulation, &gears, source, &mut defaults)?;
-    let bulk = bulk_model(bulk.as_ref(), formulation, &model, source)?;
+    let stated = OfFormulation {
+        defaults: formulation.defaults(),
+        unused_keys: formulation.unused_keys(),
+        positions: formulation.positions(),
+    };
+    let model = model(&choices, &stated, &gears, source, &mut defaults)?;
+    let bulk = bulk_model(bulk.as_ref(), &model, source)?;
     let load_settings = load_settings(&input, &model, source, &mut defaults);
     let mesh = LoadConditions {
         pair: &gears,
@@ -183,12 +188,13 @@ pub(super) fn resolve_checked(
         settings: &load_settings,
     };
     if alike.is_none() {
-        check_load(&mesh, &model, formulation, source)?;
+        check_load(&mesh, &model, formulation.positions(), source)?;
     }
     let known = alike.filter(|case| case.input.map == input.map);
     let assumed_relief = match known {
         Some(case) => case.assumed_relief.clone(),
-        None => assumed_relief(&input, formulation, (&model, &mesh), source)?,
+        None if !formulation.assumes_relief() => None,
+        None => assumed_relief(&input, (&model, &mesh), source)?,
     };
     note_relief(&input, assumed_relief.as_ref(), source, &mut defaults);
     if let Some(assumed) = &assumed_relief {
@@ -367,19 +373,34 @@ fn preparation(
     })
 }
 
-fn check_micropitting(
+/// Refuses the keys that the formulation of the case does not have; a switch that is off is no use of its key.
+fn refuse_keys(
+    formulation: FormulationChoice,
     input: &CaseInput,
-    formulation: Formulation,
     source: &Source,
 ) -> Result<(), CaseError> {
+    let refused = formulation.refused_keys();
+    if refused.is_empty() {
+        return Ok(());
+    }
+    let stated = serde_json::to_value(input).unwrap_or_default();
+    for &(key, rule) in refused {
+        let section = Section::of(source, key);
+        let error = match stated.pointer(&format!("/{}", key.replace('.', "/"))) {
+            None | Some(Value::Null | Value::Bool(false)) => continue,
+            Some(Value::Object(_)) => section.conflict_of_key("", rule),
+            Some(_) => section.conflict("", rule),
+        };
+        return Err(in_train(source, error));
+    }
+    Ok(())
+}
+
+fn check_micropitting(input: &CaseInput, source: &Source) -> Result<(), CaseError> {
     let Some(stated) = &input.micropitting else {
         return Ok(());
     };
     let section = Section::of(source, "micropitting");
-    if formulation != Formulation::Corrected {
-        let rule = "rates the whole path, and the paper's formulation has one position; leave one of the two out";
-        return Err(section.conflict_of_key("", rule));
-    }
     let MicropittingInput {
         load_factor,
         permissible,

@@ -14,7 +14,6 @@ use super::finish::FinishName;
 use super::flank_trace::{Context, Flank, Keys};
 use super::input::FlankInput;
 use super::law_names::LoadShareName;
-use super::model::Formulation;
 use super::resolve::Case;
 use super::section::Section;
 use crate::flanks::surfaces::{PairsOfTeeth, Surfaces, Texture};
@@ -35,8 +34,7 @@ const NOTED_DEVIATION: f64 = 0.1;
 /// Whether a case solves the contact of its flanks, and so needs surrogates of flanks without a trace.
 pub(super) fn solves_contact(case: &Case) -> bool {
     let law = case.model.load_share;
-    case.formulation == Formulation::Corrected
-        && (law.supply().is_some() || law == LoadShareName::Ehl)
+    case.formulation.pressures().is_none() && (law.supply().is_some() || law == LoadShareName::Ehl)
 }
 
 /// A roughness parameter.

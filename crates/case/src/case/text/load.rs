@@ -11,10 +11,10 @@ use crate::case::error::CaseError;
 use crate::case::files::{Content, FileContents, Files, Reader};
 use crate::case::input::CaseInput;
 use crate::case::loaded::{LoadedCase, complete, keep_oil};
-use crate::case::model::Formulation;
 use crate::case::source::{MeshKeys, Source};
 use crate::case::train::Train;
 use crate::error::Error;
+use crate::formulation::FormulationChoice;
 
 /// Resolver of the files that a case text names: from the name in the text to the bytes.
 pub type Resolver<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
@@ -131,7 +131,7 @@ fn read(
 ///
 /// # Errors
 /// As for [`Train::load`], and when the case has several meshes.
-pub fn load(path: &Path, formulation: Option<Formulation>) -> Result<LoadedCase, Error> {
+pub fn load(path: &Path, formulation: Option<FormulationChoice>) -> Result<LoadedCase, Error> {
     load_with(path, &|input| {
         if formulation.is_some() {
             input.formulation = formulation;
