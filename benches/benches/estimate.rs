@@ -93,6 +93,7 @@ fn on_long_traces(points: usize) -> LoadedCase {
 
 /// Prints the ratio of time to estimate for each case, and over that of the reference.
 fn main() {
+    asperity_paper_2022::register();
     let reference = taken_over_estimated("reference", &|| with(&[]));
     type Make<'a> = &'a (dyn Fn() -> LoadedCase + Sync);
     let cases: [(&str, Make<'_>); 10] = [

@@ -3,13 +3,14 @@ use std::hint::black_box;
 use std::path::Path;
 
 use asperity::Run;
-use asperity::case::{FilmFrictionLaw, Formulation, LoadShareName, LoadedCase, load};
+use asperity::case::{FilmFrictionLaw, LoadShareName, LoadedCase, load};
 use asperity::contacts::dry_contact::dry_contact;
+use asperity::formulation::FormulationChoice;
 use asperity_benches::WORKSPACE;
 use asperity_gear::load_map::LoadLaw;
 use criterion::{Criterion, criterion_group, criterion_main};
 
-fn case(name: &str, formulation: Formulation) -> LoadedCase {
+fn case(name: &str, formulation: FormulationChoice) -> LoadedCase {
     let path = Path::new(WORKSPACE).join("fixtures/cases").join(name);
     match load(&path, Some(formulation)) {
         Ok(loaded) => loaded,
@@ -22,17 +23,17 @@ fn whole_runs(criterion: &mut Criterion) {
         (
             "table2 corrected, 32 positions x 16 offsets",
             "table2.toml",
-            Formulation::Corrected,
+            FormulationChoice::default(),
         ),
         (
             "table2 paper, marching at one position",
             "table2.toml",
-            Formulation::Paper,
+            asperity_paper_2022::register(),
         ),
         (
             "e-drive corrected, 32 positions x 16 offsets",
             "e-drive.toml",
-            Formulation::Corrected,
+            FormulationChoice::default(),
         ),
     ] {
         let loaded = case(file, formulation);
@@ -48,7 +49,7 @@ fn whole_runs(criterion: &mut Criterion) {
 
 fn first_version(criterion: &mut Criterion) {
     let place = |loaded: &LoadedCase| loaded.case.model.position;
-    let whole = of_the_first_version(case("table2.toml", Formulation::Corrected));
+    let whole = of_the_first_version(case("table2.toml", FormulationChoice::default()));
     criterion.bench_function("first version's laws/dry contact", |bencher| {
         bencher.iter(|| dry_contact(black_box(&whole), place(&whole)).expect("it is solved"));
     });
@@ -72,12 +73,12 @@ fn first_version(criterion: &mut Criterion) {
 }
 
 fn one_position(criterion: &mut Criterion) {
-    let loaded = case("table2.toml", Formulation::Corrected);
+    let loaded = case("table2.toml", FormulationChoice::default());
     let place = loaded.case.model.position;
     criterion.bench_function("position/table2 dry contact of both flanks", |bencher| {
         bencher.iter(|| dry_contact(black_box(&loaded), place).expect("the contact is solved"));
     });
-    let mut single = case("table2.toml", Formulation::Corrected);
+    let mut single = case("table2.toml", FormulationChoice::default());
     single.case.model.positions = 2;
     single.case.model.offsets = 1;
     criterion.bench_function(
@@ -106,7 +107,7 @@ fn reading(criterion: &mut Criterion) {
     criterion.bench_function(
         "case/table2 read, resolved, traces read and prepared",
         |bencher| {
-            bencher.iter(|| case("table2.toml", Formulation::Corrected));
+            bencher.iter(|| case("table2.toml", FormulationChoice::default()));
         },
     );
 }

@@ -13,7 +13,8 @@ mod work;
 
 use std::path::PathBuf;
 
-use asperity::case::{Formulation, PathPoint};
+use asperity::case::PathPoint;
+use asperity::formulation::FormulationChoice;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -248,8 +249,8 @@ pub struct RunArgs {
     #[arg(long, short)]
     pub output: Option<PathBuf>,
     /// Formulation of the model, overriding the case
-    #[arg(long, value_enum)]
-    pub formulation: Option<Formulation>,
+    #[arg(long)]
+    pub formulation: Option<FormulationChoice>,
     /// List all defaults used
     #[arg(long)]
     pub explain_defaults: bool,
@@ -332,8 +333,8 @@ pub struct CaseArgs {
     #[command(flatten)]
     pub set: SetArgs,
     /// Formulation of the model, overriding the case
-    #[arg(long, value_enum)]
-    pub formulation: Option<Formulation>,
+    #[arg(long)]
+    pub formulation: Option<FormulationChoice>,
 }
 
 /// Case, and position on its path of contact.

@@ -28,6 +28,7 @@ pub fn main() -> ExitCode {
 
 /// Runs a command line, whose first argument is the name of the program, and returns the exit status.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    asperity_paper_2022::register();
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let is_json = arguments.iter().any(|argument| argument == "--json");
     let matches = help::command_line().try_get_matches_from(arguments);

@@ -132,8 +132,22 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "asperity",
             "asperity-core",
             "asperity-roughness",
+        ],
+    ),
+    (
+        "crates/paper-2022",
+        &[
+            "asperity-storage",
+            "asperity-report",
+            "asperity",
+            "asperity-core",
+            "asperity-roughness",
+            "asperity-gear",
             "asperity-contact",
+            "asperity-ehl-regime",
             "asperity-ns-film",
+            "asperity-mixed-film",
+            "asperity-efficiency",
         ],
     ),
     (
@@ -150,6 +164,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "cli",
         &[
             "asperity-calibration",
+            "asperity-paper-2022",
             "asperity-table",
             "asperity-storage",
             "asperity-rexs",
@@ -173,6 +188,7 @@ const OF_THE_MODULE: &[&str] = &[
     "asperity-calibration",
     "asperity-cli",
     "asperity-fixtures",
+    "asperity-paper-2022",
     "asperity-report",
     "asperity-rexs",
     "asperity-storage",
@@ -182,6 +198,7 @@ const OF_THE_MODULE: &[&str] = &[
 /// The page, outside of the workspace: the same job as that of the command, in a browser.
 const OF_THE_PAGE: &[&str] = &[
     "asperity",
+    "asperity-paper-2022",
     "asperity-report",
     "asperity-rexs",
     "asperity-studies",
@@ -229,6 +246,52 @@ fn no_crate_uses_one_above_or_beside_it() {
             }
         }
     }
+}
+
+/// Crates of the workspace that a crate reaches by what it and its tests depend on.
+fn reached_by(package: &str) -> BTreeSet<String> {
+    let folders = ALLOWED.iter().map(|(folder, _)| *folder);
+    let manifests: BTreeMap<String, toml::Table> = folders
+        .map(manifest)
+        .map(|one| (one["package"]["name"].as_str().unwrap().to_owned(), one))
+        .collect();
+    let (mut found, mut open) = (BTreeSet::new(), vec![package.to_owned()]);
+    while let Some(name) = open.pop() {
+        for section in ["dependencies", "dev-dependencies", "build-dependencies"] {
+            let used = manifests[&name]
+                .get(section)
+                .and_then(toml::Value::as_table);
+            let used = used.into_iter().flat_map(|used| used.keys());
+            let ours = used.filter(|used| manifests.contains_key(*used));
+            open.extend(ours.filter(|used| found.insert((*used).clone())).cloned());
+        }
+    }
+    found
+}
+
+/// Compiled and tested, each of these crates has nothing of the 2022 paper's formulation: the programs register it.
+#[test]
+fn only_programs_reach_the_formulation_of_the_paper() {
+    const PAPER: &str = "asperity-paper-2022";
+    let programs = ["cli", "crates/paper-2022"];
+    let mut without = 0;
+    for (folder, _) in ALLOWED {
+        let package = manifest(folder)["package"]["name"]
+            .as_str()
+            .unwrap()
+            .to_owned();
+        let reached = reached_by(&package);
+        if programs.contains(folder) {
+            assert!(reached.contains("asperity"), "{folder}");
+            continue;
+        }
+        without += 1;
+        assert!(!reached.contains(PAPER), "{folder} reaches {PAPER}");
+    }
+    assert_eq!(without, ALLOWED.len() - programs.len());
+    assert!(reached_by("asperity-cli").contains(PAPER));
+    // What the library reaches is found by way of others.
+    assert!(reached_by("asperity-studies").contains("asperity-fourier"));
 }
 
 /// Whether the crate in `folder` uses these of ours, stands outside of the workspace and has its version.

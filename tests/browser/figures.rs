@@ -18,7 +18,7 @@ fn every_figure_has_its_table_and_a_place_in_the_docs() {
         .filter(|name| name.starts_with("fig"))
         .collect();
     names.sort();
-    assert_eq!(names, asperity_studies::figures::FILES);
+    assert_eq!(names, asperity_paper_2022::figures::FILES);
     let docs = std::fs::read_to_string(root.join("docs/FIGURES.md")).unwrap();
     for number in ["06", "07", "08", "09", "10", "11", "12", "13"] {
         let of = |ending: &str| {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use asperity::Run;
-use asperity::case::{CaseInput, Formulation, LoadedCase, load_with};
+use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::pipeline::KeptFields;
 use asperity::result::Outcome;
 use asperity::train;
@@ -69,7 +69,8 @@ pub fn e_drive(change: &dyn Fn(&mut CaseInput)) -> Outcome {
 
 /// The reference case in the paper's formulation.
 pub fn paper() -> Outcome {
-    let loaded = asperity::case::load(&shipped("table2.toml"), Some(Formulation::Paper)).unwrap();
+    let paper = asperity_paper_2022::register();
+    let loaded = asperity::case::load(&shipped("table2.toml"), Some(paper)).unwrap();
     asperity::Run::new(&loaded).execute().unwrap()
 }
 
@@ -312,10 +313,11 @@ fn studies(bench: &Bench) -> Vec<Page> {
 
 /// The figures, each a file of its own, on one page.
 fn figures(bench: &Bench) -> Page {
-    let case = asperity::case::load(&shipped("table2.toml"), Some(Formulation::Paper)).unwrap();
+    let paper = asperity_paper_2022::register();
+    let case = asperity::case::load(&shipped("table2.toml"), Some(paper)).unwrap();
     let folder = bench.path("figures");
     std::fs::create_dir(&folder).unwrap();
-    let mut files = asperity_studies::figures::write(&case, &folder).unwrap();
+    let mut files = asperity_paper_2022::figures::write(&case, &folder).unwrap();
     files.push(bench.path("profile.svg"));
     let said = bench.run(&["profile", "plot", "pinion.csv", "-o", "profile.svg"]);
     assert_eq!(said.status, 0, "{}", said.err);

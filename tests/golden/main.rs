@@ -11,8 +11,9 @@ mod outline;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use asperity::case::{Formulation, load};
+use asperity::case::load;
 use asperity::ehl_regime::FULL_FILM;
+use asperity::formulation::FormulationChoice;
 use asperity::result::{Regime, RunResult};
 use asperity_tests::assert_close;
 use serde_json::{Map, Value, json};
@@ -50,11 +51,11 @@ fn values(result: &RunResult) -> Map<String, Value> {
     json.as_object().unwrap().clone()
 }
 
-fn computed(case: &Path, formulation: Formulation) -> Map<String, Value> {
+fn computed(case: &Path, formulation: FormulationChoice) -> Map<String, Value> {
     let loaded = load(case, Some(formulation)).unwrap();
     let run = asperity::Run::new(&loaded).without_pictures().execute();
     let result = run.unwrap().result;
-    if formulation == Formulation::Corrected {
+    if formulation == FormulationChoice::default() {
         for row in &result.path {
             let touches = row.film_share <= 1.0 - FULL_FILM;
             assert!(!touches || row.regime != Regime::FullFilm, "{row:?}");
@@ -69,8 +70,8 @@ fn golden(case: &Path) -> Value {
     json!({
         "reason": "computed by this program when its validation held; guards against change, proves nothing else",
         "relative_tolerance": TOLERANCE,
-        "corrected": computed(case, Formulation::Corrected),
-        "paper": computed(case, Formulation::Paper),
+        "corrected": computed(case, FormulationChoice::default()),
+        "paper": computed(case, asperity_paper_2022::register()),
     })
 }
 

@@ -9,9 +9,10 @@ use std::fmt::Write;
 use asperity::Run;
 use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::pipeline::KeptFields;
-use asperity::pipeline::{film, survey};
+use asperity::pipeline::survey;
 use asperity::train;
 use asperity::uncertainty::difference;
+use asperity_paper_2022::film;
 use asperity_tests::planetary_set;
 use serde_json::Value;
 

@@ -359,7 +359,7 @@ fn flanks_known_by_their_ra_get_an_answer_on_surrogates() {
 fn the_paper_has_no_band() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
     let case = load_with(&file, &|input| {
-        input.formulation = Some(asperity::case::Formulation::Paper);
+        input.formulation = Some(asperity_paper_2022::register());
     })
     .unwrap();
     let outcome = Run::new(&case).fields(&KEPT).band(true).execute().unwrap();

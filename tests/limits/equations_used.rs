@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
-use asperity::case::{Case, FilmFrictionLaw, Formulation, LoadShareName, LoadedCase, Model, load};
+use asperity::case::{Case, FilmFrictionLaw, LoadShareName, LoadedCase, Model, load};
 use asperity::core::quantity::LineLoad;
+use asperity::formulation::FormulationChoice;
 use asperity::result::{EquationUse, Outcome};
 use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
 use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadLaw, LoadMap};
@@ -49,12 +50,12 @@ const SHARE: [(LoadShareName, &[&str]); 3] = [
 ];
 
 /// A shipped case with few positions and offsets.
-fn shipped(name: &str, formulation: Formulation) -> LoadedCase {
+fn shipped(name: &str, formulation: FormulationChoice) -> LoadedCase {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases");
     let Ok(mut loaded) = load(&folder.join(format!("{name}.toml")), Some(formulation)) else {
         panic!("{name} is refused");
     };
-    if formulation == Formulation::Corrected {
+    if formulation == FormulationChoice::default() {
         (loaded.case.model.positions, loaded.case.model.offsets) = (4, 2);
     }
     loaded
@@ -82,7 +83,10 @@ fn used(loaded: &LoadedCase) -> BTreeSet<&'static str> {
 fn runs() -> &'static [(&'static str, LoadedCase, Outcome)] {
     static RUNS: OnceLock<Vec<(&str, LoadedCase, Outcome)>> = OnceLock::new();
     RUNS.get_or_init(|| {
-        let both = [Formulation::Corrected, Formulation::Paper];
+        let both = [
+            FormulationChoice::default(),
+            asperity_paper_2022::register(),
+        ];
         let of = |name| {
             both.map(|formulation| {
                 let loaded = shipped(name, formulation);
@@ -131,7 +135,7 @@ fn a_run_names_the_laws_that_it_uses_and_not_the_others() {
         assert_only(name, &tags, &THERMAL, &model.thermal);
         assert_only(name, &tags, &FRICTION, &model.film_friction);
         let formulation = loaded.case.formulation;
-        let printed = formulation == Formulation::Paper;
+        let printed = formulation == asperity_paper_2022::register();
         assert_eq!(tags.contains("P19"), printed, "{name} {formulation:?}");
         for always in ["E-star", "Hertz-1", "P8", "P11", "P17", "P18", "P20", "P21"] {
             assert!(tags.contains(always), "{name} {formulation:?}: {always}");
@@ -145,7 +149,7 @@ fn a_run_names_the_laws_that_it_uses_and_not_the_others() {
 
 #[test]
 fn only_a_rough_contact_names_the_equations_of_plastic_flow() {
-    let touching = shipped("e-drive", Formulation::Corrected);
+    let touching = shipped("e-drive", FormulationChoice::default());
     assert!(used(&touching).contains("Plastic-1"));
     let by_parameters = |case: &mut Case| case.model.load_share = LoadShareName::LambdaStar;
     assert!(!used_by_losses(&touching, by_parameters).contains("Plastic-1"));
@@ -153,7 +157,7 @@ fn only_a_rough_contact_names_the_equations_of_plastic_flow() {
 
 #[test]
 fn another_law_changes_its_own_equations_alone() {
-    let mut loaded = shipped("e-drive", Formulation::Corrected);
+    let mut loaded = shipped("e-drive", FormulationChoice::default());
     // Laws that add nothing of the rough contact.
     loaded.case.model.film_friction = FilmFrictionLaw::Xu;
     loaded.case.model.load_share = LoadShareName::LambdaStar;
@@ -224,12 +228,12 @@ fn losses_contacts_and_a_whole_run_agree_to_the_last_digit() {
 #[test]
 fn a_law_given_by_hand_is_the_law_named() {
     let named = |change: &dyn Fn(&mut Case)| {
-        let mut loaded = shipped("e-drive", Formulation::Corrected);
+        let mut loaded = shipped("e-drive", FormulationChoice::default());
         change(&mut loaded.case);
         asperity::losses(&loaded).unwrap()
     };
     let own = |change: &dyn Fn(Case) -> Case| {
-        let mut loaded = shipped("e-drive", Formulation::Corrected);
+        let mut loaded = shipped("e-drive", FormulationChoice::default());
         loaded.case = change(loaded.case);
         asperity::losses(&loaded).unwrap()
     };
@@ -267,7 +271,7 @@ impl LoadDistribution for Unloaded {
 
 #[test]
 fn a_load_distribution_without_load_is_refused_by_its_name() {
-    let mut loaded = shipped("e-drive", Formulation::Corrected);
+    let mut loaded = shipped("e-drive", FormulationChoice::default());
     loaded.case = loaded.case.with_load_distribution(Arc::new(Unloaded));
     let refused = asperity::losses(&loaded).unwrap_err();
     let says = "the load distribution \"unloaded\" returns no load at any position";

@@ -51,6 +51,7 @@ impl CaseText {
     pub fn load_in(&self, folder: &Path) -> LoadedCase {
         let file = folder.join("case.toml");
         std::fs::write(&file, self.0.to_string()).unwrap();
+        asperity_paper_2022::register();
         load(&file, None).unwrap()
     }
 

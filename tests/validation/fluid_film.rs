@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use asperity::pipeline::{FilmSurvey, film};
+use asperity_paper_2022::{FilmSurvey, film};
 use asperity_tests::table_2;
 
 use crate::comparison::{Comparison, Table, digits};
@@ -12,7 +12,7 @@ fn survey(place: Option<f64>) -> FilmSurvey {
 }
 
 /// The row next to a thickness \[m\].
-fn at(survey: &FilmSurvey, thickness: f64) -> &asperity::pipeline::FilmRow {
+fn at(survey: &FilmSurvey, thickness: f64) -> &asperity_paper_2022::FilmRow {
     survey
         .rows
         .iter()

@@ -16,6 +16,7 @@ use crate::measured_cases::kept;
 /// A shipped case, read once.
 pub fn shipped(name: &str) -> LoadedCase {
     static READ: Mutex<BTreeMap<String, LoadedCase>> = Mutex::new(BTreeMap::new());
+    asperity_paper_2022::register();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases");
     let read = || load(&folder.join(format!("{name}.toml")), None).unwrap();
     let mut known = READ.lock().unwrap();

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::{Formulation, load};
+use asperity::case::load;
 use asperity::result::{Outcome, Regime};
 use asperity_tests::{CaseText, assert_close, run, table_2, trace_csv};
 
@@ -14,7 +14,7 @@ fn fixtures() -> PathBuf {
 
 fn table_2_with_its_trace() -> Outcome {
     let file = fixtures().join("cases/table2.toml");
-    let loaded = load(&file, Some(Formulation::Paper)).unwrap();
+    let loaded = load(&file, Some(asperity_paper_2022::register())).unwrap();
     run(&loaded)
 }
 
@@ -138,7 +138,7 @@ fn both_pies_of_the_papers_fig_12_have_their_deformation() {
 fn the_papers_trace_meets_itself_symmetrically_unless_it_is_reflected_across_the_contact() {
     let contact = |mirrored: bool| {
         let file = fixtures().join("cases/table2.toml");
-        let loaded = load(&file, Some(Formulation::Paper)).unwrap();
+        let loaded = load(&file, Some(asperity_paper_2022::register())).unwrap();
         let loaded = loaded.with_key("surface.wheel.mirrored", &mirrored.to_string());
         let outcome = run(&loaded.unwrap());
         let fields = &outcome.fields[0];

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use asperity::case::{CaseInput, Formulation, LoadedCase};
+use asperity::case::{CaseInput, LoadedCase};
 use asperity::result::Outcome;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::subsurface::hertz_stress;
@@ -28,7 +28,7 @@ struct Statement {
 fn table_2(keys: &[(&str, &str)]) -> Outcome {
     let case: LoadedCase = shipped("table2");
     let set = |input: &mut CaseInput| {
-        input.formulation = Some(Formulation::Paper);
+        input.formulation = Some(asperity_paper_2022::register());
         for (key, value) in keys {
             input.set(key, value).unwrap();
         }

@@ -1,8 +1,8 @@
 //! `asperity figures`: the figures of the 2022 paper.
 
-use asperity::case::{self, Formulation, LoadedCase};
+use asperity::case::{self, LoadedCase};
 use asperity_core::Fault;
-use asperity_studies::figures::{self};
+use asperity_paper_2022::{figures, register};
 
 use super::{keys, load_case};
 use crate::args::{Common, FiguresArgs, SetArgs};
@@ -12,7 +12,7 @@ use crate::output::print;
 /// `asperity figures`
 pub fn figures(args: &FiguresArgs, common: &Common) -> Result<(), Failure> {
     let case = match &args.case {
-        Some(case) => load_case(case, &args.set, Some(Formulation::Paper))?,
+        Some(case) => load_case(case, &args.set, Some(register()))?,
         None => table_2(&args.set)?,
     };
     let files = figures::write(&case, &args.output)?;
@@ -32,6 +32,6 @@ fn table_2(set: &SetArgs) -> Result<LoadedCase, Failure> {
         loaded = changed.map_err(|error| Failure::of(&error))?;
     }
     loaded
-        .with(|input| input.formulation = Some(Formulation::Paper))
+        .with(|input| input.formulation = Some(register()))
         .map_err(|error| Failure::of(&error))
 }

@@ -1,6 +1,6 @@
 //! `asperity film`: fluid pressure across the film over its thickness, Fig. 8 of the paper.
 
-use asperity::pipeline::{FilmSurvey, film as survey};
+use asperity_paper_2022::{FilmSurvey, film as survey};
 use asperity_report::columns;
 
 use super::{load_case, on_the_path};

@@ -32,7 +32,8 @@ use std::ffi::{OsStr, OsString};
 use std::io::Read as _;
 use std::path::Path;
 
-use asperity::case::{self, Formulation, LoadedCase, PathPoint, Source, Train};
+use asperity::case::{self, LoadedCase, PathPoint, Source, Train};
+use asperity::formulation::FormulationChoice;
 use asperity_core::Code;
 use asperity_core::number;
 
@@ -91,7 +92,7 @@ fn load_text(
 fn load_train(
     path: &Path,
     set: &SetArgs,
-    formulation: Option<Formulation>,
+    formulation: Option<FormulationChoice>,
 ) -> Result<Train, Failure> {
     let (text, folder) = source(path)?;
     load_text(text, folder, set, &|input| {
@@ -105,7 +106,7 @@ fn load_train(
 fn load_case(
     path: &Path,
     set: &SetArgs,
-    formulation: Option<Formulation>,
+    formulation: Option<FormulationChoice>,
 ) -> Result<LoadedCase, Failure> {
     let train = load_train(path, set, formulation)?;
     one_mesh(&train).cloned()

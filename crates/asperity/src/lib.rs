@@ -7,6 +7,7 @@
 //! | [`Run`], [`losses`] | a run of a case with its interval, or its losses only |
 //! | [`result`] | the numbers of a run, as values and as JSON |
 //! | [`laws`] | user-defined laws of film, friction and load distribution |
+//! | [`formulation`] | other formulations of the model, which a program registers |
 //! | [`train`] | several meshes, shafts, bearings and seals with one loss |
 //! | [`gear`], [`roughness`], [`contact`], [`oil`], [`ehl`], ... | the physics crates, which work without this one |
 //!
@@ -54,8 +55,6 @@ pub mod equations;
 pub mod gearbox;
 pub mod lubrication;
 pub mod mesh;
-#[doc(hidden)]
-pub mod paper;
 mod pictures;
 pub mod pipeline;
 pub mod prelude;
@@ -70,7 +69,8 @@ pub mod train;
 pub mod uncertainty;
 
 pub use asperity_case::{
-    balance, case, error, fingerprint, flanks, key_words, laws, loss_table, message,
+    balance, case, error, fingerprint, flanks, formulation, key_words, laws, loss_table, message,
+    window_pressures,
 };
 pub use assembly::Reversed;
 pub use case::{Case, CaseInput, LoadedCase};

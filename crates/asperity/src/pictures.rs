@@ -8,15 +8,14 @@ use asperity_contact::plasticity::plastic_stress;
 use asperity_contact::subsurface::{Peak, graded_depths, subsurface_stress};
 use asperity_core::quantity::Length;
 
-use crate::contacts::{
-    Displacements, LoadStep, Pressed, Pressing, WindowContact, pressing_history,
-};
+use crate::contacts::{Displacements, Pressing, WindowContact, pressing_history};
 use crate::lubrication::{LubricatedPosition, Lubrication, doubts};
 use crate::mesh::MeshPosition;
 use crate::result::{ContactView, HistoryRow, PositionFields, SubsurfaceFields};
-use asperity_case::case::{Case, Formulation};
+use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::WindowPair;
+use asperity_case::window_pressures::{LoadStep, Pressed};
 
 /// The contact of one position at its first offset.
 #[derive(Debug, Clone)]
@@ -66,8 +65,8 @@ impl Picture {
             None => lubrication.pressed(position, 0, &pair)?,
         };
         let doubts = doubts(&pressed);
-        // The march of the paper records its history; the default solves for the load at once.
-        if with_fields && case.formulation == Formulation::Corrected {
+        // A law of the pressures records its history; the others solve for the load at once.
+        if with_fields && position.pressed.is_none() {
             let pressing = Pressing {
                 case,
                 position: &position.at,
@@ -97,7 +96,7 @@ fn fields(
     let (at, offset) = (&position.at, &position.offsets[0]);
     let n = pair.x.len();
     let displacements = match &pressed.solids {
-        Some(solids) => Displacements::new(case, solids)?,
+        Some(solids) => Displacements::new(&case.materials, case.flow_pressure, solids)?,
         None => Displacements::none(n),
     };
     let solid = match &pressed.solids {

@@ -3,10 +3,11 @@
 pub use crate::result::{Outcome, RunResult};
 pub use crate::run::Run;
 pub use asperity_case::case::{
-    BodyInput, Case, CaseBuilder, CaseInput, FlankInput, Formulation, GearsInput, LoadedCase,
-    MaterialInput, ModelInput, OneOrTwo, OperationInput, SurfaceInput, Trace,
+    BodyInput, Case, CaseBuilder, CaseInput, FlankInput, GearsInput, LoadedCase, MaterialInput,
+    ModelInput, OneOrTwo, OperationInput, SurfaceInput, Trace,
 };
 pub use asperity_case::error::Error;
+pub use asperity_case::formulation::FormulationChoice;
 pub use asperity_core::material::Material;
 pub use asperity_core::quantity::{
     Angle, AngularSpeed, Density, DynamicViscosity, KinematicViscosity, Length, LineLoad,

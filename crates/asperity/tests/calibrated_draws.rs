@@ -74,8 +74,6 @@ fn a_band_without_its_value_and_values_given_twice_are_refused() {
         .unwrap()
         .with_key("model.boundary_friction", "0.1");
     refused(twice, "leave one of the two out");
-    let paper = case(|_| {}).unwrap().with_key("formulation", "paper");
-    refused(paper, "corrected formulation");
 }
 
 fn with(pairs: &[(CalibratedName, CalibratedName, f64)]) -> CalibrationInput {

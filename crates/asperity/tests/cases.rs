@@ -195,7 +195,7 @@ fn keys_are_set_by_their_path_and_nothing_else_changes() {
         ("gears.teeth", "[24, 68]"),
         ("gears.face_width", "30 mm"),
         ("gears.profile_shift", "[0.1, -0.2]"),
-        ("formulation", "paper"),
+        ("formulation", "corrected"),
         ("title", "2026"),
         ("title", "a = b"),
         ("material.wheel.young", "205 GPa"),

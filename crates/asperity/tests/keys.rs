@@ -460,7 +460,6 @@ fn a_starved_inlet_thins_the_film_to_its_layer() {
         assert!((starved.rolling_w_per_m / flooded.rolling_w_per_m - 1.0).abs() < 1e-12);
     }
     for keys in [
-        [("model.inlet_layer", "1 um"), ("formulation", "paper")],
         [("model.inlet_layer", "1 um"), ("model.load_share", "ehl")],
         [("model.inlet_layer", "1 um"), ("model.full_film", "ehl")],
         [("model.inlet_layer", "1 um"), ("model.gap_law", "inlet")],

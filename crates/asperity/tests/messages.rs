@@ -79,6 +79,14 @@ fn a_missing_key_is_explained_by_the_schema() {
 }
 
 #[test]
+fn a_formulation_that_no_program_registered_is_refused_with_the_way_to_it() {
+    let said = refused("", "formulation = \"paper\"\n");
+    let expected = "unknown choice `paper`, expected `corrected`; that of the 2022 paper is in the crate asperity-paper-2022, \
+        whose function `register` a program calls before it reads a case";
+    assert!(said.contains(expected), "{said}");
+}
+
+#[test]
 fn the_words_of_rust_are_translated() {
     let mut case = CaseInput::default();
     let mut said = |key, value| case.set(key, value).unwrap_err().to_string();

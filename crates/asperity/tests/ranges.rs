@@ -137,7 +137,7 @@ fn usual_cases() -> Vec<Value> {
         json!({ "model": { "film_friction": "constant", "constant_friction": 0.04, "gap_law": "power", "inlet_layer": "1 um",
             "load_distribution": { "table": [[0.0, 0.5], [1.0, 0.5]] } } }),
         json!({ "model": { "spot_speed": "carried", "inner_boundary": 0.75 } }),
-        json!({ "formulation": "paper", "model": { "position": 0.25, "delta_step": "80 nm", "numerical_error": "1 %" } }),
+        json!({ "model": { "position": 0.25, "delta_step": "80 nm", "numerical_error": "1 %" } }),
         json!({ "calibration": {
             "boundary_friction": { "value": 0.09, "low": 0.08, "high": 0.1 },
             "boundary_layer": { "value": "10 nm", "low": "8 nm", "high": "13 nm" },

@@ -34,11 +34,9 @@ pub use crate::input::gearbox_input::{
 pub use crate::input::key_ranges::range_of;
 pub use crate::input::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 pub use crate::input::micropitting_input::MicropittingInput;
-pub use crate::input::model::{
-    EhlChoices, EhlInput, Formulation, LEAST_OFFSETS, Model, ModelInput,
-};
+pub use crate::input::model::{EhlChoices, EhlInput, LEAST_OFFSETS, Model, ModelInput};
 pub use crate::input::one_or_two::OneOrTwo;
-pub use crate::input::path_point::{NamedPoint, PathPoint};
+pub use crate::input::path_point::{NamedPoint, PathPoint, Positions};
 pub use crate::input::rows::Limits;
 pub use crate::input::trace_list::{TraceEntry, TraceInput, TraceList};
 #[cfg(feature = "case-files")]

@@ -5,6 +5,7 @@
 //! | [`case`] | keys, defaults, checks, oil files, gear trains; [`case::load`] reads a file |
 //! | [`flanks`] | traces on their flanks, and the windows in contact at a mesh position |
 //! | [`laws`], [`load_share_law`] | user-defined laws in place of those that a case names |
+//! | [`formulation`], [`window_pressures`] | formulations of the model, which a program registers |
 //! | [`error`], [`message`] | errors and warnings with a code, the place in the case and a remedy |
 //!
 //! No rough contact, friction or loss is computed here: the crate `asperity` does that, and re-exports these modules.
@@ -35,4 +36,5 @@ pub use asperity_core::message;
 /// Traces on their flanks, and the windows in contact at a mesh position.
 pub use asperity_flanks as flanks;
 pub use asperity_flanks::mesh_position;
+pub use input::{formulation, window_pressures};
 pub use laws::load_share as load_share_law;

@@ -77,7 +77,7 @@ impl PositionError {
     }
 
     /// A loss whose gradient over the heights is not known.
-    pub fn no_gradient(differs: &'static str) -> Self {
+    pub fn no_gradient(differs: &str) -> Self {
         Self::Fault(Fault::new(
             Code::E205,
             format!(
@@ -134,11 +134,6 @@ impl PositionError {
                 "give surface.pinion.file and surface.wheel.file",
             )),
         )
-    }
-
-    /// Marching did not reach the load.
-    pub fn marching(load_error_percent: f64, allowed_percent: f64, steps: usize) -> Self {
-        Self::Fault(Fault::new(Code::E304, format!("lowering the surfaces step by step left a load error of {} % after {steps} steps (allowed {} %)", digits(load_error_percent), digits(allowed_percent))).with(Remedy::state(Setting::Key("model.delta_step")).because("to a smaller one").or_set(Setting::Key("model.numerical_error"), Value::Any).because("to a larger one")))
     }
 
     /// A state that is beyond physical sense.
@@ -292,14 +287,5 @@ impl From<PositionError> for Fault {
     fn from(error: PositionError) -> Self {
         let fault = Self::new(error.code(), error.to_string()).with(error.remedy());
         fault.caused_by(error)
-    }
-}
-
-/// Digits that mean something, however small the value.
-fn digits(value: f64) -> String {
-    if value >= 0.01 {
-        format!("{value:.2}")
-    } else {
-        format!("{value:.1e}")
     }
 }

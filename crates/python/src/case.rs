@@ -4,12 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity::Run;
-use asperity::case::{
-    self, Content, FileContents, Formulation, LoadedCase, Source, Train, open_source,
-};
+use asperity::case::{self, Content, FileContents, LoadedCase, Source, Train, open_source};
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
 use asperity::core::number;
+use asperity::formulation::FormulationChoice;
 use asperity::message::{Code, Fault};
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{self, RegimeRow};
@@ -95,7 +94,7 @@ pub fn schema(kind: &str) -> PyResult<String> {
 /// The key of the formulation, if one is given.
 fn formulation_key(name: Option<&str>) -> Result<Option<(String, String)>, Failure> {
     let Some(name) = name else { return Ok(None) };
-    named::<Formulation>("formulation", name)?;
+    named::<FormulationChoice>("formulation", name)?;
     Ok(Some(("formulation".to_owned(), name.to_owned())))
 }
 
@@ -373,7 +372,7 @@ impl Case {
     fn film(&self, py: Python<'_>, position: Option<f64>) -> PyResult<String> {
         let loaded = self.only()?;
         alone(py, || {
-            failure::json(&pipeline::film(loaded, on_the_path(position)?)?)
+            failure::json(&asperity_paper_2022::film(loaded, on_the_path(position)?)?)
         })
     }
 

@@ -2,9 +2,10 @@
 
 use std::cell::Cell;
 
-use asperity::case::{CalibratedName, Formulation};
+use asperity::case::CalibratedName;
 use asperity::ehl_regime::FilmLaw;
 use asperity::ehl_regime::thermal_reduction::ThermalLaw;
+use asperity::formulation::registered;
 use asperity::message::Code;
 use asperity::profile_io::read::{
     Abscissa, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, Uneven,
@@ -109,8 +110,10 @@ fn listed<T: DeserializeOwned>(name: &'static str) -> Listed {
 pub fn choices() -> Vec<Listed> {
     let columns = COLUMNS.iter().map(|(name, _)| (*name).to_owned());
     let own = ["extended", "code", "regime"].map(str::to_owned);
+    let formulations = registered();
+    let formulations = formulations.iter().map(|known| known.name().to_owned());
     vec![
-        listed::<Formulation>("Formulation"),
+        ("Formulation", "", formulations.collect()),
         listed::<Detail>("Detail"),
         listed::<MapBand>("Band"),
         listed::<Format>("ExportFormat"),

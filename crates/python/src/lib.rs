@@ -61,6 +61,7 @@ mod _asperity {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        asperity_paper_2022::register();
         super::failure::add_codes(module)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }

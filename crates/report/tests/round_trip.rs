@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use asperity::case::{Formulation, load_with};
+use asperity::case::load_with;
 use asperity::result::{Outcome, RunResult};
 use asperity_core::{Code, Fault};
 use asperity_report::tables::{FlankTables, SurfaceRow, TraceRow};
@@ -23,12 +23,9 @@ fn cases() -> Vec<PathBuf> {
 }
 
 /// A case with few positions and offsets: what is written has the same fields as that of many.
-fn outcome(case: &Path, formulation: Formulation) -> Outcome {
+fn outcome(case: &Path) -> Outcome {
     let loaded = load_with(case, &|input| {
-        input.formulation = Some(formulation);
-        if formulation == Formulation::Corrected {
-            input.model.positions = Some(4);
-        }
+        input.model.positions = Some(4);
         input.model.offsets = Some(2);
         input.model.depths = Some(8);
     });
@@ -38,20 +35,17 @@ fn outcome(case: &Path, formulation: Formulation) -> Outcome {
 /// The first case, run once.
 fn smallest() -> Outcome {
     static RUN: OnceLock<Outcome> = OnceLock::new();
-    RUN.get_or_init(|| outcome(&cases()[0], Formulation::Corrected))
-        .clone()
+    RUN.get_or_init(|| outcome(&cases()[0])).clone()
 }
 
 #[test]
 fn every_fixture_case_is_equal_after_a_round_trip_through_json() {
     for case in cases() {
-        for formulation in [Formulation::Corrected, Formulation::Paper] {
-            let result = outcome(&case, formulation).result;
-            let text = serde_json::to_string_pretty(&result).unwrap();
-            let back: RunResult = serde_json::from_str(&text).unwrap();
-            assert_eq!(back, result, "{}", case.display());
-            assert_eq!(serde_json::to_string_pretty(&back).unwrap(), text);
-        }
+        let result = outcome(&case).result;
+        let text = serde_json::to_string_pretty(&result).unwrap();
+        let back: RunResult = serde_json::from_str(&text).unwrap();
+        assert_eq!(back, result, "{}", case.display());
+        assert_eq!(serde_json::to_string_pretty(&back).unwrap(), text);
     }
 }
 
@@ -224,12 +218,9 @@ fn the_thinned_tables_of_a_contact_keep_the_extremes_of_the_fields() {
             [low.min(v), high.max(v)]
         })
     };
-    for (case, formulation) in [
-        ("e-drive.toml", Formulation::Corrected),
-        ("table2.toml", Formulation::Paper),
-    ] {
+    for case in ["e-drive.toml", "table2.toml"] {
         let place = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases");
-        let outcome = outcome(&place.join(case), formulation);
+        let outcome = outcome(&place.join(case));
         let tables = PageTables::of(&outcome, None).unwrap();
         let whole = tables.contact.as_ref().unwrap();
         let fields = &outcome.fields[whole.position - 1];

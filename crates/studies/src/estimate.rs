@@ -7,7 +7,7 @@
 
 use std::time::Instant;
 
-use asperity::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
+use asperity::case::{FullFilmName, LoadShareName, LoadedCase};
 use asperity::flanks::Texture;
 use asperity::mesh::Mesh;
 use asperity::pipeline::KeptFields;
@@ -46,10 +46,6 @@ impl Estimate {
 const SECONDS_TABULATED: f64 = 1.5e-6;
 /// Time per point \[s\] if each contact is solved once; measured: 0.2 to 0.7e-6.
 const SECONDS_ONCE: f64 = 5e-7;
-/// Time per point and step \[s\] if the surfaces are lowered step by step (the paper's formulation).
-const SECONDS_OF_A_STEP: f64 = 1.5e-7;
-/// Total distance by which the surfaces are lowered \[m\].
-const LOWERED: f64 = 6.4e-6;
 /// Time of the stress per point and depth \[s\]; measured: 6.3 to 7.4e-8.
 const SECONDS_OF_STRESS: f64 = 7e-8;
 /// Time per point of a contact of running-in \[s\].
@@ -168,7 +164,7 @@ fn has_records(loaded: &LoadedCase) -> bool {
 /// Whether each contact is tabulated over its share of the load.
 fn has_tables(loaded: &LoadedCase) -> bool {
     let case = &loaded.case;
-    case.formulation == Formulation::Corrected && case.model.load_share.supply().is_some()
+    case.formulation.pressures().is_none() && case.model.load_share.supply().is_some()
 }
 
 /// Counted work of a run and its times \[s\].
@@ -229,10 +225,10 @@ impl Work {
         let window_points: f64 = windows.sum();
         let offsets = loaded.surfaces.offsets(model.offsets) as f64;
         let tables = has_tables(loaded);
-        let of_a_point = match loaded.case.formulation {
-            Formulation::Paper => SECONDS_OF_A_STEP * (LOWERED / model.delta_step.si()),
-            Formulation::Corrected if tables => SECONDS_TABULATED,
-            Formulation::Corrected => SECONDS_ONCE,
+        let of_a_point = match loaded.case.formulation.pressures() {
+            Some(law) => law.seconds_of_a_point(model),
+            None if tables => SECONDS_TABULATED,
+            None => SECONDS_ONCE,
         };
         // Running-in solves the contacts again.
         let solves = if model.run_in { 2.0 } else { 1.0 };

@@ -1,6 +1,6 @@
 //! Studies that run the gear mesh many times: [`compare`] compares finishes, [`callout`] limits the roughness of one, [`map`] computes losses over torque, speed and
 //! temperature, [`cycle`] integrates them over a driving cycle, [`export`] writes maps for other programs, [`sensitivity`]
-//! changes one input at a time, [`sweep`] runs many cases in shards, [`figures`] makes the figures of the 2022 paper.
+//! changes one input at a time, [`sweep`] runs many cases in shards.
 
 pub mod callout;
 pub mod compare;
@@ -8,7 +8,6 @@ pub mod cycle;
 pub mod diff;
 pub mod estimate;
 pub mod export;
-pub mod figures;
 pub mod map;
 mod registry;
 pub mod ridges;

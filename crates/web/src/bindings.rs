@@ -18,9 +18,10 @@ thread_local! {
     static LISTENER: RefCell<Option<Function>> = const { RefCell::new(None) };
 }
 
-/// Fits a fault of the program, which ends the work, with the words that it leaves behind.
+/// Fits a fault of the program, which ends the work, with the words that it leaves behind, and registers the formulations.
 #[wasm_bindgen(start)]
 pub fn start() {
+    crate::register();
     std::panic::set_hook(Box::new(|fault| {
         wasm_bindgen::throw_val(Error::new(&fault.to_string()).into())
     }));

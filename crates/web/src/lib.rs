@@ -21,3 +21,8 @@ pub use library::library;
 pub use look::{Look, Stated, look};
 pub use pair::{Pair, pair};
 pub use versus::{Versus, versus};
+
+/// Registers the formulations that a case of the page can choose, before the first is read.
+pub fn register() {
+    asperity_paper_2022::register();
+}

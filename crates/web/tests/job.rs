@@ -11,7 +11,7 @@ use asperity::case::{self, Train};
 use asperity::pipeline::KeptFields;
 use asperity::train;
 use asperity_report::{COLUMNS, Results, texts};
-use asperity_web::{Files, gearbox_stage, keys, library, run, versus};
+use asperity_web::{Files, gearbox_stage, keys, library, register, run, versus};
 
 fn fixtures() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
@@ -58,6 +58,22 @@ fn the_files_of_a_run_are_those_of_the_library_on_the_files_on_disk() {
             .summary()
             .starts_with("e-drive first stage, ground flanks")
     );
+}
+
+#[test]
+fn a_case_of_the_page_can_choose_the_formulation_of_the_paper() {
+    register();
+    let (text, files) = small();
+    let text = format!("formulation = \"paper\"\n{text}");
+    let found = run("e-drive.toml", &text, &files, &told()).unwrap();
+    let on_disk = case::load_with(&fixtures().join("cases/e-drive.toml"), &|input| {
+        input.formulation = Some(asperity_paper_2022::register());
+        (input.model.positions, input.model.offsets) = (Some(3), Some(2));
+    });
+    let outcome = Run::new(&on_disk.unwrap()).execute().unwrap();
+    let only = found.outcome.only().unwrap();
+    assert_eq!(only.result.formulation.name(), "paper");
+    assert_eq!(only.result.summary, outcome.result.summary);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use asperity_efficiency::{
 };
 
 use super::deformation_losses::deformation_losses;
-use crate::lubrication::{LubricatedPosition, rolling_surfaces};
+use crate::lubrication::LubricatedPosition;
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 
@@ -30,7 +30,7 @@ pub(crate) fn efficiency_at(
             entrainment_speed: position.at.motion.entrainment,
         })
         .collect();
-    let loss = mesh_loss(&places, rolling_surfaces(case))?;
+    let loss = mesh_loss(&places, case.formulation.rolling_surfaces())?;
     let mut losses = vec![
         (LossKind::Sliding, loss.sliding),
         (LossKind::Rolling, loss.rolling),

@@ -5,25 +5,26 @@ use asperity_efficiency::LossKind;
 use asperity_efficiency::swept::{SweptDeformation, SweptPosition, swept_deformation};
 
 use crate::lubrication::{LubricatedPosition, LubricatedWindow};
-use asperity_case::case::{Case, Formulation};
+use asperity_case::case::Case;
 use asperity_case::error::PositionError;
+use asperity_case::window_pressures::DeformationPower;
 
-/// Losses by deformation of the mesh at one offset. The paper counts what is left after contact, as the elastic part
-/// in contact is given back.
+/// Losses by deformation of the mesh at one offset: what is left after contact if the pressures of the windows gave it, as the
+/// elastic part in contact is given back, otherwise the plastic work of running-in.
 pub(super) fn deformation_losses(
     case: &Case,
     positions: &[LubricatedPosition],
     offset: usize,
 ) -> Result<Vec<(LossKind, Power)>, PositionError> {
-    if case.formulation == Formulation::Corrected {
+    let windows = positions.iter().map(|position| &position.offsets[offset]);
+    let powers: Option<Vec<DeformationPower>> = windows.map(|window| window.deformation).collect();
+    let Some(powers) = powers else {
         let power = running_in_power(case, positions, offset)?;
         return Ok(vec![(LossKind::RunningIn, power)]);
-    }
+    };
     let kinds = [LossKind::DeformationPinion, LossKind::DeformationWheel];
     let of = |body: usize| {
-        let powers = positions
-            .iter()
-            .map(|position| position.offsets[offset].deformation.after_contact[body]);
+        let powers = powers.iter().map(|power| power.after_contact[body]);
         Power::from_si(powers.sum())
     };
     Ok(kinds.into_iter().zip([of(0), of(1)]).collect())

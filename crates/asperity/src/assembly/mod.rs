@@ -30,9 +30,7 @@ use self::deformation_losses::of_all_offsets;
 use self::published_laws::published_laws;
 use crate::contacts::running_in::RanIn;
 use crate::gearbox;
-use crate::lubrication::{
-    ContactNumbers, LubricatedPosition, LubricatedWindow, rolling, rolling_surfaces,
-};
+use crate::lubrication::{ContactNumbers, LubricatedPosition, LubricatedWindow, rolling};
 use crate::pictures::Picture;
 use crate::records::{PathRecords, PlacedRecord};
 use crate::result::film_constants::film_constants;
@@ -369,7 +367,7 @@ fn summary(
     let flow = power_flow(operation, Power::from_si(loss))?;
     let efficiency = flow.efficiency;
     let power = |kind| mean(meshes.iter().map(|mesh| mesh.breakdown.power(kind).si()));
-    // One position stands for the mesh in the paper's reading; its loss factor is of the whole path.
+    // A single position may stand for the mesh; the loss factor is of the whole path.
     let equivalent = equivalent_friction(efficiency, local)?;
     let contacts = || {
         positions
@@ -418,7 +416,11 @@ fn summary(
             power(LossKind::DeformationWheel),
         ],
         deformation_in_contact_w: [0, 1].map(|body: usize| {
-            let of = |offset: &LubricatedWindow| offset.deformation.in_contact[body];
+            let of = |offset: &LubricatedWindow| {
+                offset
+                    .deformation
+                    .map_or(0.0, |power| power.in_contact[body])
+            };
             let at = positions
                 .iter()
                 .map(|position| mean(position.offsets.iter().map(of)));
@@ -482,7 +484,7 @@ fn row(case: &Case, position: &LubricatedPosition, rolling: f64, per_width: f64)
     let recorded = offsets.first().and_then(|offset| offset.recorded);
     let sliding = at.mean_sliding();
     let parts = [0, 1, 2].map(|part| mean(forces(position).map(|force| force[part])));
-    let surfaces = rolling_surfaces(case).count();
+    let surfaces = case.formulation.rolling_surfaces().count();
     PositionRow {
         position: at.number,
         s_mm: at.s.si() * 1e3,

@@ -19,7 +19,7 @@ use crate::reference_solution::{LARGEST_ROUGHNESS, elastic_above_flow};
 use crate::result::gearbox::GearboxPart;
 use crate::result::{FullFilmRow, OutsideInput, RecordRow, Regime, Summary};
 use crate::sampling::{length_for, windows_of_traces};
-use asperity_case::case::{Case, Formulation, LoadedCase};
+use asperity_case::case::{Case, LoadedCase, Positions};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::is_substituted;
 use asperity_case::flanks::local_roughness::FEW_ASPERITIES;
@@ -483,7 +483,7 @@ fn short(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// W412: the paper's single position is the pitch point, where there is no sliding.
+/// W412: the single position is the pitch point, where there is no sliding.
 fn no_sliding<'a>(
     loaded: &LoadedCase,
     mut positions: impl Iterator<Item = &'a MeshPosition>,
@@ -492,7 +492,8 @@ fn no_sliding<'a>(
     /// Slide-to-roll ratios below this are round-off at the pitch point.
     const PURE_ROLLING: f64 = 1e-9;
     let rolls = |at: &MeshPosition| at.motion.slide_to_roll.abs() < PURE_ROLLING;
-    if loaded.case.formulation == Formulation::Paper && positions.all(rolls) {
+    let is_single = loaded.case.formulation.positions() == Positions::Single;
+    if is_single && positions.all(rolls) {
         found.push(Warning::new(
             Code::W412,
             "the single position of the paper's reading is the pitch point, where there is no sliding: the efficiency contains no sliding loss. Set model.position, e.g. 0.25",
@@ -718,10 +719,7 @@ fn roughness(
         return Ok(());
     }
     // A solved or recorded load share does not depend on Λ*.
-    let is_paper = loaded.case.formulation == Formulation::Paper;
-    let by_ratio = |offset: &LubricatedWindow| {
-        is_paper || (offset.solved.is_none() && offset.recorded.is_none())
-    };
+    let by_ratio = |offset: &LubricatedWindow| offset.solved.is_none() && offset.recorded.is_none();
     let mixed = |offset: &&LubricatedWindow| offset.regime == Regime::Mixed && by_ratio(offset);
     let offsets = || {
         positions

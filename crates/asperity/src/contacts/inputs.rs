@@ -8,7 +8,7 @@ use asperity_core::quantity::{Length, LineLoad, Pressure};
 use asperity_mixed_film::{RoughContact, RoughWindow};
 
 use crate::mesh::MeshInputs;
-use asperity_case::case::{Case, Formulation, LEAST_OFFSETS, LoadedCase};
+use asperity_case::case::{Case, LEAST_OFFSETS, LoadedCase};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::Surfaces;
 
@@ -52,7 +52,7 @@ impl Offsets {
     pub(crate) fn of(loaded: &LoadedCase) -> Self {
         let (case, surfaces) = (&loaded.case, &loaded.surfaces);
         let default = case.model.offsets;
-        if case.input.model.offsets.is_some() || case.formulation == Formulation::Paper {
+        if case.input.model.offsets.is_some() || case.formulation.pressures().is_some() {
             return Self::Fixed(default);
         }
         if surfaces.is_surrogate() {

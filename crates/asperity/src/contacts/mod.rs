@@ -9,12 +9,10 @@ pub mod running_in;
 mod tables;
 mod window_contact;
 
+pub use displacements::Displacements;
 pub use dry_contact::{DryContact, dry_contact};
 pub use tables::Contacts;
 
-pub(crate) use displacements::Displacements;
 pub(crate) use inputs::{ContactInputs, Offsets};
-pub(crate) use pressed::{
-    LoadStep, Pressed, Pressing, full_film, pressing_history, settings, softer,
-};
+pub(crate) use pressed::{Pressing, pressing_history};
 pub(crate) use window_contact::WindowContact;

@@ -1,9 +1,7 @@
 //! Pressures of film and solids along one window: the film takes its share of the load at once, the solids the rest.
 
 use asperity_contact::plasticity::softer_flow_pressure;
-use asperity_contact::{
-    Boundary, ContactProblem, ContactSolution, Control, Solver, SolverSettings,
-};
+use asperity_contact::{Boundary, ContactProblem, ContactSolution, Control, Solver};
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 
@@ -11,66 +9,15 @@ use crate::mesh::MeshPosition;
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::WindowPair;
+use asperity_case::window_pressures::{LoadStep, Pressed};
 
 /// Points at which the loading history is recorded, in addition to the full load.
 const HISTORY_POINTS: usize = 8;
-
-/// Pressures along a window, and the solution of the solids where they touch.
-#[derive(Debug, Clone)]
-pub(crate) struct Pressed {
-    /// Pressure in the film \[Pa\].
-    pub fluid: Vec<f64>,
-    /// Solution of the rough contact; `None` in full film.
-    pub solids: Option<ContactSolution>,
-    /// History of the approach to the solution.
-    pub history: Vec<LoadStep>,
-}
-
-/// One step of the approach of the flanks to their load.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct LoadStep {
-    /// Approach from the first step, or from first touch where the flanks march \[m\].
-    pub approach: f64,
-    /// Load on the solids \[N/m\].
-    pub load_solid: f64,
-    /// Load on the film \[N/m\].
-    pub load_fluid: f64,
-    /// Deviation from the load of the position, relative.
-    pub load_error: f64,
-}
-
-impl Pressed {
-    /// Highest pressure of film and solids together \[Pa\]; 0 where the solids do not touch.
-    pub(crate) fn highest(&self) -> f64 {
-        let Some(solids) = &self.solids else {
-            return 0.0;
-        };
-        let sums = solids.pressure.iter().zip(&self.fluid).map(|(s, f)| s + f);
-        sums.fold(0.0, f64::max)
-    }
-}
 
 /// Flow pressure of the softer flank.
 pub(crate) fn softer(case: &Case) -> Result<Pressure, DomainError> {
     let [pinion, wheel] = case.flow_pressure;
     softer_flow_pressure(pinion, wheel)
-}
-
-/// Settings of the contact solver.
-pub(crate) fn settings(case: &Case) -> SolverSettings {
-    SolverSettings {
-        tolerance: case.model.tolerance,
-        ..SolverSettings::default()
-    }
-}
-
-/// A film without touching solids, with the pressure `fluid` \[Pa\].
-pub(crate) fn full_film(fluid: Vec<f64>) -> Pressed {
-    Pressed {
-        fluid,
-        solids: None,
-        history: Vec::new(),
-    }
 }
 
 /// A window under a film that carries a share of the load.
@@ -125,7 +72,7 @@ impl Pressing<'_> {
             pressure_limit: Some(softer(self.case)?),
             start,
         };
-        Ok(solver.solve(&problem, &settings(self.case))?)
+        Ok(solver.solve(&problem, &self.case.model.contact_settings())?)
     }
 }
 

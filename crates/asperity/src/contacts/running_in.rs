@@ -163,7 +163,7 @@ impl<'a> Running<'a> {
         Ok(Self {
             case,
             positions,
-            shares: flow_shares(case)?,
+            shares: flow_shares(&case.materials, case.flow_pressure)?,
             limit: shakedown_pressure(softer(case)?, case.model.boundary_friction)?,
             surfaces: measured.clone(),
             points,

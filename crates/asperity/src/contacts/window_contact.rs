@@ -8,7 +8,7 @@ use asperity_mixed_film::{ContactTable, Flattening, RoughContact, WindowRoughnes
 
 use super::inputs::WindowInputs;
 use crate::mesh::MeshPosition;
-use asperity_case::case::{Formulation, LoadedCase};
+use asperity_case::case::LoadedCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Roughness, Window, WindowPair};
 
@@ -149,13 +149,13 @@ impl WindowContact {
     /// Checks the windows at the first offset of each pair of teeth as [`of_position`](Self::of_position) does.
     ///
     /// # Errors
-    /// When the traces do not have the windows, or the paper's formulation has no traces.
+    /// When the traces do not have the windows, or the pressures in a window are needed and there are no traces.
     pub(crate) fn check(loaded: &LoadedCase, position: &MeshPosition) -> Result<(), PositionError> {
         let (surfaces, model) = (&loaded.surfaces, &loaded.case.model);
         let count = surfaces.offsets(model.offsets);
         for k in (0..count).filter(|k| surfaces.begins_a_pair(*k, count)) {
             let window = Window::at(surfaces, position, model.window, k, count)?;
-            if window.is_none() && loaded.case.formulation == Formulation::Paper {
+            if window.is_none() && loaded.case.formulation.pressures().is_some() {
                 return Err(PositionError::no_profile());
             }
             surfaces.roughness_at(position, model.window, (k, count))?;

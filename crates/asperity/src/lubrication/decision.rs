@@ -10,10 +10,11 @@ use super::chosen_laws::ChosenLaws;
 use super::friction;
 use crate::mesh::MeshPosition;
 use crate::records::RecordedShare;
-use asperity_case::case::{Case, Formulation};
+use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Roughness, WindowPair};
 use asperity_case::formula_film::FormulaFilm;
+use asperity_case::formulation::FilmRegime;
 use asperity_case::load_share_law::{ShareConditions, SharedLoad};
 use asperity_mixed_film::LoadShareSolution;
 
@@ -23,6 +24,8 @@ pub(crate) struct Decision {
     pub lambda_star: Option<f64>,
     pub film_ratio: f64,
     pub regime: Regime,
+    /// Whether the friction of the film is that of a full film.
+    pub is_full: bool,
     pub shared: SharedLoad,
 }
 
@@ -87,20 +90,20 @@ impl<'a> Undecided<'a> {
         }
     }
 
-    /// The regime from the load share; the paper's from Λ*, or from the classical film ratio where Λ* is not known.
+    /// The regime, by the rule of the case.
     pub(crate) fn decided(
         &self,
-        formulation: Formulation,
+        case: &Case,
         shared: SharedLoad,
     ) -> Result<Decision, PositionError> {
-        let regime = match formulation {
-            Formulation::Corrected => Regime::of_film_share(shared.film_share),
-            Formulation::Paper => Regime::of(self.lambda_star.unwrap_or(self.film_ratio))?,
-        };
+        let film_ratio = self.lambda_star.unwrap_or(self.film_ratio);
+        let FilmRegime { regime, is_full } =
+            (case.formulation).regime(shared.film_share, film_ratio)?;
         Ok(Decision {
             lambda_star: self.lambda_star,
             film_ratio: self.film_ratio,
             regime,
+            is_full,
             shared,
         })
     }

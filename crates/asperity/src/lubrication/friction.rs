@@ -10,13 +10,13 @@ use asperity_tribo_friction::{
 };
 
 use super::chosen_laws::ChosenLaws;
-use crate::contacts::Pressed;
 use crate::mesh::MeshPosition;
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Roughness, Surfaces};
 use asperity_case::formula_film::FormulaFilm;
 use asperity_case::load_share_law::SharedLoad;
+use asperity_case::window_pressures::Pressed;
 
 /// Friction coefficient in the film.
 #[derive(Debug, Clone, PartialEq)]

@@ -19,15 +19,15 @@ pub use asperity_case::load_share_law::{LoadShare, ShareConditions, SharedLoad};
 pub use asperity_case::physical_limits::HIGHEST_PRESSURE;
 pub use asperity_case::{laws, load_share_law};
 pub use film_of_case::formula_film;
+pub use plausibility::{check_mesh_position, plausible_film};
 
 pub(crate) use chosen_laws::ChosenLaws;
 pub(crate) use decision::Decision;
 pub(crate) use friction::film_contact;
 pub(crate) use full_film::NOTED_DEVIATION;
-pub(crate) use plausibility::{check_mesh_position, plausible_film};
 pub(crate) use position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
 pub(crate) use records::records_of;
-pub(crate) use rolling::{rolling, rolling_surfaces};
+pub(crate) use rolling::rolling;
 pub use share_comparison::{
     ComparedWindow, LawShare, ShareComparison, WINDOWS, compared_windows, points_of_window,
     share_settings, shares, windows_at,

@@ -21,7 +21,10 @@ const FLASH: f64 = 1500.0;
 const FRICTION: f64 = 2.0;
 
 /// Refuses a smooth contact that cannot be.
-pub(crate) fn check_mesh_position(position: &MeshPosition) -> Result<(), PositionError> {
+///
+/// # Errors
+/// With a pressure or a speed beyond physical sense.
+pub fn check_mesh_position(position: &MeshPosition) -> Result<(), PositionError> {
     let motion = &position.motion;
     let speeds = motion.u1.si().abs().max(motion.u2.si().abs());
     let pressure = position.hertz.max_pressure.si();
@@ -30,10 +33,10 @@ pub(crate) fn check_mesh_position(position: &MeshPosition) -> Result<(), Positio
 }
 
 /// The film at `position` by the formulas, unless it cannot be.
-pub(crate) fn plausible_film(
-    case: &Case,
-    position: &MeshPosition,
-) -> Result<FormulaFilm, PositionError> {
+///
+/// # Errors
+/// When a law refuses the numbers, or with a film beyond physical sense.
+pub fn plausible_film(case: &Case, position: &MeshPosition) -> Result<FormulaFilm, PositionError> {
     let film = formula_film(case, position)?;
     below("central film", film.film.central.si(), "m", FILM)?;
     let minimum = film.film.minimum.si();

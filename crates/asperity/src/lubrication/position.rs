@@ -5,14 +5,13 @@ use asperity_ehl_regime::Regime;
 
 use super::friction::{InFilm, Rubbing};
 use super::full_film::FullFilm;
-use crate::contacts::Pressed;
 use crate::mesh::MeshPosition;
-use crate::paper::PrintedDeformation;
 use crate::records::RecordedShare;
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::Roughness;
 use asperity_case::formula_film::FormulaFilm;
+use asperity_case::window_pressures::{DeformationPower, Pressed};
 use asperity_mixed_film::LoadShareSolution;
 
 /// A mesh position with everything that varies over the offsets.
@@ -91,8 +90,8 @@ pub(crate) struct LubricatedWindow {
     pub flash: f64,
     /// Numbers of the rough contact, if it was solved and the flanks touch.
     pub contact: Option<ContactNumbers>,
-    /// Deformation loss of the paper's reading.
-    pub deformation: PrintedDeformation,
+    /// Power of the deformation, if friction follows from pressures.
+    pub deformation: Option<DeformationPower>,
 }
 
 impl LubricatedWindow {

@@ -1,11 +1,10 @@
 //! Rolling friction at a mesh position.
 
-use asperity_efficiency::RollingSurfaces;
 use asperity_tribo_friction::rolling_force;
 
 use super::friction::hysteresis_force;
 use crate::mesh::MeshPosition;
-use asperity_case::case::{Case, Formulation};
+use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::formula_film::FormulaFilm;
 
@@ -21,14 +20,6 @@ pub(crate) fn rolling(
         case.oil.pressure_viscosity,
         film.thermal_reduction,
     )?;
-    let surfaces = rolling_surfaces(case);
+    let surfaces = case.formulation.rolling_surfaces();
     Ok(resistance.si() + hysteresis_force(case, position) / surfaces.count())
-}
-
-/// Surfaces on which rolling friction is counted: the paper counts it on one.
-pub(crate) fn rolling_surfaces(case: &Case) -> RollingSurfaces {
-    match case.formulation {
-        Formulation::Corrected => RollingSurfaces::Both,
-        Formulation::Paper => RollingSurfaces::One,
-    }
 }

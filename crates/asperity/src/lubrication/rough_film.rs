@@ -8,7 +8,7 @@ use asperity_core::profile::mirrored_indices;
 use super::chosen_laws::ChosenLaws;
 use crate::contacts::WindowContact;
 use crate::mesh::MeshPosition;
-use asperity_case::case::{Case, Formulation};
+use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
@@ -224,5 +224,5 @@ pub(crate) fn is_asked_for(case: &Case, laws: &ChosenLaws, surfaces: &Surfaces) 
     laws.load_share.supply().is_some()
         && case.rheology.is_some()
         && surfaces.are_measured()
-        && case.formulation != Formulation::Paper
+        && case.formulation.pressures().is_none()
 }

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use asperity_contact::{ContactSolution, ContactWarning};
 use asperity_core::Checked;
 use asperity_core::cancel::checkpoint;
-use asperity_ehl_regime::Regime;
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 use asperity_mixed_film::{FilmPressure, Kinks, LoadShareSolution};
 
@@ -17,14 +16,14 @@ use super::full_film_solution::full_film_at;
 use super::plausibility::{check_position, plausible_film};
 use super::position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
 use super::rough_film::{HeightGradient, RoughFilm};
-use crate::contacts::{Pressed, Pressing, WindowContact, full_film};
+use crate::contacts::{Pressing, WindowContact};
 use crate::mesh::MeshPosition;
-use crate::paper::{self, PrintedDeformation};
 use crate::records::{PathRecords, RecordedShare};
-use asperity_case::case::{Case, Formulation, FullFilmName};
+use asperity_case::case::{Case, FullFilmName};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Roughness, Surfaces, WindowPair};
 use asperity_case::formula_film::FormulaFilm;
+use asperity_case::window_pressures::{Pressed, WindowConditions, WindowPressures};
 
 /// Regime and load share in one window.
 struct Decided {
@@ -91,7 +90,7 @@ impl Lubrication<'_> {
                 pair,
                 decision,
             } = decided;
-            let is_full = self.is_full_film(&decision);
+            let is_full = decision.is_full;
             if is_full && position.full_film.is_none() {
                 position.full_film = full_film_at(self.case, (at, &film), self.records, smooth)?;
             }
@@ -125,20 +124,10 @@ impl Lubrication<'_> {
                 contact: share
                     .filter(|share| share.asperity_share > 0.0)
                     .map(|share| numbers_of_share(&share, self.case.model.window)),
-                deformation: PrintedDeformation::default(),
+                deformation: None,
             };
-            if let Some(pair) = pair.filter(|_| self.case.formulation == Formulation::Paper) {
-                let fluid = is_full
-                    .then(|| position.film_pressure(&pair.x))
-                    .transpose()?;
-                let pressed = match fluid {
-                    Some(fluid) => full_film(fluid),
-                    None => paper::march(self.case, at, &pair)
-                        .map_err(|error| error.keeping(&pair.x, &pair.gap))?,
-                };
-                self.take_pressures(at, &pair, &pressed, &mut offset)?;
-                position.doubts.extend(doubts(&pressed));
-                position.pressed.get_or_insert(pressed);
+            if let Some((law, pair)) = self.pressures().zip(pair) {
+                self.press_by_law(law, &pair, is_full, (&mut position, &mut offset))?;
             }
             offset.friction_force = offset.rubbing.force(offset.friction.mu);
             offset.flash = friction::flash(self.case, at, offset.friction_force / at.load.si())?;
@@ -176,7 +165,7 @@ impl Lubrication<'_> {
                 true => self.pair(at, contact, (k, count))?,
                 false => None,
             };
-            if pair.is_none() && self.case.formulation == Formulation::Paper {
+            if pair.is_none() && self.pressures().is_some() {
                 return Err(PositionError::no_profile());
             }
             let undecided = Undecided::of(self.case, self.laws, of_position, &contact.roughness)?;
@@ -199,7 +188,7 @@ impl Lubrication<'_> {
         let with_share = open.into_iter().zip(shared);
         with_share
             .map(|((share, pair, undecided), shared)| {
-                let decision = undecided.decided(self.case.formulation, shared)?;
+                let decision = undecided.decided(self.case, shared)?;
                 Ok(Decided {
                     share,
                     pair,
@@ -296,7 +285,7 @@ impl Lubrication<'_> {
     ) -> Result<Pressed, PositionError> {
         let film_share = position.offsets[k].film_share;
         if film_share >= 1.0 {
-            return position.film_pressure(&pair.x).map(full_film);
+            return position.film_pressure(&pair.x).map(Pressed::full_film);
         }
         let pressing = Pressing {
             case: self.case,
@@ -308,22 +297,40 @@ impl Lubrication<'_> {
         pressed.map_err(|error| error.keeping(&pair.x, &pair.gap))
     }
 
-    /// Friction, film share and deformation loss of one window from the pressures of the paper's march.
-    fn take_pressures(
+    /// Friction, film share and deformation of one window from the pressures that `law` finds, or those of a full film.
+    fn press_by_law(
         &self,
-        at: &MeshPosition,
+        law: &dyn WindowPressures,
         pair: &WindowPair,
-        pressed: &Pressed,
-        offset: &mut LubricatedWindow,
+        is_full: bool,
+        (position, offset): (&mut LubricatedPosition, &mut LubricatedWindow),
     ) -> Result<(), PositionError> {
-        offset.rubbing = Rubbing::of_pressures(self.case, pair.spacing, pressed)?;
+        let (case, at) = (self.case, &position.at);
+        let window = WindowConditions {
+            position: at,
+            pair,
+            gears: &case.gears,
+            speed: case.speed,
+            materials: &case.materials,
+            flow_pressure: case.flow_pressure,
+            modulus: case.modulus,
+            oil: &case.oil,
+            model: &case.model,
+        };
+        let pressed = match is_full {
+            true => Pressed::full_film(position.film_pressure(&pair.x)?),
+            false => (law.press(&window)).map_err(|error| error.keeping(&pair.x, &pair.gap))?,
+        };
+        offset.rubbing = Rubbing::of_pressures(case, pair.spacing, &pressed)?;
         if pressed.solids.is_some() {
-            // Marching does not know Λ*: its film carries what is left to it.
+            // The law of the load share is not asked: the film carries what is left to it.
             offset.film_share = offset.rubbing.film_load / at.load.si();
         }
-        let shear = offset.shear(self.case, at, pressed);
-        offset.deformation = paper::printed_deformation_of(self.case, at, pair, pressed, &shear)?;
-        offset.contact = numbers(pressed);
+        let shear = offset.shear(case, at, &pressed);
+        offset.deformation = Some(law.deformation(&window, &pressed, &shear)?);
+        offset.contact = numbers(&pressed);
+        position.doubts.extend(doubts(&pressed));
+        position.pressed.get_or_insert(pressed);
         Ok(())
     }
 
@@ -341,16 +348,14 @@ impl Lubrication<'_> {
         WindowPair::new(flanks, at, self.case.modulus).map(Some)
     }
 
-    /// Whether the load share depends on the heights of a window: the paper's, and any user-defined law may.
-    fn looks_at_heights(&self) -> bool {
-        self.case.formulation == Formulation::Paper || self.case.laws.load_share.is_some()
+    /// Pressures in a window, if friction follows from them.
+    fn pressures(&self) -> Option<&dyn WindowPressures> {
+        self.case.formulation.pressures()
     }
 
-    fn is_full_film(&self, decision: &Decision) -> bool {
-        match self.case.formulation {
-            Formulation::Corrected => decision.shared.film_share >= 1.0,
-            Formulation::Paper => decision.regime == Regime::FullFilm,
-        }
+    /// Whether the load share depends on the heights of a window: with pressures it does, and any user-defined law may.
+    fn looks_at_heights(&self) -> bool {
+        self.pressures().is_some() || self.case.laws.load_share.is_some()
     }
 
     /// Friction of the film: from the full film or the load share if these solve for it, else by the law, which depends on the
@@ -371,9 +376,9 @@ impl Lubrication<'_> {
                 outside: share.map(|share| share.outside.clone()).unwrap_or_default(),
             });
         }
-        let film_share = match (case.formulation, case.model.film_pressure) {
-            (Formulation::Paper, _) | (_, FilmPressure::Hertz) => 1.0,
-            (Formulation::Corrected, FilmPressure::Own | FilmPressure::Rippled) => {
+        let film_share = match case.model.film_pressure {
+            FilmPressure::Hertz => 1.0,
+            FilmPressure::Own | FilmPressure::Rippled => {
                 decision.shared.film_share.max(1.0 - LARGEST_SHARE)
             }
         };

@@ -1,14 +1,13 @@
 //! Places along the path of contact that represent the mesh.
 //!
 //! The path is cut into cells with one contact each. The friction coefficient of a cell times its share of
-//! the loss factor is its sliding power, so that a constant coefficient gives μ H_V exactly. The paper takes a
+//! the loss factor is its sliding power, so that a constant coefficient gives μ H_V exactly. A formulation may take a
 //! single place for the whole mesh.
 
 use asperity_core::quantity::{AngularSpeed, Length, LineLoad};
 use asperity_gear::{LoadCell, LoadMap};
 
-use super::inputs::MeshInputs;
-use asperity_case::case::Formulation;
+use super::inputs::{MeshInputs, PathPlaces};
 use asperity_case::error::PositionError;
 use asperity_case::mesh_position::Resolution;
 
@@ -61,22 +60,23 @@ pub(super) fn places(
     speed: AngularSpeed,
     map: &LoadMap,
 ) -> Result<Vec<Place>, PositionError> {
-    match inputs.formulation {
-        Formulation::Corrected => along_path(inputs, speed, map),
-        Formulation::Paper => single(inputs, map).map(|place| vec![place]),
+    match inputs.places {
+        PathPlaces::Cells(count) => along_path(inputs, count, speed, map),
+        PathPlaces::Single(share) => single(inputs, share, map).map(|place| vec![place]),
     }
 }
 
 /// One place for each cell of the path.
 fn along_path(
     inputs: &MeshInputs,
+    count: usize,
     speed: AngularSpeed,
     map: &LoadMap,
 ) -> Result<Vec<Place>, PositionError> {
     let gears = &inputs.load.gears;
     let width = gears.face_width;
     let edges: Vec<_> = inputs.face_zones.iter().map(|edge| width * *edge).collect();
-    let cells = map.cells_in_zones(inputs.cells, &edges)?;
+    let cells = map.cells_in_zones(count, &edges)?;
     let light = lightly_loaded(&cells);
     let power = inputs.load.torque.si().abs() * speed.si();
     cells
@@ -101,11 +101,11 @@ fn along_path(
         .collect()
 }
 
-/// The single place of the paper, whose weight is the mean loaded length of contact line.
-fn single(inputs: &MeshInputs, map: &LoadMap) -> Result<Place, PositionError> {
+/// A single place, whose weight is the mean loaded length of contact line.
+fn single(inputs: &MeshInputs, share: f64, map: &LoadMap) -> Result<Place, PositionError> {
     let gears = &inputs.load.gears;
     let path = gears.path();
-    let s = path.a + (path.e - path.a) * inputs.single;
+    let s = path.a + (path.e - path.a) * share;
     let place = Place::shown(map, s, Resolution::Required)?;
     Ok(Place {
         weight: gears.single_position(s)?.weight,

@@ -2,19 +2,24 @@
 
 use asperity_core::quantity::Pressure;
 
-use asperity_case::case::{Case, Formulation, LoadInputs};
+use asperity_case::case::{Case, LoadInputs, Positions};
 
 /// All that a mesh follows from, except its speed.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct MeshInputs {
     pub load: LoadInputs,
     pub modulus: Pressure,
-    pub formulation: Formulation,
     pub face_zones: Vec<f64>,
-    /// Cells of the path.
-    pub cells: usize,
-    /// Place of the paper's single position, as a share of the path.
-    pub single: f64,
+    pub places: PathPlaces,
+}
+
+/// Places on the path of contact that represent the mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum PathPlaces {
+    /// This number of cells of the path.
+    Cells(usize),
+    /// A single place, as a share of the path.
+    Single(f64),
 }
 
 impl MeshInputs {
@@ -22,10 +27,11 @@ impl MeshInputs {
         Self {
             load: case.load_inputs(),
             modulus: case.modulus,
-            formulation: case.formulation,
             face_zones: case.face_zones.clone(),
-            cells: case.model.positions,
-            single: case.model.position,
+            places: match case.formulation.positions() {
+                Positions::AlongPath => PathPlaces::Cells(case.model.positions),
+                Positions::Single => PathPlaces::Single(case.model.position),
+            },
         }
     }
 }

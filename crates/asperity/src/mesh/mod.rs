@@ -25,7 +25,7 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The mesh of a case: positions along the path, or the single one of the paper's formulation.
+    /// The mesh of a case: positions along the path, or the single one of the formulation.
     ///
     /// # Errors
     /// When the gear geometry or the Hertz contact refuses the numbers at a position.

@@ -18,7 +18,7 @@ use super::stages::{Stages, losses_with, sampled, warmed};
 use crate::contacts::Contacts;
 use crate::mesh::numbered;
 use crate::result::Losses;
-use asperity_case::case::{Formulation, LoadShareName, LoadedCase};
+use asperity_case::case::{LoadShareName, LoadedCase};
 use asperity_case::error::{Error, PositionError};
 use asperity_uncertainty::at_temperature;
 
@@ -239,14 +239,18 @@ pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
     Err(PositionError::no_gradient(differs))
 }
 
-/// Refuses the paper's formulation: away from its own case it can have no sliding loss, whatever the heights are.
+/// Refuses a case whose friction follows from pressures in the windows: it can have no sliding loss, whatever the heights are.
 ///
 /// # Errors
-/// With the paper's formulation.
+/// With the formulation of such a case.
 pub fn check_heights(loaded: &LoadedCase) -> Result<(), PositionError> {
-    match loaded.case.formulation {
-        Formulation::Corrected => Ok(()),
-        Formulation::Paper => Err(PositionError::no_gradient("formulation = \"paper\"")),
+    let formulation = loaded.case.formulation;
+    match formulation.pressures() {
+        None => Ok(()),
+        Some(_) => {
+            let differs = format!("formulation = \"{}\"", formulation.name());
+            Err(PositionError::no_gradient(&differs))
+        }
     }
 }
 

@@ -28,6 +28,6 @@ pub use stages::{
     losses_with, settled,
 };
 pub use store::ContactStore;
-pub use survey::{FilmRow, FilmSurvey, RegimeRow, film, survey};
+pub use survey::{RegimeRow, survey};
 
 pub(crate) use stages::{losses_of, outcome};

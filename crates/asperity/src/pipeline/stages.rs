@@ -19,7 +19,7 @@ use crate::mesh::{Mesh, MeshInputs, MeshPosition, numbered};
 use crate::pictures::Picture;
 use crate::records::PathRecords;
 use crate::result::{Losses, Outcome, RunInFlanks};
-use asperity_case::case::{Case, Formulation, LoadedCase};
+use asperity_case::case::{Case, LoadedCase, Positions};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::flanks::is_substituted;
 use asperity_case::flanks::placement::check_coverage;
@@ -402,7 +402,7 @@ impl<'a> Stages<'a> {
     /// longer than the traces.
     fn points(&self) -> Result<Vec<(&'static str, LubricatedPosition)>, PositionError> {
         let (loaded, case) = (self.loaded, &self.loaded.case);
-        if case.formulation == Formulation::Paper {
+        if case.formulation.positions() == Positions::Single {
             return Ok(Vec::new());
         }
         let lubrication = self.lubrication();
@@ -506,7 +506,7 @@ mod tests {
     use asperity_ehl_regime::{FilmConditions, FilmThickness, FilmThicknessLaw, RegimeError};
 
     use super::{check, losses};
-    use crate::pipeline::film;
+    use crate::pipeline::survey;
     use asperity_case::case::load_with;
 
     /// A film without thickness.
@@ -536,6 +536,6 @@ mod tests {
         case.case = case.case.with_film_law(Arc::new(NoFilm));
         assert_eq!(losses(&case).unwrap_err().code(), Code::E308);
         assert_eq!(check(&case).unwrap_err().code(), Code::E308);
-        assert_eq!(film(&case, None).unwrap_err().code(), Code::E308);
+        assert_eq!(survey(&case).unwrap_err().code(), Code::E308);
     }
 }

@@ -13,7 +13,7 @@ use super::store::RecordStore;
 use crate::mesh::{MeshPosition, Resolution};
 use crate::reference_solution::{Inlet, ReferenceContact, ReferenceError, ReferenceSettings};
 use crate::result::RecordedFriction;
-use asperity_case::case::{Formulation, LoadedCase};
+use asperity_case::case::LoadedCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{AVERAGING_WIDTH, is_substituted};
 use asperity_case::recorded_share::RecordedShare;
@@ -36,7 +36,7 @@ pub(crate) struct PathRecords {
 impl PathRecords {
     /// Solves the records of `loaded` along its `positions`, or reads them if they are stored; `smooth` gives
     /// the friction of the smooth film with its heat, and none for a published law. None where a flank was not
-    /// measured, and in the paper's reading.
+    /// measured, and where friction follows from pressures in the windows.
     ///
     /// # Errors
     /// When a record has no solution.
@@ -47,7 +47,7 @@ impl PathRecords {
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Option<Self>, PositionError> {
         let case = &loaded.case;
-        if case.formulation == Formulation::Paper || !loaded.surfaces.are_measured() {
+        if case.formulation.pressures().is_some() || !loaded.surfaces.are_measured() {
             return Ok(None);
         }
         let chosen = chosen(loaded, positions);

@@ -23,7 +23,8 @@ use asperity_oil::LubricantState;
 use serde::{Deserialize, Serialize};
 
 pub use asperity_case::case::BulkReport;
-use asperity_case::case::{CaseInput, DefaultUsed, Formulation};
+use asperity_case::case::{CaseInput, DefaultUsed};
+use asperity_case::formulation::FormulationChoice;
 use asperity_case::message::Warning;
 pub use asperity_profile_io::read::ReadingRecord;
 pub use contact_view::ContactView;
@@ -55,8 +56,8 @@ pub struct RunResult {
     /// Name of the case file, without its folder; absent from older results.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub case_file: Option<String>,
-    /// Formulation of the model.
-    pub formulation: Formulation,
+    /// The formulation of the model.
+    pub formulation: FormulationChoice,
     /// Efficiency and losses.
     pub summary: Summary,
     /// Published friction laws, each applied whole.

@@ -14,7 +14,7 @@ use crate::result::{Losses, OffsetRow, Outcome, OutsideInput, PairSampling, Posi
 use crate::sampling::{
     means_of_pairs, pair_sampling, travel_sampling, window_sampling, windows_of_traces,
 };
-use asperity_case::case::{Formulation, FullFilmName, LoadShareName, LoadedCase, cholesky};
+use asperity_case::case::{FullFilmName, LoadShareName, LoadedCase, cholesky};
 use asperity_case::error::Error;
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::thermal_reduction::GUPTA_HELD;
@@ -36,13 +36,12 @@ const REACH: f64 = 2.4;
 /// Seed of their places.
 const SEED: u64 = 1;
 
-/// Whether a case has an uncertainty: the paper's formulation takes everything as printed, and a solved full film takes seconds an
-/// evaluation.
+/// Whether a case has an uncertainty: its formulation may have none, and a solved full film takes seconds an evaluation.
 #[must_use]
 pub fn has_band(loaded: &LoadedCase) -> bool {
     let model = &loaded.case.model;
     let has_records = model.load_share == LoadShareName::Ehl;
-    loaded.case.formulation == Formulation::Corrected
+    loaded.case.formulation.has_interval()
         && (!has_records || loaded.surfaces.are_measured())
         && model.full_film == FullFilmName::Formulas
 }

@@ -12,11 +12,12 @@ use asperity_core::quantity::{AngularSpeed, Torque};
 use asperity_oil::LubricantInput;
 
 use super::calibration::CalibrationInput;
+use super::formulation::FormulationChoice;
 use super::gearbox_input::GearboxInput;
 pub use super::input_tables::*;
 use super::mesh_input::{MeshInput, PlanetaryInput, ShaftsInput};
 use super::micropitting_input::MicropittingInput;
-use super::model::{Formulation, ModelInput};
+use super::model::ModelInput;
 use super::rows::{OPEN, ratio, table};
 use super::train_heat_input::HeatInput;
 
@@ -28,7 +29,7 @@ table! {
     /// Title of the case, shown in every output.
     title: Option<String>;
     /// Reading of the model: `corrected` (default) or `paper`.
-    formulation: Option<Formulation>;
+    formulation: Option<FormulationChoice>;
     /// The gear pair.
     #[serde(default, skip_serializing_if = "is_unstated")]
     gears: GearsInput => table;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use asperity_contact::SolverSettings;
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
 use asperity_efficiency::swept::HYSTERESIS;
@@ -13,30 +14,17 @@ use asperity_ns_film::FluidModel;
 use asperity_oil::PressureLaw;
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, INNER_BOUNDARY};
 use asperity_tribo_friction::{FrictionSettings, RoughnessReading};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 use super::one_or_two::OneOrTwo;
-use super::path_point::{NamedPoint, PathPoint};
-use super::rows::{OPEN, choices};
+use super::path_point::{NamedPoint, PathPoint, Positions};
+use super::rows::{OPEN, Stated, choices};
 use crate::source::case_error::{CaseError, LOOSEST_TOLERANCE};
 use crate::source::defaults::Defaults;
 use crate::source::section::{Section, domain};
 use crate::source::source_text::Source;
 use asperity_mixed_film::{FilmPressure, GapRoughness, SpotSpeed};
-
-/// Formulation of the 2022 model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-#[serde(rename_all = "kebab-case")]
-pub enum Formulation {
-    /// Dimensionally and physically consistent
-    #[default]
-    Corrected,
-    /// The paper's formulation, with only its misprints corrected
-    Paper,
-}
 
 /// Offsets of a case that states none, at least.
 pub const LEAST_OFFSETS: usize = 16;
@@ -61,13 +49,13 @@ choices! {
         check("position", |s| (0.0..=1.0).contains(&s), "must be A to E, or 0 to 1");
     /// Number of offsets along the traces at which the flanks meet; default 16, and up to 256 where the contacts
     /// differ from offset to offset; 4 of each pair of surrogates (`paper`: 1).
-    offsets: usize = each(LEAST_OFFSETS, 1) usual "" [1.0, 1000.0],
+    offsets: usize = default(LEAST_OFFSETS) usual "" [1.0, 1000.0],
         check("offsets", |n| (1.0..=10_000.0).contains(&n), "must be 1 to 10000");
     /// Half-width of the contact window, in Hertz half-widths; default 3.
-    window: f64 = both(3.0) usual "" [1.5, 50.0],
+    window: f64 = default(3.0) usual "" [1.5, 50.0],
         check("window", |w| (1.5..=100.0).contains(&w), "must be 1.5 to 100 Hertz half-widths");
     /// Law of the load distribution over the teeth in contact; default `elastic` (`paper`: `mean-length`).
-    load_distribution: LoadLaw = each(LoadLaw::Elastic, LoadLaw::MeanLength) => table;
+    load_distribution: LoadLaw = default(LoadLaw::Elastic) => table;
     /// Correction factor C_M of the tooth stiffness, theoretical to measured; default 0.8.
     #[serde(skip_serializing_if = "Option::is_none")]
     stiffness_factor: f64 =
@@ -84,44 +72,44 @@ choices! {
     /// Friction law of the film; default `eyring` (`paper`: `xu`). `eyring`, `carreau` and `newton` describe
     /// the film alone; the others are published laws, most of which include asperity friction in their
     /// coefficient.
-    film_friction: FilmFrictionLaw = each(FilmFrictionLaw::Eyring, FilmFrictionLaw::Xu);
+    film_friction: FilmFrictionLaw = default(FilmFrictionLaw::Eyring);
     /// Law of viscosity against pressure for the film friction laws `eyring`, `carreau` and `newton`; default
     /// `barus`.
-    film_pressure_law: PressureLaw = corrected(PressureLaw::default());
+    film_pressure_law: PressureLaw = default(PressureLaw::default());
     /// Factor on the friction coefficient of the film (lubricant factor); default 1.
-    friction_scale: f64 = both(1.0) usual "" [0.2, 3.0],
+    friction_scale: f64 = default(1.0) usual "" [0.2, 3.0],
         check("friction scale", |k| k > 0.0 && k <= 10.0, "must be positive and at most 10");
     /// Friction coefficient of `film_friction = "constant"`.
     constant_friction: f64 => Option<f64> = coefficient_of_constant_law(film_friction) usual "" [0.002, 0.2];
     /// Coefficients of Xu's law from your own calibration: a JSON file, relative to the case file.
     xu_coefficients: PathBuf => Option<PathBuf> = as_stated();
     /// Lubricant factor X_L of `iso-14179-2`; default 1 (mineral oil).
-    lubricant_factor: f64 = both(1.0) usual "" [0.3, 2.0],
+    lubricant_factor: f64 = default(1.0) usual "" [0.3, 2.0],
         check("lubricant factor", |x| x > 0.0 && x <= 10.0, "must be positive and at most 10");
     /// Coefficient of boundary friction μ_b; default 0.09 (`paper`: 0.3, metal on metal).
-    boundary_friction: f64 = each(BOUNDARY_FRICTION, METAL_ON_METAL) usual "" [0.02, 0.5],
+    boundary_friction: f64 = default(BOUNDARY_FRICTION) usual "" [0.02, 0.5],
         check("boundary friction", |mu| (0.0..=2.0).contains(&mu), "must be 0 to 2");
     /// Thickness of the boundary layer on touching asperities; default 10 nm, which applies to λs = 2.5 um.
-    boundary_layer: Length = corrected(BOUNDARY_LAYER) usual "nm" [0.5, 200.0],
+    boundary_layer: Length = default(BOUNDARY_LAYER) usual "nm" [0.5, 200.0],
         check("boundary layer", |h| (0.0..=1e-6).contains(&h), "must be 0 to 1 um");
     /// Lay γ of the roughness, one value for both flanks or `[pinion, wheel]`: from 0 or `across`, ridges
     /// across the whole face width, to 1 or `isotropic`; default as measured on the surface of the traces, otherwise 1/12,
     /// the middle of measured ground flanks.
-    lay: OneOrTwo<Lay> => [Lay; 2] = corrected(OneOrTwo::One(Lay::GROUND)) usual "" [0.0, 1.0];
+    lay: OneOrTwo<Lay> => [Lay; 2] = default(OneOrTwo::One(Lay::GROUND)) usual "" [0.0, 1.0];
     /// Law of the mean gap that the inlet supplies to `load_share = "solved"`: `inlet` (default), whose inlet grows longer with
     /// the gap, or `power`, whose film thickens as the asperities take load off it.
     #[serde(skip_serializing_if = "Option::is_none")]
-    gap_law: GapLaw = corrected(GapLaw::default());
+    gap_law: GapLaw = default(GapLaw::default());
     /// Reading of the central film in film friction at Hertz's pressure, and in the gap law `power`: `mass-flow` (default) or `gap`;
     /// at its own pressure the film is the gap.
-    central_film: CentralFilm = corrected(CentralFilm::MassFlow);
+    central_film: CentralFilm = default(CentralFilm::MassFlow);
     /// Reading of the central film in Λ* and in printed film thicknesses: `gap` (default) or `mass-flow`
     /// (`paper`: `mass-flow`).
     #[serde(skip_serializing_if = "Option::is_none")]
-    lambda_film: CentralFilm = each(CentralFilm::Gap, CentralFilm::MassFlow);
+    lambda_film: CentralFilm = default(CentralFilm::Gap);
     /// Film that touching asperities carry with them: `carried` (default), of the inlet until the flanks have slid past, or in all
     /// of them of the `entrainment` speed or of half the sliding speed, `half-sliding`.
-    spot_speed: SpotSpeed = corrected(SpotSpeed::default());
+    spot_speed: SpotSpeed = default(SpotSpeed::default());
     /// Least share on the boundary layer of asperities that come into contact past the inlet, with `spot_speed = "carried"`; default
     /// 0.75, drawn from 0.6 to 0.9.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -130,25 +118,25 @@ choices! {
     /// Pressure at which the film shears where asperities carry a share of the load: `rippled` (default), of its own share and
     /// higher over the peaks that it flattens, `own`, of its own share, or `hertz`, of the whole load.
     #[serde(skip_serializing_if = "Option::is_none")]
-    film_pressure: FilmPressure = corrected(FilmPressure::default());
+    film_pressure: FilmPressure = default(FilmPressure::default());
     /// Heights that count in the mean gap that the inlet supplies to `load_share = "solved"`: `peaks` (default),
     /// above the mean line, or `rms`, all.
     #[serde(skip_serializing_if = "Option::is_none")]
-    gap_roughness: GapRoughness = corrected(GapRoughness::default());
+    gap_roughness: GapRoughness = default(GapRoughness::default());
     /// Factor on the solved asperity load share, for the band; default 1.
-    asperity_share_factor: f64 = corrected(1.0) usual "" [0.01, 1.0],
+    asperity_share_factor: f64 = default(1.0) usual "" [0.01, 1.0],
         check("factor on the asperity share", |k| k > 0.0 && k <= 1.0, "must be above 0 and at most 1");
     /// Film thickness law; default `dowson-toyoda` (`paper`: `hamrock-dowson`).
-    film: FilmLaw = each(FilmLaw::DowsonToyoda, FilmLaw::HamrockDowson);
+    film: FilmLaw = default(FilmLaw::DowsonToyoda);
     /// Thermal reduction of the film and of rolling; default `gupta` (`paper`: `none`).
-    thermal: ThermalLaw = each(ThermalLaw::Gupta, ThermalLaw::None);
+    thermal: ThermalLaw = default(ThermalLaw::Gupta);
     /// Feed the flash temperature back into the viscosity of the friction law; default false.
-    flash_feedback: bool = both(false);
+    flash_feedback: bool = default(false);
     /// Share of the load carried by the film: `solved` (default) from the rough contact; with `lambda-star`,
     /// `zhu-hu`, `masjedi-khonsari` and `jgp` all load on asperities rubs with the boundary coefficient;
     /// `ehl` takes shares and friction from records of transient mixed lubrication, which take a minute or
     /// more.
-    load_share: LoadShareName = each(LoadShareName::Solved, LoadShareName::LambdaStar);
+    load_share: LoadShareName = default(LoadShareName::Solved);
     /// Source of a film that carries the whole load: `formulas` (default), `ehl`, the steady
     /// elastohydrodynamic solution of smooth flanks, or `ehl-transient`, records with both traces.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -162,29 +150,29 @@ choices! {
     #[serde(skip_serializing_if = "Option::is_none")]
     ehl: EhlInput => EhlChoices = ehl_solutions(load_share, full_film) => table;
     /// Model of the fluid pressure across the film; default `reynolds-cross` (`paper`: `paper`).
-    fluid_pressure: FluidModel = each(FluidModel::ReynoldsCross, FluidModel::Paper);
+    fluid_pressure: FluidModel = default(FluidModel::ReynoldsCross);
     /// Clamp the roughness in Xu's law at 0.6 um; default true (`paper`: false).
-    clamp_roughness: bool = each(true, false);
+    clamp_roughness: bool = default(true);
     /// Step by which `paper` lowers the surfaces into each other; default 80 nm.
-    delta_step: Length = both(Length::from_si(80e-9)) usual "nm" [1.0, 1000.0],
+    delta_step: Length = default(Length::from_si(80e-9)) usual "nm" [1.0, 1000.0],
         check("step", |d| d > 0.0 && d < 1e-3, "must be positive and below 1 mm");
     /// Load error at which the marching of `paper` stops; default 1 %.
-    numerical_error: Ratio => f64 = both(Ratio::new(0.01)) usual "%" [0.01, 20.0],
+    numerical_error: Ratio => f64 = default(Ratio::new(0.01)) usual "%" [0.01, 20.0],
         check("numerical error", |e| e > 0.0 && e <= 0.2, "must be above 0 and at most 20 %");
     /// Tolerance of the contact solver's certificate; default 1e-8.
-    tolerance: f64 = both(1e-8) usual "" [1e-10, 1e-6],
+    tolerance: f64 = default(1e-8) usual "" [1e-10, 1e-6],
         check("tolerance", |t| (1e-16..=LOOSEST_TOLERANCE).contains(&t), "must be 1e-16 to 1e-4");
     /// Include the plastic work of running-in in the losses; default false.
-    include_running_in: bool = both(false);
+    include_running_in: bool = default(false);
     /// Run the flanks in, and compute the losses of the run-in flanks in addition to those of the flanks as measured;
     /// default false.
     #[serde(skip_serializing_if = "Option::is_none")]
-    run_in: bool = of_corrected_only(false);
+    run_in: bool = default(false);
     /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 0.5 % (`paper`: 0).
-    hysteresis: Ratio => f64 = each(Ratio::new(HYSTERESIS), Ratio::new(0.0)) usual "%" [0.01, 5.0],
+    hysteresis: Ratio => f64 = default(Ratio::new(HYSTERESIS)) usual "%" [0.01, 5.0],
         check("hysteresis", |h| (0.0..=1.0).contains(&h), "must be 0 to 1");
     /// Number of depths at which subsurface stress is computed; default 24.
-    depths: usize = both(24) usual "" [1.0, 1000.0], check("depths", |n| n <= 1000.0, "must be at most 1000");
+    depths: usize = default(24) usual "" [1.0, 1000.0], check("depths", |n| n <= 1000.0, "must be at most 1000");
 }
 
 choices! {
@@ -214,10 +202,16 @@ choices! {
     cache: String = of_records("user".to_owned());
 }
 
-/// Coefficient of dry steel on steel, Table 2 of the 2022 paper.
-const METAL_ON_METAL: f64 = 0.3;
-
 impl Model {
+    /// Settings of the solver of rough contacts.
+    #[must_use]
+    pub fn contact_settings(&self) -> SolverSettings {
+        SolverSettings {
+            tolerance: self.tolerance,
+            ..SolverSettings::default()
+        }
+    }
+
     /// Whether load share or full film need the oil's rheology, whatever the law of film friction.
     pub(crate) fn shears_its_film(&self) -> bool {
         self.load_share.supply().is_some()
@@ -226,10 +220,20 @@ impl Model {
     }
 }
 
+/// What a formulation states of the choices.
+pub(crate) struct OfFormulation {
+    /// Defaults that differ.
+    pub defaults: ModelInput,
+    /// Keys whose defaults are not listed.
+    pub unused_keys: &'static [&'static str],
+    /// Places of the path that represent the mesh.
+    pub positions: Positions,
+}
+
 /// Makes every choice that the case leaves open.
 pub(crate) fn model(
     stated: &ModelInput,
-    formulation: Formulation,
+    formulation: &OfFormulation,
     gears: &GearPair,
     source: &Source,
     defaults: &mut Defaults,
@@ -242,12 +246,12 @@ pub(crate) fn model(
         has_solutions: false,
         has_records: false,
     };
-    Model::of(stated, &mut choices)
+    Model::of(stated, &formulation.defaults, &mut choices)
 }
 
 /// Choice of one value after the other: the methods are the ways in which a row states its default.
 struct Choices<'a> {
-    formulation: Formulation,
+    formulation: &'a OfFormulation,
     gears: &'a GearPair,
     source: &'a Source,
     defaults: &'a mut Defaults,
@@ -261,39 +265,19 @@ type Key = &'static str;
 type Choice<T> = Result<T, CaseError>;
 
 impl Choices<'_> {
-    /// The same default in both formulations.
-    fn both<T: Serialize>(&mut self, key: Key, stated: Option<T>, default: T) -> Choice<T> {
-        self.listed_if(key, stated, true, default)
-    }
-
-    /// A default of each formulation.
-    fn each<T: Serialize>(
-        &mut self,
-        key: Key,
-        stated: Option<T>,
-        corrected: T,
-        paper: T,
-    ) -> Choice<T> {
-        let default = match self.formulation {
-            Formulation::Corrected => corrected,
-            Formulation::Paper => paper,
-        };
-        self.both(key, stated, default)
-    }
-
-    /// A default of a value that only the corrected formulation uses, and lists.
-    fn corrected<T: Serialize>(&mut self, key: Key, stated: Option<T>, default: T) -> Choice<T> {
-        let is_used = self.formulation == Formulation::Corrected;
+    /// A default, which is listed unless the formulation does not use the key.
+    fn default<T: Serialize>(&mut self, key: Key, stated: Stated<T>, default: T) -> Choice<T> {
+        let is_used = !self.formulation.unused_keys.contains(&key);
         self.listed_if(key, stated, is_used, default)
     }
 
     /// A default of elastohydrodynamic solutions.
-    fn of_solutions<T: Serialize>(&mut self, key: Key, stated: Option<T>, default: T) -> Choice<T> {
+    fn of_solutions<T: Serialize>(&mut self, key: Key, stated: Stated<T>, default: T) -> Choice<T> {
         self.listed_if(key, stated, self.has_solutions, default)
     }
 
     /// A default of records along the path.
-    fn of_records<T: Serialize>(&mut self, key: Key, stated: Option<T>, default: T) -> Choice<T> {
+    fn of_records<T: Serialize>(&mut self, key: Key, stated: Stated<T>, default: T) -> Choice<T> {
         self.listed_if(key, stated, self.has_records, default)
     }
 
@@ -301,21 +285,22 @@ impl Choices<'_> {
     fn listed_if<T: Serialize>(
         &mut self,
         key: Key,
-        stated: Option<T>,
+        stated: Stated<T>,
         is_used: bool,
         default: T,
     ) -> Choice<T> {
+        let default = stated.by_formulation.unwrap_or(default);
         Ok(match is_used {
-            true => self.defaults.take(key, stated, default),
-            false => stated.unwrap_or(default),
+            true => self.defaults.take(key, stated.by_case, default),
+            false => stated.by_case.unwrap_or(default),
         })
     }
 
     /// The least boundary share of spots that form inside the contact.
-    fn of_carried_spots(&mut self, key: Key, stated: Option<f64>, speed: SpotSpeed) -> Choice<f64> {
+    fn of_carried_spots(&mut self, key: Key, stated: Stated<f64>, speed: SpotSpeed) -> Choice<f64> {
         match speed {
-            SpotSpeed::Carried => self.corrected(key, stated, INNER_BOUNDARY),
-            _ if stated.is_some() => {
+            SpotSpeed::Carried => self.default(key, stated, INNER_BOUNDARY),
+            _ if stated.by_case.is_some() => {
                 let rule = "belongs to spot_speed = \"carried\"; state both, or leave this out";
                 Err(Section::of(self.source, key).conflict("", rule))
             }
@@ -324,33 +309,24 @@ impl Choices<'_> {
     }
 
     /// No default.
-    fn as_stated<T>(&mut self, _: Key, stated: Option<T>) -> Choice<Option<T>> {
-        Ok(stated)
-    }
-
-    /// A switch that the paper's formulation does not have.
-    fn of_corrected_only(&mut self, key: Key, stated: Option<bool>, default: bool) -> Choice<bool> {
-        if self.formulation == Formulation::Paper && stated == Some(true) {
-            let rule = "belongs to the corrected formulation; leave one of the two out";
-            return Err(Section::of(self.source, key).conflict("", rule));
-        }
-        self.corrected(key, stated, default)
+    fn as_stated<T>(&mut self, _: Key, stated: Stated<T>) -> Choice<Option<T>> {
+        Ok(stated.value())
     }
 
     /// The layers of a starved inlet, which solutions with a flooded one do not have.
     fn starved_inlet(
         &mut self,
         key: Key,
-        stated: Option<Length>,
+        stated: Stated<Length>,
         gap: GapLaw,
         share: LoadShareName,
         film: FullFilmName,
     ) -> Choice<Option<Length>> {
-        let Some(layer) = stated else {
+        let Some(layer) = stated.value() else {
             return Ok(None);
         };
         let is_flooded = share == LoadShareName::Ehl || film != FullFilmName::Formulas;
-        if is_flooded || self.formulation == Formulation::Paper {
+        if is_flooded {
             let rule = "starves the film of the formulas in the corrected formulation; leave it out or choose these";
             return Err(Section::of(self.source, key).conflict("", rule));
         }
@@ -364,30 +340,30 @@ impl Choices<'_> {
         let holds = layer.si() > 0.0 && layer.si() <= 1e-3;
         DomainError::require(holds, "oil layer", layer.si(), "m", rule)
             .map_err(domain(self.source, key))?;
-        Ok(stated)
+        Ok(Some(layer))
     }
 
-    /// A number of positions, of which the paper's formulation has one.
-    fn of_path(&mut self, key: Key, stated: Option<usize>, default: usize) -> Choice<usize> {
-        match self.formulation {
-            Formulation::Corrected => self.both(key, stated, default),
-            Formulation::Paper => Ok(1),
+    /// A number of positions; one if a single position represents the mesh.
+    fn of_path(&mut self, key: Key, stated: Stated<usize>, default: usize) -> Choice<usize> {
+        match self.formulation.positions {
+            Positions::AlongPath => self.default(key, stated, default),
+            Positions::Single => Ok(1),
         }
     }
 
     /// The pitch point by default; the middle of a path that does not contain it.
-    fn point_of_path(&mut self, key: Key, stated: Option<PathPoint>) -> Choice<f64> {
+    fn point_of_path(&mut self, key: Key, stated: Stated<PathPoint>) -> Choice<f64> {
         let path = self.gears.path();
         let pitch = PathPoint::Named(NamedPoint::C);
         let has_pitch = (0.0..=1.0).contains(&pitch.fraction_of(path));
-        let point = match (self.formulation, stated) {
-            (Formulation::Paper, None) if !has_pitch => {
+        let point = match (self.formulation.positions, stated.value()) {
+            (Positions::Single, None) if !has_pitch => {
                 let rule = "the pitch point lies outside the path of contact, so model.position needs a value from 0 (A) to 1 (E)";
                 return Err(Section::of(self.source, "gears").conflict("", rule));
             }
-            (Formulation::Corrected, None) if !has_pitch => PathPoint::Fraction(0.5),
-            (Formulation::Paper, stated) => self.defaults.take(key, stated, pitch),
-            (Formulation::Corrected, stated) => stated.unwrap_or(pitch),
+            (Positions::AlongPath, None) if !has_pitch => PathPoint::Fraction(0.5),
+            (Positions::Single, stated) => self.defaults.take(key, stated, pitch),
+            (Positions::AlongPath, stated) => stated.unwrap_or(pitch),
         };
         Ok(point.fraction_of(path))
     }
@@ -396,9 +372,10 @@ impl Choices<'_> {
     fn coefficient_of_constant_law(
         &mut self,
         key: Key,
-        stated: Option<f64>,
+        stated: Stated<f64>,
         law: FilmFrictionLaw,
     ) -> Choice<Option<f64>> {
+        let stated = stated.value();
         let rule = match (stated, law == FilmFrictionLaw::Constant) {
             (None, true) => {
                 "is missing, and film_friction = \"constant\" needs it, as constant_friction = 0.05"
@@ -421,13 +398,14 @@ impl Choices<'_> {
     fn ehl_solutions(
         &mut self,
         _: Key,
-        stated: Option<EhlInput>,
+        stated: Stated<EhlInput>,
         share: LoadShareName,
         film: FullFilmName,
     ) -> Choice<EhlChoices> {
         self.has_records = share == LoadShareName::Ehl || film == FullFilmName::EhlTransient;
         self.has_solutions = self.has_records || film == FullFilmName::Ehl;
-        EhlChoices::of(&stated.unwrap_or_default(), self)
+        let by_formulation = stated.by_formulation.unwrap_or_default();
+        EhlChoices::of(&stated.by_case.unwrap_or_default(), &by_formulation, self)
     }
 }
 

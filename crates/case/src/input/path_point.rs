@@ -5,6 +5,15 @@ use serde::de::value::StrDeserializer;
 use serde::de::{IntoDeserializer, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+/// Places of the path of contact that represent the mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Positions {
+    /// Cells of the whole path.
+    AlongPath,
+    /// The place `model.position` alone.
+    Single,
+}
+
 /// A point on the path of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

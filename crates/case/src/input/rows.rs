@@ -412,6 +412,20 @@ impl Checkable for Length {
     }
 }
 
+/// Value of a key as a case states it, and the default that its formulation states.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Stated<T> {
+    pub by_case: Option<T>,
+    pub by_formulation: Option<T>,
+}
+
+impl<T> Stated<T> {
+    /// The value of a key that has no default of its own.
+    pub fn value(self) -> Option<T> {
+        self.by_case.or(self.by_formulation)
+    }
+}
+
 /// The rows of a table whose keys all have a default.
 ///
 /// ```text
@@ -422,6 +436,7 @@ impl Checkable for Length {
 ///
 /// A number has a usual range (W201); what is possible is its check.
 /// `default` is a method of the context: it returns the stated value, or the default, which it adds to the list of defaults.
+/// A formulation may state another default.
 /// Arguments may use the values of the rows above. `with` adds values that follow from several rows.
 macro_rules! choices {
     (
@@ -457,10 +472,18 @@ macro_rules! choices {
 
         impl $choice {
             /// Fills in every key, lists the defaults used, and checks the numbers.
-            fn of(stated: &$input, at: &mut $context) -> Result<Self, $crate::source::case_error::CaseError> {
+            fn of(
+                stated: &$input,
+                by_formulation: &$input,
+                at: &mut $context,
+            ) -> Result<Self, $crate::source::case_error::CaseError> {
                 $(
                     let key = concat!($table, ".", stringify!($name));
-                    let chosen = at.$default(key, Clone::clone(&stated.$name) $(, $arg)*)?;
+                    let values = $crate::input::rows::Stated {
+                        by_case: Clone::clone(&stated.$name),
+                        by_formulation: Clone::clone(&by_formulation.$name),
+                    };
+                    let chosen = at.$default(key, values $(, $arg)*)?;
                     let $name: $crate::input::rows::own!($type $(, $own)?) =
                         $crate::input::rows::Resolved::resolved(chosen);
                     $(

@@ -9,7 +9,7 @@ use asperity_storage::whole_file;
 use crate::error::Error;
 use crate::input::case_input::CaseInput;
 use crate::input::files::{Content, FileContents, Files, Reader};
-use crate::input::model::Formulation;
+use crate::input::formulation::FormulationChoice;
 use crate::loaded::loaded_case::{LoadedCase, complete, keep_oil};
 use crate::source::case_error::CaseError;
 use crate::source::source_text::{MeshKeys, Source};
@@ -131,7 +131,7 @@ fn read(
 ///
 /// # Errors
 /// As for [`Train::load`], and when the case has several meshes.
-pub fn load(path: &Path, formulation: Option<Formulation>) -> Result<LoadedCase, Error> {
+pub fn load(path: &Path, formulation: Option<FormulationChoice>) -> Result<LoadedCase, Error> {
     load_with(path, &|input| {
         if formulation.is_some() {
             input.formulation = formulation;

@@ -11,8 +11,9 @@ use crate::input::case_input::{
     CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput, SurfaceInput,
 };
 use crate::input::files::{Content, Files};
+use crate::input::formulation::FormulationChoice;
 use crate::input::gear_input::{NoRelief, TipRelief};
-use crate::input::model::{Formulation, ModelInput};
+use crate::input::model::ModelInput;
 use crate::input::one_or_two::OneOrTwo;
 use crate::resolved::resolve::Case;
 use asperity_core::quantity::{AngularSpeed, Length, Temperature, Torque};
@@ -126,9 +127,9 @@ impl CaseBuilder {
         self.change(|input| input.title = Some(title))
     }
 
-    /// Formulation of the model.
+    /// The formulation of the model.
     #[must_use]
-    pub fn formulation(self, formulation: Formulation) -> Self {
+    pub fn formulation(self, formulation: FormulationChoice) -> Self {
         self.change(|input| input.formulation = Some(formulation))
     }
 

@@ -10,7 +10,7 @@ use asperity_roughness::preparation::Preparation;
 use crate::input::case_input::{Side, SurfaceInput};
 use crate::input::gear_input::GearFlankInput;
 use crate::input::law_names::LoadShareName;
-use crate::input::model::Formulation;
+use crate::input::path_point::Positions;
 use crate::resolved::resolve::Case;
 
 /// Inputs of the flanks: two equal ones have the same flanks, as long as the files are the same.
@@ -41,7 +41,7 @@ impl FlankInputs {
         let operation = (case.torque, case.speed);
         let form = || shortest_form(&case.gears, operation, case.modulus);
         let law = case.model.load_share;
-        let is_paper = case.formulation == Formulation::Paper;
+        let solves = case.formulation.pressures().is_none();
         Self {
             surface: case.input.surface.clone(),
             side: case.input.surface.loaded_side(case.torque),
@@ -53,8 +53,8 @@ impl FlankInputs {
             },
             largest_spacing: largest_spacing(&case.gears, case.torque, case.modulus),
             preparation: case.preparation,
-            solves_contact: !is_paper && (law.supply().is_some() || law == LoadShareName::Ehl),
-            has_one_position: is_paper,
+            solves_contact: solves && (law.supply().is_some() || law == LoadShareName::Ehl),
+            has_one_position: case.formulation.positions() == Positions::Single,
         }
     }
 

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 use crate::input::bulk_input::{BulkInput, BulkLaw, Lubrication};
 use crate::input::case_input::CaseInput;
 use crate::input::law_names::{FullFilmName, LoadShareName};
-use crate::input::model::{Formulation, Model};
+use crate::input::model::Model;
 use crate::source::case_error::CaseError;
-use crate::source::section::Section;
+use crate::source::section::{Section, in_train};
 use crate::source::source_text::Source;
 
 /// Law of the bulk temperature with its numbers.
@@ -63,34 +63,14 @@ pub struct FoundBulk {
 /// train.
 pub(crate) fn bulk_model(
     stated: Option<&BulkInput>,
-    formulation: Formulation,
     model: &Model,
     source: &Source,
 ) -> Result<Option<BulkModel>, CaseError> {
-    checked(stated, formulation, model, source).map_err(|error| match error {
-        CaseError::Conflict { place, key, rule } => CaseError::Conflict {
-            place,
-            key: source.key_in_train(key),
-            rule,
-        },
-        CaseError::Domain {
-            place,
-            key,
-            written,
-            source: error,
-        } => CaseError::Domain {
-            place,
-            key: source.key_in_train(key),
-            written,
-            source: error,
-        },
-        other => other,
-    })
+    checked(stated, model, source).map_err(|error| in_train(source, error))
 }
 
 fn checked(
     stated: Option<&BulkInput>,
-    formulation: Formulation,
     model: &Model,
     source: &Source,
 ) -> Result<Option<BulkModel>, CaseError> {
@@ -105,10 +85,6 @@ fn checked(
         return Ok(None);
     };
     let section = Section::of(source, "operation.bulk");
-    if formulation != Formulation::Corrected {
-        let rule = "belongs to the corrected formulation; leave one of the two out";
-        return Err(section.conflict_of_key("", rule));
-    }
     if model.load_share == LoadShareName::Ehl || model.full_film != FullFilmName::Formulas {
         let rule = "runs the mesh some twenty times, which ehl solutions make too long; find the temperature with load_share = \"solved\" and state it as operation.bulk_temperature";
         return Err(section.conflict_of_key("", rule));

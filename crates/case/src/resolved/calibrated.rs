@@ -3,7 +3,7 @@
 use asperity_core::DomainError;
 
 use crate::input::calibration::{Calibrated, CalibratedName, CalibrationInput, cholesky};
-use crate::input::model::{Formulation, ModelInput};
+use crate::input::model::ModelInput;
 use crate::source::case_error::CaseError;
 use crate::source::section::Section;
 use crate::source::source_text::Source;
@@ -24,14 +24,9 @@ pub(crate) fn put_into(calibration: &CalibrationInput, model: &ModelInput) -> Mo
 pub(crate) fn check(
     calibration: &CalibrationInput,
     model: &ModelInput,
-    formulation: Formulation,
     source: &Source,
 ) -> Result<(), CaseError> {
     let section = Section::of(source, "calibration");
-    if formulation == Formulation::Paper {
-        let rule = "belongs to the corrected formulation; leave one of the two out";
-        return Err(section.conflict("", rule));
-    }
     // The other keys need no check.
     let CalibrationInput {
         source: _,

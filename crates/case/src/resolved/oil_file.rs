@@ -12,7 +12,7 @@ use serde_json::Value as Json;
 
 use crate::input::calibration::{Calibrated, CalibratedName, CorrelationInput, correlation};
 use crate::input::case_input::CaseInput;
-use crate::input::model::{Formulation, ModelInput};
+use crate::input::model::ModelInput;
 use crate::source::case_error::CaseError;
 use crate::source::section::Section;
 use crate::source::source_text::Source;
@@ -324,14 +324,8 @@ impl OilFile {
     pub(crate) fn put_into(
         &self,
         model: &ModelInput,
-        formulation: Formulation,
         source: &Source,
     ) -> Result<ModelInput, CaseError> {
-        let section = Section::of(source, "lubricant");
-        if formulation == Formulation::Paper {
-            let rule = "belongs to the corrected formulation; leave one of the two out";
-            return Err(section.conflict("oil_file", rule));
-        }
         let law = self.film_friction.pressure_law;
         if model.film_pressure_law.is_some_and(|own| own != law) {
             let rule = "is not the law of pressure that the constants of lubricant.oil_file were fitted by; leave it out, or fit the curves again";

@@ -10,6 +10,7 @@ use asperity_oil::{FilmRheology, Lubricant, LubricantError, LubricantState, Pres
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
+use serde_json::Value;
 
 use super::assumed_relief::{AssumedRelief, ReliefInputs};
 use super::bulk::{BulkModel, FoundBulk, bulk_model};
@@ -22,13 +23,15 @@ use super::plausibility::{at_pitch_point, refuse_stiff_oil};
 use super::solved_teeth::{LoadCheck, SolvedTeeth};
 use super::steel::{Steels, steels};
 use crate::input::case_input::{CaseInput, OperationInput, SurfaceInput, TEMPERATURE_KEYS};
+use crate::input::formulation::FormulationChoice;
 use crate::input::micropitting_input::MicropittingInput;
-use crate::input::model::{Formulation, Model, model};
+use crate::input::model::{Model, OfFormulation, model};
+use crate::input::path_point::Positions;
 use crate::input::ranges::refuse_impossible;
 use crate::laws::Laws;
 use crate::source::case_error::CaseError;
 use crate::source::defaults::{DefaultUsed, Defaults};
-use crate::source::section::{Section, domain};
+use crate::source::section::{Section, domain, in_train};
 use crate::source::source_text::Source;
 use crate::text::{key_of, missing_key};
 
@@ -37,13 +40,13 @@ use crate::text::{key_of, missing_key};
 pub struct Case {
     /// Title.
     pub title: String,
-    /// Formulation of the model.
-    pub formulation: Formulation,
+    /// The formulation of the model.
+    pub formulation: FormulationChoice,
     /// Derived gear geometry.
     pub gears: GearPair,
     /// Modifications of the flanks, with the middle of the tip relief that is not stated.
     pub micro_geometry: MicroGeometry,
-    /// Tip relief that the case does not state; none where it states that of both gears, and in the paper's formulation.
+    /// Tip relief that the case does not state; none where it states that of both gears, and in a formulation without any.
     pub assumed_relief: Option<AssumedRelief>,
     /// Numbers of the load map.
     pub load_settings: LoadMapSettings,
@@ -109,12 +112,10 @@ pub(crate) fn resolve_with(
     refuse_impossible(&input, source)?;
     let oil_file = oil_file.map(|file| file.by_law(input.model.film_pressure_law));
     let mut defaults = Defaults::default();
-    let formulation = defaults.take("formulation", input.formulation, Formulation::default());
-    if formulation == Formulation::Paper && input.operation.temperature_deviation.is_some() {
-        let rule = "widens an interval, which the paper's formulation does not have; leave one of the two out";
-        return Err(Section::of(source, "operation").conflict("temperature_deviation", rule));
-    }
-    check_micropitting(&input, formulation, source)?;
+    let formulation = FormulationChoice::default();
+    let formulation = defaults.take("formulation", input.formulation, formulation);
+    refuse_keys(formulation, &input, source)?;
+    check_micropitting(&input, source)?;
     let gears = gears(&input, source, &mut defaults)?;
     let mut micro_geometry = micro_geometry(&input, source, &mut defaults)?;
     let Steels {
@@ -160,11 +161,11 @@ pub(crate) fn resolve_with(
     let preparation = preparation(&input, source, &mut defaults)?;
     let mut choices = input.model.clone();
     if let Some(calibration) = &input.calibration {
-        calibrated::check(calibration, &input.model, formulation, source)?;
+        calibrated::check(calibration, &input.model, source)?;
         choices = calibrated::put_into(calibration, &choices);
     }
     if let Some(file) = &oil_file {
-        choices = file.put_into(&choices, formulation, source)?;
+        choices = file.put_into(&choices, source)?;
         let by = "the law by which the constants of lubricant.oil_file were fitted".to_owned();
         defaults.take_from(
             "model.film_pressure_law",
@@ -173,8 +174,13 @@ pub(crate) fn resolve_with(
             Some(by),
         );
     }
-    let model = model(&choices, formulation, &gears, source, &mut defaults)?;
-    let bulk = bulk_model(bulk.as_ref(), formulation, &model, source)?;
+    let stated = OfFormulation {
+        defaults: formulation.defaults(),
+        unused_keys: formulation.unused_keys(),
+        positions: formulation.positions(),
+    };
+    let model = model(&choices, &stated, &gears, source, &mut defaults)?;
+    let bulk = bulk_model(bulk.as_ref(), &model, source)?;
     let load_settings = load_settings(&input, &model, source, &mut defaults);
     let mesh = LoadConditions {
         pair: &gears,
@@ -183,9 +189,9 @@ pub(crate) fn resolve_with(
         materials: &materials,
         settings: &load_settings,
     };
-    let check = load_check(&model, formulation, &mesh);
-    let has_relief = formulation == Formulation::Corrected;
-    let relief = has_relief.then(|| ReliefInputs::of(&input, &check.load));
+    let check = load_check(&model, formulation.positions(), &mesh);
+    let assumes = formulation.assumes_relief();
+    let relief = assumes.then(|| ReliefInputs::of(&input, &check.load));
     let teeth = SolvedTeeth::of(known, check, relief, source)?;
     let assumed_relief = teeth.relief().cloned();
     note_relief(&input, assumed_relief.as_ref(), source, &mut defaults);
@@ -248,11 +254,10 @@ pub(crate) fn resolve_with(
 }
 
 /// The check of the load over the teeth, by the law that the case names.
-fn load_check(model: &Model, formulation: Formulation, mesh: &LoadConditions<'_>) -> LoadCheck {
-    let along_path = formulation == Formulation::Corrected;
+fn load_check(model: &Model, positions: Positions, mesh: &LoadConditions<'_>) -> LoadCheck {
     LoadCheck {
         load: LoadInputs::by_law(&model.load_distribution, mesh),
-        positions: along_path.then_some(model.positions),
+        positions: (positions == Positions::AlongPath).then_some(model.positions),
     }
 }
 
@@ -268,7 +273,8 @@ impl Case {
 
     /// The check of the load over the teeth with the flanks as they are now, by the law that the case names.
     pub(crate) fn load_check(&self) -> LoadCheck {
-        load_check(&self.model, self.formulation, &self.load_conditions())
+        let positions = self.formulation.positions();
+        load_check(&self.model, positions, &self.load_conditions())
     }
 
     fn load_conditions(&self) -> LoadConditions<'_> {
@@ -399,19 +405,34 @@ fn preparation(
     })
 }
 
-fn check_micropitting(
+/// Refuses the keys that the formulation of the case does not have; a switch that is off is no use of its key.
+fn refuse_keys(
+    formulation: FormulationChoice,
     input: &CaseInput,
-    formulation: Formulation,
     source: &Source,
 ) -> Result<(), CaseError> {
+    let refused = formulation.refused_keys();
+    if refused.is_empty() {
+        return Ok(());
+    }
+    let stated = serde_json::to_value(input).unwrap_or_default();
+    for &(key, rule) in refused {
+        let section = Section::of(source, key);
+        let error = match stated.pointer(&format!("/{}", key.replace('.', "/"))) {
+            None | Some(Value::Null | Value::Bool(false)) => continue,
+            Some(Value::Object(_)) => section.conflict_of_key("", rule),
+            Some(_) => section.conflict("", rule),
+        };
+        return Err(in_train(source, error));
+    }
+    Ok(())
+}
+
+fn check_micropitting(input: &CaseInput, source: &Source) -> Result<(), CaseError> {
     let Some(stated) = &input.micropitting else {
         return Ok(());
     };
     let section = Section::of(source, "micropitting");
-    if formulation != Formulation::Corrected {
-        let rule = "rates the whole path, and the paper's formulation has one position; leave one of the two out";
-        return Err(section.conflict_of_key("", rule));
-    }
     let MicropittingInput {
         load_factor,
         permissible,

@@ -78,3 +78,26 @@ pub(crate) fn domain<'a, K: Into<Cow<'static, str>>>(
         source: error,
     }
 }
+
+/// An error about a key of a mesh, with the key of the gear train that it comes from.
+pub(crate) fn in_train(source: &Source, error: CaseError) -> CaseError {
+    match error {
+        CaseError::Conflict { place, key, rule } => CaseError::Conflict {
+            place,
+            key: source.key_in_train(key),
+            rule,
+        },
+        CaseError::Domain {
+            place,
+            key,
+            written,
+            source: error,
+        } => CaseError::Domain {
+            place,
+            key: source.key_in_train(key),
+            written,
+            source: error,
+        },
+        other => other,
+    }
+}

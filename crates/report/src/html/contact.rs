@@ -1,7 +1,6 @@
 //! One contact: flanks before, in and after contact, pressure, subsurface stress, convergence.
 
 use crate::error;
-use asperity::case::Formulation;
 use asperity::result::{PositionRow, RunResult};
 use asperity_core::Fault;
 use asperity_core::numerics::range;
@@ -277,14 +276,14 @@ fn load(row: &PositionRow, steps: &[ConvergenceRow], source: &str) -> Drawing {
     Drawing::Curves(chart)
 }
 
-/// Load error by step: logarithmic for the marching, from zero for the loading path.
+/// Load error by step: logarithmic for steps that seek the load, from zero for the loading path.
 fn load_error(
     result: &RunResult,
     steps: &[ConvergenceRow],
     source: &str,
 ) -> Result<Drawing, Fault> {
     let model = &result.inputs.model;
-    let (title, axis, tolerance) = if result.formulation == Formulation::Paper {
+    let (title, axis, tolerance) = if result.formulation.pressures().is_some() {
         let given = model.numerical_error;
         (
             "Convergence: load error of each step",

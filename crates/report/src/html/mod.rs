@@ -36,7 +36,6 @@ pub(crate) use page::{Section, page_of};
 pub use page::{figure, page};
 pub use policy::{policy, source};
 
-use asperity::case::Formulation;
 use asperity::result::RunResult;
 use maud::{Markup, html};
 
@@ -71,10 +70,7 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> 
         section("Uncertainty and other models", models(result), true),
         section("Inputs", last, true),
     ];
-    let formulation = match result.formulation {
-        Formulation::Paper => "paper",
-        _ => "corrected",
-    };
+    let formulation = result.formulation.name();
     let file = result.case_file.as_deref().map(|file| format!(" · {file}"));
     let subtitle = format!(
         "{}{} · formulation {formulation}",

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use asperity::Reversed;
 use asperity::case::train::Train;
-use asperity::case::{Formulation, LoadedCase, MeshLoad};
+use asperity::case::{LoadedCase, MeshLoad};
 use asperity::flanks::LEAST_POINTS_PER_HALF_WIDTH;
 use asperity::flanks::Texture;
 use asperity::gearbox;
@@ -137,9 +137,9 @@ impl Prepared {
                     continue;
                 }
                 let case = at_torque(&mesh.case, torque)?;
-                let tables = match case.case.formulation {
-                    Formulation::Corrected => Some(contacts_beside(&case, &known)?),
-                    Formulation::Paper => None,
+                let tables = match case.case.formulation.pressures() {
+                    None => Some(contacts_beside(&case, &known)?),
+                    Some(_) => None,
                 };
                 known.extend(tables.clone());
                 at_torques.insert(bits, (case, tables));

@@ -1,33 +1,38 @@
 //! Pressure of the fluid at the gap of two rough flanks, for the paper's marching.
 
+use asperity::PositionError;
+use asperity::gear::GearPair;
+use asperity::mesh::MeshPosition;
+use asperity::oil::LubricantState;
+use asperity::window_pressures::WindowConditions;
 use asperity_core::quantity::{Angle, Length};
 use asperity_ns_film::film_pressure::{Rupture, film_pressure};
 use asperity_ns_film::gap::GapShape;
 use asperity_ns_film::{FilmConditions, FluidModel};
 
-use crate::mesh::MeshPosition;
-use asperity_case::case::Case;
-use asperity_case::error::PositionError;
-
-/// Pressure of the fluid \[Pa\] at the points `x` \[m\] where the current gap is `gap` \[m\].
+/// Pressure of the fluid \[Pa\] at the points of a window where the current gap is `gap` \[m\].
 ///
 /// The paper's model gives the pressure difference across the film at each point, zero where the
 /// flanks touch and where the difference draws them together. The consistent model gives the full
 /// film pressure of smooth flanks at the mean gap under the Hertz contact.
 pub(crate) fn pressure_at_gap(
-    case: &Case,
-    position: &MeshPosition,
-    x: &[f64],
+    window: &WindowConditions<'_>,
     gap: &[f64],
 ) -> Result<Vec<f64>, PositionError> {
-    match case.model.fluid_pressure {
-        FluidModel::Paper => across(case, position, gap),
-        FluidModel::ReynoldsCross => along(case, position, x, gap),
+    match window.model.fluid_pressure {
+        FluidModel::Paper => across(window, gap),
+        FluidModel::ReynoldsCross => along(window, gap),
     }
 }
 
 /// The film between the two flanks at a position, `thickness` apart on the line of centres.
-pub fn film_at(case: &Case, position: &MeshPosition, thickness: Length) -> FilmConditions {
+#[must_use]
+pub fn film_between(
+    gears: &GearPair,
+    oil: &LubricantState,
+    position: &MeshPosition,
+    thickness: Length,
+) -> FilmConditions {
     FilmConditions {
         wall_1: position.motion.u1,
         wall_2: position.motion.u2,
@@ -35,18 +40,19 @@ pub fn film_at(case: &Case, position: &MeshPosition, thickness: Length) -> FilmC
         radius_2: position.motion.rho2,
         film_thickness: thickness,
         angle: Angle::from_si(0.0),
-        base_radius: case.gears.base_radius[1],
+        base_radius: gears.base_radius[1],
         middle_speed: None,
-        viscosity: case.oil.dynamic_viscosity,
-        density: case.oil.density,
+        viscosity: oil.dynamic_viscosity,
+        density: oil.density,
     }
 }
 
-fn across(case: &Case, position: &MeshPosition, gap: &[f64]) -> Result<Vec<f64>, PositionError> {
+fn across(window: &WindowConditions<'_>, gap: &[f64]) -> Result<Vec<f64>, PositionError> {
     let Some(&open) = gap.iter().find(|gap| **gap > 0.0) else {
         return Ok(vec![0.0; gap.len()]);
     };
-    let film = film_at(case, position, Length::from_si(open));
+    let thickness = Length::from_si(open);
+    let film = film_between(window.gears, window.oil, window.position, thickness);
     let section = film.paper_film().at_any_gap()?;
     gap.iter()
         .map(|&gap| {
@@ -59,12 +65,8 @@ fn across(case: &Case, position: &MeshPosition, gap: &[f64]) -> Result<Vec<f64>,
         .collect()
 }
 
-fn along(
-    case: &Case,
-    position: &MeshPosition,
-    x: &[f64],
-    gap: &[f64],
-) -> Result<Vec<f64>, PositionError> {
+fn along(window: &WindowConditions<'_>, gap: &[f64]) -> Result<Vec<f64>, PositionError> {
+    let (position, x) = (window.position, &window.pair.x);
     let half_width = position.hertz.half_width.si();
     let under: Vec<f64> = x
         .iter()
@@ -90,7 +92,7 @@ fn along(
         x,
         &film,
         position.motion.u1 + position.motion.u2,
-        case.oil.dynamic_viscosity,
+        window.oil.dynamic_viscosity,
         Rupture::default(),
     )?;
     Ok(found.pressure)

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use asperity::case::LoadedCase;
-use asperity::pipeline::{FilmRow, film};
 use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Line, Series};
 use asperity_report::tables::write;
 
 use super::figure::Figure;
+use crate::film_survey::{FilmRow, film};
 
 pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, Fault> {
     let at_pitch = "Fig. 8a: difference across the film, rolling (pitch point)";

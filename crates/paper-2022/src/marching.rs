@@ -1,15 +1,15 @@
 //! The paper's way to the load: lower the surfaces into each other step by step until the pressures
 //! of solids and fluid together carry it.
 
+use asperity::PositionError;
+use asperity::window_pressures::{LoadStep, Pressed, WindowConditions};
+use asperity_contact::plasticity::softer_flow_pressure;
 use asperity_contact::{Boundary, ContactProblem, ContactSolution, Control, Solver};
 use asperity_core::quantity::Length;
+use asperity_core::remedy::{Remedy, Setting, Value};
+use asperity_core::{Code, Fault};
 
 use super::film_pressure::pressure_at_gap;
-use crate::contacts::{LoadStep, Pressed, settings, softer};
-use crate::mesh::MeshPosition;
-use asperity_case::case::Case;
-use asperity_case::error::PositionError;
-use asperity_case::flanks::WindowPair;
 
 /// Steps made while the surfaces are still apart, so that the history shows where they touch.
 const STEPS_APART: usize = 5;
@@ -20,9 +20,7 @@ const MOST_HALVINGS: usize = 40;
 
 /// State of the marching.
 struct March<'a> {
-    case: &'a Case,
-    position: &'a MeshPosition,
-    pair: &'a WindowPair,
+    window: &'a WindowConditions<'a>,
     solver: Solver,
     /// Approach at which the highest points of the undeformed flanks touch.
     touch: f64,
@@ -42,16 +40,11 @@ struct Step {
 ///
 /// # Errors
 /// When the contact solver fails or the load is not met.
-pub(crate) fn march(
-    case: &Case,
-    position: &MeshPosition,
-    pair: &WindowPair,
-) -> Result<Pressed, PositionError> {
+pub(crate) fn march(window: &WindowConditions<'_>) -> Result<Pressed, PositionError> {
+    let pair = window.pair;
     let lowest = pair.gap.iter().copied().fold(f64::INFINITY, f64::min);
     let march = March {
-        case,
-        position,
-        pair,
+        window,
         solver: Solver::new(pair.gap.len(), Boundary::FreeEnds)?,
         touch: lowest,
         // Twice the window, as the solver's own default: the approach is defined up to this choice.
@@ -63,8 +56,8 @@ pub(crate) fn march(
 
 impl March<'_> {
     fn run(mut self) -> Result<Pressed, PositionError> {
-        let target = self.position.load.si();
-        let mut step = self.case.model.delta_step.si();
+        let target = self.window.position.load.si();
+        let mut step = self.window.model.delta_step.si();
         let mut approach = self.touch - STEPS_APART as f64 * step;
         let mut start: Option<Vec<f64>> = None;
         let mut halvings = 0;
@@ -72,7 +65,7 @@ impl March<'_> {
         while self.history.len() < MOST_STEPS && halvings < MOST_HALVINGS {
             let made = self.step(approach + step, start.as_deref())?;
             error = (made.total - target).abs() / target;
-            if error < self.case.model.numerical_error {
+            if error < self.window.model.numerical_error {
                 return Ok(Pressed {
                     fluid: made.fluid,
                     solids: Some(made.solids),
@@ -87,34 +80,33 @@ impl March<'_> {
                 start = Some(made.solids.pressure);
             }
         }
-        Err(PositionError::marching(
-            100.0 * error,
-            100.0 * self.case.model.numerical_error,
-            self.history.len(),
-        ))
+        let allowed = self.window.model.numerical_error;
+        Err(load_not_reached(error, allowed, self.history.len()))
     }
 
     fn step(&mut self, approach: f64, start: Option<&[f64]>) -> Result<Step, PositionError> {
+        let [pinion, wheel] = self.window.flow_pressure;
         let problem = ContactProblem {
-            gap: &self.pair.gap,
-            spacing: self.pair.spacing,
-            modulus: self.case.modulus,
+            gap: &self.window.pair.gap,
+            spacing: self.window.pair.spacing,
+            modulus: self.window.modulus,
             boundary: Boundary::FreeEnds,
             control: Control::Approach {
                 approach: Length::from_si(approach),
                 datum: self.datum,
             },
             prescribed_pressure: None,
-            pressure_limit: Some(softer(self.case)?),
+            pressure_limit: Some(softer_flow_pressure(pinion, wheel)?),
             start,
         };
-        let solids = self.solver.solve(&problem, &settings(self.case))?;
-        let fluid = pressure_at_gap(self.case, self.position, &self.pair.x, &solids.gap)?;
-        let dx = self.pair.spacing.si();
+        let settings = self.window.model.contact_settings();
+        let solids = self.solver.solve(&problem, &settings)?;
+        let fluid = pressure_at_gap(self.window, &solids.gap)?;
+        let dx = self.window.pair.spacing.si();
         let load_fluid: f64 = fluid.iter().sum::<f64>() * dx;
         let load_solid = solids.load.si();
         let total = load_solid + load_fluid;
-        let target = self.position.load.si();
+        let target = self.window.position.load.si();
         self.history.push(LoadStep {
             approach: approach - self.touch,
             load_solid,
@@ -126,5 +118,26 @@ impl March<'_> {
             fluid,
             total,
         })
+    }
+}
+
+/// The march did not reach the load within the `allowed` error.
+fn load_not_reached(error: f64, allowed: f64, steps: usize) -> PositionError {
+    let [left, allowed] = [error, allowed].map(|error| percent(100.0 * error));
+    let text = format!(
+        "lowering the surfaces step by step left a load error of {left} % after {steps} steps (allowed {allowed} %)"
+    );
+    let smaller = Remedy::state(Setting::Key("model.delta_step")).because("to a smaller one");
+    let larger = smaller
+        .or_set(Setting::Key("model.numerical_error"), Value::Any)
+        .because("to a larger one");
+    Fault::new(Code::E304, text).with(larger).into()
+}
+
+/// Digits that mean something, however small the value.
+fn percent(value: f64) -> String {
+    match value >= 0.01 {
+        true => format!("{value:.2}"),
+        false => format!("{value:.1e}"),
     }
 }

@@ -6,7 +6,6 @@ use asperity::PositionError;
 use asperity::case::LoadedCase;
 use asperity::lubrication::formula_film;
 use asperity::mesh::Mesh;
-use asperity::paper::film_at;
 use asperity_core::Fault;
 use asperity_core::numerics::range;
 use asperity_core::quantity::{Density, DynamicViscosity, KinematicViscosity};
@@ -16,6 +15,7 @@ use asperity_report::tables::write;
 use serde::Serialize;
 
 use super::figure::Figure;
+use crate::film_pressure::film_between;
 
 /// Densities from light spindle oil to a fluid 15 % denser than water.
 const DENSITIES: [f64; 5] = [750.0, 850.0, 950.0, 1050.0, 1150.0];
@@ -121,7 +121,7 @@ fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<OilRow, Fault>
     let outcome = asperity::Run::new(&case).execute()?;
     let station = Mesh::of(&case.case)?.positions.remove(0);
     let central = formula_film(&case.case, &station)?.film.central;
-    let film = film_at(&case.case, &station, central);
+    let film = film_between(&case.case.gears, &case.case.oil, &station, central);
     let across = |model| {
         pressure_difference_across(model, &film)
             .map(|p| p.si())

@@ -1,0 +1,4 @@
+//! The tests of this crate as one program, which is linked only once.
+
+mod cases;
+mod keys;
