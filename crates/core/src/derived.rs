@@ -21,7 +21,7 @@ impl<I: PartialEq, T: Clone> Derived<I, T> {
     /// The value of `inputs`: the known one if it follows from equal inputs, or else a new one by `make`.
     ///
     /// # Errors
-    /// Those of `make`.
+    /// The errors of `make`.
     pub fn renewed<E>(
         known: Option<&Self>,
         inputs: I,

@@ -59,7 +59,7 @@ impl FlankPlaceInput {
     }
 }
 
-/// What the keys of a flank state about the place of its trace.
+/// Place of a trace as the keys of its flank state it.
 pub(crate) fn stated_place(
     from: Option<TraceStart>,
     at: Option<FlankPlaceInput>,

@@ -45,7 +45,7 @@ use super::path_point::Positions;
 use super::window_pressures::WindowPressures;
 use crate::error::PositionError;
 
-/// A complete choice of models. What a formulation does not state is that of the program.
+/// A complete choice of models. The program has a default of everything that one does not state.
 pub trait Formulation: Debug + Send + Sync {
     /// Value of the key `formulation`.
     fn name(&self) -> &'static str;
@@ -112,7 +112,7 @@ pub trait Formulation: Debug + Send + Sync {
 pub struct FilmRegime {
     /// Full film or mixed friction.
     pub regime: Regime,
-    /// Whether the friction of the film is that of a full film.
+    /// Whether the window has the friction of a full film.
     pub is_full: bool,
 }
 
@@ -130,7 +130,7 @@ impl Formulation for Corrected {
     }
 }
 
-/// Formulations other than that of this program, in the order in which they were registered.
+/// All other formulations, in the order in which they were registered.
 static REGISTERED: RwLock<Vec<FormulationChoice>> = RwLock::new(Vec::new());
 
 /// Makes `formulation` a value of the key `formulation`, and returns it as a case chooses it. Of several with one name the first
@@ -148,7 +148,7 @@ pub fn register(formulation: &'static dyn Formulation) -> FormulationChoice {
     }
 }
 
-/// The formulations that a case can choose, that of this program first.
+/// The formulations that a case can choose, the one of this program first.
 #[must_use]
 pub fn registered() -> Vec<FormulationChoice> {
     let others = REGISTERED.read().unwrap_or_else(PoisonError::into_inner);
@@ -205,7 +205,7 @@ fn one_of(known: &[&str]) -> String {
     quoted.join(" or ")
 }
 
-/// What a program does that has no formulation but its own.
+/// Advice where a program has no formulation except its own.
 fn unregistered(known: &[&str]) -> &'static str {
     match known {
         [_] => {

@@ -220,7 +220,7 @@ impl Model {
     }
 }
 
-/// What a formulation states of the choices.
+/// Statements of a formulation about the choices.
 pub(crate) struct OfFormulation {
     /// Defaults that differ.
     pub defaults: ModelInput,

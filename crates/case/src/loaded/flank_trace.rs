@@ -302,7 +302,7 @@ fn stated(filters: &Filters, assumed_from: bool, file: &str, keys: &Keys) -> Vec
 /// Keys of λc and λs.
 const CUTOFFS: [&str; 2] = ["surface.cutoff", "surface.noise_cutoff"];
 
-/// W129: cut-offs of the case that differ from those of the file.
+/// W129: cut-offs that differ between the case and the file.
 fn overridden(filters: &Filters, stated: StatedFilters, file: &str) -> Option<Warning> {
     let each = CUTOFFS.into_iter().zip(["λc", "λs"]);
     let cutoffs = filters.overridden.into_iter().zip(stated.cutoffs);
