@@ -5,6 +5,7 @@ mod error_variants;
 mod file_imports;
 mod hosted;
 mod key_names;
+mod long_functions;
 mod message_numbers;
 mod plain_english;
 mod tables_once;

@@ -1,11 +1,11 @@
-//! The way of an option to its result, as docs/ARCHITECTURE.md draws it.
+//! The ways of an option to its result and of the heights of a trace to the loss, as docs/ARCHITECTURE.md draws them.
 
 use std::fs;
 use std::path::Path;
 
 use crate::ALLOWED;
 
-/// Maximum number of functions between an option and its result.
+/// Maximum number of functions of a way.
 const MOST: usize = 12;
 
 /// A function of the way.
@@ -15,9 +15,9 @@ struct Step<'a> {
     file: &'a str,
 }
 
-/// The functions of the way in their order.
-fn steps(page: &str) -> Vec<Step<'_>> {
-    let (_, after) = page.split_once("An option of `run` on its way").unwrap();
+/// The functions of the way that `title` announces, in their order.
+fn steps<'a>(page: &'a str, title: &str) -> Vec<Step<'a>> {
+    let (_, after) = page.split_once(title).unwrap();
     let drawn = after.split("```").nth(1).unwrap();
     drawn.lines().skip(1).filter_map(step).collect()
 }
@@ -54,8 +54,20 @@ fn folder(file: &str) -> &str {
 
 #[test]
 fn an_option_reaches_its_result_in_few_functions_and_none_calls_a_crate_above_it() {
+    check("An option of `run` on its way", 1);
+}
+
+/// The first function makes the case that the second one takes.
+#[test]
+fn heights_reach_the_loss_in_few_functions_and_none_calls_a_crate_above_it() {
+    check("The heights of a trace on their way", 2);
+}
+
+/// Checks a way of `parts`, each of which begins with a function that no other one of the way calls.
+fn check(title: &str, parts: usize) {
     let page = source("docs/ARCHITECTURE.md");
-    let steps = steps(&page);
+    let steps = steps(&page, title);
+    assert_eq!(steps.iter().filter(|step| step.depth == 0).count(), parts);
     assert!((2..=MOST).contains(&steps.len()), "{}", steps.len());
     for (k, step) in steps.iter().enumerate() {
         let Step {
@@ -68,7 +80,7 @@ fn an_option_reaches_its_result_in_few_functions_and_none_calls_a_crate_above_it
             "{file}: {function}"
         );
         let Some(caller) = steps[..k].iter().rev().find(|above| above.depth < depth) else {
-            assert_eq!(k, 0, "{function} has no caller");
+            assert_eq!(depth, 0, "{function} has no caller");
             continue;
         };
         let text = source(caller.file);

@@ -15,7 +15,7 @@ use crate::sampling::{
     means_of_pairs, pair_sampling, travel_sampling, window_sampling, windows_of_traces,
 };
 use asperity_case::case::{FullFilmName, LoadShareName, LoadedCase, cholesky};
-use asperity_case::error::Error;
+use asperity_case::error::{Error, PositionError};
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::thermal_reduction::GUPTA_HELD;
 use asperity_mixed_film::SpotSpeed;
@@ -129,7 +129,6 @@ pub(super) fn by_contacts(
     contacts: &Contacts,
     done: &(dyn Fn(usize) + Sync),
 ) -> Result<Evaluated, Error> {
-    let whole = |error| Error::Whole(Box::new(error));
     let (constants, held) = parameters(loaded).map_err(whole)?;
     let base_case = few_offsets(loaded);
     let each = base_case.case.model.offsets;
@@ -137,26 +136,52 @@ pub(super) fn by_contacts(
         true => contacts.of_first_pair(&base_case).first(each),
         false => contacts.first(each),
     };
-    let dimensions = constants.len();
+    let mut predictive = at_medians(loaded, nominal, constants)?;
+    let mut of_positions = Vec::new();
+    // Without sliding there is no ratio.
+    if !predictive.constants.is_empty() && nominal.summary.sliding_w > 0.0 {
+        let constants = predictive.constants.clone();
+        let base = Base {
+            loaded: &base_case,
+            constants: &constants,
+            contacts: &few,
+            number: AtomicUsize::new(0),
+            done,
+        };
+        of_positions = Fits::of(base)?.enter(loaded, &mut predictive)?;
+    }
+    Ok(Evaluated {
+        predictive,
+        of_positions,
+        held,
+        evaluations: count(loaded),
+    })
+}
+
+fn whole(error: PositionError) -> Error {
+    Error::Whole(Box::new(error))
+}
+
+/// The distribution of the loss of a run at the medians, in which nothing is evaluated yet.
+fn at_medians(
+    loaded: &LoadedCase,
+    nominal: &Nominal<'_>,
+    constants: Vec<Ranged>,
+) -> Result<Predictive, Error> {
     let path = Path::of(nominal.path);
-    let mut predictive = Predictive {
-        at_medians_w: nominal.summary.loss_w,
-        power_in_w: nominal.summary.power_in_w,
-        parts_w: {
-            let s = &nominal.summary;
-            [
-                s.sliding_w,
-                s.rolling_w,
-                s.loss_w - s.sliding_w - s.rolling_w,
-            ]
-        },
+    let summary = nominal.summary;
+    let others_w = summary.loss_w - summary.sliding_w - summary.rolling_w;
+    Ok(Predictive {
+        at_medians_w: summary.loss_w,
+        power_in_w: summary.power_in_w,
+        parts_w: [summary.sliding_w, summary.rolling_w, others_w],
         correlations: correlations(loaded, &constants),
         sliding: None,
         rolling: None,
         share: None,
         surface_rms: 0.0,
         asperity_share: path.asperity_share,
-        film_law: film_law(loaded, nominal.summary),
+        film_law: film_law(loaded, summary),
         other_law: None,
         inner_boundary: None,
         recorded: None,
@@ -169,37 +194,60 @@ pub(super) fn by_contacts(
         film_m: path.film_m,
         sampling: sampling_error(loaded, nominal, path.asperity_share)?,
         constants,
-    };
-    let mut of_positions = Vec::new();
-    // Without sliding there is no ratio.
-    if dimensions > 0 && nominal.summary.sliding_w > 0.0 {
-        let base = Base {
-            loaded: &base_case,
-            constants: &predictive.constants,
-            contacts: &few,
-            number: AtomicUsize::new(0),
-            done,
-        };
-        let places = |count, seed| places(count, dimensions, seed);
-        let fitted = places(QuadraticSurface::evaluations(dimensions), SEED);
+    })
+}
+
+/// Losses at other constants, to which surfaces are fitted.
+struct Fits<'a> {
+    base: Base<'a>,
+    /// Places of the constants, and the losses there.
+    fitted: Vec<Vec<f64>>,
+    found: Vec<Losses>,
+    /// Losses at the medians.
+    middle: Losses,
+}
+
+impl<'a> Fits<'a> {
+    fn of(base: Base<'a>) -> Result<Self, Error> {
+        let dimensions = base.constants.len();
+        let fitted = places(QuadraticSurface::evaluations(dimensions), dimensions, SEED);
         let middle = base.at(&vec![0.0; dimensions], None)?;
-        let found = base.all(&fitted, None)?;
-        let ratio = |losses: &Losses| (losses.summary.sliding_w / middle.summary.sliding_w).ln();
-        let share = |losses: &Losses| Path::of(&losses.path).asperity_share - path_share(&middle);
-        let fit = |of: &dyn Fn(&Losses) -> f64| {
-            QuadraticSurface::fit(&fitted, &found.iter().map(of).collect::<Vec<_>>())
-        };
-        predictive.sliding = fit(&ratio);
-        predictive.share = fit(&share);
+        Ok(Self {
+            found: base.all(&fitted, None)?,
+            base,
+            fitted,
+            middle,
+        })
+    }
+
+    /// Logarithm of the sliding loss over its value at the medians.
+    fn ratio(&self, losses: &Losses) -> f64 {
+        (losses.summary.sliding_w / self.middle.summary.sliding_w).ln()
+    }
+
+    fn fit(&self, of: &dyn Fn(&Losses) -> f64) -> Option<QuadraticSurface> {
+        QuadraticSurface::fit(&self.fitted, &self.found.iter().map(of).collect::<Vec<_>>())
+    }
+
+    /// Puts surfaces and factors into `predictive`, and returns the surfaces of the positions.
+    fn enter(
+        &self,
+        loaded: &LoadedCase,
+        predictive: &mut Predictive,
+    ) -> Result<Vec<QuadraticSurface>, Error> {
+        let middle = &self.middle;
+        let share = |losses: &Losses| Path::of(&losses.path).asperity_share - path_share(middle);
+        predictive.sliding = self.fit(&|losses| self.ratio(losses));
+        predictive.share = self.fit(&share);
         let temperature = UncertainParameter::TemperatureError;
         if predictive.draws(temperature) && middle.summary.rolling_w > 0.0 {
-            predictive.rolling =
-                fit(&|losses| (losses.summary.rolling_w / middle.summary.rolling_w).ln());
+            let rolling = |losses: &Losses| losses.summary.rolling_w / middle.summary.rolling_w;
+            predictive.rolling = self.fit(&|losses| rolling(losses).ln());
         }
         let of_position = |k: usize| {
             let of = |losses: &Losses| losses.path[k].sliding_w_per_m;
-            let base = of(&middle);
-            fit(&|losses: &Losses| {
+            let base = of(middle);
+            self.fit(&|losses: &Losses| {
                 if base > 0.0 {
                     (of(losses) / base).ln()
                 } else {
@@ -207,65 +255,83 @@ pub(super) fn by_contacts(
                 }
             })
         };
-        of_positions = (0..middle.path.len()).filter_map(of_position).collect();
-        if let Some(other) = other_law(loaded)? {
-            let (by_other, _) = parameters(&other.case).map_err(whole)?;
-            let base = Base {
-                loaded: &other.case,
-                constants: &by_other,
-                number: AtomicUsize::new(base.number.load(Ordering::Relaxed)),
-                ..base
-            };
-            let found = base.all(&fitted, None)?;
-            let at_medians = base.at(&vec![0.0; dimensions], None)?;
-            let shift = ratio(&at_medians);
-            let changes: Vec<f64> = found.iter().map(|losses| ratio(losses) - shift).collect();
-            let sliding = QuadraticSurface::fit(&fitted, &changes);
-            predictive.other_law = sliding.map(|sliding| OtherLaw {
-                probability: other.probability,
-                correlations: correlations(&other.case, &by_other),
-                shift,
-                sliding,
-            });
+        let of_positions = (0..middle.path.len()).filter_map(of_position).collect();
+        predictive.other_law = self.other_law(loaded)?;
+        if let Some(surface) = predictive.sliding.clone() {
+            predictive.surface_rms = self.error_of(&surface)?;
+            self.enter_factors(loaded, &surface, predictive)?;
         }
-        if let Some(surface) = &predictive.sliding {
-            let others = places(HELD_OUT, SEED + 1);
-            let found = base.all(&others, None)?;
-            let squares = others
-                .iter()
-                .zip(&found)
-                .map(|(z, losses)| (surface.at(z) - ratio(losses)).powi(2));
-            predictive.surface_rms = (squares.sum::<f64>() / HELD_OUT as f64).sqrt();
-            if draws_inner_boundary(loaded) {
-                let run = (&ratio as &dyn Fn(&Losses) -> f64, middle.summary.boundary_w);
-                predictive.inner_boundary = Some(inner_boundary(&base, run, surface)?);
-            }
-            let is_held = |note: &OutsideInput| note.correlation == GUPTA_HELD;
-            if middle.outside.iter().any(is_held) {
-                let mut printed = base.loaded.clone();
-                printed.case.laws.printed_thermal = true;
-                let found = evaluated(&printed, Some(base.contacts))?;
-                let rolling = match middle.summary.rolling_w > 0.0 {
-                    true => found.summary.rolling_w / middle.summary.rolling_w,
-                    false => 1.0,
-                };
-                predictive.held_thermal = Some([ratio(&found).exp(), rolling]);
-            }
-            if loaded.lay_beyond_records().map_err(whole)?.is_some() {
-                let mut confirmed = base.loaded.clone();
-                confirmed.case.model.lay = [Lay::CONFIRMED; 2];
-                let found = evaluated(&confirmed, Some(base.contacts))?;
-                (base.done)(1 + base.number.fetch_add(1, Ordering::Relaxed));
-                predictive.far_lay = Some(ratio(&found).exp());
-            }
-        }
+        Ok(of_positions)
     }
-    Ok(Evaluated {
-        predictive,
-        of_positions,
-        held,
-        evaluations: count(loaded),
-    })
+
+    /// The surface by the other law of pressure that the curves of the oil file admit.
+    fn other_law(&self, loaded: &LoadedCase) -> Result<Option<OtherLaw>, Error> {
+        let Some(other) = other_law(loaded)? else {
+            return Ok(None);
+        };
+        let (by_other, _) = parameters(&other.case).map_err(whole)?;
+        let base = Base {
+            loaded: &other.case,
+            constants: &by_other,
+            contacts: self.base.contacts,
+            number: AtomicUsize::new(self.base.number.load(Ordering::Relaxed)),
+            done: self.base.done,
+        };
+        let found = base.all(&self.fitted, None)?;
+        let at_medians = base.at(&vec![0.0; by_other.len()], None)?;
+        let shift = self.ratio(&at_medians);
+        let changes = found.iter().map(|losses| self.ratio(losses) - shift);
+        let sliding = QuadraticSurface::fit(&self.fitted, &changes.collect::<Vec<_>>());
+        Ok(sliding.map(|sliding| OtherLaw {
+            probability: other.probability,
+            correlations: correlations(&other.case, &by_other),
+            shift,
+            sliding,
+        }))
+    }
+
+    /// Root mean square by which `surface` misses the logarithm at places that it was not fitted to.
+    fn error_of(&self, surface: &QuadraticSurface) -> Result<f64, Error> {
+        let others = places(HELD_OUT, self.base.constants.len(), SEED + 1);
+        let found = self.base.all(&others, None)?;
+        let squares = others.iter().zip(&found);
+        let squares = squares.map(|(z, losses)| (surface.at(z) - self.ratio(losses)).powi(2));
+        Ok((squares.sum::<f64>() / HELD_OUT as f64).sqrt())
+    }
+
+    /// Factors that single evaluations give: inner boundary friction, thermal reduction beyond its fit, lay beyond the records.
+    fn enter_factors(
+        &self,
+        loaded: &LoadedCase,
+        surface: &QuadraticSurface,
+        predictive: &mut Predictive,
+    ) -> Result<(), Error> {
+        let (base, middle) = (&self.base, &self.middle);
+        if draws_inner_boundary(loaded) {
+            let ratio = |losses: &Losses| self.ratio(losses);
+            let run = (&ratio as &dyn Fn(&Losses) -> f64, middle.summary.boundary_w);
+            predictive.inner_boundary = Some(inner_boundary(base, run, surface)?);
+        }
+        let is_held = |note: &OutsideInput| note.correlation == GUPTA_HELD;
+        if middle.outside.iter().any(is_held) {
+            let mut printed = base.loaded.clone();
+            printed.case.laws.printed_thermal = true;
+            let found = evaluated(&printed, Some(base.contacts))?;
+            let rolling = match middle.summary.rolling_w > 0.0 {
+                true => found.summary.rolling_w / middle.summary.rolling_w,
+                false => 1.0,
+            };
+            predictive.held_thermal = Some([self.ratio(&found).exp(), rolling]);
+        }
+        if loaded.lay_beyond_records().map_err(whole)?.is_some() {
+            let mut confirmed = base.loaded.clone();
+            confirmed.case.model.lay = [Lay::CONFIRMED; 2];
+            let found = evaluated(&confirmed, Some(base.contacts))?;
+            (base.done)(1 + base.number.fetch_add(1, Ordering::Relaxed));
+            predictive.far_lay = Some(self.ratio(&found).exp());
+        }
+        Ok(())
+    }
 }
 
 /// A case with the offsets and surrogates of the evaluations: a ratio of losses needs few, whatever the case states.

@@ -263,41 +263,28 @@ const RIG: &str = "losses measured on a rig (asperity calibrate)";
 /// Solution that is more certain than the fast model, and takes minutes.
 const RECORDS: &str = "records of mixed lubrication: model.load_share = \"ehl\"";
 
-/// Every component, drawn with all others at their medians and scaled to the median of the loss, the largest first.
-fn parts(
+/// The measurement that would narrow a constant.
+fn measurement_of(ranged: &Ranged) -> &'static str {
+    match ranged.kind {
+        Constant::BoundaryFriction | Constant::BoundaryLayer => RIG,
+        Constant::Lay if ranged.measured.is_some() => "longer areal scans of the flanks",
+        Constant::Lay => "an areal scan of the flank: model.lay",
+        Constant::LimitingShear | Constant::EyringStress if ranged.measured.is_none() => TRACTION,
+        Constant::LimitingShear
+        | Constant::EyringStress
+        | Constant::LimitingShearTemperature
+        | Constant::PressureViscosityFactor => "further traction curves of the oil",
+        Constant::PressureViscosity => "lubricant.pressure_viscosity of the oil",
+        Constant::TemperatureError => "a thermocouple: operation.temperature_deviation",
+    }
+}
+
+/// Factors of the loss besides the constants, each with its name and with the measurement that would narrow it.
+fn factors(
     loaded: &LoadedCase,
     predictive: &Predictive,
     nominal: &Nominal<'_>,
-    median_w: f64,
-) -> Vec<UncertaintyPart> {
-    let law = predictive.law();
-    let at_medians = law.loss(&Draw::medians());
-    let scale = match at_medians > 0.0 {
-        true => median_w / at_medians,
-        false => 1.0,
-    };
-    let constants = predictive.constants.iter().enumerate();
-    let constants = constants.map(|(k, ranged)| {
-        let remedy = match ranged.kind {
-            Constant::BoundaryFriction | Constant::BoundaryLayer => RIG,
-            Constant::Lay if ranged.measured.is_some() => "longer areal scans of the flanks",
-            Constant::Lay => "an areal scan of the flank: model.lay",
-            Constant::LimitingShear | Constant::EyringStress if ranged.measured.is_none() => {
-                TRACTION
-            }
-            Constant::LimitingShear
-            | Constant::EyringStress
-            | Constant::LimitingShearTemperature
-            | Constant::PressureViscosityFactor => "further traction curves of the oil",
-            Constant::PressureViscosity => "lubricant.pressure_viscosity of the oil",
-            Constant::TemperatureError => "a thermocouple: operation.temperature_deviation",
-        };
-        (
-            Component::Constant(k),
-            ranged.kind.name(),
-            remedy.to_owned(),
-        )
-    });
+) -> [(Component, &'static str, String); 9] {
     let half_width = widest(nominal.path);
     let windows = windows_of_traces(&loaded.surfaces, loaded.case.model.window, half_width)
         .unwrap_or(f64::INFINITY);
@@ -320,7 +307,7 @@ fn parts(
         true => RECORDS,
         false => RIG,
     };
-    let factors = [
+    [
         (Component::Sampling, "sampling of the flanks", longer),
         (
             Component::Relief,
@@ -355,7 +342,28 @@ fn parts(
             "rolling loss",
             "a spin-loss measurement".to_owned(),
         ),
-    ];
+    ]
+}
+
+/// Every component, drawn with all others at their medians and scaled to the median of the loss, the largest first.
+fn parts(
+    loaded: &LoadedCase,
+    predictive: &Predictive,
+    nominal: &Nominal<'_>,
+    median_w: f64,
+) -> Vec<UncertaintyPart> {
+    let law = predictive.law();
+    let at_medians = law.loss(&Draw::medians());
+    let scale = match at_medians > 0.0 {
+        true => median_w / at_medians,
+        false => 1.0,
+    };
+    let constants = predictive.constants.iter().enumerate();
+    let constants = constants.map(|(k, ranged)| {
+        let remedy = measurement_of(ranged).to_owned();
+        (Component::Constant(k), ranged.kind.name(), remedy)
+    });
+    let factors = factors(loaded, predictive, nominal);
     let alone = constants
         .chain(factors)
         .filter_map(|(component, name, remedy)| {

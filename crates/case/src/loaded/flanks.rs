@@ -21,6 +21,7 @@ use crate::source::source_text::Source;
 use asperity_core::message::Warning;
 use asperity_flanks::meeting::{Meeting, Refined, longer_than_active, on_common_spacing};
 use asperity_flanks::surfaces::{FlankReport, Surfaces};
+use asperity_flanks::surrogates::Surrogates;
 use asperity_flanks::trace::Flank;
 use asperity_flanks::trace_pairs::{SampledFlanks, SampledTrace};
 use asperity_flanks::trace_sites::{TraceSite, paired, teeth as teeth_of, zones as zones_of};
@@ -70,80 +71,35 @@ pub(crate) fn flanks(
 }
 
 fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
-    let Context {
-        inputs: all,
-        source,
-        ..
-    } = context;
+    let inputs = context.inputs;
     let mut warnings = Vec::new();
-    let (pinion_input, own_wheel) = all.surface.of_side(all.side);
-    // Flanks face each other: a wheel without a trace has the trace of the pinion, mirrored.
-    let wheel_input = own_wheel.cloned();
-    let wheel_input = wheel_input.unwrap_or_else(|| pinion_input.for_wheel());
-    let keys = keys_of(all.side, own_wheel.is_some());
-    let is_list = pinion_input.traces.is_some() || pinion_input.rows.is_some();
-    if is_list && own_wheel.is_none() {
-        return Err(CaseError::Conflict {
-            place: source.place_of(&keys[0].traces()),
-            key: keys[1].table.into(),
-            rule: "the pinion has several traces, and the wheel's flanks are others: give traces of the wheel, or one file",
-        });
-    }
-    let mut lists = [
-        traces_of(pinion_input, &keys[0], context)?,
-        traces_of(&wheel_input, &keys[1], context)?,
-    ];
-    let named = [0, 1].map(|body: usize| teeth_of(&sites_of(&lists[body])));
-    let teeth = paired(named);
-    let inputs = [pinion_input, &wheel_input];
-    for (body, list) in lists.iter_mut().enumerate() {
-        match inputs[body].rows {
-            // Fewer rows, still spread evenly.
-            Some(rows) if rows > teeth[body] => {
-                let fewer = FlankInput {
-                    rows: Some(teeth[body]),
-                    ..inputs[body].clone()
-                };
-                *list = traces_of(&fewer, &keys[body], context)?;
-            }
-            _ => list.retain(|trace| trace.site.tooth < teeth[body]),
-        }
-    }
-    if teeth != named {
-        warnings.push(left_out(
-            named,
-            teeth,
-            inputs.map(|input| input.rows.is_some()),
-        ));
-    }
-    warnings.extend(lists.iter().zip(&keys).filter_map(of_one_tooth));
-    let is_several = lists.iter().any(|list| list.len() > 1);
-    let sites = lists.each_ref().map(|list| sites_of(list));
+    let named = NamedTraces::of(context, &mut warnings)?;
+    let is_several = named.lists.iter().any(|list| list.len() > 1);
     let mut flanks: [Vec<Flank>; 2] = Default::default();
     let mut follow: [Vec<Vec<DefaultUsed>>; 2] = Default::default();
-    for (body, list) in lists.iter().enumerate() {
+    for (body, list) in named.lists.iter().enumerate() {
         for trace in list {
-            let (flank, follows) = flank(trace, &keys[body], context, &mut warnings)?;
+            let (flank, follows) = flank(trace, &named.keys[body], context, &mut warnings)?;
             flanks[body].push(flank);
             follow[body].push(follows);
         }
     }
-    let refined = on_common_spacing(all.largest_spacing, &mut flanks);
+    let refined = on_common_spacing(inputs.largest_spacing, &mut flanks);
     let refined = refined.map_err(|(file, error)| CaseError::preparation(file, error))?;
     warnings.extend(refined.map(resampled));
-    let inputs = [0, 1].map(|body: usize| (&lists[body][0].input, &keys[body]));
-    let surrogates = surrogates_of(context, inputs, &flanks, &mut warnings)?;
-    let mut assumed: Vec<DefaultUsed> = Vec::new();
-    if let Some((surrogates, left_open)) = &surrogates {
+    let first = [0, 1].map(|body: usize| (&named.lists[body][0].input, &named.keys[body]));
+    let surrogates = surrogates_of(context, first, &flanks, &mut warnings)?;
+    if let Some((surrogates, _)) = &surrogates {
         for (body, record) in surrogates.records.iter().enumerate() {
             if let (Some(flank), Some(_)) = (flanks[body].first_mut(), record) {
                 flank.report.surrogates.clone_from(record);
                 follow[body][0].clear();
             }
         }
-        assumed.clone_from(left_open);
     }
-    let stated = if own_wheel.is_some() { 2 } else { 1 };
+    let left_open = surrogates.as_ref().map(|(_, left_open)| left_open.clone());
+    let mut assumed = left_open.unwrap_or_default();
+    let stated = if named.has_own_wheel { 2 } else { 1 };
     for default in follow.into_iter().take(stated).flatten().flatten() {
         if !assumed.contains(&default) {
             assumed.push(default);
@@ -160,51 +116,20 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         let mut seen = std::collections::BTreeSet::new();
         warnings.retain(|warning| seen.insert(warning.to_string()));
     }
-    let lays = lays(context, &lists, &flanks, &keys, &mut warnings);
-    let is_placed = all_placed(&flanks, &mut warnings);
-    if !is_placed {
-        let tables = keys.each_ref().map(|keys| keys.table);
-        warnings.extend(too_long(longer_than_active(&all.gears, &flanks), tables));
-    }
-    let width = all.gears.face_width;
-    let sites = sites.each_ref().map(Vec::as_slice);
-    let zones = zones_of(sites, width);
-    check_across(all, sites, &zones, &keys, source)?;
-    let meeting = Meeting {
-        noise_cutoff: all.preparation.lambda_s,
-        flanks: &flanks,
-        is_placed,
-    };
-    let surfaces = match (surrogates, is_several) {
-        (Some((surrogates, _)), _) => surrogates.surfaces,
-        (None, false) => meeting.surfaces([0, 0]),
-        (None, true) => {
-            let pairs = meeting.pairs(sites, teeth, (&zones, width));
-            Surfaces::of_pairs(pairs).unwrap_or_else(|| meeting.surfaces([0, 0]))
-        }
-    };
-    let sampled = is_several.then(|| {
-        let of = |body: usize| {
-            let traces = sites[body].iter().zip(&flanks[body]);
-            let traces = traces.map(|(site, flank)| SampledTrace::new(*site, flank.report.clone()));
-            traces.collect()
-        };
-        Arc::new(SampledFlanks::new([of(0), of(1)], named))
-    });
+    let lays = lays(context, &named.lists, &flanks, &named.keys, &mut warnings);
+    let (surfaces, zones) = named.met(context, &flanks, surrogates, &mut warnings)?;
     let forms = flanks.each_ref().map(|flanks| {
         let forms = flanks.iter().filter_map(|flank| flank.report.form.as_ref());
         MeasuredForm::mean(&forms.map(|flank| flank.form.clone()).collect::<Vec<_>>())
     });
-    let reports = flanks.map(|flanks| {
-        flanks
-            .into_iter()
-            .next()
-            .map(|f| f.report)
-            .unwrap_or_default()
-    });
+    let sampled = is_several.then(|| named.sampled(&flanks).into());
+    let first_report = |flanks: Vec<Flank>| {
+        let first = flanks.into_iter().next();
+        first.map(|flank| flank.report).unwrap_or_default()
+    };
     Ok(Flanks {
         surfaces,
-        reports: Arc::new(reports),
+        reports: Arc::new(flanks.map(first_report)),
         sampled,
         forms,
         lays: Arc::new(lays),
@@ -214,6 +139,113 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         provenance: Provenance::new(),
         sums: Arc::default(),
     })
+}
+
+/// The traces that the keys of both flanks name.
+struct NamedTraces {
+    keys: [Keys; 2],
+    /// Whether the wheel has keys of its own.
+    has_own_wheel: bool,
+    lists: [Vec<Listed>; 2],
+    sites: [Vec<TraceSite>; 2],
+    /// Teeth that are named, and teeth that are paired.
+    named: [usize; 2],
+    teeth: [usize; 2],
+}
+
+impl NamedTraces {
+    /// Lists the traces; of too many teeth those that are paired.
+    fn of(context: Context<'_>, warnings: &mut Vec<Warning>) -> Result<Self, CaseError> {
+        let Context { inputs, source, .. } = context;
+        let (pinion_input, own_wheel) = inputs.surface.of_side(inputs.side);
+        // Flanks face each other: a wheel without a trace has the trace of the pinion, mirrored.
+        let wheel_input = own_wheel.cloned();
+        let wheel_input = wheel_input.unwrap_or_else(|| pinion_input.for_wheel());
+        let keys = keys_of(inputs.side, own_wheel.is_some());
+        let is_list = pinion_input.traces.is_some() || pinion_input.rows.is_some();
+        if is_list && own_wheel.is_none() {
+            return Err(CaseError::Conflict {
+                place: source.place_of(&keys[0].traces()),
+                key: keys[1].table.into(),
+                rule: "the pinion has several traces, and the wheel's flanks are others: give traces of the wheel, or one file",
+            });
+        }
+        let mut lists = [
+            traces_of(pinion_input, &keys[0], context)?,
+            traces_of(&wheel_input, &keys[1], context)?,
+        ];
+        let named = [0, 1].map(|body: usize| teeth_of(&sites_of(&lists[body])));
+        let teeth = paired(named);
+        let stated = [pinion_input, &wheel_input];
+        for (body, list) in lists.iter_mut().enumerate() {
+            match stated[body].rows {
+                // Fewer rows, still spread evenly.
+                Some(rows) if rows > teeth[body] => {
+                    let fewer = FlankInput {
+                        rows: Some(teeth[body]),
+                        ..stated[body].clone()
+                    };
+                    *list = traces_of(&fewer, &keys[body], context)?;
+                }
+                _ => list.retain(|trace| trace.site.tooth < teeth[body]),
+            }
+        }
+        if teeth != named {
+            let of_rows = stated.map(|input| input.rows.is_some());
+            warnings.push(left_out(named, teeth, of_rows));
+        }
+        warnings.extend(lists.iter().zip(&keys).filter_map(of_one_tooth));
+        Ok(Self {
+            sites: lists.each_ref().map(|list| sites_of(list)),
+            has_own_wheel: own_wheel.is_some(),
+            keys,
+            lists,
+            named,
+            teeth,
+        })
+    }
+
+    /// The flanks in contact, and the places y/b between the zones of the face.
+    fn met(
+        &self,
+        context: Context<'_>,
+        flanks: &[Vec<Flank>; 2],
+        surrogates: Option<(Surrogates, Vec<DefaultUsed>)>,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<(Surfaces, Vec<f64>), CaseError> {
+        let inputs = context.inputs;
+        let is_placed = all_placed(flanks, warnings);
+        if !is_placed {
+            let tables = self.keys.each_ref().map(|keys| keys.table);
+            warnings.extend(too_long(longer_than_active(&inputs.gears, flanks), tables));
+        }
+        let width = inputs.gears.face_width;
+        let sites = self.sites.each_ref().map(Vec::as_slice);
+        let zones = zones_of(sites, width);
+        check_across(inputs, sites, &zones, &self.keys, context.source)?;
+        if let Some((surrogates, _)) = surrogates {
+            return Ok((surrogates.surfaces, zones));
+        }
+        let meeting = Meeting {
+            noise_cutoff: inputs.preparation.lambda_s,
+            flanks,
+            is_placed,
+        };
+        let is_several = flanks.iter().any(|flanks| flanks.len() > 1);
+        let pairs = is_several.then(|| meeting.pairs(sites, self.teeth, (&zones, width)));
+        let surfaces = pairs.and_then(Surfaces::of_pairs);
+        Ok((surfaces.unwrap_or_else(|| meeting.surfaces([0, 0])), zones))
+    }
+
+    /// All traces with their teeth.
+    fn sampled(&self, flanks: &[Vec<Flank>; 2]) -> SampledFlanks {
+        let of = |body: usize| {
+            let traces = self.sites[body].iter().zip(&flanks[body]);
+            let traces = traces.map(|(site, flank)| SampledTrace::new(*site, flank.report.clone()));
+            traces.collect()
+        };
+        SampledFlanks::new([of(0), of(1)], self.named)
+    }
 }
 
 /// W447: traces of a list that are lines of one surface, which is of one tooth.

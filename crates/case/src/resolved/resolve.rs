@@ -25,7 +25,7 @@ use super::steel::{Steels, steels};
 use crate::input::case_input::{CaseInput, OperationInput, SurfaceInput, TEMPERATURE_KEYS};
 use crate::input::formulation::FormulationChoice;
 use crate::input::micropitting_input::MicropittingInput;
-use crate::input::model::{Model, OfFormulation, model};
+use crate::input::model::{Model, ModelInput, OfFormulation, model};
 use crate::input::path_point::Positions;
 use crate::input::ranges::refuse_impossible;
 use crate::laws::Laws;
@@ -132,20 +132,7 @@ pub(crate) fn resolve_with(
         ..
     } = input.operation;
     let temperature = operating_temperature(&input.operation, source)?;
-    let section = Section::of(source, "operation");
-    let is_loaded = torque.si().is_finite() && torque.si() != 0.0;
-    DomainError::require(
-        is_loaded,
-        "torque",
-        torque.si(),
-        Torque::SI_UNIT,
-        "must be finite and not zero",
-    )
-    .map_err(section.domain("torque"))?;
-    DomainError::positive("speed", speed).map_err(section.domain("speed"))?;
-    for load in at_pitch_point(&gears, modulus, torque, speed) {
-        load.refuse_impossible(source)?;
-    }
+    check_operation((torque, speed), (&gears, modulus), source)?;
     let lubricant_at = |error| lubricant_at(source, &input.operation, error);
     let lubricant = match &oil_file {
         Some(file) => file.completing(&input.lubricant),
@@ -159,21 +146,7 @@ pub(crate) fn resolve_with(
     let oil = lubricant.at(temperature).map_err(lubricant_at)?;
     refuse_stiff_oil(&oil.value, &input.operation, source)?;
     let preparation = preparation(&input, source, &mut defaults)?;
-    let mut choices = input.model.clone();
-    if let Some(calibration) = &input.calibration {
-        calibrated::check(calibration, &input.model, source)?;
-        choices = calibrated::put_into(calibration, &choices);
-    }
-    if let Some(file) = &oil_file {
-        choices = file.put_into(&choices, source)?;
-        let by = "the law by which the constants of lubricant.oil_file were fitted".to_owned();
-        defaults.take_from(
-            "model.film_pressure_law",
-            input.model.film_pressure_law,
-            file.film_friction.pressure_law,
-            Some(by),
-        );
-    }
+    let choices = fitted_choices(&input, oil_file.as_deref(), source, &mut defaults)?;
     let stated = OfFormulation {
         defaults: formulation.defaults(),
         unused_keys: formulation.unused_keys(),
@@ -199,27 +172,8 @@ pub(crate) fn resolve_with(
         let [amount, length] = [AssumedRelief::AMOUNT, AssumedRelief::LENGTH];
         micro_geometry = assumed.put_into(&micro_geometry, amount, length);
     }
-    let mut oil_state = oil.value;
-    let rheology = match model.film_friction.shear_law().is_some() || model.shears_its_film() {
-        false => {
-            without_film_friction(&input, source)?;
-            None
-        }
-        true => {
-            let rheology = rheology(
-                &lubricant,
-                &model,
-                temperature,
-                (&input, oil_file.as_deref()),
-            )
-            .map_err(lubricant_at)?;
-            // The whole run uses the film thickness that follows from the oil of the film friction.
-            let state = rheology.state(temperature).map_err(lubricant_at)?;
-            oil_state.pressure_viscosity = state.pressure_viscosity;
-            oil_state.thermal_conductivity = state.conductivity;
-            Some(rheology)
-        }
-    };
+    let of_film = (&model, (&input, oil_file.as_deref()));
+    let (oil_state, rheology) = film_oil(&lubricant, oil.value, of_film, temperature, source)?;
     let title = input.title.clone();
     let case = Case {
         title: title.unwrap_or_else(|| title_by_gears(&gears.teeth, gears.normal_module)),
@@ -251,6 +205,49 @@ pub(crate) fn resolve_with(
         defaults: defaults.into_list(),
     };
     Ok((case, teeth))
+}
+
+/// Refuses a load or a speed that no pair of gears has.
+fn check_operation(
+    (torque, speed): (Torque, AngularSpeed),
+    (gears, modulus): (&GearPair, Pressure),
+    source: &Source,
+) -> Result<(), CaseError> {
+    let section = Section::of(source, "operation");
+    let (value, rule) = (torque.si(), "must be finite and not zero");
+    let is_loaded = value.is_finite() && value != 0.0;
+    DomainError::require(is_loaded, "torque", value, Torque::SI_UNIT, rule)
+        .map_err(section.domain("torque"))?;
+    DomainError::positive("speed", speed).map_err(section.domain("speed"))?;
+    for load in at_pitch_point(gears, modulus, torque, speed) {
+        load.refuse_impossible(source)?;
+    }
+    Ok(())
+}
+
+/// The choices of the model with the constants of a calibration and of an oil file.
+fn fitted_choices(
+    input: &CaseInput,
+    oil_file: Option<&OilFile>,
+    source: &Source,
+    defaults: &mut Defaults,
+) -> Result<ModelInput, CaseError> {
+    let mut choices = input.model.clone();
+    if let Some(calibration) = &input.calibration {
+        calibrated::check(calibration, &input.model, source)?;
+        choices = calibrated::put_into(calibration, &choices);
+    }
+    if let Some(file) = oil_file {
+        choices = file.put_into(&choices, source)?;
+        let by = "the law by which the constants of lubricant.oil_file were fitted".to_owned();
+        defaults.take_from(
+            "model.film_pressure_law",
+            input.model.film_pressure_law,
+            file.film_friction.pressure_law,
+            Some(by),
+        );
+    }
+    Ok(choices)
 }
 
 /// The check of the load over the teeth, by the law that the case names.
@@ -314,6 +311,30 @@ impl Case {
 pub(crate) fn title_by_gears(teeth: &[u32], module: Length) -> String {
     let teeth: Vec<String> = teeth.iter().map(u32::to_string).collect();
     format!("untitled, {} teeth, module {module}", teeth.join("/"))
+}
+
+/// The oil at the bulk temperature, and the oil in the film if film friction or load share use it. The whole run uses the film
+/// thickness that follows from the oil of the film friction.
+fn film_oil(
+    lubricant: &Lubricant,
+    oil: LubricantState,
+    (model, of_file): (&Model, (&CaseInput, Option<&OilFile>)),
+    bulk: Temperature,
+    source: &Source,
+) -> Result<(LubricantState, Option<FilmRheology>), CaseError> {
+    if model.film_friction.shear_law().is_none() && !model.shears_its_film() {
+        without_film_friction(of_file.0, source)?;
+        return Ok((oil, None));
+    }
+    let lubricant_at = |error| lubricant_at(source, &of_file.0.operation, error);
+    let rheology = rheology(lubricant, model, bulk, of_file).map_err(lubricant_at)?;
+    let state = rheology.state(bulk).map_err(lubricant_at)?;
+    let oil = LubricantState {
+        pressure_viscosity: state.pressure_viscosity,
+        thermal_conductivity: state.conductivity,
+        ..oil
+    };
+    Ok((oil, Some(rheology)))
 }
 
 /// Refuses properties of the oil that only film friction with a shear stress uses.

@@ -16,7 +16,7 @@ use crate::input::case_input::{
     stated,
 };
 use crate::input::files::Reader;
-use crate::input::mesh_input::{MeshInput, PassedLosses, PlanetaryInput};
+use crate::input::mesh_input::{MeshInput, PassedLosses, PlanetaryInput, ShaftsInput};
 use crate::input::ranges::{Judged, refuse_impossible, unusual};
 use crate::input::rows::{Judge, KeyPath, Ranged};
 use crate::input::train_heat_input::HeatInput;
@@ -160,30 +160,15 @@ impl CaseInput {
         Ok(Some(heat.clone()))
     }
 
-    /// The stages in the order of the power, on their shafts.
-    fn on_shafts(&self, source: &Source) -> Result<(GearTrain, Vec<StageParts>), CaseError> {
-        let Some(stated) = &self.train else {
-            let rule = "is needed: the shaft with torque and speed of the operation";
-            return Err(conflict(source, "train.input".to_owned(), rule));
-        };
-        /// Largest number of meshes of a gear train, far above that of a gearbox with many speeds.
-        const MOST_MESHES: usize = 100;
-        if self.mesh.len() > MOST_MESHES {
-            return Err(CaseError::impossible(
-                source.place_of("mesh"),
-                "mesh",
-                None,
-                format!("a train of {} meshes", self.mesh.len()),
-                &format!("1 to 20, at most {MOST_MESHES}"),
-            ));
-        }
-        let mut stages = BTreeMap::new();
-        for (name, mesh) in &self.mesh {
-            stages.insert(name.as_str(), self.stage(name, mesh, source)?);
-        }
-        let mut train = GearTrain::default();
+    /// The meshes in the order of the power from the input shaft on, and the shafts.
+    fn in_order<'a>(
+        &'a self,
+        mut stages: BTreeMap<&'a str, StageParts>,
+        input: &'a str,
+        source: &Source,
+    ) -> Result<Ordered<'a>, CaseError> {
         let mut ordered = Vec::new();
-        let mut shafts = vec![stated.input.as_str()];
+        let mut shafts = vec![input];
         while let Some(name) = {
             let is_next = |name: &&&str| {
                 let on = &self.mesh[**name].shafts;
@@ -206,6 +191,11 @@ impl CaseInput {
             let rule = "has no shaft in common with the train from the input shaft on";
             return Err(conflict(source, format!("mesh.{name}.shafts"), rule));
         }
+        Ok((ordered, shafts))
+    }
+
+    /// Refuses ends of the train that are on no mesh.
+    fn check_ends(&self, stated: &ShaftsInput, source: &Source) -> Result<(), CaseError> {
         let names = [
             ("train.input", Some(&stated.input)),
             ("train.output", stated.output.as_ref()),
@@ -218,7 +208,16 @@ impl CaseInput {
                 return Err(conflict(source, key.to_owned(), rule));
             }
         }
-        let operation = &self.operation;
+        Ok(())
+    }
+
+    /// The shaft at which the power leaves.
+    fn output<'a>(
+        &self,
+        stated: &'a ShaftsInput,
+        shafts: &[&'a str],
+        source: &Source,
+    ) -> Result<&'a str, CaseError> {
         let ends = |shaft: &str| {
             let all = self.mesh.values().flat_map(|mesh| &mesh.shafts);
             all.filter(|name| *name == shaft).count() == 1
@@ -228,14 +227,44 @@ impl CaseInput {
         let mut outputs = shafts
             .iter()
             .filter(|shaft| ends(shaft) && !is_held(shaft) && **shaft != input);
-        let output = match (&stated.output, outputs.next(), outputs.next()) {
-            (Some(output), _, _) => output,
-            (None, Some(output), None) => *output,
+        match (&stated.output, outputs.next(), outputs.next()) {
+            (Some(output), _, _) => Ok(output),
+            (None, Some(output), None) => Ok(*output),
             _ => {
                 let rule = "is needed: the shaft at which the power leaves is not the only other end of the train";
-                return Err(conflict(source, "train.output".to_owned(), rule));
+                Err(conflict(source, "train.output".to_owned(), rule))
             }
+        }
+    }
+
+    /// The stages in the order of the power, on their shafts.
+    fn on_shafts(&self, source: &Source) -> Result<(GearTrain, Vec<StageParts>), CaseError> {
+        let Some(stated) = &self.train else {
+            let rule = "is needed: the shaft with torque and speed of the operation";
+            return Err(conflict(source, "train.input".to_owned(), rule));
         };
+        /// Largest number of meshes of a gear train, far above that of a gearbox with many speeds.
+        const MOST_MESHES: usize = 100;
+        if self.mesh.len() > MOST_MESHES {
+            return Err(CaseError::impossible(
+                source.place_of("mesh"),
+                "mesh",
+                None,
+                format!("a train of {} meshes", self.mesh.len()),
+                &format!("1 to 20, at most {MOST_MESHES}"),
+            ));
+        }
+        let mut stages = BTreeMap::new();
+        for (name, mesh) in &self.mesh {
+            stages.insert(name.as_str(), self.stage(name, mesh, source)?);
+        }
+        let mut train = GearTrain::default();
+        let (ordered, shafts) = self.in_order(stages, &stated.input, source)?;
+        self.check_ends(stated, source)?;
+        let operation = &self.operation;
+        let output = self.output(stated, &shafts, source)?;
+        let is_held = |shaft: &str| stated.held.iter().any(|held| held == shaft);
+        let input = stated.input.as_str();
         for shaft in &shafts {
             let is_input = *shaft == input;
             let zero = Torque::from_si(0.0);
@@ -252,19 +281,7 @@ impl CaseInput {
                 drag: zero,
             });
         }
-        let mut folders = Vec::new();
-        for (name, stage) in &ordered {
-            for mesh in &stage.meshes {
-                // Some file systems take capitals for small letters.
-                let folder = mesh_folder(&mesh.name).to_lowercase();
-                if folders.contains(&folder) {
-                    let rule =
-                        "would have the result folder of another mesh; change one of the names";
-                    return Err(conflict(source, format!("mesh.{name}"), rule));
-                }
-                folders.push(folder);
-            }
-        }
+        check_folders(&ordered, source)?;
         let place = |name: &String| shafts.iter().position(|shaft| shaft == name).unwrap_or(0);
         for (name, stage) in &ordered {
             let on: Vec<usize> = self.mesh[*name].shafts.iter().map(place).collect();
@@ -551,4 +568,24 @@ fn keys_of_own(name: &str, mesh: &MeshInput) -> Vec<(String, String)> {
     let mut tables = keys("material", serde_json::to_value(&mesh.material).ok());
     tables.extend(keys("surface", serde_json::to_value(&mesh.surface).ok()));
     tables
+}
+
+/// Meshes in the order of the power, and shafts.
+type Ordered<'a> = (Vec<(&'a str, StageParts)>, Vec<&'a str>);
+
+/// Refuses meshes that would share a result folder.
+fn check_folders(ordered: &[(&str, StageParts)], source: &Source) -> Result<(), CaseError> {
+    let mut folders = Vec::new();
+    for (name, stage) in ordered {
+        for mesh in &stage.meshes {
+            // Some file systems take capitals for small letters.
+            let folder = mesh_folder(&mesh.name).to_lowercase();
+            if folders.contains(&folder) {
+                let rule = "would have the result folder of another mesh; change one of the names";
+                return Err(conflict(source, format!("mesh.{name}"), rule));
+            }
+            folders.push(folder);
+        }
+    }
+    Ok(())
 }

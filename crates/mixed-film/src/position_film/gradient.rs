@@ -36,11 +36,19 @@ use asperity_tribo_friction::FilmHeat;
 use serde::{Deserialize, Serialize};
 
 use super::PositionFilm;
-use crate::contact_table::ContactTable;
+use crate::contact_table::{AtShare, ContactTable};
 use crate::error::LoadShareError;
 use crate::rough_contact::RoughContact;
 use crate::spots::SpotConditions;
 use crate::window_roughness::{FilmPressure, WindowRoughness};
+
+/// Slopes of the friction over gaps and spots of a contact.
+struct RowScales {
+    of_gap: f64,
+    of_spots: f64,
+    /// Rise of the surface temperature \[K\].
+    rise: f64,
+}
 
 /// Step of the difference quotient of the friction over the surface temperature \[K\].
 const TEMPERATURE_STEP: f64 = 0.02;
@@ -249,18 +257,16 @@ impl PositionFilm<'_> {
             true => (1.0 - 1.0 / (psi * psi)) / attenuated_rms.si(),
             false => 0.0,
         };
-        let is_isothermal = self.film.heat() == FilmHeat::Isothermal;
-        let Some(at) = table.at_supply(&supply)? else {
-            let coefficient = self.share(table, window)?.value.coefficient;
-            let unit_rise = match is_isothermal {
-                true => 0.0,
-                false => self.film.surface_rise(1.0),
-            };
-            let state = FilmState {
-                share: 1.0,
-                gap: supply(0.0),
-                rise: unit_rise * coefficient,
-            };
+        let at = table.at_supply(&supply)?;
+        let coefficient = self.share(table, window)?.value.coefficient;
+        let unit_rise = match self.film.heat() == FilmHeat::Isothermal {
+            true => 0.0,
+            false => self.film.surface_rise(1.0),
+        };
+        let rise = unit_rise * coefficient;
+        let Some(at) = at else {
+            let (share, gap) = (1.0, supply(0.0));
+            let state = FilmState { share, gap, rise };
             let [_, slope] = self.film_part(window, state)?;
             let scale = film_scale + unit_rise * film_scale * slope / (1.0 - unit_rise * slope);
             let (by_gap, by_parts) = self.ripple_slopes(window, state, scale)?;
@@ -269,12 +275,6 @@ impl PositionFilm<'_> {
             return Ok(gradient);
         };
         let root = at.share.value;
-        let coefficient = self.share(table, window)?.value.coefficient;
-        let unit_rise = match is_isothermal {
-            true => 0.0,
-            false => self.film.surface_rise(1.0),
-        };
-        let rise = unit_rise * coefficient;
         let factor = self.settings.share_factor;
         let phi = factor * root;
 
@@ -313,7 +313,7 @@ impl PositionFilm<'_> {
         gradient.by_parts = by_parts;
         let by_share = (1.0 + feedback) * mean(of_rows) - (film_scale + feedback) * by_film_share;
         let mut by_root = factor * by_share + by_asperities * at.slope * spread;
-        let (gap_slope, by_first_touch, by_rows) = at.gap_slopes();
+        let (gap_slope, ..) = at.gap_slopes();
         let mut by_gap = 0.0;
         if root < LARGEST_SHARE {
             let step = SHARE_STEP * root;
@@ -322,16 +322,34 @@ impl PositionFilm<'_> {
             by_gap = by_root / (gap_slope - supply_slope);
             gradient.by_rms = (by_gap + by_supply) * supply(root) * by_deviation;
         }
+        let scales = RowScales {
+            of_gap: -by_gap,
+            of_spots: by_asperities,
+            rise,
+        };
+        self.add_rows(contact, &at, &scales, &mut gradient.by_height)?;
+        Ok(gradient)
+    }
+
+    /// Adds the gradients of the rows of the table over the heights: of their gaps, dg_j, and of their spots, dB_r.
+    fn add_rows(
+        &self,
+        contact: &mut RoughContact,
+        at: &AtShare<'_>,
+        scales: &RowScales,
+        by_height: &mut [f64],
+    ) -> Result<(), LoadShareError> {
         let mut add = |heights: Vec<f64>| {
-            for (sum, height) in gradient.by_height.iter_mut().zip(heights) {
+            for (sum, height) in by_height.iter_mut().zip(heights) {
                 *sum += height;
             }
         };
-        if by_gap * by_first_touch != 0.0 {
-            add(contact.first_touch_gradient(-by_gap * by_first_touch));
+        let (_, by_first_touch, by_rows) = at.gap_slopes();
+        if scales.of_gap * by_first_touch != 0.0 {
+            add(contact.first_touch_gradient(scales.of_gap * by_first_touch));
         }
         for (row, by_row) in by_rows {
-            let of_gap = -by_gap * by_row;
+            let of_gap = scales.of_gap * by_row;
             let pairs = at.rows.iter();
             let weight: f64 = pairs
                 .filter(|(other, _)| std::ptr::eq(*other, row))
@@ -341,13 +359,14 @@ impl PositionFilm<'_> {
                 continue;
             }
             let state = row.of(contact)?;
-            let mut of_spots = self.spot_conditions(rise).slopes(&state.spots, boundary)?;
+            let conditions = self.spot_conditions(scales.rise);
+            let mut of_spots = conditions.slopes(&state.spots, self.settings.boundary_friction)?;
             for slope in of_spots.iter_mut().flatten() {
-                *slope *= by_asperities * weight;
+                *slope *= scales.of_spots * weight;
             }
             add(contact.height_gradient(&state, of_gap, &of_spots)?);
         }
-        Ok(gradient)
+        Ok(())
     }
 
     /// Part of the film in the friction, and its slope over the surface temperature \[1/K\].

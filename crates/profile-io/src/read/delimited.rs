@@ -211,28 +211,27 @@ struct Measured {
 }
 
 impl Parsed<'_> {
-    fn assemble(self, text: &mut Text<'_>, rows: Rows) -> Result<Trace, ReadFault> {
-        let name = self.name;
+    /// Doubts about the columns that were read, of which `empty` rows have no numbers.
+    fn doubts_of_columns(&self, empty: usize) -> Vec<Warning> {
         let mut warnings = Vec::from_iter(self.mean_of.map(|lines| Warning::MeanLine { lines }));
-        let Rows {
-            mut x,
-            mut z,
-            empty,
-        } = rows;
         warnings.extend((!self.unread.is_empty()).then(|| Warning::ColumnsNotRead {
             columns: self.unread.clone(),
         }));
         warnings.extend((empty > 0).then_some(Warning::EmptyRows { rows: empty }));
         let label = self.labels.get(self.chosen.z);
-        warnings.extend(
-            label
-                .filter(|label| label.is_depth)
-                .map(|_| Warning::DepthsTurned),
-        );
-        grid::unmark(&mut z);
-        let abscissa = self.abscissa();
-        let base_radius = match (abscissa, self.options.base_radius) {
-            (Abscissa::Distance, _) => None,
+        let depths = label.filter(|label| label.is_depth);
+        warnings.extend(depths.map(|_| Warning::DepthsTurned));
+        warnings
+    }
+
+    /// Base radius of positions that are roll lengths or roll angles.
+    fn base_radius(
+        &self,
+        abscissa: Abscissa,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Option<Length>, ReadFault> {
+        match (abscissa, self.options.base_radius) {
+            (Abscissa::Distance, _) => Ok(None),
             (_, Some(radius)) => {
                 let differs = |stated: &Length| (*stated / radius - 1.0).abs() > HEADER_DIGITS;
                 let stated = self.values.base_radius.filter(differs);
@@ -242,13 +241,39 @@ impl Parsed<'_> {
                     used: radius,
                     reason: "as stated".into(),
                 }));
-                Some(radius)
+                Ok(Some(radius))
             }
-            (_, None) if self.values.base_radius.is_some() => self.values.base_radius,
-            (_, None) => {
-                return Err(ReadFault::roll_length(abscissa));
+            (_, None) if self.values.base_radius.is_some() => Ok(self.values.base_radius),
+            (_, None) => Err(ReadFault::roll_length(abscissa)),
+        }
+    }
+
+    /// State of filtering, with its cut-offs in `metadata`.
+    fn filter_state(&self, metadata: &mut Metadata, warnings: &mut Vec<Warning>) -> FilterState {
+        let state = match self.values.filter {
+            Some(filter) => {
+                (metadata.lambda_c, metadata.lambda_s) = (filter.lambda_c, filter.lambda_s);
+                filter.state
             }
+            None => header::filter_state(self.name, self.header),
         };
+        if state == FilterState::Roughness {
+            warnings.push(Warning::AlreadyFiltered);
+        }
+        state
+    }
+
+    fn assemble(self, text: &mut Text<'_>, rows: Rows) -> Result<Trace, ReadFault> {
+        let name = self.name;
+        let Rows {
+            mut x,
+            mut z,
+            empty,
+        } = rows;
+        let mut warnings = self.doubts_of_columns(empty);
+        grid::unmark(&mut z);
+        let abscissa = self.abscissa();
+        let base_radius = self.base_radius(abscissa, &mut warnings)?;
         if let (Some(x), Some(radius)) = (&mut x, base_radius) {
             roll_length::roll_lengths(x, abscissa, radius);
         }
@@ -312,16 +337,7 @@ impl Parsed<'_> {
                 spacing: Length::from_si(measured.spacing),
             },
         };
-        let filter_state = match self.values.filter {
-            Some(filter) => {
-                (metadata.lambda_c, metadata.lambda_s) = (filter.lambda_c, filter.lambda_s);
-                filter.state
-            }
-            None => header::filter_state(name, self.header),
-        };
-        if filter_state == FilterState::Roughness {
-            warnings.push(Warning::AlreadyFiltered);
-        }
+        let filter_state = self.filter_state(&mut metadata, &mut warnings);
         Ok(Trace {
             name: name.to_owned(),
             positions,

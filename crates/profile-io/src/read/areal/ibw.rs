@@ -43,19 +43,39 @@ impl Header<'_> {
     }
 }
 
-/// Reads the first layer of heights.
-pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
-    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
-    let short_file = || fault("it ends within its header or its numbers", "");
-    let header = Header {
-        bytes,
-        is_big: bytes.first() == Some(&0),
-    };
+fn short_file() -> ReadFault {
+    damaged(FORMAT, "it ends within its header or its numbers", "")
+}
+
+/// Type of the numbers of a wave.
+struct Numbers {
+    kind: i16,
+    /// Bytes of a number.
+    width: usize,
+}
+
+impl Numbers {
+    /// The number at this place of the file.
+    fn at(&self, header: &Header<'_>, at: usize) -> Option<f64> {
+        Some(match self.kind {
+            0x08 => header.number::<i8>(at)?.into(),
+            0x48 => header.number::<u8>(at)?.into(),
+            0x10 => header.number::<i16>(at)?.into(),
+            0x50 => header.number::<u16>(at)?.into(),
+            0x20 => header.number::<i32>(at)?.into(),
+            0x60 => header.number::<u32>(at)?.into(),
+            0x02 => header.number::<f32>(at)?.into(),
+            _ => header.number::<f64>(at)?,
+        })
+    }
+}
+
+/// The numbers of a wave, with its columns, the points of a layer, and its layers.
+fn numbers(header: &Header<'_>) -> Result<(Numbers, [usize; 3]), ReadFault> {
     let refused = |content| ReadFault::no_heights(FORMAT, content);
-    let size = |at| header.size(at).ok_or_else(short_file);
     let mut sides = [0; 4];
     for (k, side) in sides.iter_mut().enumerate() {
-        *side = size(64 + 68 + 4 * k)?;
+        *side = header.size(64 + 68 + 4 * k).ok_or_else(short_file)?;
     }
     let [columns, rows, layers, chunks] = sides;
     if columns == 0 || chunks > 1 {
@@ -69,15 +89,24 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
         0x04 => 8,
         0x00 => return Err(refused("texts")),
         _ => {
-            return Err(fault(
-                "its numbers are of an unknown kind",
-                &kind.to_string(),
-            ));
+            let what = "its numbers are of an unknown kind";
+            return Err(damaged(FORMAT, what, &kind.to_string()));
         }
     };
-    let (lines, layers) = (rows.max(1), layers.max(1));
-    let points = columns.checked_mul(lines).ok_or_else(short_file)?;
-    let layer_size = points.checked_mul(width).ok_or_else(short_file)?;
+    let points = columns.checked_mul(rows.max(1)).ok_or_else(short_file)?;
+    Ok((Numbers { kind, width }, [columns, points, layers.max(1)]))
+}
+
+/// Reads the first layer of heights.
+pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
+    let header = Header {
+        bytes,
+        is_big: bytes.first() == Some(&0),
+    };
+    let refused = |content| ReadFault::no_heights(FORMAT, content);
+    let size = |at| header.size(at).ok_or_else(short_file);
+    let (numbers, [columns, points, layers]) = numbers(&header)?;
+    let layer_size = points.checked_mul(numbers.width).ok_or_else(short_file)?;
     let data_size = layer_size.checked_mul(layers).ok_or_else(short_file)?;
     // Behind the numbers: formula, note, units of data and axes, labels of the axes.
     let mut before_labels = HEADERS.checked_add(data_size).ok_or_else(short_file)?;
@@ -117,19 +146,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
         (None, layer) => layer.map(|_| LengthUnit::Metre),
     };
     let first = HEADERS + layer_size * layer.unwrap_or(0);
-    let value = |i: usize| -> Option<f64> {
-        let at = first + i * width;
-        Some(match kind {
-            0x08 => header.number::<i8>(at)?.into(),
-            0x48 => header.number::<u8>(at)?.into(),
-            0x10 => header.number::<i16>(at)?.into(),
-            0x50 => header.number::<u16>(at)?.into(),
-            0x20 => header.number::<i32>(at)?.into(),
-            0x60 => header.number::<u32>(at)?.into(),
-            0x02 => header.number::<f32>(at)?.into(),
-            _ => header.number::<f64>(at)?,
-        })
-    };
+    let value = |i: usize| numbers.at(&header, first + i * numbers.width);
     if part(bytes, first, layer_size).is_none() {
         return Err(short_file());
     }
