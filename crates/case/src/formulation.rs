@@ -44,7 +44,7 @@ use crate::case::{ModelInput, Positions};
 use crate::error::PositionError;
 use crate::window_pressures::WindowPressures;
 
-/// A complete choice of models. What a formulation does not state is that of the program.
+/// A complete choice of models. Each method has a default: the choice of the program.
 pub trait Formulation: Debug + Send + Sync {
     /// Value of the key `formulation`.
     fn name(&self) -> &'static str;
@@ -111,7 +111,7 @@ pub trait Formulation: Debug + Send + Sync {
 pub struct FilmRegime {
     /// Full film or mixed friction.
     pub regime: Regime,
-    /// Whether the friction of the film is that of a full film.
+    /// Whether the film has the friction of a full film.
     pub is_full: bool,
 }
 
@@ -129,7 +129,7 @@ impl Formulation for Corrected {
     }
 }
 
-/// Formulations other than that of this program, in the order in which they were registered.
+/// Formulations other than `corrected`, in the order in which they were registered.
 static REGISTERED: RwLock<Vec<FormulationChoice>> = RwLock::new(Vec::new());
 
 /// Makes `formulation` a value of the key `formulation`, and returns it as a case chooses it. Of several with one name the first
@@ -147,7 +147,7 @@ pub fn register(formulation: &'static dyn Formulation) -> FormulationChoice {
     }
 }
 
-/// The formulations that a case can choose, that of this program first.
+/// The formulations that a case can choose, `corrected` first.
 #[must_use]
 pub fn registered() -> Vec<FormulationChoice> {
     let others = REGISTERED.read().unwrap_or_else(PoisonError::into_inner);
@@ -204,7 +204,7 @@ fn one_of(known: &[&str]) -> String {
     quoted.join(" or ")
 }
 
-/// What a program does that has no formulation but its own.
+/// Advice for a program that has no formulation but `corrected`.
 fn unregistered(known: &[&str]) -> &'static str {
     match known {
         [_] => {

@@ -40,7 +40,7 @@ const SECONDS_OF_A_STEP: f64 = 1.5e-7;
 /// Total distance by which the march lowers the surfaces \[m\].
 const LOWERED: f64 = 6.4e-6;
 
-/// What a key asks that only the formulation of the program has.
+/// Reason to refuse a key that only the formulation of the program has.
 const OF_CORRECTED: &str = "belongs to the corrected formulation; leave one of the two out";
 
 /// Makes the formulation a value of the key `formulation`; a program calls it before it reads its first case.
