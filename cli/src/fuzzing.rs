@@ -31,6 +31,7 @@ pub fn gap(bytes: &[u8]) -> bool {
 
 /// Reads a command line with one argument per line: finishes to compare, keys to set, quantities, positions.
 pub fn arguments(text: &str) -> bool {
+    asperity_paper_2022::register();
     let arguments = std::iter::once("asperity").chain(text.lines());
     Cli::try_parse_from(arguments).is_ok()
 }

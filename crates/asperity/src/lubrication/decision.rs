@@ -24,7 +24,7 @@ pub(crate) struct Decision {
     pub lambda_star: Option<f64>,
     pub film_ratio: f64,
     pub regime: Regime,
-    /// Whether the window has the friction of a full film.
+    /// Whether the film has the friction of a full film.
     pub is_full: bool,
     pub shared: SharedLoad,
 }

@@ -297,7 +297,7 @@ impl Lubrication<'_> {
         pressed.map_err(|error| error.keeping(&pair.x, &pair.gap))
     }
 
-    /// Friction, film share and deformation of one window from the pressures by `law`, or from a full film.
+    /// Friction, film share and deformation of one window from the pressures by `law`, or from the pressure of a full film.
     fn press_by_law(
         &self,
         law: &dyn WindowPressures,

@@ -45,7 +45,7 @@ use super::path_point::Positions;
 use super::window_pressures::WindowPressures;
 use crate::error::PositionError;
 
-/// A complete choice of models. The program has a default of everything that one does not state.
+/// A complete choice of models. Each method has a default: the choice of the program.
 pub trait Formulation: Debug + Send + Sync {
     /// Value of the key `formulation`.
     fn name(&self) -> &'static str;
@@ -112,7 +112,7 @@ pub trait Formulation: Debug + Send + Sync {
 pub struct FilmRegime {
     /// Full film or mixed friction.
     pub regime: Regime,
-    /// Whether the window has the friction of a full film.
+    /// Whether the film has the friction of a full film.
     pub is_full: bool,
 }
 
@@ -130,7 +130,7 @@ impl Formulation for Corrected {
     }
 }
 
-/// All other formulations, in the order in which they were registered.
+/// Formulations other than `corrected`, in the order in which they were registered.
 static REGISTERED: RwLock<Vec<FormulationChoice>> = RwLock::new(Vec::new());
 
 /// Makes `formulation` a value of the key `formulation`, and returns it as a case chooses it. Of several with one name the first
@@ -148,7 +148,7 @@ pub fn register(formulation: &'static dyn Formulation) -> FormulationChoice {
     }
 }
 
-/// The formulations that a case can choose, the one of this program first.
+/// The formulations that a case can choose, `corrected` first.
 #[must_use]
 pub fn registered() -> Vec<FormulationChoice> {
     let others = REGISTERED.read().unwrap_or_else(PoisonError::into_inner);
@@ -205,7 +205,7 @@ fn one_of(known: &[&str]) -> String {
     quoted.join(" or ")
 }
 
-/// Advice where a program has no formulation except its own.
+/// Advice for a program that has no formulation but `corrected`.
 fn unregistered(known: &[&str]) -> &'static str {
     match known {
         [_] => {

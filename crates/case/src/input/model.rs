@@ -132,7 +132,7 @@ choices! {
     thermal: ThermalLaw = default(ThermalLaw::Gupta);
     /// Feed the flash temperature back into the viscosity of the friction law; default false.
     flash_feedback: bool = default(false);
-    /// Share of the load carried by the film: `solved` (default) from the rough contact; with `lambda-star`,
+    /// Share of the load carried by the film: `solved` (default; `paper`: `lambda-star`) from the rough contact; with `lambda-star`,
     /// `zhu-hu`, `masjedi-khonsari` and `jgp` all load on asperities rubs with the boundary coefficient;
     /// `ehl` takes shares and friction from records of transient mixed lubrication, which take a minute or
     /// more.
