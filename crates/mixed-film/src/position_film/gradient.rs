@@ -135,7 +135,7 @@ impl Unflattening<'_> {
     ///
     /// R = (π E*/l)(1 − A) is the pressure over the height of a wave.
     ///
-    /// The second term is zero with the gap law `power`, whose flattening does not depend on the heights.
+    /// The third term is zero with the gap law `power`, whose flattening does not depend on the heights.
     #[must_use]
     pub fn gradient(&self, flattened: &FlattenedGradient) -> [Vec<f64>; 2] {
         cite!("Flattened-gradient");
@@ -229,8 +229,10 @@ impl PositionFilm<'_> {
     /// scaled by `film_scale`.
     ///
     /// ```text
-    /// dμ/dz = Σ_r (∂μ/∂g_r ∂g_r/∂z + ∂μ/∂B_r ∂B_r/∂z) + ∂μ/∂h̄ ∂h̄/∂σ_d ∂σ_d/∂z          [Share-gradient]
+    /// dμ/dz = Σ_r (∂μ/∂g_r ∂g_r/∂z + ∂μ/∂B_r ∂B_r/∂z) + ∂μ/∂h̄ ∂h̄/∂σ_d ∂σ_d/∂z + Σ_j ∂μ/∂(L_j, P_j, Y_j) ∂(L_j, P_j, Y_j)/∂z          [Share-gradient]
     /// ```
+    ///
+    /// The last sum, over the parts of the window, is in the coefficients of [`ShareGradient::by_parts`].
     ///
     /// Zero where the flanks stay apart. `table` is the table of `contact`, whose rows next to the share are solved again.
     ///
@@ -259,16 +261,16 @@ impl PositionFilm<'_> {
         };
         let at = table.at_supply(&supply)?;
         let coefficient = self.share(table, window)?.value.coefficient;
-        let unit_rise = match self.film.heat() == FilmHeat::Isothermal {
+        let c = match self.film.heat() == FilmHeat::Isothermal {
             true => 0.0,
             false => self.film.surface_rise(1.0),
         };
-        let rise = unit_rise * coefficient;
+        let rise = c * coefficient;
         let Some(at) = at else {
             let (share, gap) = (1.0, supply(0.0));
             let state = FilmState { share, gap, rise };
             let [_, slope] = self.film_part(window, state)?;
-            let scale = film_scale + unit_rise * film_scale * slope / (1.0 - unit_rise * slope);
+            let scale = film_scale + c * film_scale * slope / (1.0 - c * slope);
             let (by_gap, by_parts) = self.ripple_slopes(window, state, scale)?;
             gradient.by_rms = by_gap * state.gap * by_deviation;
             gradient.by_parts = by_parts;
@@ -300,26 +302,27 @@ impl PositionFilm<'_> {
         let by_film_share = (with_share(step)? - with_share(-step)?) / (2.0 * step);
         let [_, film_slope] = self.film_part(window, state)?;
         let mut heated = 0.0;
-        if unit_rise > 0.0 {
+        if c > 0.0 {
             let at = |rise| Ok::<_, LoadShareError>(mean(asperities(&self.spot_conditions(rise))?));
             let step = TEMPERATURE_STEP;
             heated = (at(rise + step)? - at(rise - step)?) / (2.0 * step);
         }
         let slope = |film_scale: f64| film_scale * film_slope + phi * heated;
-        let feedback = unit_rise * slope(film_scale) / (1.0 - unit_rise * slope(1.0));
+        let kappa = c * slope(film_scale) / (1.0 - c * slope(1.0));
 
-        let by_asperities = phi * (1.0 + feedback);
-        let (by_supply, by_parts) = self.ripple_slopes(window, state, film_scale + feedback)?;
+        let by_asperities = phi * (1.0 + kappa);
+        let (by_supply, by_parts) = self.ripple_slopes(window, state, film_scale + kappa)?;
         gradient.by_parts = by_parts;
-        let by_share = (1.0 + feedback) * mean(of_rows) - (film_scale + feedback) * by_film_share;
-        let mut by_root = factor * by_share + by_asperities * at.slope * spread;
+        let by_share = (1.0 + kappa) * mean(of_rows) - (film_scale + kappa) * by_film_share;
+        let mut m = factor * by_share + by_asperities * at.slope * spread;
         let (gap_slope, ..) = at.gap_slopes();
-        let mut by_gap = 0.0;
+        // The share is held at its largest; the film is as thick as the gap there.
+        let mut by_gap = -by_supply;
         if root < LARGEST_SHARE {
             let step = SHARE_STEP * root;
             let supply_slope = (supply(root + step) - supply(root - step)) / (2.0 * step);
-            by_root += by_supply * supply_slope;
-            by_gap = by_root / (gap_slope - supply_slope);
+            m += by_supply * supply_slope;
+            by_gap = m / (gap_slope - supply_slope);
             gradient.by_rms = (by_gap + by_supply) * supply(root) * by_deviation;
         }
         let scales = RowScales {
@@ -395,7 +398,7 @@ impl PositionFilm<'_> {
             RIPPLE_STEP * self.hertz.max_pressure.si(),
             RIPPLE_STEP * state.gap,
         ];
-        let mut by_gap = 0.0;
+        let mut by_gap = -by_supply;
         for side in [1.0, -1.0] {
             let gap = state.gap + side * steps[1];
             by_gap += side * self.film_part(window, FilmState { gap, ..state })?[0];

@@ -2,6 +2,7 @@
 
 use asperity_core::profile::mirrored_indices;
 
+use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 use asperity_mixed_film::FlattenedGradient;
 
 use super::*;
@@ -162,6 +163,35 @@ fn the_gradient_over_the_heights_is_the_central_difference() {
             let expected = quotient(flanks, &settings, body, &shape);
             assert!((found - expected).abs() < limits[2] * expected.abs().max(0.01 * largest));
         }
+    }
+}
+
+/// Where the share is at its largest, the film is as thick as the gap there, which follows from the heights.
+#[test]
+fn the_gradient_at_the_largest_share_is_the_central_difference() {
+    let heights = ground().heights.clone();
+    let flanks = Flanks::new(heights.map(|z| z.iter().map(|z| 12.0 * z).collect()));
+    let settings = LoadShareSettings {
+        film_pressure: FilmPressure::Rippled,
+        spot_speed: SpotSpeed::Carried,
+        gap_roughness: GapRoughness::Peaks,
+        ..former()
+    };
+    let (_, table) = exact_table(&e_drive(), &flanks);
+    let solved = share(&e_drive(), &flanks, &table, STARTS, 90.0, &settings);
+    assert_eq!(solved.asperity_share, LARGEST_SHARE);
+    let gradient = gradient(&flanks, &settings);
+    for (k, width) in [40, 100, 200, 400].into_iter().enumerate() {
+        let body = k % 2;
+        let middle = STARTS[body] + points(&e_drive()) / 2;
+        let shape = bump(flanks.heights[body].len(), middle, width);
+        let found: f64 = gradient[body].iter().zip(&shape).map(|(g, s)| g * s).sum();
+        let expected = quotient(&flanks, &settings, body, &shape);
+        println!("{width}: {found} {expected}");
+        assert!(
+            (found / expected - 1.0).abs() < 1e-3,
+            "{width}: {found} {expected}"
+        );
     }
 }
 
