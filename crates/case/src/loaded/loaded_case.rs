@@ -234,6 +234,20 @@ impl LoadedCase {
         }
     }
 
+    /// The case, and every case that is changed from it, without the losses besides its mesh; its input still states them.
+    #[must_use]
+    pub fn without_gearbox(&self) -> Self {
+        let mut values = DerivedValues::clone(&self.derived);
+        values.gearbox = values.gearbox.with(|(_, sums)| (None, sums));
+        let mut case = self.case.clone();
+        case.gearbox = None;
+        Self {
+            case,
+            derived: values.into(),
+            ..self.clone()
+        }
+    }
+
     /// The case with further traces in memory, under names that [`Self::with`] can state as files.
     #[must_use]
     pub fn holding(&self, traces: &[(PathBuf, Profile)]) -> Self {

@@ -140,8 +140,7 @@ impl Process {
         (scatter, seed): (f64, u64),
         lots: usize,
     ) -> Result<Self, Fault> {
-        let mut case = loaded.clone();
-        case.case.gearbox = None;
+        let mut case = loaded.without_gearbox();
         case.case.model.run_in = false;
         case.case.model.offsets = OFFSETS;
         case.case.input.model.offsets = Some(OFFSETS);

@@ -107,14 +107,12 @@ struct OfMesh {
 /// Runs the mesh of `case` and all its changes.
 fn of_mesh(case: &LoadedCase, progress: Progress<'_>) -> Result<OfMesh, Error> {
     // The gearbox is removed: its loss table need not cover the temperatures of the changes.
-    let mut mesh = case.clone();
-    mesh.case.gearbox = None;
+    let mut mesh = case.without_gearbox();
     let tables = contacts(&mesh).ok();
     if let Some(tables) = &tables {
         // Every change is computed at the same windows.
         let offsets = tables.offsets();
         mesh = mesh.with(|input| input.model.offsets = Some(offsets))?;
-        mesh.case.gearbox = None;
     }
     let case = &mesh;
     let changes = changes(case);
