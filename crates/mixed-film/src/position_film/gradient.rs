@@ -398,7 +398,7 @@ impl PositionFilm<'_> {
             RIPPLE_STEP * self.hertz.max_pressure.si(),
             RIPPLE_STEP * state.gap,
         ];
-        let mut by_gap = -by_supply;
+        let mut by_gap = 0.0;
         for side in [1.0, -1.0] {
             let gap = state.gap + side * steps[1];
             by_gap += side * self.film_part(window, FilmState { gap, ..state })?[0];
