@@ -6,7 +6,9 @@ use asperity_core::material::{Material, reduced_modulus};
 use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
 use asperity_core::{DomainError, OutOfRange};
 use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
-use asperity_oil::{FilmRheology, Lubricant, LubricantError, LubricantState, PressureLaw};
+use asperity_oil::{
+    FilmRheology, Lubricant, LubricantError, LubricantInput, LubricantState, PressureLaw,
+};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
@@ -134,10 +136,7 @@ pub(crate) fn resolve_with(
     let temperature = operating_temperature(&input.operation, source)?;
     check_operation((torque, speed), (&gears, modulus), source)?;
     let lubricant_at = |error| lubricant_at(source, &input.operation, error);
-    let lubricant = match &oil_file {
-        Some(file) => file.completing(&input.lubricant),
-        None => Ok(input.lubricant.clone()),
-    };
+    let lubricant = completed_oil(&input.lubricant, oil_file.as_deref());
     let lubricant = lubricant.and_then(|oil| oil.resolve(temperature));
     let lubricant = lubricant.map_err(lubricant_at)?;
     for assumption in lubricant.assumptions() {
@@ -223,6 +222,17 @@ fn check_operation(
         load.refuse_impossible(source)?;
     }
     Ok(())
+}
+
+/// The oil of a case with what its oil file states.
+fn completed_oil(
+    stated: &LubricantInput,
+    file: Option<&OilFile>,
+) -> Result<LubricantInput, LubricantError> {
+    match file {
+        Some(file) => file.completing(stated),
+        None => Ok(stated.clone()),
+    }
 }
 
 /// The choices of the model with the constants of a calibration and of an oil file.

@@ -84,7 +84,7 @@ impl StudySettings for RidgeSettings {
 
 /// The study, with intervals if `band` is set.
 fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeStudy, Error> {
-    let mut mesh = one_pair(case).without_gearbox();
+    let mesh = one_pair(case).without_gearbox();
     let before = gradient(&mesh)?;
     progress(1, STEPS);
     checkpoint()?;
