@@ -496,7 +496,7 @@ fn no_sliding<'a>(
     if is_single && positions.all(rolls) {
         found.push(Warning::new(
             Code::W412,
-            "the single position of the paper's reading is the pitch point, where there is no sliding: the efficiency contains no sliding loss. Set model.position, e.g. 0.25",
+            "the single position is the pitch point, where there is no sliding: the efficiency contains no sliding loss. Set model.position, e.g. 0.25",
         ));
     }
 }

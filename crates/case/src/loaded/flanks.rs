@@ -376,7 +376,7 @@ fn check_across(
         true => Err(CaseError::Conflict {
             place: source.place_of(&keys[0].traces()),
             key: keys[0].traces(),
-            rule: "y tells traces of one tooth apart across the face, which the paper's single position has not",
+            rule: "y tells traces of one tooth apart across the face, and a single position represents the mesh",
         }),
     }
 }
