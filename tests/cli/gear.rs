@@ -126,7 +126,7 @@ fn a_tip_that_reaches_into_the_mating_fillet_is_told() {
     assert!(!codes(&bench.run(&arguments).well().json()).contains(&"W433"));
 }
 
-const SET: &str = r#"
+pub const SET: &str = r#"
 title = "small set"
 [planetary]
 teeth = [27, 24, -75]

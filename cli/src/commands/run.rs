@@ -16,7 +16,7 @@ use super::{load_train, refuse_other, result_name};
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
 use crate::output::{
-    Progress, READING, WRITING, columns, print_json, print_text, print_verdict, shown,
+    FIRST_SCREEN, Progress, READING, WRITING, columns, print_json, print_text, print_verdict, shown,
 };
 use asperity_report::StudySettings as _;
 use asperity_studies::ridges::{RUNS, RidgeSettings};
@@ -67,7 +67,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let results = Results::from(&outcome);
     let text = match common.notes || args.models || args.laws || args.explain_defaults {
         true => results.with_each(&|result| details(result, args, common.notes)),
-        false => results.brief(columns()),
+        false => results.brief(columns(), FIRST_SCREEN),
     };
     let count = runs().map(|run| run.warnings.len()).sum();
     let text = text + &last_lines(target.as_ref(), &train.title, common.notes, count);

@@ -45,6 +45,11 @@ pub fn brief(result: &RunResult, columns: usize) -> String {
 
 /// The warning in two lines: its sentences as far as they fit, with its worth. The explanation of its code has the rest.
 pub(crate) fn short_note(warning: &Warning, columns: usize) -> String {
+    line(&short_text(warning, columns), MESSAGE, columns)
+}
+
+/// The warning as far as it fits into two lines of `columns`, with its worth.
+pub(crate) fn short_text(warning: &Warning, columns: usize) -> String {
     let text = one_line(&warning.to_string()).into_owned();
     // Behind the text its worth, and the mesh of a train in brackets.
     let of_mesh = || text.rfind(" [").filter(|_| text.ends_with(']'));
@@ -52,8 +57,8 @@ pub(crate) fn short_note(warning: &Warning, columns: usize) -> String {
         Some(at) => text.split_at(at),
         None => (text.as_str(), ""),
     };
-    let shown = |kept: &str| line(&format!("{kept}{worth}"), MESSAGE, columns);
-    let is_short = |kept: &str| shown(kept).lines().count() <= 2;
+    let shown = |kept: &str| format!("{kept}{worth}");
+    let is_short = |kept: &str| line(&shown(kept), MESSAGE, columns).lines().count() <= 2;
     if is_short(text) {
         return shown(text);
     }
@@ -526,8 +531,9 @@ fn shift(uncertainty: &Uncertainty) -> Option<String> {
     let shift = uncertainty.scale() - 1.0;
     (shift.abs() > NOTED_SHIFT).then(|| {
         format!(
-            "the run with every constant at its median loses {} W, the median of the draws is {:.0} % {}: \
-            a tip relief or lay that is not stated, errors of more than a fifth, the bias of the gap law `power`, or of records their lay of 0 and the rule of their boundary friction change the loss more in one direction than in the other",
+            "the run with every constant at its median loses {} W, the median of the draws is {:.0} % {}: some components change \
+            the loss more in one direction than in the other. These are a tip relief or lay that is not stated, errors of more \
+            than a fifth, the bias of the gap law `power`, and the lay and boundary friction of records",
             uncertainty.digits().rounded(uncertainty.at_medians_w),
             100.0 * shift.abs(),
             if shift > 0.0 { "higher" } else { "lower" },

@@ -17,8 +17,7 @@ use crate::printed::stated;
 use crate::summary::besides_the_mesh;
 use crate::tables as csv;
 use crate::tiles::{Tile, TileKind};
-use crate::wrap::wrapped;
-use crate::{Cell, Table, columns};
+use crate::{Cell, Report, Table, columns};
 
 /// The files of a train without the folders of its meshes; its page shows `warnings`.
 pub(crate) fn texts(result: &Whole, warnings: &[Warning]) -> Result<Vec<FileText>, Fault> {
@@ -39,43 +38,38 @@ pub(crate) fn texts(result: &Whole, warnings: &[Warning]) -> Result<Vec<FileText
 /// The line with efficiency and loss.
 pub(crate) fn headline(result: &Whole) -> String {
     let [loss, efficiency] = result.with_bands();
-    format!("efficiency (meshes only)  {efficiency}   loss {loss}")
+    format!("Efficiency (meshes only)  {efficiency}   loss {loss}")
 }
 
-/// Losses, meshes and shafts of a gear train for the terminal.
-pub(crate) fn tables(result: &Whole) -> String {
-    let mut text = format!(
-        "{}\n{}\n  power in {:.2} kW\n",
-        asperity_storage::one_line(&result.title),
-        headline(result),
-        1e-3 * result.powers_w()[0],
-    );
-    if let (Some([loss, efficiency]), Some(gearbox)) =
-        (result.gearbox_with_bands(), &result.gearbox)
-    {
-        text.push_str(&format!(
-            "efficiency (gearbox)      {efficiency}   loss {loss}\n"
-        ));
-        text.push_str(&format!("{}\n", wrapped(&besides_the_mesh(gearbox), "  ")));
-    }
-    for (name, set) in result.planetary_sets() {
+/// Losses, meshes and shafts of a gear train for the terminal, with `warnings`.
+pub(crate) fn report<'a>(result: &Whole, warnings: impl IntoIterator<Item = String>) -> Report<'a> {
+    let gearbox = result
+        .gearbox_with_bands()
+        .map(|[loss, efficiency]| format!("efficiency (gearbox)      {efficiency}   loss {loss}"));
+    let sets = result.planetary_sets().into_iter().map(|(name, set)| {
         let name = if name.is_empty() {
             String::new()
         } else {
             format!("{name}: ")
         };
-        text.push_str(&format!(
-            "{name}{} planets   carrier {} 1/min   power through the meshes {:.2} kW\n",
+        format!(
+            "{name}{} planets   carrier {} 1/min   power through the meshes {:.2} kW",
             set.planets,
             rpm(set.carrier_rad_per_s),
             1e-3 * set.rolling_power_w,
-        ));
-    }
-    if let Some(heat) = &result.heat {
-        text.push_str(&format!("{}\n", heat.line()));
-    }
+        )
+    });
     let wide = ["sliding", "rolling", "p₀ at K_γ"];
-    text + &meshes(result).brief(&wide).text("") + &shafts(result).text("")
+    Report::new(&result.title, "")
+        .verdict([headline(result)])
+        .verdict(gearbox)
+        .text([format!("power in {:.2} kW", 1e-3 * result.powers_w()[0])])
+        .text(result.gearbox.as_ref().map(besides_the_mesh))
+        .text(sets)
+        .text(result.heat.as_ref().map(|heat| heat.line()))
+        .table(meshes(result).brief(&wide))
+        .table(shafts(result))
+        .warning(warnings)
 }
 
 fn rpm(speed: f64) -> String {
@@ -191,10 +185,10 @@ fn linked(mesh: &str) -> Cell {
 fn meshes_section(result: &Whole) -> Markup {
     html! {
         (meshes(result))
-        p { "Torque and speed of the pinion, in a planetary set relative to the carrier." }
+        p { "Torque and speed are those of the pinion, in a planetary set relative to the carrier." }
         @if result.loss_distribution.is_some() {
-            p { "In brackets 5 and 95 % over the same draws of oil and boundary layer for all meshes, with the sampling of
-                the flanks. Each mesh has its own page with teeth, flanks and losses along the path." }
+            p { "In brackets are 5 and 95 % of the draws, which share oil and boundary layer over all meshes and include the \
+                sampling of the flanks. Each mesh has its own page with teeth, flanks and losses along the path." }
         }
         p { "data: " a href="meshes.csv" { "meshes.csv" } }
     }

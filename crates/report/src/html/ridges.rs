@@ -11,9 +11,8 @@ use crate::tables::BODIES;
 use crate::{Cell, Table, columns};
 
 /// Explanation of the colours.
-const COLOURS: &str = "Colours: height above the mean line times the gradient of the loss, per length of the trace; its integral \
-    over a ridge is its \"first\". Where it is negative, pressing the trace raises the loss. The number at the cursor is the \
-    value of the cell.";
+const COLOURS: &str = "The colour shows the height above the mean line times the gradient of the loss, per length of the trace. Its sum \
+    over a ridge is the column \"first\". Where it is negative, pressing the trace raises the loss. The cursor shows its value.";
 
 /// Ridges in the report of a run, and marked on the traces.
 const SHOWN: usize = 5;
@@ -23,8 +22,8 @@ pub(super) fn section(result: &RunResult) -> Markup {
     html! {
         @if let Some(why) = &result.no_ridges { p { "Not computed: " (why) "." } }
         @if let Some(ridges) = &result.ridges {
-            p { strong { (verdict(ridges)) } " The loss of " (watts(ridges.loss_w)) " W that this refers to is with every constant at its "
-                "median; " code { "asperity ridges" } " lists all of these ridges and the loss by wavelength." }
+            p { strong { (verdict(ridges)) } " This refers to a loss of " (watts(ridges.loss_w)) " W, with every constant at its median. "
+                code { "asperity ridges" } " lists all of these ridges and the loss by wavelength." }
             @for note in notes(ridges) { p { (note) } }
             (charts(ridges, Some("result.json")))
             (table(&ridges.rows[..ridges.rows.len().min(SHOWN)]))

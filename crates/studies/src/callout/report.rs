@@ -15,6 +15,13 @@ const NOTE: &str = "A lot is a set of flanks of the recipe of the traces; it mee
     inspection. Running-in and the uncertainty of the constants are not in it. These are answers of the model, not \
     measurements.";
 
+/// Standard of the symbol with its edition.
+const EDITION: &str = "ISO 1302:2002";
+/// Explanation of the symbol.
+const SYMBOL: &str = "The symbol has the form of ISO 1302:2002, whose edition the drawing must state. ISO 21920-1:2021, which replaces \
+    it, keeps its shape, but writes parameter and limit before the filters. Neither has a sign for the mean of several traces, so \
+    that is a note.";
+
 impl StudyResult for CallOut {
     const KIND: &'static str = "call-out";
     const NAME: &'static str = "callout";
@@ -32,7 +39,7 @@ impl StudyResult for CallOut {
             .table(table(self))
             .section("By the number of traces")
             .figures(|| [traces_chart(self)])
-            .method([NOTE])
+            .method([NOTE, SYMBOL])
             .rows("limits.csv", || &self.limits)
             .rows("parameters.csv", || &self.parameters)
             .rows("traces.csv", || &self.by_traces)
@@ -110,6 +117,7 @@ fn symbol(study: &CallOut, row: &LimitRow) -> Drawing {
         1 => "one trace".to_owned(),
         count => format!("mean of {count} traces"),
     };
+    let traces = format!("{traces}, {EDITION}");
     Drawing::Symbol(TextureSymbol {
         id: format!("symbol-{}", row.flank),
         title: format!("{} on the drawing", flank_of(row)),
