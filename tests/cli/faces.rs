@@ -74,7 +74,7 @@ fn tables(page: &str) -> Vec<Shown> {
             continue;
         };
         let (head, body) = between(table, "<thead>", "</thead>").unwrap();
-        let columns = elements(head, &["th"]);
+        let columns = elements(head, &["th", "td"]);
         let rows = body.split("<tr>").skip(1);
         let row = |row: &str| {
             let cells = elements(row, &["th", "td"]).into_iter();

@@ -39,10 +39,10 @@ fn report<'a>(title: &str, survey: &FilmSurvey) -> Report<'a> {
         )
     });
     let place = format!(
-        "At {:.4} of the path the central film is {:.3} µm and the Hertz pressure {:.0} MPa.",
-        survey.path_fraction,
+        "Central film {:.3} µm and Hertz pressure {:.0} MPa at {:.4} of the path.",
         survey.film_central_m * 1e6,
-        survey.hertz_pressure_pa * 1e-6
+        survey.hertz_pressure_pa * 1e-6,
+        survey.path_fraction
     );
     let table = columns! { row in &survey.rows;
         number thickness "film" "µm" "{:.4}" = row.thickness_m * 1e6;

@@ -187,11 +187,12 @@ impl<'a> Results<'a> {
         whole::report(whole, warnings).terminal()
     }
 
-    /// The first screen in `columns`, of a train in at most `lines` lines.
+    /// The first screen in `columns`, in at most `lines` lines.
     #[must_use]
     pub fn brief(self, columns: usize, lines: usize) -> String {
         let Some(whole) = self.whole else {
-            return self.runs().map(|run| brief(run, columns)).collect();
+            let each = self.runs().map(|run| brief(run, columns, lines));
+            return each.collect();
         };
         let of_train = whole.warnings.iter().map(|one| short_text(one, columns));
         let of_meshes = self.named(whole).filter_map(|(row, run)| {

@@ -5,14 +5,15 @@ use std::path::Path;
 use asperity::case::train::mesh_folder;
 use asperity::message::Warning;
 use asperity::train::Whole;
-use asperity_core::Fault;
+use asperity_core::{Fault, capitalised};
 use maud::{Markup, html};
 
+use crate::chart::{Axis, Bar, BarChart, Drawing};
 use crate::folder::{FileText, PAGE, PLANETARY_MARK, TRAIN_MARK, json_text};
 use crate::html::band::evidence;
 use crate::html::gearbox::section;
 use crate::html::overview::warnings as listed;
-use crate::html::page;
+use crate::html::{figure, page};
 use crate::printed::stated;
 use crate::summary::besides_the_mesh;
 use crate::tables as csv;
@@ -139,10 +140,24 @@ pub(crate) fn tiles(result: &Whole) -> Vec<Tile> {
 }
 
 fn summary_page(result: &Whole, warnings: &[Warning]) -> String {
+    // Efficiency and loss of the meshes and, if it is computed, of the gearbox.
+    let first = if result.gearbox_with_bands().is_some() {
+        4
+    } else {
+        2
+    };
+    let values = named_values(result);
+    let (first, others) = values.split_at(first.min(values.len()));
     let summary = html! {
-        dl.tiles { @for [name, value] in named_values(result) { div { dt { (name) } dd { (value) } } } }
+        @for (class, values) in [("tiles first", first), ("tiles", others)] {
+            dl class=(class) { @for [name, value] in values { div { dt { (name) } dd { (value) } } } }
+        }
+        div.verdict {
+            div { (figure(&losses_of_meshes(result))) }
+            div { (figure(&losses_by_kind(result))) }
+        }
         (evidence(&result.evidence, &|loss| result.digits().rounded(loss)))
-        @if let Some(heat) = &result.heat { p { (heat.line()) "." } }
+        @if let Some(heat) = &result.heat { p { (capitalised(&heat.line())) "." } }
         @if let Some(gearbox) = &result.gearbox { (section(gearbox, result.loss_distribution.is_some())) }
         (listed(warnings))
     };
@@ -156,6 +171,59 @@ fn summary_page(result: &Whole, warnings: &[Warning]) -> String {
             ("Shafts", shafts_section(result)),
         ],
     )
+}
+
+/// Loss of one mesh of each kind, with its interval if it is drawn.
+fn losses_of_meshes(result: &Whole) -> Drawing {
+    let bars = result.meshes.iter().map(|row| {
+        let drawn = row.drawn_w();
+        let times = if row.count == 1 {
+            String::new()
+        } else {
+            format!(", one of {}", row.count)
+        };
+        Bar {
+            name: row.mesh.clone(),
+            value: Some(drawn.map_or(row.loss_w, |(median, _)| median)),
+            spread: drawn.map(|(_, quantiles)| quantiles),
+            text: format!("{} W{times}", row.with_digits()[0]),
+        }
+    });
+    let title = match result.loss_distribution {
+        Some(_) => "Loss of each mesh, in brackets 5 to 95 %",
+        None => "Loss of each mesh",
+    };
+    bar_chart(["meshes", title, "meshes.csv"], bars.collect())
+}
+
+/// Losses of all meshes by kind.
+fn losses_by_kind(result: &Whole) -> Drawing {
+    let bars = result
+        .kinds_with_digits()
+        .into_iter()
+        .map(|(name, text, share)| Bar {
+            name: name.to_owned(),
+            value: Some(share * result.median_w()),
+            spread: None,
+            text: format!("{text} W, {:.0} %", 100.0 * share),
+        });
+    let mark = if result.set.is_some() {
+        PLANETARY_MARK
+    } else {
+        TRAIN_MARK
+    };
+    let title = "Losses of all meshes by kind";
+    bar_chart(["kinds", title, mark], bars.collect())
+}
+
+fn bar_chart([id, title, source]: [&str; 3], bars: Vec<Bar>) -> Drawing {
+    Drawing::Bars(BarChart {
+        id: id.to_owned(),
+        title: title.to_owned(),
+        source: source.to_owned(),
+        axis: Axis::new("loss", "W"),
+        bars,
+    })
 }
 
 /// The meshes, each with its loss, speeds and pressure.

@@ -497,9 +497,9 @@ fn tenths(count: i64) -> String {
     }
 }
 
-/// Value with six significant digits; null if it is not finite.
+/// Value with five significant digits; null if it is not finite.
 pub(super) fn short(value: f64) -> Value {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(f64::NAN);
+    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(f64::NAN);
     if rounded.is_finite() {
         json!(rounded)
     } else {

@@ -46,7 +46,8 @@ pub fn table(rows: &[RidgeRow]) -> Table {
     }
 }
 
-/// Both traces and close-ups of the costliest ridges, coloured on one scale; `file` holds their data, or the table of each trace.
+/// Both traces and close-ups of the costliest ridges, coloured on one scale, each with the table of its trace. Of the result of a
+/// run, whose `file` holds their data, only the traces.
 pub fn charts(ridges: &Ridges, file: Option<&str>) -> Markup {
     let scale = scale(ridges);
     let traces = BODIES.iter().zip(&ridges.along).map(|(body, strip)| {
@@ -61,7 +62,12 @@ pub fn charts(ridges: &Ridges, file: Option<&str>) -> Markup {
         let title = format!("Loss along the trace of the {body}, ridges numbered");
         chart(&format!("watts-{body}"), &title, body, strip, scale).marked(&marks)
     });
-    let near = ridges.near.iter().zip(&ridges.rows).enumerate();
+    let near = if file.is_none() {
+        &ridges.near[..]
+    } else {
+        &[]
+    };
+    let near = near.iter().zip(&ridges.rows).enumerate();
     let near = near.map(|(k, (strip, row))| {
         let title = format!("Ridge {}: {} at {:.4} mm", k + 1, row.flank, row.place_mm);
         chart(
