@@ -116,8 +116,8 @@ fn with_common_levels(mut fields: Vec<Contour>, levels: fn(&[f64]) -> Vec<f64>) 
 pub(super) fn fields<'a>(report: Report<'a>, map: &'a Map, visited: &'a [[f64; 2]]) -> Report<'a> {
     let [pinion, wheel] = map.shafts();
     let axes = format!(
-        "Loss of the {} over torque and speed of the {pinion}. At a negative torque the {wheel} drives, and no efficiency is drawn. \
-        All finishes have the same colours.",
+        "Loss of the {} over torque and speed of the {pinion}. At a negative torque the {wheel} drives. All finishes have the \
+        same colours; next to points at rest or without torque the efficiency is blank.",
         map.scope
     );
     let finishes = map.finishes.iter();

@@ -61,11 +61,7 @@ fn verdicts(study: &Sensitivity) -> impl Iterator<Item = String> {
         let mut changes = changes.iter();
         let is_of = |(_, effect): &&Changed<'_>| (effect.difference_w < 0.0) == is_saving;
         let (row, effect) = changes.find(is_of)?;
-        let what = if is_saving {
-            "saving"
-        } else {
-            "rise of the loss"
-        };
+        let what = if is_saving { "saving" } else { "rise" };
         Some(format!(
             "The largest {what}: {}, {} W, {} %.",
             named(row),
