@@ -57,7 +57,7 @@ impl Said {
         for part in [
             "heights from",
             "filter state",
-            "no parameters",
+            "No parameters",
             "pinion = { file =",
         ] {
             assert!(self.out.contains(part), "{part:?} is not in {}", self.out);

@@ -1,5 +1,6 @@
 //! `asperity diff`: differences between two results.
 
+use asperity::result::loss_band::rounded;
 use asperity_core::{Code, Fault};
 use asperity_report::{Report, columns, read_result};
 use asperity_studies::diff::{Change, ResultDiff, diff as compare};
@@ -55,6 +56,11 @@ fn report<'a>(differences: &ResultDiff) -> Report<'a> {
     })
 }
 
+/// A power with three digits.
+fn power(watts: f64) -> String {
+    rounded(watts, 0.01 * watts)
+}
+
 /// The loss of both results: the median of the draws, or of the runs where one has no draws.
 fn loss(differences: &ResultDiff) -> Option<String> {
     let of = |key: &str| {
@@ -70,8 +76,8 @@ fn loss(differences: &ResultDiff) -> Option<String> {
     let (first, second, percent) = of("loss_median_w").or_else(|| of("loss_w"))?;
     Some(format!(
         "the second result loses {} W, the first {} W: {percent:+.1} %",
-        digits(second),
-        digits(first)
+        power(second),
+        power(first)
     ))
 }
 

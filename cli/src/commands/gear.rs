@@ -5,7 +5,7 @@ use asperity::quantity::Length;
 use asperity::result::gear_report::{GearReport, gear_report};
 use asperity_report::{Report, Table, columns};
 
-use super::{load_train, of_meshes};
+use super::{load_train, of_mesh, of_meshes};
 use crate::args::{CaseArgs, Common};
 use crate::failure::Failure;
 use crate::output::print_report;
@@ -23,7 +23,7 @@ pub fn gear(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
         || of_meshes(&train, &reports),
         || match &reports[..] {
             [only] => of_pair(Report::new(&only.title, ""), only),
-            all => all.iter().fold(Report::new(&train.title, ""), of_mesh),
+            all => of_train(&train.title, all),
         },
         None,
     )
@@ -39,16 +39,20 @@ fn of_pair<'a>(report: Report<'a>, gears: &GearReport) -> Report<'a> {
         .text(geometry(gears))
 }
 
-/// A mesh of a train: its loss factor, then the rest under its title.
-fn of_mesh<'a>(report: Report<'a>, gears: &GearReport) -> Report<'a> {
-    report
-        .verdict([format!("{}: {}", gears.title, loss_factor(gears))])
-        .heading(&gears.title)
-        .table(laws(gears))
-        .text([contact_ratios(gears)])
-        .text(transmission_error(gears))
-        .text(edge_contact(gears))
-        .text(geometry(gears))
+/// The loss factors of the meshes of a train, then the rest of each under its title.
+fn of_train<'a>(title: &str, meshes: &[GearReport]) -> Report<'a> {
+    let answer =
+        |gears: &GearReport| format!("{}: {}", of_mesh(title, &gears.title), loss_factor(gears));
+    let report = Report::new(title, "").verdict(meshes.iter().map(answer));
+    meshes.iter().fold(report, |report, gears| {
+        report
+            .heading(&gears.title)
+            .table(laws(gears))
+            .text([contact_ratios(gears)])
+            .text(transmission_error(gears))
+            .text(edge_contact(gears))
+            .text(geometry(gears))
+    })
 }
 
 fn millimetres(length: Length) -> f64 {

@@ -6,7 +6,7 @@ use asperity::result::Regime;
 use asperity_report::{Report, Table, columns};
 use serde_json::json;
 
-use super::{load_train, of_meshes};
+use super::{load_train, of_mesh, of_meshes};
 use crate::args::{CaseArgs, Common};
 use crate::failure::Failure;
 use crate::output::print_report;
@@ -27,7 +27,11 @@ pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
     let report = || {
         let report = Report::new(&train.title, "");
         let report = found.iter().fold(report, |report, (title, rows)| {
-            let of = if is_only { "" } else { title };
+            let of = if is_only {
+                ""
+            } else {
+                of_mesh(&train.title, title)
+            };
             report.verdict(verdict(of, rows))
         });
         found.iter().fold(report, |report, (title, rows)| {

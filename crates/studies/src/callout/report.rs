@@ -30,10 +30,8 @@ impl StudyResult for CallOut {
             .section("Limit")
             .text([headline(self)])
             .verdict(self.limits.iter().map(limit_line))
-            .figures(|| {
-                let symbols = self.limits.iter().map(|row| symbol(self, row));
-                symbols.chain([curve_chart(self)]).collect::<Vec<_>>()
-            })
+            .figures(|| self.limits.iter().map(|row| symbol(self, row)))
+            .figures(|| [curve_chart(self)])
             .text([inspection(self), losses(self)])
             .table(table(self))
             .section("By the number of traces")
