@@ -56,11 +56,6 @@ fn report<'a>(differences: &ResultDiff) -> Report<'a> {
     })
 }
 
-/// A power with three digits.
-fn power(watts: f64) -> String {
-    rounded(watts, 0.01 * watts)
-}
-
 /// The loss of both results: the median of the draws, or of the runs where one has no draws.
 fn loss(differences: &ResultDiff) -> Option<String> {
     let of = |key: &str| {
@@ -74,6 +69,8 @@ fn loss(differences: &ResultDiff) -> Option<String> {
         Some((first, second, 100.0 * change.relative?))
     };
     let (first, second, percent) = of("loss_median_w").or_else(|| of("loss_w"))?;
+    // Three digits of the larger.
+    let power = |watts: f64| rounded(watts, 0.01 * first.max(second));
     Some(format!(
         "the second result loses {} W, the first {} W: {percent:+.1} %",
         power(second),

@@ -5,7 +5,7 @@ use asperity::quantity::Length;
 use asperity::result::gear_report::{GearReport, gear_report};
 use asperity_report::{Report, Table, columns};
 
-use super::{load_train, of_mesh, of_meshes};
+use super::{load_train, mesh_of, of_meshes};
 use crate::args::{CaseArgs, Common};
 use crate::failure::Failure;
 use crate::output::print_report;
@@ -42,7 +42,7 @@ fn of_pair<'a>(report: Report<'a>, gears: &GearReport) -> Report<'a> {
 /// The loss factors of the meshes of a train, then the rest of each under its title.
 fn of_train<'a>(title: &str, meshes: &[GearReport]) -> Report<'a> {
     let answer =
-        |gears: &GearReport| format!("{}: {}", of_mesh(title, &gears.title), loss_factor(gears));
+        |gears: &GearReport| format!("{}: {}", mesh_of(title, &gears.title), loss_factor(gears));
     let report = Report::new(title, "").verdict(meshes.iter().map(answer));
     meshes.iter().fold(report, |report, gears| {
         report

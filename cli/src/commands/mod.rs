@@ -127,7 +127,7 @@ fn of_meshes<V: Serialize>(train: &Train, values: &[V]) -> serde_json::Value {
 }
 
 /// Name of a mesh in the `title` of its case, which begins with the title of the train.
-fn of_mesh<'a>(train: &str, title: &'a str) -> &'a str {
+fn mesh_of<'a>(train: &str, title: &'a str) -> &'a str {
     let rest = title.strip_prefix(train);
     rest.and_then(|rest| rest.strip_prefix(": "))
         .unwrap_or(title)

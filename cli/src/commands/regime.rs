@@ -6,7 +6,7 @@ use asperity::result::Regime;
 use asperity_report::{Report, Table, columns};
 use serde_json::json;
 
-use super::{load_train, of_mesh, of_meshes};
+use super::{load_train, mesh_of, of_meshes};
 use crate::args::{CaseArgs, Common};
 use crate::failure::Failure;
 use crate::output::print_report;
@@ -30,7 +30,7 @@ pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
             let of = if is_only {
                 ""
             } else {
-                of_mesh(&train.title, title)
+                mesh_of(&train.title, title)
             };
             report.verdict(verdict(of, rows))
         });

@@ -41,7 +41,7 @@ pub fn summary_within(result: &RunResult, columns: usize) -> String {
 pub fn brief(result: &RunResult, columns: usize, most: usize) -> String {
     let mut parts = verdict(result, columns);
     parts.extend(weightiest(result).map(|warning| (Part::Needed, short_note(&warning, columns))));
-    for rank in [Part::Remedy, Part::Bulk, Part::Regime] {
+    for rank in [Part::Bulk, Part::Regime, Part::Remedy] {
         if text_of(&parts).lines().count() > most {
             parts.retain(|(part, _)| *part != rank);
         }

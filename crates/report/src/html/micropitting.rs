@@ -27,8 +27,8 @@ pub(super) fn section(report: &MicropittingReport) -> Markup {
         }
         p {
             "The measured flanks give four more columns at the same positions, which Ra does not describe. They are λ over the Rq of \
-            wavelengths below 0.08 mm and the load on touching asperities. At the first offset they are the pressure that 99 % of the \
-            touching points stay below, and the share of the nominal contact at the flow pressure. The columns do not combine to one \
+            wavelengths below 0.08 mm, and the load on touching asperities. Two are of the first offset: 99 % of the touching points \
+            stay below the pressure, and the share of the nominal contact is at the flow pressure. The columns do not combine to one \
             rating."
         }
         (columns! { cell in &report.cells;
