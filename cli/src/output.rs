@@ -6,6 +6,7 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 use asperity_core::{Code, Fault};
+use asperity_report::{LeftOut, Report};
 use asperity_storage::{NotJson, json_text};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
@@ -33,6 +34,38 @@ pub fn print<V: Serialize>(
         true => print_json(&value()),
         false => print_text(common, &text()),
     }
+}
+
+/// Most lines of a first screen before its last line.
+pub const FIRST_SCREEN: usize = 9;
+
+/// Prints a value as JSON if `--json` is given, otherwise its report: the first screen, or everything with `--notes`. The last
+/// line names the folder or file that was `written`, and counts what the first screen leaves out.
+pub fn print_report<'a, V: Serialize>(
+    common: &Common,
+    value: impl FnOnce() -> V,
+    report: impl FnOnce() -> Report<'a>,
+    written: Option<&Path>,
+) -> Result<(), Failure> {
+    if common.json {
+        return print_json(&value());
+    }
+    let report = report();
+    let (mut text, left_out) = match common.notes {
+        true => (report.terminal(), LeftOut::default()),
+        false => report.brief(FIRST_SCREEN),
+    };
+    let more = match left_out.lines {
+        0 => String::new(),
+        _ => format!("{left_out}: --notes"),
+    };
+    let written = written.map_or(String::new(), |path| format!("wrote {}", shown(path)));
+    let last = format!("{written}   {more}");
+    if !last.trim().is_empty() {
+        text += last.trim();
+        text.push('\n');
+    }
+    print_verdict(common, &text, &report.verdict_lines())
 }
 
 /// Warnings with their codes as JSON.

@@ -275,6 +275,11 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
     let table = |file: &str| Table::read(folder, file);
     match (page, chart) {
         ("compared/compare.html", "losses") => Some(table("compare.csv").column("loss_median_w")),
+        ("compared/compare.html", "parts") => Some(table("parts.csv").column("loss_w")),
+        ("compared/compare.html", "components") => {
+            let ends = ["loss_p05_w", "loss_p95_w"];
+            Some(table("components.csv").map(ends, |[low, high]| 0.5 * (high - low)))
+        }
         ("compared/compare.html", "local-losses") => {
             let name = curve.trim_end_matches(", 5 to 95 %");
             let own = table("path.csv").with("finish", name);

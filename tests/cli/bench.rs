@@ -57,7 +57,7 @@ impl Said {
         for part in [
             "heights from",
             "filter state",
-            "no parameters",
+            "No parameters",
             "pinion = { file =",
         ] {
             assert!(self.out.contains(part), "{part:?} is not in {}", self.out);
@@ -156,22 +156,32 @@ impl Bench {
         }
     }
 
-    /// Runs the program in the folder, a study with all that it prints.
+    /// Runs the program in the folder, a command with a report with all that it prints.
     pub fn run(&self, arguments: &[&str]) -> Said {
-        const STUDIES: [&str; 10] = [
+        const REPORTED: [&str; 18] = [
             "calibrate",
             "callout",
+            "check",
             "compare",
+            "contact",
             "cycle",
             "design",
+            "diff",
+            "ehl",
             "evidence",
+            "film",
+            "gear",
             "map",
             "oil",
+            "profile",
+            "regime",
             "ridges",
             "sensitivity",
         ];
-        let is_study = arguments.first().is_some_and(|name| STUDIES.contains(name));
-        let notes: &[&str] = if is_study { &["--notes"] } else { &[] };
+        let is_reported = arguments
+            .first()
+            .is_some_and(|name| REPORTED.contains(name));
+        let notes: &[&str] = if is_reported { &["--notes"] } else { &[] };
         self.first_screen(&[arguments, notes].concat())
     }
 

@@ -119,7 +119,7 @@ fn a_design_is_rehearsed_and_its_calibration_narrows_the_band_of_a_run() {
     let (bench, made) = rehearsed();
     let told = &made.designed;
     assert!(
-        told.contains("16 points for each of 2 assemblies"),
+        told.contains("Measure these 16 points with each of 2 assemblies"),
         "{told}"
     );
     assert!(told.contains("SIMULATED"), "{told}");
@@ -278,7 +278,8 @@ fn outliers_and_points_that_the_model_does_not_explain_are_named() {
     let said = calibrate("half.csv").well();
     let ratio = bench.calibrated("s")["birge_ratio"].as_f64().unwrap();
     assert!((1.5..2.5).contains(&ratio), "{ratio}");
-    let words = format!("errors are {ratio:.2} times what you stated: bands widened by {ratio:.2}");
+    let words =
+        format!("the residuals are {ratio:.2} times the stated errors, and widen the bands by");
     assert!(said.unwrapped().contains(&words), "{}", said.out);
     assert!(
         said.out

@@ -182,7 +182,7 @@ fn check_of_a_good_case_lists_defaults_and_work() {
     for says in [
         "case.toml: no errors",
         " (--explain-defaults)",
-        "a run takes ",
+        "A run takes ",
     ] {
         assert!(said.contains(says), "{says} is not in {said}");
     }
@@ -315,7 +315,7 @@ fn diff_names_the_key_that_differs_and_what_follows() {
         .well();
     assert_eq!(
         bench.run(&["diff", "one", "same"]).well().out,
-        "no difference\n"
+        "The results do not differ\n"
     );
     let said = bench.run(&["diff", "one", "two"]).well().out;
     for says in [

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use asperity::message::EXPLANATIONS;
 
 use crate::bench::{Bench, root};
+use crate::faces::short_sentences;
 
 /// Codes that no input provokes, and why.
 const NOT_PROVOKED: &[(&str, &str)] = &[
@@ -114,6 +115,8 @@ fn explain_prints_meaning_and_remedy_of_every_code() {
     assert_eq!(all.lines().count(), EXPLANATIONS.len());
     for entry in EXPLANATIONS {
         assert!(all.contains(&format!("{}  {}", entry.code, entry.title)));
+        short_sentences(entry.meaning, entry.code.as_str());
+        short_sentences(entry.remedy, entry.code.as_str());
     }
     let one = bench.run(&["explain", "w402"]).well().out;
     assert!(

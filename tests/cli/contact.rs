@@ -198,7 +198,7 @@ fn the_stress_below_a_cylinder_is_that_of_hertz() {
     assert!(number(&sliding["z_m"]) < number(&shear["z_m"]));
     let said = gap(&bench, &options).well().out;
     assert!(
-        said.contains("largest von Mises stress") && said.contains("elastic limit exceeded from")
+        said.contains("Largest von Mises stress") && said.contains("Elastic limit exceeded from")
     );
     let mut bad = options.to_vec();
     bad.extend(["--poisson", "0.7"]);

@@ -66,7 +66,7 @@ fn a_smooth_contact_has_its_film_spike_and_traction() {
     assert!(points.starts_with("x_m,pressure_pa,film_m,void_fraction\n"));
     let text = bench.run(&gear(&[])).well().out;
     assert!(
-        text.contains("central film 0.27") && text.contains("spike"),
+        text.contains("Central film 0.27") && text.contains("spike"),
         "{text}"
     );
     let oil = bench.run(&[&GEAR[..11], &["--oil", "m100", "--bulk", "90 °C", "--json"]].concat());

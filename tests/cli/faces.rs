@@ -27,10 +27,13 @@ fn attribute(tag: &str, name: &str) -> Option<String> {
     Some(between(tag, &format!("{name}=\""), "\"")?.0.to_owned())
 }
 
-/// Text of markup.
+/// Text of markup, in which a paragraph ends as a sentence.
 fn plain(markup: &str) -> String {
     let mut text = String::new();
-    for part in markup.split('<') {
+    let ended = ["</summary>", "</p>"]
+        .iter()
+        .fold(markup.to_owned(), |all, end| all.replace(end, ". "));
+    for part in ended.split('<') {
         text += part.split_once('>').map_or(part, |(_, text)| text);
     }
     let entities = [
@@ -71,7 +74,7 @@ fn tables(page: &str) -> Vec<Shown> {
             continue;
         };
         let (head, body) = between(table, "<thead>", "</thead>").unwrap();
-        let columns = elements(head, &["th"]);
+        let columns = elements(head, &["th", "td"]);
         let rows = body.split("<tr>").skip(1);
         let row = |row: &str| {
             let cells = elements(row, &["th", "td"]).into_iter();
@@ -279,14 +282,19 @@ const LEAST_CELLS: usize = 4;
 /// Most words of a sentence, or of a part of it up to a colon or semicolon.
 const MOST_WORDS: usize = 25;
 
+/// Checks that the sentences of `text` have few words.
+pub fn short_sentences(text: &str, name: &str) {
+    for sentence in text.split([';', ':']).flat_map(|part| part.split(". ")) {
+        let words = sentence.split_whitespace().count();
+        assert!(words <= MOST_WORDS, "{name}: {words} words: {sentence}");
+    }
+}
+
 /// Checks the sentences of the paragraphs and items of a page: few words, and a capital at the beginning.
 fn plain_sentences(page: &str, name: &str) {
     for (tag, text) in elements(page, &["p", "li", "figcaption", "summary"]) {
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        for sentence in text.split([';', ':']).flat_map(|part| part.split(". ")) {
-            let words = sentence.split_whitespace().count();
-            assert!(words <= MOST_WORDS, "{name}: {words} words: {sentence}");
-        }
+        short_sentences(&text, name);
         // A paragraph of a file begins with its name.
         let first = text.split(' ').next().unwrap_or_default();
         let is_name = first.contains(['.', '_', '/']) || tag.contains("class=");
@@ -317,6 +325,44 @@ fn agree(bench: &Bench, folder: &str, name: &str, said: &str) -> usize {
     }
     plain_sentences(&read(&format!("{name}.html")), name);
     tables.iter().map(|table| files.check(table)).sum()
+}
+
+#[test]
+fn the_pages_of_runs_are_in_plain_sentences() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    bench.write("set.toml", crate::gear::SET);
+    let page = |name: &str| {
+        let text = fs::read_to_string(bench.path(name)).unwrap();
+        plain_sentences(&text, name);
+    };
+    let ridges = [
+        "run",
+        "case.toml",
+        "-o",
+        "one",
+        "--ridges",
+        "--fields",
+        "all",
+    ];
+    bench.run(&ridges).well();
+    page("one/report.html");
+    bench.run(&["report", "one", "--position", "1"]).well();
+    page("one/report.html");
+    let more = ["--set", "model.run_in=true", "--set", "micropitting={}"];
+    bench
+        .run(&[&["run", "case.toml", "-o", "two"][..], &more].concat())
+        .well();
+    page("two/report.html");
+    bench.run(&["run", "set.toml", "-o", "set"]).well();
+    for name in [
+        "report.html",
+        "sun_planet/report.html",
+        "planet_ring/report.html",
+    ] {
+        page(&format!("set/{name}"));
+    }
 }
 
 const STUDY: &str = r#"case = "case.toml"

@@ -28,7 +28,7 @@ fn the_gear_command_tells_geometry_stiffness_and_every_law() {
     for part in [
         "teeth 23/68",
         "eps_alpha 1.5",
-        "transmission error",
+        "Transmission error",
         "by ISO 6336-1",
         "mean-length",
     ] {
@@ -126,7 +126,7 @@ fn a_tip_that_reaches_into_the_mating_fillet_is_told() {
     assert!(!codes(&bench.run(&arguments).well().json()).contains(&"W433"));
 }
 
-const SET: &str = r#"
+pub const SET: &str = r#"
 title = "small set"
 [planetary]
 teeth = [27, 24, -75]
@@ -515,7 +515,10 @@ fn a_train_of_thousands_of_meshes_is_refused() {
 #[test]
 fn a_gear_train_gives_its_shafts_its_meshes_and_one_loss() {
     let bench = bench(TRAIN);
-    let said = bench.run(&["run", "case.toml", "-o", "train"]).well().out;
+    let said = bench
+        .run(&["run", "case.toml", "-o", "train", "--notes"])
+        .well()
+        .out;
     for says in [
         "two stages",
         "fast",

@@ -23,6 +23,7 @@ mod ehl;
 mod evidence;
 mod faces;
 mod file_messages;
+mod first_screens;
 mod fuzz;
 mod gallery;
 mod gear;

@@ -74,7 +74,7 @@ fn quantiles_at_the_nodes_of_a_map_are_those_of_runs() {
         (said, table(&bench, &format!("{folder}/map.csv")))
     };
     let (said, rows) = of("m", &[]);
-    assert!(said.contains("5 and 95 % quantiles"), "{said}");
+    assert!(said.contains("The 90 % interval of the loss"), "{said}");
     let at = |torque: f64, speed: f64| {
         let is = |row: &&BTreeMap<String, String>| {
             number(row, "torque_nm") == torque && number(row, "speed_rpm") == speed

@@ -521,7 +521,7 @@ fn stribeck_curves_give_the_boundary_friction_of_rubbed_specimens() {
         "before rubbing 0.05898 5 ",
         "after 7200 s of rubbing 0.117",
         UNREAD,
-        "(0.09922 to 0.1379, 5 to 95 %) at 120 °C",
+        "0.117 (0.099..0.138) at 120 °C; in brackets 5 to 95 %",
     ] {
         assert!(out.contains(part), "{part:?} is not in {out}");
     }

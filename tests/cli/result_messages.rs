@@ -108,7 +108,7 @@ fn traces_are_said_to_narrow_the_interval_only_where_they_do() {
             "#
         );
         bench.write("case.toml", case);
-        let said = bench.run(&["run", "case.toml"]);
+        let said = bench.run(&["run", "case.toml", "--notes"]);
         assert_eq!(said.status, 0, "{}", said.err);
         said.out.split_whitespace().collect::<Vec<_>>().join(" ")
     };

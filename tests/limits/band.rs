@@ -141,7 +141,7 @@ fn a_lay_beyond_the_records_is_named_and_reaches_down_to_a_confirmed_lay() {
     let far = with("0.6");
     assert!(is_far(&asperity::pipeline::check(&far).unwrap()));
     let result = found(&far);
-    let shown = asperity_report::brief(&result, 80);
+    let shown = asperity_report::brief(&result, 80, 10);
     assert!(
         shown.contains("W452") && shown.contains("(worth "),
         "{shown}"

@@ -5,13 +5,14 @@ use asperity::case::{self, DefaultUsed, LoadedCase, Train};
 use asperity::message::Warning;
 use asperity::pipeline::{KeptFields, chooses_offsets};
 use asperity_core::Code;
+use asperity_report::Report;
 use asperity_studies::estimate::{Estimate, estimate, measured};
 use serde_json::{Value, json};
 
 use super::{keys, source};
 use crate::args::{CheckArgs, Common};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, print_json, print_text};
+use crate::output::{Progress, READING, print_json, print_report};
 
 /// Largest number of errors that are shown.
 const MOST_ERRORS: usize = 50;
@@ -35,10 +36,10 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
         }
     };
     drop(reading);
-    if common.json {
-        print_json(&report(&failures, not_shown, valid.as_ref()))?;
-    }
     let Some(valid) = &valid else {
+        if common.json {
+            print_json(&report(&failures, not_shown, None))?;
+        }
         for failure in &failures {
             if !common.json {
                 failure.print();
@@ -60,10 +61,17 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
             )),
         };
     };
-    if common.json {
-        return Ok(());
-    }
-    print_text(common, &text(&name, valid, args.explain_defaults))
+    // A list that is requested is printed in full.
+    let common = Common {
+        notes: common.notes || args.explain_defaults,
+        ..common.clone()
+    };
+    print_report(
+        &common,
+        || report(&failures, not_shown, Some(valid)),
+        || report_of(&name, valid, args.explain_defaults),
+        None,
+    )
 }
 
 /// Report on a case without errors.
@@ -125,10 +133,9 @@ fn report(failures: &[Failure], not_shown: usize, valid: Option<&ValidCase>) -> 
     })
 }
 
-/// The report, with the warnings last, where they are seen.
-fn text(name: &str, valid: &ValidCase, lists_defaults: bool) -> String {
-    let mut text = format!("{name}: no errors\n");
-    for mesh in &valid.traced {
+/// What a run of the case takes, the number of its traces and defaults, and its warnings.
+fn report_of<'a>(name: &str, valid: &ValidCase, lists_defaults: bool) -> Report<'a> {
+    let traced = valid.traced.iter().map(|mesh| {
         let of = |body: usize| {
             let traces = counted(mesh.traces[body], "trace", "traces");
             format!(
@@ -137,21 +144,24 @@ fn text(name: &str, valid: &ValidCase, lists_defaults: bool) -> String {
             )
         };
         let pairs = counted(mesh.teeth[0] * mesh.teeth[1], "pair", "pairs");
-        text.push_str(&format!("pinion {}, wheel {}: {pairs}\n", of(0), of(1)));
-    }
-    text.push_str(&defaults(&valid.defaults, lists_defaults));
-    text.push_str(&format!(
-        "a run takes {} and {}: {} rough contacts{}\n",
+        format!("pinion {}, wheel {}: {pairs}", of(0), of(1))
+    });
+    let work = format!(
+        "a run takes {} and {}: {} rough contacts{}",
         duration(valid.work.seconds),
         memory(valid.work.bytes),
         valid.work.contacts,
         if valid.may_need_more { " or more" } else { "" },
-    ));
-    for warning in &valid.warnings {
-        text.push_str(&asperity_report::wrapped(&warning.to_string(), "     "));
-        text.push('\n');
-    }
-    text
+    );
+    let report = Report::new(&format!("{name}: no errors"), "")
+        .verdict([work])
+        .text(traced);
+    let listed = defaults(&valid.defaults, lists_defaults);
+    let report = match lists_defaults {
+        true => report.code(listed),
+        false => report.text([listed.trim_end()]),
+    };
+    report.warning(&valid.warnings)
 }
 
 /// The defaults that a case uses, listed or counted.

@@ -6,6 +6,7 @@ use asperity_core::{Code, Fault};
 use asperity_fixtures::TextFile;
 use asperity_fixtures::worked::{Worked, WorkedError, WorkedGears};
 use asperity_report::library::unlisted;
+use asperity_report::wrapped;
 use asperity_storage::new_folder_of;
 use serde_json::json;
 
@@ -69,8 +70,9 @@ fn finish(
         return print_json(&json!({ "folder": folder, "files": names }));
     }
     let name = shown(folder);
+    let wrote = wrapped(&format!("wrote {name}: {what}"), "  ");
     print_text(
         common,
-        &format!("wrote {name}: {what}\nnext: asperity run {name}/case.toml{option}\n"),
+        &format!("{wrote}\nnext: asperity run {name}/case.toml{option}\n"),
     )
 }

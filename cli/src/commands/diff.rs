@@ -1,13 +1,14 @@
 //! `asperity diff`: differences between two results.
 
+use asperity::result::loss_band::rounded;
 use asperity_core::{Code, Fault};
-use asperity_report::{columns, read_result};
+use asperity_report::{Report, columns, read_result};
 use asperity_studies::diff::{Change, ResultDiff, diff as compare};
 use serde_json::Value;
 
 use crate::args::{Common, DiffArgs};
 use crate::failure::Failure;
-use crate::output::print;
+use crate::output::print_report;
 
 /// `asperity diff`
 pub fn diff(args: &DiffArgs, common: &Common) -> Result<(), Failure> {
@@ -17,54 +18,76 @@ pub fn diff(args: &DiffArgs, common: &Common) -> Result<(), Failure> {
     let (_, second) = read(&args.second)?;
     let differences = compare(&first, &second)
         .map_err(|error| Fault::internal(error).about("cannot be compared"))?;
-    print(common, || &differences, || text(&differences))
+    print_report(common, || &differences, || report(&differences), None)
 }
 
-fn text(differences: &ResultDiff) -> String {
+fn report<'a>(differences: &ResultDiff) -> Report<'a> {
+    let report = Report::new("", "");
     if differences.is_empty() {
-        return "no difference\n".to_owned();
+        return report.verdict(["the results do not differ"]);
     }
-    let mut text = String::new();
-    section(&mut text, "inputs and defaults", &differences.inputs);
-    section(&mut text, "summary", &differences.summary);
-    if !differences.path.is_empty() {
-        text.push_str("largest difference along the path\n");
-        let table = columns! { change in &differences.path;
-            head column "column" "";
-            number first "first" "" = digits(change.first);
-            number second "second" "" = digits(change.second);
-            number position "position" "";
-        };
-        text.push_str(&table.text("  "));
-    }
-    for (name, lists) in [
+    let path = columns! { change in &differences.path;
+        head column "column" "";
+        number first "first" "" = digits(change.first);
+        number second "second" "" = digits(change.second);
+        number position "position" "";
+    };
+    let report = report.verdict(loss(differences));
+    let report = section(report, "inputs and defaults", &differences.inputs);
+    let report = section(report, "summary", &differences.summary);
+    let report = match path.is_empty() {
+        true => report,
+        false => report
+            .heading("largest difference along the path")
+            .table(path),
+    };
+    let lists = [
         ("warnings", &differences.warnings),
         ("equations", &differences.equations),
-    ] {
-        for (list, whose) in lists.iter().zip(["first", "second"]) {
-            if !list.is_empty() {
-                text.push_str(&format!("{name} only in the {whose}\n"));
-            }
-            for entry in list {
-                text.push_str(&format!("  {entry}\n"));
-            }
-        }
-    }
-    text
+    ];
+    lists.into_iter().fold(report, |report, (name, lists)| {
+        let whose = lists.iter().zip(["first", "second"]);
+        whose.fold(report, |report, (list, whose)| match list.is_empty() {
+            true => report,
+            false => report
+                .heading(format!("{name} only in the {whose}"))
+                .text(list),
+        })
+    })
 }
 
-fn section(text: &mut String, title: &str, changes: &[Change]) {
+/// The loss of both results: the median of the draws, or of the runs where one has no draws.
+fn loss(differences: &ResultDiff) -> Option<String> {
+    let of = |key: &str| {
+        let mut changes = differences.summary.iter();
+        let change = changes.find(|change| change.key == key)?;
+        let watts = |value: Option<&Value>| value?.as_f64();
+        let (first, second) = (
+            watts(change.first.as_ref())?,
+            watts(change.second.as_ref())?,
+        );
+        Some((first, second, 100.0 * change.relative?))
+    };
+    let (first, second, percent) = of("loss_median_w").or_else(|| of("loss_w"))?;
+    // Three digits of the larger.
+    let power = |watts: f64| rounded(watts, 0.01 * first.max(second));
+    Some(format!(
+        "the second result loses {} W, the first {} W: {percent:+.1} %",
+        power(second),
+        power(first)
+    ))
+}
+
+fn section<'a>(report: Report<'a>, title: &str, changes: &[Change]) -> Report<'a> {
     if changes.is_empty() {
-        return;
+        return report;
     }
-    text.push_str(&format!("{title}\n"));
-    let table = columns! { change in changes;
+    report.heading(title).table(columns! { change in changes;
         head key "key" "";
         text first "first" "" = shown(change.first.as_ref());
         text second "second" "" = shown(change.second.as_ref());
         number relative "change" "%" "{:+.3}" = change.relative.map(|relative| 100.0 * relative);
-    };
-    text.push_str(&table.text("  "));
+    })
 }
 
 fn shown(value: Option<&Value>) -> String {

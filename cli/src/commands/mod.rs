@@ -127,6 +127,13 @@ fn of_meshes<V: Serialize>(train: &Train, values: &[V]) -> serde_json::Value {
     }
 }
 
+/// Name of a mesh in the `title` of its case, which begins with the title of the train.
+fn mesh_of<'a>(train: &str, title: &'a str) -> &'a str {
+    let rest = title.strip_prefix(train);
+    rest.and_then(|rest| rest.strip_prefix(": "))
+        .unwrap_or(title)
+}
+
 /// Refuses the folder that the user did not name if it holds the result of a case with another title, `older`.
 fn refuse_other(folder: &Path, title: &str, older: &str) -> Result<(), Failure> {
     match older == title {

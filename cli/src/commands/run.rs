@@ -16,7 +16,7 @@ use super::{load_train, refuse_other, result_name};
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
 use crate::output::{
-    Progress, READING, WRITING, columns, print_json, print_text, print_verdict, shown,
+    FIRST_SCREEN, Progress, READING, WRITING, columns, print_json, print_text, print_verdict, shown,
 };
 use asperity_report::StudySettings as _;
 use asperity_studies::ridges::{RUNS, RidgeSettings};
@@ -65,9 +65,11 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
         return print_text(common, &bibtex(runs()));
     }
     let results = Results::from(&outcome);
+    // The line about an older result.
+    let replaced = usize::from(target.as_ref().is_some_and(|target| target.older.is_some()));
     let text = match common.notes || args.models || args.laws || args.explain_defaults {
         true => results.with_each(&|result| details(result, args, common.notes)),
-        false => results.brief(columns()),
+        false => results.brief(columns(), FIRST_SCREEN - replaced),
     };
     let count = runs().map(|run| run.warnings.len()).sum();
     let text = text + &last_lines(target.as_ref(), &train.title, common.notes, count);
@@ -78,7 +80,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
 fn details(result: &RunResult, args: &RunArgs, notes: bool) -> String {
     let mut text = match notes {
         true => report::summary_within(result, columns()),
-        false => report::brief(result, columns()),
+        false => report::brief(result, columns(), usize::MAX),
     };
     if args.models {
         text.push_str(&report::models(result));

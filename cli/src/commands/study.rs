@@ -3,17 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use asperity_core::Fault;
-use asperity_report::{LeftOut, StudyResult, StudySettings, Watch};
+use asperity_report::{StudyResult, StudySettings, Watch};
 use asperity_studies::every_study;
 use clap::{Arg, ArgMatches, Args, FromArgMatches as _};
 
 use super::refuse_other;
 use crate::args::{Common, Given, Group, StudyArgs, StudyCommand, command, named};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, WRITING, print_json, print_text, print_verdict, shown};
-
-/// Most lines of a first screen before its last line.
-const FIRST_SCREEN: usize = 9;
+use crate::output::{Progress, READING, WRITING, print_report, print_text};
 
 /// A study with the arguments of its command.
 type Run = fn(&ArgMatches, &Common) -> Result<(), Failure>;
@@ -113,23 +110,5 @@ pub fn print<S: StudyResult>(
     folder: Option<&Path>,
     common: &Common,
 ) -> Result<(), Failure> {
-    if common.json {
-        return print_json(study);
-    }
-    let report = study.report();
-    let (mut text, left_out) = match common.notes {
-        true => (report.terminal(), LeftOut::default()),
-        false => report.brief(FIRST_SCREEN),
-    };
-    let more = match left_out.lines {
-        0 => String::new(),
-        _ => format!("{left_out}: --notes"),
-    };
-    let written = folder.map_or(String::new(), |folder| format!("wrote {}", shown(folder)));
-    let last = format!("{written}   {more}");
-    if !last.trim().is_empty() {
-        text += last.trim();
-        text.push('\n');
-    }
-    print_verdict(common, &text, &report.verdict_lines())
+    print_report(common, || study, || study.report(), folder)
 }

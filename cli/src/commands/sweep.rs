@@ -140,7 +140,7 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     let status = status()?;
     let text = || {
         format!(
-            "ran {done} cases of shard {}\n{}parts in {} in {:.1} s\n",
+            "ran {done} cases of shard {}\n{}wrote {} in {:.1} s\n",
             args.shard,
             text_of(&status),
             shown(&folder),

@@ -99,11 +99,12 @@ impl StudyResult for Design {
         )
         .section("Points")
         .verdict([format!(
-            "{} points for each of {} assemblies, of {} candidates (D-optimal).",
+            "Measure these {} points with each of {} assemblies (D-optimal, of {} candidates).",
             self.size() / limits.assemblies.max(1),
             limits.assemblies,
             self.candidates
         )])
+        .verdict([deviations(self)])
         .figures(|| places(self))
         .table(design_points(self))
         .section("Expected bands")
@@ -133,6 +134,19 @@ const REHEARSAL: &str = "SIMULATED losses: a rehearsal of a rig, not a measureme
 /// Content of the bands.
 const BANDS: &str = "The bands include scatter and nuisance terms, but not the structure of the model: alternative models are \
     listed with a run.";
+
+/// Standard deviations of the parameters that the points leave, in words.
+fn deviations(design: &Design) -> String {
+    let parameters = design.parameters.iter().map(|one| &one.identified);
+    let left = parameters.filter_map(|one| {
+        let percent = 100.0 * one.deviation?;
+        Some(format!("{} {percent:.0} %", one.name))
+    });
+    format!(
+        "Standard deviations that they leave: {}.",
+        left.collect::<Vec<_>>().join(", ")
+    )
+}
 
 /// The parameters that the points determine, with their bands, and those that they do not, in words.
 fn verdict(calibration: &Calibration) -> String {

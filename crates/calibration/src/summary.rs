@@ -54,11 +54,13 @@ pub(crate) fn in_unit(name: &str, unit: &str) -> String {
 pub(crate) fn scatter(calibration: &Calibration) -> String {
     let ratio = calibration.birge_ratio;
     let widened = match ratio > 1.0 {
-        true => format!("errors are {ratio:.2} times what you stated: bands widened by {ratio:.2}"),
-        false => "the stated errors explain the scatter".to_owned(),
+        true => format!(
+            "the residuals are {ratio:.2} times the stated errors, and widen the bands by that"
+        ),
+        false => "the stated errors explain the residuals".to_owned(),
     };
     format!(
-        "chi squared {:.1} at {} degrees of freedom, Birge ratio {ratio:.2}: {widened}",
+        "{widened} (chi squared {:.1} at {} degrees of freedom, Birge ratio {ratio:.2})",
         calibration.chi_squared, calibration.freedom
     )
 }

@@ -253,7 +253,7 @@ impl<'a> Report<'a> {
     }
 
     /// The first screen in a terminal, of at most `lines` lines, and what it leaves out: the verdict, a short warning, then the
-    /// first table as far as there is room, then texts and other warnings.
+    /// first table with its heading as far as there is room, then texts and other warnings.
     #[must_use]
     pub fn brief(&self, lines: usize) -> (String, LeftOut) {
         let title = self.title_line();
@@ -261,12 +261,20 @@ impl<'a> Report<'a> {
         let count = |part: &str| part.lines().count();
         let mut shown: Vec<usize> = vec![0; parts.len()];
         let mut room = lines.saturating_sub(count(&title));
-        let mut show = |k: usize, least: usize| {
-            let all = count(&parts[k].1);
-            let fits = all.min(room);
+        // Shows whole parts, and of the last of them as many lines as there is room for, but `least`.
+        let mut show = |of: &[usize], least: usize| {
+            let Some((last, before)) = of.split_last() else {
+                return;
+            };
+            let above: usize = before.iter().map(|k| count(&parts[*k].1)).sum();
+            let all = count(&parts[*last].1);
+            let fits = all.min(room.saturating_sub(above));
             if fits >= least.min(all) {
-                shown[k] = fits;
-                room -= fits;
+                for k in before {
+                    shown[*k] = count(&parts[*k].1);
+                }
+                shown[*last] = fits;
+                room -= above + fits;
             }
         };
         let of = |is_wanted: fn(&Block<'_>) -> bool| {
@@ -275,13 +283,13 @@ impl<'a> Report<'a> {
             wanted.map(|(k, _)| k).collect::<Vec<usize>>()
         };
         for k in of(|block| matches!(block, Block::Verdict(_))) {
-            show(k, 1);
+            show(&[k], 1);
         }
         // Of the warnings the first is worth more than rows of a table, unless it is a paragraph.
         let warnings = of(|block| matches!(block, Block::Warning(_)));
         let first = warnings.first().filter(|k| count(&parts[**k].1) <= 3);
         if let Some(k) = first {
-            show(*k, usize::MAX);
+            show(&[*k], usize::MAX);
         }
         let table = of(|block| matches!(block, Block::Table(table) if !table.is_empty()));
         if let Some(k) = table.first() {
@@ -290,12 +298,18 @@ impl<'a> Report<'a> {
                 Block::Table(table) => table.heading_height(),
                 _ => 0,
             };
-            show(*k, heading + 1);
+            let title = k
+                .checked_sub(1)
+                .filter(|above| matches!(parts[*above].0, Block::Heading(_)));
+            show(
+                &title.into_iter().chain([*k]).collect::<Vec<_>>(),
+                heading + 1,
+            );
         }
         let texts = of(|block| matches!(block, Block::Text(_)));
         let others = warnings.iter().skip(usize::from(first.is_some()));
         for k in texts.iter().chain(others) {
-            show(*k, usize::MAX);
+            show(&[*k], usize::MAX);
         }
         let all: usize = parts.iter().map(|(_, part)| count(part)).sum();
         let left_out = LeftOut {

@@ -673,7 +673,9 @@ impl Render for Table {
             |column: &Column| (file.is_some() && !column.name.is_empty()).then_some(column.name);
         html! { @if !self.is_empty() { div.scroll { table class=[(!self.class.is_empty()).then_some(self.class)] data-file=[file] {
             thead { tr { @for column in self.shown() {
-                th class=[class(column)] data-column=[named(column)] { (column.heading) }
+                // A heading without a text is not a heading.
+                @if column.heading.is_empty() { td class=[class(column)] data-column=[named(column)] {} }
+                @else { th class=[class(column)] data-column=[named(column)] { (column.heading) } }
             } } }
             tbody { @for row in 0..self.rows() { tr { @for column in self.shown() {
                 @let cell = column.cells.get(row).cloned().unwrap_or_default();

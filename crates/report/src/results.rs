@@ -12,10 +12,9 @@ use crate::folder::{
     Fields, FileText, check_fields, fill, load_points, make_subfolder, texts_of_mesh, write_bytes,
 };
 use crate::ridges;
-use crate::summary::{brief, headline, note, short_note, summary_within, weightiest};
+use crate::summary::{brief, headline, short_text, summary_within, weightiest};
 use crate::tiles::{Tile, tiles};
 use crate::whole;
-use crate::wrap::wrapped_within;
 use asperity_core::Fault;
 
 /// Kind of the folder in messages.
@@ -183,30 +182,28 @@ impl<'a> Results<'a> {
             let each = self.runs().map(|run| summary_within(run, columns));
             return each.collect();
         };
-        let notes = self.warnings();
-        let notes = notes.iter().map(|warning| note(warning, columns));
-        whole::tables(whole) + &notes.collect::<String>()
+        let warnings = self.warnings();
+        let warnings = warnings.iter().map(ToString::to_string);
+        whole::report(whole, warnings).terminal()
     }
 
-    /// The result in `columns`, with its own warnings, the ridges and at most one warning of each mesh, as
-    /// [`brief`](crate::brief).
+    /// The first screen in `columns`, in at most `lines` lines.
     #[must_use]
-    pub fn brief(self, columns: usize) -> String {
+    pub fn brief(self, columns: usize, lines: usize) -> String {
         let Some(whole) = self.whole else {
-            return self.runs().map(|run| brief(run, columns)).collect();
+            let each = self.runs().map(|run| brief(run, columns, lines));
+            return each.collect();
         };
-        let mut text = whole::tables(whole);
-        let of_train = whole.warnings.iter();
-        text.extend(of_train.map(|warning| short_note(warning, columns)));
-        for (row, run) in self.named(whole) {
-            if let Some(ridges) = ridges::line(run) {
-                let line = format!("{}: {ridges}", row.mesh);
-                text.push_str(&format!("{}\n", wrapped_within(&line, "  ", columns)));
-            }
-            let warning = weightiest(run);
-            text.extend(warning.map(|warning| short_note(&of_mesh(&warning, row), columns)));
-        }
-        text
+        let of_train = whole.warnings.iter().map(|one| short_text(one, columns));
+        let of_meshes = self.named(whole).filter_map(|(row, run)| {
+            let warning = weightiest(run)?;
+            Some(short_text(&of_mesh(&warning, row), columns))
+        });
+        let ridges = self
+            .named(whole)
+            .filter_map(|(row, run)| Some(format!("{}: {}", row.mesh, ridges::line(run)?)));
+        let report = whole::report(whole, of_train.chain(of_meshes)).text(ridges);
+        report.brief(lines).0
     }
 
     /// The result with every mesh as `of_mesh` prints it.
@@ -216,7 +213,7 @@ impl<'a> Results<'a> {
             return self.runs().map(of_mesh).collect();
         };
         let each = self.runs().map(|run| format!("\n{}", of_mesh(run)));
-        whole::tables(whole) + &each.collect::<String>()
+        whole::report(whole, []).terminal() + &each.collect::<String>()
     }
 
     /// The headline of the result.

@@ -28,7 +28,7 @@ pub fn summary(result: &RunResult) -> String {
 
 /// Verdict, details and warnings in `columns`.
 pub fn summary_within(result: &RunResult, columns: usize) -> String {
-    let mut text = verdict(result, columns) + &details(result, columns);
+    let mut text = text_of(&verdict(result, columns)) + &details(result, columns);
     for warning in &result.warnings {
         text.push_str(&note(warning, columns));
     }
@@ -36,15 +36,39 @@ pub fn summary_within(result: &RunResult, columns: usize) -> String {
 }
 
 /// The first screen in `columns`: the verdict, and at most one warning: about an input that makes the result doubtful, or
-/// else the one that is worth most watts.
-pub fn brief(result: &RunResult, columns: usize) -> String {
-    let mut text = verdict(result, columns);
-    text.extend(weightiest(result).map(|warning| short_note(&warning, columns)));
-    text
+/// else the one that is worth most watts. Where they have more than `most` lines, the verdict leaves out what the result can do
+/// without.
+pub fn brief(result: &RunResult, columns: usize, most: usize) -> String {
+    let mut parts = verdict(result, columns);
+    parts.extend(weightiest(result).map(|warning| (Part::Needed, short_note(&warning, columns))));
+    for rank in [Part::Bulk, Part::Regime, Part::Remedy] {
+        if text_of(&parts).lines().count() > most {
+            parts.retain(|(part, _)| *part != rank);
+        }
+    }
+    text_of(&parts)
+}
+
+/// Parts of a verdict: those that a first screen needs, and those that it can do without.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Part {
+    Needed,
+    Regime,
+    Bulk,
+    Remedy,
+}
+
+fn text_of(parts: &[(Part, String)]) -> String {
+    parts.iter().map(|(_, text)| text.as_str()).collect()
 }
 
 /// The warning in two lines: its sentences as far as they fit, with its worth. The explanation of its code has the rest.
 pub(crate) fn short_note(warning: &Warning, columns: usize) -> String {
+    line(&short_text(warning, columns), MESSAGE, columns)
+}
+
+/// The warning as far as it fits into two lines of `columns`, with its worth.
+pub(crate) fn short_text(warning: &Warning, columns: usize) -> String {
     let text = one_line(&warning.to_string()).into_owned();
     // Behind the text its worth, and the mesh of a train in brackets.
     let of_mesh = || text.rfind(" [").filter(|_| text.ends_with(']'));
@@ -52,8 +76,8 @@ pub(crate) fn short_note(warning: &Warning, columns: usize) -> String {
         Some(at) => text.split_at(at),
         None => (text.as_str(), ""),
     };
-    let shown = |kept: &str| line(&format!("{kept}{worth}"), MESSAGE, columns);
-    let is_short = |kept: &str| shown(kept).lines().count() <= 2;
+    let shown = |kept: &str| format!("{kept}{worth}");
+    let is_short = |kept: &str| line(&shown(kept), MESSAGE, columns).lines().count() <= 2;
     if is_short(text) {
         return shown(text);
     }
@@ -170,23 +194,27 @@ fn line(text: &str, indent: &str, columns: usize) -> String {
 }
 
 /// Title, headline, parts, regime, the composition of the interval, and the ridges. The headline is never broken.
-fn verdict(result: &RunResult, columns: usize) -> String {
+fn verdict(result: &RunResult, columns: usize) -> Vec<(Part, String)> {
     let of_mesh = result.uncertainty.as_ref();
-    let mut text = line(&one_line(&result.title), INDENT, columns) + &headline(result) + "\n";
+    let head = line(&one_line(&result.title), INDENT, columns) + &headline(result) + "\n";
     let printed = PrintedLoss::of(&result.summary, &result.running_in, of_mesh);
     let gearbox = result.gearbox.as_ref();
     let gearbox = gearbox.map(|gearbox| gearbox_headline(gearbox, of_mesh));
     let regime = format!("regime  {}", regime(&result.summary));
-    let lines = gearbox.into_iter().chain([parts(&printed), regime]);
-    let lines = lines.chain(result.bulk.as_ref().map(bulk_text));
-    for text_of_line in lines.chain(run_in_loss(result)) {
-        text.push_str(&line(&text_of_line, INDENT, columns));
-    }
-    if let Some(uncertainty) = of_mesh {
-        text.push_str(&composition(uncertainty, columns));
-    }
-    let ridges = ridges::line(result).map(|ridges| line(&ridges, INDENT, columns));
-    text + &ridges.unwrap_or_default()
+    let needed = |text: String| (Part::Needed, text);
+    let lines = gearbox.into_iter().chain([parts(&printed)]).map(needed);
+    let lines = lines.chain([(Part::Regime, regime)]);
+    let lines = lines.chain(
+        result
+            .bulk
+            .as_ref()
+            .map(|bulk| (Part::Bulk, bulk_text(bulk))),
+    );
+    let lines = lines.chain(run_in_loss(result).map(needed));
+    let lines = lines.chain(of_mesh.map_or(Vec::new(), |of_mesh| composition(of_mesh, columns)));
+    let lines = lines.chain(ridges::line(result).map(needed));
+    let lines = lines.map(|(part, text)| (part, line(&text, INDENT, columns)));
+    [needed(head)].into_iter().chain(lines).collect()
 }
 
 /// The parts of a loss in a line.
@@ -465,27 +493,22 @@ const LARGEST_PARTS: usize = 3;
 const NOTED_SHIFT: f64 = 0.01;
 
 /// The largest parts of the interval, what narrows it in one line, and the trust in the flanks.
-fn composition(uncertainty: &Uncertainty, columns: usize) -> String {
+fn composition(uncertainty: &Uncertainty, columns: usize) -> Vec<(Part, String)> {
     let digits = uncertainty.digits();
     let parts = uncertainty.loss.parts.iter().take(LARGEST_PARTS);
     let parts: Vec<_> = parts
         .filter(|part| digits.steps(part.half_range_w()) > 0.0)
         .collect();
-    let mut text = String::new();
+    let mut lines = Vec::new();
     if !parts.is_empty() {
         let half = |part: &UncertaintyPart| digits.rounded(part.half_range_w());
         let named = parts
             .iter()
             .map(|part| format!("{} {} W", part.name, half(part)));
         let named: Vec<String> = named.collect();
-        text.push_str(&line(
-            &format!(
-                "uncertain  {} (each half the width of its 90 % interval)",
-                named.join(", ")
-            ),
-            INDENT,
-            columns,
-        ));
+        let named = named.join(", ");
+        let named = format!("uncertain  {named} (each half the width of its 90 % interval)");
+        lines.push((Part::Needed, named));
         // Of flanks without traces the sampling is narrowed by traces.
         let is_vain = |part: &UncertaintyPart| {
             part.about == Some(Subject::Sampling)
@@ -495,14 +518,14 @@ fn composition(uncertainty: &Uncertainty, columns: usize) -> String {
         let narrowed = parts.into_iter().filter(|part| !is_vain(part));
         let narrowed: Vec<&UncertaintyPart> = narrowed.collect();
         if !narrowed.is_empty() {
-            text.push_str(&line(&remedies(&narrowed, columns), INDENT, columns));
+            lines.push((Part::Remedy, remedies(&narrowed, columns)));
         }
     }
     if uncertainty.trust != Trust::SolvedContact {
         let trust = format!("trust  {}", uncertainty.trust_text());
-        text.push_str(&line(&trust, INDENT, columns));
+        lines.push((Part::Needed, trust));
     }
-    text
+    lines
 }
 
 /// The measurements that narrow the largest part, and the others as long as they fit into the line.
@@ -526,8 +549,9 @@ fn shift(uncertainty: &Uncertainty) -> Option<String> {
     let shift = uncertainty.scale() - 1.0;
     (shift.abs() > NOTED_SHIFT).then(|| {
         format!(
-            "the run with every constant at its median loses {} W, the median of the draws is {:.0} % {}: \
-            a tip relief or lay that is not stated, errors of more than a fifth, the bias of the gap law `power`, or of records their lay of 0 and the rule of their boundary friction change the loss more in one direction than in the other",
+            "the run with every constant at its median loses {} W, the median of the draws is {:.0} % {}: some components change \
+            the loss more in one direction than in the other. These are a tip relief or lay that is not stated, errors of more \
+            than a fifth, the bias of the gap law `power`, and the lay and boundary friction of records",
             uncertainty.digits().rounded(uncertainty.at_medians_w),
             100.0 * shift.abs(),
             if shift > 0.0 { "higher" } else { "lower" },

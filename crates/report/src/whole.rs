@@ -5,20 +5,20 @@ use std::path::Path;
 use asperity::case::train::mesh_folder;
 use asperity::message::Warning;
 use asperity::train::Whole;
-use asperity_core::Fault;
+use asperity_core::{Fault, capitalised};
 use maud::{Markup, html};
 
+use crate::chart::{Axis, Bar, BarChart, Drawing};
 use crate::folder::{FileText, PAGE, PLANETARY_MARK, TRAIN_MARK, json_text};
 use crate::html::band::evidence;
 use crate::html::gearbox::section;
 use crate::html::overview::warnings as listed;
-use crate::html::page;
+use crate::html::{figure, page};
 use crate::printed::stated;
 use crate::summary::besides_the_mesh;
 use crate::tables as csv;
 use crate::tiles::{Tile, TileKind};
-use crate::wrap::wrapped;
-use crate::{Cell, Table, columns};
+use crate::{Cell, Report, Table, columns};
 
 /// The files of a train without the folders of its meshes; its page shows `warnings`.
 pub(crate) fn texts(result: &Whole, warnings: &[Warning]) -> Result<Vec<FileText>, Fault> {
@@ -39,43 +39,38 @@ pub(crate) fn texts(result: &Whole, warnings: &[Warning]) -> Result<Vec<FileText
 /// The line with efficiency and loss.
 pub(crate) fn headline(result: &Whole) -> String {
     let [loss, efficiency] = result.with_bands();
-    format!("efficiency (meshes only)  {efficiency}   loss {loss}")
+    format!("Efficiency (meshes only)  {efficiency}   loss {loss}")
 }
 
-/// Losses, meshes and shafts of a gear train for the terminal.
-pub(crate) fn tables(result: &Whole) -> String {
-    let mut text = format!(
-        "{}\n{}\n  power in {:.2} kW\n",
-        asperity_storage::one_line(&result.title),
-        headline(result),
-        1e-3 * result.powers_w()[0],
-    );
-    if let (Some([loss, efficiency]), Some(gearbox)) =
-        (result.gearbox_with_bands(), &result.gearbox)
-    {
-        text.push_str(&format!(
-            "efficiency (gearbox)      {efficiency}   loss {loss}\n"
-        ));
-        text.push_str(&format!("{}\n", wrapped(&besides_the_mesh(gearbox), "  ")));
-    }
-    for (name, set) in result.planetary_sets() {
+/// Losses, meshes and shafts of a gear train for the terminal, with `warnings`.
+pub(crate) fn report<'a>(result: &Whole, warnings: impl IntoIterator<Item = String>) -> Report<'a> {
+    let gearbox = result
+        .gearbox_with_bands()
+        .map(|[loss, efficiency]| format!("efficiency (gearbox)      {efficiency}   loss {loss}"));
+    let sets = result.planetary_sets().into_iter().map(|(name, set)| {
         let name = if name.is_empty() {
             String::new()
         } else {
             format!("{name}: ")
         };
-        text.push_str(&format!(
-            "{name}{} planets   carrier {} 1/min   power through the meshes {:.2} kW\n",
+        format!(
+            "{name}{} planets   carrier {} 1/min   power through the meshes {:.2} kW",
             set.planets,
             rpm(set.carrier_rad_per_s),
             1e-3 * set.rolling_power_w,
-        ));
-    }
-    if let Some(heat) = &result.heat {
-        text.push_str(&format!("{}\n", heat.line()));
-    }
+        )
+    });
     let wide = ["sliding", "rolling", "p₀ at K_γ"];
-    text + &meshes(result).brief(&wide).text("") + &shafts(result).text("")
+    Report::new(&result.title, "")
+        .verdict([headline(result)])
+        .verdict(gearbox)
+        .text([format!("power in {:.2} kW", 1e-3 * result.powers_w()[0])])
+        .text(result.gearbox.as_ref().map(besides_the_mesh))
+        .text(sets)
+        .text(result.heat.as_ref().map(|heat| heat.line()))
+        .table(meshes(result).brief(&wide))
+        .table(shafts(result))
+        .warning(warnings)
 }
 
 fn rpm(speed: f64) -> String {
@@ -145,10 +140,24 @@ pub(crate) fn tiles(result: &Whole) -> Vec<Tile> {
 }
 
 fn summary_page(result: &Whole, warnings: &[Warning]) -> String {
+    // Efficiency and loss of the meshes and, if it is computed, of the gearbox.
+    let first = if result.gearbox_with_bands().is_some() {
+        4
+    } else {
+        2
+    };
+    let values = named_values(result);
+    let (first, others) = values.split_at(first.min(values.len()));
     let summary = html! {
-        dl.tiles { @for [name, value] in named_values(result) { div { dt { (name) } dd { (value) } } } }
+        @for (class, values) in [("tiles first", first), ("tiles", others)] {
+            dl class=(class) { @for [name, value] in values { div { dt { (name) } dd { (value) } } } }
+        }
+        div.verdict {
+            div { (figure(&losses_of_meshes(result))) }
+            div { (figure(&losses_by_kind(result))) }
+        }
         (evidence(&result.evidence, &|loss| result.digits().rounded(loss)))
-        @if let Some(heat) = &result.heat { p { (heat.line()) "." } }
+        @if let Some(heat) = &result.heat { p { (capitalised(&heat.line())) "." } }
         @if let Some(gearbox) = &result.gearbox { (section(gearbox, result.loss_distribution.is_some())) }
         (listed(warnings))
     };
@@ -162,6 +171,59 @@ fn summary_page(result: &Whole, warnings: &[Warning]) -> String {
             ("Shafts", shafts_section(result)),
         ],
     )
+}
+
+/// Loss of one mesh of each kind, with its interval if it is drawn.
+fn losses_of_meshes(result: &Whole) -> Drawing {
+    let bars = result.meshes.iter().map(|row| {
+        let drawn = row.drawn_w();
+        let times = if row.count == 1 {
+            String::new()
+        } else {
+            format!(", one of {}", row.count)
+        };
+        Bar {
+            name: row.mesh.clone(),
+            value: Some(drawn.map_or(row.loss_w, |(median, _)| median)),
+            spread: drawn.map(|(_, quantiles)| quantiles),
+            text: format!("{} W{times}", row.with_digits()[0]),
+        }
+    });
+    let title = match result.loss_distribution {
+        Some(_) => "Loss of each mesh, in brackets 5 to 95 %",
+        None => "Loss of each mesh",
+    };
+    bar_chart(["meshes", title, "meshes.csv"], bars.collect())
+}
+
+/// Losses of all meshes by kind.
+fn losses_by_kind(result: &Whole) -> Drawing {
+    let bars = result
+        .kinds_with_digits()
+        .into_iter()
+        .map(|(name, text, share)| Bar {
+            name: name.to_owned(),
+            value: Some(share * result.median_w()),
+            spread: None,
+            text: format!("{text} W, {:.0} %", 100.0 * share),
+        });
+    let mark = if result.set.is_some() {
+        PLANETARY_MARK
+    } else {
+        TRAIN_MARK
+    };
+    let title = "Losses of all meshes by kind";
+    bar_chart(["kinds", title, mark], bars.collect())
+}
+
+fn bar_chart([id, title, source]: [&str; 3], bars: Vec<Bar>) -> Drawing {
+    Drawing::Bars(BarChart {
+        id: id.to_owned(),
+        title: title.to_owned(),
+        source: source.to_owned(),
+        axis: Axis::new("loss", "W"),
+        bars,
+    })
 }
 
 /// The meshes, each with its loss, speeds and pressure.
@@ -191,10 +253,10 @@ fn linked(mesh: &str) -> Cell {
 fn meshes_section(result: &Whole) -> Markup {
     html! {
         (meshes(result))
-        p { "Torque and speed of the pinion, in a planetary set relative to the carrier." }
+        p { "Torque and speed are those of the pinion, in a planetary set relative to the carrier." }
         @if result.loss_distribution.is_some() {
-            p { "In brackets 5 and 95 % over the same draws of oil and boundary layer for all meshes, with the sampling of
-                the flanks. Each mesh has its own page with teeth, flanks and losses along the path." }
+            p { "In brackets are 5 and 95 % of the draws, which share oil and boundary layer over all meshes and include the \
+                sampling of the flanks. Each mesh has its own page with teeth, flanks and losses along the path." }
         }
         p { "data: " a href="meshes.csv" { "meshes.csv" } }
     }

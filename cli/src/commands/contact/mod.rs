@@ -15,7 +15,7 @@ use asperity_core::quantity::Length;
 use super::{load_case, on_the_path};
 use crate::args::{Common, ContactArgs};
 use crate::failure::Failure;
-use crate::output::{besides_file, print};
+use crate::output::{besides_file, print_report};
 use solved::SolvedContact;
 use stress::stress;
 
@@ -45,10 +45,11 @@ pub fn contact(args: &ContactArgs, common: &Common) -> Result<(), Failure> {
         contact.write_points(output)?;
     }
     let stress = stress.as_ref();
-    print(
+    print_report(
         common,
         || contact.json(stress.map(|stress| stress.json())),
-        || contact.text(&stress.map(|stress| stress.text()).unwrap_or_default()),
+        || contact.report(stress),
+        None,
     )
 }
 

@@ -1,4 +1,4 @@
-//! A solved contact: text, JSON and file of points.
+//! A solved contact: report, JSON and file of points.
 
 use std::path::Path;
 
@@ -7,8 +7,10 @@ use asperity_contact::{ContactSolution, ContactWarning};
 use asperity_core::Code;
 use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
+use asperity_report::Report;
 use serde_json::{Value, json};
 
+use super::stress::Stress;
 use crate::failure::Failure;
 use crate::output::coded;
 
@@ -80,43 +82,49 @@ impl SolvedContact {
         })
     }
 
-    /// The contact as text, with lines about the subsurface stress.
-    pub fn text(&self, stress: &str) -> String {
+    /// The contact as a report, with the largest values of the subsurface stress.
+    pub fn report<'a>(&self, stress: Option<&Stress>) -> Report<'a> {
         let s = &self.solution;
         let hertz = self
             .hertz_pressure
-            .map(|p| format!(" (of smooth flanks, by Hertz, {:.1} MPa)", p * 1e-6))
+            .map(|p| format!(" (of smooth flanks {:.1} MPa)", p * 1e-6))
             .unwrap_or_default();
-        let mut text = format!(
-            "{}\n  load {:.6}   approach {:.7} (datum {:.6})\n  contact fraction {:.6}   largest pressure {:.7}{hertz}\n  \
-             plastic work {:.4e} J/m\n  {} iterations; duality gap {:.1e}, penetration {:.1e}, load error {:.1e}\n",
-            asperity_storage::one_line(&self.title),
-            s.load,
-            s.approach,
-            s.datum,
-            s.contact_fraction,
-            s.max_pressure,
-            s.dissipated.si(),
+        let touching = format!(
+            "contact fraction {:.6}   largest pressure {:.7}{hertz}",
+            s.contact_fraction, s.max_pressure
+        );
+        let load = format!(
+            "load {:.6}   approach {:.7} (datum {:.6})",
+            s.load, s.approach, s.datum
+        );
+        let solved = format!(
+            "{} iterations; duality gap {:.1e}, penetration {:.1e}, load error {:.1e}",
             s.iterations,
             s.certificate.duality_gap,
             s.certificate.penetration,
             s.certificate.load_error,
         );
-        if let (Some(first), Some(last)) = (self.cycles.first(), self.cycles.last()) {
-            text.push_str(&format!(
-                "  run in after {} cycles: plastic work {:.4e} to {:.4e} J/m per cycle, Rq {:.4} and {:.4}\n",
-                self.cycles.len(),
-                first.dissipated.si(),
-                last.dissipated.si(),
-                last.rq[0],
-                last.rq[1],
-            ));
-        }
-        text.push_str(stress);
-        for (code, warning) in self.warnings() {
-            text.push_str(&format!("{code} {warning}\n"));
-        }
-        text
+        let warnings = self.warnings().into_iter();
+        Report::new(&self.title, "")
+            .verdict([touching])
+            .verdict(stress.map(Stress::lines).into_iter().flatten())
+            .text([load, format!("plastic work {:.4e} J/m", s.dissipated.si())])
+            .text(self.run_in())
+            .text([solved])
+            .warning(warnings.map(|(code, warning)| format!("{code} {warning}")))
+    }
+
+    /// First and last cycle of the running-in.
+    fn run_in(&self) -> Option<String> {
+        let (first, last) = (self.cycles.first()?, self.cycles.last()?);
+        Some(format!(
+            "run in after {} cycles: plastic work {:.4e} to {:.4e} J/m per cycle, Rq {:.4} and {:.4}",
+            self.cycles.len(),
+            first.dissipated.si(),
+            last.dissipated.si(),
+            last.rq[0],
+            last.rq[1],
+        ))
     }
 
     /// Writes x, undeformed gap, pressure, gap and displacement per point; every number can be read back

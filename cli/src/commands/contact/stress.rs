@@ -121,23 +121,27 @@ impl Stress {
         })
     }
 
-    /// The largest values as text.
-    pub fn text(&self) -> String {
+    /// The largest values, and the depths at which the elastic limit is exceeded.
+    pub fn lines(&self) -> Vec<String> {
         let peak = |name: &str, peak: &Peak| {
             let x = Length::from_si(self.first + peak.position.si());
             format!(
-                "  largest {name} {:.6} at x {x:.4}, {:.4} deep\n",
+                "largest {name} {:.6} at x {x:.4}, {:.4} deep",
                 peak.value, peak.depth
             )
         };
-        let zone = match (&self.yield_zone, self.has_limit) {
-            (Some(zone), _) => format!(
-                "  elastic limit exceeded from {:.4} to {:.4} deep\n",
+        let mut lines = vec![
+            peak("von Mises stress", &self.von_mises),
+            peak("shear stress", &self.shear),
+        ];
+        lines.extend(match (&self.yield_zone, self.has_limit) {
+            (Some(zone), _) => Some(format!(
+                "elastic limit exceeded from {:.4} to {:.4} deep",
                 zone.shallowest, zone.deepest
-            ),
-            (None, true) => "  elastic limit exceeded nowhere\n".to_owned(),
-            (None, false) => String::new(),
-        };
-        peak("von Mises stress", &self.von_mises) + &peak("shear stress", &self.shear) + &zone
+            )),
+            (None, true) => Some("elastic limit exceeded nowhere".to_owned()),
+            (None, false) => None,
+        });
+        lines
     }
 }

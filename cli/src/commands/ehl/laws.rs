@@ -1,10 +1,10 @@
 //! Load-sharing laws compared with the transient solution, the reference.
 
 use asperity::lubrication::ShareComparison;
-use asperity_report::columns;
+use asperity_report::{Report, columns};
 
-/// Table of the laws.
-pub fn text(comparison: &ShareComparison) -> String {
+/// `report` with the table of the laws.
+pub fn shown<'a>(report: Report<'a>, comparison: &ShareComparison) -> Report<'a> {
     let laws = comparison.laws.iter();
     let laws = laws.map(|law| {
         (
@@ -29,10 +29,10 @@ pub fn text(comparison: &ShareComparison) -> String {
         number gap "mean gap" "µm" "{:.4}" = gap;
         number friction "friction" "" "{:.5}" = friction;
     };
-    format!(
-        "  laws over {} windows of the same traces; reference, the transient solution: mean of the loads below 20 and 50 nm,\n  \
-         friction with heat\n{}",
+    let heading = format!(
+        "laws over {} windows of the same traces; reference, the transient solution: mean of the loads below 20 and 50 nm, \
+         friction with heat",
         comparison.windows,
-        table.text("  ")
-    )
+    );
+    report.heading(heading).table(table)
 }

@@ -14,11 +14,12 @@ use asperity::lubrication::shares;
 use asperity::pipeline;
 use asperity::reference_solution::{Inlet, ReferenceContact, ReferenceSettings};
 use asperity_core::Fault;
+use asperity_report::Report;
 
 use super::{load_case, on_the_path};
 use crate::args::{Common, EhlArgs};
 use crate::failure::Failure;
-use crate::output::{besides_file, print, save};
+use crate::output::{besides_file, print_report, save};
 
 /// `asperity ehl`
 pub fn ehl(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
@@ -57,7 +58,7 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
         let friction = contact.record.friction;
         let film = smooth::solve(title, &contact.rough, friction, Some(heat), args.cells)?;
         report(args, || film.page(&contact.rough))?;
-        return print_result(args, common, &film.json(), &film.text(), &|| film.points());
+        return print_result(args, common, &film.json(), film.report(), &|| film.points());
     }
     let mut record = rough::solve(title, &contact.rough, &contact.record, args, common)?;
     record.attenuated_roughness = Some(contact.attenuated_roughness);
@@ -66,12 +67,9 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
         true => Some(shares(&loaded, &contact, &record.solved.value).map_err(about)?),
         false => None,
     };
-    let json = record.json(comparison.as_ref());
-    let mut text = record.text();
-    if let Some(comparison) = &comparison {
-        text.push_str(&laws::text(comparison));
-    }
-    print_result(args, common, &json, &text, &|| record.points())
+    let comparison = comparison.as_ref();
+    let (json, report) = (record.json(comparison), record.report(comparison));
+    print_result(args, common, &json, report, &|| record.points())
 }
 
 fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
@@ -85,7 +83,7 @@ fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
             args.cells,
         )?;
         report(args, || film.page(&bare.rough))?;
-        return print_result(args, common, &film.json(), &film.text(), &|| film.points());
+        return print_result(args, common, &film.json(), film.report(), &|| film.points());
     }
     let mut settings = RecordSettings {
         friction: Some(bare.friction),
@@ -99,9 +97,13 @@ fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
     record.attenuated_roughness = Some(bare.attenuated_roughness);
     record.unread = bare.unread;
     report(args, || record.page(&bare.rough))?;
-    print_result(args, common, &record.json(None), &record.text(), &|| {
-        record.points()
-    })
+    print_result(
+        args,
+        common,
+        &record.json(None),
+        record.report(None),
+        &|| record.points(),
+    )
 }
 
 fn record_settings(args: &EhlArgs) -> RecordSettings {
@@ -142,11 +144,11 @@ fn print_result(
     args: &EhlArgs,
     common: &Common,
     json: &serde_json::Value,
-    text: &str,
+    report: Report<'_>,
     points: &dyn Fn() -> String,
 ) -> Result<(), Failure> {
     if let Some(output) = &args.output {
         save(output, points().as_bytes())?;
     }
-    print(common, || json, || text.to_owned())
+    print_report(common, || json, || report, None)
 }

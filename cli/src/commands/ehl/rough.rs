@@ -1,4 +1,4 @@
-//! Record of two rough surfaces: text, JSON and points.
+//! Record of two rough surfaces: report, JSON and points.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -12,10 +12,11 @@ use asperity::reference_solution::{estimate_json, nanometres, record_json, recor
 use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
 use asperity_core::{Code, Fault};
-use asperity_report::columns;
-use asperity_storage::one_line;
+use asperity_report::{Report, columns};
 use serde_json::{Value, json};
 
+use super::laws;
+use super::smooth::of_scales;
 use crate::args::{Common, EhlArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, coded};
@@ -133,26 +134,11 @@ impl Recorded {
         Value::Object(numbers)
     }
 
-    /// Record as text.
-    pub fn text(&self) -> String {
+    /// Record as a report, with the laws of load sharing in comparison.
+    pub fn report<'a>(&self, comparison: Option<&ShareComparison>) -> Report<'a> {
         let (record, evidence) = (&self.solved.value, &self.solved.evidence);
-        let scales = &record.scales;
-        let mut text = format!(
-            "{}\n  half width {:.4}   p0 {:.4}   slide-to-roll {:.3}   M {:.1}, L {:.1}\n  \
-             smooth central film {:.4} um   mean film {} um, spread {:.4} um\n  \
-             solid share (below {:.0} nm) {} over {:.1} half-widths{}\n",
-            one_line(&self.title),
-            scales.half_width,
-            scales.max_pressure,
-            scales.slide_to_roll,
-            scales.moes_load,
-            scales.moes_lubricant,
-            record.smooth_film.si() * 1e6,
-            with_error(
-                record.mean_film.mean * 1e6,
-                record.mean_film.standard_error * 1e6
-            ),
-            record.film_spread.si() * 1e6,
+        let share = format!(
+            "solid share (below {:.0} nm) {} over {:.1} half-widths{}",
             nanometres(self.solid_film),
             with_error(record.solid_share.mean, record.solid_share.standard_error),
             record.travel,
@@ -161,52 +147,77 @@ impl Recorded {
                 count => format!(" in {count} records"),
             },
         );
+        let film = format!(
+            "smooth central film {:.4} um   mean film {} um, spread {:.4} um",
+            record.smooth_film.si() * 1e6,
+            with_error(
+                record.mean_film.mean * 1e6,
+                record.mean_film.standard_error * 1e6
+            ),
+            record.film_spread.si() * 1e6,
+        );
         let below = columns! { below in &record.load_below;
             number film "films up to" "nm" "{:.0}" = nanometres(below.film);
             number share "share of the load" "" = with_error(below.share.mean, below.share.standard_error);
         };
-        text.push_str(&below.text("    "));
-        text.push_str(&format!(
-            "  largest pressure {:.3} GPa on average, {:.3} GPa at most; {:.4} of the load at the flow pressure\n",
+        let pressure = format!(
+            "largest pressure {:.3} GPa on average, {:.3} GPa at most; {:.4} of the load at the flow pressure",
             record.mean_max_pressure.mean * 1e-9,
             record.max_pressure.si() * 1e-9,
             record.plastic_share.mean
-        ));
-        let friction = |friction: &MeanFriction| {
-            format!(
-                "{} (boundary below the solid film {:.5}, film alone {:.5})\n",
-                with_error(friction.shifted.mean, friction.shifted.standard_error),
-                friction.stepped.mean,
-                friction.film.mean
-            )
-        };
-        if let Some(found) = &record.friction {
-            text.push_str(&format!("  friction {}", friction(found)));
-        }
-        if let Some(heated) = &record.heated {
-            text.push_str(&format!("  with heat {}", friction(&heated.friction)));
-            text.push_str(&format!(
-                "  rise of the film {:.1} K, of the surfaces {:.1} K\n",
-                heated.film_rise.mean, heated.surface_rise.mean
-            ));
-        }
-        text.push_str(&format!(
-            "  oil gained or lost {:.4} of the flux on average, {:.2} at most in a step; supplied by the boundary film {:.4}\n",
+        );
+        let oil = format!(
+            "oil gained or lost {:.4} of the flux on average, {:.2} at most in a step; supplied by the boundary film {:.4}",
             evidence.mean_mass_balance, evidence.mass_balance, evidence.mean_boundary_supply,
-        ));
-        text.push_str(&format!(
-            "  {} steps, {} cut, {} with a held node; {:.1} Newton per step, {:.1} GMRES per Newton; load error {:.1e}\n",
+        );
+        let solved = format!(
+            "{} steps, {} cut, {} with a held node; {:.1} Newton per step, {:.1} GMRES per Newton; load error {:.1e}",
             evidence.steps,
             evidence.steps_cut,
             evidence.loose_steps,
             evidence.newton_iterations as f64 / evidence.steps.max(1) as f64,
             evidence.gmres_iterations as f64 / evidence.newton_iterations.max(1) as f64,
             evidence.load_error,
-        ));
-        for (code, warning) in self.warnings() {
-            text.push_str(&format!("{code} {warning}\n"));
+        );
+        let warnings = self.warnings().into_iter();
+        let report = Report::new(&self.title, "")
+            .verdict([share])
+            .verdict(self.friction())
+            .table(below)
+            .text([film, pressure, of_scales(&record.scales), oil, solved])
+            .warning(warnings.map(|(code, warning)| format!("{code} {warning}")));
+        match comparison {
+            Some(comparison) => laws::shown(report, comparison),
+            None => report,
         }
-        text
+    }
+
+    /// The friction, isothermal and with heat.
+    fn friction(&self) -> Vec<String> {
+        let record = &self.solved.value;
+        let friction = |name: &str, friction: &MeanFriction| {
+            format!(
+                "{name} {} (boundary below the solid film {:.5}, film alone {:.5})",
+                with_error(friction.shifted.mean, friction.shifted.standard_error),
+                friction.stepped.mean,
+                friction.film.mean
+            )
+        };
+        let mut lines = Vec::new();
+        lines.extend(
+            record
+                .friction
+                .as_ref()
+                .map(|cold| friction("friction", cold)),
+        );
+        if let Some(heated) = &record.heated {
+            lines.push(friction("with heat", &heated.friction));
+            lines.push(format!(
+                "rise of the film {:.1} K, of the surfaces {:.1} K",
+                heated.film_rise.mean, heated.surface_rise.mean
+            ));
+        }
+        lines
     }
 
     /// Pressure, film and state per point at all recorded times.

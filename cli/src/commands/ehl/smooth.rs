@@ -1,11 +1,12 @@
-//! Steady film of smooth surfaces: text, JSON and points.
+//! Steady film of smooth surfaces: report, JSON and points.
 
 use asperity::ehl::traction::{Heat, Traction, TractionLaw, traction};
 use asperity::ehl::{
-    FrictionLaw, RoughContact, Solved, SteadyFilm, SteadySettings, Warning, steady,
+    FrictionLaw, RoughContact, Scales, Solved, SteadyFilm, SteadySettings, Warning, steady,
 };
 use asperity::oil::ShearLaw;
 use asperity_core::{Code, Fault};
+use asperity_report::Report;
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
@@ -128,57 +129,53 @@ impl Smooth {
         })
     }
 
-    /// Film as text.
-    pub fn text(&self) -> String {
+    /// Film as a report.
+    pub fn report<'a>(&self) -> Report<'a> {
         let (film, evidence) = (&self.solved.value, &self.solved.evidence);
-        let scales = &film.scales;
         let spike = match film.spike {
             Some((pressure, place)) => format!(
                 "spike {:.3} GPa at x/a {place:.3}",
-                pressure * scales.max_pressure.si() * 1e-9
+                pressure * film.scales.max_pressure.si() * 1e-9
             ),
             None => String::from("no spike"),
         };
-        let mut text = format!(
-            "{}, smooth\n  half width {:.4}   p0 {:.4}   slide-to-roll {:.3}   M {:.1}, L {:.1}\n  \
-             central film {:.4} um   minimum film {:.4} um at x/a {:.3}\n  \
-             {spike}   pressure ends at x/a {:.3}   rolling force {:.2} N/m per surface\n",
-            asperity_storage::one_line(&self.title),
-            scales.half_width,
-            scales.max_pressure,
-            scales.slide_to_roll,
-            scales.moes_load,
-            scales.moes_lubricant,
+        let thickness = format!(
+            "central film {:.4} um   minimum film {:.4} um at x/a {:.3}",
             film.central_film.si() * 1e6,
             film.minimum_film.si() * 1e6,
             film.minimum_place,
+        );
+        let pressure = format!(
+            "{spike}   pressure ends at x/a {:.3}   rolling force {:.2} N/m per surface",
             film.exit,
             film.rolling_force.si(),
         );
-        if let [Some(cold), hot] = &self.traction {
-            text.push_str(&format!(
-                "  traction coefficient, isothermal {:.5}",
-                cold.coefficient
-            ));
-            if let Some(hot) = hot {
-                text.push_str(&format!(
-                    ", thermal {:.5} (film +{:.1} K, surfaces +{:.1} K)",
-                    hot.coefficient, hot.film_rise, hot.surface_rise
-                ));
-            }
-            text.push('\n');
-        }
-        text.push_str(&format!(
-            "  {} Newton, {} GMRES; load error {:.1e}, mass balance {:.1e}\n",
+        let solved = format!(
+            "{} Newton, {} GMRES; load error {:.1e}, mass balance {:.1e}",
             evidence.newton_iterations,
             evidence.gmres_iterations,
             evidence.load_error,
             evidence.mass_balance
-        ));
-        for (code, warning) in self.warnings() {
-            text.push_str(&format!("{code} {warning}\n"));
-        }
-        text
+        );
+        let warnings = self.warnings().into_iter();
+        Report::new(&format!("{}, smooth", self.title), "")
+            .verdict([thickness])
+            .verdict(self.traction_line())
+            .text([of_scales(&film.scales), pressure, solved])
+            .warning(warnings.map(|(code, warning)| format!("{code} {warning}")))
+    }
+
+    /// The traction coefficient, isothermal and with heat.
+    fn traction_line(&self) -> Option<String> {
+        let [cold, hot] = &self.traction;
+        let hot = hot.as_ref().map_or(String::new(), |hot| {
+            format!(
+                ", thermal {:.5} (film +{:.1} K, surfaces +{:.1} K)",
+                hot.coefficient, hot.film_rise, hot.surface_rise
+            )
+        });
+        let cold = cold.as_ref()?.coefficient;
+        Some(format!("traction coefficient, isothermal {cold:.5}{hot}"))
     }
 
     /// Pressure, film and void fraction per point.
@@ -197,6 +194,18 @@ impl Smooth {
         }
         text
     }
+}
+
+/// Half-width, pressure and dimensionless numbers of a contact.
+pub(super) fn of_scales(scales: &Scales) -> String {
+    format!(
+        "half width {:.4}   p0 {:.4}   slide-to-roll {:.3}   M {:.1}, L {:.1}",
+        scales.half_width,
+        scales.max_pressure,
+        scales.slide_to_roll,
+        scales.moes_load,
+        scales.moes_lubricant,
+    )
 }
 
 /// Mean film within the half-width \[µm\].

@@ -4,8 +4,8 @@ use asperity_core::numerics::extremes;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{Axis, Trace};
+use asperity_report::Report;
 use asperity_report::profile_json::um;
-use asperity_report::wrapped;
 use serde_json::{Value, json};
 
 use crate::args::{ReadingArgs, name_of};
@@ -84,15 +84,12 @@ impl FileFacts {
         }
     }
 
-    /// Name and facts as lines.
-    pub(super) fn text(&self) -> String {
-        let line =
-            |line: &String| format!("{}\n", wrapped(&format!("  {line}"), "    ").trim_end());
-        format!(
-            "{}\n{}",
-            self.name,
-            self.lines.iter().map(line).collect::<String>()
-        )
+    /// A report with the name and the facts.
+    pub(super) fn report<'a>(&self) -> Report<'a> {
+        let [read, heights, stated] = &self.lines;
+        Report::new(&self.name, "")
+            .verdict([read])
+            .text([heights, stated])
     }
 
     /// The facts of a file without parameters, with the reason.

@@ -1,11 +1,10 @@
 //! `asperity profile info` and `compare`: one report, or a table of many.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity_core::Code;
 use asperity_report::profile_json::um;
-use asperity_report::{Column, Kind, columns, wrapped};
+use asperity_report::{Column, Kind, Report, Table, columns};
 
 use super::case_lines::case_lines;
 use super::details::Details;
@@ -15,7 +14,7 @@ use super::plan::Plan;
 use super::{json, surface_facts, text};
 use crate::args::{Common, ProfileInfoArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::{print_json, print_report};
 
 /// `asperity profile info`; for several files the readable ones, then the errors of the others.
 pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
@@ -34,13 +33,16 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
         };
         let facts = FileFacts::of(&trace, &args.reading);
         return match Evaluated::of_trace(trace, &args.preparing, &args.reading) {
-            Ok(evaluated_file) if common.json => print_json(&as_json(&evaluated_file, args)),
             Ok(evaluated_file) => {
                 let details = Details::of(&evaluated_file, args);
                 let used = evaluated_file.plan.recipe.lambda_c;
                 let lines = case_lines(file, args, Some(used.unwrap_or_default()), None);
-                let report = text::report(&evaluated_file, &facts, &details);
-                print_text(common, &(report + &lines))
+                print_report(
+                    common,
+                    || json::report(&evaluated_file, &details, args.curves),
+                    || text::report(&evaluated_file, &facts, &details, lines),
+                    None,
+                )
             }
             // A contradiction of options is no property of the trace.
             Err(failure) if !failure.is_of_trace() => Err(failure),
@@ -51,8 +53,9 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
             }
             Err(failure) => {
                 let lines = case_lines(file, args, args.preparing.lambda_c, None);
-                let reason = "  no parameters: the error says why\n";
-                print_text(common, &(facts.text() + reason + &lines))?;
+                let reason = "no parameters: the error says why";
+                let report = || facts.report().verdict([reason]).code(lines);
+                print_report(common, || (), report, None)?;
                 Err(failure)
             }
         };
@@ -76,8 +79,8 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     for failure in &failures {
         failure.print();
     }
-    if !good.is_empty() {
-        print_text(common, &table(&good))?;
+    if !common.json && !good.is_empty() {
+        print_report(common, || (), || of_rows(&good), None)?;
     }
     let first = failures.into_iter().next();
     first.map_or(Ok(()), |failure| Err(failure.printed()))
@@ -94,7 +97,7 @@ pub fn compare(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     // Only the row of each file is stored.
     let rows = all.map(|evaluated_file| Ok(FileRow::of(&evaluated_file?)));
     let rows = rows.collect::<Result<Vec<_>, Failure>>()?;
-    print_text(common, &(table(&rows) + &ratios(&rows)))
+    print_report(common, || (), || of_rows(&rows).table(ratios(&rows)), None)
 }
 
 /// An error that is part of the JSON already printed: only its text remains to be printed.
@@ -158,10 +161,9 @@ impl FileRow {
     fn of(evaluated_file: &Evaluated) -> Self {
         let name = shortened(&evaluated_file.reading.name);
         let warnings = evaluated_file.warnings();
-        let notes = warnings.iter().map(|warning| {
-            let note = format!("{name}: {} {warning}", warning.code());
-            wrapped(&note, "    ")
-        });
+        let notes = warnings
+            .iter()
+            .map(|warning| format!("{name}: {} {warning}", warning.code()));
         Self {
             points: evaluated_file.reading.points,
             dx_um: um(evaluated_file.reading.spacing),
@@ -172,8 +174,8 @@ impl FileRow {
     }
 }
 
-/// Table with one row per file, ISO 4287.
-fn table(rows: &[FileRow]) -> String {
+/// A row of ISO 4287 per file, and the warnings.
+fn of_rows<'a>(rows: &[FileRow]) -> Report<'a> {
     let table = columns! { row in rows;
         head name "ISO 4287" "";
         number points "points" "";
@@ -183,17 +185,15 @@ fn table(rows: &[FileRow]) -> String {
         let cells = rows.iter().map(|row| number(row.values[k]));
         Column::new(Kind::Number, name, unit, cells)
     });
-    let mut text = table.with(values).text("");
-    for note in rows.iter().flat_map(|row| &row.notes) {
-        let _ = writeln!(text, "{note}");
-    }
-    text
+    Report::new("", "")
+        .table(table.with(values))
+        .warning(rows.iter().flat_map(|row| &row.notes))
 }
 
 /// Parameters relative to the first file.
-fn ratios(rows: &[FileRow]) -> String {
+fn ratios(rows: &[FileRow]) -> Table {
     let Some(first) = rows.first() else {
-        return String::new();
+        return Table::default();
     };
     let table = columns! { row in rows; head name "relative to the first" ""; };
     let values = PARAMETERS.iter().enumerate().map(|(k, (name, ..))| {
@@ -202,7 +202,7 @@ fn ratios(rows: &[FileRow]) -> String {
             .map(|row| number(row.values[k] / first.values[k]));
         Column::new(Kind::Number, name, "", cells)
     });
-    table.with(values).text("")
+    table.with(values)
 }
 
 fn number(value: f64) -> String {

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::Surface;
+use asperity_report::Report;
 use asperity_report::profile_json::um;
-use asperity_report::wrapped;
 use asperity_roughness::areal::{ArealParameters, parameters};
 use asperity_roughness::lay::{RowLay, lay_of_rows};
 use serde_json::json;
@@ -16,7 +16,7 @@ use super::file_facts::rounded;
 use super::plan::Plan;
 use crate::args::{Common, ProfileInfoArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::print_report;
 
 /// Prints facts and parameters of the surface in a file, from which no trace was chosen; `failure` says how to choose one.
 ///
@@ -32,29 +32,10 @@ pub(super) fn print(
     };
     let areal = evaluated(&surface);
     let lay = measured_lay(&surface, &Plan::of(&args.preparing)?);
-    if common.json {
-        let mut report = json!({
-            "file": surface.name,
-            "format": surface.format,
-            "columns": surface.columns,
-            "rows": surface.rows,
-            "dx_um": surface.dx.map(um),
-            "dy_um": surface.dy.map(um),
-            "missing": surface.z.len() - surface.measured(),
-            "areal": areal.as_ref().ok(),
-            "lay": lay.as_ref().ok(),
-        });
-        report["error"] = failure.json()["error"].clone();
-        return print_json(&report).map(|()| true);
-    }
-    let mut text = format!("{}\n", surface.name);
-    let mut line = |content: &str| {
-        text += &format!("{}\n", wrapped(&format!("  {content}"), "    ").trim_end());
-    };
     let spacing = |spacing: Option<Length>| {
         spacing.map_or("unknown".to_owned(), |length| rounded(length).to_string())
     };
-    line(&format!(
+    let read = format!(
         "{}, {} rows of {} points, dx {}, dy {}; {} points are missing",
         surface.format,
         surface.rows,
@@ -62,12 +43,12 @@ pub(super) fn print(
         spacing(surface.dx),
         spacing(surface.dy),
         surface.z.len() - surface.measured()
-    ));
-    match &areal {
-        Ok(areal) => written(areal, &mut line),
-        Err(reason) => line(&format!("no areal parameters: {reason}")),
-    }
-    line(&match &lay {
+    );
+    let areal_lines = match &areal {
+        Ok(areal) => written(areal).to_vec(),
+        Err(reason) => vec![format!("no areal parameters: {reason}")],
+    };
+    let lay_line = match &lay {
         Ok(lay) => {
             let [low, high] = lay.range;
             let bound = if lay.is_bound {
@@ -81,10 +62,31 @@ pub(super) fn print(
             )
         }
         Err(reason) => format!("lay of traces along the rows unknown: {reason}"),
-    });
+    };
     let rows = args.reading.line.is_none().then_some(surface.rows);
-    text += &case_lines(file, args, args.preparing.lambda_c, rows);
-    print_text(common, &text).map(|()| true)
+    let json = || {
+        let mut facts = json!({
+            "file": surface.name,
+            "format": surface.format,
+            "columns": surface.columns,
+            "rows": surface.rows,
+            "dx_um": surface.dx.map(um),
+            "dy_um": surface.dy.map(um),
+            "missing": surface.z.len() - surface.measured(),
+            "areal": areal.as_ref().ok(),
+            "lay": lay.as_ref().ok(),
+        });
+        facts["error"] = failure.json()["error"].clone();
+        facts
+    };
+    let report = || {
+        Report::new(&surface.name, "")
+            .verdict([read])
+            .text(areal_lines)
+            .text([lay_line])
+            .code(case_lines(file, args, args.preparing.lambda_c, rows))
+    };
+    print_report(common, json, report, None).map(|()| true)
 }
 
 /// The areal parameters, or why there are none.
@@ -130,12 +132,15 @@ pub(super) fn areal_line(areal: &ArealParameters) -> String {
     )
 }
 
-fn written(areal: &ArealParameters, line: &mut impl FnMut(&str)) {
-    line("ISO 25178-2, over the least-squares plane, without filters:");
-    line(&areal_line(areal));
+/// The standard, the parameters, and the texture.
+fn written(areal: &ArealParameters) -> [String; 3] {
+    let standard = "ISO 25178-2, over the least-squares plane, without filters:".to_owned();
+    [standard, areal_line(areal), texture_line(areal)]
+}
+
+fn texture_line(areal: &ArealParameters) -> String {
     let Some(texture) = &areal.texture else {
-        line("no Sal, Str, Std: the surface is flat or has too many points");
-        return;
+        return "no Sal, Str, Std: the surface is flat or has too many points".to_owned();
     };
     let sal = texture
         .sal
@@ -147,8 +152,8 @@ fn written(areal: &ArealParameters, line: &mut impl FnMut(&str)) {
         }
         (None, None) => "none".to_owned(),
     };
-    line(&format!(
+    format!(
         "Sal {sal}, Str {ratio}, Std {:.1} deg, across the lay",
         texture.std_degrees
-    ));
+    )
 }

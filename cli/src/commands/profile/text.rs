@@ -1,10 +1,10 @@
-//! One profile as text of 80 columns.
+//! Report of one profile.
 
 use asperity_core::Code;
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::FilterState;
 use asperity_report::profile_json::um;
-use asperity_report::{Cell, Table, columns, wrapped};
+use asperity_report::{Cell, Report, Table, columns};
 use asperity_roughness::height_parameters::HeightParameters;
 use asperity_roughness::material_ratio::RkParameters;
 
@@ -14,59 +14,48 @@ use super::file_facts::{FileFacts, rounded};
 use super::plan::as_is;
 use crate::args::name_of;
 
-/// Report as text, which begins with the facts of the file.
-pub(super) fn report(evaluated: &Evaluated, facts: &FileFacts, details: &Details) -> String {
-    let mut page = Page(facts.text());
-    page.line(&usable(evaluated));
-    recipe(&mut page, evaluated);
-    stated_cutoffs(&mut page, evaluated);
-    heights(&mut page, evaluated, details);
-    material(&mut page, evaluated, details);
-    spectral(&mut page, evaluated, details);
-    summits(&mut page, details);
-    hurst(&mut page, details);
-    choices(&mut page, evaluated);
-    printed(&mut page, evaluated);
-    for warning in evaluated.warnings() {
-        page.line(&format!("{} {}", warning.code(), warning));
-    }
-    page.0
+/// Report of a profile, which begins with the facts of the file and whether a run takes it, and ends with the lines of a case.
+pub(super) fn report<'a>(
+    evaluated: &Evaluated,
+    facts: &FileFacts,
+    details: &Details,
+    case_lines: String,
+) -> Report<'a> {
+    let warnings = evaluated.warnings();
+    let warnings = warnings.iter();
+    facts
+        .report()
+        .verdict([usable(evaluated)])
+        .text([recipe(evaluated)])
+        .text(stated_cutoffs(evaluated))
+        .table(heights(evaluated, details))
+        .table(material(evaluated, details))
+        .text(details.levels.lines())
+        .text(spectral(evaluated, details))
+        .text([summits(details), hurst(details), choices(evaluated)])
+        .table(printed(evaluated))
+        .warning(warnings.map(|warning| format!("{} {}", warning.code(), warning)))
+        .code(case_lines)
 }
 
-/// Whether a run takes the trace, and the number of warnings that the page ends with.
+/// Whether a run takes the trace.
 fn usable(evaluated: &Evaluated) -> String {
     let warnings = evaluated.warnings();
     if warnings.iter().any(|warning| warning.code() == Code::W124) {
         return format!(
-            "usable: no, no flank has such heights: a run refuses them ({} below)",
+            "usable: no, no flank has such heights: a run refuses them ({})",
             Code::W124
         );
     }
     match warnings.len() {
         0 => "usable: yes".to_owned(),
-        1 => "usable: yes, with the warning below".to_owned(),
-        count => format!("usable: yes, with the {count} warnings below"),
+        1 => "usable: yes, with a warning".to_owned(),
+        count => format!("usable: yes, with {count} warnings"),
     }
 }
 
-/// Lines of text.
-struct Page(String);
-
-impl Page {
-    /// Appends a table.
-    fn table(&mut self, table: &Table) {
-        self.0.push_str(&table.text("  "));
-    }
-
-    /// Appends a line, wrapped if it is long.
-    fn line(&mut self, content: &str) {
-        let line = wrapped(&format!("  {content}"), "    ");
-        self.0.push_str(line.trim_end());
-        self.0.push('\n');
-    }
-}
-
-fn recipe(page: &mut Page, evaluated: &Evaluated) {
+/// Form, cut-offs and sections of the evaluation.
+fn recipe(evaluated: &Evaluated) -> String {
     let record = &evaluated.parts.roughness.record;
     let recipe = &record.recipe;
     let cutoff = |value: Option<Length>| value.map_or("none".to_owned(), |v| v.to_string());
@@ -74,7 +63,7 @@ fn recipe(page: &mut Page, evaluated: &Evaluated) {
         Some(_) => format!(" ({})", name_of(&record.filter)),
         None => String::new(),
     };
-    page.line(&format!(
+    format!(
         "form {}, lambda_s {}, lambda_c {}{filter}, ends {}, {} sections of {}",
         evaluated.plan.form(),
         cutoff(recipe.lambda_s),
@@ -82,18 +71,17 @@ fn recipe(page: &mut Page, evaluated: &Evaluated) {
         name_of(&recipe.ends),
         evaluated.iso4287.heights.sections,
         rounded(evaluated.section),
-    ));
+    )
 }
 
 /// Options for the filtering of the instrument, if a different one is used.
-fn stated_cutoffs(page: &mut Page, evaluated: &Evaluated) {
+fn stated_cutoffs(evaluated: &Evaluated) -> Vec<String> {
     let (facts, recipe) = (&evaluated.reading.metadata, &evaluated.plan.recipe);
     let state = evaluated.reading.filter_state;
-    if state == FilterState::Roughness && recipe.lambda_c.is_some() {
+    if state == FilterState::Roughness {
         let options = as_is(&evaluated.reading);
-        page.line(&format!(
-            "to use the filtering of the instrument, pass {options}"
-        ));
+        let line = format!("to use the filtering of the instrument, pass {options}");
+        return recipe.lambda_c.map(|_| line).into_iter().collect();
     }
     let stated = [facts.lambda_c, facts.lambda_s];
     let used = [recipe.lambda_c, recipe.lambda_s];
@@ -101,26 +89,25 @@ fn stated_cutoffs(page: &mut Page, evaluated: &Evaluated) {
         .iter()
         .zip(&used)
         .all(|(stated, used)| stated.is_none() || stated == used);
-    if state != FilterState::Roughness && as_stated && stated.iter().any(Option::is_some) {
-        page.line("cut-offs as the file states them");
+    let mut lines = Vec::new();
+    if as_stated && stated.iter().any(Option::is_some) {
+        lines.push("cut-offs as the file states them".to_owned());
     }
     let differs = |stated: Option<Length>, used: Option<Length>| {
         let used = used.unwrap_or_default().si();
         stated.is_some_and(|stated| (stated.si() - used).abs() > 1e-9 * stated.si())
     };
-    if state == FilterState::Roughness
-        || !(differs(facts.lambda_c, recipe.lambda_c) || differs(facts.lambda_s, recipe.lambda_s))
-    {
-        return;
-    }
     let option = |name: &str, length: Option<Length>| {
         length.map_or(String::new(), |length| format!(" --{name} \"{length}\""))
     };
-    page.line(&format!(
-        "the cut-offs of the file are overridden; to filter like the instrument, pass{}{}",
-        option("lambda-c", facts.lambda_c),
-        option("lambda-s", facts.lambda_s)
-    ));
+    if differs(facts.lambda_c, recipe.lambda_c) || differs(facts.lambda_s, recipe.lambda_s) {
+        lines.push(format!(
+            "the cut-offs of the file are overridden; to filter like the instrument, pass{}{}",
+            option("lambda-c", facts.lambda_c),
+            option("lambda-s", facts.lambda_s)
+        ));
+    }
+    lines
 }
 
 /// Parameter of a table: name, digits, value.
@@ -141,7 +128,7 @@ const HEIGHTS: [Parameter<HeightParameters>; 12] = [
     ("Rdq", 4, |p| Some(p.rdq)),
 ];
 
-fn heights(page: &mut Page, evaluated: &Evaluated, details: &Details) {
+fn heights(evaluated: &Evaluated, details: &Details) -> Table {
     let columns = [
         Some(&evaluated.iso4287.heights),
         Some(&evaluated.iso21920.heights),
@@ -156,16 +143,14 @@ fn heights(page: &mut Page, evaluated: &Evaluated, details: &Details) {
             open(name, digits, details),
         )
     });
-    page.table(
-        &columns! { (name, [iso4287, iso21920, whole, waviness], open) in rows;
+    columns! { (name, [iso4287, iso21920, whole, waviness], open) in rows;
             head name "parameter" "µm" = name;
             number iso4287 "R iso4287" "" = Cell::optional(iso4287);
             number iso21920 "R iso21920" "" = Cell::optional(iso21920);
             number whole "P whole" "" = Cell::optional(whole);
             number waviness "W whole" "" = Cell::optional(waviness);
             text open "open" "" = open;
-        },
-    );
+    }
 }
 
 const MATERIAL: [Parameter<RkParameters>; 5] = [
@@ -176,20 +161,17 @@ const MATERIAL: [Parameter<RkParameters>; 5] = [
     ("Mr2", 2, |m| Some(m.mr2)),
 ];
 
-fn material(page: &mut Page, evaluated: &Evaluated, details: &Details) {
+fn material(evaluated: &Evaluated, details: &Details) -> Table {
     let rows = MATERIAL.map(|(name, digits, value)| {
         let columns = [Some(&evaluated.iso4287.material), details.secant.as_ref()];
         let shown = columns.map(|m| number(m.and_then(value), digits));
         (name, shown, open(name, digits, details))
     });
-    page.table(&columns! { (name, [least_squares, secant], open) in rows;
+    columns! { (name, [least_squares, secant], open) in rows;
         head name "parameter" "µm, %" = name;
         number least_squares "least squares" "" = least_squares;
         number secant "secant" "" = secant;
         text open "open" "" = open;
-    });
-    for line in details.levels.lines() {
-        page.line(&line);
     }
 }
 
@@ -204,7 +186,7 @@ fn open(name: &str, digits: usize, details: &Details) -> String {
 }
 
 /// Choices over which the ranges extend.
-fn choices(page: &mut Page, evaluated: &Evaluated) {
+fn choices(evaluated: &Evaluated) -> String {
     let recipe = &evaluated.plan.recipe;
     let ends = recipe.lambda_c.or(recipe.lambda_s).is_some();
     let choices = [
@@ -218,20 +200,18 @@ fn choices(page: &mut Page, evaluated: &Evaluated) {
     ];
     let choices: Vec<&str> = choices.into_iter().flatten().collect();
     let choices = choices.join(", ");
-    page.line(&format!(
-        "open = range over permitted choices: {choices}, one at a time"
-    ));
+    format!("open = range over permitted choices: {choices}, one at a time")
 }
 
-fn spectral(page: &mut Page, evaluated: &Evaluated, details: &Details) {
+fn spectral(evaluated: &Evaluated, details: &Details) -> Vec<String> {
     let s = &evaluated.iso4287.spectral;
-    page.line(&format!(
+    let moments = format!(
         "m0 {:.5} um2, m2 {:.5}, m4 {:.5} 1/um2, bandwidth {}",
         s.m0 * 1e12,
         s.m2,
         s.m4 * 1e-12,
         number(s.bandwidth(), 2)
-    ));
+    );
     let correlation = details.correlation.map_or("none".to_owned(), |lengths| {
         let shown = |length: Option<Length>| length.map_or("never".to_owned(), micrometres);
         format!(
@@ -240,16 +220,17 @@ fn spectral(page: &mut Page, evaluated: &Evaluated, details: &Details) {
             shown(lengths.to_one_over_e)
         )
     });
-    page.line(&format!("autocorrelation {correlation}"));
+    let mut lines = vec![moments, format!("autocorrelation {correlation}")];
     if let Some(median) = details.median_wavelength() {
         let median = micrometres(median);
-        page.line(&format!(
+        lines.push(format!(
             "spectrum: half of m0 in waves over {median}; --json --curves prints it"
         ));
     }
+    lines
 }
 
-fn summits(page: &mut Page, details: &Details) {
+fn summits(details: &Details) -> String {
     let shown = details.summits.map_or("none".to_owned(), |summits| {
         format!(
             "{:.1} per mm (Gaussian {:.1}), {:.4} um high (standard deviation {:.4} um), radius {}",
@@ -260,10 +241,10 @@ fn summits(page: &mut Page, details: &Details) {
             summits.mean_radius.map_or("none".to_owned(), micrometres),
         )
     });
-    page.line(&format!("summits {shown}"));
+    format!("summits {shown}")
 }
 
-fn hurst(page: &mut Page, details: &Details) {
+fn hurst(details: &Details) -> String {
     let range = details.wavelengths;
     let over = format!(
         "waves from {} to {}",
@@ -283,18 +264,18 @@ fn hurst(page: &mut Page, details: &Details) {
         ),
         Err(reason) => format!("none over {over}: {reason}. Pass --hurst 200um:8um"),
     };
-    page.line(&format!("Hurst exponent {shown}"));
+    format!("Hurst exponent {shown}")
 }
 
 /// Values printed by the instrument, with the computed value of the same parameter.
-fn printed(page: &mut Page, evaluated: &Evaluated) {
-    page.table(&columns! { printed in &evaluated.reading.metadata.printed;
+fn printed(evaluated: &Evaluated) -> Table {
+    columns! { printed in &evaluated.reading.metadata.printed;
         head name "parameter" "";
         number printed "printed" "" = format!("{:.*}", printed.decimals, printed.value);
         text unit "unit" "";
         number computed "computed" "" = value_of(&printed.name, evaluated)
             .map_or("not computed".to_owned(), |v| format!("{v:.0$}", printed.decimals.max(3)));
-    });
+    }
 }
 
 /// Computed value of a parameter by its printed name, in µm, percent or as a number.

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use asperity_core::{Code, Profile};
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{FilterState, Metadata, Positions, Trace};
+use asperity_report::Report;
 use asperity_report::profile_json::um;
-use asperity_report::wrapped;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Fitted, Recipe, SelfAffine, Surface};
 use asperity_roughness::preparation::profiles;
@@ -23,7 +23,7 @@ use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
 };
 use crate::failure::Failure;
-use crate::output::{besides_file, print_json, print_text};
+use crate::output::{besides_file, print_report};
 
 /// Largest size of a recipe in bytes.
 const LARGEST_RECIPE: u64 = 10_000_000;
@@ -55,29 +55,34 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
         reading.filter_state,
     )?;
     let (output, n) = (args.output.display().to_string(), profile.len());
-    if common.json {
-        return print_json(&json!({
-            "reading": reading, "output": output, "n": n, "dx_um": um(profile.spacing()),
-            "resampled_from_um": args.resample.map(|_| um(reading.spacing)), "outliers": outliers,
-        }));
-    }
-    let mut text = format!(
-        "{} ({}, {} points) -> {output}, {n} points\n",
-        reading.name, reading.format, reading.points
-    );
-    if let Some(record) = outliers {
-        text += &format!(
-            "  {} outliers replaced (longest run {}, farthest {:.3} um)\n",
+    let replaced = outliers.as_ref().map(|record| {
+        format!(
+            "{} outliers replaced (longest run {}, farthest {:.3} um)",
             record.replaced,
             record.longest,
             um(record.farthest)
-        );
-    }
-    if args.resample.is_some() {
-        text += &format!("  resampled linearly from {}\n", reading.spacing);
-    }
-    text += &notes(&reading.warnings);
-    print_text(common, &text)
+        )
+    });
+    let resampled = args
+        .resample
+        .map(|_| format!("resampled linearly from {}", reading.spacing));
+    let json = || {
+        json!({
+            "reading": reading, "output": output, "n": n, "dx_um": um(profile.spacing()),
+            "resampled_from_um": args.resample.map(|_| um(reading.spacing)), "outliers": outliers,
+        })
+    };
+    let read = format!(
+        "{} ({}, {} points)",
+        reading.name, reading.format, reading.points
+    );
+    let report = || {
+        Report::new(&format!("{read} -> {output}, {n} points"), "")
+            .text(replaced)
+            .text(resampled)
+            .warning(notes(&reading.warnings))
+    };
+    print_report(common, json, report, None)
 }
 
 /// Writes an uneven trace with the x of every point, or resampled to even steps.
@@ -111,24 +116,23 @@ fn convert_uneven(
         }
     }
     let output = args.output.display().to_string();
-    if common.json {
-        return print_json(&json!({ "reading": trace, "output": output, "n": n, "dx_um": dx }));
-    }
     let points = trace.heights.len();
     let head = format!(
-        "{} ({}, {points} uneven points) -> {output}, {n} points\n",
+        "{} ({}, {points} uneven points) -> {output}, {n} points",
         trace.name, trace.format
     );
-    print_text(common, &(head + &notes(&trace.warnings)))
+    print_report(
+        common,
+        || json!({ "reading": trace, "output": output, "n": n, "dx_um": dx }),
+        || Report::new(&head, "").warning(notes(&trace.warnings)),
+        None,
+    )
 }
 
-/// One line per warning of the reader.
-fn notes(warnings: &[Warning]) -> String {
-    let line = |warning: &Warning| {
-        let note = format!("  {} {}", warning.code(), Note::Read(warning));
-        format!("{}\n", wrapped(&note, "    "))
-    };
-    warnings.iter().map(line).collect()
+/// The warnings of the reader.
+fn notes(warnings: &[Warning]) -> impl Iterator<Item = String> {
+    let note = |warning: &Warning| format!("{} {}", warning.code(), Note::Read(warning));
+    warnings.iter().map(note)
 }
 
 /// `asperity profile filter`
@@ -168,12 +172,12 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
     save(&args.output, &to_digits(profile)?, &metadata, state)?;
     let record = &parts.roughness.record;
     let output = args.output.display().to_string();
-    if common.json {
-        return print_json(&json!({
+    let json = || {
+        json!({
             "reading": reading, "outliers": outliers, "preparation": plan.recorded(record), "output": output,
             "n": profile.len(),
-        }));
-    }
+        })
+    };
     let robust = record.robust.map_or(String::new(), |robust| {
         format!(
             ", {} iterations, {:.2} % ignored",
@@ -181,13 +185,14 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
             100.0 * robust.ignored
         )
     });
-    let text = format!(
-        "{} -> {output}: {} of {} points{robust}\n",
+    let head = format!(
+        "{} -> {output}: {} of {} points{robust}",
         reading.name,
         profile.len(),
         reading.points
-    ) + &notes(&reading.warnings);
-    print_text(common, &text)
+    );
+    let report = || Report::new(&head, "").warning(notes(&reading.warnings));
+    print_report(common, json, report, None)
 }
 
 /// `asperity profile generate`
@@ -213,14 +218,10 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
         FilterState::Primary,
     )?;
     let output = args.output.display().to_string();
-    if common.json {
-        let achieved = made.achieved;
-        return print_json(&json!({ "recipe": recipe, "achieved": achieved, "output": output }));
-    }
     let a = made.achieved;
     let number = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
-    let text = format!(
-        "{output}: {} points, achieved Ra {:.4} Rq {:.4} Rt {:.4} um Rsk {} Rku {} Rdq {}\n",
+    let head = format!(
+        "{output}: {} points, achieved Ra {:.4} Rq {:.4} Rt {:.4} um Rsk {} Rku {} Rdq {}",
         made.profile.len(),
         um(a.ra),
         um(a.rq),
@@ -229,7 +230,12 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
         number(a.rku),
         number(a.rdq)
     );
-    print_text(common, &(text + &notes(&fit_warnings)))
+    print_report(
+        common,
+        || json!({ "recipe": recipe, "achieved": a, "output": output }),
+        || Report::new(&head, "").warning(notes(&fit_warnings)),
+        None,
+    )
 }
 
 /// The recipe of a file, or of the options.

@@ -734,7 +734,8 @@ impl Whole {
     }
 
     /// Median of the loss of all meshes \[W\], without an interval the loss of the run.
-    fn median_w(&self) -> f64 {
+    #[must_use]
+    pub fn median_w(&self) -> f64 {
         self.loss_distribution
             .map_or(self.loss_w, |drawn| drawn.median_w)
     }
@@ -843,7 +844,8 @@ impl MeshRow {
     }
 
     /// Median and quantiles of the loss \[W\]; `None` without an interval.
-    fn drawn_w(&self) -> Option<(f64, [f64; 2])> {
+    #[must_use]
+    pub fn drawn_w(&self) -> Option<(f64, [f64; 2])> {
         // Results of former versions have the former names only.
         let low = self.loss_p05_w.or(self.loss_q05_w)?;
         let high = self.loss_p95_w.or(self.loss_q95_w)?;

@@ -1,5 +1,6 @@
 //! Report of predicted traction curves.
 
+use asperity::result::loss_band::Digits;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Cell, Column, Kind, Report, StudyResult, Table, columns};
 
@@ -30,6 +31,7 @@ impl StudyResult for TractionCurves {
             format!("{} · predicted traction", self.program),
         )
         .section("Traction")
+        .verdict(verdict(self))
         .text([conditions(self)])
         .figures(|| charts(self))
         .text([guide])
@@ -59,6 +61,20 @@ fn table(traction: &TractionCurves) -> Table {
         Column::new(Kind::Number, &heading, "", cells).named(name)
     }));
     table.in_file("traction.csv")
+}
+
+/// The friction at the middle temperature and a usual slide-to-roll ratio, with its interval.
+fn verdict(traction: &TractionCurves) -> Option<String> {
+    const USUAL_PERCENT: f64 = 5.0;
+    let curves = traction.curves.get(traction.curves.len() / 2)?;
+    let point = nearest(&curves.over_slide, USUAL_PERCENT)?;
+    let ends = [point.traction_p05, point.traction_p95];
+    Some(format!(
+        "At {:.0} °C the friction is {} at a slide-to-roll ratio of {:.0} %.",
+        curves.temperature_c,
+        Digits::of_interval(ends).interval(point.traction, ends),
+        point.slide_roll_percent
+    ))
 }
 
 fn conditions(traction: &TractionCurves) -> String {

@@ -1,6 +1,7 @@
 //! Report of a boundary friction from Stribeck curves.
 
 use asperity::case::CalibratedName;
+use asperity::result::loss_band::Digits;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 use asperity_report::{Cell, Report, StudyResult, Table, columns};
 
@@ -24,7 +25,7 @@ impl StudyResult for Stribeck {
             .table(states(self));
         notes(report, sentences(self), &self.sources, &self.warnings)
             .section("For the case")
-            .text(["For the case (low and high are the 2.5 % and 97.5 % quantiles):"])
+            .heading("Low and high are the 2.5 % and 97.5 % quantiles")
             .code(self.block())
             .section("Provenance")
             .table(files(&self.sources))
@@ -76,10 +77,10 @@ fn states(stribeck: &Stribeck) -> Table {
 fn verdict(stribeck: &Stribeck) -> String {
     let temperatures = stribeck.temperatures_c.iter();
     let temperatures: Vec<String> = temperatures.map(|at| format!("{at:.0}")).collect();
-    let [low, high] = stribeck.range.map(digits);
+    let ends = stribeck.range;
     format!(
-        "Boundary friction {} ({low} to {high}, 5 to 95 %) at {} °C.",
-        digits(stribeck.boundary_friction),
+        "Boundary friction {} at {} °C; in brackets 5 to 95 %.",
+        Digits::of_interval(ends).interval(stribeck.boundary_friction, ends),
         temperatures.join(", ")
     )
 }

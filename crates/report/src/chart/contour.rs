@@ -54,6 +54,19 @@ const SCALE_THICK: f64 = 14.0;
 /// Distance from the colour scale to its ticks.
 const SCALE_TICKS: f64 = 4.0;
 
+/// Labels of the lower edges of the bands, which share the number of their decimals if these are few.
+fn labels(levels: &[f64]) -> Vec<String> {
+    /// Most decimals of a label that ends with zeros.
+    const FEW: usize = 3;
+    let texts: Vec<String> = levels.iter().map(f64::to_string).collect();
+    let decimals = |text: &String| text.split_once('.').map_or(0, |(_, after)| after.len());
+    let most = texts.iter().map(decimals).max().unwrap_or(0).min(FEW);
+    let pairs = levels.iter().zip(&texts);
+    pairs
+        .map(|(level, text)| format!("{level:.*}", most.max(decimals(text))))
+        .collect()
+}
+
 impl Contour {
     /// CSS class of its drawing.
     pub(super) const KIND: &str = "contour-chart";
@@ -153,7 +166,7 @@ impl Contour {
 
     /// Width of the colour scale to the right of the box.
     fn scale_room(&self, levels: &[f64]) -> f64 {
-        let labels: Vec<String> = levels.iter().map(f64::to_string).collect();
+        let labels = labels(levels);
         let ticks = widest(labels.iter().map(String::as_str), TICK);
         let [name, _] = upright_room(&self.scale_name());
         SCALE_LEFT + SCALE_THICK + SCALE_TICKS + ticks + name - RIGHT
@@ -162,7 +175,7 @@ impl Contour {
     fn draw_scale(&self, canvas: &mut Canvas, frame: &Frame, levels: &[f64]) {
         let left = frame.right + SCALE_LEFT;
         let tall = (frame.bottom - frame.top) / levels.len() as f64;
-        for (band, level) in levels.iter().enumerate() {
+        for (band, label) in labels(levels).iter().enumerate() {
             let y = frame.bottom - tall * (band + 1) as f64;
             canvas.rect(
                 &format!("band {}", colour(band, levels)),
@@ -173,7 +186,7 @@ impl Contour {
                 "tick",
                 [left + SCALE_THICK + SCALE_TICKS, y + tall + 4.0],
                 Anchor::Start,
-                &level.to_string(),
+                label,
             );
         }
         let at = [WIDTH - DESCENT * NAME, 0.5 * (frame.top + frame.bottom)];

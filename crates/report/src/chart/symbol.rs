@@ -6,7 +6,11 @@ use super::frame::document;
 use super::text_width::{NAME, width};
 
 /// Symbol of a surface of which material must be removed, with one requirement below its line and a note below that: the form
-/// of ISO 1302:2002, whose symbol ISO 21920-1:2021 keeps.
+/// of ISO 1302:2002, with the transmission band in mm before the parameter and its limit in µm.
+///
+/// ISO 21920-1:2021 replaces ISO 1302 and keeps the shape of the symbol. Its line begins with the kind of tolerance, the parameter
+/// and its limit, and the acceptance rule and the filters follow; it does not cover requirements on a population. A drawing that
+/// uses this form therefore states the edition of ISO 1302, and the mean over traces is a note.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TextureSymbol {
     /// Identifier for links.

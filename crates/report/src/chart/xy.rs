@@ -497,13 +497,14 @@ fn tenths(count: i64) -> String {
     }
 }
 
-/// Value with six significant digits; null if it is not finite.
+/// Value with five significant digits; null if it is not finite.
 pub(super) fn short(value: f64) -> Value {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(f64::NAN);
-    if rounded.is_finite() {
-        json!(rounded)
-    } else {
-        Value::Null
+    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(f64::NAN);
+    match rounded {
+        // Without a point.
+        whole if whole.fract() == 0.0 && whole.abs() < 1e9 => json!(whole as i64),
+        other if other.is_finite() => json!(other),
+        _ => Value::Null,
     }
 }
 

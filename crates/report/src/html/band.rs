@@ -42,7 +42,7 @@ pub(crate) fn evidence(rows: &[EvidenceRow], loss: &dyn Fn(f64) -> String) -> Ma
 pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
     html! {
         p {
-            "Median and 5 to 95 % of the loss over " (uncertainty.draws) " draws, which interpolate "
+            "The median and the 5 to 95 % of the loss are over " (uncertainty.draws) " draws. The draws interpolate "
             (uncertainty.evaluations) " evaluations (error of ln loss " (format!("{:.4}", uncertainty.interpolation_error))
             "). Each component is drawn alone. Trust: " (uncertainty.trust_text()) "."
         }

@@ -423,12 +423,15 @@
   for (const figure of document.querySelectorAll("figure.zoomable")) new Chart(figure);
 
   // Tables that are wider than the page scroll by keyboard.
+  const labels = new Map();
   for (const table of document.querySelectorAll(".scroll, pre")) {
     let heading = table;
     while (heading && !/^H[23]$|SUMMARY/.test(heading.tagName)) heading = heading.previousElementSibling || heading.parentElement;
     table.setAttribute("tabindex", "0");
     table.setAttribute("role", "region");
-    table.setAttribute("aria-label", `Table: ${heading ? heading.textContent.trim() : document.title}`);
+    const name = `Table: ${heading ? heading.textContent.trim() : document.title}`, count = (labels.get(name) || 0) + 1;
+    labels.set(name, count);
+    table.setAttribute("aria-label", count > 1 ? `${name}, ${count}` : name);
   }
 
   // Folded parts are open on paper, and where a link leads into them.

@@ -27,12 +27,12 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
     Ok(html! {
         p {
             "Position " (contact.position) " of " (count) ", at " (format!("{:.0} %", 100.0 * row.path_fraction))
-            " of the path from A to E. Drawn is the first offset of the traces, where asperities and film together reach "
+            " of the path from A to E. The charts show the first offset of the traces. Asperities and film together reach "
             (format!("{:.0}", largest.fold(0.0, f64::max))) " MPa; smooth flanks would have "
             (format!("{:.0}", row.hertz_pressure_mpa)) " MPa (Hertz)."
             @if let Some(mean) = row.p_max_mpa.filter(|_| count > 1) {
                 " The mean of this maximum over all offsets is " (format!("{mean:.0}"))
-                " MPa; by default the position where it is highest is shown."
+                " MPa. By default this page shows the position where it is highest."
             }
             @if let (Some(depth), Some(share)) = (row.yield_depth_um, row.yield_share) {
                 @let limit = format!("{:.0}", elastic_limit(result)?.si() * 1e-6);

@@ -26,9 +26,10 @@ pub(super) fn section(report: &MicropittingReport) -> Markup {
             p { "Outside of the scope of the specification, so not a rating by it: " (report.outside.join("; ")) "." }
         }
         p {
-            "In addition, from the measured flanks at the same positions, which Ra does not describe: λ over the Rq of wavelengths below 0.08 mm, the load \
-            on touching asperities, and at the first offset the pressure that 99 % of the touching points stay below and the share of the \
-            nominal contact at the flow pressure. The columns do not combine to one rating."
+            "The measured flanks give four more columns at the same positions, which Ra does not describe. They are λ over the Rq of \
+            wavelengths below 0.08 mm, and the load on touching asperities. Two are of the first offset: 99 % of the touching points \
+            stay below the pressure, and the share of the nominal contact is at the flow pressure. The columns do not combine to one \
+            rating."
         }
         (columns! { cell in &report.cells;
             number path "path" "%" "{:.1}" = 100.0 * cell.path_fraction;

@@ -18,7 +18,7 @@ pub(super) fn section(pairs: &TracePairs, sampling: &PairSampling) -> Markup {
     html! {
         h3 { "The traced teeth, pair by pair" }
         p {
-            (pinion) " traced teeth of the pinion on " (wheel) " of the wheel: the mean loss is " (watts(sampling.mean_w)) " W, standard error "
+            (pinion) " traced teeth of the pinion run on " (wheel) " of the wheel. The mean loss is " (watts(sampling.mean_w)) " W, its standard error "
             (two_digits(sampling.standard_error_w)) " W with " (format!("{:.1}", sampling.freedom)) " degrees of freedom" (sampling.bound()) "."
             " Between the teeth of the pinion the loss scatters by " (two_digits(s1)) " W (s₁), between those of the wheel by "
             (two_digits(s2)) " W (s₂), and from pair to pair by further " (two_digits(sampling.interaction_w)) " W (s₁₂)."

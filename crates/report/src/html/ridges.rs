@@ -11,9 +11,8 @@ use crate::tables::BODIES;
 use crate::{Cell, Table, columns};
 
 /// Explanation of the colours.
-const COLOURS: &str = "Colours: height above the mean line times the gradient of the loss, per length of the trace; its integral \
-    over a ridge is its \"first\". Where it is negative, pressing the trace raises the loss. The number at the cursor is the \
-    value of the cell.";
+const COLOURS: &str = "The colour shows the height above the mean line times the gradient of the loss, per length of the trace. Its sum \
+    over a ridge is the column \"first\". Where it is negative, pressing the trace raises the loss. The cursor shows its value.";
 
 /// Ridges in the report of a run, and marked on the traces.
 const SHOWN: usize = 5;
@@ -23,8 +22,8 @@ pub(super) fn section(result: &RunResult) -> Markup {
     html! {
         @if let Some(why) = &result.no_ridges { p { "Not computed: " (why) "." } }
         @if let Some(ridges) = &result.ridges {
-            p { strong { (verdict(ridges)) } " The loss of " (watts(ridges.loss_w)) " W that this refers to is with every constant at its "
-                "median; " code { "asperity ridges" } " lists all of these ridges and the loss by wavelength." }
+            p { strong { (verdict(ridges)) } " This refers to a loss of " (watts(ridges.loss_w)) " W, with every constant at its median. "
+                code { "asperity ridges" } " lists all of these ridges and the loss by wavelength." }
             @for note in notes(ridges) { p { (note) } }
             (charts(ridges, Some("result.json")))
             (table(&ridges.rows[..ridges.rows.len().min(SHOWN)]))
@@ -47,7 +46,8 @@ pub fn table(rows: &[RidgeRow]) -> Table {
     }
 }
 
-/// Both traces and close-ups of the costliest ridges, coloured on one scale; `file` holds their data, or the table of each trace.
+/// Both traces and close-ups of the costliest ridges, coloured on one scale, each with the table of its trace. Of the result of a
+/// run, whose `file` holds their data, only the traces.
 pub fn charts(ridges: &Ridges, file: Option<&str>) -> Markup {
     let scale = scale(ridges);
     let traces = BODIES.iter().zip(&ridges.along).map(|(body, strip)| {
@@ -62,7 +62,12 @@ pub fn charts(ridges: &Ridges, file: Option<&str>) -> Markup {
         let title = format!("Loss along the trace of the {body}, ridges numbered");
         chart(&format!("watts-{body}"), &title, body, strip, scale).marked(&marks)
     });
-    let near = ridges.near.iter().zip(&ridges.rows).enumerate();
+    let near = if file.is_none() {
+        &ridges.near[..]
+    } else {
+        &[]
+    };
+    let near = near.iter().zip(&ridges.rows).enumerate();
     let near = near.map(|(k, (strip, row))| {
         let title = format!("Ridge {}: {} at {:.4} mm", k + 1, row.flank, row.place_mm);
         chart(

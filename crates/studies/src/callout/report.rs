@@ -5,7 +5,6 @@ use asperity_core::quantity::Power;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Mark, Series, TextureSymbol};
 use asperity_report::{Cell, Report, StudyResult, Table, columns};
 
-use super::error::watts;
 use super::study::{CallOut, CurvePoint, LimitRow, ParameterRow};
 
 /// Explanation of the numbers.
@@ -14,6 +13,13 @@ const NOTE: &str = "A lot is a set of flanks of the recipe of the traces; it mee
     median of its lot, wavelengths and peaks of a lot about the recipe. Nothing is assumed of the height of a lot before its \
     inspection. Running-in and the uncertainty of the constants are not in it. These are answers of the model, not \
     measurements.";
+
+/// Standard of the symbol with its edition.
+const EDITION: &str = "ISO 1302:2002";
+/// Explanation of the symbol.
+const SYMBOL: &str = "The symbol has the form of ISO 1302:2002, whose edition the drawing must state. ISO 21920-1:2021, which replaces \
+    it, keeps its shape, but writes parameter and limit before the filters. Neither has a sign for the mean of several traces, so \
+    that is a note.";
 
 impl StudyResult for CallOut {
     const KIND: &'static str = "call-out";
@@ -24,15 +30,13 @@ impl StudyResult for CallOut {
             .section("Limit")
             .text([headline(self)])
             .verdict(self.limits.iter().map(limit_line))
-            .figures(|| {
-                let symbols = self.limits.iter().map(|row| symbol(self, row));
-                symbols.chain([curve_chart(self)]).collect::<Vec<_>>()
-            })
+            .figures(|| self.limits.iter().map(|row| symbol(self, row)))
+            .figures(|| [curve_chart(self)])
             .text([inspection(self), losses(self)])
             .table(table(self))
             .section("By the number of traces")
             .figures(|| [traces_chart(self)])
-            .method([NOTE])
+            .method([NOTE, SYMBOL])
             .rows("limits.csv", || &self.limits)
             .rows("parameters.csv", || &self.parameters)
             .rows("traces.csv", || &self.by_traces)
@@ -44,7 +48,7 @@ fn traces_chart(study: &CallOut) -> Drawing {
     let title = format!("Limit of the mean {}", study.parameter.symbol());
     let (x, y) = (
         Axis::new("inspected traces", "").log(),
-        Axis::new("limit over recipe", ""),
+        Axis::new("limit over these flanks", ""),
     );
     let chart = Chart::new("traces", &title, "traces.csv", x, y);
     let points = study.by_traces.iter();
@@ -55,7 +59,7 @@ fn traces_chart(study: &CallOut) -> Drawing {
 /// Loss by the height, with the scatter of the lots; the limit of the mean is the inspected height.
 fn curve_chart(study: &CallOut) -> Drawing {
     let (x, y) = (
-        Axis::new("height of the flanks over the recipe", ""),
+        Axis::new("height over that of these flanks", ""),
         Axis::new("loss", "W"),
     );
     let title = "Loss by the height of the flanks, shaded 5 to 95 % of the lots";
@@ -70,7 +74,7 @@ fn curve_chart(study: &CallOut) -> Drawing {
         [0, 1, 2].map(|k| band.iter().map(|row| row[k]).collect::<Vec<f64>>());
     let mut chart = Chart::new("curve", title, "curve.csv", x, y)
         .curve(
-            "mean of lots of the recipe",
+            "mean of lots like these flanks",
             Line::Dots,
             &heights,
             &of(|point| point.loss_w),
@@ -91,7 +95,7 @@ fn curve_chart(study: &CallOut) -> Drawing {
             },
             Mark {
                 at: 1.0,
-                label: "recipe".to_owned(),
+                label: "these flanks".to_owned(),
             },
         ]);
     }
@@ -110,6 +114,7 @@ fn symbol(study: &CallOut, row: &LimitRow) -> Drawing {
         1 => "one trace".to_owned(),
         count => format!("mean of {count} traces"),
     };
+    let traces = format!("{traces}, {EDITION}");
     Drawing::Symbol(TextureSymbol {
         id: format!("symbol-{}", row.flank),
         title: format!("{} on the drawing", flank_of(row)),
@@ -147,7 +152,7 @@ fn limit_line(row: &LimitRow) -> String {
         _ => " µm",
     };
     format!(
-        "{}: mean {} at most {}{unit} (the recipe has {}{unit}).",
+        "{}: mean {} at most {}{unit} (flanks like these have {}{unit}).",
         flank_of(row),
         row.parameter,
         limited(row.limit),
@@ -192,11 +197,16 @@ fn inspection(study: &CallOut) -> String {
 /// Losses at the limit, of the recipe and of smooth flanks.
 fn losses(study: &CallOut) -> String {
     format!(
-        "Mean loss: {} at the limit, {} with the recipe, {} with smooth flanks.",
-        watts(study.mean_loss_w),
-        watts(study.recipe_loss_w),
-        watts(study.smooth_loss_w)
+        "Mean loss: {} at the limit, {} of flanks like these, {} of smooth flanks.",
+        power(study.mean_loss_w),
+        power(study.recipe_loss_w),
+        power(study.smooth_loss_w)
     )
+}
+
+/// A loss with the digits of the stated one.
+fn power(loss_w: f64) -> String {
+    format!("{} W", rounded(loss_w, SCATTER * loss_w))
 }
 
 /// The limit by every parameter, with the standard deviations of ln(limit) and of single traces about their flank.
@@ -205,7 +215,7 @@ fn table(study: &CallOut) -> Table {
     let table = columns! { row in &study.parameters;
         head parameter "parameter" "";
         number traces "traces" "";
-        number limit_over_recipe "limit over recipe" "" = Cell::from(rounded(row.limit_over_recipe, 1.4 * error(row)));
+        number limit_over_recipe "limit over these flanks" "" = Cell::from(rounded(row.limit_over_recipe, 1.4 * error(row)));
         percent deviation "standard deviation of the limit" "%" "{:.0}";
         percent of_traces "standard deviation of single traces" "%" "{:.0}";
     };

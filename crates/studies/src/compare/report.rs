@@ -9,7 +9,7 @@ use asperity_report::tables::{BODIES, FlankTables, SpectrumRow};
 use asperity_report::units::MICRO;
 use asperity_report::{Cell, Column, Kind, Report, StudyResult, Table, columns, parts_of};
 
-use super::comparison::{Comparison, PairOfFinish};
+use super::comparison::{Comparison, FinishResult, PairOfFinish};
 use super::tables;
 use super::windows::PARAMETERS;
 use super::words::{loss, meshes, note, run_in, scope, table, warnings};
@@ -74,18 +74,24 @@ fn of_pairs<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
         true => report,
         false => correlations(report, comparison),
     };
-    let [components, models] = contributions(comparison);
+    let drawn = drawn(comparison);
+    let Some((_, first)) = drawn.first() else {
+        return report;
+    };
     report
         .section("Uncertainty")
-        .heading("Components of the uncertainty, each drawn alone, 5 to 95 %")
+        .text([COMPONENTS])
         .on_page()
-        .table(components)
-        .on_page()
+        .figures(|| [components(comparison)])
+        .rows("components.csv", || tables::components(comparison))
         .heading("Other models, and the evidence against them")
         .on_page()
-        .table(models)
+        .table(models(&drawn, first))
         .on_page()
 }
+
+/// Text above the components of the uncertainty.
+const COMPONENTS: &str = "Each component is drawn alone, with every other at its median.";
 
 /// Rank correlations of the roughness with the loss.
 fn correlations<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
@@ -240,45 +246,52 @@ fn spectra(comparison: &Comparison, body: usize) -> Option<Drawing> {
     (!chart.series.is_empty()).then_some(Drawing::Curves(chart))
 }
 
-/// Components of the uncertainties, and losses by other models.
-fn contributions(comparison: &Comparison) -> [Table; 2] {
-    let drawn: Vec<_> = comparison
-        .finishes
-        .iter()
-        .filter_map(|finish| Some((finish, finish.uncertainty.as_ref()?)))
-        .collect();
-    let Some((_, first)) = drawn.first() else {
-        return Default::default();
-    };
-    let part = |of: &Uncertainty, name: &str| {
-        let digits = of.digits();
-        let entry = of.loss.parts.iter().find(|part| part.name == name);
-        Cell::optional(entry.map(|part| {
-            let [low, high] = part.quantiles_w;
-            match digits.steps(low) == digits.steps(high) {
-                true => digits.rounded(low),
-                false => digits.range([low, high]),
-            }
-        }))
-    };
+/// The finishes whose uncertainty was drawn.
+fn drawn(comparison: &Comparison) -> Vec<(&FinishResult, &Uncertainty)> {
+    let finishes = comparison.finishes.iter();
+    let drawn = finishes.filter_map(|finish| Some((finish, finish.uncertainty.as_ref()?)));
+    drawn.collect()
+}
+
+/// Components of the uncertainties, paired: half the width of the 90 % interval of each.
+fn components(comparison: &Comparison) -> Drawing {
+    let drawn = drawn(comparison);
+    let all = drawn.iter().flat_map(|(_, of)| &of.loss.parts);
+    let names = unique(all.map(|part| &*part.name)).into_iter();
+    let bars = names.flat_map(|name| {
+        drawn.iter().filter_map(move |(finish, of)| {
+            let mut parts = of.loss.parts.iter();
+            let half_w = parts.find(|part| part.name == name)?.half_range_w();
+            Some(Bar {
+                name: name.to_owned(),
+                value: Some(half_w),
+                spread: None,
+                text: format!("{} W, {}", of.digits().rounded(half_w), finish.name),
+            })
+        })
+    });
+    Drawing::Bars(BarChart {
+        id: "components".to_owned(),
+        title: "Components of the uncertainty, half the width of the 90 % interval".to_owned(),
+        source: "components.csv".to_owned(),
+        axis: Axis::new("loss", "W"),
+        bars: bars.collect(),
+    })
+}
+
+/// Losses by other models.
+fn models(drawn: &[(&FinishResult, &Uncertainty)], first: &Uncertainty) -> Table {
     let other = |of: &Uncertainty, name: &str| {
         let row = of.models().find(|row| row.name == name);
         let loss = row.and_then(|row| row.loss_w);
         Cell::optional(loss.map(|loss| of.digits().rounded(loss)))
     };
-    let components = columns! { row in &first.loss.parts; head name "component" ""; };
-    let components = components.with(drawn.iter().map(|(finish, of)| {
-        let cells = first.loss.parts.iter().map(|row| part(of, &row.name));
-        Column::new(Kind::Number, &finish.name, "W", cells)
-    }));
     let models = columns! { row in first.models(); head name "model" ""; };
     let models = models.with(drawn.iter().map(|(finish, of)| {
         let cells = first.models().map(|row| other(of, &row.name));
         Column::new(Kind::Number, &finish.name, "W", cells)
     }));
-    let models = models
-        .with(columns! { row in first.models(); text standing "against it" "" = row.standing(); });
-    [components, models]
+    models.with(columns! { row in first.models(); text standing "against it" "" = row.standing(); })
 }
 
 fn bars(comparison: &Comparison) -> Drawing {

@@ -52,6 +52,30 @@ pub(super) fn parts(comparison: &Comparison) -> impl Iterator<Item = PartRow<'_>
     })
 }
 
+/// Row of `components.csv`: a component of the uncertainty of a finish, drawn alone.
+#[derive(Serialize)]
+pub(super) struct ComponentRow<'a> {
+    component: &'a str,
+    finish: &'a str,
+    loss_p05_w: f64,
+    loss_p95_w: f64,
+}
+
+pub(super) fn components(comparison: &Comparison) -> impl Iterator<Item = ComponentRow<'_>> {
+    comparison.finishes.iter().flat_map(|finish| {
+        let uncertainty = finish.uncertainty.iter();
+        uncertainty.flat_map(|of| &of.loss.parts).map(|part| {
+            let [loss_p05_w, loss_p95_w] = part.quantiles_w;
+            ComponentRow {
+                component: &part.name,
+                finish: &finish.name,
+                loss_p05_w,
+                loss_p95_w,
+            }
+        })
+    })
+}
+
 /// Row of `traces.csv`: a point of the roughness of a flank.
 #[derive(Serialize)]
 pub(super) struct TracePoint<'a> {

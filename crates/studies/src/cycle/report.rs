@@ -38,6 +38,7 @@ impl StudyResult for CycleResult {
         .warning(&self.warnings)
         .section("Operating points")
         .figures(|| operating_points(self))
+        .figures(|| by_torque(self))
         .method(is_banded(self).then_some(NOTE))
         .rows("cycle.csv", || rows(self))
     }
@@ -104,15 +105,13 @@ fn outside(result: &CycleResult) -> String {
     )
 }
 
-/// The map with the points of the cycle, and the energy by torque.
+/// The map with the points of the cycle.
 fn operating_points(result: &CycleResult) -> Vec<Drawing> {
     let map = &result.map;
     let visited: Vec<[f64; 2]> = result.points.iter().map(CyclePoint::forwards).collect();
     let mut temperatures = map.axes.temperature_c.iter();
     let nearest = temperatures.position(|temperature| *temperature == result.temperature_c);
-    let mut drawings = loss_fields(map, nearest.unwrap_or_default(), &visited);
-    drawings.extend(by_torque(result));
-    drawings
+    loss_fields(map, nearest.unwrap_or_default(), &visited)
 }
 
 /// Energy lost with each finish by torque, in steps of a round width.

@@ -112,19 +112,14 @@ fn with_common_levels(mut fields: Vec<Contour>, levels: fn(&[f64]) -> Vec<f64>) 
     fields.into_iter().map(drawing).collect()
 }
 
-/// The sections of the page after the extremes, added to `report`.
-pub(super) fn sections<'a>(
-    report: Report<'a>,
-    map: &'a Map,
-    visited: &'a [[f64; 2]],
-) -> Report<'a> {
+/// Loss and efficiency on the page, added to `report`.
+pub(super) fn fields<'a>(report: Report<'a>, map: &'a Map, visited: &'a [[f64; 2]]) -> Report<'a> {
     let [pinion, wheel] = map.shafts();
     let axes = format!(
-        "Loss of the {} over torque and speed of the {pinion}; negative torque: the {wheel} drives. All finishes have the same colours.",
+        "Loss of the {} over torque and speed of the {pinion}. At a negative torque the {wheel} drives. All finishes have the \
+        same colours; next to points at rest or without torque the efficiency is blank.",
         map.scope
     );
-    let fields =
-        |quantity: &'static Quantity| move || quantity.fields(map, &drawn(&map.axes), visited);
     let finishes = map.finishes.iter();
     report
         .text([axes])
@@ -134,6 +129,17 @@ pub(super) fn sections<'a>(
         .figures(move || loss_and_efficiency(map, visited))
         .text(["Each colour of the efficiency covers about a tenth of the points."])
         .on_page()
+}
+
+/// The sections of the page after the extremes, added to `report`.
+pub(super) fn sections<'a>(
+    report: Report<'a>,
+    map: &'a Map,
+    visited: &'a [[f64; 2]],
+) -> Report<'a> {
+    let fields =
+        |quantity: &'static Quantity| move || quantity.fields(map, &drawn(&map.axes), visited);
+    report
         .section("Differences")
         .markup(|| differences(map, &drawn(&map.axes), visited))
         .folded("Half of the interval over torque and speed")

@@ -22,11 +22,11 @@ impl Map {
         let axes = &self.axes;
         let names: Vec<&str> = self.finishes.iter().map(|f| f.name.as_str()).collect();
         let points = format!(
-            "{} points: {} torques x {} speeds x {} temperatures; loss of the {} only.",
+            "{} points: {} x {} x {}; loss of the {} only.",
             axes.points(),
-            axes.torque_nm.len(),
-            axes.speed_rpm.len(),
-            axes.temperature_c.len(),
+            counted(axes.torque_nm.len(), "torque"),
+            counted(axes.speed_rpm.len(), "speed"),
+            counted(axes.temperature_c.len(), "temperature"),
             self.scope
         );
         let report = Report::new(
@@ -35,15 +35,20 @@ impl Map {
         )
         .section("Loss")
         .text([points])
-        .verdict(verdicts(self))
-        .table(extremes(self))
-        .table(of_meshes(self))
-        .warning(left_aside(self))
-        .text(bands(self))
-        .in_terminal()
-        .text(notes(self))
-        .in_terminal();
+        .verdict(verdicts(self));
+        let report = page::fields(report, self, visited)
+            .table(extremes(self))
+            .table(of_meshes(self))
+            .warning(left_aside(self))
+            .text(bands(self))
+            .in_terminal()
+            .text(notes(self))
+            .in_terminal();
         page::sections(report, self, visited)
             .file(|folder| table::write(self, &folder.join("map.csv")))
     }
+}
+
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }

@@ -238,8 +238,8 @@ pub(super) fn bands(map: &Map) -> impl Iterator<Item = String> {
         let [low, high] = range(shares.into_iter().flatten());
         (points > 0).then(|| {
             format!(
-                "{}: 5 and 95 % quantiles of the loss at most {low:+.0} and {high:+.0} % from its median, over {points} points",
-                finish.name
+                "The 90 % interval of the loss of {} reaches from {low:+.0} to {high:+.0} % about its median, over {points} points.",
+                in_words(&finish.name)
             )
         })
     };

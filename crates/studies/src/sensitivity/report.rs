@@ -24,7 +24,7 @@ impl StudyResult for Sensitivity {
         Report::new(&self.title, "sensitivity")
             .section("What you can change")
             .text([headline(self)])
-            .verdict(largest(self))
+            .verdict(verdicts(self))
             .figures(|| chart(self, true))
             .warning(left_aside(self))
             .section("What is not known well")
@@ -54,16 +54,22 @@ fn changes(study: &Sensitivity, is_changeable: bool) -> Vec<Changed<'_>> {
     rows
 }
 
-/// The largest change that can be made, in words.
-fn largest(study: &Sensitivity) -> Option<String> {
+/// The largest saving that a designer can make, and the largest rise of the loss, in words.
+fn verdicts(study: &Sensitivity) -> impl Iterator<Item = String> {
     let changes = changes(study, true);
-    let (row, effect) = changes.first()?;
-    Some(format!(
-        "The largest change: {}, {} W, {} %.",
-        named(row),
-        difference(effect),
-        share(effect)
-    ))
+    let largest = move |is_saving: bool| {
+        let mut changes = changes.iter();
+        let is_of = |(_, effect): &&Changed<'_>| (effect.difference_w < 0.0) == is_saving;
+        let (row, effect) = changes.find(is_of)?;
+        let what = if is_saving { "saving" } else { "rise" };
+        Some(format!(
+            "The largest {what}: {}, {} W, {} %.",
+            named(row),
+            difference(effect),
+            share(effect)
+        ))
+    };
+    [true, false].into_iter().filter_map(largest)
 }
 
 /// The changes that a designer makes, or the others, over one axis; `None` if no one has an effect.
@@ -75,7 +81,7 @@ fn chart(study: &Sensitivity, is_changeable: bool) -> Option<Drawing> {
     let bars = changes(study, is_changeable)
         .into_iter()
         .map(|(row, effect)| Bar {
-            name: named(row),
+            name: unbroken(&named(row)),
             value: Some(effect.difference_w),
             spread: effect.sampling_quantiles_w,
             text: format!("{} W, {} %", change(effect), share(effect)),
@@ -154,6 +160,14 @@ fn refused(study: &Sensitivity) -> impl Iterator<Item = String> {
 fn named(row: &SensitivityRow) -> String {
     let [what, to] = [&row.what, &row.to].map(|text| with_mu(text));
     format!("{what} → {to}")
+}
+
+/// A name in which a number stays on the line of its unit.
+fn unbroken(name: &str) -> String {
+    let units = [" µm", " nm", " mm", " °C"];
+    units.iter().fold(name.to_owned(), |name, unit| {
+        name.replace(unit, &unit.replace(' ', "\u{a0}"))
+    })
 }
 
 fn with_mu(text: &str) -> String {

@@ -2,7 +2,7 @@
 
 use asperity::message::explain;
 use asperity_core::numerics::distinct;
-use asperity_core::unique;
+use asperity_core::{capitalised, unique};
 use asperity_report::chart::{
     Axis, Bar, BarChart, Chart, Drawing, Interval, Line, Series, Tornado,
 };
@@ -77,6 +77,7 @@ fn over(axis: &InputColumn, name: &str, values: &[f64]) -> Option<Drawing> {
     let output = Output::of(name);
     let id = format!("{name}-over-{}", axis.name.replace(['.', ' '], "-"));
     let title = format!("{} over {}", output.name, input_name(&axis.name));
+    let title = capitalised(&title);
     let (source, y) = ("sweep.csv", Axis::new(&output.name, output.unit));
     // Mean, lowest and highest result of the cases that have one.
     let group = |is_of: &dyn Fn(usize) -> bool| -> Option<[f64; 3]> {
