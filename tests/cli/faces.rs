@@ -282,9 +282,11 @@ const LEAST_CELLS: usize = 4;
 /// Most words of a sentence, or of a part of it up to a colon or semicolon.
 const MOST_WORDS: usize = 25;
 
-/// Checks that the sentences of `text` have few words.
+/// Checks that the sentences of `text` have few words. The mesh of a train in brackets is no part of its warning.
 pub fn short_sentences(text: &str, name: &str) {
     for sentence in text.split([';', ':']).flat_map(|part| part.split(". ")) {
+        let of_mesh = sentence.rfind(" [").filter(|_| sentence.ends_with(']'));
+        let sentence = &sentence[..of_mesh.unwrap_or(sentence.len())];
         let words = sentence.split_whitespace().count();
         assert!(words <= MOST_WORDS, "{name}: {words} words: {sentence}");
     }

@@ -13,7 +13,7 @@ use crate::folder::{FileText, PAGE, PLANETARY_MARK, TRAIN_MARK, json_text};
 use crate::html::band::evidence;
 use crate::html::gearbox::section;
 use crate::html::overview::warnings as listed;
-use crate::html::{figure, page};
+use crate::html::{figure, page, source_line};
 use crate::printed::stated;
 use crate::summary::besides_the_mesh;
 use crate::tables as csv;
@@ -47,7 +47,7 @@ pub(crate) fn report<'a>(result: &Whole, warnings: impl IntoIterator<Item = Stri
     let gearbox = result
         .gearbox_with_bands()
         .map(|[loss, efficiency]| format!("efficiency (gearbox)      {efficiency}   loss {loss}"));
-    let sets = result.planetary_sets().into_iter().map(|(name, set)| {
+    let sets = result.planetary_sets().map(|(name, set)| {
         let name = if name.is_empty() {
             String::new()
         } else {
@@ -255,10 +255,10 @@ fn meshes_section(result: &Whole) -> Markup {
         (meshes(result))
         p { "Torque and speed are those of the pinion, in a planetary set relative to the carrier." }
         @if result.loss_distribution.is_some() {
-            p { "In brackets are 5 and 95 % of the draws, which share oil and boundary layer over all meshes and include the \
+            p { "In brackets are 5 and 95 % of the draws. They share oil and boundary layer over all meshes, and include the \
                 sampling of the flanks. Each mesh has its own page with teeth, flanks and losses along the path." }
         }
-        p { "data: " a href="meshes.csv" { "meshes.csv" } }
+        (source_line("meshes.csv"))
     }
 }
 
@@ -287,6 +287,6 @@ fn shafts_section(result: &Whole) -> Markup {
         (shafts(result))
         p { "Torque and power into the train, with all losses; negative where the power leaves. The power in is " (power_in)
             " kW and the power out " (power_out) " kW." }
-        p { "data: " a href="shafts.csv" { "shafts.csv" } }
+        (source_line("shafts.csv"))
     }
 }

@@ -17,7 +17,7 @@ use crate::args::{Common, ContactArgs};
 use crate::failure::Failure;
 use crate::output::{besides_file, print_report};
 use solved::SolvedContact;
-use stress::stress;
+use stress::{Stress, stress};
 
 /// `asperity contact`
 pub fn contact(args: &ContactArgs, common: &Common) -> Result<(), Failure> {
@@ -48,7 +48,7 @@ pub fn contact(args: &ContactArgs, common: &Common) -> Result<(), Failure> {
     print_report(
         common,
         || contact.json(stress.map(|stress| stress.json())),
-        || contact.report(stress),
+        || contact.report(stress.map(Stress::lines).unwrap_or_default()),
         None,
     )
 }

@@ -10,7 +10,6 @@ use asperity_core::quantity::Length;
 use asperity_report::Report;
 use serde_json::{Value, json};
 
-use super::stress::Stress;
 use crate::failure::Failure;
 use crate::output::coded;
 
@@ -82,8 +81,8 @@ impl SolvedContact {
         })
     }
 
-    /// The contact as a report, with the largest values of the subsurface stress.
-    pub fn report<'a>(&self, stress: Option<&Stress>) -> Report<'a> {
+    /// The contact as a report, with lines about the subsurface stress.
+    pub fn report<'a>(&self, stress: Vec<String>) -> Report<'a> {
         let s = &self.solution;
         let hertz = self
             .hertz_pressure
@@ -107,7 +106,7 @@ impl SolvedContact {
         let warnings = self.warnings().into_iter();
         Report::new(&self.title, "")
             .verdict([touching])
-            .verdict(stress.map(Stress::lines).into_iter().flatten())
+            .verdict(stress)
             .text([load, format!("plastic work {:.4e} J/m", s.dissipated.si())])
             .text(self.run_in())
             .text([solved])

@@ -220,9 +220,9 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
     let output = args.output.display().to_string();
     let a = made.achieved;
     let number = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
-    let head = format!(
-        "{output}: {} points, achieved Ra {:.4} Rq {:.4} Rt {:.4} um Rsk {} Rku {} Rdq {}",
-        made.profile.len(),
+    let head = format!("{output}: {} points", made.profile.len());
+    let achieved = format!(
+        "achieved Ra {:.4} Rq {:.4} Rt {:.4} um Rsk {} Rku {} Rdq {}",
         um(a.ra),
         um(a.rq),
         um(a.rt),
@@ -233,7 +233,11 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
     print_report(
         common,
         || json!({ "recipe": recipe, "achieved": a, "output": output }),
-        || Report::new(&head, "").warning(notes(&fit_warnings)),
+        || {
+            Report::new(&head, "")
+                .text([achieved])
+                .warning(notes(&fit_warnings))
+        },
         None,
     )
 }

@@ -126,8 +126,8 @@ impl OilFit {
         };
         let [best, other] = self.total_squared;
         let decided = match self.is_law_decided {
-            true => "decided",
-            false => "not decided",
+            true => "The points decide",
+            false => "The points do not decide",
         };
         let mut lines = vec![
             format!(
@@ -135,7 +135,7 @@ impl OilFit {
                 counted.collect::<String>()
             ),
             format!(
-                "Law of pressure {}: {decided}, sum of squares with the errors of the machine {best:.1} against {other:.1} of the other law.",
+                "{decided} the law of pressure: the sum of squares is {best:.1} with {}, and {other:.1} with the other law.",
                 self.pressure_law.name()
             ),
             format!(

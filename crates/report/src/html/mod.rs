@@ -32,7 +32,7 @@ pub use lubricated::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };
 pub use mesh::pair_in_mesh;
-pub(crate) use page::{Section, page_of};
+pub(crate) use page::{Section, page_of, source as source_line};
 pub use page::{figure, page};
 pub use policy::{policy, source};
 

@@ -96,7 +96,7 @@ pub fn figure(drawing: &Drawing) -> Markup {
 }
 
 /// Line below a chart with the file of its data.
-pub(super) fn source(file: &str) -> Markup {
+pub(crate) fn source(file: &str) -> Markup {
     html! {
         p.under {
             span.source {
