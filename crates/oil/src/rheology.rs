@@ -362,6 +362,12 @@ impl FilmRheology {
     }
 
     /// ln η(p, T) under Barus' law with f times the pressure-viscosity coefficient, and its slope over temperature, from ln η₀ and its slope.
+    ///
+    /// ```text
+    /// η = η₀(T) exp(f α(T) p)
+    /// ```
+    ///
+    /// α(T) falls with η₀(T) by Gold's formula; f α p is held below its largest.
     #[inline(always)]
     fn barus(&self, [log, slope]: [f64; 2], pressure: f64) -> [f64; 2] {
         let t = self.constants.gold_exponent;
@@ -382,6 +388,10 @@ impl FilmRheology {
     }
 
     /// Eyring's τ_E and its slope over temperature, from ln(η γ̇) and its slope.
+    ///
+    /// ```text
+    /// τ_E = τ₀ arsinh(η γ̇/τ₀)
+    /// ```
     #[inline(always)]
     fn eyring(&self, newton: f64, slope: f64) -> [f64; 2] {
         let tau_0 = self.constants.eyring_stress.si();
@@ -439,7 +449,11 @@ impl FilmRheology {
         limited_stress_by(self.constants.limit_power, free, limit)
     }
 
-    /// τ_L = τ_L0 + Λ exp(−b_L (T − 363.15)) p, and its slope over temperature.
+    /// The limiting stress and its slope over temperature.
+    ///
+    /// ```text
+    /// τ_L = τ_L0 + Λ exp(−b_L (T − 363.15)) p
+    /// ```
     #[inline(always)]
     fn limit(&self, pressure: f64, temperature: f64) -> [f64; 2] {
         let c = &self.constants;

@@ -2,7 +2,7 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | τ_E | Eyring stress 2 Λ/α | Pa |
+//! | τ₀ | Eyring stress 2 Λ/α | Pa |
 //! | Λ | limiting shear stress over pressure | - |
 //! | α | pressure-viscosity coefficient | 1/Pa |
 //! | p̄ | mean Hertz pressure π p₀/4 of a line contact | Pa |
@@ -11,7 +11,7 @@
 //! | V_s | sliding speed | m/s |
 //!
 //! Source: A. Arana, J. Larrañaga, I. Ulacia, Proc. IMechE J 233 (2019) 303, eq. 13, with
-//! τ_E = 2 Λ/α after Bair and Winer. Couette flow across the film. Λ is 0.053, 0.047, 0.035 for
+//! τ₀ = 2 Λ/α after Bair and Winer. Couette flow across the film. Λ is 0.053, 0.047, 0.035 for
 //! a naphthenic, a paraffinic mineral and a polyalphaolefin base oil of ISO VG 100 (their table
 //! 2). Compared by them with twin-disc tests at 1 GPa, 2 to 16 m/s and slip ratios up to 0.4, and
 //! with gears up to 1.4 GPa. Without sliding there is no friction; for slow sliding the law is
@@ -58,7 +58,7 @@ pub struct EyringConditions {
 /// Fluid friction coefficient of a full film.
 ///
 /// ```text
-/// μ = min( (τ_E/p̄) arsinh( η |V_s|/(τ_E h) ), Λ ),  τ_E = 2 Λ/α,  p̄ = π p₀/4      [Eyring]
+/// μ = min( (τ₀/p̄) arsinh( η |V_s|/(τ₀ h) ), Λ ),  τ₀ = 2 Λ/α,  p̄ = π p₀/4      [Eyring]
 /// ```
 ///
 /// # Errors
@@ -89,13 +89,13 @@ pub fn coefficient(position: &EyringConditions) -> Result<Checked<f64>, Friction
         "must be finite and greater than zero",
     )?;
     let p_mean = std::f64::consts::FRAC_PI_4 * p_0;
-    let tau_e = 2.0 * limit / alpha;
+    let tau_0 = 2.0 * limit / alpha;
     let mut outside = Vec::new();
     PRESSURE.check(p_0 * 1e-9, &mut outside);
     VISCOSITY.check(eta, &mut outside);
     SLIDING.check(v_s, &mut outside);
     Ok(Checked {
-        value: (tau_e / p_mean * (eta * v_s / (tau_e * h)).asinh()).min(limit),
+        value: (tau_0 / p_mean * (eta * v_s / (tau_0 * h)).asinh()).min(limit),
         outside,
     })
 }

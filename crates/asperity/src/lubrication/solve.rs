@@ -1,4 +1,14 @@
 //! One mesh position at one operating point: film, load share and friction of every window.
+//!
+//! 1. The formulas give the smooth film of the position.
+//! 2. In every window the rough contact under that film gives the share of the asperities ([`RoughFilm::share`]), unless a law of
+//!    the load share replaces it.
+//! 3. The law of the load share turns this into the shares of film and boundary layer and into a regime ([`Lubrication::decided`]).
+//! 4. The friction of the film comes from a solved full film, from the share, or from the law of film friction.
+//! 5. Forces follow from shares and coefficients, and from the forces the flash temperature.
+//!
+//! A formulation with pressures of its own ([`WindowPressures`]) has no share by the contact: friction, film share and deformation
+//! of a window then follow from its pressures, in place of what step 3 gives.
 
 use std::sync::Arc;
 
