@@ -52,6 +52,7 @@ impl StudyResult for OilPlan {
         let report = Report::new(&self.title, format!("{} · traction plan", self.program))
             .section("Expected errors")
             .verdict(verdict(self))
+            .verdict([format!("{choice}.")])
             .figures(|| [errors(self)])
             .table(stages(self))
             .text(notes(self))

@@ -26,9 +26,12 @@ pub(super) fn remedies(uncertainty: &Uncertainty) -> Markup {
 /// The measurements that would narrow the interval most, and the quickest one, with each `loss` rounded.
 pub(crate) fn evidence(rows: &[EvidenceRow], loss: &dyn Fn(f64) -> String) -> Markup {
     const SHOWN: usize = 3;
+    /// Largest width that is left by a measurement that is shown for its few hours.
+    const WORTH: f64 = 0.95;
     let (first, others) = rows.split_at(SHOWN.min(rows.len()));
     let hours = |row: &&EvidenceRow| row.hours;
-    let quickest = others.iter().min_by(|a, b| hours(a).total_cmp(&hours(b)));
+    let others = others.iter().filter(|row| row.width < WORTH);
+    let quickest = others.min_by(|a, b| hours(a).total_cmp(&hours(b)));
     let quickest = quickest.filter(|row| first.iter().all(|one| one.hours > row.hours));
     html! { @if !rows.is_empty() {
         h3 { "What would narrow the interval most" }

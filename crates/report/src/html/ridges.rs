@@ -142,7 +142,7 @@ fn chart(id: &str, title: &str, body: &str, strip: &WattsStrip, scale: [f64; 3])
 /// The levels of the colours with their names.
 fn names([first, second, third]: [f64; 3]) -> [(i8, String); 7] {
     [
-        (-3, format!("below −{third} W/mm")),
+        (-3, format!("below −{third}")),
         (-2, format!("−{third} to −{second}")),
         (-1, format!("−{second} to −{first}")),
         (0, format!("−{first} to {first} W/mm")),
