@@ -379,29 +379,29 @@ impl EvidenceTable {
         loss
     }
 
-    /// The quickest of the measurements that narrow the interval most, as it is printed, and the narrowest of them, in words.
+    /// The measurement that narrows the interval most, and the quickest one that narrows it nearly as much, in words.
     fn best(&self) -> Vec<String> {
-        let printed = |row: &EvidenceRow| self.loss_text(row.interval(), " W");
+        /// Largest difference of widths that are nearly the same.
+        const NEARLY: f64 = 0.03;
+        let left = |row: &EvidenceRow| {
+            let interval = self.loss_text(row.interval(), " W");
+            format!("{}, to {interval}", row.measurement)
+        };
         let Some(narrowest) = self.rows.first() else {
             return Vec::new();
         };
-        let alike = self.rows.iter();
-        let alike = alike.filter(|row| printed(row) == printed(narrowest));
-        let quickest = alike.min_by(|a, b| a.hours.total_cmp(&b.hours));
-        let quickest = quickest.unwrap_or(narrowest);
         let best = format!(
-            "What would narrow it most: {}, to {} in {} h.",
-            quickest.measurement,
-            printed(quickest),
-            quickest.hours
+            "What would narrow it most: {} in {} h.",
+            left(narrowest),
+            narrowest.hours
         );
-        let same = (quickest.key != narrowest.key).then(|| {
-            format!(
-                "The same interval in {} h: {}.",
-                narrowest.hours, narrowest.measurement
-            )
-        });
-        [best].into_iter().chain(same).collect()
+        let alike = self.rows.iter();
+        let alike = alike.filter(|row| row.width <= narrowest.width + NEARLY);
+        let quickest = alike.min_by(|a, b| a.hours.total_cmp(&b.hours));
+        let quickest = quickest.filter(|row| row.hours < narrowest.hours);
+        let nearly =
+            quickest.map(|row| format!("Nearly as much in {} h: {}.", row.hours, left(row)));
+        [best].into_iter().chain(nearly).collect()
     }
 
     /// The interval that each measurement leaves, below the present one.
