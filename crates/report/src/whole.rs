@@ -47,7 +47,7 @@ pub(crate) fn report<'a>(result: &Whole, warnings: impl IntoIterator<Item = Stri
     let gearbox = result
         .gearbox_with_bands()
         .map(|[loss, efficiency]| format!("efficiency (gearbox)      {efficiency}   loss {loss}"));
-    let sets = result.planetary_sets().into_iter().map(|(name, set)| {
+    let sets = result.planetary_sets().map(|(name, set)| {
         let name = if name.is_empty() {
             String::new()
         } else {
