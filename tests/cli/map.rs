@@ -439,7 +439,7 @@ fn a_cycle_beyond_the_map_is_refused_unless_that_is_accepted() {
         .run(&["cycle", "m", "few.csv", "--no-output"])
         .well()
         .unwrapped();
-    let outside = "that of its edge: 1.5 % of the energy (0.5 % of the moving time).";
+    let outside = "torque at its edge: 1.5 % of the energy (0.5 % of the moving time).";
     assert!(said.contains(outside), "{said}");
 }
 

@@ -392,7 +392,7 @@ fn warnings(rig: &Rig, fit: &Fit, residuals: &[f64]) -> Vec<Warning> {
         warnings.push(Warning::new(
             Code::W420,
             format!(
-                "{assemblies} {}: too few for a bootstrap; the scatter of assemblies is the prior, {:.0} %",
+                "{assemblies} {} are too few for a bootstrap; the scatter between assemblies is taken from its prior, {:.0} %",
                 if assemblies == 1 { "assembly" } else { "assemblies" },
                 100.0 * ASSEMBLY
             ),

@@ -329,8 +329,8 @@ fn of_case(case: &LoadedCase) -> Vec<Known> {
     for (key, points) in ["rig-point", "rig-day"].into_iter().zip(RIG_POINTS) {
         let [point, common] = RIG_ERRORS;
         let words = match points {
-            1 => "loss of these gears with other flanks on a rig, 1 point".to_owned(),
-            many => format!("losses of these gears with other flanks on a rig, {many} points"),
+            1 => "loss of a second set of these gears on a rig, 1 point".to_owned(),
+            many => format!("losses of a second set of these gears on a rig, {many} points"),
         };
         let deviation = common.hypot(point / (points as f64).sqrt());
         found.push((key, words, Measurement::Losses { deviation }));
@@ -379,14 +379,29 @@ impl EvidenceTable {
         loss
     }
 
-    /// The measurement that narrows the interval most, in words.
-    fn best(&self, row: &EvidenceRow) -> String {
-        format!(
-            "What would narrow it most: {}, to {} in {} h.",
-            row.measurement,
-            self.loss_text(row.interval(), " W"),
-            row.hours
-        )
+    /// The measurement that narrows the interval most, and the quickest one that narrows it nearly as much, in words.
+    fn best(&self) -> Vec<String> {
+        /// Largest difference of widths that are nearly the same.
+        const NEARLY: f64 = 0.03;
+        let left = |row: &EvidenceRow| {
+            let interval = self.loss_text(row.interval(), " W");
+            format!("{}, to {interval}", row.measurement)
+        };
+        let Some(narrowest) = self.rows.first() else {
+            return Vec::new();
+        };
+        let best = format!(
+            "What would narrow it most: {} in {} h.",
+            left(narrowest),
+            narrowest.hours
+        );
+        let alike = self.rows.iter();
+        let alike = alike.filter(|row| row.width <= narrowest.width + NEARLY);
+        let quickest = alike.min_by(|a, b| a.hours.total_cmp(&b.hours));
+        let quickest = quickest.filter(|row| row.hours < narrowest.hours);
+        let nearly =
+            quickest.map(|row| format!("Nearly as much in {} h: {}.", row.hours, left(row)));
+        [best].into_iter().chain(nearly).collect()
     }
 
     /// The interval that each measurement leaves, below the present one.
@@ -404,7 +419,7 @@ impl EvidenceTable {
         (!self.rows.is_empty()).then(|| {
             Drawing::Tornado(Tornado {
                 id: "evidence".to_owned(),
-                title: "Interval of the loss that each measurement alone is expected to leave"
+                title: "Interval of the loss, 5 to 95 %, that each measurement alone is expected to leave"
                     .to_owned(),
                 source: TABLE.to_owned(),
                 axis: Axis::new("loss", "W"),
@@ -419,14 +434,14 @@ impl EvidenceTable {
         columns! { row in &self.rows;
             head measurement "measurement" "";
             number hours "hours" "";
-            percent width "relative width" "%" "{:.0}";
+            percent width "remaining width" "%" "{:.0}";
             shown loss "loss" "W" = self.loss_text(row.interval(), "");
         }
     }
 }
 
 /// Meaning of the numbers.
-const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median, and its width over the present width in logarithms. The result of a measurement also moves the median.";
+const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median. In brackets: the 5 and 95 % quantiles of the loss. Remaining width: width of this interval of ln loss over the present one. The result of a measurement also moves the median. A second set has the same gears with other flanks.";
 /// A quantity without a line.
 const NOT_DRAWN: &str = "The temperature is taken as exact and has no line: the case states no operation.temperature_deviation.";
 
@@ -439,7 +454,7 @@ impl StudyResult for EvidenceTable {
         Report::new(&self.title, format!("{} · evidence", self.program))
             .section("Measurements that narrow the interval")
             .verdict([format!("Loss {loss}.")])
-            .verdict(self.rows.first().map(|row| self.best(row)))
+            .verdict(self.best())
             .figures(|| self.chart())
             .table(self.table().of_file(TABLE))
             .text(self.notes())

@@ -39,7 +39,7 @@ impl StudyResult for Calibration {
         )
         .section("Parameters")
         .verdict(self.is_simulated.then_some(REHEARSAL))
-        .verdict([verdict(self)])
+        .verdict(verdicts(self))
         .figures(|| [measured(self)])
         .table(fitted(self))
         .text([format!("Fit: {}.", scatter(self))])
@@ -148,44 +148,57 @@ fn deviations(design: &Design) -> String {
     )
 }
 
-/// The parameters that the points determine, with their bands, and those that they do not, in words.
-fn verdict(calibration: &Calibration) -> String {
-    let of = |is_wanted: &dyn Fn(Verdict) -> bool, text: &dyn Fn(&FittedParameter) -> String| {
+/// The parameters that the points determine, with their bands, those that they do not, and the point that would help most, in
+/// words.
+fn verdicts(calibration: &Calibration) -> Vec<String> {
+    let of = |verdict: Verdict, text: &dyn Fn(&FittedParameter) -> String| {
         let parameters = calibration.parameters.iter();
-        let wanted = parameters.filter(|one| is_wanted(one.verdict)).map(text);
+        let wanted = parameters.filter(|one| one.verdict == verdict).map(text);
         wanted.collect::<Vec<String>>().join(", ")
     };
     let with_band = |one: &FittedParameter| {
         let value = shown(&one.key, one.value);
         format!("{} {value} {}", one.name, range(&one.key, one.band))
     };
-    let determined = of(&|verdict| verdict != Verdict::NotIdentified, &with_band);
-    let others = of(&|verdict| verdict == Verdict::NotIdentified, &|one| {
-        one.name.clone()
+    let determined = of(Verdict::Identified, &with_band);
+    let held = of(Verdict::Partly, &|one| {
+        let before = range(&one.key, one.default_range);
+        format!("{}, before {before}", with_band(one))
     });
-    let determined = match determined.is_empty() {
-        true => "The points determine no parameter".to_owned(),
-        false => format!("Determined by the points: {determined}"),
-    };
-    match others.is_empty() {
-        true => format!("{determined}."),
-        false => format!("{determined}. Not determined, left at the default: {others}."),
+    let others = of(Verdict::NotIdentified, &|one| one.name.clone());
+    let mut verdicts = vec![match determined.is_empty() {
+        true => "The points determine no parameter.".to_owned(),
+        false => format!("Determined by the points: {determined}."),
+    }];
+    if !held.is_empty() {
+        verdicts.push(format!("Not determined, held by its prior: {held}."));
     }
+    if !others.is_empty() {
+        verdicts.push(format!("Not determined, left at the default: {others}."));
+    }
+    let next = calibration.identifiability.helpful.first();
+    verdicts.extend(next.map(|point| {
+        format!(
+            "Measure next: {:.0} N m, {:.0} 1/min, {:.0} °C, for {}.",
+            point.torque_nm, point.speed_rpm, point.temperature_c, point.gains_most
+        )
+    }));
+    verdicts
 }
 
-/// The end of a report of curves: sentences, a note on simulated sources, and warnings.
+/// Note on simulated sources of curves; `None` without them.
+pub(crate) fn rehearsal(sources: &[[String; 2]]) -> Option<String> {
+    let is_simulated = sources.iter().any(is_simulated_source);
+    is_simulated.then(|| format!("{SIMULATED} curves: a rehearsal, not a measurement."))
+}
+
+/// The end of a report of curves: sentences and warnings.
 pub(crate) fn notes<'a>(
     report: Report<'a>,
     sentences: Vec<String>,
-    sources: &[[String; 2]],
     warnings: &[Warning],
 ) -> Report<'a> {
-    let is_simulated = sources.iter().any(is_simulated_source);
-    let rehearsal = format!("{SIMULATED} curves: a rehearsal, not a measurement.");
-    report
-        .text(sentences)
-        .verdict(is_simulated.then_some(rehearsal))
-        .warning(warnings)
+    report.text(sentences).warning(warnings)
 }
 
 /// Files with their SHA-256.

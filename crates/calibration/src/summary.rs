@@ -55,12 +55,14 @@ pub(crate) fn scatter(calibration: &Calibration) -> String {
     let ratio = calibration.birge_ratio;
     let widened = match ratio > 1.0 {
         true => format!(
-            "the residuals are {ratio:.2} times the stated errors, and widen the bands by that"
+            "the residuals are {ratio:.2} times the stated errors, and widen the bands by this Birge ratio"
         ),
-        false => "the stated errors explain the residuals".to_owned(),
+        false => {
+            format!("the stated errors explain the residuals, which are {ratio:.2} times as large")
+        }
     };
     format!(
-        "{widened} (chi squared {:.1} at {} degrees of freedom, Birge ratio {ratio:.2})",
+        "{widened}; chi squared {:.1} at {} degrees of freedom",
         calibration.chi_squared, calibration.freedom
     )
 }

@@ -2,6 +2,7 @@
 
 use asperity::result::loss_band::Uncertainty;
 use asperity::result::{PublishedLawRow, PublishedOutcome, RunResult};
+use asperity_core::numerics;
 
 use crate::printed::watts;
 use crate::{Table, columns};
@@ -14,6 +15,34 @@ pub(crate) fn models(uncertainty: &Uncertainty) -> Table {
         number loss "loss" "W" = row.loss_w.map_or("no solution".to_owned(), |loss| digits.rounded(loss));
         text standing "against it" "" = row.standing();
     }
+}
+
+/// The losses by other models that are outside of the interval, in words; `None` if there are none.
+pub(crate) fn outside(uncertainty: &Uncertainty) -> Option<String> {
+    let [low, high] = uncertainty.loss.quantiles_w;
+    let losses = uncertainty.other_models.iter();
+    let losses = losses.filter_map(|row| row.loss_w);
+    let outside: Vec<f64> = losses.filter(|loss| *loss < low || *loss > high).collect();
+    let of = |losses: Vec<f64>| {
+        let ends =
+            numerics::range(losses.iter().copied()).map(|end| uncertainty.digits().rounded(end));
+        match (losses.len(), ends[0] == ends[1]) {
+            (0, _) => None,
+            (_, true) => Some(format!("{} W", ends[0])),
+            _ => Some(format!("{} W", ends.join(" to "))),
+        }
+    };
+    let (below, above): (Vec<f64>, Vec<f64>) =
+        outside.iter().copied().partition(|loss| *loss < low);
+    let ends: Vec<String> = [of(below), of(above)].into_iter().flatten().collect();
+    (!ends.is_empty()).then(|| {
+        format!(
+            "{} of {} other models give a loss outside of this interval: {}.",
+            outside.len(),
+            uncertainty.other_models.len(),
+            ends.join(" and ")
+        )
+    })
 }
 
 /// The loss by published laws, each in place of film and asperity friction.

@@ -5,10 +5,11 @@ use asperity::result::loss_band::{Digits, rounded};
 use asperity::result::ridges::{RidgeRow, Ridges};
 
 /// Explanation of the numbers.
-pub const NOTE: &str = "A ridge is a part of a prepared trace above its mean line. \"first\" is what pressing it to the mean \
-    line saves by the gradient of the loss; \"measured\" is the same for the measured trace, whose filtered mean line moves too \
-    (- if the preparation is not linear); \"mean\" uses the mean of the gradients before, half-way and after all listed ridges \
-    are pressed. The saving by all of them together is from a second run. These values are with the constants at their \
+pub const NOTE: &str = "A ridge is a part of a prepared trace above its mean line. Its saving uses the mean of the gradients of the \
+    loss before, half-way and after all listed ridges are pressed. The saving by all of them together is from a second run. \
+    The ridges are numbered by first_order_w of ridges.csv, the saving by the gradient before pressing. measured_first_order_w \
+    is computed in the same way on the unfiltered trace, whose filtered mean line moves too. It is empty if the preparation is \
+    not linear. These values are with the constants at their \
     medians; in brackets are the 5 and 95 % quantiles. Sets of the contacts, windows and relief are held in the gradient. \
     Running-in, which presses ridges too, is not included. These are answers of the model, not measurements. \
     docs/howto/what-matters.md describes the method.";
@@ -36,6 +37,35 @@ fn saving(ridges: &Ridges) -> String {
         ridges.rows.len(),
         with_interval(saved, quantiles, " W")
     )
+}
+
+/// The ridges whose saving has an interval above zero, in words; `None` without intervals.
+pub fn certain(ridges: &Ridges) -> Option<String> {
+    /// Most ridges that are listed.
+    const LISTED: usize = 5;
+    let rows = ridges.rows.iter().enumerate();
+    let lows = rows.filter_map(|(k, row)| Some((k + 1, row.low_w?)));
+    let lows: Vec<(usize, f64)> = lows.collect();
+    if lows.is_empty() {
+        return None;
+    }
+    let above = lows.iter().filter(|(_, low)| *low > 0.0);
+    let above: Vec<String> = above.map(|(number, _)| number.to_string()).collect();
+    let of_all = format!("of the {} ridges", ridges.rows.len());
+    Some(match &above[..] {
+        [] => format!("None {of_all} has an interval above zero by itself."),
+        [only] => format!("Only ridge {only} has an interval above zero by itself."),
+        some if some.len() <= LISTED => {
+            format!(
+                "Only ridges {} have intervals above zero by themselves.",
+                some.join(", ")
+            )
+        }
+        many => format!(
+            "{} {of_all} have intervals above zero by themselves.",
+            many.len()
+        ),
+    })
 }
 
 /// Saving by a ridge with its interval, according to the mean of the gradients.

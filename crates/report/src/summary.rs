@@ -259,6 +259,7 @@ fn details(result: &RunResult, columns: usize) -> String {
         lines.push(besides_the_mesh(gearbox));
     }
     lines.extend(result.uncertainty.as_ref().and_then(shift));
+    lines.extend(result.uncertainty.as_ref().and_then(other_models::outside));
     let pairs = result.pairs.as_ref();
     let sampling = pairs.and_then(|pairs| pairs.sampling.as_ref());
     lines.extend(sampling.map(pairs_text));

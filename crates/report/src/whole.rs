@@ -152,6 +152,7 @@ fn summary_page(result: &Whole, warnings: &[Warning]) -> String {
         @for (class, values) in [("tiles first", first), ("tiles", others)] {
             dl class=(class) { @for [name, value] in values { div { dt { (name) } dd { (value) } } } }
         }
+        @if result.loss_distribution.is_some() { p.sub { "In brackets: 5 to 95 %." } }
         div.verdict {
             div { (figure(&losses_of_meshes(result))) }
             div { (figure(&losses_by_kind(result))) }
@@ -253,7 +254,8 @@ fn linked(mesh: &str) -> Cell {
 fn meshes_section(result: &Whole) -> Markup {
     html! {
         (meshes(result))
-        p { "Torque and speed are those of the pinion, in a planetary set relative to the carrier." }
+        p { "Torque and speed of the pinion, in a planetary set relative to the carrier. Here the torque is without losses; \
+            the table of the shafts has it with losses." }
         @if result.loss_distribution.is_some() {
             p { "In brackets are 5 and 95 % of the draws. They share oil and boundary layer over all meshes, and include the \
                 sampling of the flanks. Each mesh has its own page with teeth, flanks and losses along the path." }

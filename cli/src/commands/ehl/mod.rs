@@ -47,7 +47,11 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
     };
     let about = |error| Fault::from(error).about(path.display());
     let contact = ReferenceContact::of(&loaded, position, &settings).map_err(about)?;
-    let title = format!("{} at {position:.4} of the path", path.display());
+    let title = format!(
+        "{} at {:.1} % of the path",
+        path.display(),
+        100.0 * position
+    );
     if args.smooth {
         let heat = Heat {
             bulk: loaded.case.temperature,

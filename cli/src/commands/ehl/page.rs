@@ -31,7 +31,7 @@ fn page_of(
     Ok(LubricatedContact {
         title: about.title.to_owned(),
         subtitle: format!(
-            "asperity {} · half width {:.4}, p0 {:.4}, slide-to-roll {:.3}, M {:.1}, L {:.1}",
+            "asperity {} · half-width {:.4}, Hertz pressure {:.4}, slide-to-roll ratio {:.3}, Moes load {:.1}, Moes lubricant {:.1}",
             env!("CARGO_PKG_VERSION"),
             scales.half_width,
             scales.max_pressure,
@@ -39,6 +39,7 @@ fn page_of(
             scales.moes_load,
             scales.moes_lubricant
         ),
+        verdict: String::new(),
         numbers: Vec::new(),
         warnings: about.warnings.into_iter().map(owned).collect(),
         hertz_pressure: scales.max_pressure.si() * 1e-9,
@@ -85,6 +86,11 @@ impl Smooth {
         };
         let mut page = page_of(about, contact, film)?;
         let micrometres = |length: f64| format!("{:.4} µm", length * 1e6);
+        page.verdict = format!(
+            "Smooth film: {} in the middle, {} at least.",
+            micrometres(film.central_film.si()),
+            micrometres(film.minimum_film.si())
+        );
         page.numbers = vec![
             number("central film", micrometres(film.central_film.si())),
             number("minimum film", micrometres(film.minimum_film.si())),
@@ -122,9 +128,14 @@ impl Recorded {
         };
         let mut page = page_of(about, contact, &smooth.value)?;
         let share = &record.solid_share;
+        page.verdict = format!(
+            "Share of the load on films below {:.0} nm: {}.",
+            self.solid_film.si() * 1e9,
+            with_error(share.mean, share.standard_error)
+        );
         page.numbers = vec![
             number(
-                "load on solids",
+                "share of the load on these films",
                 with_error(share.mean, share.standard_error),
             ),
             number(

@@ -334,7 +334,7 @@ impl Trust {
     #[must_use]
     pub const fn text(self) -> &'static str {
         match self {
-            Self::SolvedContact => "both traces measured, their contact solved",
+            Self::SolvedContact => "both flanks have traces, their contact is solved",
             Self::ShareFormula => "lower: a formula shares the load between film and asperities",
             Self::Surrogates => {
                 "lower: a flank is known by roughness values alone, its contact solved on surrogates"

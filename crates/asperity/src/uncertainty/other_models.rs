@@ -30,23 +30,23 @@ const DRY: [(&str, LoadShareName); 3] = [
         LoadShareName::MasjediKhonsari,
     ),
 ];
-const DRY_REFUTED: &str = "superfinishing would save 47 to 53 % of the shipped drive, measured pairs 15 to 35 % (gate T3 of VALIDATION.md)";
+const DRY_REFUTED: &str = "superfinishing would save 47 to 53 % of the loss of the example drive; measured on pairs: 15 to 35 % (gate T3 of VALIDATION.md)";
 
 /// Films of the spots, with their numbers in docs/records/ehl-friction-parts.md.
 const SPEEDS: [(&str, SpotSpeed, &str); 2] = [
     (
         "spots with the film of the inlet",
         SpotSpeed::Entrainment,
-        "ln friction 0.13 below 85 records of mixed lubrication, of the model by less than 0.005 off",
+        "ln friction is 0.13 below 85 records of mixed lubrication; by the default it differs by less than 0.005",
     ),
     (
         "spots with the film of half the sliding speed",
         SpotSpeed::HalfSliding,
-        "scatter of ln friction over 85 records of mixed lubrication 0.095, of the model 0.052",
+        "ln friction scatters by 0.095 about 85 records of mixed lubrication; by the default by 0.052",
     ),
 ];
 const HALVED: &str =
-    "asperity share 0.09 below 74 records of mixed lubrication, of the model 0.01 above";
+    "asperity share is 0.09 below 74 records of mixed lubrication; by the default 0.01 above";
 /// Slope of the change by the step rule: the sum of the changes over the sum of φ (μ_b − μ_film), of records with s below 3 and a
 /// share φ above 2 %; 0.08 to 0.20 in eight of ten.
 const STEP_RULE: f64 = 0.12;
@@ -254,11 +254,11 @@ mod tests {
         let (_, [_, half_sliding]) = friction("half-sliding spots");
         let expected = [
             format!(
-                "ln friction {:.2} below {count} records of mixed lubrication, of the model by less than 0.005 off",
+                "ln friction is {:.2} below {count} records of mixed lubrication; by the default it differs by less than 0.005",
                 -inlet
             ),
             format!(
-                "scatter of ln friction over {count} records of mixed lubrication {half_sliding:.3}, of the model {scatter:.3}"
+                "ln friction scatters by {half_sliding:.3} about {count} records of mixed lubrication; by the default by {scatter:.3}"
             ),
         ];
         assert!(default.abs() < 0.005, "{default}");
@@ -275,7 +275,7 @@ mod tests {
             mean_and_deviation(&errors.collect::<Vec<_>>())[0]
         };
         let expected = format!(
-            "asperity share {:.2} below {} records of mixed lubrication, of the model {:.2} above",
+            "asperity share is {:.2} below {} records of mixed lubrication; by the default {:.2} above",
             -over(0.5),
             shares.len(),
             over(1.0)

@@ -6,7 +6,7 @@ use asperity_report::{Cell, Report, StudyResult, Table, columns};
 
 use super::oil_fit::{FittedConstant, OilFit, TractionPointRow};
 use super::selection::Dropped;
-use crate::report::{correlations, files, notes};
+use crate::report::{correlations, files, notes, rehearsal};
 use crate::summary::in_unit;
 
 /// The oil file.
@@ -23,14 +23,20 @@ impl StudyResult for OilFit {
     fn report(&self) -> Report<'_> {
         let names: Vec<&str> = self.constants.iter().map(|one| one.name.as_str()).collect();
         let other = &self.other_law;
+        let simulated = rehearsal(&self.sources);
+        let dots = match simulated {
+            Some(_) => "simulated, not measured",
+            None => "measured",
+        };
         let mut report = Report::new(
             &self.title,
             format!("{} · fit of traction curves", self.program),
         )
         .section("Constants")
-        .verdict([self.verdict()])
+        .verdict(&simulated)
+        .verdict(self.verdicts())
         .figures(|| curves(self))
-        .text(["Dots: measured. Lines: fitted, with gain and zero."])
+        .text([format!("Dots: {dots}. Lines: fitted, with gain and zero.")])
         .on_page()
         .table(
             constants(&self.constants)
@@ -47,7 +53,7 @@ impl StudyResult for OilFit {
                 .table(constants(&other.constants).brief(&FOLDED));
         }
         let sentences = self.sentences().into_iter().chain(self.helpful());
-        let report = notes(report, sentences.collect(), &self.sources, &self.warnings)
+        let report = notes(report, sentences.collect(), &self.warnings)
             .method([METHOD])
             .on_page()
             .heading("Correlations")
@@ -61,7 +67,7 @@ impl StudyResult for OilFit {
             .on_page();
         report
             .section("Nuisance terms")
-            .text(["For the fit to hold:"])
+            .text([NUISANCE])
             .on_page()
             .table(nuisance(self))
             .on_page()
@@ -80,32 +86,45 @@ impl StudyResult for OilFit {
 const FOLDED: [&str; 4] = [
     "family",
     "by the other law",
-    "error left, expected",
-    "error left",
+    "remaining error, as expected before",
+    "remaining error",
 ];
+/// Meaning of the nuisance terms.
+const NUISANCE: &str = "Errors of the machine that the fit assumes, the largest first, over the standard deviations of their priors.";
 /// Meaning of the numbers.
 const METHOD: &str = "5 to 95 %: the constant lies between these quantiles with a probability of 90 %. The oil file states the \
-    2.5 % and 97.5 % quantiles. Error left: standard deviation after the points over the one of the family. Not identified: the \
-    error of the family remains.";
+    2.5 % and 97.5 % quantiles. Remaining error: standard deviation after the points over the standard deviation of the \
+    family. Not identified: the error of the family remains.";
 
 impl OilFit {
-    /// The constants that the points determine, and the law of pressure.
-    fn verdict(&self) -> String {
-        let constants = self.constants.iter();
-        let open = constants.filter(|one| !one.is_identified);
-        let open: Vec<&str> = open.map(|one| one.name.as_str()).collect();
-        let count = self.constants.len();
-        let of_constants = match open.is_empty() {
-            true => format!("The points determine all {count} constants"),
-            false => format!("The points do not determine {}", open.join(", ")),
-        };
-        let law = self.pressure_law.name();
-        match self.is_law_decided {
-            true => format!("{of_constants}; the law of pressure is {law}."),
-            false => {
-                format!("{of_constants}; they do not decide the law of pressure, {law} fits best.")
-            }
+    /// The constants that the points determine, with their intervals, those that they do not, and the law of pressure.
+    fn verdicts(&self) -> Vec<String> {
+        let (fitted, open): (Vec<_>, Vec<_>) =
+            self.constants.iter().partition(|one| one.is_identified);
+        let fitted = fitted.into_iter().map(|one| {
+            let unit = match one.unit.as_str() {
+                "" => String::new(),
+                unit => format!(" {unit}"),
+            };
+            let digits = Digits::of_interval(one.range);
+            let value = digits.interval_with(&unit, one.value, one.range);
+            format!("{} {value}", one.name)
+        });
+        let fitted: Vec<String> = fitted.collect();
+        let open: Vec<&str> = open.into_iter().map(|one| one.name.as_str()).collect();
+        let mut verdicts = vec![match fitted.is_empty() {
+            true => "The points determine no constant.".to_owned(),
+            false => format!("Determined by the points: {}.", fitted.join(", ")),
+        }];
+        if !open.is_empty() {
+            verdicts.push(format!("Not determined: {}.", open.join(", ")));
         }
+        let law = self.pressure_law.name();
+        verdicts.push(match self.is_law_decided {
+            true => format!("The law of pressure is {law}."),
+            false => format!("The points do not decide the law of pressure; {law} fits best."),
+        });
+        verdicts
     }
 
     /// Fitted constants and points, in words.
@@ -197,8 +216,8 @@ fn further(fit: &OilFit) -> Table {
     let both = fit.constants.iter().zip(&fit.other_law.constants);
     columns! { (one, other) in both;
         number by_other_law "by the other law" "" = by_interval(other.value, other.range);
-        percent expected "error left, expected" "%" "{:.0}" = one.expected;
-        percent posterior "error left" "%" "{:.0}" = one.posterior;
+        percent expected "remaining error, as expected before" "%" "{:.0}" = one.expected;
+        percent posterior "remaining error" "%" "{:.0}" = one.posterior;
     }
 }
 

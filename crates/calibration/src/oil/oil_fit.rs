@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use asperity::case::{DECISIVE, POORLY_EXPLAINED, STEEPEST_FALL, law_error};
 use asperity::message::Warning;
 use asperity::oil::{LubricantInput, PressureLaw, TractionConstants};
+use asperity::result::loss_band::Digits;
 use asperity_core::number;
 use asperity_core::numerics::{Z_95, Z_975};
 use asperity_core::{Code, Fault};
@@ -560,11 +561,12 @@ fn nuisance(fit: &LawFit<'_>) -> Vec<NuisanceTerm> {
             ),
             Nuisance::Zero(curve) => write!(
                 text,
-                "the zero of {} would have to be {value:+.4} of the friction",
+                "the zero of {} would have to be {} of the friction",
                 curve.map_or("all curves".to_owned(), |curve| format!(
                     "curve {}",
                     curve + 1
-                ))
+                )),
+                Digits::of_decimals(4).signed(value)
             ),
             Nuisance::Film => write!(
                 text,

@@ -48,9 +48,11 @@ impl StudyResult for OilPlan {
     fn report(&self) -> Report<'_> {
         let simulated =
             format!("{SIMULATED_TABLE} holds {SIMULATED} readings of the minimal plan.");
+        let choice = choice(self);
         let report = Report::new(&self.title, format!("{} · traction plan", self.program))
             .section("Expected errors")
             .verdict(verdict(self))
+            .verdict([format!("{choice}.")])
             .figures(|| [errors(self)])
             .table(stages(self))
             .text(notes(self))
@@ -60,8 +62,8 @@ impl StudyResult for OilPlan {
             .table(curves(self))
             .text([TO_FILL_IN_TEXT])
             .on_page()
-            .section(choice(self))
-            .heading(choice(self))
+            .section(&choice)
+            .heading(choice)
             .in_terminal()
             .table(chosen(self))
             .text(self.is_simulated().then_some(simulated))
@@ -196,11 +198,23 @@ fn verdict(plan: &OilPlan) -> Option<String> {
     ))
 }
 
-fn choice(plan: &OilPlan) -> &'static str {
-    match plan.case {
-        Some(_) => "Chosen points, which narrow the loss of the case most",
-        None => "Chosen points, which narrow all constants most",
-    }
+/// The chosen points with their duration and the error that they leave.
+fn choice(plan: &OilPlan) -> String {
+    let Some(chosen) = plan.stages.last() else {
+        return String::new();
+    };
+    let first = chosen.constants.first();
+    let of_constant = first.map(|one| (STATED_CONSTANTS[0].1, one.deviation));
+    let of_loss = chosen.loss_deviation.map(|loss| ("loss of the case", loss));
+    let left = of_loss
+        .or(of_constant)
+        .map(|(name, deviation)| format!(": {name} to {:.1} %", 100.0 * deviation));
+    format!(
+        "{}, {:.0} min{}",
+        chosen.name,
+        chosen.minutes,
+        left.unwrap_or_default()
+    )
 }
 
 fn notes(plan: &OilPlan) -> Vec<String> {
@@ -208,6 +222,14 @@ fn notes(plan: &OilPlan) -> Vec<String> {
         "One curve: 100 °C, 30 N, 2 m/s. Three curves: the same at 40, 80 and 120 °C. The small ball has a diameter of 9.5 mm, 75 N and 3 m/s. Points with a film below three times the roughness of {:.0} nm are left out. A curve with both signs takes 4 min, heating 15 min.",
         plan.roughness_nm
     )];
+    let best = match plan.case {
+        Some(_) => "the loss of the case",
+        None => "all constants",
+    };
+    notes.push(format!(
+        "The chosen points narrow {best} most for their number. The expected errors assume the constants of the family, and points \
+        as good as their stated standard deviation."
+    ));
     if let Some(case) = &plan.case {
         notes.push(format!(
             "Loss: standard deviation of the loss of {case} by these constants only; the error of the law adds {:.0} %.",

@@ -9,7 +9,7 @@ use super::stribeck::{BoundaryState, Stribeck};
 use super::text::is_simulated_source;
 use super::traction::BOUNDARY_RATIO;
 use crate::block::{constant, digits, origin};
-use crate::report::{files, notes};
+use crate::report::{files, notes, rehearsal};
 
 const POINTS: &str = "points.csv";
 
@@ -20,10 +20,11 @@ impl StudyResult for Stribeck {
     fn report(&self) -> Report<'_> {
         let report = Report::new(&self.title, format!("{} · boundary friction", self.program))
             .section("Boundary friction")
+            .verdict(rehearsal(&self.sources))
             .verdict([verdict(self)])
             .figures(|| [friction(self)])
             .table(states(self));
-        notes(report, sentences(self), &self.sources, &self.warnings)
+        notes(report, sentences(self), &self.warnings)
             .section("For the case")
             .heading("Low and high are the 2.5 % and 97.5 % quantiles")
             .code(self.block())

@@ -23,18 +23,25 @@ pub(super) fn remedies(uncertainty: &Uncertainty) -> Markup {
     }
 }
 
-/// The measurements that would narrow the interval most, with each `loss` rounded.
+/// The measurements that would narrow the interval most, and the quickest one, with each `loss` rounded.
 pub(crate) fn evidence(rows: &[EvidenceRow], loss: &dyn Fn(f64) -> String) -> Markup {
     const SHOWN: usize = 3;
+    /// Largest width that is left by a measurement that is shown for its few hours.
+    const WORTH: f64 = 0.95;
+    let (first, others) = rows.split_at(SHOWN.min(rows.len()));
+    let hours = |row: &&EvidenceRow| row.hours;
+    let others = others.iter().filter(|row| row.width < WORTH);
+    let quickest = others.min_by(|a, b| hours(a).total_cmp(&hours(b)));
+    let quickest = quickest.filter(|row| first.iter().all(|one| one.hours > row.hours));
     html! { @if !rows.is_empty() {
         h3 { "What would narrow the interval most" }
-        (columns! { row in rows.iter().take(SHOWN);
+        (columns! { row in first.iter().chain(quickest);
             head measurement "measurement" "";
             number hours "hours" "";
-            number width "width" "" = row.width_percent();
+            number width "remaining width" "" = row.width_percent();
             number loss "loss" "W" = row.interval().map(loss).join(" to ");
         })
-        p.note { "Width: expected over present interval, in logarithms. " code { "asperity evidence" } " has all measurements." }
+        p.note { "Remaining width: expected interval of ln loss over the present one. " code { "asperity evidence" } " has all measurements." }
     } }
 }
 

@@ -60,6 +60,8 @@ pub struct LubricatedContact {
     pub title: String,
     /// Subtitle.
     pub subtitle: String,
+    /// The result in a sentence.
+    pub verdict: String,
     /// Names and values of numbers.
     pub numbers: Vec<(String, String)>,
     /// Codes and texts of warnings.
@@ -93,6 +95,7 @@ pub fn lubricated_contact(contact: &LubricatedContact) -> String {
 
 fn numbers(contact: &LubricatedContact) -> Markup {
     html! {
+        p { strong { (contact.verdict) } }
         dl.tiles {
             @for (name, value) in &contact.numbers { div { dt { (name) } dd { (value) } } }
         }

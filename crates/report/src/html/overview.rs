@@ -25,6 +25,9 @@ pub(super) fn section(result: &RunResult) -> Markup {
             }
         }
         p.sub { (own_finish(result)) }
+        @if let Some(outside) = result.uncertainty.as_ref().and_then(other_models::outside) {
+            p.sub { (outside) " The section \"Uncertainty and other models\" has the evidence against each." }
+        }
         div.verdict {
             div {
                 @if let Some(uncertainty) = &result.uncertainty {

@@ -6,13 +6,14 @@ use maud::{Markup, html};
 
 use super::page::figure;
 use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
-use crate::ridges::{NOTE, notes, saving_of, verdict, watts};
+use crate::ridges::{NOTE, certain, notes, saving_of, verdict, watts};
 use crate::tables::BODIES;
-use crate::{Cell, Table, columns};
+use crate::{Table, columns};
 
 /// Explanation of the colours.
 const COLOURS: &str = "The colour shows the height above the mean line times the gradient of the loss, per length of the trace. Its sum \
-    over a ridge is the column \"first\". Where it is negative, pressing the trace raises the loss. The cursor shows its value.";
+    over a ridge is the saving by the gradient before pressing. Where it is negative, pressing the trace raises the loss. The \
+    cursor shows its value.";
 
 /// Ridges in the report of a run, and marked on the traces.
 const SHOWN: usize = 5;
@@ -24,6 +25,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
         @if let Some(ridges) = &result.ridges {
             p { strong { (verdict(ridges)) } " This refers to a loss of " (watts(ridges.loss_w)) " W, with every constant at its median. "
                 code { "asperity ridges" } " lists all of these ridges and the loss by wavelength." }
+            @if let Some(certain) = certain(ridges) { p { (certain) } }
             @for note in notes(ridges) { p { (note) } }
             (charts(ridges, Some("result.json")))
             (table(&ridges.rows[..ridges.rows.len().min(SHOWN)]))
@@ -40,9 +42,7 @@ pub fn table(rows: &[RidgeRow]) -> Table {
         number place_mm "place" "mm" "{:.4}" = row.place_mm;
         number width_um "width" "µm" "{:.1}" = row.width_um;
         number height_um "height" "µm" "{:.3}" = row.height_um;
-        number first_order_w "first" "W" = watts(row.first_order_w);
-        number measured_first_order_w "measured" "W" = Cell::optional(row.measured_first_order_w.map(watts));
-        number mean_gradient_w "mean" "W" = saving_of(row);
+        number mean_gradient_w "saving" "W" = saving_of(row);
     }
 }
 
@@ -59,7 +59,8 @@ pub fn charts(ridges: &Ridges, file: Option<&str>) -> Markup {
         });
         let mut marks: Vec<Mark> = marks.collect();
         marks.sort_by(|a, b| a.at.total_cmp(&b.at));
-        let title = format!("Loss along the trace of the {body}, ridges numbered");
+        let title =
+            format!("Trace of the {body}, coloured by the loss made there, ridges numbered");
         chart(&format!("watts-{body}"), &title, body, strip, scale).marked(&marks)
     });
     let near = if file.is_none() {
@@ -141,13 +142,13 @@ fn chart(id: &str, title: &str, body: &str, strip: &WattsStrip, scale: [f64; 3])
 /// The levels of the colours with their names.
 fn names([first, second, third]: [f64; 3]) -> [(i8, String); 7] {
     [
+        (-3, format!("below −{third}")),
+        (-2, format!("−{third} to −{second}")),
+        (-1, format!("−{second} to −{first}")),
         (0, format!("−{first} to {first} W/mm")),
         (1, format!("{first} to {second}")),
         (2, format!("{second} to {third}")),
         (3, format!("above {third}")),
-        (-1, format!("−{second} to −{first}")),
-        (-2, format!("−{third} to −{second}")),
-        (-3, format!("below −{third}")),
     ]
 }
 

@@ -9,9 +9,9 @@ use super::study::{CallOut, CurvePoint, LimitRow, ParameterRow};
 
 /// Explanation of the numbers.
 const NOTE: &str = "A lot is a set of flanks of the recipe of the traces; it meets the loss if the mean over 16 pairs of its \
-    flanks, constants at their medians, is at most the stated loss. Heights, wavelengths and peaks of a flank scatter about the \
+    flanks, constants at their medians, is at most the permitted loss. Heights, wavelengths and peaks of a flank scatter about the \
     median of its lot, wavelengths and peaks of a lot about the recipe. Nothing is assumed of the height of a lot before its \
-    inspection. Running-in and the uncertainty of the constants are not in it. These are answers of the model, not \
+    inspection. These are answers of the model, not \
     measurements.";
 
 /// Standard of the symbol with its edition.
@@ -28,7 +28,7 @@ impl StudyResult for CallOut {
     fn report(&self) -> Report<'_> {
         Report::new(&self.title, "call-out")
             .section("Limit")
-            .text([headline(self)])
+            .text(headline(self))
             .verdict(self.limits.iter().map(limit_line))
             .figures(|| self.limits.iter().map(|row| symbol(self, row)))
             .figures(|| [curve_chart(self)])
@@ -59,7 +59,7 @@ fn traces_chart(study: &CallOut) -> Drawing {
 /// Loss by the height, with the scatter of the lots; the limit of the mean is the inspected height.
 fn curve_chart(study: &CallOut) -> Drawing {
     let (x, y) = (
-        Axis::new("height over that of these flanks", ""),
+        Axis::new("height over the present height of these flanks", ""),
         Axis::new("loss", "W"),
     );
     let title = "Loss by the height of the flanks, shaded 5 to 95 % of the lots";
@@ -86,7 +86,7 @@ fn curve_chart(study: &CallOut) -> Drawing {
             &low,
             &high,
         ))
-        .level(study.loss_w, "stated loss");
+        .level(study.loss_w, "permitted loss");
     if let Some(row) = study.limits.first() {
         chart = chart.marked(&[
             Mark {
@@ -133,13 +133,19 @@ fn number(value: f64) -> String {
     }
 }
 
-fn headline(study: &CallOut) -> String {
-    format!(
-        "At the limit {:.0} % of the lots lose at most {}; the heights of a lot scatter by {:.0} %.",
-        100.0 * study.confidence,
-        Power::from_si(study.loss_w),
-        100.0 * study.scatter
-    )
+fn headline(study: &CallOut) -> [String; 2] {
+    [
+        format!(
+            "At the limit {:.0} % of the lots lose at most {}, with every constant at its median and without running-in.",
+            100.0 * study.confidence,
+            Power::from_si(study.loss_w)
+        ),
+        format!(
+            "At {}. The heights of a lot scatter by {:.0} %.",
+            study.conditions,
+            100.0 * study.scatter
+        ),
+    ]
 }
 
 /// Relative scatter of the height of a lot about a limit by inspection, which leaves the digits of the limit.
@@ -197,7 +203,8 @@ fn inspection(study: &CallOut) -> String {
 /// Losses at the limit, of the recipe and of smooth flanks.
 fn losses(study: &CallOut) -> String {
     format!(
-        "Mean loss: {} at the limit, {} of flanks like these, {} of smooth flanks.",
+        "Mean loss of lots: {} at the limit, {} with flanks like these, {} with smooth flanks. The two traces of the case are one \
+        sample of such flanks; their own loss differs.",
         power(study.mean_loss_w),
         power(study.recipe_loss_w),
         power(study.smooth_loss_w)

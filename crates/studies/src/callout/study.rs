@@ -2,14 +2,14 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity::case::LoadedCase;
+use asperity::case::{Case, LoadedCase};
 use asperity::core::cancel::checkpoint;
 use asperity::pipeline::Progress;
 use asperity::uncertainty::{ENDS, sorted_quantiles};
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 use asperity_core::quantity::{Power, Ratio};
-use asperity_core::{DomainError, Fault};
+use asperity_core::{DomainError, Fault, decimals};
 use asperity_report::{StudySettings, Watch, Work, settings};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -120,6 +120,9 @@ impl CallOutSettings {
 pub struct CallOut {
     /// Title of the case.
     pub title: String,
+    /// Operating point and settings of its runs, in words.
+    #[serde(skip)]
+    pub conditions: String,
     /// Stated loss \[W\].
     pub loss_w: f64,
     /// Share of the lots at the limit that lose at most this.
@@ -230,6 +233,20 @@ pub fn callout(
     of_process(&process, settings, progress)
 }
 
+/// Operating point and settings of the runs of `case`, in words.
+fn conditions(case: &Case) -> String {
+    let model = &case.model;
+    format!(
+        "{} N m, {} 1/min and flanks at {} °C, with model.load_share {}, {} positions and {} offsets",
+        decimals(case.torque.si(), 1),
+        decimals(case.speed.si() * 30.0 / std::f64::consts::PI, 0),
+        decimals(case.temperature.celsius(), 0),
+        model.load_share.name(),
+        model.positions,
+        model.offsets
+    )
+}
+
 fn of_process(
     process: &Process,
     settings: &CallOutSettings,
@@ -284,6 +301,7 @@ fn of_process(
     let cutoffs = [preparation.lambda_s, preparation.lambda_c];
     Ok(CallOut {
         title: case.title.clone(),
+        conditions: conditions(case),
         loss_w: curve.target,
         confidence: settings.confidence.value(),
         scatter: settings.scatter.value(),

@@ -1,7 +1,7 @@
 //! Report of a comparison.
 
 use asperity::quantity::Length;
-use asperity::result::loss_band::Uncertainty;
+use asperity::result::loss_band::{Digits, Uncertainty};
 use asperity_core::unique;
 use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
 use asperity_report::html::{along, points};
@@ -12,7 +12,7 @@ use asperity_report::{Cell, Column, Kind, Report, StudyResult, Table, columns, p
 use super::comparison::{Comparison, FinishResult, PairOfFinish};
 use super::tables;
 use super::windows::PARAMETERS;
-use super::words::{loss, meshes, note, run_in, scope, table, warnings};
+use super::words::{loss, meshes, narrower, note, run_in, scope, table, warnings};
 
 impl StudyResult for Comparison {
     const KIND: &'static str = "comparison";
@@ -29,6 +29,8 @@ impl StudyResult for Comparison {
         .verdict(self.verdicts().iter().map(|verdict| format!("{verdict}.")))
         .figures(|| [bars(self)])
         .table(table(self))
+        .text(narrower(self))
+        .on_page()
         .text([note(self)])
         .text(run_in(self))
         .text([scope(self)]);
@@ -266,7 +268,7 @@ fn components(comparison: &Comparison) -> Drawing {
                 name: name.to_owned(),
                 value: Some(half_w),
                 spread: None,
-                text: format!("{} W, {}", of.digits().rounded(half_w), finish.name),
+                text: format!("{} W, {}", at_least_one(of.digits(), half_w), finish.name),
             })
         })
     });
@@ -277,6 +279,11 @@ fn components(comparison: &Comparison) -> Drawing {
         axis: Axis::new("loss", "W"),
         bars: bars.collect(),
     })
+}
+
+/// A power with these digits; below half of the last place "< 10", because a bar shows it.
+fn at_least_one(digits: Digits, power_w: f64) -> String {
+    digits.texts_of_parts(power_w, &[power_w]).concat()
 }
 
 /// Losses by other models.

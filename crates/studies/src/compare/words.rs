@@ -292,7 +292,10 @@ pub(super) fn run_in(comparison: &Comparison) -> Vec<String> {
 pub(super) fn scope(comparison: &Comparison) -> String {
     let first = comparison.finishes.first();
     let Some(first) = first.and_then(|finish| finish.gearbox.as_ref()) else {
-        return "Scope mesh: without bearings, seals, churning.".to_owned();
+        return format!(
+            "Scope mesh: without bearings, seals, churning{}.",
+            resolution(comparison)
+        );
     };
     let with = |finish: &FinishResult| {
         let gearbox = finish.gearbox.as_ref()?;
@@ -325,6 +328,33 @@ pub(super) fn scope(comparison: &Comparison) -> String {
         parts.collect::<Vec<_>>().join(", "),
         efficiencies.join(", "),
     )
+}
+
+/// Positions and offsets of the runs of pairs: a run with other numbers of them has another loss.
+fn resolution(comparison: &Comparison) -> String {
+    let first = comparison.pairs().next();
+    first.map_or(String::new(), |(_, pair)| {
+        let s = &pair.result.summary;
+        format!("; {} positions, {} offsets", s.positions, s.offsets)
+    })
+}
+
+/// The largest component of the uncertainty with the measurement that narrows it; `None` without an uncertainty of pairs.
+pub(super) fn narrower(comparison: &Comparison) -> Option<String> {
+    let finishes = comparison.finishes.iter();
+    let parts = finishes.flat_map(|finish| {
+        let of = finish.uncertainty.iter();
+        of.flat_map(move |of| of.loss.parts.iter().map(move |part| (finish, of, part)))
+    });
+    let (finish, of, part) =
+        parts.max_by(|a, b| a.2.half_range_w().total_cmp(&b.2.half_range_w()))?;
+    Some(format!(
+        "The largest component of the uncertainty is {}, {} W with {}; narrower with {}.",
+        part.name,
+        of.digits().rounded(part.half_range_w()),
+        finish.name,
+        part.remedy
+    ))
 }
 
 /// Distinct warnings, with their finishes unless they apply to all.

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::energy::{CycleFinish, CycleResult};
 use super::trace::CyclePoint;
-use crate::map::{banded, in_words, loses, loss_fields, round_step};
+use crate::map::{banded, in_words, loses, loss_fields, marks, round_step};
 
 /// Approximate number of torque bins.
 const BINS: f64 = 30.0;
@@ -33,10 +33,14 @@ impl StudyResult for CycleResult {
         .verdict(verdicts(self))
         .figures(|| [over_time(self)])
         .table(table(self))
+        .text(in_pairs(self))
+        .on_page()
         .text([outside(self)])
         .warning(left_aside(self))
         .warning(&self.warnings)
         .section("Operating points")
+        .text(marks(&self.map, !self.points.is_empty()))
+        .on_page()
         .figures(|| operating_points(self))
         .figures(|| by_torque(self))
         .method(is_banded(self).then_some(NOTE))
@@ -94,11 +98,20 @@ fn conditions(result: &CycleResult) -> String {
     )
 }
 
+/// Why a difference may differ from the difference of the energies as printed; `None` without draws or differences.
+fn in_pairs(result: &CycleResult) -> Option<&'static str> {
+    let is_drawn = |finish: &CycleFinish| finish.difference_median_wh.is_some();
+    let mut finishes = result.finishes.iter();
+    finishes.any(is_drawn).then_some(
+        "Each difference is the median over paired draws, not the difference of the medians.",
+    )
+}
+
 /// Shares outside of the map and below the resolved torque.
 fn outside(result: &CycleResult) -> String {
     format!(
-        "Outside of the map, where the ratio of loss to torque is that of its edge: {:.1} % of the energy ({:.1} % of the moving time). \
-        Below the torque that the traces resolve, where the sliding loss is scaled: {:.1} % of the moving time.",
+        "Outside of the map, with the ratio of loss to torque at its edge: {:.1} % of the energy ({:.1} % of the moving time). \
+        Below the torque that the traces resolve, with a scaled sliding loss: {:.1} % of the moving time.",
         100.0 * result.outside_energy_share,
         100.0 * result.outside_share,
         100.0 * result.extended_share

@@ -49,7 +49,7 @@ pub(crate) use draws::Place;
 pub use draws::{Drawn, DrawnNodes, MapBand};
 pub use grid::map;
 pub use page::loss_fields;
-pub(crate) use page::round_step;
+pub(crate) use page::{marks, round_step};
 pub use point::{
     EXTENDED, FinishMap, Map, MapGearbox, MapWarning, MeshPart, Numbers, Point, ranges,
 };

@@ -120,11 +120,10 @@ pub(super) fn fields<'a>(report: Report<'a>, map: &'a Map, visited: &'a [[f64; 2
         same colours; next to points at rest or without torque the efficiency is blank.",
         map.scope
     );
-    let finishes = map.finishes.iter();
     report
         .text([axes])
         .on_page()
-        .text(finishes.filter_map(|finish| extrapolated(map, finish)))
+        .text(marks(map, !visited.is_empty()))
         .on_page()
         .figures(move || loss_and_efficiency(map, visited))
         .text(["Each colour of the efficiency covers about a tenth of the points."])
@@ -170,6 +169,14 @@ fn loss_and_efficiency(map: &Map, visited: &[[f64; 2]]) -> Vec<Drawing> {
     both.into_iter().chain(efficiencies).collect()
 }
 
+/// The extrapolations of every finish in words, then the meaning of the dots if there are any.
+pub(crate) fn marks(map: &Map, has_dots: bool) -> Vec<String> {
+    let finishes = map.finishes.iter();
+    let extrapolated = finishes.filter_map(|finish| extrapolated(map, finish));
+    let dots = has_dots.then(|| "Dots: operating points of the cycle.".to_owned());
+    extrapolated.chain(dots).collect()
+}
+
 /// The extrapolations of `finish` beyond those at the operating point of the case, in words; `None` if there are none.
 fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
     let usual = usual(map, finish);
@@ -180,12 +187,12 @@ fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
     if share == 0.0 {
         return None;
     }
-    let drawn = match share <= MOST_HATCHED {
-        true => "Hatched: at",
-        false => "At",
+    let [first, last] = match share <= MOST_HATCHED {
+        true => ["Hatched: at", ""],
+        false => ["At", "; these are too many to hatch"],
     };
     Some(format!(
-        "{drawn} {:.0} % of the points of {} the model is extrapolated; at the operating point of the case it is not.",
+        "{first} {:.0} % of the points of {} the model is extrapolated further than at the operating point of the case{last}.",
         100.0 * share,
         in_words(&finish.name)
     ))
@@ -366,7 +373,7 @@ fn differences(map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Markup {
         return html! {};
     }
     html! {
-        p { "Blue: the loss is lower than with " (first.name) "; red: higher." }
+        p { "Blue: the loss is lower than with " (first.name) "; red: higher. The line shows equal losses." }
         div.charts { @for field in with_common_levels(fields, levels_about_zero) { (figure(&field)) } }
     }
 }

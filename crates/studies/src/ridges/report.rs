@@ -4,7 +4,7 @@ use asperity::result::loss_band::rounded;
 use asperity::result::ridges::{FlankWatts, Kinks, OctaveRow, Ridges};
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::html::ridges::{charts, table};
-use asperity_report::ridges::{NOTE, notes, saving_of, verdict, watts};
+use asperity_report::ridges::{NOTE, certain, notes, saving_of, verdict, watts};
 use asperity_report::tables::BODIES;
 use asperity_report::{Report, StudyResult, Table, columns};
 use serde::Serialize;
@@ -26,12 +26,14 @@ impl StudyResult for RidgeStudy {
             .section("Where the loss is made")
             .text([headline(study)])
             .verdict([verdict(study)])
+            .verdict(certain(study))
             .markup(|| charts(study, None))
             .section("Ridges with the largest loss")
             .figures(|| [ridge_chart(study)])
             .table(table(&study.rows).of_file(TABLE))
             .section("By wavelength")
             .figures(|| [octave_chart(study)])
+            .text([OF_WAVELENGTHS])
             .heading("d(loss)/d ln(height) by wavelength")
             .table(octaves(study))
             .method([NOTE])
@@ -51,9 +53,15 @@ impl StudyResult for RidgeStudy {
     }
 }
 
+/// Meaning of the loss by wavelength.
+const OF_WAVELENGTHS: &str =
+    "A value of 100 W means: 1 % more height of both flanks at these wavelengths adds 1 W.";
+
 fn ridge_chart(study: &Ridges) -> Drawing {
-    let bars = study.rows.iter().map(|row| Bar {
-        name: format!("{} at {:.3} mm", row.flank, row.place_mm),
+    let mut rows: Vec<_> = study.rows.iter().enumerate().collect();
+    rows.sort_by(|(_, a), (_, b)| b.mean_gradient_w.total_cmp(&a.mean_gradient_w));
+    let bars = rows.into_iter().map(|(k, row)| Bar {
+        name: format!("{}: {} at {:.3} mm", k + 1, row.flank, row.place_mm),
         value: Some(row.mean_gradient_w),
         spread: row.low_w.zip(row.high_w).map(|(low, high)| [low, high]),
         text: format!("{} W", saving_of(row)),
@@ -79,7 +87,7 @@ fn octave_chart(study: &Ridges) -> Drawing {
     });
     Drawing::Bars(BarChart {
         id: "octaves".to_owned(),
-        title: "Loss over the logarithm of the heights, both flanks".to_owned(),
+        title: "Change of the loss over the relative change of the heights, both flanks".to_owned(),
         source: OCTAVES.to_owned(),
         axis: Axis::new("d(loss)/d ln(height)", "W"),
         bars: bars.collect(),

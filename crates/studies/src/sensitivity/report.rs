@@ -36,6 +36,9 @@ impl StudyResult for Sensitivity {
     }
 }
 
+/// Content of the interval of a change.
+const OF_SAMPLING: &str = "; interval of the sampling of the flanks only";
+
 /// A change with its effect.
 type Changed<'a> = (&'a SensitivityRow, &'a Effect);
 
@@ -62,8 +65,9 @@ fn verdicts(study: &Sensitivity) -> impl Iterator<Item = String> {
         let is_of = |(_, effect): &&Changed<'_>| (effect.difference_w < 0.0) == is_saving;
         let (row, effect) = changes.find(is_of)?;
         let what = if is_saving { "saving" } else { "rise" };
+        let content = effect.sampling_quantiles_w.map_or("", |_| OF_SAMPLING);
         Some(format!(
-            "The largest {what}: {}, {} W, {} %.",
+            "The largest {what}: {}, {} W, {} %{content}.",
             named(row),
             difference(effect),
             share(effect)

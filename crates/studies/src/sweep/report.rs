@@ -15,7 +15,10 @@ use super::words::{Output, input_name, table};
 /// How the effects are computed.
 const METHOD: &str = "Change of a result from the mean of the lowest quarter of an input to the mean of the highest quarter. A choice is \
     compared with the first one. The changes follow from a linear regression on all inputs; in brackets are their 5 and 95 % \
-    quantiles.";
+    quantiles, without the errors of the model.";
+/// Meaning of the indices of Sobol.
+const INDICES: &str = "First index: share of the variance of the result by this input alone. Total index: the same with its \
+    interactions. Few samples estimate both roughly; an estimate may exceed 1.";
 /// Content of the charts over the axes.
 const OVER_AXES: &str = "Mean of the cases at each value of an axis, and the range of all of them.";
 
@@ -25,9 +28,14 @@ impl StudyResult for Merged {
 
     fn report(&self) -> Report<'_> {
         let has_effects = self.effects.iter().any(|row| row.effect.is_some());
+        let has_indices = self.effects.iter().any(|row| row.indices.is_some());
         let outside = self.outside.iter().map(|(code, count)| {
             let title = explain(code).map_or("", |entry| entry.title);
-            format!("{code} in {count} cases: {title}")
+            let count = match *count == self.cases {
+                true => format!("all {count}"),
+                false => count.to_string(),
+            };
+            format!("{code} in {count} cases: {title}. A run of a case names the range.")
         });
         let charts = axes(self);
         let over_axes = (!charts.is_empty()).then_some(OVER_AXES);
@@ -53,6 +61,8 @@ impl StudyResult for Merged {
         }
         report
             .method(has_effects.then_some(METHOD))
+            .on_page()
+            .method(has_indices.then_some(INDICES))
             .on_page()
             .section("Study")
             .text([format!("SHA-256 {}", self.sha256)])
@@ -159,7 +169,7 @@ fn largest(merged: &Merged) -> Option<String> {
     let output = Output::of(name);
     let row = *by_size(merged, name).first()?;
     Some(format!(
-        "{} changes most with {}: {}.",
+        "{} changes most with {}: {}; interval of the regression only, not of the model.",
         output.name,
         input_name(&row.input),
         output.change(&row.effect?)
