@@ -311,3 +311,19 @@ fn the_fingerprint_of_a_case_includes_its_user_defined_laws() {
     let distinct: BTreeSet<String> = laws.iter().map(|change| with(*change)).collect();
     assert_eq!(distinct.len(), laws.len());
 }
+
+#[test]
+fn the_spacing_of_the_traces_is_named_also_of_a_changed_case() {
+    for (name, loaded, outcome) in runs() {
+        assert!(
+            tags(&outcome.result.equations).contains("Common-spacing"),
+            "{name}"
+        );
+        let hotter = loaded
+            .with_key("operation.bulk_temperature", "91 °C")
+            .unwrap();
+        let used = tags(&asperity::losses(&hotter).unwrap().equations);
+        let has_bulk = loaded.case.bulk.is_some();
+        assert!(has_bulk || used.contains("Common-spacing"), "{name}");
+    }
+}

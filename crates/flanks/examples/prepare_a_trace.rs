@@ -1,11 +1,10 @@
-//! Reads the trace of a flank, prepares it with the usual filters, and prints what became of it.
+//! Prepares a trace in memory with the usual filters and prints its Rq.
 //!
-//! ```text
-//! cargo run -p asperity-flanks --example prepare_a_trace -- fixtures/profiles/ground_pinion.csv
-//! ```
+//! `cargo run -p asperity-flanks --example prepare_a_trace`
 
 use std::error::Error;
 
+use asperity_core::Profile;
 use asperity_flanks::read_place::StatedPlace;
 use asperity_flanks::trace::{TraceContent, TraceInputs, prepared_trace};
 use asperity_flanks::trace_filters::StatedFilters;
@@ -14,14 +13,14 @@ use asperity_profile_io::read::ReadOptions;
 use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let name = std::env::args().nth(1).ok_or("name a trace")?;
-    let bytes = std::fs::read(&name)?;
+    let wave = |i: i32| 0.3e-6 * (0.02 * f64::from(i)).sin();
+    let trace = Profile::new("0.5 um".parse()?, (0..8000).map(wave).collect())?;
     let drawing = ("1.8 mm".parse()?, "23.4 deg".parse()?, "32 mm".parse()?);
     let drawing = GearPairInput::standard([23, 68], drawing.0, drawing.1, drawing.2);
     let gears = GearPair::new(&drawing)?;
     let inputs = TraceInputs {
-        name: &name,
-        content: TraceContent::Bytes(&bytes, None),
+        name: "a wave",
+        content: TraceContent::Heights(&trace),
         options: &ReadOptions::default(),
         is_line_stated: false,
         outliers: None,

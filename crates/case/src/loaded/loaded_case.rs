@@ -378,7 +378,7 @@ pub(crate) fn complete(
     }
     let flanks = Derived::renewed(
         known.map(|known| &known.flanks),
-        FlankInputs::of(&case),
+        provenance.collect(|| FlankInputs::of(&case)),
         |inputs| flanks(inputs, source, &files),
     )?;
     let formed = known.map(|known| &known.formed);
