@@ -410,6 +410,29 @@ fn the_modules_of_a_crate_are_layers() {
 }
 
 #[test]
+fn a_library_without_a_program_of_its_tests_has_none_in_its_sources() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut without = 0;
+    for (folder, _) in ALLOWED {
+        let manifest = manifest(folder);
+        let library = manifest.get("lib").and_then(|library| library.get("test"));
+        if library.and_then(toml::Value::as_bool) != Some(false) {
+            continue;
+        }
+        without += 1;
+        for path in words::sources(&root.join(folder).join("src")) {
+            let text = std::fs::read_to_string(&path).unwrap();
+            assert!(
+                !text.contains("#[cfg(test)]"),
+                "{} never runs",
+                path.display()
+            );
+        }
+    }
+    assert!(without > 4, "{without}");
+}
+
+#[test]
 fn every_crate_has_a_readme_and_an_example() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     for (folder, _) in ALLOWED {

@@ -7,6 +7,7 @@ mod examples;
 mod findings;
 mod flanks;
 mod keys;
+mod loss_tables;
 mod mesh_load;
 mod messages;
 mod oil_files;

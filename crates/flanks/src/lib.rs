@@ -29,6 +29,11 @@ pub mod trace_pairs;
 pub mod trace_sites;
 mod window_pair;
 
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 pub use local_roughness::Roughness;
 pub use surfaces::{Surfaces, Texture};
 pub use window_pair::{

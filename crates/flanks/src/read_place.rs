@@ -78,12 +78,12 @@ pub(crate) fn read_place(
     let is_stated = stated.at.is_some() || stated.from.is_some();
     if is_stated && stated.mirrored.is_some() {
         return Err(PlaceError::Rule(
-            "says how the trace lies on the flank, so mirrored is not asked for; leave mirrored out",
+            "states how the trace lies on the flank; leave mirrored out",
         ));
     }
     if arc_of_first.is_some() && stated.at.is_some() {
         return Err(PlaceError::Rule(
-            "is told by the roll lengths of the file already; leave it out",
+            "follows from the roll lengths of the file; leave it out",
         ));
     }
     let growth = match (arc_of_first, stated.from.unwrap_or_default()) {

@@ -374,7 +374,7 @@ fn no_form(error: FormError, file: &str, keys: &Keys, context: Context<'_>) -> C
             "{file} holds a roughness profile, from which the form was removed: export the unfiltered deviations"
         ),
         FormError::Removed(form) => format!(
-            "surface.form = \"{}\" removes the form that is asked for: leave it out and give deviations from the involute",
+            "surface.form = \"{}\" removes the form that the relief needs: leave it out and give deviations from the involute",
             serde_json::to_value(form)
                 .ok()
                 .and_then(|name| Some(name.as_str()?.to_owned()))

@@ -64,8 +64,8 @@ pub struct LoadedCase {
     files: Arc<Files>,
 }
 
-/// Values that follow from the keys of a case and from its files: each is the value of a function of its inputs alone, and a
-/// changed case with equal inputs has the same.
+/// Values that follow from the keys of a case and from its files: each is made by a function of its inputs alone, and a changed
+/// case with equal inputs has the same. Flanks and gearbox of a case that a program changed itself stay changed.
 #[derive(Debug, Clone)]
 struct DerivedValues {
     flanks: Derived<FlankInputs, Flanks>,

@@ -48,7 +48,7 @@ pub struct Case {
     pub gears: GearPair,
     /// Modifications of the flanks, with the middle of the tip relief that is not stated.
     pub micro_geometry: MicroGeometry,
-    /// Tip relief that the case does not state; none where it states that of both gears, and in a formulation without any.
+    /// Tip relief that the case does not state; none where it states the relief of both gears, and in a formulation that assumes none.
     pub assumed_relief: Option<AssumedRelief>,
     /// Numbers of the load map.
     pub load_settings: LoadMapSettings,
@@ -436,7 +436,7 @@ fn preparation(
     })
 }
 
-/// Refuses the keys that the formulation of the case does not have; a switch that is off is no use of its key.
+/// Refuses the keys that the formulation of the case does not have; a switch that is off does not count.
 fn refuse_keys(
     formulation: FormulationChoice,
     input: &CaseInput,
