@@ -635,7 +635,7 @@ fn what_is_doubtful_about_the_places_of_traces_is_said() {
         &both,
         2,
         "E205",
-        &["surface.pinion.at: says how the trace lies"],
+        &["surface.pinion.at: states how the trace lies"],
     );
     let coast = [
         "--set",
@@ -648,7 +648,7 @@ fn what_is_doubtful_about_the_places_of_traces_is_said() {
         &coast,
         2,
         "E205",
-        &["surface.coast.wheel.at: says how the trace lies"],
+        &["surface.coast.wheel.at: states how the trace lies"],
     );
     let two = ["--set", "surface.pinion.at.radius=22 mm"];
     run_is_refused(
