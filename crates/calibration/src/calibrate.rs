@@ -1,13 +1,12 @@
 //! The steps of a calibration.
 
 use crate::error;
-use asperity_core::Estimate;
+use asperity_core::{Code, Estimate, Fault};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::CalibratedName;
 use asperity::fingerprint::sha256;
 use asperity::message::Warning;
-use asperity_core::{Code, Fault};
 use asperity_report::Watch;
 use nalgebra::DVector;
 

@@ -5,8 +5,7 @@ use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 use asperity::message::Warning;
 use asperity_core::numerics::Z_975;
-use asperity_core::{Code, Fault};
-use asperity_core::{Estimate, EstimateKeys};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 

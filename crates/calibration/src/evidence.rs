@@ -1,6 +1,6 @@
 //! Measurements that would narrow the interval of the loss of a case, with the interval that each is expected to leave.
 
-use asperity_core::Estimate;
+use asperity_core::{Code, Estimate, Fault};
 use std::convert::Infallible;
 use std::str::FromStr;
 
@@ -11,7 +11,6 @@ use asperity::result::with_interval;
 use asperity::train::{self, Outcomes};
 use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_band};
 use asperity::{Contacts, LoadedCase};
-use asperity_core::{Code, Fault};
 use asperity_report::chart::{Axis, Drawing, Interval, Tornado};
 use asperity_report::{
     Report, Settings as _, StudyResult, StudySettings, Table, Watch, Work, columns, settings,

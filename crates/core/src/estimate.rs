@@ -1,12 +1,12 @@
 //! A value with its interval.
 
-use serde::de::{Error, IgnoredAny, MapAccess, Visitor};
+use serde::de::{Error, MapAccess, Visitor};
 use serde::ser::SerializeStruct;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 use std::marker::PhantomData;
 
-/// A value with the ends of its interval. Who holds it states the unit and the probability of the ends.
+/// A value with the ends of its interval. Who holds it states the unit and the probability of the ends, 95 % in all inputs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -14,8 +14,16 @@ pub struct Estimate<T = f64> {
     /// The value.
     pub value: T,
     /// Lower end of its interval.
+    #[cfg_attr(
+        feature = "schema",
+        schemars(description = "Lower end of the 95 % band.")
+    )]
     pub low: T,
     /// Upper end of its interval.
+    #[cfg_attr(
+        feature = "schema",
+        schemars(description = "Upper end of the 95 % band.")
+    )]
     pub high: T,
 }
 
@@ -144,10 +152,10 @@ impl<'de, K: EstimateKeys + ?Sized> Visitor<'de> for OfKeys<K> {
         let [of_value, of_ends] = *K::KEYS;
         let (mut value, mut ends) = (None, None);
         while let Some(key) = object.next_key::<String>()? {
-            match key {
-                key if key == of_value => value = Some(object.next_value()?),
-                key if key == of_ends => ends = Some(object.next_value()?),
-                _ => drop(object.next_value::<IgnoredAny>()?),
+            // A flat object gives no other keys.
+            match key == of_value {
+                true => value = Some(object.next_value()?),
+                false => ends = Some(object.next_value()?),
             }
         }
         Ok(Estimate::new(

@@ -4,12 +4,11 @@
 //! unit, digits and value. [`Table::text`] prints it with aligned columns, on a page it is written into the markup by `(table)`, and
 //! with [`Table::in_file`] its values are a file.
 
-use asperity_core::Estimate;
+use asperity_core::{Estimate, Fault};
 use std::borrow::Cow;
 use std::path::Path;
 
 use asperity::result::loss_band::Digits;
-use asperity_core::Fault;
 use asperity_storage::one_line;
 use maud::{Markup, Render, html};
 use serde::Serialize;

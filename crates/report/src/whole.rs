@@ -1,12 +1,11 @@
 //! Result of a gear train as a whole: its tables, its page, its summary and its headline.
 
-use asperity_core::Estimate;
+use asperity_core::{Estimate, Fault, capitalised};
 use std::path::Path;
 
 use asperity::case::train::mesh_folder;
 use asperity::message::Warning;
 use asperity::train::Whole;
-use asperity_core::{Fault, capitalised};
 use maud::{Markup, html};
 
 use crate::chart::{Axis, Bar, BarChart, Drawing};

@@ -1,8 +1,7 @@
 //! Losses of the gearbox in addition to the meshes, as its user states them. No band belongs to these parts.
 
-use asperity_core::Estimate;
-use asperity_core::OutOfRange;
 use asperity_core::quantity::{AngularSpeed, Torque};
+use asperity_core::{Estimate, OutOfRange};
 use serde::{Deserialize, Serialize};
 
 /// Scope of a result.

@@ -403,6 +403,12 @@ impl Digits {
         Self::of_uncertainty(0.5 * (high - low))
     }
 
+    /// The digits that the interval of a drawn number leaves; `without` one.
+    #[must_use]
+    pub fn of_drawn(drawn: Option<Estimate>, without: Self) -> Self {
+        drawn.map_or(without, |drawn| Self::of_interval(drawn.ends()))
+    }
+
     /// Digits of a difference: as [`of_interval`](Self::of_interval), with up to two places more if the interval excludes 0
     /// and an end would be printed as 0.
     ///

@@ -709,10 +709,8 @@ impl Whole {
     /// The digits that the interval of the loss leaves, without one the digits of a power.
     #[must_use]
     pub fn digits(&self) -> Digits {
-        match self.loss_distribution {
-            Some(drawn) => Digits::of_interval(drawn.drawn.ends()),
-            None => Digits::of_power(self.loss_w),
-        }
+        let drawn = self.loss_distribution.map(|found| found.drawn);
+        Digits::of_drawn(drawn, Digits::of_power(self.loss_w))
     }
 
     /// Name, text \[W\] and share of each kind of loss that occurs: the kinds of the run scaled to the median, to which they
@@ -831,10 +829,9 @@ impl MeshRow {
     /// Sliding and rolling loss \[W\] of the run scaled to the median, to which they add up.
     #[must_use]
     pub fn parts_with_digits(&self) -> Vec<String> {
-        let (median, digits) = match self.drawn_w() {
-            Some(drawn) => (drawn.value, Digits::of_interval(drawn.ends())),
-            None => (self.loss_w, Digits::of_power(self.loss_w)),
-        };
+        let drawn = self.drawn_w();
+        let median = drawn.map_or(self.loss_w, |drawn| drawn.value);
+        let digits = Digits::of_drawn(drawn, Digits::of_power(self.loss_w));
         let parts = [self.sliding_w, self.rolling_w];
         digits.texts_of_parts(median, &parts.map(|part| part * median / self.loss_w))
     }

@@ -14,7 +14,7 @@
 //! })?;
 //! let result = Run::new(&case).band(true).execute()?.result;
 //! let loss = result.uncertainty.ok_or("the default model has an uncertainty")?.loss;
-//! assert!(loss.low < loss.value && loss.value < loss.high);
+//! assert!(loss.drawn.low < loss.drawn.value && loss.drawn.value < loss.drawn.high);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -24,11 +24,10 @@ mod evaluations;
 mod other_models;
 mod recorded;
 
-use asperity_core::Estimate;
+use asperity_core::{Code, Estimate};
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity_core::Code;
 use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::Z_95;
 use asperity_core::provenance::Provenance;

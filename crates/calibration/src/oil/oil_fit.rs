@@ -1,7 +1,7 @@
 //! Oil constants from traction curves: selection, fit by both laws of pressure, decision, refusals and warnings.
 
 use super::error as oil_error;
-use asperity_core::{Estimate, EstimateKeys, estimate_keys};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys};
 use std::fmt::Write as _;
 
 use asperity::case::{DECISIVE, POORLY_EXPLAINED, STEEPEST_FALL, law_error};
@@ -10,7 +10,6 @@ use asperity::oil::{LubricantInput, PressureLaw, TractionConstants};
 use asperity::result::loss_band::Digits;
 use asperity_core::number;
 use asperity_core::numerics::{Z_95, Z_975};
-use asperity_core::{Code, Fault};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 

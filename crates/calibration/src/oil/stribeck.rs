@@ -9,8 +9,7 @@
 use super::error as oil_error;
 use asperity::message::Warning;
 use asperity_core::numerics::{Z_95, Z_975};
-use asperity_core::{Code, Fault};
-use asperity_core::{Estimate, EstimateKeys, estimate_keys};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys};
 use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;

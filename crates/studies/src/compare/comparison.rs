@@ -10,8 +10,7 @@ use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Sco
 use asperity::train::{self, MeshRow, Outcomes};
 use asperity::uncertainty::{DrawnMesh, PairedDifference, Quantiles, difference_of_meshes};
 use asperity::{Error, PositionError};
-use asperity_core::{Code, Fault, unique};
-use asperity_core::{Estimate, EstimateKeys, estimate_keys};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys, unique};
 use asperity_report::tables::FlankTables;
 use asperity_report::{Input, Setting, StudySettings, Watch, Work, settings};
 use serde::Serialize;

@@ -250,10 +250,7 @@ pub(super) fn note(comparison: &Comparison) -> String {
 pub(super) fn run_in(comparison: &Comparison) -> Vec<String> {
     let of = |finish: &FinishResult| {
         let after = finish.run_in_loss_w?;
-        let digits = match finish.drawn_w() {
-            Some(drawn) => Digits::of_interval(drawn.ends()),
-            None => Digits::of_decimals(1),
-        };
+        let digits = Digits::of_drawn(finish.drawn_w(), Digits::of_decimals(1));
         Some(format!(
             "{} run in: {} W in place of {} W, both with every constant at its median.",
             finish.name,

@@ -1,13 +1,12 @@
 //! Energies of a cycle on a map.
 
-use asperity_core::{Estimate, EstimateKeys, estimate_keys};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 use asperity::balance::{efficiency, sum};
 use asperity::message::Warning;
 use asperity::uncertainty::median_with_ends;
-use asperity_core::{Code, Fault};
 use serde::Serialize;
 
 use super::coverage::{Coverage, moving_time, share};

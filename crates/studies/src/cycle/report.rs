@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::energy::{CycleFinish, CycleResult};
 use super::trace::CyclePoint;
-use crate::map::{banded, digits_of, in_words, loses, loss_fields, marks, round_step};
+use crate::map::{banded, in_words, loses, loss_fields, marks, round_step};
 
 /// Approximate number of torque bins.
 const BINS: f64 = 30.0;
@@ -205,7 +205,7 @@ fn is_banded(result: &CycleResult) -> bool {
 fn lost(finish: &CycleFinish) -> [String; 3] {
     let parts = [finish.lost_drive_wh, finish.lost_coast_wh];
     let drawn = finish.lost_drawn_wh;
-    let digits = digits_of(drawn, 2);
+    let digits = Digits::of_drawn(drawn, Digits::of_decimals(2));
     let factor = finish.median_over_medians();
     let total = digits.steps(factor * finish.lost_wh);
     let parts = digits.parts(total, &parts.map(|part| factor * part));

@@ -2,9 +2,8 @@
 
 use asperity::case::{CaseInput, DefaultUsed};
 use asperity::result::Regime;
-use asperity_core::Code;
-use asperity_core::Estimate;
 use asperity_core::message::Warning;
+use asperity_core::{Code, Estimate};
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;

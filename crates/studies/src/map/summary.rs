@@ -1,11 +1,10 @@
 //! Extremes of a map and its notes, in words.
 
-use asperity_core::Estimate;
+use asperity_core::{Code, Estimate};
 use std::collections::BTreeMap;
 
 use asperity::message::Warning;
 use asperity::result::loss_band::Digits;
-use asperity_core::Code;
 use asperity_core::numerics::range;
 use asperity_report::{Cell, Table, columns};
 
@@ -148,7 +147,7 @@ fn parts_at_largest(finish: &FinishMap) -> Vec<[String; 3]> {
     let Some(parts) = finish.meshes.iter().map(part).collect::<Option<Vec<f64>>>() else {
         return Vec::new();
     };
-    let digits = digits_of(most.drawn_w, 1);
+    let digits = Digits::of_drawn(most.drawn_w, Digits::of_decimals(1));
     let parts = digits.parts(digits.steps(factor * most.loss_w), &parts);
     let row = |(mesh, part): (&MeshPart, f64)| {
         [mesh.name.clone(), mesh.count.to_string(), digits.text(part)]
@@ -202,12 +201,6 @@ pub(super) fn words(mark: &str) -> &str {
 pub(crate) fn banded(value: f64, drawn: Option<Estimate>) -> String {
     let by_interval = |drawn: Estimate| Digits::of_interval(drawn.ends()).interval(drawn);
     drawn.map_or_else(|| format!("{value:.1}"), by_interval)
-}
-
-/// The digits that the interval leaves, or without one this number of decimals.
-pub(crate) fn digits_of(drawn: Option<Estimate>, decimals: i32) -> Digits {
-    let by_interval = drawn.map(|drawn| Digits::of_interval(drawn.ends()));
-    by_interval.unwrap_or(Digits::of_decimals(decimals))
 }
 
 /// W431, if the case states a gearbox.

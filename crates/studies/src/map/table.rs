@@ -1,10 +1,9 @@
 //! Table of a map with one row per point.
 
-use asperity_core::Estimate;
+use asperity_core::{Code, Estimate, Fault};
 use std::borrow::Cow;
 use std::path::Path;
 
-use asperity_core::{Code, Fault};
 use asperity_report::tables;
 use serde::{Deserialize, Serialize};
 

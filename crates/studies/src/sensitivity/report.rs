@@ -2,8 +2,7 @@
 
 use asperity::message::Warning;
 use asperity::result::loss_band::{Digits, rounded};
-use asperity_core::Code;
-use asperity_core::Estimate;
+use asperity_core::{Code, Estimate};
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::{Cell, Report, StudyResult, Table, Value, columns};
 

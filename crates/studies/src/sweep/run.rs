@@ -1,6 +1,6 @@
 //! The work of a shard.
 
-use asperity_core::Estimate;
+use asperity_core::{Code, Estimate};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -16,7 +16,6 @@ use asperity::result::Losses;
 use asperity::train;
 use asperity::uncertainty::{Predictive, predictive};
 use asperity::{ContactStore, Error};
-use asperity_core::Code;
 use asperity_storage::json_value;
 use rayon::prelude::*;
 use serde_json::Value;
