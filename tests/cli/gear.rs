@@ -1,5 +1,6 @@
 //! The gears of a case from the command: `asperity gear`, relief, rings, planetary sets, the load map.
 
+use asperity_core::Estimate;
 use std::fs;
 
 use asperity::result::loss_band::with_interval;
@@ -196,7 +197,7 @@ fn a_planetary_set_gives_a_table_and_a_result_for_each_mesh() {
         let [median, low, high] =
             ["loss_median_w", "loss_p05_w", "loss_p95_w"].map(|key| w(&mesh[key]));
         for (at, unit) in [(row, ""), (&said, " W")] {
-            let [loss, _] = with_interval(median, [low, high], 1e5, [unit, ""]);
+            let [loss, _] = with_interval(Estimate::new(median, [low, high]), 1e5, [unit, ""]);
             assert!(at.contains(&loss), "{loss} is not in {at}");
         }
     }

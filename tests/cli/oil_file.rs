@@ -536,7 +536,7 @@ fn the_interval_of_every_command_is_drawn_from_the_oil_file() {
     };
     let (family, fitted) = (of("family.toml"), of("case.toml"));
     assert_eq!(
-        (fitted.name, fitted.centre),
+        (fitted.name, fitted.default.value),
         (CalibratedName::EyringStress, 4.8e6)
     );
     assert!((fitted.prior / ((5.2f64 / 4.4).ln() / 3.92) - 1.0).abs() < 1e-3);

@@ -178,8 +178,8 @@ fn a_draw_is_a_run_with_its_constants() {
         .unwrap();
     // The loss rises with the friction, so that the quantiles of one are those of the other.
     for (value, drawn) in [
-        (friction.low, part.quantiles_w[0]),
-        (friction.high, part.quantiles_w[1]),
+        (friction.drawn.low, part.quantiles_w[0]),
+        (friction.drawn.high, part.quantiles_w[1]),
     ] {
         let other = case
             .with_key("model.boundary_friction", &value.to_string())
@@ -194,9 +194,9 @@ fn a_draw_is_a_run_with_its_constants() {
 fn identical_finishes_differ_by_exactly_nothing() {
     let case = case("e-drive.toml");
     let (found, _) = between(&case, &case);
-    assert_eq!((found.at_medians_w, found.median_w), (0.0, 0.0));
+    assert_eq!((found.at_medians_w, found.watts.value), (0.0, 0.0));
     assert_eq!(
-        (found.quantiles_w, found.share_quantiles),
+        (found.watts.ends(), found.share.ends()),
         ([0.0; 2], [0.0; 2])
     );
     assert_eq!(found.verdict, Verdict::Equal);
@@ -207,14 +207,14 @@ fn finishes_differ_less_than_each_is_uncertain() {
     let [ground, polished] = ["e-drive.toml", "e-drive-superfinished.toml"].map(case);
     let (found, drawn) = between(&ground, &polished);
     assert!(
-        found.median_w < 0.0 && found.quantiles_w[1] < 0.0,
+        found.watts.value < 0.0 && found.watts.high < 0.0,
         "{found:?}"
     );
     let width = |[low, high]: [f64; 2]| high - low;
     // The draws are the same, so what both finishes share cancels.
-    let each = drawn.map(|uncertainty| width(uncertainty.loss.quantiles_w));
+    let each = drawn.map(|uncertainty| width(uncertainty.loss.drawn.ends()));
     assert!(
-        width(found.quantiles_w) < each[0].hypot(each[1]),
+        width(found.watts.ends()) < each[0].hypot(each[1]),
         "{found:?} {each:?}"
     );
     assert_eq!(found.verdict, Verdict::Holds);
@@ -440,6 +440,6 @@ fn constants_of_a_calibrated_case_are_told_with_their_source() {
     ] {
         let found: Vec<_> = constants.iter().filter(|one| one.name == name).collect();
         assert_eq!(found.len(), 1, "{name:?}");
-        assert_eq!(found[0].source, "made up for a test");
+        assert_eq!(found[0].constant.source, "made up for a test");
     }
 }

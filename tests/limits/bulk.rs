@@ -190,7 +190,7 @@ fn parameters_set_past_the_keys_act_at_the_temperature_found() {
     let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "jet" }"#);
     let tables = pipeline::contacts(&case).unwrap();
     let loss = |parameter: UncertainParameter, factor: f64| {
-        let (value, _) = parameter.range(&case).unwrap().unwrap();
+        let value = parameter.range(&case).unwrap().unwrap().value;
         let mut changed = case.clone();
         parameter.set(&mut changed, factor * value).unwrap();
         let found = pipeline::losses_with(&tables, &changed).unwrap();

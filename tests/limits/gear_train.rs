@@ -96,8 +96,8 @@ fn a_pair_of_gears_is_a_train_of_one_mesh() {
     assert_eq!(pair.whole.loss_distribution, named.whole.loss_distribution);
     assert_eq!(pair.whole.gearbox, named.whole.gearbox);
     assert_eq!(only.gearbox, named.whole.gearbox);
-    let loss = only.uncertainty.as_ref().unwrap().loss.quantiles_w;
-    assert_eq!(pair.whole.loss_distribution.unwrap().quantiles_w, loss);
+    let loss = only.uncertainty.as_ref().unwrap().loss.drawn.ends();
+    assert_eq!(pair.whole.loss_distribution.unwrap().drawn.ends(), loss);
     // The ratio of the pair and the tooth numbers of the train differ by their rounding.
     for (a, b) in pair.whole.shafts.iter().zip(&named.whole.shafts) {
         assert!((a.torque_nm / b.torque_nm - 1.0).abs() < 1e-14);
@@ -349,9 +349,7 @@ fn equal_meshes_have_equal_draws_and_other_flanks_their_own() {
         assert_eq!((row.loss_w, row.loss_p05_w), (one.loss_w, one.loss_p05_w));
     }
     let same = |sum: f64, of_one: Option<f64>| (sum / (3.0 * of_one.unwrap()) - 1.0).abs() < 1e-12;
-    assert!(
-        same(of_all.quantiles_w[0], one.loss_p05_w) && same(of_all.quantiles_w[1], one.loss_p95_w)
-    );
+    assert!(same(of_all.drawn.low, one.loss_p05_w) && same(of_all.drawn.high, one.loss_p95_w));
     // Sampling and error of the model of other flanks are drawn apart, so that they partly cancel.
     let keys = [
         ("mesh.m2.surface.pinion", r#"{ file = "ground_wheel.csv" }"#),
@@ -361,7 +359,7 @@ fn equal_meshes_have_equal_draws_and_other_flanks_their_own() {
         ),
     ];
     let other = run(&train_of(equal, &keys), true);
-    let quantiles = other.loss_distribution.unwrap().quantiles_w;
+    let quantiles = other.loss_distribution.unwrap().drawn.ends();
     let apart: f64 = other
         .meshes
         .iter()
@@ -428,7 +426,7 @@ fn losses_are_said_with_the_digits_of_their_band() {
         .unwrap()
         .whole;
     let drawn = result.loss_distribution.unwrap();
-    let [low, high] = drawn.quantiles_w;
+    let [low, high] = drawn.drawn.ends();
     let [loss, efficiency] = result.with_bands();
     // The last place is a hundredth to a tenth of the interval, rounding half of it.
     let near = |what: &str, found: [f64; 3], expected: [f64; 3], width: f64| {
@@ -442,11 +440,11 @@ fn losses_are_said_with_the_digits_of_their_band() {
     near(
         "loss",
         numbers(&loss),
-        [drawn.median_w, low, high],
+        [drawn.drawn.value, low, high],
         high - low,
     );
     let percent = |loss: f64| 100.0 * (1.0 - loss / result.power_in_w);
-    let expected = [drawn.median_w, high, low].map(percent);
+    let expected = [drawn.drawn.value, high, low].map(percent);
     near(
         "efficiency",
         numbers(&efficiency),

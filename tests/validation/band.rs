@@ -63,12 +63,12 @@ pub fn table() -> String {
     let range = |[low, high]: [f64; 2]| format!("{low:.0} to {high:.0}");
     row(
         "loss W, 5 to 95 %",
-        [ground, fine].map(|found| range(found.1.loss.quantiles_w)),
+        [ground, fine].map(|found| range(found.1.loss.drawn.ends())),
         "sliding 511 to 723, 337 to 460, first form",
     );
     row(
         "loss W, median",
-        [ground, fine].map(|found| whole(found.1.loss.median_w)),
+        [ground, fine].map(|found| whole(found.1.loss.drawn.value)),
         "-",
     );
     row(
@@ -81,14 +81,14 @@ pub fn table() -> String {
     );
     let change = difference((&ground.2, &ground.1), (&fine.2, &fine.1), false);
     let percent = |share: f64| format!("{:.0}", 100.0 * share);
-    let [low, high] = change.share_quantiles;
+    let [low, high] = change.share.ends();
     row(
         "change of the loss %, 5 to 95 %",
         [
             "-".to_owned(),
             format!(
                 "{} ({} to {})",
-                percent(change.median_share),
+                percent(change.share.value),
                 percent(low),
                 percent(high)
             ),
@@ -107,7 +107,7 @@ fn the_band_of_the_shipped_drive_holds_the_reference_computation() {
     let [ground, fine] = both();
     // The reference's sliding losses with the rolling loss of this program.
     for (found, sliding) in [(ground, 569.0), (fine, 397.0)] {
-        let [low, high] = found.1.loss.quantiles_w;
+        let [low, high] = found.1.loss.drawn.ends();
         let reference = sliding + found.0.rolling_w;
         assert!(
             (low..high).contains(&reference),
@@ -115,8 +115,8 @@ fn the_band_of_the_shipped_drive_holds_the_reference_computation() {
         );
     }
     let change = difference((&ground.2, &ground.1), (&fine.2, &fine.1), false);
-    assert!(change.quantiles_w[1] < 0.0, "{change:?}");
+    assert!(change.watts.high < 0.0, "{change:?}");
     // Measured pairs: 15 to 35 % lower. The error of the gap law `inlet` is 0.08 of ln at this roughness (`power`: 0.05).
-    let [low, high] = change.share_quantiles;
+    let [low, high] = change.share.ends();
     assert!(low > -0.55 && high < -0.10, "{low} {high}");
 }

@@ -255,6 +255,7 @@ fn every_assumed_constant_is_told_with_its_band_and_how_sure_it_is() {
     ] {
         let constant = told.iter().find(|constant| constant.name == name);
         let constant = constant.unwrap_or_else(|| panic!("{name:?} is not in {told:?}"));
+        let constant = &constant.constant;
         assert!(constant.low.unwrap() < constant.value && constant.value < constant.high.unwrap());
         assert!(!constant.source.is_empty());
     }

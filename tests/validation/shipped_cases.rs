@@ -83,7 +83,7 @@ const OTHERS_BEFORE: [[&str; 9]; 2] = [
 
 /// The median with its quantiles.
 fn text((_, found, _): &Banded) -> String {
-    rounded(found.loss.median_w, found.loss.quantiles_w)
+    rounded(found.loss.drawn.value, found.loss.drawn.ends())
 }
 
 fn computed(case: &str, torque_nm: f64, celsius: f64) -> Banded {
@@ -107,14 +107,14 @@ fn computed(case: &str, torque_nm: f64, celsius: f64) -> Banded {
 /// Saving of `other` in per cent of the loss of `first`, and whether its sign holds.
 fn saving(first: &Banded, other: &Banded) -> String {
     let change = difference((&first.2, &first.1), (&other.2, &other.1), false);
-    let [low, high] = change.share_quantiles;
+    let [low, high] = change.share.ends();
     let verdict = match &change.verdict {
         Verdict::Holds => format!("holds under {} models", change.models.len()),
         Verdict::Except(models) => format!("except under {}", models.join(", ")),
         Verdict::Undecided => "undecided".to_owned(),
         other => format!("{other:?}"),
     };
-    let saved = rounded(-100.0 * change.median_share, [-100.0 * high, -100.0 * low]);
+    let saved = rounded(-100.0 * change.share.value, [-100.0 * high, -100.0 * low]);
     format!("{saved} | {verdict}")
 }
 

@@ -6,7 +6,7 @@ use asperity::message::Warning;
 use asperity::pipeline::{KeptFields, chooses_offsets};
 use asperity_core::Code;
 use asperity_report::Report;
-use asperity_studies::estimate::{Estimate, estimate, measured};
+use asperity_studies::estimate::{Cost, estimate, measured};
 use serde_json::{Value, json};
 
 use super::{keys, source};
@@ -78,7 +78,7 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
 struct ValidCase {
     warnings: Vec<Warning>,
     defaults: Vec<DefaultUsed>,
-    work: Estimate,
+    work: Cost,
     /// Meshes in which a flank has several traces.
     traced: Vec<Traced>,
     /// Whether the run adds offsets until the sampling error of the loss is small.

@@ -61,7 +61,7 @@ fn millimetres(length: Length) -> f64 {
 
 fn loss_factor(report: &GearReport) -> String {
     let band = report.band.as_ref().map_or(String::new(), |band| {
-        format!(", between {:.4} and {:.4}", band.low, band.high)
+        format!(", between {:.4} and {:.4}", band.whole.low, band.whole.high)
     });
     format!(
         "loss factor H_V {:.4} ({}){band}",

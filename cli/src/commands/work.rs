@@ -3,7 +3,7 @@
 use asperity::case::LoadedCase;
 use asperity::pipeline::KeptFields;
 use asperity_core::Code;
-use asperity_studies::estimate::{Estimate, estimate};
+use asperity_studies::estimate::{Cost, estimate};
 
 use crate::args::WorkArgs;
 use crate::failure::Failure;
@@ -22,7 +22,7 @@ pub fn check_work<'a>(
     }
 }
 
-fn check(limits: &WorkArgs, estimate: &Estimate, runs: usize) -> Result<(), Failure> {
+fn check(limits: &WorkArgs, estimate: &Cost, runs: usize) -> Result<(), Failure> {
     const HOUR: f64 = 3600.0;
     const GIGABYTE: f64 = 1e9;
     let hours = estimate.seconds * runs as f64 / HOUR;

@@ -1,14 +1,13 @@
 //! Draws of calibrated parameters.
 
-use asperity::case::{
-    Calibrated, CalibratedName, CalibrationInput, CorrelationInput, LoadedCase, cholesky,
-};
+use asperity::case::{CalibratedName, CalibrationInput, CorrelationInput, LoadedCase, cholesky};
 use asperity::uncertainty::UncertainParameter;
+use asperity_core::Estimate;
 
 fn case(change: impl Fn(&mut CalibrationInput)) -> Result<LoadedCase, asperity::Error> {
     let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
     let mut given = CalibrationInput {
-        boundary_friction: Some(Calibrated {
+        boundary_friction: Some(Estimate {
             value: 0.09,
             low: 0.08,
             high: 0.11,
@@ -22,7 +21,7 @@ fn case(change: impl Fn(&mut CalibrationInput)) -> Result<LoadedCase, asperity::
 #[test]
 fn calibrated_values_take_the_place_of_defaults_and_their_bands_of_the_ranges() {
     let found = case(|given| {
-        given.eyring_stress = Some(Calibrated {
+        given.eyring_stress = Some(Estimate {
             value: "4.4 MPa".parse().unwrap(),
             low: "4.1 MPa".parse().unwrap(),
             high: "4.8 MPa".parse().unwrap(),
@@ -33,16 +32,16 @@ fn calibrated_values_take_the_place_of_defaults_and_their_bands_of_the_ranges() 
     let range = |name: UncertainParameter| name.range(&found).unwrap().unwrap();
     assert_eq!(
         range(UncertainParameter::BoundaryFriction),
-        (0.09, [0.08, 0.11])
+        Estimate::new(0.09, [0.08, 0.11])
     );
     assert_eq!(
         range(UncertainParameter::EyringStress),
-        (4.4e6, [4.1e6, 4.8e6])
+        Estimate::new(4.4e6, [4.1e6, 4.8e6])
     );
     // What is not calibrated keeps its range.
     assert_eq!(
         range(UncertainParameter::BoundaryLayer),
-        (10e-9, [5e-9, 20e-9])
+        Estimate::new(10e-9, [5e-9, 20e-9])
     );
     let key = "model.boundary_friction";
     assert!(found.case.defaults.iter().all(|default| default.key != key));

@@ -1,5 +1,6 @@
 //! The draws of the loss of a case, and their ingredients.
 
+use asperity_core::Estimate;
 use std::cell::RefCell;
 
 use asperity::core::numerics::{Z_95, Z_975, range, standard_normal_quantile, student_t_quantile};
@@ -51,9 +52,7 @@ const MODEL_ERROR: f64 = 0.036_055_512_754_639_89;
 fn constant(kind: UncertainParameter, [low, value, high]: [f64; 3]) -> Ranged {
     Ranged {
         kind,
-        value,
-        low,
-        high,
+        estimate: Estimate { value, low, high },
         measured: None,
         lays: None,
     }
@@ -65,7 +64,7 @@ fn draws_have_the_spread_of_their_components() {
     // Error of the model at s = 1 on 90 W, of the rolling loss 0.12 on 10 W: ln P to first order.
     let expected = (0.9 * MODEL_ERROR).hypot(0.1 * 0.12);
     let drawn = found.quantiles();
-    assert!((drawn.median_w / 100.0 - 1.0).abs() < 2e-3, "{drawn:?}");
+    assert!((drawn.drawn.value / 100.0 - 1.0).abs() < 2e-3, "{drawn:?}");
     assert!(
         (drawn.sd_ln / expected - 1.0).abs() < 0.03,
         "{drawn:?} {expected}"
@@ -160,8 +159,8 @@ fn quantiles_depend_little_on_the_seed() {
             });
         ends[1] / ends[0] - 1.0
     };
-    let ends = [0, 1].map(|k: usize| spread(&|found| found.quantiles_w[k]));
-    assert!(spread(&|found| found.median_w) < 0.01);
+    let ends = [0, 1].map(|k: usize| spread(&|found| found.drawn.ends()[k]));
+    assert!(spread(&|found| found.drawn.value) < 0.01);
     assert!(ends.iter().all(|end| *end < 0.015), "{ends:?}");
 }
 
@@ -303,7 +302,7 @@ fn losses_narrow_what_all_flanks_share() {
         (left.sd_ln / expected - 1.0).abs() < 0.05,
         "{left:?} {expected}"
     );
-    let [low, high] = left.quantiles_w;
+    let [low, high] = left.drawn.ends();
     let width = (high / low).ln();
     assert!((width / (2.0 * 1.645 * expected) - 1.0).abs() < 0.08);
     // A friction that is known to a third of its error.
@@ -377,9 +376,9 @@ fn the_boundary_share_of_inner_spots_is_drawn_evenly_about_the_run() {
             .all(|(a, b)| (a - b).abs() < 1e-15)
     );
     let drawn = found.alone(Component::InnerBoundary).unwrap();
-    assert!((drawn.median_w / 100.0 - 1.0).abs() < 1e-3, "{drawn:?}");
+    assert!((drawn.drawn.value / 100.0 - 1.0).abs() < 1e-3, "{drawn:?}");
     // An even distribution has its 5 and 95 % quantiles at 0.1 of its width from the ends.
-    for (found, x) in drawn.quantiles_w.into_iter().zip([-0.9, 0.9]) {
+    for (found, x) in drawn.drawn.ends().into_iter().zip([-0.9, 0.9]) {
         let expected = 90.0 * f64::exp(0.1 * x + 0.01 * x * x) + 10.0;
         assert!((found - expected).abs() < 0.02, "{found} {expected}");
     }
@@ -395,7 +394,7 @@ fn a_lay_beyond_the_records_is_drawn_from_the_loss_at_a_confirmed_lay_to_its_own
     // The sliding loss of 90 W.
     assert!((found.at_confirmed_lay().unwrap() - (0.7 * 90.0 + 10.0) / 100.0).abs() < 1e-12);
     let drawn = found.alone(Component::FarLay).unwrap();
-    for (quantile, part) in drawn.quantiles_w.into_iter().zip([0.95, 0.05]) {
+    for (quantile, part) in drawn.drawn.ends().into_iter().zip([0.95, 0.05]) {
         let expected = 90.0 * (1.0 - 0.3 * part) + 10.0;
         assert!((quantile - expected).abs() < 0.02, "{quantile} {expected}");
     }
@@ -410,7 +409,7 @@ fn a_held_thermal_reduction_is_drawn_to_the_printed_one() {
     };
     // Sliding 90 W, rolling 10 W.
     let drawn = found.alone(Component::HeldThermal).unwrap();
-    for (quantile, part) in drawn.quantiles_w.into_iter().zip([0.95, 0.05]) {
+    for (quantile, part) in drawn.drawn.ends().into_iter().zip([0.95, 0.05]) {
         let expected = 90.0 * (1.0 - 0.2 * part) + 10.0 * (1.0 - 0.6 * part);
         assert!((quantile - expected).abs() < 0.02, "{quantile} {expected}");
     }
@@ -450,7 +449,7 @@ fn thin_films_are_corrected_downwards() {
     };
     assert!(near(bias(&power(2.5)), 0.08) && near(bias(&power(6.0)), 0.2));
     assert_eq!(power(6.0).model_error(), 0.05);
-    assert!(power(6.0).quantiles().median_w < 95.0);
+    assert!(power(6.0).quantiles().drawn.value < 95.0);
     // The error of the rolling loss of 10 W.
     for (film_m, error) in [(0.4e-6, 0.12), (1.2e-6, 0.25)] {
         let found = Predictive { film_m, ..plain() };
@@ -477,7 +476,7 @@ fn a_constant_alone_moves_the_loss_along_its_surface() {
         ..plain()
     };
     let alone = found.alone(Component::Constant(0)).unwrap();
-    let [low, high] = alone.quantiles_w.map(|loss| loss * 1e-3);
+    let [low, high] = alone.drawn.ends().map(|loss| loss * 1e-3);
     assert!(
         (high / 0.123 - 1.0).abs() < 0.01 && (low / 0.066 - 1.0).abs() < 0.01,
         "{alone:?}"
@@ -493,9 +492,7 @@ fn constants_have_the_quantiles_of_their_distributions() {
     let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
     let of = |kind, measured| Ranged {
         kind,
-        value: 0.09,
-        low: 0.066,
-        high: 0.123,
+        estimate: Estimate::new(0.09, [0.066, 0.123]),
         measured,
         lays: None,
     };
@@ -602,6 +599,6 @@ fn records_have_their_own_error_and_half_of_the_draws_for_each_rule() {
     assert!((ends[0] - 100.0).abs() < 1e-9 && ends[0] == ends[1]);
     assert!((ends[2] - 110.0).abs() < 1e-9);
     let alone = found.alone(Component::InnerBoundary).unwrap();
-    let [low, high] = alone.quantiles_w;
+    let [low, high] = alone.drawn.ends();
     assert!((high / low - 1.1).abs() < 1e-12);
 }

@@ -88,7 +88,7 @@ fn an_undecided_law_of_pressure_has_the_odds_of_the_fits() {
     };
     let (by_roelands, found) = by_law(&case, Some(PressureLaw::Roelands));
     assert_eq!(found.film_friction.pressure_law, PressureLaw::Roelands);
-    assert_eq!(found.film_friction.eyring_stress.value.si(), 5e6);
+    assert_eq!(found.film_friction.eyring_stress.fitted.value.si(), 5e6);
     // The better law returns once no law is stated.
     assert_eq!(by_law(&by_roelands, None).1, file);
     assert_eq!(by_law(&case, Some(PressureLaw::Barus)).1, file);

@@ -237,10 +237,10 @@ fn the_draws_have_the_error_between_traces() {
     let own = (&drawn, &found);
     let nothing = difference(own, own, true);
     assert_eq!(
-        (nothing.at_medians_w, nothing.quantiles_w),
+        (nothing.at_medians_w, nothing.watts.ends()),
         (0.0, [0.0, 0.0])
     );
-    assert!(difference(own, own, false).quantiles_w[1] > 0.0);
+    assert!(difference(own, own, false).watts.high > 0.0);
 }
 
 #[test]

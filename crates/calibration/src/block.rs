@@ -1,5 +1,6 @@
 //! The table `calibration` of a case file, as text.
 
+use asperity_core::Estimate;
 use std::fmt::Write as _;
 
 use nalgebra::DMatrix;
@@ -28,7 +29,7 @@ pub fn block(
         .collect();
     let mut text = origin(source, is_simulated);
     for (_, parameter) in &included {
-        text.push_str(&constant(&parameter.key, parameter.value, parameter.band));
+        text.push_str(&constant(&parameter.key, parameter.fitted));
         text.push('\n');
     }
     let numbers: Vec<usize> = included.iter().map(|(number, _)| *number).collect();
@@ -62,7 +63,7 @@ pub(crate) fn origin(source: &str, is_simulated: bool) -> String {
 }
 
 /// A constant with its 2.5 % and 97.5 % quantile.
-pub(crate) fn constant(key: &str, value: f64, [low, high]: [f64; 2]) -> String {
+pub(crate) fn constant(key: &str, Estimate { value, low, high }: Estimate) -> String {
     let [value, low, high] = [value, low, high].map(|value| quantity(key, value));
     format!("{key} = {{ value = {value}, low = {low}, high = {high} }}")
 }
@@ -105,10 +106,9 @@ pub(crate) fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f
 
 /// Whether a parameter is written: the points identify it, or narrow its range of a case without calibration.
 fn is_identified(parameter: &FittedParameter) -> bool {
-    let width = |[low, high]: [f64; 2]| (high / low).ln();
     match parameter.verdict {
         Verdict::Identified => true,
-        Verdict::Partly => width(parameter.band) < width(parameter.default_range),
+        Verdict::Partly => parameter.fitted.log_width() < parameter.default.log_width(),
         Verdict::NotIdentified => false,
     }
 }
@@ -139,14 +139,12 @@ mod tests {
         FittedParameter {
             key: key.to_owned(),
             name: key.to_owned(),
-            value,
-            band: [0.9 * value, 1.2 * value],
+            fitted: Estimate::new(value, [0.9 * value, 1.2 * value]),
             profile_band: [0.9 * value, 1.2 * value],
             is_open: [false; 2],
             profile: Vec::new(),
             bootstrap: None,
-            default: value,
-            default_range: [0.5 * value, 2.0 * value],
+            default: Estimate::new(value, [0.5 * value, 2.0 * value]),
             deviation: 0.05,
             verdict,
         }

@@ -1,12 +1,12 @@
 //! The steps of a calibration.
 
 use crate::error;
+use asperity_core::{Code, Estimate, Fault};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::CalibratedName;
 use asperity::fingerprint::sha256;
 use asperity::message::Warning;
-use asperity_core::{Code, Fault};
 use asperity_report::Watch;
 use nalgebra::DVector;
 
@@ -230,7 +230,7 @@ impl Rig {
         let widening = fit.scatter().widening();
         let one = |k: usize| -> Result<FittedParameter, Fault> {
             let parameter = &self.parameters[k];
-            let value = |logarithm: f64| parameter.centre * logarithm.exp();
+            let value = |logarithm: f64| parameter.default.value * logarithm.exp();
             let profile = fit.band(k)?;
             let of_samples: Vec<f64> = samples.iter().map(|sample| value(sample[k])).collect();
             let bootstrap = middle_95(&of_samples);
@@ -244,8 +244,7 @@ impl Rig {
             Ok(FittedParameter {
                 key: parameter.name.key().to_owned(),
                 name: parameter.words().to_owned(),
-                value: value(fit.minimum.x[k]),
-                band,
+                fitted: Estimate::new(value(fit.minimum.x[k]), band),
                 profile_band,
                 is_open: profile.is_open,
                 profile: profile
@@ -254,8 +253,7 @@ impl Rig {
                     .map(|[at, rise]| [value(*at), *rise])
                     .collect(),
                 bootstrap,
-                default: parameter.centre,
-                default_range: parameter.range,
+                default: parameter.default,
                 deviation: fit.deviation(k),
                 verdict: verdict(
                     identifiability.parameters[k]

@@ -5,7 +5,7 @@ use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 use asperity::message::Warning;
 use asperity_core::numerics::Z_975;
-use asperity_core::{Code, Fault};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +15,7 @@ use crate::information::{covariance, deviation_without_prior, information};
 use crate::optimal_design::d_optimal;
 use crate::parameters::Parameter;
 use crate::problem::{Observation, Problem};
-use crate::result::{IdentifiedParameter, SCHEMA_VERSION};
+use crate::result::{Banded, IdentifiedParameter, SCHEMA_VERSION};
 use crate::rig::parameters;
 use crate::rig_model::{OperatingPoint, PointLosses, Progress, RigModel};
 use crate::simulate::{Simulated, losses};
@@ -92,10 +92,9 @@ pub struct ExpectedParameter {
     /// Key, standard deviation without its prior, verdict.
     #[serde(flatten)]
     pub identified: IdentifiedParameter,
-    /// Value of the case in SI units.
-    pub value: f64,
-    /// Expected 95 % band, its prior included.
-    pub band: [f64; 2],
+    /// Value of the case in SI units with its expected 95 % band, its prior included.
+    #[serde(flatten, with = "Banded")]
+    pub expected: Estimate,
     /// Range of a case without calibration.
     pub default_range: [f64; 2],
 }
@@ -344,9 +343,11 @@ fn expected(
                 prior: parameter.prior,
                 verdict: crate::identifiability::verdict(deviation, parameter.prior),
             },
-            value: parameter.centre,
-            band: [-Z_975, Z_975].map(|z| parameter.centre * (z * width).exp()),
-            default_range: parameter.range,
+            expected: Estimate::new(
+                parameter.default.value,
+                [-Z_975, Z_975].map(|z| parameter.default.value * (z * width).exp()),
+            ),
+            default_range: parameter.default.ends(),
         }
     };
     parameters.iter().enumerate().map(one).collect()

@@ -1,5 +1,6 @@
 //! Measurements that would narrow the interval of the loss of a case, with the interval that each is expected to leave.
 
+use asperity_core::{Code, Estimate, Fault};
 use std::convert::Infallible;
 use std::str::FromStr;
 
@@ -10,7 +11,6 @@ use asperity::result::with_interval;
 use asperity::train::{self, Outcomes};
 use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_band};
 use asperity::{Contacts, LoadedCase};
-use asperity_core::{Code, Fault};
 use asperity_report::chart::{Axis, Drawing, Interval, Tornado};
 use asperity_report::{
     Report, Settings as _, StudyResult, StudySettings, Table, Watch, Work, columns, settings,
@@ -374,8 +374,8 @@ impl EvidenceTable {
 
     /// The present median with an interval and a unit.
     fn loss_text(&self, interval: [f64; 2], unit: &str) -> String {
-        let units = [unit, ""];
-        let [loss, _] = with_interval(self.loss.median_w, interval, self.power_in_w, units);
+        let loss = Estimate::new(self.loss.drawn.value, interval);
+        let [loss, _] = with_interval(loss, self.power_in_w, [unit, ""]);
         loss
     }
 
@@ -408,8 +408,8 @@ impl EvidenceTable {
     fn chart(&self) -> Option<Drawing> {
         let now = Interval {
             name: "as known".to_owned(),
-            ends: self.loss.quantiles_w,
-            text: self.loss_text(self.loss.quantiles_w, " W"),
+            ends: self.loss.drawn.ends(),
+            text: self.loss_text(self.loss.drawn.ends(), " W"),
         };
         let left = self.rows.iter().map(|row| Interval {
             name: row.measurement.clone(),
@@ -423,7 +423,7 @@ impl EvidenceTable {
                     .to_owned(),
                 source: TABLE.to_owned(),
                 axis: Axis::new("loss", "W"),
-                middle: self.loss.median_w,
+                middle: self.loss.drawn.value,
                 intervals: [now].into_iter().chain(left).collect(),
             })
         })
@@ -450,7 +450,7 @@ impl StudyResult for EvidenceTable {
     const NAME: &'static str = "evidence";
 
     fn report(&self) -> Report<'_> {
-        let loss = self.loss_text(self.loss.quantiles_w, " W");
+        let loss = self.loss_text(self.loss.drawn.ends(), " W");
         Report::new(&self.title, format!("{} · evidence", self.program))
             .section("Measurements that narrow the interval")
             .verdict([format!("Loss {loss}.")])

@@ -194,7 +194,10 @@ impl Rig {
             x = minimum(&problem.with(taken), &x, &free)?.x;
             let value = |k: &usize| {
                 let parameter = &self.parameters[*k];
-                (parameter.words().to_owned(), parameter.centre * x[*k].exp())
+                (
+                    parameter.words().to_owned(),
+                    parameter.default.value * x[*k].exp(),
+                )
             };
             stages.push(StageRow {
                 name: name.to_owned(),

@@ -23,6 +23,7 @@ use asperity::LoadedCase;
 use asperity::PositionError;
 use asperity::case::CalibratedName;
 use asperity::uncertainty::UncertainParameter;
+use asperity_core::Estimate;
 
 /// Parameter of the fit with its default.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,10 +31,8 @@ use asperity::uncertainty::UncertainParameter;
 pub struct Parameter {
     /// Name in the case.
     pub name: CalibratedName,
-    /// Centre of its prior in SI units: the value of the case.
-    pub centre: f64,
-    /// Range in the band of a case without calibration.
-    pub range: [f64; 2],
+    /// The value of the case in SI units, the centre of its prior, with its range in the band of a case without calibration.
+    pub default: Estimate,
     /// Standard deviation of the prior of its logarithm.
     pub prior: f64,
 }
@@ -56,12 +55,11 @@ impl Parameter {
     pub fn of(case: &LoadedCase) -> Result<Vec<Self>, PositionError> {
         let mut parameters = Vec::new();
         for name in CalibratedName::ALL {
-            if let Some((centre, range)) = UncertainParameter::from(name).range(case)? {
+            if let Some(default) = UncertainParameter::from(name).range(case)? {
                 let fitted = UncertainParameter::from(name).deviation_of_curves(case)?;
                 parameters.push(Self {
                     name,
-                    centre,
-                    range,
+                    default,
                     prior: fitted.unwrap_or(prior(name)),
                 });
             }

@@ -157,12 +157,16 @@ fn verdicts(calibration: &Calibration) -> Vec<String> {
         wanted.collect::<Vec<String>>().join(", ")
     };
     let with_band = |one: &FittedParameter| {
-        let value = shown(&one.key, one.value);
-        format!("{} {value} {}", one.name, range(&one.key, one.band))
+        let value = shown(&one.key, one.fitted.value);
+        format!(
+            "{} {value} {}",
+            one.name,
+            range(&one.key, one.fitted.ends())
+        )
     };
     let determined = of(Verdict::Identified, &with_band);
     let held = of(Verdict::Partly, &|one| {
-        let before = range(&one.key, one.default_range);
+        let before = range(&one.key, one.default.ends());
         format!("{}, before {before}", with_band(one))
     });
     let others = of(Verdict::NotIdentified, &|one| one.name.clone());

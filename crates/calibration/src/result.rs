@@ -1,6 +1,7 @@
 //! Data of a calibration.
 
 use asperity::message::Warning;
+use asperity_core::{Estimate, EstimateKeys, estimate_keys};
 use serde::{Deserialize, Serialize};
 
 /// Version of the structure of `calibration.json`.
@@ -138,6 +139,11 @@ pub struct StageRow {
     pub values: Vec<(String, f64)>,
 }
 
+estimate_keys! {
+    pub(crate) Banded: "value" "band";
+    Default: "default" "default_range";
+}
+
 /// A parameter with its bands, values in SI units.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -146,10 +152,9 @@ pub struct FittedParameter {
     pub key: String,
     /// Name in words.
     pub name: String,
-    /// Value.
-    pub value: f64,
-    /// 95 % band in the block.
-    pub band: [f64; 2],
+    /// Value with its 95 % band in the block.
+    #[serde(flatten, with = "Banded")]
+    pub fitted: Estimate,
     /// 95 % band by the profile likelihood.
     pub profile_band: [f64; 2],
     /// Whether an end of that band was not reached.
@@ -158,10 +163,9 @@ pub struct FittedParameter {
     pub profile: Vec<[f64; 2]>,
     /// Middle 95 % of the bootstrap over assemblies; `None` with a single assembly.
     pub bootstrap: Option<[f64; 2]>,
-    /// Default of the case.
-    pub default: f64,
-    /// Range of a case without calibration.
-    pub default_range: [f64; 2],
+    /// Default of the case with the range of a case without calibration.
+    #[serde(flatten, with = "Default")]
+    pub default: Estimate,
     /// Standard deviation of its logarithm, prior included, widened by the Birge ratio.
     pub deviation: f64,
     /// Identification by the points with their errors widened by the Birge ratio; a parameter that is not identified is omitted from the block.

@@ -179,7 +179,7 @@ impl RigModel {
         });
         let mut case = changed.map_err(named)?;
         for (parameter, logarithm) in self.parameters.iter().zip(logarithms) {
-            let value = parameter.centre * logarithm.exp();
+            let value = parameter.default.value * logarithm.exp();
             let set = UncertainParameter::from(parameter.name).set(&mut case, value);
             set.map_err(named)?;
         }

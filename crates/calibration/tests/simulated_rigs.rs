@@ -121,10 +121,10 @@ fn a_calibration_tells_its_parameters_its_points_and_its_evidence() {
     for (one, truth) in found.parameters.iter().zip(truth) {
         // Within four standard deviations of what was put in, and between the ends of its band.
         assert!(
-            ((one.value / one.default).ln() - truth).abs() < 4.0 * one.deviation,
+            ((one.fitted.value / one.default.value).ln() - truth).abs() < 4.0 * one.deviation,
             "{one:?}"
         );
-        assert!(one.band[0] < one.value && one.value < one.band[1]);
+        assert!(one.fitted.low < one.fitted.value && one.fitted.value < one.fitted.high);
         assert_eq!((one.is_open, one.profile.len()), ([false; 2], 9));
         assert!(one.bootstrap.is_some());
     }
@@ -294,7 +294,7 @@ fn files_are_calibrated_as_tables_are_and_bearings_are_taken_off() {
     );
     for one in &found.parameters {
         assert!(
-            (one.value / one.default).ln().abs() < 4.0 * one.deviation,
+            (one.fitted.value / one.default.value).ln().abs() < 4.0 * one.deviation,
             "{one:?}"
         );
     }

@@ -16,7 +16,7 @@
 pub use crate::input::bulk_input::{BulkInput, BulkLaw, Lubrication};
 pub use crate::input::calibration::cholesky;
 pub use crate::input::calibration::{
-    Calibrated, CalibratedName, CalibrationInput, CorrelationInput, SIMULATED,
+    CalibratedName, CalibrationInput, CorrelationInput, SIMULATED,
 };
 pub use crate::input::case_input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,

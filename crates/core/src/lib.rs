@@ -9,6 +9,7 @@ pub mod cancel;
 pub mod checked;
 pub mod derived;
 pub mod error;
+pub mod estimate;
 pub mod hardness;
 pub mod line_contact;
 pub mod material;
@@ -27,6 +28,7 @@ mod unit_text;
 
 pub use checked::{Checked, FittedRange, OutOfRange, Treatment};
 pub use error::DomainError;
+pub use estimate::{Estimate, EstimateKeys};
 pub use message::{Code, Fault, Place};
 pub use message_number::{decimals, number, number_with_unit};
 pub use profile::Profile;

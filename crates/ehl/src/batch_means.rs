@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// Mean of a record with its standard error.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct Estimate {
+pub struct RecordMean {
     /// Mean over the record.
     pub mean: f64,
     /// Standard error of the mean; not a number with fewer than two blocks.
@@ -61,7 +61,7 @@ impl BatchMeans {
     /// Mean of one quantity over the record, with the standard error from its whole blocks.
     ///
     /// s = √( Σ (x̄ₖ − x̄)²/(n·(n − 1)) ) over n block means               `[Batch-means]`
-    pub(crate) fn estimate(&self, quantity: usize) -> Estimate {
+    pub(crate) fn estimate(&self, quantity: usize) -> RecordMean {
         cite!("Batch-means");
         let n = self.blocks.len() as f64;
         let mean = self.blocks.iter().map(|b| b[quantity]).sum::<f64>() / n;
@@ -70,7 +70,7 @@ impl BatchMeans {
             .iter()
             .map(|b| (b[quantity] - mean).powi(2))
             .sum();
-        Estimate {
+        RecordMean {
             mean: self.totals[quantity] / self.elapsed,
             standard_error: (squares / (n * (n - 1.0))).sqrt(),
         }

@@ -38,7 +38,7 @@ mod stepper;
 pub mod traction;
 pub mod transient;
 
-pub use batch_means::Estimate;
+pub use batch_means::RecordMean;
 pub use dimensionless::{LineContact, Scales};
 pub use error::EhlError;
 pub use evidence::{Evidence, Solved};

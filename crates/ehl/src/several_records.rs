@@ -4,7 +4,7 @@ use asperity_core::provenance::carried;
 use asperity_core::quantity::Length;
 use rayon::prelude::*;
 
-use crate::batch_means::Estimate;
+use crate::batch_means::RecordMean;
 use crate::error::EhlError;
 use crate::evidence::Solved;
 use crate::transient::{
@@ -51,10 +51,10 @@ pub fn record_several(
 pub fn mean_of(records: &[Solved<Record>]) -> Option<Solved<Record>> {
     let (first, others) = records.split_first()?;
     let count = records.len() as f64;
-    let mean = |of: &dyn Fn(&Record) -> Estimate| {
+    let mean = |of: &dyn Fn(&Record) -> RecordMean| {
         let all = || records.iter().map(|record| of(&record.value));
         let squares: f64 = all().map(|one| one.standard_error.powi(2)).sum();
-        Estimate {
+        RecordMean {
             mean: all().map(|one| one.mean).sum::<f64>() / count,
             standard_error: squares.sqrt() / count,
         }
@@ -83,8 +83,8 @@ pub fn mean_of(records: &[Solved<Record>]) -> Option<Solved<Record>> {
     value.mean_film = mean(&|r| r.mean_film);
     value.mean_max_pressure = mean(&|r| r.mean_max_pressure);
     let friction = |of: &dyn Fn(&Record) -> Option<MeanFriction>| {
-        let part = |part: fn(&MeanFriction) -> Estimate| {
-            mean(&|r| of(r).map_or(Estimate::default(), |friction| part(&friction)))
+        let part = |part: fn(&MeanFriction) -> RecordMean| {
+            mean(&|r| of(r).map_or(RecordMean::default(), |friction| part(&friction)))
         };
         of(&first.value).map(|_| MeanFriction {
             film: part(|f| f.film),
@@ -96,8 +96,8 @@ pub fn mean_of(records: &[Solved<Record>]) -> Option<Solved<Record>> {
     };
     value.friction = friction(&|r| r.friction);
     value.heated = friction(&|r| r.heated.map(|heated| heated.friction)).map(|friction| {
-        let rise = |of: fn(&HeatedFriction) -> Estimate| {
-            mean(&|r| r.heated.map_or(Estimate::default(), |heated| of(&heated)))
+        let rise = |of: fn(&HeatedFriction) -> RecordMean| {
+            mean(&|r| r.heated.map_or(RecordMean::default(), |heated| of(&heated)))
         };
         HeatedFriction {
             friction,

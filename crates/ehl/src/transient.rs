@@ -10,7 +10,7 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
-use crate::batch_means::{BatchMeans, Estimate};
+use crate::batch_means::{BatchMeans, RecordMean};
 use crate::dimensionless::{LineContact, Scales};
 use crate::error::EhlError;
 use crate::evidence::{Evidence, Solved};
@@ -129,22 +129,22 @@ pub struct LoadBelow {
     /// The film.
     pub film: Length,
     /// Share of the load at films no thicker than this.
-    pub share: Estimate,
+    pub share: RecordMean,
 }
 
 /// Friction over the load, averaged over a record.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct MeanFriction {
     /// Film friction everywhere.
-    pub film: Estimate,
+    pub film: RecordMean,
     /// Boundary friction with the weight min(1, e^(−(h − H_b)/h_b)): the friction of the record.
-    pub shifted: Estimate,
+    pub shifted: RecordMean,
     /// Boundary friction with the weight e^(−h/h_b), stored for comparison with older records only.
-    pub graded: Estimate,
+    pub graded: RecordMean,
     /// Boundary friction below the solid film.
-    pub stepped: Estimate,
+    pub stepped: RecordMean,
     /// Share of the load on the boundary layer, with the weight of the shifted friction.
-    pub boundary_share: Estimate,
+    pub boundary_share: RecordMean,
 }
 
 /// Friction with the heat of film and surfaces, and its temperatures.
@@ -153,9 +153,9 @@ pub struct HeatedFriction {
     /// Friction over the load.
     pub friction: MeanFriction,
     /// Rise of the mean temperature of the film over the bulk, weighted with the pressure \[K\].
-    pub film_rise: Estimate,
+    pub film_rise: RecordMean,
     /// Mean rise of both surfaces, weighted with the pressure \[K\].
-    pub surface_rise: Estimate,
+    pub surface_rise: RecordMean,
 }
 
 /// One time of a record.
@@ -200,19 +200,19 @@ pub struct Record {
     /// Blocks of one half-width that the standard errors come from.
     pub blocks: usize,
     /// Share of the load at films no thicker than `solid_film`.
-    pub solid_share: Estimate,
+    pub solid_share: RecordMean,
     /// Share of the load at films no thicker than each threshold.
     pub load_below: Vec<LoadBelow>,
     /// Share of the load on contact nodes; does not converge with the grid.
-    pub contact_share: Estimate,
+    pub contact_share: RecordMean,
     /// Share of the load at the flow pressure.
-    pub plastic_share: Estimate,
+    pub plastic_share: RecordMean,
     /// Mean film within the half-width \[m\].
-    pub mean_film: Estimate,
+    pub mean_film: RecordMean,
     /// Standard deviation of the film within the half-width, over place and time.
     pub film_spread: Length,
     /// Mean over time of the largest pressure \[Pa\].
-    pub mean_max_pressure: Estimate,
+    pub mean_max_pressure: RecordMean,
     /// Largest pressure of all times.
     pub max_pressure: Pressure,
     /// Friction at the bulk temperature, with a law.

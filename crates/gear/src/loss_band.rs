@@ -8,6 +8,7 @@
 //! | tip chamfer | 0 to 0.1 m_n | drawings that name none |
 //! | amounts of tip relief | given tolerance | drawing |
 
+use asperity_core::Estimate;
 use asperity_core::numerics::range;
 use asperity_core::quantity::Length;
 use serde::{Deserialize, Serialize};
@@ -58,12 +59,9 @@ pub struct BandPart {
 /// Uncertainty interval of the loss factor.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LossFactorBand {
-    /// H_V of the map.
-    pub value: f64,
-    /// Lower end: the deviations of the parts combined as a root sum of squares.
-    pub low: f64,
-    /// Upper end: the deviations of the parts combined as a root sum of squares.
-    pub high: f64,
+    /// H_V of the map; its ends are the deviations of the parts combined as a root sum of squares.
+    #[serde(flatten)]
+    pub whole: Estimate,
     /// The individual causes that apply to the pair.
     pub parts: Vec<BandPart>,
 }
@@ -205,9 +203,11 @@ fn combine(value: f64, parts: Vec<BandPart>) -> LossFactorBand {
         squares.sqrt()
     };
     LossFactorBand {
-        value,
-        low: value - root_sum(|part, value| value - part.low),
-        high: value + root_sum(|part, value| part.high - value),
+        whole: Estimate {
+            value,
+            low: value - root_sum(|part, value| value - part.low),
+            high: value + root_sum(|part, value| part.high - value),
+        },
         parts,
     }
 }

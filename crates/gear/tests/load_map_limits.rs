@@ -750,7 +750,8 @@ fn the_band_and_the_note_say_how_far_the_loss_factor_is_known() {
     near(part(&band, BandSource::EdgeContact).high, 0.1586, 3e-4);
     near(part(&band, BandSource::TipChamfer).low, 0.1387, 2e-3);
     assert!(
-        band.low < plain.loss_factor() && band.high > part(&band, BandSource::EdgeContact).high
+        band.whole.low < plain.loss_factor()
+            && band.whole.high > part(&band, BandSource::EdgeContact).high
     );
     let note = plain.edge_contact_note().unwrap().unwrap();
     near(note.with, 0.1586, 3e-4);

@@ -46,9 +46,9 @@ type Column = (&'static str, fn(&Numbers) -> Option<f64>);
 /// The numbers of a point.
 pub const COLUMNS: [Column; 16] = [
     ("loss_w", |n| Some(n.loss_w)),
-    ("loss_median_w", |n| n.loss_median_w),
-    ("loss_p05_w", |n| Some(n.loss_quantiles_w?[0])),
-    ("loss_p95_w", |n| Some(n.loss_quantiles_w?[1])),
+    ("loss_median_w", |n| Some(n.drawn_w?.value)),
+    ("loss_p05_w", |n| Some(n.drawn_w?.low)),
+    ("loss_p95_w", |n| Some(n.drawn_w?.high)),
     ("loss_torque_nm", |n| Some(n.loss_torque_nm)),
     ("loss_torque_deviation_nm", |n| n.loss_torque_deviation_nm),
     ("efficiency", |n| n.efficiency),

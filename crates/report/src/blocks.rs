@@ -53,11 +53,13 @@ impl Display for LeftOut {
 /// Report of a study.
 ///
 /// ```
+/// use asperity_core::Estimate;
 /// use asperity_report::{Cell, Report, columns};
-/// let losses = [("ground", 706.2, [562.0, 918.0]), ("superfinished", 452.1, [361.0, 557.0])];
-/// let table = columns! { (name, loss, ends) in losses;
+/// let ground = Estimate::new(706.2, [562.0, 918.0]);
+/// let superfinished = Estimate::new(452.1, [361.0, 557.0]);
+/// let table = columns! { (name, loss) in [("ground", ground), ("superfinished", superfinished)];
 ///     head finish "finish" "" = name;
-///     interval loss_w "loss" "W" = Cell::interval(loss, ends);
+///     interval loss_w "loss" "W" = Cell::interval(loss);
 /// };
 /// let report = Report::new("Two finishes", "example")
 ///     .section("Losses")

@@ -4,11 +4,11 @@
 //! unit, digits and value. [`Table::text`] prints it with aligned columns, on a page it is written into the markup by `(table)`, and
 //! with [`Table::in_file`] its values are a file.
 
+use asperity_core::{Estimate, Fault};
 use std::borrow::Cow;
 use std::path::Path;
 
 use asperity::result::loss_band::Digits;
-use asperity_core::Fault;
 use asperity_storage::one_line;
 use maud::{Markup, Render, html};
 use serde::Serialize;
@@ -58,12 +58,21 @@ impl Cell {
     }
 
     /// The number `value` with its interval and the digits that this leaves.
-    pub fn interval(value: f64, ends: [f64; 2]) -> Self {
-        let text = Digits::of_interval(ends).interval(value, ends);
-        Self::with_ends(text, Some(value), Some(ends))
+    pub fn interval(estimate: Estimate) -> Self {
+        let text = Digits::of_interval(estimate.ends()).interval(estimate);
+        Self::estimate(text, Some(estimate))
     }
 
-    /// A number with its interval, shown as `text`.
+    /// A number with its interval if there is one, shown as `text`.
+    pub fn estimate(text: impl Into<String>, estimate: Option<Estimate>) -> Self {
+        Self::with_ends(
+            text,
+            estimate.map(|of| of.value),
+            estimate.map(Estimate::ends),
+        )
+    }
+
+    /// A number, possibly with the ends of its interval, shown as `text`.
     pub fn with_ends(text: impl Into<String>, value: Option<f64>, ends: Option<[f64; 2]>) -> Self {
         let number = |value: Option<f64>| value.map_or(Value::Missing, Value::Number);
         let [low, high] = ends.map_or([None; 2], |ends| ends.map(Some));

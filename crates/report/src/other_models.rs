@@ -19,10 +19,10 @@ pub(crate) fn models(uncertainty: &Uncertainty) -> Table {
 
 /// The losses by other models that are outside of the interval, in words; `None` if there are none.
 pub(crate) fn outside(uncertainty: &Uncertainty) -> Option<String> {
-    let [low, high] = uncertainty.loss.quantiles_w;
+    let drawn = uncertainty.loss.drawn;
     let losses = uncertainty.other_models.iter();
     let losses = losses.filter_map(|row| row.loss_w);
-    let outside: Vec<f64> = losses.filter(|loss| *loss < low || *loss > high).collect();
+    let outside: Vec<f64> = losses.filter(|loss| !drawn.contains(*loss)).collect();
     let of = |losses: Vec<f64>| {
         let ends =
             numerics::range(losses.iter().copied()).map(|end| uncertainty.digits().rounded(end));
@@ -33,7 +33,7 @@ pub(crate) fn outside(uncertainty: &Uncertainty) -> Option<String> {
         }
     };
     let (below, above): (Vec<f64>, Vec<f64>) =
-        outside.iter().copied().partition(|loss| *loss < low);
+        outside.iter().copied().partition(|loss| *loss < drawn.low);
     let ends: Vec<String> = [of(below), of(above)].into_iter().flatten().collect();
     (!ends.is_empty()).then(|| {
         format!(

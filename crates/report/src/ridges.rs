@@ -3,6 +3,7 @@
 use asperity::result::RunResult;
 use asperity::result::loss_band::{Digits, rounded};
 use asperity::result::ridges::{RidgeRow, Ridges};
+use asperity_core::Estimate;
 
 /// Explanation of the numbers.
 pub const NOTE: &str = "A ridge is a part of a prepared trace above its mean line. Its saving uses the mean of the gradients of the \
@@ -78,8 +79,9 @@ pub fn saving_of(row: &RidgeRow) -> String {
 fn with_interval(value: f64, quantiles: Option<[f64; 2]>, unit: &str) -> String {
     match quantiles {
         Some([low, high]) if low < high => {
-            let digits = Digits::of_uncertainty((0.5 * (high - low)).max(LEAST_W));
-            digits.interval_with(unit, value, [low, high])
+            let estimate = Estimate { value, low, high };
+            let digits = Digits::of_uncertainty(estimate.half_width().max(LEAST_W));
+            digits.interval_with(unit, estimate)
         }
         _ => format!("{}{unit}", watts(value)),
     }

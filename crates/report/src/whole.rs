@@ -1,11 +1,11 @@
 //! Result of a gear train as a whole: its tables, its page, its summary and its headline.
 
+use asperity_core::{Estimate, Fault, capitalised};
 use std::path::Path;
 
 use asperity::case::train::mesh_folder;
 use asperity::message::Warning;
 use asperity::train::Whole;
-use asperity_core::{Fault, capitalised};
 use maud::{Markup, html};
 
 use crate::chart::{Axis, Bar, BarChart, Drawing};
@@ -185,8 +185,8 @@ fn losses_of_meshes(result: &Whole) -> Drawing {
         };
         Bar {
             name: row.mesh.clone(),
-            value: Some(drawn.map_or(row.loss_w, |(median, _)| median)),
-            spread: drawn.map(|(_, quantiles)| quantiles),
+            value: Some(drawn.map_or(row.loss_w, |of| of.value)),
+            spread: drawn.map(Estimate::ends),
             text: format!("{} W{times}", row.with_digits()[0]),
         }
     });

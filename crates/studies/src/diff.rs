@@ -96,14 +96,14 @@ pub fn diff(first: &RunResult, second: &RunResult) -> Result<ResultDiff, serde_j
         let mut values = BTreeMap::new();
         flatten("", &json_value(&result.summary)?, &mut values);
         if let Some(band) = &result.uncertainty {
-            let ([low, high], [least, most]) = (band.loss.quantiles_w, band.efficiency_quantiles);
+            let (loss, efficiency) = (band.loss.drawn, band.efficiency);
             let drawn = [
-                ("loss_median_w", band.loss.median_w),
-                ("loss_p05_w", low),
-                ("loss_p95_w", high),
-                ("efficiency_median", band.efficiency_median),
-                ("efficiency_p05", least),
-                ("efficiency_p95", most),
+                ("loss_median_w", loss.value),
+                ("loss_p05_w", loss.low),
+                ("loss_p95_w", loss.high),
+                ("efficiency_median", efficiency.value),
+                ("efficiency_p05", efficiency.low),
+                ("efficiency_p95", efficiency.high),
             ];
             values.extend(drawn.map(|(key, value)| (key.to_owned(), value.into())));
         }

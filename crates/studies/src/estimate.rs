@@ -17,7 +17,7 @@ use asperity::{Error, PositionError, Run};
 /// Estimated time and memory of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 #[non_exhaustive]
-pub struct Estimate {
+pub struct Cost {
     /// Number of rough contacts, one per position and offset.
     pub contacts: usize,
     /// Number of points of all contacts.
@@ -28,7 +28,7 @@ pub struct Estimate {
     pub bytes: f64,
 }
 
-impl Estimate {
+impl Cost {
     /// Estimate of two runs, one after the other.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
@@ -94,9 +94,9 @@ const BYTES: f64 = 8.0;
 pub fn estimate<'a>(
     meshes: impl IntoIterator<Item = &'a LoadedCase>,
     kept: &KeptFields,
-) -> Result<Estimate, Error> {
+) -> Result<Cost, Error> {
     let mut meshes = meshes.into_iter();
-    meshes.try_fold(Estimate::default(), |sum, mesh| {
+    meshes.try_fold(Cost::default(), |sum, mesh| {
         Ok(sum.and(Work::of(mesh)?.estimate(mesh, kept, 1.0)))
     })
 }
@@ -109,14 +109,14 @@ pub fn estimate<'a>(
 pub fn measured<'a>(
     meshes: impl IntoIterator<Item = &'a LoadedCase>,
     kept: &KeptFields,
-) -> Result<Estimate, Error> {
+) -> Result<Cost, Error> {
     let mut meshes = meshes.into_iter();
-    meshes.try_fold(Estimate::default(), |sum, mesh| {
+    meshes.try_fold(Cost::default(), |sum, mesh| {
         Ok(sum.and(measured_mesh(mesh, kept)?))
     })
 }
 
-fn measured_mesh(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Error> {
+fn measured_mesh(loaded: &LoadedCase, kept: &KeptFields) -> Result<Cost, Error> {
     let work = Work::of(loaded)?;
     let Ok(single_thread) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else {
         return Ok(work.estimate(loaded, kept, 1.0));
@@ -274,7 +274,7 @@ impl Work {
     }
 
     /// The estimate with the time of the contacts multiplied by `scale`.
-    fn estimate(&self, loaded: &LoadedCase, kept: &KeptFields, scale: f64) -> Estimate {
+    fn estimate(&self, loaded: &LoadedCase, kept: &KeptFields, scale: f64) -> Cost {
         let threads = rayon::current_num_threads();
         let together = threads.min(self.positions.max(1)) as f64;
         let (records, of_a_record) = self.records;
@@ -287,7 +287,7 @@ impl Work {
             true => BYTES_OF_A_TABLE * self.points,
             false => 0.0,
         };
-        Estimate {
+        Cost {
             contacts: self.contacts,
             points: self.points,
             seconds: SECONDS_AROUND

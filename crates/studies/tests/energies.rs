@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic")]
 
+use asperity_core::Estimate;
 use std::path::Path;
 
 use asperity::pipeline::{contacts, losses_with};
@@ -79,20 +80,16 @@ fn quantiles_of_an_energy_from_nine_nodes_are_those_of_draws_at_every_point() {
     }
     let direct = Quantiles::of(&direct);
     let finish = &result.finishes[0];
-    let [low, high] = finish.lost_quantiles_wh.unwrap();
-    let found = [low, finish.lost_median_wh.unwrap(), high];
-    let expected = [
-        direct.quantiles_w[0],
-        direct.median_w,
-        direct.quantiles_w[1],
-    ];
+    let [low, high] = finish.lost_drawn_wh.unwrap().ends();
+    let found = [low, finish.lost_drawn_wh.unwrap().value, high];
+    let expected = [direct.drawn.low, direct.drawn.value, direct.drawn.high];
     println!("{found:?} {expected:?}");
     for (found, expected) in found.iter().zip(expected) {
         assert!((found / expected - 1.0).abs() < 0.015, "{found} {expected}");
     }
     // At a node the quantiles are those of the node: 145 N m at 9000 1/min.
-    let [median, low, high] = finish.drawn_w[2];
-    assert!(low < median && median < high && finish.loss_w[2] > low);
+    let Estimate { value, low, high } = finish.drawn_w[2];
+    assert!(low < value && value < high && finish.loss_w[2] > low);
 }
 
 #[test]
@@ -106,11 +103,13 @@ fn equal_finishes_differ_by_nothing_over_a_cycle() {
     ];
     let result = energies(&finishes, &[[30, 5000], [60, 5000]]);
     let again = &result.finishes[1];
-    assert_eq!(again.difference_quantiles_wh, Some([0.0, 0.0]));
-    assert_eq!(again.difference_median_wh, Some(0.0));
+    assert_eq!(
+        again.difference_drawn_wh,
+        Some(Estimate::new(0.0, [0.0; 2]))
+    );
     let smoother = &result.finishes[2];
-    let [low, high] = smoother.difference_quantiles_wh.unwrap();
-    let median = smoother.difference_median_wh.unwrap();
+    let [low, high] = smoother.difference_drawn_wh.unwrap().ends();
+    let median = smoother.difference_drawn_wh.unwrap().value;
     assert!(median < 0.0 && low < median && median < high);
 }
 
@@ -119,7 +118,7 @@ fn columns_of_a_sweep_hold_the_quantiles_of_runs() {
     let case = ground(3, 2);
     let loss = Run::new(&case).without_pictures().band(true).execute();
     let loss = loss.unwrap().result.uncertainty.unwrap().loss;
-    let expected = [loss.median_w, loss.quantiles_w[0], loss.quantiles_w[1]];
+    let expected = [loss.drawn.value, loss.drawn.ends()[0], loss.drawn.ends()[1]];
     for detail in ["losses", "contacts"] {
         let text = format!(
             r#"{{ "axis": [{{ "key": "operation.bulk_temperature", "values": ["90 °C", "60 °C"] }}], "detail": "{detail}",

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use asperity::case::{CaseInput, LoadedCase, load};
 use asperity::pipeline::{KeptFields, contacts};
-use asperity_studies::estimate::{Estimate, estimate, measured};
+use asperity_studies::estimate::{Cost, estimate, measured};
 
 const KEPT: KeptFields = KeptFields::Highest;
 
@@ -23,7 +23,7 @@ fn with(keys: &[(&str, &str)]) -> LoadedCase {
 }
 
 /// The estimate on one thread, whatever the machine has.
-fn alone(case: &LoadedCase) -> Estimate {
+fn alone(case: &LoadedCase) -> Cost {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     pool.unwrap().install(|| estimate([case], &KEPT).unwrap())
 }

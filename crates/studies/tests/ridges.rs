@@ -153,7 +153,7 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
     let of_rows: Vec<_> = of_rows.collect();
     let mut beyond_sampling = 0;
     for kind in [BoundaryFriction, Lay] {
-        for end in kind.range(&case).unwrap().unwrap().1 {
+        for end in kind.range(&case).unwrap().unwrap().ends() {
             let moved = exact.each_ref().map(|found| {
                 let mut case = found.case.clone();
                 kind.set(&mut case, end).unwrap();

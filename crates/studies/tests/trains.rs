@@ -84,11 +84,11 @@ fn a_point_of_the_map_of_a_train_is_its_run_with_loss_parts_efficiency_and_band(
     );
     assert_eq!(numbers.film_w, run.kinds.film_w);
     let drawn = run.loss_distribution.unwrap();
-    let [low, high] = numbers.loss_quantiles_w.unwrap();
+    let [low, high] = numbers.drawn_w.unwrap().ends();
     let pairs = [
-        (numbers.loss_median_w.unwrap(), drawn.median_w),
-        (low, drawn.quantiles_w[0]),
-        (high, drawn.quantiles_w[1]),
+        (numbers.drawn_w.unwrap().value, drawn.drawn.value),
+        (low, drawn.drawn.low),
+        (high, drawn.drawn.high),
     ];
     assert!(
         pairs.iter().all(|(a, b)| (a / b - 1.0).abs() < 1e-12),
@@ -212,12 +212,18 @@ fn a_comparison_of_a_train_has_the_losses_of_its_runs_and_the_differences_of_its
         .map(|mesh| mesh.difference.clone().unwrap());
     let sum: f64 = meshes.map(|mesh| mesh.at_medians_w).sum();
     assert!((sum - whole.at_medians_w).abs() < 1e-9);
-    assert!(whole.median_w < 0.0 && whole.models.len() > 3, "{whole:?}");
+    assert!(
+        whole.watts.value < 0.0 && whole.models.len() > 3,
+        "{whole:?}"
+    );
     // The other mesh cancels draw by draw.
     let [kept, changed] = [0, 1].map(|k| one.meshes[k].difference.clone().unwrap());
-    assert_eq!((kept.verdict, kept.quantiles_w), (Verdict::Equal, [0.0; 2]));
+    assert_eq!(
+        (kept.verdict, kept.watts.ends()),
+        (Verdict::Equal, [0.0; 2])
+    );
     let of_train = of(one);
-    for (own, of_mesh) in of_train.quantiles_w.iter().zip(changed.quantiles_w) {
+    for (own, of_mesh) in of_train.watts.ends().iter().zip(changed.watts.ends()) {
         assert!((own / of_mesh - 1.0).abs() < 1e-9, "{own} {of_mesh}");
     }
     assert_eq!(of(same).verdict, Verdict::Equal);
@@ -294,7 +300,7 @@ fn a_sweep_of_a_train_has_the_numbers_of_its_runs() {
         of_run.loss_w,
         of_run.efficiency,
         of_run.kinds.film_w,
-        of_run.loss_distribution.unwrap().quantiles_w[1],
+        of_run.loss_distribution.unwrap().drawn.high,
         of_run.meshes[0].loss_w,
         of_run.meshes[1].loss_w,
     ];
@@ -424,8 +430,8 @@ fn a_cycle_on_the_map_of_a_train_loses_its_loss_times_the_time() {
     let finish = &energies.finishes[0];
     assert!((finish.lost_wh / numbers.loss_w - 1.0).abs() < 1e-12);
     // The draws are common to the cycle, the sampling less so.
-    let [low, high] = numbers.loss_quantiles_w.unwrap();
-    let [low_wh, high_wh] = finish.lost_quantiles_wh.unwrap();
+    let [low, high] = numbers.drawn_w.unwrap().ends();
+    let [low_wh, high_wh] = finish.lost_drawn_wh.unwrap().ends();
     assert!(low_wh > 0.99 * low && high_wh < 1.01 * high && high_wh - low_wh > 0.8 * (high - low));
     // Without torque there is no power of which the loss is a share.
     let idle = map_of(train(TWO_STAGES, &[]), &[0.0], MapBand::None);

@@ -4,24 +4,25 @@
 //! cargo run -p asperity-uncertainty --example interval_of_a_friction_loss
 //! ```
 
+use asperity_core::Estimate;
 use asperity_core::numerics::standard_normal_quantile;
 use asperity_uncertainty::{Quantiles, Ranged, UncertainParameter, latin_hypercube};
 
 fn main() {
     let friction = Ranged {
         kind: UncertainParameter::BoundaryFriction,
-        value: 0.09,
-        low: 0.066,
-        high: 0.123,
+        estimate: Estimate::new(0.09, [0.066, 0.123]),
         measured: None,
         lays: None,
     };
     let draws = latin_hypercube(4096, 1, 1);
     let losses: Vec<f64> = draws
         .iter()
-        .map(|place| 600.0 * friction.at(standard_normal_quantile(place[0])) / friction.value)
+        .map(|place| {
+            600.0 * friction.at(standard_normal_quantile(place[0])) / friction.estimate.value
+        })
         .collect();
     let found = Quantiles::of(&losses);
-    let [low, high] = found.quantiles_w;
-    println!("{:.0} W ({low:.0}..{high:.0})", found.median_w);
+    let Estimate { value, low, high } = found.drawn;
+    println!("{value:.0} W ({low:.0}..{high:.0})");
 }

@@ -3,6 +3,7 @@
 //! The draws of the case are narrowed about their medians by what the measurement leaves of its own quantity; all other
 //! parts are drawn as before.
 
+use asperity_core::Estimate;
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
@@ -140,7 +141,7 @@ impl SharedLosses {
             })
         });
         let drawn_w = total(meshes, |_, predictive, flanks| predictive.losses(flanks));
-        let median_w = Quantiles::of(&drawn_w).median_w;
+        let median_w = Quantiles::of(&drawn_w).drawn.value;
         let mut pairs: Vec<[f64; 2]> = (drawn_w.into_iter().zip(shared_w))
             .map(|(own, shared)| [own.ln(), shared.ln()])
             .collect();
@@ -184,8 +185,10 @@ impl SharedLosses {
         }
         let [low, high, variance] = sums.map(|sum| sum / TRUTHS as f64);
         Quantiles {
-            median_w: self.median_w,
-            quantiles_w: [low, high].map(|end| self.median_w * end.exp()),
+            drawn: Estimate::new(
+                self.median_w,
+                [low, high].map(|end| self.median_w * end.exp()),
+            ),
             sd_ln: variance.sqrt(),
         }
     }

@@ -29,7 +29,7 @@ pub use predictive::{
     COMPARED, Component, DrawnLoss, FilmLaw, InnerBoundary, OtherLaw, Predictive, RecordedRule,
     model_deviation,
 };
-pub use quantiles::{ENDS, PROBABILITIES, Quantiles, sorted_quantiles};
+pub use quantiles::{ENDS, PROBABILITIES, Quantiles, Watts, median_with_ends, sorted_quantiles};
 pub use relief::ReliefFactors;
 pub use sampling_error::SamplingError;
 pub use surface::{QuadraticSurface, least_squares};

@@ -24,6 +24,7 @@
 //! The distributions are estimates of this project; measured losses bracket τ₀ of polyalphaolefin. Constants that the
 //! case states are not drawn: their user has measured them.
 
+use asperity_core::Estimate;
 use asperity_core::numerics::{Z_95, Z_975};
 use asperity_core::quantity::{Length, PerKelvin, Pressure, PressureViscosity, Temperature};
 use asperity_oil::{
@@ -32,7 +33,7 @@ use asperity_oil::{
 };
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_BAND};
 
-use asperity_case::case::{Calibrated, CalibratedName, Case, FittedName, LoadedCase};
+use asperity_case::case::{CalibratedName, Case, FittedName, LoadedCase};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::flanks::flank_lay::{FlankLay, mean_at, with_mean};
 use asperity_mixed_film::InletSupply;
@@ -104,12 +105,9 @@ pub enum Measured {
 pub struct Ranged {
     /// The constant.
     pub kind: UncertainParameter,
-    /// The median.
-    pub value: f64,
-    /// 5 % quantile, 2.5 % of a measured one.
-    pub low: f64,
-    /// 95 % quantile, 97.5 % of a measured one.
-    pub high: f64,
+    /// Median with 5 % and 95 % quantiles, with 2.5 % and 97.5 % quantiles of a measured one.
+    #[serde(flatten)]
+    pub estimate: Estimate,
     /// Measurements that state value and range.
     #[serde(rename = "calibrated")]
     pub measured: Option<Measured>,
@@ -153,7 +151,7 @@ impl UncertainParameter {
     }
 
     /// Value and 95 % band by measurements that the case names.
-    fn measured(self, case: &Case) -> Option<(Calibrated<f64>, Measured)> {
+    fn measured(self, case: &Case) -> Option<(Estimate, Measured)> {
         let calibration = case.input.calibration.as_ref();
         let calibrated = calibration.and_then(|given| given.of(self.calibrated_name()?));
         let fitted = || {
@@ -190,12 +188,12 @@ impl UncertainParameter {
     ///
     /// # Errors
     /// When the family of the oil is not known.
-    pub fn range(self, loaded: &LoadedCase) -> Result<Option<(f64, [f64; 2])>, PositionError> {
+    pub fn range(self, loaded: &LoadedCase) -> Result<Option<Estimate>, PositionError> {
         if !self.acts(loaded) {
             return Ok(None);
         }
         let ranged = self.ranged(loaded)?;
-        Ok(ranged.map(|ranged| (ranged.value, [ranged.low, ranged.high])))
+        Ok(ranged.map(|ranged| ranged.estimate))
     }
 
     /// Standard deviation of its logarithm by the traction curves of an oil file; `None` if they do not state it.
@@ -203,10 +201,11 @@ impl UncertainParameter {
     /// # Errors
     /// As [`range`](Self::range).
     pub fn deviation_of_curves(self, loaded: &LoadedCase) -> Result<Option<f64>, PositionError> {
-        let of_curves =
-            |ranged: &Ranged| ranged.measured == Some(Measured::OilFile) && ranged.low > 0.0;
+        let of_curves = |ranged: &Ranged| {
+            ranged.measured == Some(Measured::OilFile) && ranged.estimate.low > 0.0
+        };
         let ranged = self.ranged(loaded)?.filter(of_curves);
-        Ok(ranged.map(|ranged| (ranged.high / ranged.low).ln() / (2.0 * Z_975)))
+        Ok(ranged.map(|ranged| ranged.estimate.log_width() / (2.0 * Z_975)))
     }
 
     /// Its name in words.
@@ -276,26 +275,16 @@ impl UncertainParameter {
     fn ranged(self, loaded: &LoadedCase) -> Result<Option<Ranged>, PositionError> {
         let case = &loaded.case;
         let constants = case.rheology.as_ref().map(|rheology| *rheology.constants());
-        if let Some((Calibrated { value, low, high }, measured)) = self.measured(case) {
-            return Ok(Some(Ranged {
-                kind: self,
-                value,
-                low,
-                high,
-                measured: Some(measured),
-                lays: None,
-            }));
-        }
-        let range = |value: f64, [low, high]: [f64; 2]| {
-            Some(Ranged {
-                kind: self,
-                value,
-                low,
-                high,
-                measured: None,
-                lays: None,
-            })
+        let ranged = |estimate, measured| Ranged {
+            kind: self,
+            estimate,
+            measured,
+            lays: None,
         };
+        if let Some((estimate, measured)) = self.measured(case) {
+            return Ok(Some(ranged(estimate, Some(measured))));
+        }
+        let range = |value: f64, ends: [f64; 2]| Some(ranged(Estimate::new(value, ends), None));
         Ok(match (self, constants) {
             (Self::BoundaryFriction, _) => {
                 range(case.model.boundary_friction, BOUNDARY_FRICTION_BAND)
@@ -308,13 +297,10 @@ impl UncertainParameter {
                 let lays = loaded.flank_lays();
                 let [low, value, high] = [-Z_95, 0.0, Z_95].map(|z| mean_at(lays, z));
                 let is_measured = lays.map(|lay| lay != FlankLay::ASSUMED);
+                let measured = (is_measured == [true; 2]).then_some(Measured::Surfaces);
                 Some(Ranged {
-                    kind: self,
-                    value,
-                    low,
-                    high,
-                    measured: (is_measured == [true; 2]).then_some(Measured::Surfaces),
                     lays: is_measured.contains(&true).then_some(lays),
+                    ..ranged(Estimate { value, low, high }, measured)
                 })
             }
             (Self::PressureViscosity, _) => {
@@ -363,7 +349,8 @@ impl Ranged {
     /// v± are the 5 % and 95 % quantiles, on either side of v₀ its own; z₉₅ = 1.645, and 1.960 of a measured constant.
     pub fn at(&self, z: f64) -> f64 {
         asperity_core::cite!("Constant-draw");
-        let end = if z < 0.0 { self.low } else { self.high };
+        let Estimate { value, low, high } = self.estimate;
+        let end = if z < 0.0 { low } else { high };
         let z_end = match self.measured {
             Some(_) => Z_975,
             None => Z_95,
@@ -371,9 +358,9 @@ impl Ranged {
         match self.kind {
             UncertainParameter::Lay => mean_at(self.lays.unwrap_or([FlankLay::ASSUMED; 2]), z),
             UncertainParameter::LimitingShearTemperature | UncertainParameter::TemperatureError => {
-                self.value + (end - self.value).abs() * z / z_end
+                value + (end - value).abs() * z / z_end
             }
-            _ => self.value * ((end / self.value).ln().abs() * z / z_end).exp(),
+            _ => value * ((end / value).ln().abs() * z / z_end).exp(),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Median, quantiles and spread of draws.
 
+use asperity_core::{Estimate, EstimateKeys, estimate_keys};
 use serde::{Deserialize, Serialize};
 
 /// Probabilities of the lower quantile, the median and the upper quantile.
@@ -8,13 +9,24 @@ pub const PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
 /// Probabilities of the ends of an interval.
 pub const ENDS: [f64; 2] = [PROBABILITIES[0], PROBABILITIES[2]];
 
+estimate_keys! {
+    /// Keys of a median of drawn losses.
+    pub Watts: "median_w" "quantiles_w";
+}
+
+/// The median of `values` with their 5 % and 95 % quantiles.
+#[must_use]
+pub fn median_with_ends(values: &[f64]) -> Estimate {
+    let [low, value, high] = sorted_quantiles(values, PROBABILITIES);
+    Estimate { value, low, high }
+}
+
 /// Median, 5 % and 95 % quantiles of drawn losses, and the standard deviation of their logarithms.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Quantiles {
-    /// Median \[W\].
-    pub median_w: f64,
-    /// 5 % and 95 % quantiles \[W\].
-    pub quantiles_w: [f64; 2],
+    /// Median with 5 % and 95 % quantiles \[W\].
+    #[serde(flatten, with = "Watts")]
+    pub drawn: Estimate,
     /// Standard deviation of the logarithm.
     pub sd_ln: f64,
 }
@@ -25,18 +37,16 @@ impl Quantiles {
     /// ```
     /// use asperity_uncertainty::Quantiles;
     /// let found = Quantiles::of(&(0..=20).map(|k| 100.0 + f64::from(k)).collect::<Vec<_>>());
-    /// assert_eq!((found.median_w, found.quantiles_w), (110.0, [101.0, 119.0]));
+    /// assert_eq!((found.drawn.value, found.drawn.ends()), (110.0, [101.0, 119.0]));
     /// ```
     #[must_use]
     pub fn of(draws: &[f64]) -> Self {
-        let [low, median_w, high] = sorted_quantiles(draws, PROBABILITIES);
         let logs: Vec<f64> = draws.iter().map(|loss| loss.ln()).collect();
         let n = logs.len() as f64;
         let mean = logs.iter().sum::<f64>() / n;
         let squares: f64 = logs.iter().map(|log| (log - mean).powi(2)).sum();
         Self {
-            median_w,
-            quantiles_w: [low, high],
+            drawn: median_with_ends(draws),
             sd_ln: (squares / (n - 1.0).max(1.0)).sqrt(),
         }
     }

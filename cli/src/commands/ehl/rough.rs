@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use asperity::ehl::several_records::{mean_of, record_several};
 use asperity::ehl::transient::MeanFriction;
 use asperity::ehl::{
-    Estimate, NodeState, PlasticCeiling, Record, RecordSettings, RoughContact, Solved, Window,
+    NodeState, PlasticCeiling, Record, RecordMean, RecordSettings, RoughContact, Solved, Window,
 };
 use asperity::lubrication::{HIGHEST_PRESSURE, ShareComparison};
 use asperity::reference_solution::{estimate_json, nanometres, record_json, record_warnings};
@@ -29,7 +29,7 @@ pub struct Recorded {
     pub window: Window,
     pub solved: Solved<Record>,
     /// Solid share of each of the averaged records.
-    pub shares: Vec<Estimate>,
+    pub shares: Vec<RecordMean>,
     /// Attenuated roughness in the contact, of both surfaces.
     pub attenuated_roughness: Option<Length>,
     /// Columns of the files of both profiles that were not read.

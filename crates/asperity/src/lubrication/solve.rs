@@ -7,8 +7,8 @@
 //! 4. The friction of the film comes from a solved full film, from the share, or from the law of film friction.
 //! 5. Forces follow from shares and coefficients, and from the forces the flash temperature.
 //!
-//! A formulation with pressures of its own ([`WindowPressures`]) has no share by the contact: friction, film share and deformation
-//! of a window then follow from its pressures, in place of what step 3 gives.
+//! A formulation with pressures of its own ([`WindowPressures`]) has no share by the contact: its pressures replace what step 3
+//! gives to friction, film share and deformation of a window ([`Lubrication::press_by_law`]).
 
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ use crate::mesh::MeshPosition;
 use crate::records::{PathRecords, RecordedShare};
 use asperity_case::case::{Case, FullFilmName};
 use asperity_case::error::PositionError;
-use asperity_case::flanks::{Roughness, Surfaces, WindowPair};
+use asperity_case::flanks::{Surfaces, WindowPair};
 use asperity_case::formula_film::FormulaFilm;
 use asperity_case::window_pressures::{Pressed, WindowConditions, WindowPressures};
 
@@ -39,8 +39,6 @@ use asperity_case::window_pressures::{Pressed, WindowConditions, WindowPressures
 struct Decided {
     /// The rough contact at its share, if the load share depends on it.
     share: Option<Checked<LoadShareSolution>>,
-    /// Heights of the window, if the load share depends on them.
-    pair: Option<WindowPair>,
     decision: Decision,
 }
 
@@ -73,48 +71,30 @@ impl Lubrication<'_> {
         contacts: &[Arc<WindowContact>],
     ) -> Result<LubricatedPosition, PositionError> {
         let film = plausible_film(self.case, at)?;
-        let smooth = self.smooth_friction((at, &film))?;
+        let of_position = (at, &film);
+        let smooth = self.smooth_friction(of_position)?;
         let records = self
             .records
             .filter(|_| self.laws.load_share.needs_records());
         let recorded = records.map(|records| records.at(at.s, smooth));
+        let decided = self.decided(of_position, contacts, recorded)?;
+        let is_full = |decided: &Decided| decided.decision.is_full;
+        let full_film = match decided.iter().any(is_full) {
+            true => full_film_at(self.case, of_position, self.records, smooth)?,
+            false => None,
+        };
+        let frictions = self.in_film(of_position, contacts, &decided, full_film.as_ref())?;
         let mut position = LubricatedPosition {
             offsets: Vec::with_capacity(contacts.len()),
-            full_film: None,
+            full_film,
             doubts: Vec::new(),
             pressed: None,
             at: at.clone(),
             film: film.clone(),
         };
-        let mut film_alone = None;
-        let mut by_law = Vec::new();
-        if !self.is_film_alone() {
-            let roughness = contacts.iter().map(|contact| &contact.roughness);
-            let law = self.laws.friction.as_ref();
-            by_law = friction::in_film(self.case, law, (at, &film), 1.0, roughness)?;
-        }
-        let decided = self.decided((at, &film), contacts, recorded)?;
-        for (k, (contact, decided)) in contacts.iter().zip(decided).enumerate() {
-            let Decided {
-                share,
-                pair,
-                decision,
-            } = decided;
-            let is_full = decision.is_full;
-            if is_full && position.full_film.is_none() {
-                position.full_film = full_film_at(self.case, (at, &film), self.records, smooth)?;
-            }
-            let solved = position.full_film.as_ref().filter(|_| is_full);
-            let friction = match by_law.get(k) {
-                Some(by_law) => by_law.clone(),
-                None => self.in_film(
-                    (at, &film),
-                    &contact.roughness,
-                    &decision,
-                    (solved, share.as_ref()),
-                    &mut film_alone,
-                )?,
-            };
+        let windows = contacts.iter().zip(decided).zip(frictions);
+        for (k, ((contact, decided), friction)) in windows.enumerate() {
+            let Decided { share, decision } = decided;
             let shared = &decision.shared;
             let share = share.map(|share| share.value);
             let mut offset = LubricatedWindow {
@@ -136,8 +116,10 @@ impl Lubrication<'_> {
                     .map(|share| numbers_of_share(&share, self.case.model.window)),
                 deformation: None,
             };
-            if let Some((law, pair)) = self.pressures().zip(pair) {
-                self.press_by_law(law, &pair, is_full, (&mut position, &mut offset))?;
+            if let Some(law) = self.case.formulation.pressures() {
+                let pair = self.pair(at, contact, (k, contacts.len()))?;
+                let pair = pair.ok_or_else(PositionError::no_profile)?;
+                self.press_by_law(law, &pair, decision.is_full, (&mut position, &mut offset))?;
             }
             offset.friction_force = offset.rubbing.force(offset.friction.mu);
             offset.flash = friction::flash(self.case, at, offset.friction_force / at.load.si())?;
@@ -171,13 +153,11 @@ impl Lubrication<'_> {
                 }
                 _ => None,
             };
-            let pair = match self.looks_at_heights() {
-                true => self.pair(at, contact, (k, count))?,
-                false => None,
+            // A law of the user may depend on the heights of the window.
+            let pair = match self.case.laws.load_share {
+                Some(_) => self.pair(at, contact, (k, count))?,
+                None => None,
             };
-            if pair.is_none() && self.pressures().is_some() {
-                return Err(PositionError::no_profile());
-            }
             let undecided = Undecided::of(self.case, self.laws, of_position, &contact.roughness)?;
             open.push((share, pair, undecided));
         }
@@ -197,13 +177,9 @@ impl Lubrication<'_> {
             .shares(&conditions.collect::<Vec<_>>())?;
         let with_share = open.into_iter().zip(shared);
         with_share
-            .map(|((share, pair, undecided), shared)| {
+            .map(|((share, _, undecided), shared)| {
                 let decision = undecided.decided(self.case, shared)?;
-                Ok(Decided {
-                    share,
-                    pair,
-                    decision,
-                })
+                Ok(Decided { share, decision })
             })
             .collect()
     }
@@ -358,47 +334,54 @@ impl Lubrication<'_> {
         WindowPair::new(flanks, at, self.case.modulus).map(Some)
     }
 
-    /// Pressures in a window, if friction follows from them.
-    fn pressures(&self) -> Option<&dyn WindowPressures> {
-        self.case.formulation.pressures()
-    }
-
-    /// Whether the load share depends on the heights of a window: with pressures it does, and any user-defined law may.
-    fn looks_at_heights(&self) -> bool {
-        self.pressures().is_some() || self.case.laws.load_share.is_some()
-    }
-
-    /// Friction of the film: from the full film or the load share if these solve for it, else by the law, which depends on the
-    /// roughness through the film's share of the load only: offsets of one share take it from the first of them.
+    /// Friction of the film in every window: from the full film or the load share if these solve for it, else by the law of film
+    /// friction. A law for a film without asperities depends on the roughness through the film's share of the load only: offsets
+    /// of one share take it from the first of them.
     fn in_film(
         &self,
-        position: (&MeshPosition, &FormulaFilm),
-        roughness: &Roughness,
-        decision: &Decision,
-        (full_film, share): (Option<&FullFilm>, Option<&Checked<LoadShareSolution>>),
-        film_alone: &mut Option<(f64, InFilm)>,
-    ) -> Result<InFilm, PositionError> {
-        let case = self.case;
+        of_position: (&MeshPosition, &FormulaFilm),
+        contacts: &[Arc<WindowContact>],
+        decided: &[Decided],
+        full_film: Option<&FullFilm>,
+    ) -> Result<Vec<InFilm>, PositionError> {
+        let (case, law) = (self.case, self.laws.friction.as_ref());
+        if !self.is_film_alone() {
+            let roughness = contacts.iter().map(|contact| &contact.roughness);
+            return friction::in_film(case, law, of_position, 1.0, roughness);
+        }
         let by_full_film = full_film.and_then(|film| film.coefficient);
-        if let Some(mu) = by_full_film.or(decision.shared.film_coefficient) {
-            return Ok(InFilm {
-                mu: case.model.friction_scale * mu,
-                outside: share.map(|share| share.outside.clone()).unwrap_or_default(),
-            });
-        }
-        let film_share = match case.model.film_pressure {
-            FilmPressure::Hertz => 1.0,
-            FilmPressure::Own | FilmPressure::Rippled => {
-                decision.shared.film_share.max(1.0 - LARGEST_SHARE)
+        let mut last: Option<(f64, InFilm)> = None;
+        let mut of_window = |contact: &WindowContact, Decided { share, decision }: &Decided| {
+            let by_full_film = by_full_film.filter(|_| decision.is_full);
+            if let Some(mu) = by_full_film.or(decision.shared.film_coefficient) {
+                let outside = share.as_ref().map(|share| share.outside.clone());
+                return Ok(InFilm {
+                    mu: case.model.friction_scale * mu,
+                    outside: outside.unwrap_or_default(),
+                });
             }
+            let film_share = match case.model.film_pressure {
+                FilmPressure::Hertz => 1.0,
+                FilmPressure::Own | FilmPressure::Rippled => {
+                    decision.shared.film_share.max(1.0 - LARGEST_SHARE)
+                }
+            };
+            if let Some((_, known)) = last.as_ref().filter(|(share, _)| *share == film_share) {
+                return Ok(known.clone());
+            }
+            let found =
+                friction::in_film(case, law, of_position, film_share, [&contact.roughness])?;
+            let found = found
+                .into_iter()
+                .next()
+                .ok_or_else(PositionError::no_profile)?;
+            last = Some((film_share, found.clone()));
+            Ok(found)
         };
-        if !matches!(film_alone, Some((share, _)) if *share == film_share) {
-            let law = self.laws.friction.as_ref();
-            let by_law = friction::in_film(case, law, position, film_share, [roughness])?;
-            *film_alone = by_law.into_iter().next().map(|film| (film_share, film));
-        }
-        let known = film_alone.as_ref().map(|(_, film)| film.clone());
-        known.ok_or_else(PositionError::no_profile)
+        let windows = contacts.iter().zip(decided);
+        windows
+            .map(|(contact, decided)| of_window(contact, decided))
+            .collect()
     }
 
     /// Whether the film friction of the case is for a film without asperities, which a solved film can replace.

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use asperity_core::numerics::{NodeInterval, interpolate};
 use asperity_core::provenance::{Provenance, TAGS, note};
 use asperity_core::quantity::Length;
-use asperity_ehl::{Estimate, RecordSettings, transient};
+use asperity_ehl::{RecordMean, RecordSettings, transient};
 use rayon::prelude::*;
 
 use super::path_record::PathRecord;
@@ -109,10 +109,10 @@ impl PathRecords {
     pub(crate) fn at(&self, s: Length, smooth: Option<f64>) -> RecordedShare {
         let between = self.between(s);
         let mean = |of: &dyn Fn(&PlacedRecord) -> f64| between.mean(|k| of(&self.places[k]));
-        let estimate = |of: fn(&PathRecord) -> Estimate| {
+        let estimate = |of: fn(&PathRecord) -> RecordMean| {
             let [low, high] = [between.low, between.high].map(|k| of(&self.places[k].record));
             let [a, b] = [1.0 - between.part, between.part];
-            Estimate {
+            RecordMean {
                 mean: a * low.mean + b * high.mean,
                 standard_error: (a * low.standard_error).hypot(b * high.standard_error),
             }

@@ -10,7 +10,7 @@
 
 use asperity_core::cite;
 use asperity_core::quantity::{Length, Pressure};
-use asperity_ehl::{Estimate, FrictionLaw, Record, Solved};
+use asperity_ehl::{FrictionLaw, Record, RecordMean, Solved};
 use serde::{Deserialize, Serialize};
 
 use crate::reference_solution::ReferenceContact;
@@ -25,21 +25,21 @@ const NO_SHARE: f64 = 1e-9;
 #[non_exhaustive]
 pub struct PathRecord {
     /// Share φ of the load at films no thicker than the solid film.
-    pub solid_share: Estimate,
+    pub solid_share: RecordMean,
     /// Share of the load at films no thicker than 50 nm.
-    pub share_below_50_nm: Estimate,
+    pub share_below_50_nm: RecordMean,
     /// Share b of the load on the boundary layer.
-    pub boundary_share: Estimate,
+    pub boundary_share: RecordMean,
     /// Mean gap within the half-width \[m\].
-    pub mean_film: Estimate,
+    pub mean_film: RecordMean,
     /// Central film of smooth flanks.
     pub smooth_film: Length,
     /// Friction with the weight min(1, e^(−(h − H_b)/h_b)) of the boundary friction, isothermal.
-    pub friction: Estimate,
+    pub friction: RecordMean,
     /// Friction with the weight e^(−h/h_b), isothermal: the weight of the solved load share.
-    pub graded_friction: Estimate,
+    pub graded_friction: RecordMean,
     /// Friction with the whole boundary friction below the solid film, isothermal.
-    pub stepped_friction: Estimate,
+    pub stepped_friction: RecordMean,
     /// Film friction of the load above the solid film, isothermal.
     pub film_friction: f64,
     /// Film friction of the load below it, isothermal.
@@ -47,7 +47,7 @@ pub struct PathRecord {
     /// Friction of a smooth film under the Hertz pressure by the same law.
     pub smooth_friction: f64,
     /// Time mean of the largest pressure \[Pa\].
-    pub mean_max_pressure: Estimate,
+    pub mean_max_pressure: RecordMean,
     /// Largest pressure of all steps.
     pub max_pressure: Pressure,
     /// Standard deviation of the roughness after its attenuation in the contact.

@@ -2,7 +2,7 @@
 
 use asperity_core::quantity::Length;
 use asperity_ehl::transient::{HeatedFriction, MeanFriction};
-use asperity_ehl::{Estimate, Record};
+use asperity_ehl::{Record, RecordMean};
 use serde_json::{Map, Value, json};
 
 /// Means of a record with their standard errors, which a record of one block does not have.
@@ -50,7 +50,7 @@ pub fn nanometres(film: Length) -> f64 {
 
 /// An estimate as JSON.
 #[must_use]
-pub fn estimate_json(estimate: &Estimate) -> Value {
+pub fn estimate_json(estimate: &RecordMean) -> Value {
     json!({ "mean": estimate.mean, "standard_error": finite(estimate.standard_error) })
 }
 

@@ -1,15 +1,16 @@
 //! Constants of film and boundary layer that no data sheet states, for the result.
 
+use asperity_core::Estimate;
 use asperity_core::numerics::{Z_95, Z_975};
 use asperity_core::quantity::Length;
 use asperity_efficiency::swept::{HYSTERESIS, HYSTERESIS_BAND};
-use asperity_oil::{FilmConstantName, LubricantError, Mark, base_oil_source};
+use asperity_oil::{FilmConstantName, LubricantError, Mark, MarkedValue, base_oil_source};
 use asperity_tribo_friction::boundary::{
     BOUNDARY_FRICTION, BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER, BOUNDARY_LAYER_BAND,
 };
 use serde::{Deserialize, Serialize};
 
-use asperity_case::case::{Calibrated, CalibratedName, Case, FittedName};
+use asperity_case::case::{CalibratedName, Case, FittedName};
 
 /// A constant of the oil's family, with what is known of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -17,16 +18,22 @@ use asperity_case::case::{Calibrated, CalibratedName, Case, FittedName};
 pub struct FilmConstant {
     /// Its name, with its unit.
     pub name: FilmConstantName,
-    /// The value used.
-    pub value: f64,
-    /// Lower end of its band, where one is known.
-    pub low: Option<f64>,
-    /// Upper end of its band, where one is known.
-    pub high: Option<f64>,
-    /// Confidence: seen in its source, calibrated here, or judged.
-    pub mark: Mark,
-    /// Its source.
-    pub source: String,
+    /// The value used with its band, its confidence and its source.
+    #[serde(flatten)]
+    pub constant: MarkedValue,
+}
+
+impl FilmConstant {
+    fn new(name: FilmConstantName, of: Estimate, mark: Mark, source: impl Into<String>) -> Self {
+        let constant = MarkedValue {
+            value: of.value,
+            low: Some(of.low),
+            high: Some(of.high),
+            mark,
+            source: source.into(),
+        };
+        Self { name, constant }
+    }
 }
 
 /// The constants of the oil's family in use; none if neither film friction nor load share depends on it.
@@ -55,13 +62,12 @@ pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, Lubricant
     let constants = constants.into_iter().filter(|(name, _)| used(*name));
     let of_oil = constants.map(|(name, constant)| FilmConstant {
         name,
-        value: constant.value,
-        low: constant.low,
-        high: constant.high,
-        mark: constant.mark,
-        source: base_oil_source(&constant.source)
-            .unwrap_or_default()
-            .to_owned(),
+        constant: MarkedValue {
+            source: base_oil_source(&constant.source)
+                .unwrap_or_default()
+                .to_owned(),
+            ..constant.clone()
+        },
     });
     Ok(of_oil
         .chain(calibrated(case))
@@ -76,20 +82,15 @@ fn calibrated(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
     calibration.flat_map(|calibration| {
         CalibratedName::ALL.into_iter().filter_map(|name| {
             let found = calibration.of(name)?;
-            let source = calibration.source.clone();
-            Some(FilmConstant {
-                name: match name {
-                    CalibratedName::BoundaryFriction => FilmConstantName::BoundaryFriction,
-                    CalibratedName::BoundaryLayer => FilmConstantName::BoundaryLayer,
-                    CalibratedName::LimitingShear => FilmConstantName::LimitingShear,
-                    CalibratedName::EyringStress => FilmConstantName::EyringStress,
-                },
-                value: found.value,
-                low: Some(found.low),
-                high: Some(found.high),
-                mark: Mark::Calibrated,
-                source: source.unwrap_or_else(|| "calibration of the case".to_owned()),
-            })
+            let name = match name {
+                CalibratedName::BoundaryFriction => FilmConstantName::BoundaryFriction,
+                CalibratedName::BoundaryLayer => FilmConstantName::BoundaryLayer,
+                CalibratedName::LimitingShear => FilmConstantName::LimitingShear,
+                CalibratedName::EyringStress => FilmConstantName::EyringStress,
+            };
+            let source = calibration.source.as_deref();
+            let source = source.unwrap_or("calibration of the case");
+            Some(FilmConstant::new(name, found, Mark::Calibrated, source))
         })
     })
 }
@@ -101,29 +102,22 @@ fn fitted(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
     let files = case.oil_file.iter();
     files.zip(std::iter::repeat(own)).flat_map(|(file, names)| {
         names.map(|name| {
-            let found = &file.film_friction;
-            let Calibrated { value, low, high } = found.of(name);
+            let friction = &file.film_friction;
+            let found = friction.of(name);
+            let value = found.value;
             let quantile = |end: f64| match name {
                 FittedName::LimitingShearTemperature => value + (end - value) * Z_95 / Z_975,
                 _ => value * (end / value).powf(Z_95 / Z_975),
             };
-            FilmConstant {
-                name: match name {
-                    FittedName::EyringStress => FilmConstantName::EyringStress,
-                    FittedName::LimitingShear => FilmConstantName::LimitingShear,
-                    FittedName::LimitingShearTemperature => {
-                        FilmConstantName::LimitingShearTemperature
-                    }
-                    FittedName::PressureViscosityFactor => {
-                        FilmConstantName::PressureViscosityFactor
-                    }
-                },
-                value,
-                low: Some(quantile(low)),
-                high: Some(quantile(high)),
-                mark: Mark::Calibrated,
-                source: format!("traction curves: {}", found.source),
-            }
+            let name = match name {
+                FittedName::EyringStress => FilmConstantName::EyringStress,
+                FittedName::LimitingShear => FilmConstantName::LimitingShear,
+                FittedName::LimitingShearTemperature => FilmConstantName::LimitingShearTemperature,
+                FittedName::PressureViscosityFactor => FilmConstantName::PressureViscosityFactor,
+            };
+            let drawn = Estimate::new(value, found.ends().map(quantile));
+            let source = format!("traction curves: {}", friction.source);
+            FilmConstant::new(name, drawn, Mark::Calibrated, source)
         })
     })
 }
@@ -131,7 +125,6 @@ fn fitted(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
 /// Defaults of the boundary layer and of hysteresis, where the case gives no other.
 fn of_boundary(case: &Case) -> impl Iterator<Item = FilmConstant> {
     let model = &case.model;
-    let [least, most] = BOUNDARY_LAYER_BAND.map(Length::si);
     let rows = [
         (
             FilmConstantName::BoundaryFriction,
@@ -145,7 +138,7 @@ fn of_boundary(case: &Case) -> impl Iterator<Item = FilmConstant> {
             FilmConstantName::BoundaryLayer,
             model.boundary_layer.si(),
             BOUNDARY_LAYER.si(),
-            [least, most],
+            BOUNDARY_LAYER_BAND.map(Length::si),
             Mark::Judged,
             "boundary layer with the roughness below a short-wave cut-off of 2.5 um",
         ),
@@ -167,12 +160,7 @@ fn of_boundary(case: &Case) -> impl Iterator<Item = FilmConstant> {
     let rows = rows.into_iter().zip(is_calibrated);
     let defaults = rows.filter(|(row, is_calibrated)| row.1 == row.2 && !is_calibrated);
     let defaults = defaults.map(|(row, _)| row);
-    defaults.map(|(name, value, _, [low, high], mark, source)| FilmConstant {
-        name,
-        value,
-        low: Some(low),
-        high: Some(high),
-        mark,
-        source: source.to_owned(),
+    defaults.map(|(name, value, _, ends, mark, source)| {
+        FilmConstant::new(name, Estimate::new(value, ends), mark, source)
     })
 }

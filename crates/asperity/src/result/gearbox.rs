@@ -1,10 +1,8 @@
 //! Losses of the gearbox in addition to the meshes, as its user states them. No band belongs to these parts.
 
-use asperity_core::OutOfRange;
 use asperity_core::quantity::{AngularSpeed, Torque};
+use asperity_core::{Estimate, OutOfRange};
 use serde::{Deserialize, Serialize};
-
-use crate::result::Uncertainty;
 
 /// Scope of a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -36,10 +34,10 @@ pub struct GearboxReport {
 }
 
 impl GearboxReport {
-    /// 5 % and 95 % quantiles of the loss \[W\]: the quantiles of the mesh plus the parts.
+    /// The loss \[W\] with the interval that the mesh leaves: that of the mesh plus the parts.
     #[must_use]
-    pub fn quantiles_w(&self, of_mesh: &Uncertainty) -> [f64; 2] {
-        of_mesh.loss.quantiles_w.map(|loss| loss + self.parts_w)
+    pub fn drawn_w(&self, of_mesh: Estimate) -> Estimate {
+        of_mesh.map(|loss| loss + self.parts_w)
     }
 }
 

@@ -1,9 +1,11 @@
 //! The uncertainty of a loss as plain data, and the digits that it leaves.
 
 use asperity_case::message::Subject;
-use asperity_core::Code;
-use asperity_uncertainty::Quantiles;
+use asperity_core::{Code, Estimate, EstimateKeys, estimate_keys};
+use asperity_uncertainty::{Quantiles, Watts};
 use serde::{Deserialize, Serialize};
+
+estimate_keys! { Efficiency: "efficiency_median" "efficiency_quantiles"; }
 
 /// The uncertainty of the loss with its components, and the loss by other models.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -13,10 +15,9 @@ pub struct Uncertainty {
     pub loss: LossDistribution,
     /// The loss of the run, with every constant at its median \[W\].
     pub at_medians_w: f64,
-    /// Median of the mesh efficiency.
-    pub efficiency_median: f64,
-    /// 5 % and 95 % quantiles of the mesh efficiency, the lower first.
-    pub efficiency_quantiles: [f64; 2],
+    /// Median of the mesh efficiency with its 5 % and 95 % quantiles.
+    #[serde(flatten, with = "Efficiency")]
+    pub efficiency: Estimate,
     /// Constants that were drawn.
     pub constants: Vec<DrawnConstant>,
     /// Constants that were not drawn because the case states them.
@@ -79,12 +80,8 @@ impl EvidenceRow {
     /// The row of a measurement that takes `hours` and leaves `left` of the present interval `now`.
     #[must_use]
     pub fn new((key, words, hours): (&str, String, f64), now: Quantiles, left: Quantiles) -> Self {
-        let log_width = |found: Quantiles| {
-            let [low, high] = found.quantiles_w;
-            (high / low).ln()
-        };
-        let moved = now.median_w / left.median_w;
-        let [low_w, high_w] = left.quantiles_w.map(|end| moved * end);
+        let moved = now.drawn.value / left.drawn.value;
+        let [low_w, high_w] = left.drawn.ends().map(|end| moved * end);
         Self {
             key: key.to_owned(),
             measurement: words,
@@ -92,7 +89,7 @@ impl EvidenceRow {
             low_w,
             high_w,
             sd_ln: left.sd_ln,
-            width: log_width(left) / log_width(now),
+            width: left.drawn.log_width() / now.drawn.log_width(),
         }
     }
 
@@ -113,10 +110,9 @@ impl EvidenceRow {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct LossDistribution {
-    /// Median \[W\].
-    pub median_w: f64,
-    /// 5 % and 95 % quantiles \[W\].
-    pub quantiles_w: [f64; 2],
+    /// Median with 5 % and 95 % quantiles \[W\].
+    #[serde(flatten, with = "Watts")]
+    pub drawn: Estimate,
     /// Standard deviation of the logarithm.
     pub sd_ln: f64,
     /// Components, each with all others at their medians, the largest first.
@@ -154,12 +150,9 @@ impl UncertaintyPart {
 pub struct DrawnConstant {
     /// Its name.
     pub name: String,
-    /// The median, which the run uses.
-    pub value: f64,
-    /// 5 % quantile; 2.5 % of a calibrated constant.
-    pub low: f64,
-    /// 95 % quantile; 97.5 % of a calibrated constant.
-    pub high: f64,
+    /// The median, which the run uses, with 5 % and 95 % quantiles; with 2.5 % and 97.5 % quantiles of a calibrated constant.
+    #[serde(flatten)]
+    pub drawn: Estimate,
     /// Unit of these; "-" for a number.
     pub unit: String,
     /// Whether the case calibrates it.
@@ -284,7 +277,7 @@ impl Uncertainty {
     #[must_use]
     pub fn scale(&self) -> f64 {
         match self.at_medians_w > 0.0 {
-            true => self.loss.median_w / self.at_medians_w,
+            true => self.loss.drawn.value / self.at_medians_w,
             false => 1.0,
         }
     }
@@ -318,14 +311,14 @@ impl Uncertainty {
     pub fn traces_narrow(&self) -> bool {
         let digits = self.digits();
         let printed = |ends: [f64; 2]| ends.map(|loss| digits.rounded(loss));
-        let now = printed(self.loss.quantiles_w);
+        let now = printed(self.loss.drawn.ends());
         self.with_traces_w.is_some_and(|ends| printed(ends) != now)
     }
 
     /// The last place of printed losses and their parts.
     #[must_use]
     pub fn digits(&self) -> Digits {
-        Digits::of_interval(self.loss.quantiles_w)
+        Digits::of_interval(self.loss.drawn.ends())
     }
 }
 
@@ -366,23 +359,19 @@ pub fn rounded(value: f64, half_width: f64) -> String {
 ///
 /// ```
 /// use asperity::result::loss_band::with_interval;
-/// let found = with_interval(662.1, [517.0, 868.0], 136_659.0, [" W", " %"]);
+/// use asperity_core::Estimate;
+/// let found = with_interval(Estimate::new(662.1, [517.0, 868.0]), 136_659.0, [" W", " %"]);
 /// assert_eq!(found, ["660 W (520..870)", "99.516 % (99.365..99.622)"]);
 /// ```
 #[must_use]
-pub fn with_interval(
-    median_w: f64,
-    [low, high]: [f64; 2],
-    power_in_w: f64,
-    [watt, percent]: [&str; 2],
-) -> [String; 2] {
-    let digits = Digits::of_interval([low, high]);
-    let of_power = digits.of_percent(power_in_w);
-    let efficiency = |loss: f64| 100.0 * (1.0 - loss / power_in_w);
-    let efficiencies = [high, low].map(efficiency);
+pub fn with_interval(loss_w: Estimate, power_in_w: f64, [watt, percent]: [&str; 2]) -> [String; 2] {
+    let digits = Digits::of_interval(loss_w.ends());
+    let efficiency = loss_w.map(|loss| 100.0 * (1.0 - loss / power_in_w));
     [
-        digits.interval_with(watt, median_w, [low, high]),
-        of_power.interval_with(percent, efficiency(median_w), efficiencies),
+        digits.interval_with(watt, loss_w),
+        digits
+            .of_percent(power_in_w)
+            .interval_with(percent, efficiency),
     ]
 }
 
@@ -412,6 +401,12 @@ impl Digits {
     #[must_use]
     pub fn of_interval([low, high]: [f64; 2]) -> Self {
         Self::of_uncertainty(0.5 * (high - low))
+    }
+
+    /// The digits that the interval of a drawn number leaves; `without` one.
+    #[must_use]
+    pub fn of_drawn(drawn: Option<Estimate>, without: Self) -> Self {
+        drawn.map_or(without, |drawn| Self::of_interval(drawn.ends()))
     }
 
     /// Digits of a difference: as [`of_interval`](Self::of_interval), with up to two places more if the interval excludes 0
@@ -480,18 +475,20 @@ impl Digits {
     ///
     /// ```
     /// use asperity::result::loss_band::Digits;
-    /// let ends = [517.0, 868.0];
-    /// assert_eq!(Digits::of_interval(ends).interval(662.1, ends), "660 (520..870)");
+    /// use asperity_core::Estimate;
+    /// let loss = Estimate::new(662.1, [517.0, 868.0]);
+    /// assert_eq!(Digits::of_interval(loss.ends()).interval(loss), "660 (520..870)");
     /// ```
     #[must_use]
-    pub fn interval(self, value: f64, ends: [f64; 2]) -> String {
-        self.interval_with("", value, ends)
+    pub fn interval(self, estimate: Estimate) -> String {
+        self.interval_with("", estimate)
     }
 
     /// `value` with its `unit`, and the ends of its interval.
     #[must_use]
-    pub fn interval_with(self, unit: &str, value: f64, ends: [f64; 2]) -> String {
-        format!("{}{unit} ({})", self.rounded(value), self.range(ends))
+    pub fn interval_with(self, unit: &str, estimate: Estimate) -> String {
+        let ends = self.range(estimate.ends());
+        format!("{}{unit} ({ends})", self.rounded(estimate.value))
     }
 
     /// The ends of an interval, rounded to the last place.
@@ -525,9 +522,9 @@ impl Digits {
 
     /// `value` with the ends of its interval, all rounded to the last place, with their signs.
     #[must_use]
-    pub fn signed_interval(self, value: f64, ends: [f64; 2]) -> String {
-        let [low, high] = ends.map(|end| self.signed(end));
-        format!("{} ({low}..{high})", self.signed(value))
+    pub fn signed_interval(self, estimate: Estimate) -> String {
+        let [low, high] = estimate.ends().map(|end| self.signed(end));
+        format!("{} ({low}..{high})", self.signed(estimate.value))
     }
 
     /// Whole steps nearest to `value`.

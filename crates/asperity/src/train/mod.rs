@@ -3,6 +3,7 @@
 #[doc(hidden)]
 pub mod heat;
 
+use asperity_core::Estimate;
 use std::collections::BTreeMap;
 
 use asperity_core::quantity::Power;
@@ -19,7 +20,9 @@ use crate::result::gearbox::{GearboxReport, Scope};
 use crate::result::loss_band::{Digits, EvidenceRow};
 use crate::result::{Losses, Outcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
-use crate::uncertainty::{DrawnMesh, Predictive, Quantiles, losses_of_meshes, run_and_draw};
+use crate::uncertainty::{
+    DrawnMesh, Predictive, Quantiles, losses_of_meshes, median_with_ends, run_and_draw,
+};
 use asperity_case::balance;
 use asperity_case::case::train::{LoadedMesh, Train};
 use asperity_case::case::{Flow, LoadedCase, MeshLoad, StageKind};
@@ -288,7 +291,7 @@ impl Serialize for Outcomes {
 struct MeshLosses<'a> {
     summary: &'a Summary,
     path: &'a [PositionRow],
-    drawn: Option<(f64, [f64; 2])>,
+    drawn: Option<Estimate>,
 }
 
 impl<'a> MeshLosses<'a> {
@@ -296,8 +299,7 @@ impl<'a> MeshLosses<'a> {
         Self {
             summary: &run.summary,
             path: &run.path,
-            drawn: { run.uncertainty.as_ref() }
-                .map(|found| (found.loss.median_w, found.loss.quantiles_w)),
+            drawn: run.uncertainty.as_ref().map(|found| found.loss.drawn),
         }
     }
 }
@@ -318,10 +320,9 @@ pub fn losses(loaded: &Train, of_mesh: LossesOfMesh<'_>) -> Result<Whole, Error>
     let runs = meshes.iter().map(|(losses, drawn)| MeshLosses {
         summary: &losses.summary,
         path: &losses.path,
-        drawn: drawn.as_ref().map(|drawn| {
-            let found = Quantiles::of(&drawn.draws_w());
-            (found.median_w, found.quantiles_w)
-        }),
+        drawn: drawn
+            .as_ref()
+            .map(|drawn| median_with_ends(&drawn.draws_w())),
     });
     let runs: Vec<MeshLosses<'_>> = runs.collect();
     let mut result = result(loaded, &runs).map_err(|error| Error::Whole(Box::new(error)))?;
@@ -636,14 +637,14 @@ fn row(mesh: &LoadedMesh, kind: &StageKind, run: &MeshLosses<'_>) -> MeshRow {
     let pressures = run.path.iter().map(|row| row.hertz_pressure_mpa);
     let highest = pressures.fold(0.0, f64::max);
     let MeshLosses { summary, drawn, .. } = run;
-    let [low, high] = [0, 1].map(|end: usize| drawn.map(|(_, ends)| ends[end]));
+    let [low, high] = [drawn.map(|of| of.low), drawn.map(|of| of.high)];
     MeshRow {
         mesh: mesh.name.clone(),
         count: kind.count(),
         torque_nm: mesh.case.case.torque.si(),
         speed_rad_per_s: mesh.case.case.speed.si(),
         loss_w: summary.loss_w,
-        loss_median_w: drawn.map(|(median, _)| median),
+        loss_median_w: drawn.map(|of| of.value),
         loss_p05_w: low,
         loss_p95_w: high,
         loss_q05_w: low,
@@ -680,7 +681,7 @@ impl Whole {
         let Some(drawn) = &self.loss_distribution else {
             return with_units(without_interval(self.loss_w, self.efficiency));
         };
-        with_interval(drawn.median_w, drawn.quantiles_w, self.power_in_w, UNITS)
+        with_interval(drawn.drawn, self.power_in_w, UNITS)
     }
 
     /// Loss \[W\] and efficiency \[%\] of meshes, seals and bearings together with the bands of the meshes; `None` without
@@ -692,19 +693,14 @@ impl Whole {
             let run = without_interval(gearbox.loss_w, gearbox.efficiency);
             return Some(with_units(run));
         };
-        let with_parts = |loss: f64| loss + gearbox.parts_w;
-        let quantiles = drawn.quantiles_w.map(with_parts);
-        let median = with_parts(drawn.median_w);
-        Some(with_interval(median, quantiles, gearbox.power_in_w, UNITS))
+        let of_gearbox = gearbox.drawn_w(drawn.drawn);
+        Some(with_interval(of_gearbox, gearbox.power_in_w, UNITS))
     }
 
     /// Half of the interval of the loss over the loss; without one two steps of its last place, which leave that place.
     fn half_band(&self) -> f64 {
         let half = match self.loss_distribution {
-            Some(Quantiles {
-                quantiles_w: [low, high],
-                ..
-            }) => 0.5 * (high - low),
+            Some(Quantiles { drawn, .. }) => drawn.half_width(),
             None => 2.0 * self.digits().step(),
         };
         half / self.loss_w
@@ -713,10 +709,8 @@ impl Whole {
     /// The digits that the interval of the loss leaves, without one the digits of a power.
     #[must_use]
     pub fn digits(&self) -> Digits {
-        match self.loss_distribution {
-            Some(drawn) => Digits::of_interval(drawn.quantiles_w),
-            None => Digits::of_power(self.loss_w),
-        }
+        let drawn = self.loss_distribution.map(|found| found.drawn);
+        Digits::of_drawn(drawn, Digits::of_power(self.loss_w))
     }
 
     /// Name, text \[W\] and share of each kind of loss that occurs: the kinds of the run scaled to the median, to which they
@@ -737,7 +731,7 @@ impl Whole {
     #[must_use]
     pub fn median_w(&self) -> f64 {
         self.loss_distribution
-            .map_or(self.loss_w, |drawn| drawn.median_w)
+            .map_or(self.loss_w, |found| found.drawn.value)
     }
 
     /// Carried torque \[N m\], torque into the train \[N m\] and power \[kW\] of a shaft at the median of the loss, with the
@@ -822,34 +816,35 @@ impl MeshRow {
     pub fn with_digits(&self) -> [String; 3] {
         // The losses of a mesh are its power times the rest of its efficiency.
         let power = self.loss_w / (1.0 - self.efficiency);
-        let Some((median, [low, high])) = self.drawn_w() else {
+        let Some(drawn) = self.drawn_w() else {
             let [loss, efficiency] = without_interval(self.loss_w, self.efficiency);
             return [loss, efficiency, rounded(self.mu_equivalent, 0.0)];
         };
-        let [loss, efficiency] = with_interval(median, [low, high], power, ["", ""]);
+        let [loss, efficiency] = with_interval(drawn, power, ["", ""]);
         let efficiency = efficiency.split(' ').next().unwrap_or_default().to_owned();
-        let half = 0.5 * (high - low) / self.loss_w * self.mu_equivalent;
+        let half = drawn.half_width() / self.loss_w * self.mu_equivalent;
         [loss, efficiency, rounded(self.mu_equivalent, half)]
     }
 
     /// Sliding and rolling loss \[W\] of the run scaled to the median, to which they add up.
     #[must_use]
     pub fn parts_with_digits(&self) -> Vec<String> {
-        let (median, digits) = match self.drawn_w() {
-            Some((median, quantiles)) => (median, Digits::of_interval(quantiles)),
-            None => (self.loss_w, Digits::of_power(self.loss_w)),
-        };
+        let drawn = self.drawn_w();
+        let median = drawn.map_or(self.loss_w, |drawn| drawn.value);
+        let digits = Digits::of_drawn(drawn, Digits::of_power(self.loss_w));
         let parts = [self.sliding_w, self.rolling_w];
         digits.texts_of_parts(median, &parts.map(|part| part * median / self.loss_w))
     }
 
     /// Median and quantiles of the loss \[W\]; `None` without an interval.
     #[must_use]
-    pub fn drawn_w(&self) -> Option<(f64, [f64; 2])> {
-        // Results of former versions have the former names only.
-        let low = self.loss_p05_w.or(self.loss_q05_w)?;
-        let high = self.loss_p95_w.or(self.loss_q95_w)?;
-        Some((self.loss_median_w?, [low, high]))
+    pub fn drawn_w(&self) -> Option<Estimate> {
+        Some(Estimate {
+            value: self.loss_median_w?,
+            // Results of former versions have the former names only.
+            low: self.loss_p05_w.or(self.loss_q05_w)?,
+            high: self.loss_p95_w.or(self.loss_q95_w)?,
+        })
     }
 }
 
@@ -898,8 +893,7 @@ mod tests {
         assert_eq!(train.shaft_with_digits(&stated)[1], "145");
         // With an interval the power that leaves is less by the rest of the median.
         train.loss_distribution = Some(Quantiles {
-            median_w: 1450.0,
-            quantiles_w: [1400.0, 1500.0],
+            drawn: Estimate::new(1450.0, [1400.0, 1500.0]),
             sd_ln: 0.02,
         });
         let all = ShaftRow {

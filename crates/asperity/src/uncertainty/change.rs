@@ -87,7 +87,7 @@ impl ChangeDraws {
     #[must_use]
     pub fn ends_of_lay(&self) -> Option<[f64; 2]> {
         let (lay, _) = self.lay.as_ref()?;
-        Some([lay.low, lay.high])
+        Some(lay.estimate.ends())
     }
 
     /// 5 % and 95 % quantiles of watts that are the mean of `by_window`, one at each offset of a case with the losses `base`.
@@ -112,6 +112,7 @@ impl ChangeDraws {
         let [low, high] = by_lay;
         let of_lay = |j: usize| {
             let (lay, drawn) = self.lay.as_ref()?;
+            let lay = lay.estimate;
             let line = [(lay.low, low), (lay.value, 1.0), (lay.high, high)];
             Some(interpolate(&line, drawn[j]))
         };

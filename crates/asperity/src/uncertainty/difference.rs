@@ -3,10 +3,13 @@
 use serde::{Deserialize, Serialize};
 
 use crate::result::{AlternativeRow, Uncertainty};
-use asperity_uncertainty::{PROBABILITIES, Predictive, sorted_quantiles};
+use asperity_core::{Estimate, EstimateKeys, estimate_keys};
+use asperity_uncertainty::{Predictive, Watts, median_with_ends};
 
 /// Probability from which the sign of a difference holds.
 const SURE: f64 = 0.95;
+
+estimate_keys! { Share: "median_share" "share_quantiles"; }
 
 /// Difference of the losses of two finishes on the same gears, draw by draw: what both have in common, as the friction of
 /// their oil, cancels.
@@ -15,14 +18,12 @@ const SURE: f64 = 0.95;
 pub struct PairedDifference {
     /// Difference of the runs, with every constant at its median \[W\].
     pub at_medians_w: f64,
-    /// Median of the difference \[W\].
-    pub median_w: f64,
-    /// 5 % and 95 % quantiles \[W\].
-    pub quantiles_w: [f64; 2],
-    /// Median of the difference over the loss of the first.
-    pub median_share: f64,
-    /// 5 % and 95 % quantiles of that.
-    pub share_quantiles: [f64; 2],
+    /// Median of the difference with its 5 % and 95 % quantiles \[W\].
+    #[serde(flatten, with = "Watts")]
+    pub watts: Estimate,
+    /// The same of the difference over the loss of the first.
+    #[serde(flatten, with = "Share")]
+    pub share: Estimate,
     /// Share of the draws with the sign of the median.
     pub probability: f64,
     /// The difference by every model that was tried, the refuted ones included.
@@ -47,19 +48,14 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    fn of(
-        median_w: f64,
-        quantiles_w: [f64; 2],
-        probability: f64,
-        models: &[AlternativeRow],
-    ) -> Self {
-        if quantiles_w == [0.0, 0.0] && median_w == 0.0 {
+    fn of(watts: Estimate, probability: f64, models: &[AlternativeRow]) -> Self {
+        if watts == Estimate::new(0.0, [0.0; 2]) {
             return Self::Equal;
         }
         if probability < SURE {
             return Self::Undecided;
         }
-        let disagrees = |row: &&AlternativeRow| row.loss_w.is_some_and(|d| d * median_w <= 0.0);
+        let disagrees = |row: &&AlternativeRow| row.loss_w.is_some_and(|d| d * watts.value <= 0.0);
         let others = models.iter().filter(disagrees);
         let others: Vec<String> = others.map(|row| row.name.clone()).collect();
         match others.is_empty() {
@@ -139,10 +135,8 @@ pub fn difference_of_meshes(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) ->
     let [own, theirs] = [first, other].map(losses_of_meshes);
     let deltas: Vec<f64> = own.iter().zip(&theirs).map(|(a, b)| b - a).collect();
     let shares: Vec<f64> = deltas.iter().zip(&own).map(|(d, a)| d / a).collect();
-    let [low, median_w, high] = sorted_quantiles(&deltas, PROBABILITIES);
-    let [least, median_share, most] = sorted_quantiles(&shares, PROBABILITIES);
-    let agreeing = deltas.iter().filter(|d| **d * median_w > 0.0).count();
-    let quantiles_w = [low, high];
+    let watts = median_with_ends(&deltas);
+    let agreeing = deltas.iter().filter(|d| **d * watts.value > 0.0).count();
     let probability = agreeing as f64 / deltas.len() as f64;
     let of_model = |row: &AlternativeRow| {
         let of_mesh = |mesh: &DrawnMesh<'_>| {
@@ -174,12 +168,10 @@ pub fn difference_of_meshes(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) ->
     };
     PairedDifference {
         at_medians_w: at_medians(other) - at_medians(first),
-        median_w,
-        quantiles_w,
-        median_share,
-        share_quantiles: [least, most],
+        watts,
+        share: median_with_ends(&shares),
         probability,
-        verdict: Verdict::of(median_w, quantiles_w, probability, &models),
+        verdict: Verdict::of(watts, probability, &models),
         models,
     }
 }

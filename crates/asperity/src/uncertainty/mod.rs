@@ -14,7 +14,7 @@
 //! })?;
 //! let result = Run::new(&case).band(true).execute()?.result;
 //! let loss = result.uncertainty.ok_or("the default model has an uncertainty")?.loss;
-//! assert!(loss.quantiles_w[0] < loss.median_w && loss.median_w < loss.quantiles_w[1]);
+//! assert!(loss.drawn.low < loss.drawn.value && loss.drawn.value < loss.drawn.high);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -24,10 +24,10 @@ mod evaluations;
 mod other_models;
 mod recorded;
 
+use asperity_core::{Code, Estimate};
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity_core::Code;
 use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::Z_95;
 use asperity_core::provenance::Provenance;
@@ -51,7 +51,7 @@ use asperity_uncertainty::{
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use asperity_uncertainty::{
     ENDS, Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter,
-    model_deviation, sorted_quantiles,
+    median_with_ends, model_deviation, sorted_quantiles,
 };
 pub use change::{ChangeDraws, few_offsets_of, sampling_interval};
 pub use difference::{
@@ -178,12 +178,12 @@ fn uncertainty(
     // A cancelled model is not one without solution.
     checkpoint()?;
     let draws_w = predictive.draws_w();
-    let quantiles = Quantiles::of(&draws_w);
-    let [low, high] = quantiles.quantiles_w;
+    let Quantiles { drawn, sd_ln } = Quantiles::of(&draws_w);
     let power = predictive.power_in_w;
-    if high >= power {
+    let efficiency = drawn.map(|loss| 1.0 - loss / power);
+    if drawn.high >= power {
         let of = "5 % quantile of the efficiency";
-        let impossible = impossible_efficiency(of, 1.0 - high / power);
+        let impossible = impossible_efficiency(of, efficiency.low);
         return Err(Error::Whole(Box::new(PositionError::from(impossible))));
     }
     let places: &[f64] = match predictive.recorded {
@@ -207,14 +207,12 @@ fn uncertainty(
     let sliding_w_per_m = nominal.path.iter().map(|row| row.sliding_w_per_m);
     let found = Uncertainty {
         loss: LossDistribution {
-            median_w: quantiles.median_w,
-            quantiles_w: quantiles.quantiles_w,
-            sd_ln: quantiles.sd_ln,
-            parts: parts(loaded, &predictive, &nominal, quantiles.median_w),
+            drawn,
+            sd_ln,
+            parts: parts(loaded, &predictive, &nominal, drawn.value),
         },
         at_medians_w: predictive.at_medians_w,
-        efficiency_median: 1.0 - quantiles.median_w / power,
-        efficiency_quantiles: [1.0 - high / power, 1.0 - low / power],
+        efficiency,
         constants: predictive.constants.iter().map(drawn_constant).collect(),
         held,
         draws: Predictive::count(),
@@ -224,13 +222,13 @@ fn uncertainty(
         roughness_over_film: predictive.roughness_over_film,
         sampling: sampling(loaded, &predictive, &nominal),
         boundary_w: predictive.inner_boundary.as_ref().map(|inner| {
-            let of_run = nominal.summary.boundary_w * quantiles.median_w / predictive.at_medians_w;
+            let of_run = nominal.summary.boundary_w * drawn.value / predictive.at_medians_w;
             ENDS.map(|place| of_run * inner.boundary_at(place))
         }),
         structures: structures.collect(),
         other_models: others,
         trust: trust(loaded),
-        with_traces_w: predictive.with_traces().map(|found| found.quantiles_w),
+        with_traces_w: predictive.with_traces().map(|found| found.drawn.ends()),
         path_sliding_w_per_m: predictive.quantiles_along_path(
             &draws_w,
             &sliding_w_per_m.collect::<Vec<_>>(),
@@ -242,15 +240,14 @@ fn uncertainty(
 }
 
 fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
-    let [low, high] = match ranged.measured {
-        Some(Measured::OilFile) => [-Z_95, Z_95].map(|z| ranged.at(z)),
-        _ => [ranged.low, ranged.high],
-    };
     DrawnConstant {
         name: ranged.kind.name().to_owned(),
-        value: ranged.value,
-        low,
-        high,
+        drawn: match ranged.measured {
+            Some(Measured::OilFile) => {
+                Estimate::new(ranged.estimate.value, [-Z_95, Z_95].map(|z| ranged.at(z)))
+            }
+            _ => ranged.estimate,
+        },
         unit: ranged.kind.unit().to_owned(),
         is_calibrated: ranged.measured == Some(Measured::Calibration),
     }
@@ -383,7 +380,7 @@ fn parts(
                 name: name.to_owned(),
                 about,
                 sd_ln: found.sd_ln,
-                quantiles_w: found.quantiles_w.map(|loss| scale * loss),
+                quantiles_w: found.drawn.ends().map(|loss| scale * loss),
                 remedy,
             })
         });

@@ -1,6 +1,7 @@
 //! Constants that the points determine only in combination.
 
 use asperity_core::numerics::Z_95;
+use asperity_core::{Estimate, EstimateKeys, estimate_keys};
 use serde::{Deserialize, Serialize};
 
 use super::fit::LawFit;
@@ -13,6 +14,8 @@ const COMBINED: f64 = 0.95;
 /// Temperature of the limiting shear stress of an oil \[°C\].
 const REFERENCE_C: f64 = 90.0;
 
+estimate_keys! { pub(super) Ranged: "value" "range"; }
+
 /// Combination of two constants that is known better than either of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -23,10 +26,9 @@ pub struct Combination {
     pub correlation: f64,
     /// The combination in words.
     pub text: String,
-    /// Its value.
-    pub value: f64,
-    /// 5 % and 95 % quantile.
-    pub range: [f64; 2],
+    /// Its value with 5 % and 95 % quantile.
+    #[serde(flatten, with = "Ranged")]
+    pub fitted: Estimate,
 }
 
 impl Combination {
@@ -36,9 +38,9 @@ impl Combination {
         format!(
             "{} = {} ({} to {}, 5 to 95 %); the points do not separate the constants (correlation {:+.2})",
             self.text,
-            digits(self.value),
-            digits(self.range[0]),
-            digits(self.range[1]),
+            digits(self.fitted.value),
+            digits(self.fitted.low),
+            digits(self.fitted.high),
             self.correlation
         )
     }
@@ -89,8 +91,7 @@ pub(super) fn combinations(fit: &LawFit<'_>, values: &[f64], factor: f64) -> Vec
                 keys: [first, second].map(|k| STATED_CONSTANTS[k].0.to_owned()),
                 correlation,
                 text,
-                value,
-                range: [-Z_95, Z_95].map(|z| value * (z * left).exp()),
+                fitted: Estimate::new(value, [-Z_95, Z_95].map(|z| value * (z * left).exp())),
             });
         }
     }

@@ -1,6 +1,7 @@
 //! Report of predicted traction curves.
 
 use asperity::result::loss_band::Digits;
+use asperity_core::Estimate;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Cell, Column, Kind, Report, StudyResult, Table, columns};
 
@@ -72,7 +73,7 @@ fn verdict(traction: &TractionCurves) -> Option<String> {
     Some(format!(
         "At {:.0} °C the friction is {} at a slide-to-roll ratio of {:.0} %.",
         curves.temperature_c,
-        Digits::of_interval(ends).interval(point.traction, ends),
+        Digits::of_interval(ends).interval(Estimate::new(point.traction, ends)),
         point.slide_roll_percent
     ))
 }

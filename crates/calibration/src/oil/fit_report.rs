@@ -1,6 +1,7 @@
 //! Report of a fit to traction curves.
 
 use asperity::result::loss_band::Digits;
+use asperity_core::Estimate;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Cell, Report, StudyResult, Table, columns};
 
@@ -106,8 +107,8 @@ impl OilFit {
                 "" => String::new(),
                 unit => format!(" {unit}"),
             };
-            let digits = Digits::of_interval(one.range);
-            let value = digits.interval_with(&unit, one.value, one.range);
+            let digits = Digits::of_interval(one.fitted.ends());
+            let value = digits.interval_with(&unit, one.fitted);
             format!("{} {value}", one.name)
         });
         let fitted: Vec<String> = fitted.collect();
@@ -191,10 +192,10 @@ fn constants(constants: &[FittedConstant]) -> Table {
     columns! { one in constants;
         head constant "constant" "" = Cell::shown(in_unit(&one.name, &one.unit), one.name.as_str().into());
         file unit = &one.unit;
-        number value "value" "" = by_interval(one.value, one.range);
-        range range "5 to 95 %" "" = range(one.range);
-        number prior "family" "" = by_interval(one.prior, one.prior_range);
-        range prior_range "5 to 95 % of the family" "" = range(one.prior_range);
+        number value "value" "" = by_interval(one.fitted);
+        range range "5 to 95 %" "" = range(one.fitted.ends());
+        number prior "family" "" = by_interval(one.prior);
+        range prior_range "5 to 95 % of the family" "" = range(one.prior.ends());
         text verdict "by the points" "" = match one.is_identified {
             true => "identified",
             false => "not identified",
@@ -203,8 +204,9 @@ fn constants(constants: &[FittedConstant]) -> Table {
 }
 
 /// The value with the digits that its interval leaves.
-fn by_interval(value: f64, interval: [f64; 2]) -> Cell {
-    Cell::shown(Digits::of_interval(interval).rounded(value), value.into())
+fn by_interval(of: Estimate) -> Cell {
+    let digits = Digits::of_interval(of.ends());
+    Cell::shown(digits.rounded(of.value), of.value.into())
 }
 
 fn range(ends: [f64; 2]) -> Cell {
@@ -215,7 +217,7 @@ fn range(ends: [f64; 2]) -> Cell {
 fn further(fit: &OilFit) -> Table {
     let both = fit.constants.iter().zip(&fit.other_law.constants);
     columns! { (one, other) in both;
-        number by_other_law "by the other law" "" = by_interval(other.value, other.range);
+        number by_other_law "by the other law" "" = by_interval(other.fitted);
         percent expected "remaining error, as expected before" "%" "{:.0}" = one.expected;
         percent posterior "remaining error" "%" "{:.0}" = one.posterior;
     }

@@ -1,6 +1,7 @@
 //! Oil constants from traction curves: selection, fit by both laws of pressure, decision, refusals and warnings.
 
 use super::error as oil_error;
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys};
 use std::fmt::Write as _;
 
 use asperity::case::{DECISIVE, POORLY_EXPLAINED, STEEPEST_FALL, law_error};
@@ -9,12 +10,11 @@ use asperity::oil::{LubricantInput, PressureLaw, TractionConstants};
 use asperity::result::loss_band::Digits;
 use asperity_core::number;
 use asperity_core::numerics::{Z_95, Z_975};
-use asperity_core::{Code, Fault};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;
-use super::combination::{Combination, combinations};
+use super::combination::{Combination, Ranged, combinations};
 use super::fit::{LawFit, PointErrors, expected, fit_law};
 use super::helpful::{Helpful, helpful};
 use super::problem::{CONSTANTS, FACTOR, FALL, Nuisance, Priors, STATED, STATED_CONSTANTS, Zero};
@@ -61,6 +61,8 @@ pub struct FitSettings {
     pub is_forced: bool,
 }
 
+estimate_keys! { Prior: "prior" "prior_range"; }
+
 /// A constant with its band.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -71,16 +73,14 @@ pub struct FittedConstant {
     pub name: String,
     /// Unit of the value.
     pub unit: String,
-    /// Value.
-    pub value: f64,
-    /// 5 % and 95 % quantile, as printed.
-    pub range: [f64; 2],
+    /// Value with 5 % and 95 % quantile, as printed.
+    #[serde(flatten, with = "Ranged")]
+    pub fitted: Estimate,
     /// 2.5 % and 97.5 % quantile, as files state them.
     pub band: [f64; 2],
-    /// Value of the family.
-    pub prior: f64,
-    /// 5 % and 95 % quantile of the family.
-    pub prior_range: [f64; 2],
+    /// Value of the family with its 5 % and 95 % quantile.
+    #[serde(flatten, with = "Prior")]
+    pub prior: Estimate,
     /// Posterior over prior standard deviation, expected before the fit.
     pub expected: f64,
     /// The same after the fit.
@@ -235,7 +235,7 @@ impl OilFit {
         let further = helpful(oil, priors, zero, errors, &kept)?;
         let fitted = constants(best, &before, &further);
         let by_other = constants(other, &before, &further);
-        let values: Vec<f64> = fitted.iter().map(|one| one.value).collect();
+        let values: Vec<f64> = fitted.iter().map(|one| one.fitted.value).collect();
         let found = Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
             title: Self::title_of(oil),
@@ -339,7 +339,7 @@ impl OilFit {
         match impossible(&self.constants) {
             Some((constant, [low, high])) if !is_forced => Err(oil_error::no_oil(
                 &constant.name,
-                constant.value,
+                constant.fitted.value,
                 &constant.unit,
                 low,
                 high,
@@ -358,9 +358,9 @@ impl OilFit {
             .collect();
         if let Some((constant, [low, high])) = impossible(&self.constants) {
             let FittedConstant {
-                name, value, unit, ..
+                name, fitted, unit, ..
             } = constant;
-            let (value, low, high) = (digits(*value), number(low), number(high));
+            let (value, low, high) = (digits(fitted.value), number(low), number(high));
             texts.push(format!(
                 "{name} = {value} {unit}: that of no known oil, {low} to {high}"
             ));
@@ -436,7 +436,7 @@ fn impossible(constants: &[FittedConstant]) -> Option<(&FittedConstant, [f64; 2]
     let all = POSSIBLE
         .into_iter()
         .map(|(k, range)| (&constants[k], range));
-    let mut outside = all.filter(|(one, [low, high])| !(*low..=*high).contains(&one.value));
+    let mut outside = all.filter(|(one, [low, high])| !(*low..=*high).contains(&one.fitted.value));
     outside.next()
 }
 
@@ -502,11 +502,9 @@ fn constants(
                 key: (*key).to_owned(),
                 name: (*name).to_owned(),
                 unit: (*unit).to_owned(),
-                value: at(shift),
-                range: quantiles(Z_95, shift, widened),
+                fitted: Estimate::new(at(shift), quantiles(Z_95, shift, widened)),
                 band: quantiles(Z_975, shift, widened),
-                prior: priors[k],
-                prior_range: quantiles(Z_95, 0.0, sd),
+                prior: Estimate::new(priors[k], quantiles(Z_95, 0.0, sd)),
                 expected: before[k],
                 posterior,
                 is_identified,

@@ -9,7 +9,7 @@
 use super::error as oil_error;
 use asperity::message::Warning;
 use asperity_core::numerics::{Z_95, Z_975};
-use asperity_core::{Code, Fault};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys};
 use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;
@@ -72,6 +72,8 @@ pub struct StribeckPoint {
     pub is_boundary: bool,
 }
 
+estimate_keys! { BoundaryFriction: "boundary_friction" "range"; }
+
 /// Boundary friction of an oil from Stribeck curves.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -84,12 +86,11 @@ pub struct Stribeck {
     pub sources: Vec<[String; 2]>,
     /// Root mean square roughness of both specimens \[nm\].
     pub roughness_nm: f64,
-    /// Boundary friction after the longest rubbing.
-    pub boundary_friction: f64,
+    /// Boundary friction after the longest rubbing with 5 % and 95 % quantile, as printed.
+    #[serde(flatten, with = "BoundaryFriction")]
+    pub boundary_friction: Estimate,
     /// Standard deviation of its logarithm: transfer to a gear and scatter.
     pub deviation: f64,
-    /// 5 % and 95 % quantile, as printed.
-    pub range: [f64; 2],
     /// 2.5 % and 97.5 % quantile, as files state them.
     pub band: [f64; 2],
     /// Boundary friction after each time of rubbing, in ascending order.
@@ -161,9 +162,8 @@ impl Stribeck {
             title: Self::title_of(oil),
             sources,
             roughness_nm: 1e9 * roughness.map_or(0.0, |roughness| roughness.si()),
-            boundary_friction,
+            boundary_friction: Estimate::new(boundary_friction, quantiles(Z_95)),
             deviation,
-            range: quantiles(Z_95),
             band: quantiles(Z_975),
             warnings,
             states,

@@ -2,6 +2,7 @@
 
 use asperity::case::CalibratedName;
 use asperity::result::loss_band::Digits;
+use asperity_core::Estimate;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 use asperity_report::{Cell, Report, StudyResult, Table, columns};
 
@@ -48,7 +49,7 @@ impl Stribeck {
                 &files.join(", "),
                 self.sources.iter().any(is_simulated_source)
             ),
-            constant(key, self.boundary_friction, self.band)
+            constant(key, Estimate::new(self.boundary_friction.value, self.band))
         )
     }
 }
@@ -78,10 +79,10 @@ fn states(stribeck: &Stribeck) -> Table {
 fn verdict(stribeck: &Stribeck) -> String {
     let temperatures = stribeck.temperatures_c.iter();
     let temperatures: Vec<String> = temperatures.map(|at| format!("{at:.0}")).collect();
-    let ends = stribeck.range;
+    let found = stribeck.boundary_friction;
     format!(
         "Boundary friction {} at {} °C; in brackets 5 to 95 %.",
-        Digits::of_interval(ends).interval(stribeck.boundary_friction, ends),
+        Digits::of_interval(found.ends()).interval(found),
         temperatures.join(", ")
     )
 }
@@ -120,6 +121,6 @@ fn friction(stribeck: &Stribeck) -> Drawing {
             at: BOUNDARY_RATIO,
             label: "boundary".to_owned(),
         }])
-        .level(stribeck.boundary_friction, "boundary friction");
+        .level(stribeck.boundary_friction.value, "boundary friction");
     Drawing::Curves(chart)
 }

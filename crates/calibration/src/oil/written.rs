@@ -4,6 +4,7 @@ use asperity::case::{
     CorrelationInput, FitQuality, FittedFriction, FittedName, OilConstant, OilFile, OilSchema,
 };
 use asperity::oil::PressureLaw;
+use asperity_core::Estimate;
 use asperity_core::quantity::{Pressure, Temperature};
 
 use super::oil_fit::{FittedConstant, OilFit};
@@ -100,9 +101,11 @@ fn constant<T>(
 ) -> Option<OilConstant<T>> {
     let [low, high] = fitted.band;
     Some(OilConstant {
-        value: number(fitted.value)?,
-        low: number(low)?,
-        high: number(high)?,
+        fitted: Estimate {
+            value: number(fitted.fitted.value)?,
+            low: number(low)?,
+            high: number(high)?,
+        },
         identified: (!fitted.is_identified).then_some(false),
     })
 }

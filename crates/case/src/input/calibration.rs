@@ -1,5 +1,6 @@
 //! Parameters calibrated on a rig, with their 95 % bands.
 
+use asperity_core::Estimate;
 use asperity_core::numerics::Cholesky;
 use asperity_core::quantity::{Length, Pressure};
 use serde::{Deserialize, Serialize};
@@ -18,13 +19,13 @@ table! {
     /// Whether the measurements were simulated, as in a rehearsal; every result then says so (W446). Default false.
     simulated: Option<bool>;
     /// Coefficient of boundary friction μ_b, in place of `model.boundary_friction`.
-    boundary_friction: Option<Calibrated<f64>> = "" usual [0.02, 0.5] possible [0.001, 5.0];
+    boundary_friction: Option<Estimate<f64>> = "" usual [0.02, 0.5] possible [0.001, 5.0];
     /// Thickness of the boundary layer h_b, in place of `model.boundary_layer`.
-    boundary_layer: Option<Calibrated<Length>> = "nm" usual [0.5, 200.0] possible [0.001, 10_000.0];
+    boundary_layer: Option<Estimate<Length>> = "nm" usual [0.5, 200.0] possible [0.001, 10_000.0];
     /// Limiting shear stress of the oil over its pressure, instead of the value of its family.
-    limiting_shear: Option<Calibrated<f64>> = "" usual [0.01, 0.2] possible [0.001, 2.0];
+    limiting_shear: Option<Estimate<f64>> = "" usual [0.01, 0.2] possible [0.001, 2.0];
     /// Eyring stress of the oil, instead of the value of its family.
-    eyring_stress: Option<Calibrated<Pressure>> = "MPa" usual [0.5, 100.0] possible [0.001, 10_000.0];
+    eyring_stress: Option<Estimate<Pressure>> = "MPa" usual [0.5, 100.0] possible [0.001, 10_000.0];
     /// Correlations of the logarithms, pair by pair: `[{ between = ["boundary_friction", "boundary_layer"],
     /// value = -0.9 }]`; default none.
     correlations: Option<Vec<CorrelationInput>> => table;
@@ -34,20 +35,7 @@ table! {
 /// of former versions this word in their source.
 pub const SIMULATED: &str = "SIMULATED";
 
-/// A calibrated value with its 95 % band.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Calibrated<T> {
-    /// The value.
-    pub value: T,
-    /// Lower end of the 95 % band.
-    pub low: T,
-    /// Upper end of the 95 % band.
-    pub high: T,
-}
-
-impl<T: Numbers> Numbers for Calibrated<T> {
+impl<T: Numbers> Numbers for Estimate<T> {
     fn numbers(&self, unit: &str) -> Vec<f64> {
         let values = [&self.value, &self.low, &self.high].into_iter();
         values.flat_map(|value| value.numbers(unit)).collect()
@@ -105,19 +93,12 @@ impl CalibratedName {
 impl CalibrationInput {
     /// Value and band of a parameter in SI units.
     #[must_use]
-    pub fn of(&self, name: CalibratedName) -> Option<Calibrated<f64>> {
-        fn si<T: Copy>(fitted: Option<Calibrated<T>>, si: fn(T) -> f64) -> Option<Calibrated<f64>> {
-            fitted.map(|fitted| Calibrated {
-                value: si(fitted.value),
-                low: si(fitted.low),
-                high: si(fitted.high),
-            })
-        }
+    pub fn of(&self, name: CalibratedName) -> Option<Estimate> {
         match name {
             CalibratedName::BoundaryFriction => self.boundary_friction,
-            CalibratedName::BoundaryLayer => si(self.boundary_layer, Length::si),
+            CalibratedName::BoundaryLayer => Some(self.boundary_layer?.map(Length::si)),
             CalibratedName::LimitingShear => self.limiting_shear,
-            CalibratedName::EyringStress => si(self.eyring_stress, Pressure::si),
+            CalibratedName::EyringStress => Some(self.eyring_stress?.map(Pressure::si)),
         }
     }
 

@@ -1,8 +1,8 @@
 //! Use of a calibration in its case: its checks, and the choices that it replaces.
 
-use asperity_core::DomainError;
+use asperity_core::{DomainError, Estimate};
 
-use crate::input::calibration::{Calibrated, CalibratedName, CalibrationInput, cholesky};
+use crate::input::calibration::{CalibratedName, CalibrationInput, cholesky};
 use crate::input::model::ModelInput;
 use crate::source::case_error::CaseError;
 use crate::source::section::Section;
@@ -52,10 +52,11 @@ pub(crate) fn check(
         return Err(section.conflict(name.key(), rule));
     }
     for name in CalibratedName::ALL {
-        let Some(Calibrated { value, low, high }) = calibration.of(name) else {
+        let Some(found) = calibration.of(name) else {
             continue;
         };
-        let holds = low > 0.0 && low < high && (low..=high).contains(&value) && high.is_finite();
+        let Estimate { value, low, high } = found;
+        let holds = low > 0.0 && low < high && found.contains(value) && high.is_finite();
         if !holds {
             let rule = "needs 0 < low < high with the value between them";
             return Err(section.conflict(name.key(), rule));

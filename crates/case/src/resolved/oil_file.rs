@@ -3,14 +3,14 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use asperity_core::Code;
 use asperity_core::numerics::range;
 use asperity_core::quantity::{PerKelvin, Pressure, Temperature};
+use asperity_core::{Code, Estimate};
 use asperity_oil::{LubricantError, LubricantInput, PressureLaw, TractionConstants};
 use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
-use crate::input::calibration::{Calibrated, CalibratedName, CorrelationInput, correlation};
+use crate::input::calibration::{CalibratedName, CorrelationInput, correlation};
 use crate::input::case_input::CaseInput;
 use crate::input::model::ModelInput;
 use crate::source::case_error::CaseError;
@@ -96,12 +96,9 @@ pub struct FittedFriction {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct OilConstant<T> {
-    /// The value.
-    pub value: T,
-    /// Lower end of the 95 % band.
-    pub low: T,
-    /// Upper end of the 95 % band.
-    pub high: T,
+    /// Value and 95 % band.
+    #[serde(flatten)]
+    pub fitted: Estimate<T>,
     /// Whether the curves determine it; default true. If not, value and band are mostly those of the family.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub identified: Option<bool>,
@@ -182,17 +179,6 @@ impl FittedName {
     }
 }
 
-impl<T> OilConstant<T> {
-    /// The constant in SI units.
-    fn band(&self, si: impl Fn(&T) -> f64) -> Calibrated<f64> {
-        Calibrated {
-            value: si(&self.value),
-            low: si(&self.low),
-            high: si(&self.high),
-        }
-    }
-}
-
 impl FittedFriction {
     /// Probability of the other law of pressure, by the odds of the two fits.
     ///
@@ -209,16 +195,12 @@ impl FittedFriction {
 
     /// Value and 95 % band of a constant in SI units.
     #[must_use]
-    pub fn of(&self, name: FittedName) -> Calibrated<f64> {
+    pub fn of(&self, name: FittedName) -> Estimate {
         match name {
-            FittedName::EyringStress => self.eyring_stress.band(|stress| stress.si()),
-            FittedName::LimitingShear => self.limiting_shear.band(|share| *share),
-            FittedName::LimitingShearTemperature => {
-                self.limiting_shear_temperature.band(|fall| *fall)
-            }
-            FittedName::PressureViscosityFactor => {
-                self.pressure_viscosity_factor.band(|factor| *factor)
-            }
+            FittedName::EyringStress => self.eyring_stress.fitted.map(Pressure::si),
+            FittedName::LimitingShear => self.limiting_shear.fitted,
+            FittedName::LimitingShearTemperature => self.limiting_shear_temperature.fitted,
+            FittedName::PressureViscosityFactor => self.pressure_viscosity_factor.fitted,
         }
     }
 

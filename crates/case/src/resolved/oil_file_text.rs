@@ -1,5 +1,6 @@
 //! The text of an oil file.
 
+use asperity_core::Estimate;
 use std::fmt;
 
 use asperity_oil::LubricantInput;
@@ -90,12 +91,8 @@ fn constant<T: Serialize>(
     name: FittedName,
     fitted: &OilConstant<T>,
 ) -> fmt::Result {
-    let OilConstant {
-        value,
-        low,
-        high,
-        identified,
-    } = fitted;
+    let OilConstant { fitted, identified } = fitted;
+    let Estimate { value, low, high } = fitted;
     let unit = match name {
         FittedName::LimitingShearTemperature => "  # 1/K",
         _ => "",

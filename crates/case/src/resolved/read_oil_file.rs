@@ -3,13 +3,14 @@
 use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
+use asperity_core::Estimate;
 use asperity_core::quantity::Temperature;
 use asperity_oil::LubricantInput;
 use serde::Deserialize;
 use serde_json::Value as Json;
 
 use super::oil_file::{FitQuality, FittedFriction, FittedName, OilFile, STEEPEST_FALL};
-use crate::input::calibration::{Calibrated, cholesky};
+use crate::input::calibration::cholesky;
 use crate::input::files::{Content, FileSums, Files, OIL_FILE, Reader};
 use crate::source::case_error::CaseError;
 use crate::source::section::Section;
@@ -128,8 +129,9 @@ impl OilFile {
 impl FittedFriction {
     fn check(&self, section: Section<'_>) -> Result<(), CaseError> {
         for name in FittedName::ALL {
-            let Calibrated { value, low, high } = self.of(name);
-            let is_within = low < high && (low..=high).contains(&value) && high.is_finite();
+            let found = self.of(name);
+            let Estimate { value, low, high } = found;
+            let is_within = low < high && found.contains(value) && high.is_finite();
             let is_fall = name == FittedName::LimitingShearTemperature;
             let rule = match is_fall {
                 _ if !is_within || (!is_fall && low <= 0.0) => match is_fall {

@@ -1,6 +1,7 @@
 //! The uncertainty of the loss: its components, constants and structures, and the losses of other models.
 
 use asperity::result::loss_band::{DrawnConstant, EvidenceRow, SamplingPart, Uncertainty};
+use asperity_core::Estimate;
 use maud::{Markup, html};
 
 use crate::chart::{Axis, Drawing, Interval, Tornado};
@@ -109,8 +110,8 @@ pub(super) fn values(constant: &DrawnConstant) -> [String; 3] {
         "K" => (1.0, " K", 1),
         _ => (1.0, "", 3),
     };
-    [constant.value, constant.low, constant.high]
-        .map(|value| format!("{:.digits$}{unit}", factor * value))
+    let Estimate { value, low, high } = constant.drawn;
+    [value, low, high].map(|value| format!("{:.digits$}{unit}", factor * value))
 }
 
 /// Components in the picture; the table below it has all.
@@ -124,7 +125,7 @@ pub(super) fn tornado(uncertainty: &Uncertainty) -> Drawing {
         ends,
         text: ends.map(|loss| digits.rounded(loss)).join("..") + " W",
     };
-    let all = interval("all together", uncertainty.loss.quantiles_w);
+    let all = interval("all together", uncertainty.loss.drawn.ends());
     let parts = uncertainty.loss.parts.iter().take(LARGEST);
     let parts = parts.filter(|part| digits.steps(part.half_range_w()) > 0.0);
     let parts = parts.map(|part| interval(&part.name, part.quantiles_w));
@@ -133,7 +134,7 @@ pub(super) fn tornado(uncertainty: &Uncertainty) -> Drawing {
         title: "Band of the loss, 5 to 95 %, and of its largest components".to_owned(),
         source: "result.json".to_owned(),
         axis: Axis::new("loss", "W"),
-        middle: uncertainty.loss.median_w,
+        middle: uncertainty.loss.drawn.value,
         intervals: std::iter::once(all).chain(parts).collect(),
     })
 }

@@ -233,7 +233,7 @@ fn oil(result: &RunResult) -> Markup {
     });
     let constants = result.film_constants.iter().map(|constant| {
         let [value, band] = texts(constant);
-        let source = format!("{}{}", constant.source, confidence(constant));
+        let source = format!("{}{}", constant.constant.source, confidence(constant));
         [shown(constant.name).0.to_owned(), value, band, source]
     });
     html! {
@@ -273,8 +273,8 @@ const fn shown(name: FilmConstantName) -> (&'static str, &'static str, f64) {
 }
 
 /// Value and band of a constant as text.
-fn texts(constant: &FilmConstant) -> [String; 2] {
-    let (_, unit, factor) = shown(constant.name);
+fn texts(FilmConstant { name, constant, .. }: &FilmConstant) -> [String; 2] {
+    let (_, unit, factor) = shown(*name);
     // Round-off of the conversion is not shown.
     let number = |value: f64| (factor * value * 1e6).round() / 1e6;
     let band = match (constant.low, constant.high) {
@@ -286,7 +286,7 @@ fn texts(constant: &FilmConstant) -> [String; 2] {
 
 /// Confidence in a constant.
 fn confidence(constant: &FilmConstant) -> &'static str {
-    match constant.mark {
+    match constant.constant.mark {
         Mark::Seen => " (read there)",
         Mark::Calibrated => " (calibrated here)",
         Mark::Judged => " (judgement)",

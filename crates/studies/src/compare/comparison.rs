@@ -10,7 +10,7 @@ use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Sco
 use asperity::train::{self, MeshRow, Outcomes};
 use asperity::uncertainty::{DrawnMesh, PairedDifference, Quantiles, difference_of_meshes};
 use asperity::{Error, PositionError};
-use asperity_core::{Code, Fault, unique};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys, unique};
 use asperity_report::tables::FlankTables;
 use asperity_report::{Input, Setting, StudySettings, Watch, Work, settings};
 use serde::Serialize;
@@ -95,6 +95,8 @@ pub struct FinishResult {
     pub(crate) pair: Option<PairOfFinish>,
 }
 
+estimate_keys! { OfMesh: "loss_median_w" "loss_quantiles_w"; }
+
 /// A mesh of a gear train with the flanks of a finish, or one of its equal meshes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -105,10 +107,9 @@ pub struct MeshOfFinish {
     pub count: u32,
     /// Mean loss of one such mesh with every constant at its median \[W\].
     pub loss_w: f64,
-    /// Median of its loss \[W\].
-    pub loss_median_w: Option<f64>,
-    /// 5 and 95 % quantiles of its loss \[W\].
-    pub loss_quantiles_w: Option<[f64; 2]>,
+    /// Median of its loss with 5 and 95 % quantiles \[W\].
+    #[serde(flatten, serialize_with = "OfMesh::serialize")]
+    pub drawn_w: Option<Estimate>,
     /// Loss minus the loss of the mesh with the first finish, as of a finish.
     pub difference: Option<PairedDifference>,
     /// Share of the path in mixed lubrication.
@@ -139,11 +140,9 @@ impl Comparison {
 impl FinishResult {
     /// Median of the loss with its 5 and 95 % quantiles \[W\]; `None` without draws.
     #[must_use]
-    pub fn drawn_w(&self) -> Option<(f64, [f64; 2])> {
-        let of_pair = self.uncertainty.as_ref().map(|found| &found.loss);
-        let of_pair = of_pair.map(|loss| (loss.median_w, loss.quantiles_w));
-        let of_train = self.loss_distribution;
-        of_pair.or(of_train.map(|loss| (loss.median_w, loss.quantiles_w)))
+    pub fn drawn_w(&self) -> Option<Estimate> {
+        let of_pair = self.uncertainty.as_ref().map(|found| found.loss.drawn);
+        of_pair.or(self.loss_distribution.map(|loss| loss.drawn))
     }
 
     /// Codes of the warnings about inputs outside of their ranges, with spaces.
@@ -393,8 +392,7 @@ fn finish_result(
                     mesh: row.mesh.clone(),
                     count: row.count,
                     loss_w: row.loss_w,
-                    loss_median_w: row.loss_median_w,
-                    loss_quantiles_w: row.loss_p05_w.zip(row.loss_p95_w).map(<[f64; 2]>::from),
+                    drawn_w: row.drawn_w(),
                     difference: pair
                         .map(|(first, own)| difference_of_meshes(&[single(first)], &[single(own)])),
                     mixed_share: summary.mixed_share,

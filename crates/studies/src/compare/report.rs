@@ -2,6 +2,7 @@
 
 use asperity::quantity::Length;
 use asperity::result::loss_band::{Digits, Uncertainty};
+use asperity_core::Estimate;
 use asperity_core::unique;
 use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
 use asperity_report::html::{along, points};
@@ -304,8 +305,8 @@ fn models(drawn: &[(&FinishResult, &Uncertainty)], first: &Uncertainty) -> Table
 fn bars(comparison: &Comparison) -> Drawing {
     let bars = comparison.finishes.iter().map(|finish| Bar {
         name: finish.name.clone(),
-        value: Some(finish.drawn_w().map_or(finish.loss_w, |(median, _)| median)),
-        spread: finish.drawn_w().map(|(_, quantiles)| quantiles),
+        value: Some(finish.drawn_w().map_or(finish.loss_w, |of| of.value)),
+        spread: finish.drawn_w().map(Estimate::ends),
         text: format!("{} W", loss(finish)),
     });
     Drawing::Bars(BarChart {

@@ -1,5 +1,6 @@
 //! Tables and sentences of a comparison.
 
+use asperity_core::Estimate;
 use asperity_report::{Cell, Table, Value, columns, stated, stated_parts};
 
 use asperity::result::loss_band::Digits;
@@ -59,7 +60,7 @@ pub(super) fn meshes(comparison: &Comparison) -> Table {
                 first_w: comparison
                     .is_later(finish)
                     .then(|| comparison.finishes[0].meshes[k].loss_w),
-                drawn: mesh.loss_median_w.zip(mesh.loss_quantiles_w),
+                drawn: mesh.drawn_w,
                 difference: mesh.difference.as_ref(),
             };
             let name = format!("{times}{}, {}", mesh.mesh, finish.name);
@@ -85,9 +86,9 @@ pub(super) fn meshes(comparison: &Comparison) -> Table {
 /// the run.
 fn efficiency(finish: &FinishResult) -> Cell {
     let (percent, digits) = match finish.drawn_w() {
-        Some((median, quantiles)) => (
-            100.0 * (1.0 - median / finish.power_in_w),
-            Digits::of_interval(quantiles).of_percent(finish.power_in_w),
+        Some(drawn) => (
+            100.0 * (1.0 - drawn.value / finish.power_in_w),
+            Digits::of_interval(drawn.ends()).of_percent(finish.power_in_w),
         ),
         None => (100.0 * finish.efficiency, Digits::of_decimals(4)),
     };
@@ -99,9 +100,9 @@ pub(super) fn loss(finish: &FinishResult) -> String {
     shown_loss(finish.loss_w, finish.drawn_w())
 }
 
-fn shown_loss(loss_w: f64, drawn: Option<(f64, [f64; 2])>) -> String {
+fn shown_loss(loss_w: f64, drawn: Option<Estimate>) -> String {
     match drawn {
-        Some((median, quantiles)) => interval(median, quantiles, false),
+        Some(drawn) => interval(drawn, false),
         None => Digits::of_decimals(1).rounded(loss_w),
     }
 }
@@ -111,18 +112,17 @@ struct OfFinish<'a> {
     loss_w: f64,
     /// Loss with the first finish; `None` of the first itself.
     first_w: Option<f64>,
-    drawn: Option<(f64, [f64; 2])>,
+    drawn: Option<Estimate>,
     difference: Option<&'a PairedDifference>,
 }
 
 impl OfFinish<'_> {
     fn loss(&self) -> Cell {
-        let (median, quantiles) = self.drawn.unzip();
-        Cell::with_ends(shown_loss(self.loss_w, self.drawn), median, quantiles)
+        Cell::estimate(shown_loss(self.loss_w, self.drawn), self.drawn)
     }
 
     fn difference(&self) -> Cell {
-        let drawn = self.difference.map(|of| (of.median_w, of.quantiles_w));
+        let drawn = self.difference.map(|of| of.watts);
         self.against_first(drawn, |first| self.loss_w - first)
     }
 
@@ -131,46 +131,38 @@ impl OfFinish<'_> {
         self.against_first(drawn, |first| 100.0 * (self.loss_w - first) / first)
     }
 
-    fn against_first(&self, drawn: Option<(f64, [f64; 2])>, of_runs: impl Fn(f64) -> f64) -> Cell {
+    fn against_first(&self, drawn: Option<Estimate>, of_runs: impl Fn(f64) -> f64) -> Cell {
         match (drawn, self.first_w.map(of_runs)) {
-            (Some((median, ends)), _) => {
-                Cell::with_ends(interval(median, ends, true), Some(median), Some(ends))
-            }
+            (Some(drawn), _) => Cell::estimate(interval(drawn, true), Some(drawn)),
             (None, Some(value)) => {
                 Cell::with_ends(Digits::of_decimals(1).signed(value), Some(value), None)
             }
-            (None, None) => Cell::with_ends("reference", None, None),
+            (None, None) => Cell::estimate("reference", None),
         }
     }
 }
 
-/// Median and quantiles of the relative difference in percent.
-fn in_percent(difference: &PairedDifference) -> (f64, [f64; 2]) {
-    let quantiles = difference.share_quantiles.map(|share| 100.0 * share);
-    (100.0 * difference.median_share, quantiles)
+/// The relative difference in percent.
+fn in_percent(difference: &PairedDifference) -> Estimate {
+    difference.share.map(|share| 100.0 * share)
 }
 
 /// A difference in watts and in percent, each with its quantiles and its sign, without units.
 #[must_use]
 pub fn difference_with_interval(difference: &PairedDifference) -> [String; 2] {
-    let (share, quantiles) = in_percent(difference);
-    [
-        interval(difference.median_w, difference.quantiles_w, true),
-        interval(share, quantiles, true),
-    ]
+    [difference.watts, in_percent(difference)].map(|of| interval(of, true))
 }
 
 /// A median with its interval and the digits that this leaves, with signs if `is_signed`; a difference that is exactly 0 has
 /// no interval.
-fn interval(median: f64, ends: [f64; 2], is_signed: bool) -> String {
-    let [low, high] = ends;
-    if [median, low, high] == [0.0; 3] {
+fn interval(estimate: Estimate, is_signed: bool) -> String {
+    if estimate == Estimate::new(0.0, [0.0; 2]) {
         return "0".to_owned();
     }
-    let digits = Digits::of_difference(ends);
+    let digits = Digits::of_difference(estimate.ends());
     match is_signed {
-        true => digits.signed_interval(median, ends),
-        false => digits.interval(median, ends),
+        true => digits.signed_interval(estimate),
+        false => digits.interval(estimate),
     }
 }
 
@@ -203,31 +195,27 @@ impl Comparison {
 #[must_use]
 pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> String {
     // The words name savings, which are positive.
-    let sign = if difference.median_w < 0.0 { -1.0 } else { 1.0 };
-    let turned = |[low, high]: [f64; 2]| match sign < 0.0 {
-        true => [-high, -low],
-        false => [low, high],
+    let sign = if difference.watts.value < 0.0 {
+        -1.0
+    } else {
+        1.0
     };
-    let share = interval(
-        100.0 * sign * difference.median_share,
-        turned(difference.share_quantiles.map(|share| 100.0 * share)),
-        false,
-    );
-    let watts = interval(
-        sign * difference.median_w,
-        turned(difference.quantiles_w),
-        false,
-    );
+    let saved = |of: Estimate| interval(of.map(|value| sign * value), false);
+    let [watts, share] = [difference.watts, in_percent(difference)].map(saved);
     let less = if sign < 0.0 { "less" } else { "more" };
     let by = format!("{other} loses {share} % {less} than {first}, {watts} W");
+    let digits = Digits::of_interval(difference.watts.ends());
     let count = difference.models.len();
     let all = match count {
         1 => "the one other model".to_owned(),
         count => format!("all {count} models"),
     };
     let range = difference.model_range_w().map_or(String::new(), |range| {
-        let digits = Digits::of_interval(difference.quantiles_w);
-        format!(" ({} W)", digits.range(turned(range)))
+        let turned = match sign < 0.0 {
+            true => [-range[1], -range[0]],
+            false => range,
+        };
+        format!(" ({} W)", digits.range(turned))
     });
     match &difference.verdict {
         Verdict::Equal => format!("{other} loses exactly as much as {first}"),
@@ -238,13 +226,8 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
             models.join(", ")
         ),
         _ => {
-            let digits = Digits::of_interval(difference.quantiles_w);
-            let [low, high] = difference.quantiles_w;
-            format!(
-                "{other} against {first}: undecided, between {} and +{} W",
-                digits.rounded(low),
-                digits.rounded(high)
-            )
+            let [low, high] = difference.watts.ends().map(|end| digits.rounded(end));
+            format!("{other} against {first}: undecided, between {low} and +{high} W")
         }
     }
 }
@@ -267,10 +250,7 @@ pub(super) fn note(comparison: &Comparison) -> String {
 pub(super) fn run_in(comparison: &Comparison) -> Vec<String> {
     let of = |finish: &FinishResult| {
         let after = finish.run_in_loss_w?;
-        let digits = match finish.drawn_w() {
-            Some((_, quantiles)) => Digits::of_interval(quantiles),
-            None => Digits::of_decimals(1),
-        };
+        let digits = Digits::of_drawn(finish.drawn_w(), Digits::of_decimals(1));
         Some(format!(
             "{} run in: {} W in place of {} W, both with every constant at its median.",
             finish.name,
@@ -300,10 +280,10 @@ pub(super) fn scope(comparison: &Comparison) -> String {
     let with = |finish: &FinishResult| {
         let gearbox = finish.gearbox.as_ref()?;
         let efficiency = match finish.drawn_w() {
-            Some((median, quantiles)) => {
-                let percent = Digits::of_interval(quantiles).of_percent(gearbox.power_in_w);
-                let median = median + gearbox.parts_w;
-                percent.rounded(100.0 * (1.0 - median / gearbox.power_in_w))
+            Some(drawn) => {
+                let digits = Digits::of_interval(drawn.ends()).of_percent(gearbox.power_in_w);
+                let median = drawn.value + gearbox.parts_w;
+                digits.rounded(100.0 * (1.0 - median / gearbox.power_in_w))
             }
             None => format!("{:.4}", 100.0 * gearbox.efficiency),
         };

@@ -7,6 +7,7 @@
 //! Constants, structure, tip relief and the error of the model are common to all points. The standard error of the sampling
 //! is 0.75 of the sum over the points, see [`OF_ENERGY`].
 
+use asperity_core::Estimate;
 use std::collections::BTreeMap;
 
 use asperity::uncertainty::Predictive;
@@ -54,10 +55,10 @@ impl Draws<'_> {
         Some(energies)
     }
 
-    /// Median, 5 % and 95 % quantiles of the loss at each point \[W\]; `None` on a map without draws.
-    pub fn losses_w(&self) -> Option<Vec<[f64; 3]>> {
+    /// Median with 5 % and 95 % quantiles of the loss at each point \[W\]; `None` on a map without draws.
+    pub fn losses_w(&self) -> Option<Vec<Estimate>> {
         let drawn = self.finish.drawn(0, 1.0)?;
-        let mut of_places: BTreeMap<Place, [f64; 3]> = BTreeMap::new();
+        let mut of_places: BTreeMap<Place, Estimate> = BTreeMap::new();
         let of_point = self.places(&drawn).map(|(place, loss)| {
             let ratios = of_places.entry(place);
             let ratios = ratios.or_insert_with(|| drawn.quantiles(place));

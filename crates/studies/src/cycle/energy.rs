@@ -1,12 +1,12 @@
 //! Energies of a cycle on a map.
 
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 use asperity::balance::{efficiency, sum};
 use asperity::message::Warning;
-use asperity::uncertainty::Quantiles;
-use asperity_core::{Code, Fault};
+use asperity::uncertainty::median_with_ends;
 use serde::Serialize;
 
 use super::coverage::{Coverage, moving_time, share};
@@ -58,6 +58,11 @@ pub struct CycleResult {
     pub map: Arc<Map>,
 }
 
+estimate_keys! {
+    Lost: "lost_median_wh" "lost_quantiles_wh";
+    Saved: "difference_median_wh" "difference_quantiles_wh";
+}
+
 /// Energy loss with one finish.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -66,12 +71,13 @@ pub struct CycleFinish {
     pub name: String,
     /// Energy lost, with every constant at its median \[Wh\].
     pub lost_wh: f64,
-    /// Median of the drawn energies \[Wh\]; `None` on a map without draws.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub lost_median_wh: Option<f64>,
-    /// Their 5 % and 95 % quantiles \[Wh\].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub lost_quantiles_wh: Option<[f64; 2]>,
+    /// Median of the drawn energies with their 5 % and 95 % quantiles \[Wh\]; `None` on a map without draws.
+    #[serde(
+        flatten,
+        serialize_with = "Lost::serialize",
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub lost_drawn_wh: Option<Estimate>,
     /// Part of it while the pinion drives \[Wh\].
     pub lost_drive_wh: f64,
     /// Part of it while the wheel drives \[Wh\], and at no torque.
@@ -84,26 +90,27 @@ pub struct CycleFinish {
     pub wh_per_100_km: Option<f64>,
     /// Energy lost minus the energy lost with the first finish \[Wh\]; `None` for the first.
     pub difference_wh: Option<f64>,
-    /// Median of the difference over the draws \[Wh\].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub difference_median_wh: Option<f64>,
-    /// Its 5 % and 95 % quantiles \[Wh\].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub difference_quantiles_wh: Option<[f64; 2]>,
+    /// Median of the difference over the draws with its 5 % and 95 % quantiles \[Wh\].
+    #[serde(
+        flatten,
+        serialize_with = "Saved::serialize",
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub difference_drawn_wh: Option<Estimate>,
     /// Loss at each point \[W\].
     #[serde(skip)]
     pub loss_w: Vec<f64>,
-    /// Median, 5 % and 95 % quantiles of the loss at each point \[W\]; empty on a map without draws.
+    /// Median with 5 % and 95 % quantiles of the loss at each point \[W\]; empty on a map without draws.
     #[serde(skip)]
-    pub drawn_w: Vec<[f64; 3]>,
+    pub drawn_w: Vec<Estimate>,
 }
 
 impl CycleFinish {
     /// Median of the energy over the energy with every constant at its median; 1 on a map without draws.
     #[must_use]
     pub fn median_over_medians(&self) -> f64 {
-        match self.lost_median_wh {
-            Some(median) if self.lost_wh > 0.0 => median / self.lost_wh,
+        match self.lost_drawn_wh {
+            Some(drawn) if self.lost_wh > 0.0 => drawn.value / self.lost_wh,
             _ => 1.0,
         }
     }
@@ -176,14 +183,10 @@ pub fn evaluate(
                 .zip(first)
                 .map(|(own, first)| own - first)
                 .collect();
-            let found = Quantiles::of(&deltas);
-            result.difference_median_wh = Some(found.median_w);
-            result.difference_quantiles_wh = Some(found.quantiles_w);
+            result.difference_drawn_wh = Some(median_with_ends(&deltas));
         }
         if let Some(energies) = energies {
-            let found = Quantiles::of(&energies);
-            result.lost_median_wh = Some(found.median_w);
-            result.lost_quantiles_wh = Some(found.quantiles_w);
+            result.lost_drawn_wh = Some(median_with_ends(&energies));
             drawn_of_first.get_or_insert(energies);
         }
         result.drawn_w = drawn_w;
@@ -243,16 +246,14 @@ fn of_finish(finish: &FinishMap, surface: &Surface, cycle: &Cycle) -> CycleFinis
     CycleFinish {
         name: finish.name.clone(),
         lost_wh: lost[0] + lost[1],
-        lost_median_wh: None,
-        lost_quantiles_wh: None,
+        lost_drawn_wh: None,
         lost_drive_wh: lost[0],
         lost_coast_wh: lost[1],
         share_of_drive: None,
         drive_efficiency: None,
         wh_per_100_km: None,
         difference_wh: None,
-        difference_median_wh: None,
-        difference_quantiles_wh: None,
+        difference_drawn_wh: None,
         loss_w,
         drawn_w: Vec::new(),
     }

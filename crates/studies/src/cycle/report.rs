@@ -66,15 +66,14 @@ fn rows(result: &CycleResult) -> impl Iterator<Item = CyclePointRow<'_>> {
         let points = result.points.iter().zip(&finish.loss_w);
         points.enumerate().map(move |(k, (point, loss_w))| {
             let drawn = finish.drawn_w.get(k);
-            let of = |which: usize| drawn.map(|drawn| drawn[which]);
             CyclePointRow {
                 time_s: point.time_s,
                 torque_nm: point.torque_nm,
                 speed_rpm: point.speed_rpm,
                 loss_w: *loss_w,
-                loss_median_w: of(0),
-                loss_p05_w: of(1),
-                loss_p95_w: of(2),
+                loss_median_w: drawn.map(|drawn| drawn.value),
+                loss_p05_w: drawn.map(|drawn| drawn.low),
+                loss_p95_w: drawn.map(|drawn| drawn.high),
                 finish: &finish.name,
             }
         })
@@ -100,7 +99,7 @@ fn conditions(result: &CycleResult) -> String {
 
 /// Why a difference may differ from the difference of the energies as printed; `None` without draws or differences.
 fn in_pairs(result: &CycleResult) -> Option<&'static str> {
-    let is_drawn = |finish: &CycleFinish| finish.difference_median_wh.is_some();
+    let is_drawn = |finish: &CycleFinish| finish.difference_drawn_wh.is_some();
     let mut finishes = result.finishes.iter();
     finishes.any(is_drawn).then_some(
         "Each difference is the median over paired draws, not the difference of the medians.",
@@ -181,7 +180,7 @@ fn table(result: &CycleResult) -> Table {
     let table = columns! { (finish, [lost, drive, coast]) in rows;
         head finish "finish" "" = Cell::shown(in_words(&finish.name), finish.name.as_str().into());
         file lost_wh = finish.lost_wh;
-        interval lost_median_wh "lost" "Wh" = Cell::with_ends(lost, finish.lost_median_wh, finish.lost_quantiles_wh);
+        interval lost_median_wh "lost" "Wh" = Cell::estimate(lost, finish.lost_drawn_wh);
         shown drive "driving" "Wh" = drive;
         shown coast "braking" "Wh" = coast;
         file lost_drive_wh = finish.lost_drive_wh;
@@ -191,11 +190,7 @@ fn table(result: &CycleResult) -> Table {
         file share_of_drive = Cell::optional(finish.share_of_drive);
         file wh_per_100_km = Cell::optional(finish.wh_per_100_km);
         file difference_wh = Cell::optional(finish.difference_wh);
-        interval difference_median_wh "minus the first" "Wh" = Cell::with_ends(
-            difference(finish),
-            finish.difference_median_wh,
-            finish.difference_quantiles_wh,
-        );
+        interval difference_median_wh "minus the first" "Wh" = Cell::estimate(difference(finish), finish.difference_drawn_wh);
     };
     table.brief(&["braking"]).in_file("energies.csv")
 }
@@ -203,17 +198,14 @@ fn table(result: &CycleResult) -> Table {
 /// Whether the energies have quantiles.
 fn is_banded(result: &CycleResult) -> bool {
     let mut finishes = result.finishes.iter();
-    finishes.any(|finish| finish.lost_quantiles_wh.is_some())
+    finishes.any(|finish| finish.lost_drawn_wh.is_some())
 }
 
 /// Energy lost with its quantiles, and its parts while the pinion and while the wheel drives, which add up to it as printed.
 fn lost(finish: &CycleFinish) -> [String; 3] {
     let parts = [finish.lost_drive_wh, finish.lost_coast_wh];
-    let drawn = finish.lost_median_wh.zip(finish.lost_quantiles_wh);
-    let digits = match drawn {
-        Some((_, quantiles)) => Digits::of_interval(quantiles),
-        None => Digits::of_decimals(2),
-    };
+    let drawn = finish.lost_drawn_wh;
+    let digits = Digits::of_drawn(drawn, Digits::of_decimals(2));
     let factor = finish.median_over_medians();
     let total = digits.steps(factor * finish.lost_wh);
     let parts = digits.parts(total, &parts.map(|part| factor * part));
@@ -227,8 +219,8 @@ fn lost(finish: &CycleFinish) -> [String; 3] {
 /// `value`, in proportion to the energy lost, as its median with the digits that the interval leaves.
 fn proportional(finish: &CycleFinish, value: f64) -> String {
     let median = value * finish.median_over_medians();
-    let half = match finish.lost_quantiles_wh {
-        Some([low, high]) if finish.lost_wh > 0.0 => 0.5 * (high - low) / finish.lost_wh * value,
+    let half = match finish.lost_drawn_wh {
+        Some(drawn) if finish.lost_wh > 0.0 => drawn.half_width() / finish.lost_wh * value,
         _ => 0.0,
     };
     Digits::of_uncertainty(half).rounded(median)
@@ -268,10 +260,7 @@ fn difference(finish: &CycleFinish) -> String {
     let Some(value) = finish.difference_wh else {
         return "reference".to_owned();
     };
-    match finish
-        .difference_median_wh
-        .zip(finish.difference_quantiles_wh)
-    {
+    match finish.difference_drawn_wh {
         Some(drawn) => banded(value, Some(drawn)),
         None => format!("{value:+.2}"),
     }

@@ -7,7 +7,8 @@
 //! P_j is the loss of all meshes in draw j and P the loss with every constant at its median. Draws are the same at all nodes, so that
 //! the constants, the structure and the tip relief of a draw hold for the whole map.
 
-use asperity::uncertainty::{Predictive, Quantiles};
+use asperity::uncertainty::{Predictive, median_with_ends};
+use asperity_core::Estimate;
 use asperity_core::numerics::{NodeInterval, add_times, distinct};
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -209,11 +210,9 @@ impl<'a> Drawn<'a> {
         logs.into_iter().map(f64::exp).collect()
     }
 
-    /// Median, 5 and 95 % quantiles over the loss with every constant at its median.
-    pub(crate) fn quantiles(&self, place: Place) -> [f64; 3] {
-        let found = Quantiles::of(&self.ratios(place));
-        let [low, high] = found.quantiles_w;
-        [found.median_w, low, high]
+    /// Median with 5 and 95 % quantiles over the loss with every constant at its median.
+    pub(crate) fn quantiles(&self, place: Place) -> Estimate {
+        median_with_ends(&self.ratios(place))
     }
 }
 

@@ -288,10 +288,8 @@ fn add_quantiles(map: &mut FinishMap) {
         points.par_iter_mut().for_each(|point| {
             let place = drawn.place(point.torque_nm, point.speed_rpm, point.temperature_c);
             if let Some(numbers) = &mut point.numbers {
-                let [median, low, high] =
-                    drawn.quantiles(place).map(|ratio| ratio * numbers.loss_w);
-                numbers.loss_median_w = Some(median);
-                numbers.loss_quantiles_w = Some([low, high]);
+                let ratios = drawn.quantiles(place);
+                numbers.drawn_w = Some(ratios.map(|ratio| ratio * numbers.loss_w));
             }
         });
     }
@@ -433,8 +431,7 @@ fn together(
         loss_w,
         loss_torque_nm: loss_w / omega,
         loss_torque_deviation_nm: deviation,
-        loss_median_w: None,
-        loss_quantiles_w: None,
+        drawn_w: None,
         efficiency,
         efficiency_deviation: efficiency
             .and(deviation)
@@ -495,8 +492,7 @@ fn numbers(evaluated: &EvaluatedMesh, omega: f64, is_reversed: bool) -> Numbers 
         loss_w: summary.loss_w,
         loss_torque_nm: summary.loss_w / omega,
         loss_torque_deviation_nm: deviation(&losses).map(|loss| loss / omega),
-        loss_median_w: None,
-        loss_quantiles_w: None,
+        drawn_w: None,
         efficiency,
         efficiency_deviation,
         sliding_w: summary.sliding_w,
@@ -535,8 +531,7 @@ fn extended(evaluated: &EvaluatedMesh, omega: f64, torque_nm: f64, at: f64) -> N
         loss_w,
         loss_torque_nm: loss_w / omega,
         loss_torque_deviation_nm: deviation(&losses).map(|loss| loss / omega),
-        loss_median_w: None,
-        loss_quantiles_w: None,
+        drawn_w: None,
         efficiency,
         efficiency_deviation: is_whole.then(|| deviation(&efficiencies)).flatten(),
         sliding_w: share * summary.sliding_w,

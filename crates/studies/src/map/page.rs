@@ -47,8 +47,8 @@ const HALF_INTERVAL: Quantity = Quantity {
     title: "Half of the interval of the loss over its median",
     scale: "half the width of the 90 % interval [%]",
     of: |numbers| {
-        let (median, [low, high]) = numbers.loss_median_w.zip(numbers.loss_quantiles_w)?;
-        (median > 0.0).then(|| 50.0 * (high - low) / median)
+        let drawn = numbers.drawn_w.filter(|drawn| drawn.value > 0.0)?;
+        Some(50.0 * (drawn.high - drawn.low) / drawn.value)
     },
     levels: round_levels,
 };
@@ -398,8 +398,8 @@ fn bands(map: &Map) -> Markup {
         .filter(|(finish, point)| is_node(finish, point))
         .filter_map(|(finish, point)| {
             let numbers = point.numbers?;
-            let drawn = numbers.loss_median_w.zip(numbers.loss_quantiles_w)?;
-            Some((finish, point, banded(numbers.loss_w, Some(drawn))))
+            numbers.drawn_w?;
+            Some((finish, point, banded(numbers.loss_w, numbers.drawn_w)))
         })
         .collect();
     if rows.is_empty() {

@@ -2,8 +2,8 @@
 
 use asperity::case::{CaseInput, DefaultUsed};
 use asperity::result::Regime;
-use asperity_core::Code;
 use asperity_core::message::Warning;
+use asperity_core::{Code, Estimate};
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;
@@ -140,10 +140,8 @@ pub struct Numbers {
     pub loss_torque_nm: f64,
     /// Standard deviation of the loss torque over the offsets of the traces \[N m\]; `None` with one offset.
     pub loss_torque_deviation_nm: Option<f64>,
-    /// Median of the drawn losses \[W\]; `None` for a map without draws.
-    pub loss_median_w: Option<f64>,
-    /// Their 5 % and 95 % quantiles \[W\].
-    pub loss_quantiles_w: Option<[f64; 2]>,
+    /// Median of the drawn losses with their 5 % and 95 % quantiles \[W\]; `None` for a map without draws.
+    pub drawn_w: Option<Estimate>,
     /// Efficiency; `None` without power.
     pub efficiency: Option<f64>,
     /// Standard deviation of the efficiency over the offsets.
@@ -178,8 +176,8 @@ impl Numbers {
                 self.loss_torque_deviation_nm,
                 other.loss_torque_deviation_nm,
             ),
-            loss_median_w: both(self.loss_median_w, other.loss_median_w),
-            loss_quantiles_w: None,
+            // The draws come after all points.
+            drawn_w: None,
             efficiency: both(self.efficiency, other.efficiency),
             efficiency_deviation: both(self.efficiency_deviation, other.efficiency_deviation),
             sliding_w: way(self.sliding_w, other.sliding_w),
@@ -191,6 +189,11 @@ impl Numbers {
             mu_equivalent: both(self.mu_equivalent, other.mu_equivalent),
             mixed_share: way(self.mixed_share, other.mixed_share),
         }
+    }
+
+    /// The median of the loss over the loss; 1 without draws.
+    pub(super) fn median_over_loss(&self) -> f64 {
+        self.drawn_w.map_or(1.0, |drawn| drawn.value / self.loss_w)
     }
 
     /// Lubrication regime of the mesh.

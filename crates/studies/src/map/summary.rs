@@ -1,10 +1,10 @@
 //! Extremes of a map and its notes, in words.
 
+use asperity_core::{Code, Estimate};
 use std::collections::BTreeMap;
 
 use asperity::message::Warning;
 use asperity::result::loss_band::Digits;
-use asperity_core::Code;
 use asperity_core::numerics::range;
 use asperity_report::{Cell, Table, columns};
 
@@ -76,9 +76,7 @@ impl<'a> Extremes<'a> {
         let (at, most) = numbers().max_by(|a, b| a.1.loss_w.total_cmp(&b.1.loss_w))?;
         let efficient = numbers().filter_map(|(point, numbers)| {
             // As in a run: of the median of the loss.
-            let scale = numbers
-                .loss_median_w
-                .map_or(1.0, |median| median / numbers.loss_w);
+            let scale = numbers.median_over_loss();
             let efficiency = 1.0 - scale * (1.0 - numbers.efficiency?);
             Some((efficiency, power_w(point), numbers))
         });
@@ -94,16 +92,13 @@ impl<'a> Extremes<'a> {
     /// The largest loss \[W\].
     fn loss(&self) -> Cell {
         let most = &self.most;
-        match most.loss_median_w.zip(most.loss_quantiles_w) {
-            Some((median, quantiles)) => Cell::interval(median, quantiles),
-            None => Cell::with_ends(banded(most.loss_w, None), None, None),
-        }
+        Cell::estimate(banded(most.loss_w, most.drawn_w), most.drawn_w)
     }
 
     /// The largest loss over the power there \[%\].
     fn share(&self) -> Cell {
         let power = power_w(self.at);
-        let loss = self.most.loss_median_w.unwrap_or(self.most.loss_w);
+        let loss = (self.most.drawn_w).map_or(self.most.loss_w, |drawn| drawn.value);
         let share = (power != 0.0).then(|| 100.0 * loss / power);
         Cell::number(share, |share| {
             percent_digits(&self.most, power).rounded(share)
@@ -123,8 +118,8 @@ impl<'a> Extremes<'a> {
     fn torque(&self) -> Cell {
         let numbers = &self.torque;
         let relative = |of: &Numbers| {
-            let [low, high] = of.loss_quantiles_w?;
-            (of.loss_w > 0.0).then(|| 0.5 * (high - low) / of.loss_w)
+            let drawn = of.drawn_w?;
+            (of.loss_w > 0.0).then(|| drawn.half_width() / of.loss_w)
         };
         // At rest there is a torque and no loss to draw.
         let relative = relative(numbers).or_else(|| relative(&self.most));
@@ -146,17 +141,13 @@ fn parts_at_largest(finish: &FinishMap) -> Vec<[String; 3]> {
         .iter()
         .position(|point| std::ptr::eq(point, extremes.at));
     let most = &extremes.most;
-    let factor = most
-        .loss_median_w
-        .map_or(1.0, |median| median / most.loss_w);
+    let factor = most.median_over_loss();
     let omega = extremes.at.speed_rpm * std::f64::consts::PI / 30.0;
     let part = |mesh: &MeshPart| Some(factor * omega * mesh.loss_torque_nm.get(index?).copied()??);
     let Some(parts) = finish.meshes.iter().map(part).collect::<Option<Vec<f64>>>() else {
         return Vec::new();
     };
-    let digits = most
-        .loss_quantiles_w
-        .map_or(Digits::of_decimals(1), Digits::of_interval);
+    let digits = Digits::of_drawn(most.drawn_w, Digits::of_decimals(1));
     let parts = digits.parts(digits.steps(factor * most.loss_w), &parts);
     let row = |(mesh, part): (&MeshPart, f64)| {
         [mesh.name.clone(), mesh.count.to_string(), digits.text(part)]
@@ -171,8 +162,8 @@ fn power_w(point: &Point) -> f64 {
 
 /// Digits of a percentage of `power` by the quantiles of the loss; four decimals without.
 fn percent_digits(numbers: &Numbers, power: f64) -> Digits {
-    match numbers.loss_quantiles_w {
-        Some(quantiles) => Digits::of_interval(quantiles).of_percent(power),
+    match numbers.drawn_w {
+        Some(drawn) => Digits::of_interval(drawn.ends()).of_percent(power),
         None => Digits::of_decimals(4),
     }
 }
@@ -207,11 +198,9 @@ pub(super) fn words(mark: &str) -> &str {
 }
 
 /// A median with its quantiles, or the `value` of a map without draws.
-pub(crate) fn banded(value: f64, drawn: Option<(f64, [f64; 2])>) -> String {
-    let Some((median, ends)) = drawn else {
-        return format!("{value:.1}");
-    };
-    Digits::of_interval(ends).interval(median, ends)
+pub(crate) fn banded(value: f64, drawn: Option<Estimate>) -> String {
+    let by_interval = |drawn: Estimate| Digits::of_interval(drawn.ends()).interval(drawn);
+    drawn.map_or_else(|| format!("{value:.1}"), by_interval)
 }
 
 /// W431, if the case states a gearbox.
@@ -229,9 +218,8 @@ pub(super) fn bands(map: &Map) -> impl Iterator<Item = String> {
     let of = |finish: &FinishMap| {
         let shares = finish.points.iter().filter_map(|point| {
             let numbers = point.numbers?;
-            let (median, [low, high]) = numbers.loss_median_w.zip(numbers.loss_quantiles_w)?;
-            let percent = |value: f64| 100.0 * (value / median - 1.0);
-            (median > 0.0).then(|| [percent(low), percent(high)])
+            let drawn = numbers.drawn_w.filter(|drawn| drawn.value > 0.0)?;
+            Some(drawn.ends().map(|end| 100.0 * (end / drawn.value - 1.0)))
         });
         let shares: Vec<[f64; 2]> = shares.collect();
         let points = shares.len();

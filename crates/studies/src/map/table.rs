@@ -1,9 +1,9 @@
 //! Table of a map with one row per point.
 
+use asperity_core::{Code, Estimate, Fault};
 use std::borrow::Cow;
 use std::path::Path;
 
-use asperity_core::{Code, Fault};
 use asperity_report::tables;
 use serde::{Deserialize, Serialize};
 
@@ -51,15 +51,15 @@ impl<'a> PointRow<'a> {
     fn of(finish: &'a FinishMap, point: &'a Point) -> Self {
         let numbers = point.numbers.as_ref();
         let of = |value: fn(&Numbers) -> f64| numbers.map(value);
-        let quantile = |which: usize| Some(numbers?.loss_quantiles_w?[which]);
+        let drawn = numbers.and_then(|numbers| numbers.drawn_w);
         Self {
             torque_nm: point.torque_nm,
             speed_rpm: point.speed_rpm,
             temperature_c: point.temperature_c,
             loss_w: of(|n| n.loss_w),
-            loss_median_w: numbers.and_then(|n| n.loss_median_w),
-            loss_p05_w: quantile(0),
-            loss_p95_w: quantile(1),
+            loss_median_w: drawn.map(|drawn| drawn.value),
+            loss_p05_w: drawn.map(|drawn| drawn.low),
+            loss_p95_w: drawn.map(|drawn| drawn.high),
             loss_torque_nm: of(|n| n.loss_torque_nm),
             efficiency: numbers.and_then(|n| n.efficiency),
             efficiency_deviation: numbers.and_then(|n| n.efficiency_deviation),
@@ -81,14 +81,20 @@ impl<'a> PointRow<'a> {
 
     /// The point; `None` if its row is incomplete.
     pub(super) fn point(self) -> Option<Point> {
+        let drawn = || {
+            Some(Estimate {
+                value: self.loss_median_w?,
+                low: self.loss_p05_w?,
+                high: self.loss_p95_w?,
+            })
+        };
         let numbers = || {
             let [loss_w, sliding_w, rolling_w] = [self.loss_w?, self.sliding_w?, self.rolling_w?];
             Some(Numbers {
                 loss_w,
                 loss_torque_nm: self.loss_torque_nm?,
                 loss_torque_deviation_nm: self.loss_torque_deviation_nm,
-                loss_median_w: self.loss_median_w,
-                loss_quantiles_w: self.loss_p05_w.zip(self.loss_p95_w).map(<[f64; 2]>::from),
+                drawn_w: drawn(),
                 efficiency: self.efficiency,
                 efficiency_deviation: self.efficiency_deviation,
                 sliding_w,

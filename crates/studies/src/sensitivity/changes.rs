@@ -1,6 +1,6 @@
 //! The changes of a case in a sensitivity study, one at a time.
 
-use asperity::case::{Calibrated, GearFlankInput, LoadedCase, ReliefInput, TipRelief};
+use asperity::case::{GearFlankInput, LoadedCase, ReliefInput, TipRelief};
 use asperity::flanks::{Surfaces, Texture};
 use asperity::gear::{ReliefExtent, ReliefShape};
 use asperity::oil::{BaseOil, ViscosityLaw};
@@ -184,7 +184,7 @@ fn boundary(loaded: &LoadedCase) -> Vec<Change> {
         let case = loaded.with(|input| {
             let fitted = input.calibration.as_mut();
             match fitted.and_then(|fitted| fitted.boundary_friction.as_mut()) {
-                Some(fitted) => scale(fitted, to / model.boundary_friction),
+                Some(fitted) => *fitted = fitted.map(|mu| mu * (to / model.boundary_friction)),
                 None => input.model.boundary_friction = Some(to),
             }
         });
@@ -197,7 +197,7 @@ fn boundary(loaded: &LoadedCase) -> Vec<Change> {
         let case = loaded.with(|input| {
             let fitted = input.calibration.as_mut();
             match fitted.and_then(|fitted| fitted.boundary_layer.as_mut()) {
-                Some(fitted) => scale(fitted, factor),
+                Some(fitted) => *fitted = fitted.map(|layer| layer * factor),
                 None => input.model.boundary_layer = Some(to),
             }
         });
@@ -205,16 +205,6 @@ fn boundary(loaded: &LoadedCase) -> Vec<Change> {
         change(what, nm(to), case)
     });
     friction.into_iter().chain(layer).collect()
-}
-
-/// Multiplies a calibrated constant and its band.
-fn scale<T: Copy + std::ops::Mul<f64, Output = T>>(fitted: &mut Calibrated<T>, factor: f64) {
-    let Calibrated { value, low, high } = *fitted;
-    *fitted = Calibrated {
-        value: value * factor,
-        low: low * factor,
-        high: high * factor,
-    };
 }
 
 fn oil(loaded: &LoadedCase) -> Vec<Change> {

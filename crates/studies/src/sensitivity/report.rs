@@ -2,7 +2,7 @@
 
 use asperity::message::Warning;
 use asperity::result::loss_band::{Digits, rounded};
-use asperity_core::Code;
+use asperity_core::{Code, Estimate};
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::{Cell, Report, StudyResult, Table, Value, columns};
 
@@ -199,7 +199,7 @@ fn headline(study: &Sensitivity) -> String {
 fn difference(effect: &Effect) -> String {
     match effect.sampling_quantiles_w {
         Some([low, high]) if low < high => {
-            digits(effect).signed_interval(effect.difference_w, [low, high])
+            digits(effect).signed_interval(Estimate::new(effect.difference_w, [low, high]))
         }
         _ => change(effect),
     }

@@ -9,10 +9,17 @@
 //! variance of f over A and B. Intervals are percentiles of resampled points (bootstrap).
 
 use asperity_core::numerics::Z_95;
+use asperity_core::{Estimate, EstimateKeys, estimate_keys};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 use super::draws::{random_of, uniform};
+
+estimate_keys! {
+    Difference: "difference" "quantiles";
+    First: "first" "first_interval";
+    Total: "total" "total_interval";
+}
 
 /// Effect of an input, all others at their means.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -22,10 +29,9 @@ pub struct Effect {
     pub low: f64,
     /// Result at the mean of the highest quarter, or with the choice.
     pub high: f64,
-    /// Difference between the two.
-    pub difference: f64,
-    /// Its 5 % and 95 % quantiles.
-    pub quantiles: [f64; 2],
+    /// Difference between the two with its 5 % and 95 % quantiles.
+    #[serde(flatten, serialize_with = "Difference::serialize")]
+    pub difference: Estimate,
     /// Correlation of input and result.
     pub correlation: f64,
 }
@@ -46,13 +52,11 @@ pub struct Regressor {
 #[non_exhaustive]
 pub struct Indices {
     /// Share of the variance due to the input without interactions.
-    pub first: f64,
-    /// Its interval.
-    pub first_interval: [f64; 2],
+    #[serde(flatten, serialize_with = "First::serialize")]
+    pub first: Estimate,
     /// Share of the variance due to the input and its interactions.
-    pub total: f64,
-    /// Its interval.
-    pub total_interval: [f64; 2],
+    #[serde(flatten, serialize_with = "Total::serialize")]
+    pub total: Estimate,
 }
 
 /// Number of bootstrap samples.
@@ -101,8 +105,7 @@ pub fn effects(inputs: &[Regressor], y: &[f64]) -> Vec<Option<Effect>> {
         found[i] = Some(Effect {
             low,
             high,
-            difference: high - low,
-            quantiles: [-Z_95, Z_95].map(|z| high - low + z * error),
+            difference: Estimate::new(high - low, [-Z_95, Z_95].map(|z| high - low + z * error)),
             correlation: right[at] / square.sqrt(),
         });
     }
@@ -150,7 +153,7 @@ fn mean_and_square(values: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
 /// let f = |x: f64, y: f64| x + 2.0 * y;
 /// let of = |x: usize, y: usize| -> Vec<f64> { (0..1024).map(|k| f(draws.at(k, x), draws.at(k, y))).collect() };
 /// let found = sobol_indices(&of(0, 1), &of(2, 3), &[of(2, 1), of(0, 3)], 1).unwrap();
-/// assert!((found[0].first - 0.2).abs() < 0.02 && (found[1].total - 0.8).abs() < 0.02);
+/// assert!((found[0].first.value - 0.2).abs() < 0.02 && (found[1].total.value - 0.8).abs() < 0.02);
 /// ```
 #[must_use]
 pub fn sobol_indices(a: &[f64], b: &[f64], mixed: &[Vec<f64>], seed: u64) -> Option<Vec<Indices>> {
@@ -173,10 +176,8 @@ pub fn sobol_indices(a: &[f64], b: &[f64], mixed: &[Vec<f64>], seed: u64) -> Opt
         }
     }
     let of = |(point, resampled): (&[f64; 2], &Vec<[f64; 2]>)| Indices {
-        first: point[0],
-        first_interval: interval(resampled, 0),
-        total: point[1],
-        total_interval: interval(resampled, 1),
+        first: Estimate::new(point[0], interval(resampled, 0)),
+        total: Estimate::new(point[1], interval(resampled, 1)),
     };
     Some(point.iter().zip(&resampled).map(of).collect())
 }
@@ -238,10 +239,10 @@ mod tests {
             let values = sobol_indices(&all(None), &all(Some(3)), &mixed, seed).unwrap();
             for (i, index) in values.iter().enumerate() {
                 let exact = weights[i] * weights[i] / 14.0;
-                let lies = |[low, high]: [f64; 2]| usize::from((low..=high).contains(&exact));
-                inside[0] += lies(index.first_interval);
-                inside[1] += lies(index.total_interval);
-                assert!((index.first - exact).abs() < 0.05 && (index.total - exact).abs() < 0.05);
+                for (inside, index) in inside.iter_mut().zip([index.first, index.total]) {
+                    *inside += usize::from(index.contains(exact));
+                    assert!((index.value - exact).abs() < 0.05);
+                }
             }
         }
         // 95 % of 30 intervals hold the exact value on average; a quasi-random sample does better.
@@ -266,7 +267,7 @@ mod tests {
             .map(|k| 5.0 - 2.0 * inputs[0].values[k] + 30.0 * inputs[2].values[k])
             .collect();
         let found = effects(&inputs, &y);
-        let difference = |i: usize| found[i].unwrap().difference;
+        let difference = |i: usize| found[i].unwrap().difference.value;
         assert!((difference(0) + 150.0).abs() < 1e-9, "{found:?}");
         assert!(difference(1).abs() < 1e-9 && (difference(2) - 30.0).abs() < 1e-9);
         assert!(found[3].is_none() && found[1].unwrap().correlation < -0.9);

@@ -180,7 +180,10 @@ fn largest(merged: &Merged) -> Option<String> {
 fn by_size<'a>(merged: &'a Merged, name: &str) -> Vec<&'a EffectRow> {
     let rows = merged.effects.iter().filter(|row| row.output == name);
     let mut rows: Vec<&EffectRow> = rows.filter(|row| row.effect.is_some()).collect();
-    let size = |row: &EffectRow| row.effect.map_or(0.0, |effect| effect.difference.abs());
+    let size = |row: &EffectRow| {
+        row.effect
+            .map_or(0.0, |effect| effect.difference.value.abs())
+    };
     rows.sort_by(|a, b| size(b).total_cmp(&size(a)));
     rows
 }
@@ -193,8 +196,8 @@ fn tornado(merged: &Merged, name: &str) -> Option<Drawing> {
         let effect = row.effect?;
         Some(Bar {
             name: input_name(&row.input),
-            value: Some(output.factor * effect.difference),
-            spread: Some(effect.quantiles.map(|end| output.factor * end)),
+            value: Some(output.factor * effect.difference.value),
+            spread: Some(effect.difference.ends().map(|end| output.factor * end)),
             text: output.change(&effect),
         })
     };

@@ -1,5 +1,6 @@
 //! The work of a shard.
 
+use asperity_core::{Code, Estimate};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -15,7 +16,6 @@ use asperity::result::Losses;
 use asperity::train;
 use asperity::uncertainty::{Predictive, predictive};
 use asperity::{ContactStore, Error};
-use asperity_core::Code;
 use asperity_storage::json_value;
 use rayon::prelude::*;
 use serde_json::Value;
@@ -230,8 +230,8 @@ fn row(
 struct Found {
     /// Numbers by the names of their columns.
     numbers: Value,
-    /// Median, 5 and 95 % quantiles of its draws, if they are requested and the case has some.
-    drawn: Option<[f64; 3]>,
+    /// Median with 5 and 95 % quantiles of its draws, if they are requested and the case has some.
+    drawn: Option<Estimate>,
     /// Codes of the warnings about inputs outside of their ranges.
     outside: String,
 }
@@ -279,13 +279,9 @@ fn result(
         (Some(_), [summary]) => json_value(summary).unwrap_or_default(),
         _ => numbers_of(&found),
     };
-    let drawn = found.loss_distribution;
     Ok(Found {
         numbers,
-        drawn: drawn.map(|drawn| {
-            let [low, high] = drawn.quantiles_w;
-            [drawn.median_w, low, high]
-        }),
+        drawn: found.loss_distribution.map(|found| found.drawn),
         outside: outside_codes(outside),
     })
 }
@@ -312,7 +308,8 @@ fn mesh_losses(
 fn values(found: &Found, names: &[String]) -> Vec<String> {
     let of_draws = |name: &str| {
         let place = DRAWN.iter().position(|drawn| *drawn == name)?;
-        Some(found.drawn?[place].to_string())
+        let Estimate { value, low, high } = found.drawn?;
+        Some([value, low, high][place].to_string())
     };
     let of = |name: &String| match found.numbers.get(name) {
         _ if is_drawn(name) => of_draws(name).unwrap_or_default(),

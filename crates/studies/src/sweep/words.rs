@@ -1,6 +1,7 @@
 //! Results and inputs of a study in words, with their units.
 
 use asperity::result::loss_band::Digits;
+use asperity_core::Estimate;
 use asperity_report::{Cell, Table, columns};
 
 use super::effects::Effect;
@@ -68,10 +69,9 @@ impl Output {
 
     /// A change with its interval, the digits that this leaves, and the unit.
     pub(super) fn change(&self, effect: &Effect) -> String {
-        let [low, high] = effect.quantiles.map(|end| self.factor * end);
-        let value = self.factor * effect.difference;
-        let half = (0.5 * (high - low)).max(0.01 * value.abs());
-        let text = Digits::of_uncertainty(half).signed_interval(value, [low, high]);
+        let change = effect.difference.map(|change| self.factor * change);
+        let half = change.half_width().max(0.01 * change.value.abs());
+        let text = Digits::of_uncertainty(half).signed_interval(change);
         format!("{text} {}", self.unit).trim_end().to_owned()
     }
 }
@@ -89,26 +89,23 @@ pub(super) fn table(merged: &Merged) -> Table {
         code input "key" "" = &row.input;
         file low = Cell::optional(effect.map(|effect| effect.low));
         file high = Cell::optional(effect.map(|effect| effect.high));
-        interval difference "change" "" = Cell::with_ends(
+        interval difference "change" "" = Cell::estimate(
             effect.map_or("-".to_owned(), |effect| output.change(effect)),
             effect.map(|effect| effect.difference),
-            effect.map(|effect| effect.quantiles),
         );
         number correlation "correlation" "" "{:+.2}" = effect.map(|effect| effect.correlation);
     };
     let digits = Digits::of_decimals(2);
-    let index = |of: Option<(f64, [f64; 2])>| {
-        Cell::optional(
-            of.map(|(value, ends)| Cell::shown(digits.interval(value, ends), value.into())),
-        )
+    let index = |of: Option<Estimate>| {
+        Cell::optional(of.map(|of| Cell::shown(digits.interval(of), of.value.into())))
     };
     let indices = columns! { row in &merged.effects;
-        number first "first index" "" = index(row.indices.map(|of| (of.first, of.first_interval)));
-        file first_low = Cell::optional(row.indices.map(|of| of.first_interval[0]));
-        file first_high = Cell::optional(row.indices.map(|of| of.first_interval[1]));
-        number total "total index" "" = index(row.indices.map(|of| (of.total, of.total_interval)));
-        file total_low = Cell::optional(row.indices.map(|of| of.total_interval[0]));
-        file total_high = Cell::optional(row.indices.map(|of| of.total_interval[1]));
+        number first "first index" "" = index(row.indices.map(|of| of.first));
+        file first_low = Cell::optional(row.indices.map(|of| of.first.low));
+        file first_high = Cell::optional(row.indices.map(|of| of.first.high));
+        number total "total index" "" = index(row.indices.map(|of| of.total));
+        file total_low = Cell::optional(row.indices.map(|of| of.total.low));
+        file total_high = Cell::optional(row.indices.map(|of| of.total.high));
     };
     let indices = match merged.effects.iter().any(|row| row.indices.is_some()) {
         true => indices,
@@ -168,8 +165,7 @@ mod tests {
         let effect = Effect {
             low: 0.0,
             high: 0.0,
-            difference: -130.4,
-            quantiles: [-141.0, -120.0],
+            difference: Estimate::new(-130.4, [-141.0, -120.0]),
             correlation: 0.0,
         };
         assert_eq!(Output::of("loss_w").change(&effect), "-130 (-141..-120) W");
