@@ -103,14 +103,17 @@ pub(crate) fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f
         .unwrap_or_else(|| DMatrix::identity(count, count))
 }
 
-/// Whether a parameter is written: the points identify it, or narrow its range of a case without calibration.
+/// Whether a parameter is written: the points identify it, if only in part, and narrow its range of a case without
+/// calibration.
 fn is_identified(parameter: &FittedParameter) -> bool {
+    parameter.verdict != Verdict::NotIdentified
+        && is_narrower(parameter.band, parameter.default_range)
+}
+
+/// Whether the ratio of the ends of `band` is smaller than of `other`.
+pub(crate) fn is_narrower(band: [f64; 2], other: [f64; 2]) -> bool {
     let width = |[low, high]: [f64; 2]| (high / low).ln();
-    match parameter.verdict {
-        Verdict::Identified => true,
-        Verdict::Partly => width(parameter.band) < width(parameter.default_range),
-        Verdict::NotIdentified => false,
-    }
+    width(band) < width(other)
 }
 
 /// A value in the unit of a case file.

@@ -11,7 +11,7 @@ use asperity_report::Watch;
 use nalgebra::DVector;
 
 use crate::birge::Scatter;
-use crate::block::block;
+use crate::block::{block, is_narrower};
 use crate::bootstrap::{bootstrap, middle_95};
 use crate::fit::Fit;
 use crate::identifiability::verdict;
@@ -21,7 +21,7 @@ use crate::parameters::{ASSEMBLY, BEARINGS, ROLLING, TEMPERATURE};
 use crate::problem::{Observation, Problem};
 use crate::result::{
     Calibration, Evidence, FittedParameter, FittedPoint, Identifiability, NuisanceRow,
-    SCHEMA_VERSION,
+    SCHEMA_VERSION, Verdict,
 };
 use crate::rig::{Rig, RigCase};
 use crate::rig_table::{RigTable, SIMULATED, Scope};
@@ -257,12 +257,15 @@ impl Rig {
                 default: parameter.centre,
                 default_range: parameter.range,
                 deviation: fit.deviation(k),
-                verdict: verdict(
+                verdict: match verdict(
                     identifiability.parameters[k]
                         .deviation
                         .map(|by_points| widening * by_points),
                     parameter.prior,
-                ),
+                ) {
+                    Verdict::Identified if !is_narrower(band, parameter.range) => Verdict::Partly,
+                    by_deviation => by_deviation,
+                },
             })
         };
         (0..self.parameters.len()).map(one).collect()
