@@ -9,7 +9,7 @@ use asperity::uncertainty::{ENDS, sorted_quantiles};
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 use asperity_core::quantity::{Power, Ratio};
-use asperity_core::{DomainError, Fault, decimals};
+use asperity_core::{DomainError, Fault};
 use asperity_report::{StudySettings, Watch, Work, settings};
 use rayon::prelude::*;
 use serde::Serialize;
