@@ -310,7 +310,7 @@ fn player(contact: &LubricatedContact) -> Markup {
     let across: Vec<_> = across.map(|(x, label)| (px(x) / 10.0, label)).collect();
     html! {
         p { "The surfaces move from left to right through the contact; dashed: smooth surfaces." }
-        figure.player {
+        figure.player id="motion" {
             figcaption { "Pressure and film at one instant" }
             div.slider {
                 button type="button" data-player="play" { "Play" }
@@ -326,7 +326,7 @@ fn player(contact: &LubricatedContact) -> Markup {
                 text x=(0.5 * (LEFT + WIDTH - RIGHT)) y=(height - 8.0) text-anchor="middle" { (self::across().text()) }
                 @for k in 0..2 {
                     clipPath id={ "clip-player" (k) } { rect x=(LEFT) y=(panels[k].top) width=(WIDTH - LEFT - RIGHT) height=(PANEL) {} }
-                    g clip-path={ "url(#clip-player" (k) ")" } { g.tenths transform="scale(0.1)" {
+                    g clip-path={ "url(#clip-player" (k) ")" } { g."tenths curves" transform="scale(0.1)" {
                         path."curve dashed c1" d=(dashed(k)) {}
                         path."curve c0" data-player={ "curve" (k) }
                             d=(line(&xs, &rows(&panels[k], [&first.pressure, &first.film][k]))) {}

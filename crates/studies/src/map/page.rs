@@ -9,7 +9,6 @@ use maud::{Markup, html};
 use super::axes::Axes;
 use super::point::{FinishMap, Map, Numbers, Point};
 use super::summary::{banded, in_words, words};
-use super::surface::Surface;
 
 /// Approximate number of bands of a field.
 const BANDS: usize = 10;
@@ -64,67 +63,16 @@ impl Quantity {
         let mut fields = Vec::new();
         for finish in &map.finishes {
             for &temperature in drawn {
-                let field = Contour {
+                fields.push(Contour {
                     id: id(map, self.id, finish, temperature),
                     title: format!("{}, {}", self.title, named(map, finish, temperature)),
                     value: self.scale.to_owned(),
                     dots: visited.to_vec(),
                     ..field(map, finish, temperature, &|point| self.at(point))
-                };
-                let surface = finish.surface(&map.axes, temperature);
-                fields.push((field, surface.filter(|_| self.id == EFFICIENCY.id)));
+                });
             }
         }
         with_common_levels(fields, self.levels)
-    }
-}
-
-/// Torques between zero and its neighbours, over the neighbour.
-const TOWARDS_ZERO: [f64; 3] = [1.0 / 32.0, 1.0 / 8.0, 1.0 / 2.0];
-
-/// The efficiency `field` with more columns next to zero torque, where it is undefined, by the interpolated loss torque.
-fn towards_zero(field: Contour, surface: &Surface) -> Contour {
-    let torques = field.columns.iter().enumerate();
-    let node = |(k, torque): (usize, &f64)| (k, *torque);
-    let mut columns: Vec<(usize, f64)> = torques.map(node).collect();
-    if let Some(zero) = field.columns.iter().position(|torque| *torque == 0.0) {
-        let neighbours = [zero.checked_sub(1), Some(zero + 1)].into_iter().flatten();
-        for near in neighbours {
-            let edge = field.columns.get(near).copied();
-            columns.extend(
-                edge.iter()
-                    .flat_map(|edge| TOWARDS_ZERO.map(|share| (near, share * edge))),
-            );
-        }
-        columns.sort_by(|a, b| a.1.total_cmp(&b.1));
-    }
-    let efficiency = |torque: f64, speed: f64| {
-        let lost = surface.loss_torque(torque, speed).value;
-        let carried = torque.abs();
-        let value = match torque < 0.0 {
-            true => carried / (carried + lost),
-            false => 1.0 - lost / carried,
-        };
-        let is_defined = speed > 0.0 && (0.0..1.0).contains(&value);
-        if is_defined { 100.0 * value } else { f64::NAN }
-    };
-    let nodes = field.columns.len();
-    let (mut values, mut hatched) = (Vec::new(), Vec::new());
-    for (j, speed) in field.rows.iter().enumerate() {
-        for (k, torque) in &columns {
-            let node = j * nodes + k;
-            values.push(match field.columns[*k] == *torque {
-                true => field.values[node],
-                false => efficiency(*torque, *speed),
-            });
-            hatched.extend(field.hatched.get(node));
-        }
-    }
-    Contour {
-        values,
-        hatched,
-        columns: columns.into_iter().map(|(_, torque)| torque).collect(),
-        ..field
     }
 }
 
@@ -149,21 +97,13 @@ fn visited_values(field: &Contour) -> impl Iterator<Item = f64> {
     })
 }
 
-/// The fields with the bands of all their values together, without those that have no value. A field with a surface is of the
-/// efficiency, and is continued towards zero torque.
-fn with_common_levels(
-    mut fields: Vec<(Contour, Option<Surface>)>,
-    levels: fn(&[f64]) -> Vec<f64>,
-) -> Vec<Drawing> {
-    fields.retain(|(field, _)| field.values.iter().any(|value| value.is_finite()));
-    let values = fields.iter().flat_map(|(field, _)| visited_values(field));
+/// The fields with the bands of all their values together, without those that have no value.
+fn with_common_levels(mut fields: Vec<Contour>, levels: fn(&[f64]) -> Vec<f64>) -> Vec<Drawing> {
+    fields.retain(|field| field.values.iter().any(|value| value.is_finite()));
+    let values = fields.iter().flat_map(visited_values);
     let values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
     let levels = levels(&values);
-    let drawing = |(field, surface): (Contour, Option<Surface>)| {
-        let field = match &surface {
-            Some(surface) => towards_zero(field, surface),
-            None => field,
-        };
+    let drawing = |field| {
         Drawing::Contour(Contour {
             levels: Some(levels.clone()),
             ..field
@@ -429,14 +369,13 @@ fn differences(map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Markup {
                 };
             }
             let names = [&named(map, finish, at), &first.name];
-            let field = Contour {
+            fields.push(Contour {
                 id: id(map, "difference", finish, at),
                 title: format!("Loss of {} minus that of {}", names[0], names[1]),
                 value: "difference [W]".to_owned(),
                 dots: visited.to_vec(),
                 ..field
-            };
-            fields.push((field, None));
+            });
         }
     }
     if fields.is_empty() {
@@ -562,36 +501,11 @@ mod tests {
     }
 
     #[test]
-    fn the_efficiency_is_drawn_close_to_zero_torque() {
-        let surface = Surface {
-            torque_nm: vec![0.0, 16.0],
-            speed_rpm: vec![0.0, 1.0],
-            loss_torque_nm: vec![0.1, 0.1, 0.4, 0.4],
-        };
-        let field = Contour {
-            columns: surface.torque_nm.clone(),
-            ..contour(vec![f64::NAN, f64::NAN, f64::NAN, 97.5])
-        };
-        let drawn = towards_zero(field, &surface);
-        assert_eq!(drawn.columns, [0.0, 0.5, 2.0, 8.0, 16.0]);
-        assert!(drawn.values[..6].iter().all(|value| value.is_nan()));
-        // Loss torques of 0.1 + 0.3 T/16.
-        let due =
-            [0.109_375 / 0.5, 0.1375 / 2.0, 0.25 / 8.0, 0.025].map(|lost| 100.0 * (1.0 - lost));
-        let pairs = drawn.values[6..].iter().zip(due);
-        assert!(
-            pairs
-                .into_iter()
-                .all(|(value, due)| (value - due).abs() < 1e-9)
-        );
-    }
-
-    #[test]
     fn finishes_have_the_same_colours_and_differences_are_about_zero() {
         let fields = vec![
-            (contour(vec![0.0, 200.0, 400.0, 780.0]), None),
-            (contour(vec![f64::NAN, 100.0, 200.0, 300.0]), None),
-            (contour(vec![f64::NAN; 4]), None),
+            contour(vec![0.0, 200.0, 400.0, 780.0]),
+            contour(vec![f64::NAN, 100.0, 200.0, 300.0]),
+            contour(vec![f64::NAN; 4]),
         ];
         let levels: Vec<Vec<f64>> = with_common_levels(fields, round_levels)
             .into_iter()
