@@ -104,13 +104,15 @@ pub(crate) fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f
         .unwrap_or_else(|| DMatrix::identity(count, count))
 }
 
-/// Whether a parameter is written: the points identify it, or narrow its range of a case without calibration.
+/// Whether a parameter is written: the points identify it, if only in part, and narrow its range of a case without
+/// calibration.
 fn is_identified(parameter: &FittedParameter) -> bool {
-    match parameter.verdict {
-        Verdict::Identified => true,
-        Verdict::Partly => parameter.fitted.log_width() < parameter.default.log_width(),
-        Verdict::NotIdentified => false,
-    }
+    parameter.verdict != Verdict::NotIdentified && is_narrower(parameter.fitted, parameter.default)
+}
+
+/// Whether the ratio of the ends of `fitted` is smaller than of `before`.
+pub(crate) fn is_narrower(fitted: Estimate, before: Estimate) -> bool {
+    fitted.log_width() < before.log_width()
 }
 
 /// A value in the unit of a case file.

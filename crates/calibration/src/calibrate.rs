@@ -11,7 +11,7 @@ use asperity_report::Watch;
 use nalgebra::DVector;
 
 use crate::birge::Scatter;
-use crate::block::block;
+use crate::block::{block, is_narrower};
 use crate::bootstrap::{bootstrap, middle_95};
 use crate::fit::Fit;
 use crate::identifiability::verdict;
@@ -21,7 +21,7 @@ use crate::parameters::{ASSEMBLY, BEARINGS, ROLLING, TEMPERATURE};
 use crate::problem::{Observation, Problem};
 use crate::result::{
     Calibration, Evidence, FittedParameter, FittedPoint, Identifiability, NuisanceRow,
-    SCHEMA_VERSION,
+    SCHEMA_VERSION, Verdict,
 };
 use crate::rig::{Rig, RigCase};
 use crate::rig_table::{RigTable, SIMULATED, Scope};
@@ -241,10 +241,11 @@ impl Rig {
                 }
                 _ => profile_band,
             };
+            let fitted = Estimate::new(value(fit.minimum.x[k]), band);
             Ok(FittedParameter {
                 key: parameter.name.key().to_owned(),
                 name: parameter.words().to_owned(),
-                fitted: Estimate::new(value(fit.minimum.x[k]), band),
+                fitted,
                 profile_band,
                 is_open: profile.is_open,
                 profile: profile
@@ -255,12 +256,17 @@ impl Rig {
                 bootstrap,
                 default: parameter.default,
                 deviation: fit.deviation(k),
-                verdict: verdict(
+                verdict: match verdict(
                     identifiability.parameters[k]
                         .deviation
                         .map(|by_points| widening * by_points),
                     parameter.prior,
-                ),
+                ) {
+                    Verdict::Identified if !is_narrower(fitted, parameter.default) => {
+                        Verdict::Partly
+                    }
+                    by_deviation => by_deviation,
+                },
             })
         };
         (0..self.parameters.len()).map(one).collect()

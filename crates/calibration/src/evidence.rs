@@ -137,6 +137,9 @@ pub struct EvidenceTable {
     pub program: String,
     /// Title of the case.
     pub title: String,
+    /// Operating point, and numbers of positions and offsets, in words; empty for a train of several meshes.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub conditions: String,
     /// Power into the meshes \[W\].
     pub power_in_w: f64,
     /// Loss with its interval as known.
@@ -181,6 +184,9 @@ impl EvidenceTable {
         Ok(Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
             title: train.title.clone(),
+            conditions: train
+                .only()
+                .map_or(String::new(), |mesh| mesh.case.conditions()),
             power_in_w: outcome.whole.meshes_power_in_w(),
             loss,
             no_curves,
@@ -455,6 +461,7 @@ impl StudyResult for EvidenceTable {
             .section("Measurements that narrow the interval")
             .verdict([format!("Loss {loss}.")])
             .verdict(self.best())
+            .at(&self.conditions)
             .figures(|| self.chart())
             .table(self.table().of_file(TABLE))
             .text(self.notes())

@@ -171,14 +171,14 @@ fn verdicts(calibration: &Calibration) -> Vec<String> {
     });
     let others = of(Verdict::NotIdentified, &|one| one.name.clone());
     let mut verdicts = vec![match determined.is_empty() {
-        true => "The points determine no parameter.".to_owned(),
-        false => format!("Determined by the points: {determined}."),
+        true => "The points identify no parameter.".to_owned(),
+        false => format!("Identified by the points: {determined}."),
     }];
     if !held.is_empty() {
-        verdicts.push(format!("Not determined, held by its prior: {held}."));
+        verdicts.push(format!("Identified in part: {held}."));
     }
     if !others.is_empty() {
-        verdicts.push(format!("Not determined, left at the default: {others}."));
+        verdicts.push(format!("Not identified, left at the default: {others}."));
     }
     let next = calibration.identifiability.helpful.first();
     verdicts.extend(next.map(|point| {

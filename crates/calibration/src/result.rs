@@ -11,9 +11,9 @@ pub const SCHEMA_VERSION: u32 = 2;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
-    /// The points determine it to better than half its prior.
+    /// The points determine it to better than half its prior, and narrow its range of a case without calibration.
     Identified,
-    /// Points and prior have similar weight.
+    /// Points and prior have similar weight, or the band is not narrower than that range.
     Partly,
     /// The prior dominates; the parameter keeps its default and its range.
     NotIdentified,
@@ -25,7 +25,7 @@ impl Verdict {
     pub const fn text(self) -> &'static str {
         match self {
             Self::Identified => "identified",
-            Self::Partly => "partly, held by its prior",
+            Self::Partly => "identified in part",
             Self::NotIdentified => "not identified",
         }
     }

@@ -117,7 +117,7 @@ pub(crate) fn identified(parameters: &[IdentifiedParameter]) -> Table {
         head name "parameter" "";
         number deviation "standard deviation by the points" "%" "{:.0}" = one.deviation.map(share);
         number prior "of the prior" "%" "{:.0}" = share(one.prior);
-        text verdict "verdict" "" = one.verdict.text();
+        text verdict "expected" "" = one.verdict.text();
     }
 }
 

@@ -185,6 +185,12 @@ impl<'a> Report<'a> {
         self.with(lines.into_iter().map(|line| Block::Text(line.into())))
     }
 
+    /// A paragraph of the page with the operating point and the numbers of positions and offsets of the runs; none without `conditions`.
+    pub fn at(self, conditions: &str) -> Self {
+        self.text((!conditions.is_empty()).then(|| format!("At {conditions}.")))
+            .on_page()
+    }
+
     /// Warnings.
     pub fn warning<W: Display>(self, warnings: impl IntoIterator<Item = W>) -> Self {
         let warnings = warnings.into_iter();

@@ -14,6 +14,9 @@ const NEAR_CELLS: usize = 60;
 pub struct Ridges {
     /// Title of the case.
     pub title: String,
+    /// Operating point, and numbers of positions and offsets, in words; empty in older results.
+    #[serde(default)]
+    pub conditions: String,
     /// Loss of the mesh \[W\].
     pub loss_w: f64,
     /// Loss with the listed ridges pressed to the mean line, by a run \[W\].

@@ -114,11 +114,11 @@ impl OilFit {
         let fitted: Vec<String> = fitted.collect();
         let open: Vec<&str> = open.into_iter().map(|one| one.name.as_str()).collect();
         let mut verdicts = vec![match fitted.is_empty() {
-            true => "The points determine no constant.".to_owned(),
-            false => format!("Determined by the points: {}.", fitted.join(", ")),
+            true => "The points identify no constant.".to_owned(),
+            false => format!("Identified by the points: {}.", fitted.join(", ")),
         }];
         if !open.is_empty() {
-            verdicts.push(format!("Not determined: {}.", open.join(", ")));
+            verdicts.push(format!("Not identified: {}.", open.join(", ")));
         }
         let law = self.pressure_law.name();
         verdicts.push(match self.is_law_decided {

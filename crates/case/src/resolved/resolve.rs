@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use asperity_core::material::{Material, reduced_modulus};
 use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
-use asperity_core::{DomainError, OutOfRange};
+use asperity_core::{DomainError, OutOfRange, decimals};
 use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
 use asperity_oil::{
     FilmRheology, Lubricant, LubricantError, LubricantInput, LubricantState, PressureLaw,
@@ -269,6 +269,22 @@ fn load_check(model: &Model, positions: Positions, mesh: &LoadConditions<'_>) ->
 }
 
 impl Case {
+    /// Operating point, and numbers of positions and offsets, in words.
+    #[must_use]
+    pub fn conditions(&self) -> String {
+        let temperature = match self.input.operation.stated_temperature() {
+            Some(temperature) => format!("{} °C", decimals(temperature.celsius(), 0)),
+            None => "their equilibrium temperature".to_owned(),
+        };
+        format!(
+            "{} N m, {} 1/min, flanks at {temperature}, {} positions and {} offsets",
+            decimals(self.torque.si(), 1),
+            decimals(self.speed.si() * 30.0 / std::f64::consts::PI, 0),
+            self.model.positions,
+            self.model.offsets
+        )
+    }
+
     /// Inputs of the load over the teeth.
     #[must_use]
     pub fn load_inputs(&self) -> LoadInputs {

@@ -157,7 +157,7 @@ impl Range {
     /// About `count` ticks at round numbers, with their labels.
     pub fn ticks(&self, count: usize) -> Vec<(f64, String)> {
         match self.scale {
-            Scale::Linear => linear_ticks(self.low, self.high, count),
+            Scale::Linear => round_ticks([self.low, self.high], count),
             Scale::Log => log_ticks(self.low, self.high, count),
         }
     }
@@ -166,7 +166,8 @@ impl Range {
 /// Rounding of a tick at the edge of the range.
 const EDGE: f64 = 1e-9;
 
-fn linear_ticks(low: f64, high: f64, count: usize) -> Vec<(f64, String)> {
+/// About `count` round numbers from `low` to `high`, with their labels.
+pub(crate) fn round_ticks([low, high]: [f64; 2], count: usize) -> Vec<(f64, String)> {
     let raw = (high - low) / count.max(1) as f64;
     let power = 10f64.powf(raw.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0]

@@ -54,17 +54,23 @@ const SCALE_THICK: f64 = 14.0;
 /// Distance from the colour scale to its ticks.
 const SCALE_TICKS: f64 = 4.0;
 
-/// Labels of the lower edges of the bands, which share the number of their decimals if these are few.
-fn labels(levels: &[f64]) -> Vec<String> {
+/// Labels of the lower edges of the bands, which share the number of their decimals if these are few. The last one says so
+/// if its band holds values up to `highest`, more than another band's width above.
+fn labels(levels: &[f64], highest: f64) -> Vec<String> {
     /// Most decimals of a label that ends with zeros.
     const FEW: usize = 3;
     let texts: Vec<String> = levels.iter().map(f64::to_string).collect();
     let decimals = |text: &String| text.split_once('.').map_or(0, |(_, after)| after.len());
     let most = texts.iter().map(decimals).max().unwrap_or(0).min(FEW);
     let pairs = levels.iter().zip(&texts);
-    pairs
-        .map(|(level, text)| format!("{level:.*}", most.max(decimals(text))))
-        .collect()
+    let labels = pairs.map(|(level, text)| format!("{level:.*}", most.max(decimals(text))));
+    let mut labels: Vec<String> = labels.collect();
+    if let ([.., before, last], Some(label)) = (levels, labels.last_mut())
+        && highest - last > 2.0 * (last - before)
+    {
+        label.insert_str(0, "≥ ");
+    }
+    labels
 }
 
 impl Contour {
@@ -89,17 +95,18 @@ impl Contour {
         Frame::new(self.height, lines, beside, &self.y, [x, y])
     }
 
+    /// Largest value, at least zero.
+    fn highest(&self) -> f64 {
+        let values = self.values.iter().copied();
+        values.filter(|v| v.is_finite()).fold(0.0, f64::max)
+    }
+
     /// Lower edges of the bands, at round numbers from zero.
     fn levels(&self) -> Vec<f64> {
         if let Some(levels) = self.levels.as_ref().filter(|levels| !levels.is_empty()) {
             return levels.clone();
         }
-        let highest = self
-            .values
-            .iter()
-            .copied()
-            .filter(|v| v.is_finite())
-            .fold(0.0, f64::max);
+        let highest = self.highest();
         let range = Range {
             low: 0.0,
             high: highest,
@@ -136,11 +143,7 @@ impl Contour {
             canvas.path(&format!("band {}", colour(band, &levels)), &outline);
         }
         if let Some(level) = self.isoline {
-            let class = match is_diverging(&levels) {
-                true => "isoline zero",
-                false => "isoline",
-            };
-            canvas.path(class, &self.line_at(level, &frame));
+            canvas.path("isoline", &self.line_at(level, &frame));
         }
         if self.hatched.iter().any(|is_hatched| *is_hatched) {
             canvas.path("hatch", &self.hatching(&frame));
@@ -166,7 +169,7 @@ impl Contour {
 
     /// Width of the colour scale to the right of the box.
     fn scale_room(&self, levels: &[f64]) -> f64 {
-        let labels = labels(levels);
+        let labels = labels(levels, self.highest());
         let ticks = widest(labels.iter().map(String::as_str), TICK);
         let [name, _] = upright_room(&self.scale_name());
         SCALE_LEFT + SCALE_THICK + SCALE_TICKS + ticks + name - RIGHT
@@ -175,7 +178,7 @@ impl Contour {
     fn draw_scale(&self, canvas: &mut Canvas, frame: &Frame, levels: &[f64]) {
         let left = frame.right + SCALE_LEFT;
         let tall = (frame.bottom - frame.top) / levels.len() as f64;
-        for (band, label) in labels(levels).iter().enumerate() {
+        for (band, label) in labels(levels, self.highest()).iter().enumerate() {
             let y = frame.bottom - tall * (band + 1) as f64;
             canvas.rect(
                 &format!("band {}", colour(band, levels)),
@@ -368,15 +371,20 @@ fn is_diverging(levels: &[f64]) -> bool {
     levels.first().is_some_and(|level| *level < 0.0)
 }
 
-/// Class with the colour of a band; few bands use the full range of colours.
+/// Class with the colour of a band; few bands use the full range of colours. A band of differences about zero has neither of
+/// their colours.
 fn colour(band: usize, levels: &[f64]) -> String {
     const COLOURS: usize = 12;
     let number = match levels.len() {
         0 | 1 => 0,
         bands => band * (COLOURS - 1) / (bands - 1),
     };
-    let scale = if is_diverging(levels) { 'v' } else { 'b' };
-    format!("{scale}{number}")
+    let above = levels.get(band + 1);
+    match is_diverging(levels) {
+        true if levels[band] < 0.0 && above.is_some_and(|above| *above > 0.0) => "even".to_owned(),
+        true => format!("v{number}"),
+        false => format!("b{number}"),
+    }
 }
 
 #[cfg(test)]
@@ -397,6 +405,15 @@ mod tests {
         let about_zero = [-2.0, -1.0, 0.0, 1.0];
         let classes = [0, 1, 2, 3].map(|band| colour(band, &about_zero));
         assert_eq!(classes, ["v0", "v3", "v7", "v11"]);
+        let classes = [0, 1, 2].map(|band| colour(band, &[-3.0, -1.0, 1.0]));
+        assert_eq!(classes, ["v0", "even", "v11"]);
+    }
+
+    #[test]
+    fn the_last_label_says_that_its_band_holds_far_higher_values() {
+        let levels = [0.0, 100.0, 200.0];
+        assert_eq!(labels(&levels, 390.0), ["0", "100", "200"]);
+        assert_eq!(labels(&levels, 410.0), ["0", "100", "≥ 200"]);
     }
 
     #[test]

@@ -21,6 +21,7 @@ mod symbol;
 mod text_width;
 mod xy;
 
+pub(crate) use axis::round_ticks;
 pub use axis::{Axis, Scale};
 pub use bars::{Bar, BarChart, Interval, Tornado};
 pub use contour::Contour;

@@ -277,9 +277,8 @@ impl Chart {
             frame.right - frame.left + 2.0 * dots,
             frame.bottom - frame.top + 2.0 * dots
         ));
-        self.draw_marks(&mut canvas, &frame);
         canvas.raw(&format!("<g class=\"curves\" clip-path=\"url(#{clip})\">"));
-        for (index, series) in self.series.iter().enumerate() {
+        for (index, series) in self.layers() {
             let few = series.drawn(&self.x, BINS);
             canvas.path(
                 &class(index, series.line),
@@ -287,6 +286,7 @@ impl Chart {
             );
         }
         canvas.close();
+        self.draw_marks(&mut canvas, &frame);
         document(
             dress,
             Self::KIND,
@@ -294,6 +294,13 @@ impl Chart {
             frame.height,
             &canvas.into_text(),
         )
+    }
+
+    /// The curves with their numbers in the order of drawing: filled ones lie below the lines.
+    fn layers(&self) -> Vec<(usize, &Series)> {
+        let mut layers: Vec<(usize, &Series)> = self.series.iter().enumerate().collect();
+        layers.sort_by_key(|(_, series)| !series.line.is_filled());
+        layers
     }
 
     fn draw_marks(&self, canvas: &mut Canvas, frame: &Frame) {
@@ -380,9 +387,9 @@ impl Chart {
         let frame = self.frame(Dress::Page);
         let mut data = frame.data(&self.x, &self.y);
         let series: Vec<Value> = self
-            .series
-            .iter()
-            .map(|series| {
+            .layers()
+            .into_iter()
+            .map(|(_, series)| {
                 let flat = |points: &[[f64; 2]]| -> Vec<Value> {
                     points.iter().flatten().map(|v| short(*v)).collect()
                 };

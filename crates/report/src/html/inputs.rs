@@ -129,7 +129,7 @@ fn equations(result: &RunResult) -> Markup {
     html! {
         details {
             summary { "Equations used (" (result.equations.len()) ")" }
-            ul { @for entry in &result.equations {
+            ul.references { @for entry in &result.equations {
                 li { code { "[" (entry.tag) "]" } " " (entry.title) }
             } }
         }

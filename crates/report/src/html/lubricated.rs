@@ -5,20 +5,22 @@ use serde_json::json;
 
 use super::page::{figure, page};
 use super::policy::FRAMES;
-use crate::chart::{Axis, Chart, Drawing, Line};
+use crate::chart::{Axis, Chart, Drawing, Line, round_ticks};
 
 /// Width of the animation.
-const WIDTH: f64 = 900.0;
+const WIDTH: f64 = 640.0;
 /// Height of a panel.
-const PANEL: f64 = 210.0;
+const PANEL: f64 = 150.0;
 /// Margin at the left.
 const LEFT: f64 = 62.0;
 /// Margin at the right.
 const RIGHT: f64 = 26.0;
 /// Margin at the top.
 const TOP: f64 = 22.0;
+/// Approximate number of ticks of a panel.
+const PANEL_TICKS: usize = 5;
 /// Distance between the panels.
-const GAP: f64 = 44.0;
+const GAP: f64 = 34.0;
 
 /// Pressure and film at the same positions.
 #[derive(Debug, Clone, PartialEq)]
@@ -234,16 +236,11 @@ impl Panel {
 
     fn frame(&self) -> Markup {
         let (left, right) = (LEFT, WIDTH - RIGHT);
-        let ticks = (0..=4).map(|k| {
-            let value = self.most * f64::from(k) / 4.0;
-            (
-                self.top + PANEL * (1.0 - f64::from(k) / 4.0),
-                format!("{value:.3}"),
-            )
-        });
+        let ticks = round_ticks([0.0, self.most], PANEL_TICKS).into_iter();
+        let ticks = ticks.map(|(value, label)| (self.y(value) as f64 / 10.0, label));
         html! {
             rect.box x=(left) y=(self.top) width=(right - left) height=(PANEL) {}
-            text x=(left) y=(self.top - 7.0) { (self.name) ", " (self.unit) }
+            text x=(left) y=(self.top - 7.0) { (self.name) " [" (self.unit) "]" }
             @for (y, label) in ticks {
                 line.grid x1=(left) x2=(right) y1=(y) y2=(y) {}
                 text.tick x=(left - 6.0) y=(y + 4.0) text-anchor="end" { (label) }
@@ -308,20 +305,28 @@ fn player(contact: &LubricatedContact) -> Markup {
         .map(|x| px(*x).round() as i64)
         .collect();
     let dashed = |k: usize| line(&smooth_x, &rows(&panels[k], smooth[k]));
-    let height = TOP + 2.0 * PANEL + GAP + 34.0;
-    let ends = [low, 0.5 * (low + high), high].map(|x| (px(x) / 10.0, format!("{x:.2}")));
+    let height = TOP + 2.0 * PANEL + GAP + 50.0;
+    let across = round_ticks([low, high], 6).into_iter();
+    let across: Vec<_> = across.map(|(x, label)| (px(x) / 10.0, label)).collect();
     html! {
         p { "The surfaces move from left to right through the contact; dashed: smooth surfaces." }
-        div.player {
-            button type="button" data-player="play" { "Play" }
-            input type="range" min="0" max=(contact.frames.len() - 1) value="0" aria-label="Frame" data-player="frame" {}
-            output data-player="travel" { (format!("{:.2}", first.travel)) } " half-widths travelled"
+        figure.player id="motion" {
+            figcaption { "Pressure and film at one instant" }
+            div.slider {
+                button type="button" data-player="play" { "Play" }
+                input type="range" min="0" max=(contact.frames.len() - 1) value="0" aria-label="Frame" data-player="frame" {}
+                span { output data-player="travel" { (format!("{:.2}", first.travel)) } " half-widths travelled" }
+            }
             svg.chart.player-chart viewBox={ "0 0 " (WIDTH) " " (height) } role="img" aria-label="Pressure and film at one instant" {
                 @for panel in &panels { (panel.frame()) }
-                @for (x, label) in &ends { text.tick x=(x) y=(height - 14.0) text-anchor="middle" { (label) } }
+                @for (x, label) in &across {
+                    @for panel in &panels { line.grid x1=(x) x2=(x) y1=(panel.top) y2=(panel.top + PANEL) {} }
+                    text.tick x=(x) y=(height - 30.0) text-anchor="middle" { (label) }
+                }
+                text x=(0.5 * (LEFT + WIDTH - RIGHT)) y=(height - 8.0) text-anchor="middle" { (self::across().text()) }
                 @for k in 0..2 {
                     clipPath id={ "clip-player" (k) } { rect x=(LEFT) y=(panels[k].top) width=(WIDTH - LEFT - RIGHT) height=(PANEL) {} }
-                    g clip-path={ "url(#clip-player" (k) ")" } { g.tenths transform="scale(0.1)" {
+                    g clip-path={ "url(#clip-player" (k) ")" } { g."tenths curves" transform="scale(0.1)" {
                         path."curve dashed c1" d=(dashed(k)) {}
                         path."curve c0" data-player={ "curve" (k) }
                             d=(line(&xs, &rows(&panels[k], [&first.pressure, &first.film][k]))) {}

@@ -78,7 +78,47 @@ pub(crate) fn page_of(
             }
         }
     };
-    markup.into_string()
+    typeset(&markup.into_string())
+}
+
+/// Elements whose text is copied or run, and stays as it is.
+const VERBATIM: [&str; 4] = ["script", "style", "pre", "code"];
+/// Units in plain letters, as inputs and the terminal have them, and as they are printed.
+const UNITS: [(&str, &str); 2] = [(" um", " µm"), (" mm2/s", " mm²/s")];
+
+/// Prints the units in the text of a page with their own letters; code stays as it is.
+fn typeset(page: &str) -> String {
+    let mut written = String::with_capacity(page.len());
+    let mut rest = page;
+    while let Some(at) = rest.find('<') {
+        written += &with_units(&rest[..at]);
+        rest = &rest[at..];
+        let name = rest[1..].split(|letter: char| !letter.is_ascii_alphanumeric());
+        let end = match name.into_iter().next() {
+            Some(name) if VERBATIM.contains(&name) => rest.find(&format!("</{name}>")),
+            _ => rest.find('>').map(|last| last + 1),
+        };
+        let (tag, after) = rest.split_at(end.filter(|end| *end > 0).unwrap_or(rest.len()));
+        written += tag;
+        rest = after;
+    }
+    written + &with_units(rest)
+}
+
+fn with_units(text: &str) -> String {
+    let mut text = text.to_owned();
+    for (plain, printed) in UNITS {
+        let mut parts = text.split(plain);
+        let mut replaced = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            let is_word =
+                !part.starts_with(|letter: char| letter.is_alphanumeric() || letter == '_');
+            replaced += if is_word { printed } else { plain };
+            replaced += part;
+        }
+        text = replaced;
+    }
+    text
 }
 
 /// A chart with title, legend, link to its data file and, if it can be zoomed, its data.
@@ -138,4 +178,16 @@ fn sample(kind: &str, class: &str) -> String {
     format!(
         "<svg class=\"sample {kind}\" viewBox=\"0 0 28 12\" aria-hidden=\"true\"><path class=\"{class}\" d=\"{d}\"/></svg>"
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_printed_in_the_text_of_a_page_only() {
+        let page = "<p title=\"2 um\">10 um of 15 mm2/s, 3 umbrellas</p><code>5 um</code><script>a < ' um'</script><b>1 um</b>";
+        let due = "<p title=\"2 um\">10 µm of 15 mm²/s, 3 umbrellas</p><code>5 um</code><script>a < ' um'</script><b>1 µm</b>";
+        assert_eq!(typeset(page), due);
+    }
 }

@@ -185,6 +185,7 @@ mod tests {
         };
         Ridges {
             title: "one ridge".to_owned(),
+            conditions: String::new(),
             loss_w: 500.0,
             pressed_loss_w: 400.0,
             sampling_quantiles_w: Some([-150.0, -50.0]),

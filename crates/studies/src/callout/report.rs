@@ -81,7 +81,7 @@ fn curve_chart(study: &CallOut) -> Drawing {
         )
         .with(Series::band_of(
             0,
-            "5 to 95 % of the lots",
+            "5 to 95 % of the lots, up to the heights that bound it",
             &of_band,
             &low,
             &high,

@@ -9,7 +9,7 @@ use asperity::uncertainty::{ENDS, sorted_quantiles};
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 use asperity_core::quantity::{Power, Ratio};
-use asperity_core::{DomainError, Fault, decimals};
+use asperity_core::{DomainError, Fault};
 use asperity_report::{StudySettings, Watch, Work, settings};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -235,16 +235,8 @@ pub fn callout(
 
 /// Operating point and settings of the runs of `case`, in words.
 fn conditions(case: &Case) -> String {
-    let model = &case.model;
-    format!(
-        "{} N m, {} 1/min and flanks at {} °C, with model.load_share {}, {} positions and {} offsets",
-        decimals(case.torque.si(), 1),
-        decimals(case.speed.si() * 30.0 / std::f64::consts::PI, 0),
-        decimals(case.temperature.celsius(), 0),
-        model.load_share.name(),
-        model.positions,
-        model.offsets
-    )
+    let share = case.model.load_share.name();
+    format!("{}, model.load_share {share}", case.conditions())
 }
 
 fn of_process(

@@ -299,15 +299,29 @@ fn models(drawn: &[(&FinishResult, &Uncertainty)], first: &Uncertainty) -> Table
         let cells = first.models().map(|row| other(of, &row.name));
         Column::new(Kind::Number, &finish.name, "W", cells)
     }));
+    // Rounded by themselves, as in the verdict: the losses as printed can differ by one step more or less.
+    let differences = drawn.iter().filter_map(|(finish, _)| {
+        let difference = finish.difference.as_ref()?;
+        let digits = Digits::of_interval(difference.watts.ends());
+        let of = |name: &str| {
+            let row = difference.models.iter().find(|row| row.name == name);
+            Cell::optional(row.and_then(|row| row.loss_w).map(|by| digits.rounded(by)))
+        };
+        let heading = format!("{} minus the first", finish.name);
+        let cells: Vec<Cell> = first.models().map(|row| of(&row.name)).collect();
+        Some(Column::new(Kind::Number, &heading, "W", cells))
+    });
+    let models = models.with(differences);
     models.with(columns! { row in first.models(); text standing "against it" "" = row.standing(); })
 }
 
 fn bars(comparison: &Comparison) -> Drawing {
     let bars = comparison.finishes.iter().map(|finish| Bar {
-        name: finish.name.clone(),
+        // One group, whose bars have the colours of the finishes in all charts.
+        name: "loss".to_owned(),
         value: Some(finish.drawn_w().map_or(finish.loss_w, |of| of.value)),
         spread: finish.drawn_w().map(Estimate::ends),
-        text: format!("{} W", loss(finish)),
+        text: format!("{} W, {}", loss(finish), finish.name),
     });
     Drawing::Bars(BarChart {
         id: "losses".to_owned(),

@@ -173,7 +173,8 @@ fn loss_and_efficiency(map: &Map, visited: &[[f64; 2]]) -> Vec<Drawing> {
 pub(crate) fn marks(map: &Map, has_dots: bool) -> Vec<String> {
     let finishes = map.finishes.iter();
     let extrapolated = finishes.filter_map(|finish| extrapolated(map, finish));
-    let dots = has_dots.then(|| "Dots: operating points of the cycle.".to_owned());
+    let dots = has_dots.then(|| "Dots: operating points of the cycle. The colours part the losses around them; all higher losses have the last colour."
+            .to_owned());
     extrapolated.chain(dots).collect()
 }
 
@@ -274,16 +275,16 @@ fn round_levels(values: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Lower edges of bands at round numbers, as many below zero as above.
+/// Lower edges of bands of one round width, one of them about zero and as many below it as above.
 fn levels_about_zero(values: &[f64]) -> Vec<f64> {
     let most = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     if most <= 0.0 {
         return vec![0.0];
     }
-    let step = round_step(2.0 * most / BANDS as f64);
-    let half = (most / step).ceil() as i32;
-    let levels = (-half..half).map(|k| multiple(f64::from(k), step));
-    levels.collect()
+    let half = 0.5 * round_step(2.0 * most / BANDS as f64);
+    let beyond = ((most / half - 1.0) / 2.0).ceil().max(0.0) as i32;
+    let edges = (-beyond..=beyond).map(|k| multiple(f64::from(2 * k - 1), half));
+    edges.collect()
 }
 
 /// Lower edges of bands that hold about as many values each: quantiles, with two digits of what is missing to 100 %.
@@ -345,6 +346,9 @@ pub fn loss_fields(map: &Map, temperature: usize, visited: &[[f64; 2]]) -> Vec<D
     LOSS.fields(map, &[temperature], visited)
 }
 
+/// Difference of equal losses, by rounding, over the loss.
+const EQUAL: f64 = 1e-9;
+
 fn differences(map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Markup {
     let Some((first, others)) = map.finishes.split_first() else {
         return html! {};
@@ -356,14 +360,19 @@ fn differences(map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Markup {
             let mut field = field(map, finish, at, &of);
             let base = self::field(map, first, at, &of).values;
             for (value, base) in field.values.iter_mut().zip(base) {
-                *value -= base;
+                // Losses that differ only by rounding are equal.
+                let difference = *value - base;
+                *value = if difference.abs() <= EQUAL * base {
+                    0.0
+                } else {
+                    difference
+                };
             }
             let names = [&named(map, finish, at), &first.name];
             fields.push(Contour {
                 id: id(map, "difference", finish, at),
                 title: format!("Loss of {} minus that of {}", names[0], names[1]),
                 value: "difference [W]".to_owned(),
-                isoline: Some(0.0),
                 dots: visited.to_vec(),
                 ..field
             });
@@ -373,7 +382,7 @@ fn differences(map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Markup {
         return html! {};
     }
     html! {
-        p { "Blue: the loss is lower than with " (first.name) "; red: higher. The line shows equal losses." }
+        p { "Blue: the loss is lower than with " (first.name) "; red: higher; white: nearly equal losses." }
         div.charts { @for field in with_common_levels(fields, levels_about_zero) { (figure(&field)) } }
     }
 }
@@ -510,7 +519,9 @@ mod tests {
         assert_eq!((levels[0][0], levels[0].len()), (0.0, 8));
         assert_eq!(
             levels_about_zero(&[-190.0, -20.0]),
-            [-200.0, -150.0, -100.0, -50.0, 0.0, 50.0, 100.0, 150.0]
+            [
+                -225.0, -175.0, -125.0, -75.0, -25.0, 25.0, 75.0, 125.0, 175.0
+            ]
         );
         // A tenth of the values each, though most lie within 0.1 of each other.
         let mut efficiencies: Vec<f64> = (0..80).map(|k| 99.5 + 0.001 * f64::from(k)).collect();

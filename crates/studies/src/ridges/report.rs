@@ -25,6 +25,7 @@ impl StudyResult for RidgeStudy {
         let mut report = Report::new(&study.title, "ridges")
             .section("Where the loss is made")
             .text([headline(study)])
+            .at(&study.conditions)
             .verdict([verdict(study)])
             .verdict(certain(study))
             .markup(|| charts(study, None))

@@ -149,6 +149,7 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
     let near = near.map(|row| flanks[body_of(row)].near(row));
     let found = Ridges {
         title: case.case.title.clone(),
+        conditions: case.case.conditions(),
         loss_w: before.losses.summary.loss_w,
         pressed_loss_w: after.losses.summary.loss_w,
         sampling_quantiles_w: of_change,

@@ -24,6 +24,7 @@ impl StudyResult for Sensitivity {
         Report::new(&self.title, "sensitivity")
             .section("What you can change")
             .text([headline(self)])
+            .at(&self.conditions)
             .verdict(verdicts(self))
             .figures(|| chart(self, true))
             .warning(left_aside(self))

@@ -21,6 +21,9 @@ use super::changes::{CHANGES, Change, changes};
 pub struct Sensitivity {
     /// Title of the case.
     pub title: String,
+    /// Operating point, and numbers of positions and offsets, in words; empty for a train of several meshes.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub conditions: String,
     /// Loss \[W\].
     pub loss_w: f64,
     /// Mesh efficiency.
@@ -203,6 +206,9 @@ pub fn sensitivity(train: &Train, progress: Progress<'_>) -> Result<Sensitivity,
     }
     Ok(Sensitivity {
         title: train.title.clone(),
+        conditions: train
+            .only()
+            .map_or(String::new(), |mesh| mesh.case.conditions()),
         loss_w,
         efficiency: 1.0 - loss_w / power_in.si(),
         left_aside,
