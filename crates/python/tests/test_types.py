@@ -69,7 +69,7 @@ MISTAKES = {
     'case.replace(surface={"finish": "grinded"})': "arg-type",
     "m.loss_torque(torque_nm=3, speed_rad_s=3)": "call-arg",
     'case.replace({"operation.torqe": "3 N m"})': "arg-type",
-    "case.replace(torque=3)": "call-arg",
+    "case.replace(torque=3)": "arg-type",
     'asperity.calibrate("rig.csv", hold=["friction"])': "list-item",
 }
 BEGIN = 'import asperity\ncase = asperity.Case("case.toml")\nr = case.run()\nm = asperity.map(case)\n'

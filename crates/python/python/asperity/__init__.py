@@ -14,9 +14,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Optional
 
-from . import _asperity, _studies
+from . import _asperity, _study_names
 from ._asperity import __version__
-from ._studies import *
 
 if TYPE_CHECKING:
     from ._calibration import Calibration, Design, Evidence
@@ -37,8 +36,10 @@ if TYPE_CHECKING:
     from ._ridges import Ridges
     from ._sensitivity import Sensitivity
     from ._stored import read_result
+    from ._studies import *
     from ._studies import map as map
     from ._sweep import Sweep, sweep
+    from ._versions import show_versions
 else:
     _HOMES = {
         "_calibration": "Calibration Design Evidence",
@@ -59,8 +60,9 @@ else:
         "_ridges": "Ridges",
         "_sensitivity": "Sensitivity",
         "_stored": "read_result",
-        "_studies": "map",
+        "_studies": " ".join(["map", *_study_names.__all__]),
         "_sweep": "Sweep sweep",
+        "_versions": "show_versions",
     }
     _HOME = {name: module for module, names in _HOMES.items() for name in names.split()}
 
@@ -129,13 +131,14 @@ __all__ = [
     "read_result",
     "rexs_contents",
     "schema",
+    "show_versions",
     "solve_contact",
     "steels",
     "subsurface_stress",
     "sweep",
     "thermal_reduction",
 ]
-__all__ += _studies.__all__
+__all__ += _study_names.__all__
 
 
 class Explanation(NamedTuple):

@@ -7,37 +7,34 @@ import json
 import os
 from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import IO, TYPE_CHECKING, Any, Optional, Union, cast
+from typing import IO, Any, Optional, Union
 
 from . import _asperity
+from ._choices import Detail, Formulation
 from ._contact import Contact
-from ._errors import AsperityError, Code, warn
+from ._errors import AsperityError, Code, warn, wrong_kind
 from ._files import is_read, text_of
+from ._fixed import Fixed
 from ._html import page
 from ._keys import Schema, Traces, changes, kind_of, written
 from ._own_laws import Called, Law, exponent_of, name_of
 from ._progress import Progress, Steps
-from ._quantity import OPERATING, as_keys
+from ._quantity import BY_TEXT, OPERATING, as_keys
 from ._record import Record, Table, warned
 from ._result import Regime, RunResult
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
-    from .keys import CaseKeys, CaseTables, Detail, Formulation
+from ._typing import Unpack
+from .keys import CaseKeys, CaseTables
 
 Laws = dict[str, Called]
 """Laws in Python by what they replace."""
 
-CaseLike = Union["Case", str, PathLike[str], Mapping[str, Any]]
-"""A case, the file of one, or the tables of one."""
 
-
-class Case:
+class Case(Fixed):
     """A gear pair, gear train or planetary set with its load, oil and flanks, checked.
 
     The keys are those of a case file (docs/CASE_FILE.md). A quantity is text with a unit or a quantity of pint; the
-    operating point can be given by the numbers ``torque_nm``, ``speed_rpm`` and ``temperature_c`` (of the flanks). A
+    operating point can be given by the numbers ``torque_nm``, ``speed_rpm`` and ``temperature_c`` (of the flanks), or by
+    text with a unit as ``torque``, ``speed`` and ``temperature``. A
     flank, or its ``file``, can be a `Profile`. Files are relative to ``folder``, by default the working directory or
     the folder of the case file.
 
@@ -71,8 +68,10 @@ class Case:
             if is_read(case):
                 made = Case._of(_asperity.Case.from_text("case.toml", text_of(case), of, [], formulation))
                 made = made._with(tables) if tables else made
+            elif case is not None and not isinstance(case, Mapping):
+                raise wrong_kind("case", case, "the path of a case file, the tables of one, or an object that is read like one")
             else:
-                given = tables_of({**(cast("Mapping[str, Any]", case) or {}), **tables})
+                given = tables_of({**(case or {}), **tables})
                 traces: Traces = []
                 values = written(given, Schema(kind_of(given)), traces)
                 text = json.dumps(values, ensure_ascii=False, indent=1)
@@ -149,9 +148,11 @@ class Case:
         """The same case with other values, rechecked; traces are read again only where they change.
 
         Keys are given by their paths, ``case.replace({"operation.torque": "20 N m"})``, by tables,
-        ``case.replace(operation={"torque": "20 N m"})``, whose other keys stay, or by the numbers of the operating point,
-        ``case.replace(torque_nm=20)``. None takes a key away, so that its default holds again. A flank takes a `Profile`.
+        ``case.replace(operation={"torque": "20 N m"})``, whose other keys stay, or by the operating point,
+        ``case.replace(torque_nm=20)``, ``case.replace(torque="20 N m")``. None takes a key away, so that its default holds again. A flank takes a `Profile`.
         """
+        if changed is not None and not isinstance(changed, Mapping):
+            raise wrong_kind("changed", changed, "keys of a case with their values")
         other = {} if formulation is None else {"formulation": formulation}
         return self._with({**(changed or {}), **other, **more})
 
@@ -331,15 +332,24 @@ class Case:
         return page(self.title, rows, None)
 
 
+CaseLike = Union[Case, str, PathLike[str], Mapping[str, Any]]
+"""A case, the file of one, or the tables of one."""
+
+
 def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Tables of a case, the numbers of its operating point among its keys."""
-    tables = {name: value for name, value in given.items() if name not in OPERATING}
-    for path, text in as_keys({name: value for name, value in given.items() if name in OPERATING}).items():
+    """Tables of a case, its operating point among its keys."""
+    of_point = {name: value for name, value in given.items() if name in OPERATING or name in BY_TEXT}
+    tables = {name: value for name, value in given.items() if name not in of_point}
+    for path, value in as_keys(of_point).items():
         name, key = path.split(".")
-        tables[name] = {**tables.get(name, {}), key: text}
+        tables[name] = {**tables.get(name, {}), key: value}
     return tables
 
 
-def as_case(case: CaseLike) -> Case:
-    """The case that is meant."""
-    return case if isinstance(case, Case) else Case(case)
+def as_case(case: CaseLike, name: str = "case") -> Case:
+    """The case that is meant; `name` is the argument."""
+    if isinstance(case, Case):
+        return case
+    if not isinstance(case, (str, PathLike, Mapping)) and not is_read(case):
+        raise wrong_kind(name, case, "a Case, the path of a case file or the tables of one")
+    return Case(case)

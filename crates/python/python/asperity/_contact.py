@@ -8,20 +8,19 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 from numpy.typing import ArrayLike
 
 from . import _asperity
-from ._errors import AsperityError, Code
+from ._choices import Boundary
+from ._errors import AsperityError, Code, wrong_kind
 from ._html import Chart, page, shown
 from ._profile import Profile
 from ._quantity import Floats, Scalar, Values, flat, numbers, si, si_array, si_or_none
 from ._record import Record, Table, variable, warned
+from ._values import ContactNumbers
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-    from .keys import Boundary
-
-
-class Contact(Record):
+class Contact(ContactNumbers):
     """A solved line contact: numbers with units in their names, arrays of shape (n,) in SI units.
 
     Numbers: ``load_n_per_m``, ``approach_m`` (over ``approach_datum_m``), ``contact_fraction``, ``p_max_pa``,
@@ -72,12 +71,7 @@ class Contact(Record):
         return float(self._values["approach_m"])
 
     @property
-    def certificate(self) -> Record:
-        """Bounds of the error: ``duality_gap``, ``penetration``, ``load_error``, ``reference_gap_m``."""
-        return Record(self._values["certificate"])
-
-    @property
-    def warnings(self) -> Table:
+    def warnings(self) -> Table:  # type: ignore[override]
         """Doubts about the problem: code and text."""
         return Table(self._values["warnings"], ["code", "text"])
 
@@ -238,6 +232,9 @@ def press_flanks(
         run_in: passes per cycle of a running-in before; ``running_in`` of the result lists the cycles.
         first_share: share of the plastic displacement that the first flank takes.
     """
+    for name, flank in (("first", first), ("second", second)):
+        if not isinstance(flank, Profile):
+            raise wrong_kind(name, flank, "a Profile")
     asked = _asked(
         "free",
         tolerance,

@@ -93,6 +93,12 @@ class AsperityWarning(UserWarning):
         return f"{self.code} {self.text}"
 
 
+def wrong_kind(name: str, value: object, takes: str) -> AsperityError:
+    """The error of an argument of a kind that a function does not take."""
+    text = f"{name}: {takes} is expected, not {value!r:.80} of type {type(value).__name__}"
+    return AsperityError(text, Code.E204, f"Give {name} as {takes}.")
+
+
 Row = Union[str, Mapping[str, Any]]
 """A warning: code, text and help; or a text that begins with its code."""
 

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from . import _asperity
+from ._choices import FilmLaw, FrictionLaw, ThermalLaw
 from ._errors import Code, warn
 from ._quantity import Floats, Values, numbers, pressed, si_array
 from ._record import Record
-
-if TYPE_CHECKING:
-    from .keys import FilmLaw, FrictionLaw, ThermalLaw
 
 
 def _over(columns: dict[str, Floats], law: Callable[[dict[str, Floats]], dict[str, Any]]) -> dict[str, Any]:

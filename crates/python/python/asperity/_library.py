@@ -5,14 +5,12 @@ from __future__ import annotations
 import json
 import os
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union, overload
+from pathlib import Path
+from typing import Any, NamedTuple, Optional, Union, overload
 
 from . import _asperity
 from ._case import Case
 from ._record import Record, Table
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 
 def _listed(rows: str, name: Optional[str]) -> Any:
@@ -69,8 +67,6 @@ def demo(
         gears: gears of the library in place of the electric drive.
         paper: Table 2 of the 2022 paper on a damaged flank.
     """
-    from pathlib import Path
-
     return Path(_asperity.demo(None if folder is None else fspath(folder), gears, paper)) / "case.toml"
 
 

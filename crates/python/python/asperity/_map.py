@@ -4,26 +4,23 @@ from __future__ import annotations
 
 import json
 from os import PathLike, fspath
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union, cast
 
 import numpy as np
 
 from . import _asperity
-from ._errors import AsperityError, Code, warn
+from ._choices import ExportFormat
+from ._errors import AsperityError, Code, warn, wrong_kind
 from ._html import Chart, page, shown
 from ._quantity import Floats, Numbers, Quantities, Quantity, operating, together
 from ._record import Table, variable
 from ._study import RawStudy, Study, Unpickled, files_of
+from ._values import MapArrays
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     import pandas
     import xarray
-
-    from .keys import ExportFormat, MapArrays
-else:
-    MapArrays = object
 
 _DIMENSIONS = ("finish", "temperature_c", "torque_nm", "speed_rpm")
 
@@ -148,8 +145,6 @@ class Map(Study, MapArrays):
             added: table of losses beside those of the mesh.
             cycle: drive cycle, which ``"fastsim"`` is weighted by.
         """
-        from pathlib import Path
-
         tables = [None if file is None else fspath(file) for file in (added, cycle)]
         written = []
         files, found = self._map.export(format, *tables)
@@ -236,11 +231,16 @@ def read_map(folder: Union[str, PathLike[str]]) -> Map:
     return Map(_asperity.read_map(fspath(folder)))
 
 
+def map_of(map: Map) -> _asperity.Study:
+    """The map of the compiled part."""
+    if not isinstance(map, Map):
+        raise wrong_kind("map", map, "a Map, of map or read_map")
+    return cast("_asperity.Study", map._raw)
+
+
 def _restored(files: dict[str, bytes]) -> Map:
     """The map in the files that another process wrote."""
     import tempfile
-    from pathlib import Path
-
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place) / "map"
         Unpickled("", "", files).write(folder)

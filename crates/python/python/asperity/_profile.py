@@ -3,52 +3,56 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, TypedDict, Union
+from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, TypedDict, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _asperity
-from ._errors import warn
+from ._choices import (
+    Abscissa,
+    Amplitudes,
+    DecimalSign,
+    Encoding,
+    Ends,
+    Form,
+    Gaps,
+    LengthUnit,
+    Separator,
+    Standard,
+    SurfaceKind,
+    TraceLine,
+    Uneven,
+)
+from ._errors import AsperityError, Code, warn, wrong_kind
 from ._files import on_disk
+from ._fixed import Fixed
 from ._html import Chart, page, shown
 from ._quantity import Floats, Scalar, flat, numbers, si, si_or_none
 from ._record import Record, Table, described
+from ._typing import Unpack
+from ._values import ParameterName, ParameterValues
 
 if TYPE_CHECKING:
     import pandas
     import xarray
-    from typing_extensions import Unpack
 
-    from .keys import (
-        Abscissa,
-        Amplitudes,
-        DecimalSign,
-        Encoding,
-        Ends,
-        Form,
-        Gaps,
-        LengthUnit,
-        Separator,
-        Standard,
-        SurfaceKind,
-        TraceLine,
-        Uneven,
-    )
 
-    class Plan(TypedDict, total=False):
-        """Keywords of `Profile.prepare`."""
+class Plan(TypedDict, total=False):
+    """Keywords of `Profile.prepare`."""
 
-        form: Form
-        cutoff: Optional[Scalar]
-        noise_cutoff: Optional[Scalar]
-        ends: Ends
-        robust: bool
-        base_radius: Optional[Scalar]
-        roll_length: Optional[Scalar]
-        towards_root: bool
+    form: Form
+    cutoff: Optional[Scalar]
+    noise_cutoff: Optional[Scalar]
+    ends: Ends
+    robust: bool
+    base_radius: Optional[Scalar]
+    roll_length: Optional[Scalar]
+    towards_root: bool
+
 
 _USUAL_END: Ends = "cut"
 
@@ -56,38 +60,51 @@ _USUAL_END: Ends = "cut"
 _FIRST = ("ra_um", "rq_um", "rz_um", "rp_um", "rv_um", "rt_um", "rsk", "rku", "rk_um", "rpk_um", "rvk_um")
 
 
-class Parameters(dict[str, Any]):
+class Parameters(Fixed, dict[ParameterName, float], ParameterValues):
     """Roughness parameters by name, lengths in µm as the name tells (``ra_um``, ``rpk_um``); also as attributes.
 
-    ``standard`` and ``warnings`` are attributes alone.
+    A parameter that the profile does not have is NaN. ``standard`` and ``warnings`` are attributes alone.
     """
 
-    standard: str
-    warnings: Table
+    def __init__(self, values: Mapping[str, Optional[float]], standard: str, warnings: Table) -> None:
+        numbers = {name: math.nan if value is None else value for name, value in values.items()}
+        super().__init__(cast("dict[ParameterName, float]", numbers))
+        self._standard = standard
+        self._warnings = warnings
 
-    def __init__(self, values: Mapping[str, Any], standard: str, warnings: Table) -> None:
-        super().__init__(values)
-        self.standard = standard
-        self.warnings = warnings
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Parameters, (dict(self), self._standard, self._warnings)
 
-    def __getattr__(self, name: str) -> Any:
-        try:
-            return self[name]
-        except KeyError:
-            raise AttributeError(f"no parameter {name!r}; there are {', '.join(self)}") from None
+    @property
+    def standard(self) -> str:
+        """The standard that they follow."""
+        return self._standard
 
-    def to_dict(self) -> dict[str, Any]:
+    @property
+    def warnings(self) -> Table:
+        """Warnings: code, text and help."""
+        return self._warnings
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> float:
+            try:
+                return self[name]
+            except KeyError:
+                raise AttributeError(f"no parameter {name!r}; there are {', '.join(self)}") from None
+
+    def to_dict(self) -> dict[str, float]:
         """The parameters in Python's own types."""
-        return dict(self)
+        return {str(name): value for name, value in self.items()}
 
     def to_pandas(self) -> pandas.Series[float]:
         """The parameters as a `pandas.Series`."""
         import pandas
 
-        return pandas.Series(dict(self), name=self.standard, dtype=float)
+        return pandas.Series(self.to_dict(), name=self.standard, dtype=float)
 
     def _repr_html_(self) -> str:
-        rows = [(name, "-" if value is None else f"{value:.6g}") for name, value in self.items()]
+        rows = [(name, "-" if math.isnan(value) else f"{value:.6g}") for name, value in self.items()]
         return page(f"Parameters ({self.standard})", rows, None)
 
 
@@ -102,7 +119,7 @@ class Parts(NamedTuple):
     """Primary profile minus waviness."""
 
 
-class Profile:
+class Profile(Fixed):
     """Heights of a surface along a line, evenly spaced.
 
     Args:
@@ -117,7 +134,7 @@ class Profile:
 
     def _set(self, raw: _asperity.Trace, name: Optional[str]) -> None:
         self._raw = raw
-        self.name = name
+        self._name = name
         self._about: dict[str, Any] = json.loads(raw.about)
 
     @classmethod
@@ -125,6 +142,11 @@ class Profile:
         made = cls.__new__(cls)
         made._set(raw, name)
         return made
+
+    @property
+    def name(self) -> Optional[str]:
+        """Name for charts and messages."""
+        return self._name
 
     @property
     def heights(self) -> Floats:
@@ -145,6 +167,45 @@ class Profile:
 
     def __len__(self) -> int:
         return len(self._raw.heights)
+
+    def __getitem__(self, points: slice) -> Profile:
+        if not isinstance(points, slice) or points.step not in (None, 1):
+            raise wrong_kind("points", points, "a slice of points one after another")
+        first, end, _ = points.indices(len(self))
+        return Profile._of(self._raw.cut(first, max(first, end)), self.name)
+
+    def crop(self, start: Scalar = 0.0, end: Optional[Scalar] = None) -> Profile:
+        """The part of the profile between two distances from its first point, as a slice of its points is.
+
+        Parameters:
+            start: beginning, m.
+            end: end, m; default the last point.
+        """
+        places = [round(si(place, "Length") / self.spacing) for place in (start, end) if place is not None]
+        if places[0] < 0 or places[-1] >= len(self) or places[0] > places[-1]:
+            length = f"{(len(self) - 1) * self.spacing * 1e3:.6g} mm"
+            text = f"{start!r} to {'the end' if end is None else repr(end)}: the profile is {length} long"
+            raise AsperityError(text, Code.E209, "Give two distances within the profile, the lower first.")
+        return self[places[0] : places[1] + 1 if end is not None else None]
+
+    def psd(self) -> Table:
+        """One-sided power spectral density under a Hann window: ``frequency_per_m``, ``density_m3``.
+
+        The sum of the densities times the step of the frequency is the mean square of the windowed heights
+        (docs/EQUATIONS.md, PSD-1). Filter the profile before (`prepare`), for form and waviness are part of the spectrum.
+        """
+        return Table._of_columns(self._raw.psd())
+
+    def autocorrelation(self) -> Table:
+        """Autocorrelation of the heights about their mean by shifts: ``shift_m``, ``autocorrelation``, 1 at no shift.
+
+        A shift averages the products of the overlap, and is noisy where that is short (docs/EQUATIONS.md, ACF-1).
+        """
+        return Table._of_columns(self._raw.autocorrelation())
+
+    def material_ratio(self) -> Table:
+        """The material ratio curve: ``material_ratio_percent``, ``height_m`` from the highest point (docs/EQUATIONS.md, Rk-2)."""
+        return Table._of_columns(self._raw.material_ratio())
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Profile):

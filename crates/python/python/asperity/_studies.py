@@ -7,36 +7,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import Any, Optional, Union
 
-if TYPE_CHECKING:
-    from ._calibration import Calibration, Design, Evidence
-    from ._callout import CallOut
-    from ._case import CaseLike
-    from ._columns import Columns
-    from ._compare import Comparison, Finish
-    from ._map import Cycle, Map
-    from ._oil import OilFit, OilLike, OilPlan, Stribeck, Traction
-    from ._progress import Progress
-    from ._quantity import Numbers, Quantities, Quantity
-    from ._ridges import Ridges
-    from ._sensitivity import Sensitivity
-    from .keys import Band, CalibratedParameter, ExportFormat, RoughnessParameter, TemperatureColumn, Zero
-
-__all__ = [
-    "calibrate",
-    "callout",
-    "compare",
-    "cycle",
-    "design",
-    "evidence",
-    "oil_fit",
-    "oil_plan",
-    "oil_traction",
-    "ridges",
-    "sensitivity",
-    "stribeck",
-]
+from ._calibration import Calibration, Design, Evidence
+from ._callout import CallOut
+from ._case import CaseLike, as_case
+from ._choices import Band, CalibratedParameter, ExportFormat, RoughnessParameter, TemperatureColumn, Zero
+from ._columns import Columns, table_of
+from ._compare import Comparison, Finish, cases_of
+from ._errors import Code
+from ._keys import vehicle_keys
+from ._map import Cycle, Map, map_of
+from ._oil import OilFit, OilLike, OilPlan, Stribeck, Traction, raw_oil, tables_of_curves
+from ._progress import Progress
+from ._quantity import Numbers, Quantities, Quantity, nodes, number, written
+from ._ridges import Ridges
+from ._sensitivity import Sensitivity
+from ._study import ran
+from ._study_names import __all__ as __all__
 
 
 def compare(
@@ -60,9 +48,6 @@ def compare(
             needs].
         threads, progress: as in `Case.run`.
     """
-    from ._compare import Comparison, cases_of
-    from ._study import ran
-
     settings = {
         "offsets": offsets,
     }
@@ -108,11 +93,6 @@ def map(
             columns torque_nm, speed_rpm, loss_torque_nm (and temperature_c).
         threads, progress: as in `Case.run`.
     """
-    from ._compare import cases_of
-    from ._map import Map
-    from ._quantity import nodes
-    from ._study import ran
-
     settings = {
         "torque": nodes("torque_nm", torque_nm, torque, None),
         "speed": nodes("speed_rpm", speed_rpm, speed, None),
@@ -151,19 +131,12 @@ def cycle(
             torque is constant.
         threads: as in `Case.run`.
     """
-    from ._columns import table_of
-    from ._errors import Code
-    from ._keys import vehicle_keys
-    from ._map import Cycle
-    from ._quantity import number
-    from ._study import ran
-
     settings = {
         "temperature_c": number("temperature_c", temperature_c, temperature),
         "columns": list(columns),
         "allow_outside": allow_outside,
     }
-    return ran(Cycle, "cycle", (map._raw, table_of(trace, "cycle", Code.E101), vehicle_keys(vehicle)), settings, threads)
+    return ran(Cycle, "cycle", (map_of(map), table_of(trace, "cycle", Code.E101), vehicle_keys(vehicle)), settings, threads)
 
 
 def sensitivity(
@@ -181,10 +154,6 @@ def sensitivity(
         case: the case.
         threads, progress: as in `Case.run`.
     """
-    from ._case import as_case
-    from ._sensitivity import Sensitivity
-    from ._study import ran
-
     return ran(Sensitivity, "sensitivity", (as_case(case)._raw,), {}, threads, progress)
 
 
@@ -203,10 +172,6 @@ def ridges(
         case: the case.
         threads, progress: as in `Case.run`.
     """
-    from ._case import as_case
-    from ._ridges import Ridges
-    from ._study import ran
-
     return ran(Ridges, "ridges", (as_case(case)._raw,), {}, threads, progress)
 
 
@@ -239,11 +204,6 @@ def callout(
         seed: seed of the random numbers.
         threads, progress: as in `Case.run`.
     """
-    from ._callout import CallOut
-    from ._case import as_case
-    from ._quantity import written
-    from ._study import ran
-
     settings = {
         "loss": written(loss, "Power", "loss"),
         "confidence": confidence,
@@ -273,10 +233,6 @@ def evidence(
         hours: hours of a measurement by its name in evidence.csv, ``{"traction-plan": 3}``.
         threads, progress: as in `Case.run`.
     """
-    from ._calibration import Evidence
-    from ._case import as_case
-    from ._study import ran
-
     settings = {
         "hours": [f"{key}={value}" for key, value in (hours or {}).items()],
     }
@@ -316,13 +272,6 @@ def calibrate(
             middle and highest of the table; of a design 40,65,90, extended to the temperature of the case].
         threads, progress: as in `Case.run`.
     """
-    from ._calibration import Calibration
-    from ._case import as_case
-    from ._columns import table_of
-    from ._errors import Code
-    from ._quantity import nodes
-    from ._study import ran
-
     settings = {
         "hold": list(hold),
         "torque_max_nm": torque_max_nm,
@@ -378,11 +327,6 @@ def design(
             middle and highest of the table; of a design 40,65,90, extended to the temperature of the case].
         threads, progress: as in `Case.run`.
     """
-    from ._calibration import Design
-    from ._case import as_case
-    from ._quantity import nodes
-    from ._study import ran
-
     settings = {
         "torque": nodes("torque_nm", torque_nm, torque, None),
         "speed": nodes("speed_rpm", speed_rpm, speed, None),
@@ -432,10 +376,6 @@ def oil_traction(
         second_radius: radius of the second body, unless a row states it [default: a flat disc].
         threads: as in `Case.run`.
     """
-    from ._oil import Traction, raw_oil
-    from ._quantity import nodes, written
-    from ._study import ran
-
     settings = {
         "load": written(load, "Force", "load"),
         "speed": written(speed, "Speed", "speed"),
@@ -484,10 +424,6 @@ def oil_fit(
         point_floor: least standard deviation of the friction coefficient of such points.
         threads: as in `Case.run`.
     """
-    from ._oil import OilFit, raw_oil, tables_of_curves
-    from ._quantity import written
-    from ._study import ran
-
     settings = {
         "temperature_column": temperature_column,
         "force": force,
@@ -534,11 +470,6 @@ def oil_plan(
         point_floor: least standard deviation of the friction coefficient of such points.
         threads: as in `Case.run`.
     """
-    from ._case import as_case
-    from ._oil import OilPlan, raw_oil
-    from ._quantity import written
-    from ._study import ran
-
     settings = {
         "simulate": simulate,
         "rq": written(rq, "Length", "rq"),
@@ -579,10 +510,6 @@ def stribeck(
         second_radius: radius of the second body, unless a row states it [default: a flat disc].
         threads: as in `Case.run`.
     """
-    from ._oil import Stribeck, raw_oil, tables_of_curves
-    from ._quantity import written
-    from ._study import ran
-
     settings = {
         "rubbing": [written(one, "Time", "rubbing") for one in rubbing],
         "temperature_column": temperature_column,
