@@ -31,7 +31,7 @@ TOPICS = {
     "Measurements": "calibrate Calibration design Design evidence Evidence",
     "Oils": "oil_traction Traction oil_plan OilPlan oil_fit OilFit stribeck Stribeck",
     "The library": "gears steels oils schema",
-    "Errors and warnings": "AsperityError AsperityWarning Place explain Explanation",
+    "Errors and warnings": "AsperityError AsperityWarning Place explain Explanation show_versions",
     "Tables and charts": "Record Table Chart",
 }
 # Columns are listed in FILE_FORMATS.md, kinds of laws are keywords.

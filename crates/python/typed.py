@@ -260,6 +260,12 @@ class Registry:
             return {"float": "Floats", "int": "Floats", "str": "list[str]"}.get(inner[0], "list[Any]"), None
         return "Any", None
 
+    def absent(self, kind):
+        """The value, if any, at which serde leaves out a value of this type."""
+        if kind.startswith("Optional["):
+            return [None]
+        return {"str": [""], "bool": [False], "Table": [[]], "list[str]": [[]], "list[Any]": [[]]}.get(kind, [])
+
     def used(self):
         """Names of all structures that the roots have, those that others need first."""
         found = []
@@ -282,11 +288,11 @@ class Registry:
         """The class of a structure."""
         fields = [next(iter(field.items())) for field in self.registry[name]["STRUCT"]]
         types = {key: self.type_of(form) for key, form in fields}
-        optional = sorted(key for key, form in fields if isinstance(form, dict) and "OPTION" in form)
+        absent = {key: value for key, (kind, _) in types.items() for value in self.absent(kind)}
         kinds = ", ".join(f'"{key}": {made}' for key, (_, made) in types.items() if made)
         text = f'class {self.name_of(name)}(Values):\n    """Values of `{name}` in Rust."""\n\n'
         text += f"    _kinds = {{{kinds}}}\n" if kinds else ""
-        text += f"    _optional = frozenset({json.dumps(optional)})\n" if optional else ""
+        text += f"    _absent = {absent!r}\n".replace("'", '"') if absent else ""
         return text + "".join(f"    {key}: {kind}\n" for key, (kind, _) in types.items())
 
     def columns(self, name):

@@ -139,6 +139,9 @@ __all__ = [
     "thermal_reduction",
 ]
 __all__ += _study_names.__all__
+if TYPE_CHECKING:
+    # To type checkers a name that is not listed is private.
+    __all__ += ["map"]
 
 
 class Explanation(NamedTuple):

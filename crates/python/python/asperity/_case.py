@@ -12,12 +12,13 @@ from typing import IO, Any, Optional, Union
 from . import _asperity
 from ._choices import Detail, Formulation
 from ._contact import Contact
-from ._errors import AsperityError, Code, warn, wrong_kind
+from ._errors import AsperityError, Code, checked_number, warn, wrong_kind
 from ._files import is_read, text_of
 from ._fixed import Fixed
 from ._html import page
 from ._keys import Schema, Traces, changes, kind_of, written
 from ._own_laws import Called, Law, exponent_of, name_of
+from ._profile import Profile
 from ._progress import Progress, Steps
 from ._quantity import BY_TEXT, OPERATING, as_keys
 from ._record import Record, Table, warned
@@ -207,7 +208,7 @@ class Case(Fixed):
         raw = self._raw.with_law(kind, name_of(law), exponent_of(kind, law), called.__call__)
         return Case._of(raw, {**self._laws, kind: called}, self._raw)
 
-    def _on_finish(self, finish: Any) -> Case:
+    def _on_finish(self, called: str, finish: Any) -> Case:
         """The case on the traces of a finish: one for both flanks, or those of pinion and wheel."""
         traces: Traces = []
         pair = finish if isinstance(finish, (tuple, list)) else (finish,)
@@ -217,6 +218,8 @@ class Case(Fixed):
         def name(trace: Any) -> str:
             if isinstance(trace, (str, PathLike)):
                 return os.path.abspath(fspath(trace))
+            if not isinstance(trace, Profile):
+                raise wrong_kind(f"finishes[{called!r}]", trace, "a profile, the path of one, a pair of them or a case")
             named: str = written(trace, Schema(), traces)["file"]
             return named
 
@@ -278,21 +281,21 @@ class Case(Fixed):
         Ctrl-C ends the run.
         """
         with Steps(progress, self.title) as steps:
-            found = RunResult._of(self._raw.run(detail, band, threads, steps))
+            found = RunResult._of(self._raw.run(detail, band, checked_number("threads", threads, int), steps))
         return warned(found, self._about["warnings"])
 
     def regime(self, *, threads: Optional[int] = None) -> Regime:
         """Film thickness, Λ* and regime along the path of contact; of several meshes, the first."""
-        meshes = json.loads(self._raw.regime(threads))
+        meshes = json.loads(self._raw.regime(checked_number("threads", threads, int)))
         return Regime(meshes)
 
     def contact(self, position: Optional[float] = None) -> Contact:
         """The flanks pressed dry against each other at a place of the path, 0 at A and 1 at E."""
-        return warned(Contact(*self._raw.contact(position)))
+        return warned(Contact(*self._raw.contact(checked_number("position", position, float))))
 
     def film(self, position: Optional[float] = None) -> Record:
         """Pressure difference across films from 1 nm to 1 mm at a place of the path; default the pitch point."""
-        return Record(json.loads(self._raw.film(position)))
+        return Record(json.loads(self._raw.film(checked_number("position", position, float))))
 
     def gear(self) -> Record:
         """Geometry, contact ratios, stiffness, transmission error, loss factors of every load distribution."""

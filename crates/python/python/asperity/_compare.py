@@ -36,7 +36,7 @@ def cases_of(case: CaseLike, finishes: Optional[Mapping[str, Finish]]) -> list[t
         raise wrong_kind("finishes", finishes, "profiles, files or cases by name")
     if not finishes:
         return [(base.title or "case", base._raw)]
-    made = {name: of if isinstance(of, Case) else base._on_finish(of) for name, of in finishes.items()}
+    made = {name: of if isinstance(of, Case) else base._on_finish(name, of) for name, of in finishes.items()}
     return [(name, of._raw) for name, of in made.items()]
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Optional
 
 from . import _asperity
 from ._case import CaseLike, as_case
+from ._errors import checked_number
 from ._html import Chart, page, shown
 from ._progress import Progress, Steps
 from ._quantity import Floats, Quantity, stated_or_none
@@ -96,5 +97,5 @@ def ehl(
         "compare": compare,
     }
     with Steps(progress, "half-widths travelled") as steps:
-        text, arrays = _asperity.ehl(as_case(case)._raw, json.dumps(asked), threads, steps)
+        text, arrays = _asperity.ehl(as_case(case)._raw, json.dumps(asked), checked_number("threads", threads, int), steps)
     return warned(EhlRecord({**json.loads(text), **arrays}))

@@ -49,8 +49,8 @@ class Values(Fixed, Mapping[str, Any]):
 
     _kinds: ClassVar[Mapping[str, Callable[[Any], Any]]] = {}
     """Classes of the values that are objects or lists of objects."""
-    _optional: ClassVar[frozenset[str]] = frozenset()
-    """Names of values that can be absent, and are None then."""
+    _absent: ClassVar[Mapping[str, Any]] = {}
+    """Values that are left out where they are these."""
 
     def __init__(self, values: Mapping[str, Any]) -> None:
         self._values = dict(values)
@@ -61,13 +61,16 @@ class Values(Fixed, Mapping[str, Any]):
             try:
                 return self.__dict__["_values"][name] if name == "_values" else self[name]
             except KeyError:
-                if name in self._optional:
-                    return None
+                if name in self._absent:
+                    return self._made(name, self._absent[name])
                 known = ", ".join(self.__dict__.get("_values", ()))
                 raise AttributeError(f"{type(self).__name__} has no {name!r}; it has {known}") from None
 
     def __getitem__(self, name: str) -> Any:
-        value = self._values[name]
+        return self._made(name, self._values[name])
+
+    def _made(self, name: str, value: Any) -> Any:
+        """A value in the class of its name."""
         kind = self._kinds.get(name)
         return wrapped(value) if kind is None or value is None else kind(value)
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 
 from . import _asperity
-from ._errors import AsperityError, Code, wrong_kind
+from ._errors import AsperityError, Code, checked_number, wrong_kind
 from ._html import Chart, page, shown
 from ._quantity import Floats
 from ._record import Record, Table, Values, drawn, variable
@@ -178,6 +178,7 @@ class RunResult(Values, ResultValues):
         if self._outcome is None:
             raise AsperityError("a result that was read back holds no fields", Code.E402, "Run the case again.")
         self._of_pair("fields")
+        position = checked_number("position", position, int)
         if position is None:
             highest = self.path["p_max_mpa"]
             position = int(np.nanargmax(highest)) + 1 if np.isfinite(highest).any() else 1

@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
-from ._errors import AsperityError, Code, warn, wrong_kind
+from ._errors import AsperityError, Code, checked_number, warn, wrong_kind
 from ._fixed import Fixed
 from ._keys import Schema, kind_of, written
 from ._progress import Progress, Steps
@@ -99,7 +99,7 @@ class Sweep(Fixed, Iterator[Record]):
             raise AsperityError(text, Code.E140, "Read the study again.")
         self._raw.check_values()
         self._source = source
-        self._threads = threads
+        self._threads = checked_number("threads", threads, int)
         self._steps = Steps(progress, "cases")
         self._rows = rows or []
         self._given = 0
@@ -221,6 +221,9 @@ def sweep(
         return Sweep(os.path.abspath(fspath(study)), threads, progress)
     if case is None:
         raise AsperityError("a sweep needs a case or a study", Code.E205, "Give a case with axes, or a study file.")
+    for name, given in (("axes", axes), ("sample", sample)):
+        if given is not None and not isinstance(given, Mapping):
+            raise wrong_kind(name, given, "keys with their values" if name == "axes" else "the settings of a sample by name")
     base = as_case(case)
     text: dict[str, Any] = {"axis": [_axis(name, values) for name, values in (axes or {}).items()], "detail": detail}
     if columns is not None:
@@ -244,6 +247,8 @@ def _with_units(key: str, law: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
 
 
 def _axis(name: str, values: Any) -> dict[str, Any]:
+    if not isinstance(values, (Mapping, Sequence, np.ndarray)) or isinstance(values, str):
+        raise wrong_kind(f"axes[{name!r}]", values, "a list of values, a range or choices")
     if name in OPERATING or name in BY_TEXT:
         key = OPERATING[BY_TEXT.get(name, name)].key
         every = values if not isinstance(values, Mapping) else [values["from"], values["to"]]
@@ -252,8 +257,6 @@ def _axis(name: str, values: Any) -> dict[str, Any]:
             return {"key": key, **values, "from": texts[0], "to": texts[1]}
         return {"key": key, "values": texts}
     schema = _schema(name)
-    if not isinstance(values, (Mapping, Sequence, np.ndarray)) or isinstance(values, str):
-        raise wrong_kind(f"axes[{name!r}]", values, "a list of values, a range or choices")
     if not isinstance(values, Mapping):
         return {"key": name, "values": [written(value, schema, []) for value in values]}
     if "from" in values and "to" in values:

@@ -27,7 +27,7 @@ ParameterName = Literal[
 class UncertaintyPart(Values):
     """Values of `UncertaintyPart` in Rust."""
 
-    _optional = frozenset(["about"])
+    _absent = {"name": "", "about": None, "remedy": ""}
     name: str
     about: Optional[Literal["pressure-viscosity", "tip-relief", "fast-model", "sampling", "lay"]]
     sd_ln: float
@@ -39,6 +39,7 @@ class LossDistribution(Values):
     """Values of `LossDistribution` in Rust."""
 
     _kinds = {"parts": Table}
+    _absent = {"parts": []}
     median_w: float
     quantiles_w: Floats
     sd_ln: float
@@ -48,6 +49,7 @@ class LossDistribution(Values):
 class DrawnConstant(Values):
     """Values of `DrawnConstant` in Rust."""
 
+    _absent = {"name": "", "unit": "", "is_calibrated": False}
     name: str
     value: float
     low: float
@@ -59,7 +61,7 @@ class DrawnConstant(Values):
 class AlternativeRow(Values):
     """Values of `AlternativeRow` in Rust."""
 
-    _optional = frozenset(["loss_w"])
+    _absent = {"name": "", "loss_w": None, "refuted_by": ""}
     name: str
     loss_w: Optional[float]
     refuted_by: str
@@ -68,6 +70,7 @@ class AlternativeRow(Values):
 class EvidenceRow(Values):
     """Values of `EvidenceRow` in Rust."""
 
+    _absent = {"key": "", "measurement": ""}
     key: str
     measurement: str
     hours: float
@@ -81,7 +84,7 @@ class Uncertainty(Values):
     """Values of `Uncertainty` in Rust."""
 
     _kinds = {"loss": LossDistribution, "constants": Table, "structures": Table, "other_models": Table, "evidence": Table}
-    _optional = frozenset(["boundary_w", "roughness_over_film", "with_traces_w"])
+    _absent = {"constants": [], "held": [], "roughness_over_film": None, "boundary_w": None, "structures": [], "other_models": [], "with_traces_w": None, "path_sliding_w_per_m": [], "evidence": []}
     loss: LossDistribution
     at_medians_w: float
     efficiency_median: float
@@ -106,7 +109,7 @@ class Uncertainty(Values):
 class SummaryValues(Values):
     """Values of `Summary` in Rust."""
 
-    _optional = frozenset(["asperity_share_standard_error", "efficiency_deviation", "gearbox_efficiency", "gearbox_loss_w", "regime"])
+    _absent = {"gearbox_efficiency": None, "gearbox_loss_w": None, "efficiency_deviation": None, "asperity_share_standard_error": None, "regime": None}
     scope: Literal["mesh", "gearbox"]
     gearbox_efficiency: Optional[float]
     gearbox_loss_w: Optional[float]
@@ -141,7 +144,7 @@ class SummaryValues(Values):
 class FullFilmRow(Values):
     """Values of `FullFilmRow` in Rust."""
 
-    _optional = frozenset(["mu", "mu_deviation"])
+    _absent = {"mu": None, "mu_deviation": None}
     film_central_um: float
     film_minimum_um: float
     p_max_mpa: float
@@ -155,7 +158,7 @@ class PathRow(Values):
     """Values of `PositionRow` in Rust."""
 
     _kinds = {"full_film": FullFilmRow}
-    _optional = frozenset(["boundary_of_asperities", "contact_fraction", "face_zone", "film_ratio", "film_share_standard_error", "flash_max_k", "full_film", "lambda_star", "mean_gap_um", "p_max_mpa", "plastic_work_j_per_m", "roughness_over_film", "sliding_deviation_w_per_m", "sliding_error_freedom", "sliding_standard_error_w_per_m", "von_mises_depth_um", "von_mises_max_mpa", "yield_depth_um", "yield_share"])
+    _absent = {"lambda_star": None, "film_ratio": None, "film_share_standard_error": None, "boundary_of_asperities": None, "mean_gap_um": None, "roughness_over_film": None, "full_film": None, "flash_max_k": None, "sliding_deviation_w_per_m": None, "sliding_standard_error_w_per_m": None, "sliding_error_freedom": None, "face_zone": None, "contact_fraction": None, "p_max_mpa": None, "plastic_work_j_per_m": None, "von_mises_max_mpa": None, "von_mises_depth_um": None, "yield_depth_um": None, "yield_share": None}
     position: int
     s_mm: float
     path_fraction: float
@@ -221,6 +224,7 @@ class ContactCertificate(Values):
 class ContactNote(Values):
     """Values of `ContactNote` in Rust."""
 
+    _absent = {"code": "", "text": ""}
     code: str
     text: str
 
@@ -241,7 +245,7 @@ class ContactNumbers(Values):
     """Values of `ContactNumbers` in Rust."""
 
     _kinds = {"certificate": ContactCertificate, "warnings": Table, "running_in": Table}
-    _optional = frozenset(["hertz_half_width_m", "hertz_p_max_pa", "path_fraction", "running_in"])
+    _absent = {"warnings": [], "path_fraction": None, "hertz_p_max_pa": None, "hertz_half_width_m": None, "running_in": None}
     points: int
     spacing_m: float
     load_n_per_m: float
