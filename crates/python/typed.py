@@ -22,6 +22,36 @@ RESULTS = {
     "sensitivity": "Sensitivity", "stribeck": "Stribeck",
 }
 """Classes of the results of studies that have attributes of their own."""
+SMALL = 'case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})'
+"""A case that is quickly run, for the examples."""
+EXAMPLES = {
+    "compare": [SMALL, 'finishes = {"ground": "demo/ground_pinion.csv", "fine": "demo/superfinished_pinion.csv"}', "found = asperity.compare(case, finishes)",
+                ("found.names", "['ground', 'fine']"), ("bool(found.finishes.loss_w[1] < found.finishes.loss_w[0])", "True")],
+    "map": [SMALL, 'losses = asperity.map(case, torque_nm=[50, 145], speed="1000..9000:3 1/min", band="none")', ("losses.loss_w.shape", "(1, 1, 2, 4)"),
+            ("float(losses.loss_torque(torque_nm=100, speed_rpm=4000)) > 0", "True")],
+    "cycle": [SMALL, 'losses = asperity.map(case, torque_nm=[-200, -60, -20, 20, 60, 200], speed_rpm=[500, 4000, 16000])',
+              'energies = asperity.cycle(losses, "demo/urban.csv")', ("bool(energies.finishes.lost_wh[0] > 0)", "True")],
+    "sensitivity": [SMALL, "found = asperity.sensitivity(case)", ("len(found.rows) > 5", "True")],
+    "ridges": [SMALL, "found = asperity.ridges(case)", ("found.pressed_loss_w < found.loss_w", "True")],
+    "callout": ['case = asperity.Case(asperity.demo(), model={"positions": 2, "offsets": 2})',
+                'found = asperity.callout(case, "600 W", parameter="rq", traces=3, lots=20, confidence=0.8)', ("found.limits.parameter[0]", "'Rq'")],
+    "evidence": [SMALL, "table = asperity.evidence(case).rows", ("bool(table.width[0] <= table.width[-1])", "True")],
+    "design": [SMALL, "plan = asperity.design(case, hours=4, temperature_c=[40, 90])", ("len(plan.points) > 5", "True")],
+    "calibrate": ['case = asperity.Case(asperity.demo(gears="fzg-c"), model={"positions": 4, "offsets": 2})',
+                  'plan = asperity.design(case, torque_nm=[60, 183], speed="25..4400:7:log 1/min", simulate=4)', 'plan.write("rig")',
+                  'found = asperity.calibrate("rig/simulated.csv", case)', ("found.is_simulated, found.parameters.key[0]", "(True, 'boundary_friction')"),
+                  "calibrated = found.apply(case)"],
+    "oil_traction": ['curves = asperity.oil_traction("m100", temperature_c=[40, 100])', ("bool(curves.over_slide.traction.max() < 0.2)", "True")],
+    "oil_plan": ['plan = asperity.oil_plan("m100")', ("len(plan.stages) > 2", "True")],
+    "oil_fit": ['curves = asperity.oil_traction("m100").over_slide',
+                'columns = ["load_n", "mean_speed_m_s", "slide_roll_percent", "temperature_c", "traction"]',
+                'found = asperity.oil_fit(curves[columns], "m100")', ("found.pressure_law", "'barus'")],
+    "stribeck": ['speeds = [0.002, 0.003, 0.004, 0.005]',
+                 'curve = {"mean_speed_m_s": speeds, "load_n": [50.0] * 4, "slide_roll_percent": [50.0] * 4,',
+                 '         "temperature_c": [120.0] * 4, "traction": [0.117] * 4, "rubbing_s": [7200.0] * 4}',
+                 'found = asperity.stribeck(curve, "m100")', ("0.1 < found.boundary_friction < 0.13", "True")],
+}
+"""An example of each study: lines, each alone or with what it prints."""
 KINDS = ("gears", "mesh")
 ROOTS = {"Uncertainty": "Uncertainty", "Summary": "SummaryValues", "PositionRow": "PathRow", "ContactNumbers": "ContactNumbers"}
 """Classes of values of which others are parts, by the name of the type in Rust."""
@@ -451,6 +481,21 @@ def described(setting):
     return wrapped(f"{names}: {about[0].lower()}{about[1:]}.")
 
 
+def first_sentence(kind):
+    """The first sentence of the text of a class, without what it lists."""
+    text = " ".join(kind.__doc__.split("\n\n")[0].split())
+    return re.split(r"[.:](?: |$)", text)[0] + "."
+
+
+def example(name):
+    """The example of a study as lines of a docstring."""
+    lines = []
+    for line in EXAMPLES[name]:
+        code, printed = line if isinstance(line, tuple) else (line, None)
+        lines += [f"{'...' if code.startswith(' ') else '>>>'} {code}"] + ([printed] if printed else [])
+    return "".join(f"        {line}\n" for line in lines)
+
+
 def wrapped(text):
     return textwrap.fill(text, 120, initial_indent=" " * 8, subsequent_indent=" " * 12) + "\n"
 
@@ -491,9 +536,16 @@ def study(found):
 
 {textwrap.fill(found["method"], 118, initial_indent="    ", subsequent_indent="    ")}
 
-    Args:
+    Parameters:
 {about}        {", ".join(name for name, *_ in threads)}: as in `Case.run`.
-    """
+
+    Returns:
+{wrapped(f"{result}: {first_sentence(getattr(asperity, result))}")}
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+{example(name)}    """
 ''', body
 
 

@@ -153,7 +153,21 @@ class Explanation(NamedTuple):
 
 
 def schema(kind: Literal["gears", "mesh", "settings"] = "gears") -> dict[str, Any]:
-    """JSON schema of a case with this table of gears, or of the settings of the studies, each by the name of its function."""
+    """JSON schema of a case with this table of gears, or of the settings of the studies, each by the name of its function.
+
+    Parameters:
+        kind: ``"gears"``, ``"mesh"`` (which has the meshes of a gear train by name) or ``"settings"``.
+
+    Returns:
+        The schema as a dictionary.
+
+    Raises:
+        AsperityError: the schema cannot be written, which is a fault of the program (E501).
+
+    Example:
+        >>> "gears" in asperity.schema()["properties"]
+        True
+    """
     # At its first need: it is not part of a run.
     import json
 
@@ -162,6 +176,20 @@ def schema(kind: Literal["gears", "mesh", "settings"] = "gears") -> dict[str, An
 
 
 def explain(code: str) -> Optional[Explanation]:
-    """Title, cause and remedy of a code such as ``E301``; none of a code that does not exist."""
+    """Title, cause and remedy of a code such as ``E301``; none of a code that does not exist.
+
+    Parameters:
+        code: the code of an error or a warning.
+
+    Returns:
+        An `Explanation`, or None.
+
+    Raises:
+        TypeError: the code is no text.
+
+    Example:
+        >>> asperity.explain("E204").title
+        'a value cannot be read'
+    """
     found = _asperity.explain(code)
     return None if found is None else Explanation(*found)

@@ -39,15 +39,17 @@ class Case(Fixed):
     flank, or its ``file``, can be a `Profile`. Files are relative to ``folder``, by default the working directory or
     the folder of the case file.
 
-    >>> case = Case("case.toml")                                    # doctest: +SKIP
-    >>> case = Case(gears={"teeth": [23, 68], "module": "1.8 mm", "face_width": "32 mm"},
-    ...             torque_nm=145, speed_rpm=9000, temperature_c=90,
-    ...             lubricant={"oil": "m100"}, surface={"pinion": {"rq": "0.4 um"}})
-
-    Args:
+    Parameters:
         case: file, object that is read like one, or tables; tables as keywords win over them.
         formulation: ``"corrected"`` or ``"paper"``, over that of the case.
         folder: folder that files are relative to.
+
+    Example:
+        >>> case = asperity.Case(gears={"teeth": [23, 68], "module": "1.8 mm", "face_width": "32 mm"},
+        ...                      torque_nm=145, speed_rpm=9000, temperature="90 °C",
+        ...                      lubricant={"oil": "m100"}, surface={"pinion": {"rq": "0.4 um"}})
+        >>> case == asperity.Case(case.to_dict())
+        True
     """
 
     _raw: _asperity.Case
@@ -177,7 +179,7 @@ class Case(Fixed):
         offsets of the traces at a mesh position. It returns an array or a number, or a dictionary of them. Results name
         a law by its ``name``, or by the name of its function or class. It is called from several threads, one at a time.
 
-        Args:
+        Parameters:
             film_friction: the friction coefficient of the film. Conditions: load, radius, entrainment, sliding,
                 max_pressure, viscosity, contact_viscosity, kinematic_viscosity, pressure_viscosity, central_film,
                 minimum_film, combined_roughness, mean_ra, sum_rz, boundary_coefficient, modulus, half_width,
@@ -271,7 +273,7 @@ class Case(Fixed):
     ) -> RunResult:
         """Computes losses, and with more detail contacts and fields; the losses are the same to the last digit.
 
-        Args:
+        Parameters:
             detail: ``"losses"`` (a fraction of the time), ``"contacts"`` (the rough contacts at every offset), or
                 ``"fields"`` (as the command: fields and stress below the surface, too).
             band: whether the uncertainty of the loss is computed; default with ``"fields"`` only. Not with ``"losses"``.

@@ -95,7 +95,7 @@ class Map(Study, MapArrays):
     ) -> Floats:
         """Loss torque in N m between the nodes of torque and speed, bilinear.
 
-        Args:
+        Parameters:
             torque_nm, speed_rpm: numbers, broadcast; or ``torque``, ``speed``: text with a unit, quantities of pint.
             temperature_c, temperature: a node of the map; default the first.
             finish: name of the finish, or its number.
@@ -139,7 +139,7 @@ class Map(Study, MapArrays):
     ) -> list[Path]:
         """Writes the map for another program: csv, vecto, modelica, matlab, fmu, co2mpas, fastsim, advisor.
 
-        Args:
+        Parameters:
             format: the format.
             folder: existing folder of the files, whose names follow from the finishes.
             added: table of losses beside those of the mesh.
@@ -227,7 +227,23 @@ class Cycle(Study):
 
 
 def read_map(folder: Union[str, PathLike[str]]) -> Map:
-    """The map in a folder that ``asperity map`` or `Map.write` has written."""
+    """The map in a folder that ``asperity map`` or `Map.write` has written.
+
+    Parameters:
+        folder: the folder.
+
+    Returns:
+        The `Map`.
+
+    Raises:
+        AsperityError: the folder holds no map, or a file of it is damaged (E402).
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> asperity.map(case, torque_nm=[50, 145], speed_rpm=[1000, 9000], band="none").write("losses")
+        >>> asperity.read_map("losses").torque_nm.tolist()
+        [50.0, 145.0]
+    """
     return Map(_asperity.read_map(fspath(folder)))
 
 

@@ -45,7 +45,7 @@ class OilFit(Study):
     def apply(self, case: CaseLike, folder: Union[str, PathLike[str]]) -> Case:
         """The case with the oil of this fit: its constants, whose band goes into the band of its losses.
 
-        Args:
+        Parameters:
             case: the case.
             folder: folder of the fit, written if it does not exist; the case reads its ``oil.toml``.
         """

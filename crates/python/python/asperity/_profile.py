@@ -122,7 +122,7 @@ class Parts(NamedTuple):
 class Profile(Fixed):
     """Heights of a surface along a line, evenly spaced.
 
-    Args:
+    Parameters:
         heights: heights, shape (n,), m, out of the material; at least 100.
         spacing: distance of the points, m.
         name: name for charts and messages.
@@ -237,7 +237,7 @@ class Profile(Fixed):
     def prepare(self, **plan: Unpack[Plan]) -> Profile:
         """The roughness profile: form removed, filtered (ISO 21920-2, ISO 16610-21).
 
-        Args:
+        Parameters:
             form: ``"level"`` (default), ``"none"``, ``"mean"``, ``"poly2"``, ``"circle"`` or ``"involute"``.
             cutoff: cut-off λc, m; default what the file states, else 0.25 mm; 0 turns the filter off.
             noise_cutoff: cut-off λs, m; default what the file states, else 2.5 µm; 0 turns the filter off.
@@ -295,7 +295,7 @@ class Profile(Fixed):
     ) -> Parameters:
         """Roughness parameters, lengths in µm, as ``asperity profile info`` gives them.
 
-        Args:
+        Parameters:
             standard: ``"iso4287"`` (means over sections) or ``"iso21920"``.
             sections: number of sections; default as many cut-offs as fit.
             cutoff: length of a section, m; default the cut-off of the filter.
@@ -376,7 +376,7 @@ def read_profile(
 ) -> Profile:
     """Reads a profilometer file: text, CSV, X3P, SDF, SMD, PRF, Excel and others (docs/FILE_FORMATS.md).
 
-    Args:
+    Parameters:
         path: the file, or an object with ``read`` that has its bytes, whose ``name`` helps to recognise the format.
         x_unit, z_unit: ``"mm"``, ``"um"``, ``"nm"`` ..., where the file does not tell.
         dx: spacing, m.
@@ -390,6 +390,19 @@ def read_profile(
         range: part of the trace that is read, by distances from its first point: ``"1.2 mm .. 6.4 mm"``.
         invert: whether the values grow into the material (depths, a replica) and are turned into heights; by default only
             those that the file names depths.
+
+    Returns:
+        The `Profile`, with what was found and assumed in ``about``.
+
+    Raises:
+        AsperityError: the file cannot be read (E103), its format or units are not known (E102, E110, E114), or its values are
+            not a profile (E105, E106, E107), among others.
+
+    Example:
+        >>> case = asperity.demo()
+        >>> flank = asperity.read_profile("demo/ground_pinion.csv")
+        >>> flank.unit, 0.1 < flank.parameters().ra_um < 1
+        ('um', True)
     """
     if isinstance(columns, int):
         chosen: Optional[dict[str, int]] = {"z": columns}
@@ -449,7 +462,9 @@ def generate(
 ) -> Profile:
     """A synthetic profile; the same recipe and seed give the same heights.
 
-    Args:
+    Self-affine spectra after Jacobs, Junge and Pastewka (2017).
+
+    Parameters:
         surface: ``"self-affine"`` (points, spacing, rq, hurst, roll_off, short_cut, seed), ``"non-gaussian"``
             (spectrum, heights), ``"plateau-honed"`` (coarse, fine, depth) or ``"ground"`` (points, spacing, rq,
             grit_spacing, grit_radius, grit_protrusion, seed); lengths in m.
@@ -457,8 +472,18 @@ def generate(
         pits, scratches: count, width, depth, seed of damage added.
         pores: porosity, diameter, depth_ratio, seed of open pores of a sintered steel added.
         mirrored: whether the result is reversed.
+        name: name for charts and messages.
 
-    Self-affine spectra after Jacobs, Junge and Pastewka (2017).
+    Returns:
+        The `Profile`, with its recipe and what was achieved in ``about``.
+
+    Raises:
+        AsperityError: a key that the surface does not have or that is missing (E204), or a value out of its domain (E209).
+
+    Example:
+        >>> flank = asperity.generate(points=4000, spacing=0.5e-6, rq="0.4 um", hurst=0.8, roll_off=50e-6, short_cut=2e-6, seed=1)
+        >>> round(flank.about.achieved.rq_um, 3)
+        0.4
     """
     whole = {
         "surface": {surface: _with_units(recipe)},

@@ -202,7 +202,7 @@ def sweep(
 ) -> Sweep:
     """The cases of a study, an iterator that runs them as it goes.
 
-    Args:
+    Parameters:
         case: the case that all others are made from.
         axes: crossed axes: by key the values, ``{"operation.torque": ["20 N m", "150 N m"]}``, for the operating point
             also by number, ``{"torque_nm": [20, 150]}``, or
@@ -216,6 +216,21 @@ def sweep(
         study: a study file in place of all these (docs/FILE_FORMATS.md).
         folder: folder that files of the sample are relative to.
         threads, progress: as in `Case.run`.
+
+    Returns:
+        A `Sweep`, an iterator of rows.
+
+    Raises:
+        AsperityError: a key that no case has (E203), or a value that it cannot have (E204), before the first case is run.
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> cases = asperity.sweep(case, {"torque_nm": [50, 100, 145], "lubricant.oil": ["m100", "n100"]})
+        >>> [row.torque_nm for row in cases][:3]
+        [50.0, 50.0, 100.0]
+        >>> losses = cases.to_pandas().pivot_table("loss_w", "torque_nm", "lubricant.oil")
+        >>> losses.shape
+        (3, 2)
     """
     if study is not None:
         return Sweep(os.path.abspath(fspath(study)), threads, progress)

@@ -9,7 +9,18 @@ _PACKAGES = ("numpy", "pandas", "xarray", "pyarrow", "pint", "tqdm", "matplotlib
 
 
 def show_versions() -> None:
-    """Prints the versions of the program, of Python, and of the packages that it uses, for a report of a fault."""
+    """Prints the versions of the program, of Python, and of the packages that it uses, for a report of a fault.
+
+    Returns:
+        None.
+
+    Raises:
+        OSError: the text cannot be printed.
+
+    Example:
+        >>> asperity.show_versions()  # doctest: +ELLIPSIS
+        asperity    ...
+    """
     # At its first need: they take time to import.
     import platform
     from importlib import metadata
