@@ -129,7 +129,24 @@ class Case(Fixed):
         *,
         formulation: Optional[Formulation] = None,
     ) -> Case:
-        """The case in a TOML or JSON file, with ``keys`` set past its text: ``{"operation.torque": "20 N m"}``."""
+        """The case in a TOML or JSON file, with ``keys`` set past its text: ``{"operation.torque": "20 N m"}``.
+
+        Parameters:
+            path: the case file.
+            keys: keys that are set past its text.
+            formulation: ``"corrected"`` or ``"paper"``, over that of the file.
+
+        Returns:
+            The `Case`.
+
+        Raises:
+            AsperityError: the file cannot be read (E201, E202), or a key or value of it is not valid (E203 to E212).
+
+        Example:
+            >>> case = asperity.Case.load(asperity.demo(), {"operation.torque": "20 N m"})
+            >>> case.inputs.operation.torque
+            '20 N m'
+        """
         if not keys:
             return cls._of(_asperity.Case.load(fspath(path), [], formulation))
         traces: Traces = []
@@ -153,6 +170,23 @@ class Case(Fixed):
         Keys are given by their paths, ``case.replace({"operation.torque": "20 N m"})``, by tables,
         ``case.replace(operation={"torque": "20 N m"})``, whose other keys stay, or by the operating point,
         ``case.replace(torque_nm=20)``, ``case.replace(torque="20 N m")``. None takes a key away, so that its default holds again. A flank takes a `Profile`.
+
+        Parameters:
+            changed: keys by their paths, or tables.
+            formulation: ``"corrected"`` or ``"paper"``.
+            more: tables, or the operating point.
+
+        Returns:
+            Another `Case`; this one does not change.
+
+        Raises:
+            AsperityError: a key that no case has (E203), or a value that it cannot have (E204 to E212).
+
+        Example:
+            >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+            >>> lighter = case.replace({"lubricant.oil": "n100"}, torque="20 N m")
+            >>> lighter.run("losses").loss_w < case.run("losses").loss_w
+            True
         """
         if changed is not None and not isinstance(changed, Mapping):
             raise wrong_kind("changed", changed, "keys of a case with their values")
@@ -193,6 +227,19 @@ class Case(Fixed):
                 path_fraction (0 at A, 1 at E), torque, ``uniform`` (the load if all lines of contact share equally).
 
         An exception of a law ends the run and is raised with its traceback.
+
+        Returns:
+            Another `Case`, with these laws.
+
+        Raises:
+            AsperityError: a law that is not callable, or a film thickness without ``speed_exponent`` (E205); in a run what a law
+                returns is not valid (E209).
+
+        Example:
+            >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+            >>> own = case.with_laws(film_friction=lambda at: 0.03)
+            >>> own.run("losses").loss_w != case.run("losses").loss_w
+            True
         """
         made = self
         for kind, law in (
@@ -281,6 +328,19 @@ class Case(Fixed):
             progress: ``f(done, total)``, ``tqdm``, or a bar of it.
 
         Ctrl-C ends the run.
+
+        Returns:
+            A `RunResult`.
+
+        Raises:
+            AsperityError: what cannot be computed, by its code, or an interval of ``"losses"`` (E205).
+            KeyboardInterrupt: Ctrl-C.
+
+        Example:
+            >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+            >>> result = case.run()
+            >>> bool(result.uncertainty.loss.quantiles_w[0] < result.uncertainty.loss.median_w)
+            True
         """
         with Steps(progress, self.title) as steps:
             found = RunResult._of(self._raw.run(detail, band, checked_number("threads", threads, int), steps))

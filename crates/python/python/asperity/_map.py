@@ -103,6 +103,18 @@ class Map(Study, MapArrays):
         A negative speed is reverse, where a negative torque drives: it has the loss of the same power forwards.
         Outside the map loss over torque is constant, with a warning: the loss at the edge times the torque over the
         torque of the edge. A place that is not a number has no loss.
+
+        Returns:
+            An array of the common shape of torques and speeds.
+
+        Raises:
+            AsperityError: neither number nor text of torque or speed (E205), or no node or finish of the map (E209).
+
+        Example:
+            >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+            >>> losses = asperity.map(case, torque_nm=[50, 145], speed_rpm=[1000, 9000], band="none")
+            >>> losses.loss_torque(torque_nm=[60, 120], speed="4000 1/min").shape
+            (2,)
         """
         names = self.finishes
         if finish not in (names if isinstance(finish, str) else range(len(names))):
@@ -144,6 +156,18 @@ class Map(Study, MapArrays):
             folder: existing folder of the files, whose names follow from the finishes.
             added: table of losses beside those of the mesh.
             cycle: drive cycle, which ``"fastsim"`` is weighted by.
+
+        Returns:
+            The files that were written.
+
+        Raises:
+            AsperityError: a map that the format cannot hold (E205, E209), a missing cycle (E205), or an unwritable file (E401).
+
+        Example:
+            >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+            >>> losses = asperity.map(case, torque_nm=[-145, -50, 50, 145], speed_rpm=[1000, 9000], band="none")
+            >>> [file.suffix for file in losses.export("matlab", ".")]
+            ['.mat']
         """
         tables = [None if file is None else fspath(file) for file in (added, cycle)]
         written = []

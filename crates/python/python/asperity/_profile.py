@@ -180,6 +180,17 @@ class Profile(Fixed):
         Parameters:
             start: beginning, m.
             end: end, m; default the last point.
+
+        Returns:
+            The part as a `Profile`.
+
+        Raises:
+            AsperityError: distances beyond the profile (E209), or too few points between them (E106).
+
+        Example:
+            >>> flank = asperity.read_profile("ground_pinion.csv").crop("0.5 mm", "2 mm")
+            >>> len(flank)
+            3001
         """
         places = [round(si(place, "Length") / self.spacing) for place in (start, end) if place is not None]
         if places[0] < 0 or places[-1] >= len(self) or places[0] > places[-1]:
@@ -244,6 +255,17 @@ class Profile(Fixed):
             ends: ``"cut"`` (default: half a cut-off is dropped at each end), ``"reg0"``, ``"reg1"`` or ``"reflect"``.
             robust: the robust Gaussian regression filter (ISO 16610-31).
             base_radius, roll_length, towards_root: place on the flank of ``form="involute"``, m.
+
+        Returns:
+            The roughness as a `Profile`, with what was done in ``about.preparation``.
+
+        Raises:
+            AsperityError: a trace that is too short for the filter (E120), or settings that do not go together (E205).
+
+        Example:
+            >>> rough = asperity.read_profile("ground_pinion.csv").prepare(cutoff="0.25 mm", robust=True)
+            >>> rough.about.preparation.filter
+            'robust-gaussian'
         """
         return self.filter(**plan).roughness
 
@@ -301,6 +323,17 @@ class Profile(Fixed):
             cutoff: length of a section, m; default the cut-off of the filter.
             prepare: whether form and waviness are removed first by the defaults of `prepare`; by default so
                 unless the profile was prepared.
+
+        Returns:
+            The `Parameters`.
+
+        Raises:
+            AsperityError: a trace that is too short for the filter or the sections (E120).
+
+        Example:
+            >>> found = asperity.read_profile("ground_pinion.csv").parameters()
+            >>> found["ra_um"] == found.ra_um < found.rz_um
+            True
         """
         is_prepared = "preparation" in self._about
         trace = self
