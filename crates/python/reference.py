@@ -31,7 +31,7 @@ TOPICS = {
     "Measurements": "calibrate Calibration design Design evidence Evidence",
     "Oils": "oil_traction Traction oil_plan OilPlan oil_fit OilFit stribeck Stribeck",
     "The library": "gears steels oils schema",
-    "Errors and warnings": "AsperityError AsperityWarning Place explain Explanation",
+    "Errors and warnings": "AsperityError AsperityWarning Place explain Explanation show_versions",
     "Tables and charts": "Record Table Chart",
 }
 # Columns are listed in FILE_FORMATS.md, kinds of laws are keywords.
@@ -67,22 +67,27 @@ def prose(text):
     """A doc string as Markdown: sections of arguments as lists, examples as code."""
     lines, found, in_list, in_code = inspect.cleandoc(text).splitlines(), [], False, False
     for line in lines:
-        is_code = line.startswith((">>> ", "... ")) or (in_code and line.startswith("    "))
+        code = line.strip() if line.startswith(" " * 4) else line
+        is_code = code.startswith((">>> ", "... ")) or (in_code and code != "" and line[:1] in (" ", *"[({'"))
         if is_code != in_code:
             found += ["```" if in_code else "```python"]
             in_code = is_code
         if is_code:
-            found.append(re.sub(r"\s*# doctest:.*", "", line[4:]))
+            shown = code[4:] if code.startswith((">>> ", "... ")) else f"# {code}"
+            found.append(re.sub(r"\s*# doctest:.*", "", shown))
             continue
         line = line.replace("``", "`")
-        if line in ("Args:", "Attributes:"):
+        if line in ("Parameters:", "Attributes:", "Returns:", "Raises:", "Example:"):
             in_list = True
-            found.append("")
+            # Parameters and attributes follow the text without a title.
+            found += ["", f"{line[:-1]}:", ""] if line[0] in "RE" else [""]
         elif in_list and (entry := re.match(r"    (\w[\w, *]*): (.*)", line)):
             names = ", ".join(f"`{name.strip()}`" for name in entry[1].split(","))
             found.append(f"- {names}: {entry[2]}")
         elif in_list and line.startswith("        "):
             found.append(f"  {line.strip()}")
+        elif in_list and line.startswith("    "):
+            found.append(line.strip())
         else:
             in_list = in_list and not line
             found.append(line)
@@ -117,7 +122,7 @@ def members(kind):
 def of_class(name, kind):
     """A class with its bases, its call where users make it, and its members."""
     text = [f"### {name}", ""]
-    if "Args:" in kind.__doc__:
+    if "Parameters:" in kind.__doc__:
         text += ["```python", signature(name, kind.__init__, "class "), "```", ""]
     text += [prose(kind.__doc__), ""]
     bases = [base.__name__ for base in kind.__mro__[1:] if base.__name__ in (*asperity.__all__, "ValueError", "UserWarning")]

@@ -1,5 +1,6 @@
-"""Writes what follows from the lists of the compiled part: python/asperity/keys.py, the types of case keys, choices and columns, and
-python/asperity/_studies.py, the studies with their settings.
+"""Writes what follows from the lists of the compiled part into python/asperity: _choices.py, texts that arguments take and names of
+columns; keys.py, types of case keys; _values.py, classes of the values of results; _studies.py, the studies with their settings, and
+_study_names.py, their names.
 
     python crates/python/typed.py          # after building the module
 """
@@ -13,7 +14,7 @@ from pathlib import Path
 
 import asperity
 from asperity import _asperity
-from asperity._quantity import OPERATING
+from asperity._quantity import BY_TEXT, OPERATING
 
 FOLDER = Path(__file__).parent / "python" / "asperity"
 RESULTS = {
@@ -21,32 +22,83 @@ RESULTS = {
     "sensitivity": "Sensitivity", "stribeck": "Stribeck",
 }
 """Classes of the results of studies that have attributes of their own."""
+SMALL = 'case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})'
+"""A case that is quickly run, for the examples."""
+EXAMPLES = {
+    "compare": [SMALL, 'finishes = {"ground": "demo/ground_pinion.csv", "fine": "demo/superfinished_pinion.csv"}', "found = asperity.compare(case, finishes)",
+                ("found.names", "['ground', 'fine']"), ("bool(found.finishes.loss_w[1] < found.finishes.loss_w[0])", "True")],
+    "map": [SMALL, 'losses = asperity.map(case, torque_nm=[50, 145], speed="1000..9000:3 1/min", band="none")', ("losses.loss_w.shape", "(1, 1, 2, 4)"),
+            ("float(losses.loss_torque(torque_nm=100, speed_rpm=4000)) > 0", "True")],
+    "cycle": [SMALL, 'losses = asperity.map(case, torque_nm=[-200, -60, -20, 20, 60, 200], speed_rpm=[500, 4000, 16000])',
+              'energies = asperity.cycle(losses, "demo/urban.csv")', ("bool(energies.finishes.lost_wh[0] > 0)", "True")],
+    "sensitivity": [SMALL, "found = asperity.sensitivity(case)", ("len(found.rows) > 5", "True")],
+    "ridges": [SMALL, "found = asperity.ridges(case)", ("found.pressed_loss_w < found.loss_w", "True")],
+    "callout": ['case = asperity.Case(asperity.demo(), model={"positions": 2, "offsets": 2})',
+                'found = asperity.callout(case, "600 W", parameter="rq", traces=3, lots=20, confidence=0.8)', ("found.limits.parameter[0]", "'Rq'")],
+    "evidence": [SMALL, "table = asperity.evidence(case).rows", ("bool(table.width[0] <= table.width[-1])", "True")],
+    "design": [SMALL, "plan = asperity.design(case, hours=4, temperature_c=[40, 90])", ("len(plan.points) > 5", "True")],
+    "calibrate": ['case = asperity.Case(asperity.demo(gears="fzg-c"), model={"positions": 4, "offsets": 2})',
+                  'plan = asperity.design(case, torque_nm=[60, 183], speed="25..4400:7:log 1/min", simulate=4)', 'plan.write("rig")',
+                  'found = asperity.calibrate("rig/simulated.csv", case)', ("found.is_simulated, found.parameters.key[0]", "(True, 'boundary_friction')"),
+                  "calibrated = found.apply(case)"],
+    "oil_traction": ['curves = asperity.oil_traction("m100", temperature_c=[40, 100])', ("bool(curves.over_slide.traction.max() < 0.2)", "True")],
+    "oil_plan": ['plan = asperity.oil_plan("m100")', ("len(plan.stages) > 2", "True")],
+    "oil_fit": ['curves = asperity.oil_traction("m100").over_slide',
+                'columns = ["load_n", "mean_speed_m_s", "slide_roll_percent", "temperature_c", "traction"]',
+                'found = asperity.oil_fit(curves[columns], "m100")', ("found.pressure_law", "'barus'")],
+    "stribeck": ['speeds = [0.002, 0.003, 0.004, 0.005]',
+                 'curve = {"mean_speed_m_s": speeds, "load_n": [50.0] * 4, "slide_roll_percent": [50.0] * 4,',
+                 '         "temperature_c": [120.0] * 4, "traction": [0.117] * 4, "rubbing_s": [7200.0] * 4}',
+                 'found = asperity.stribeck(curve, "m100")', ("0.1 < found.boundary_friction < 0.13", "True")],
+}
+"""An example of each study: lines, each alone or with what it prints."""
 KINDS = ("gears", "mesh")
+ROOTS = {"Uncertainty": "Uncertainty", "Summary": "SummaryValues", "PositionRow": "PathRow", "ContactNumbers": "ContactNumbers"}
+"""Classes of values of which others are parts, by the name of the type in Rust."""
 QUANTITIES = {name for name, _ in _asperity.si_units()}
 PLAIN = {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "null": "None"}
-HEAD = '''"""Keys of a case, choices of arguments and columns of results, for type checkers and completion.
+HEAD_OF_CHOICES = '''"""Choices of arguments and names of columns.
 
-Written by crates/python/typed.py; nothing of the package imports it at run time.
+Written by crates/python/typed.py from the lists of the compiled part.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+'''
+HEAD = '''"""Keys of a case and choices of arguments, for type checkers and completion.
+
+Written by crates/python/typed.py from the lists of the compiled part.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Literal, Optional, TypedDict, Union
+from typing import Literal, Optional, TypedDict, Union
+
+from ._choices import *
+from ._profile import Profile
+from ._quantity import PintLike, Quantity
+'''
+HEAD_OF_VALUES = '''"""Values of results by name.
+
+Written by crates/python/typed.py from the lists of the compiled part.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal, Optional
 
 from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from ._profile import Profile
-    from ._quantity import PintLike
+from ._quantity import Floats
+from ._record import Rows, Table, Values
 
-Quantity = Union[str, "PintLike"]
-"""Text with a unit (``"1.8 mm"``) or a quantity of pint."""
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import Union, overload
 '''
-OWN = {"torque_nm": "torque at the pinion, N m", "speed_rpm": "speed of the pinion, 1/min",
-       "temperature_c": "bulk temperature of the flanks, °C"}
-"""Keys of the operating point as numbers, with their meaning."""
 
 
 def union(parts):
@@ -142,7 +194,7 @@ class Tables:
         for self.kind, schema in self.schemas.items():
             for key, node in schema["properties"].items():
                 found.setdefault(key, []).extend(self._parts(node, key))
-        return {**{key: f"Optional[{union(parts)}]" for key, parts in found.items()}, **dict.fromkeys(OWN, "float")}
+        return {**{key: f"Optional[{union(parts)}]" for key, parts in found.items()}, **dict.fromkeys(OPERATING, "Optional[float]"), **dict.fromkeys(BY_TEXT, "Optional[Quantity]")}
 
     def paths(self):
         """Types of single keys by their paths."""
@@ -198,30 +250,136 @@ def table(name, about, rows):
     return f'{name} = TypedDict(\n    "{name}",\n    {{\n{body}    }},\n    total=False,\n)\n"""{first_line(about)}"""\n'
 
 
-def attributes(name, about, names, kind, result=None):
+def attributes(name, about, names, kind, result):
     """Attributes of a result that the class `result` does not declare itself."""
-    own = set() if result is None else {key for one in result.__mro__ for key in vars(one)}
+    own = {key for one in result.__mro__ for key in vars(one)}
     body = "".join(f"    {key}: {kind}\n" for key in names if key not in own)
     return f'class {name}:\n    """{about}"""\n\n{body}'
 
 
+class Registry:
+    """Types of the values of results, from a registry of serde-reflection."""
+
+    def __init__(self):
+        self.registry = json.loads(_asperity.values())
+
+    def name_of(self, name):
+        return ROOTS.get(name, name)
+
+    def type_of(self, form):
+        """The type of a value as text, and its class where it is an object or a list of objects."""
+        if isinstance(form, str):
+            return {"STR": "str", "BOOL": "bool", "F64": "float", "F32": "float"}.get(form, "int" if form[0] in "IU" and form != "UNIT" else "Any"), None
+        (kind, of), = form.items()
+        if kind == "TYPENAME":
+            container = self.registry[of]
+            if "STRUCT" in container:
+                return self.name_of(of), self.name_of(of)
+            if "NEWTYPESTRUCT" in container:
+                return self.type_of(container["NEWTYPESTRUCT"])
+            variants = [one for one in container.get("ENUM", {}).values()]
+            plain = variants and all(list(one.values()) == ["UNIT"] for one in variants)
+            return (f"Literal[{', '.join(json.dumps(next(iter(one))) for one in variants)}]" if plain else "Any"), None
+        if kind == "OPTION":
+            inner, made = self.type_of(of)
+            return inner if inner == "Any" else f"Optional[{inner}]", made
+        if kind in ("SEQ", "TUPLE", "TUPLEARRAY"):
+            inner = self.type_of(of if kind == "SEQ" else of[0] if kind == "TUPLE" else of["CONTENT"])
+            if inner[1]:
+                return "Table", "Table"
+            return {"float": "Floats", "int": "Floats", "str": "list[str]"}.get(inner[0], "list[Any]"), None
+        return "Any", None
+
+    def absent(self, kind):
+        """The value, if any, at which serde leaves out a value of this type."""
+        if kind.startswith("Optional["):
+            return [None]
+        return {"str": [""], "bool": [False], "Table": [[]], "list[str]": [[]], "list[Any]": [[]]}.get(kind, [])
+
+    def used(self):
+        """Names of all structures that the roots have, those that others need first."""
+        found = []
+
+        def add(name):
+            if name in found:
+                return
+            for field in self.registry[name]["STRUCT"]:
+                (_, form), = field.items()
+                for part in re.findall(r"'TYPENAME': '(\w+)'", repr(form)):
+                    if "STRUCT" in self.registry[part]:
+                        add(part)
+            found.append(name)
+
+        for name in ROOTS:
+            add(name)
+        return found
+
+    def written(self, name):
+        """The class of a structure."""
+        fields = [next(iter(field.items())) for field in self.registry[name]["STRUCT"]]
+        types = {key: self.type_of(form) for key, form in fields}
+        absent = {key: value for key, (kind, _) in types.items() for value in self.absent(kind)}
+        kinds = ", ".join(f'"{key}": {made}' for key, (_, made) in types.items() if made)
+        text = f'class {self.name_of(name)}(Values):\n    """Values of `{name}` in Rust."""\n\n'
+        text += f"    _kinds = {{{kinds}}}\n" if kinds else ""
+        text += f"    _absent = {absent!r}\n".replace("'", '"') if absent else ""
+        return text + "".join(f"    {key}: {kind}\n" for key, (kind, _) in types.items())
+
+    def columns(self, name):
+        """Types of the columns of a table whose rows are these structures."""
+        fields = [next(iter(field.items())) for field in self.registry[name]["STRUCT"]]
+        return {key: "Floats" if self.type_of(form)[0] in ("float", "Optional[float]") else "NDArray[Any]" for key, form in fields}
+
+
+def choices_written():
+    """The text of the choices."""
+    lists = {name: values for name, _, values in _asperity.choices()}
+    return "\n\n".join([HEAD_OF_CHOICES, *(literal(name, values) for name, values in lists.items())])
+
+
+def values_written():
+    """The text of the values of results."""
+    registry, lists = Registry(), {name: values for name, _, values in _asperity.choices()}
+    path = "".join(f"    {key}: {kind}\n" for key, kind in registry.columns("PositionRow").items())
+    parameters = asperity.generate(points=2000, spacing=0.5e-6, rq=0.4e-6, hurst=0.8, roll_off=20e-6, short_cut=2e-6, seed=1).parameters()
+    blocks = [HEAD_OF_VALUES, literal("ParameterName", list(parameters)), *(registry.written(name) for name in registry.used())]
+    blocks.append(f'''class PathArrays(Rows):
+    """Columns along the path of contact."""
+
+    _row = PathRow
+{path}
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(self, key: {union_of(registry.columns("PositionRow"), "Floats")}) -> Floats: ...
+        @overload
+        def __getitem__(self, key: {union_of(registry.columns("PositionRow"), "NDArray[Any]")}) -> NDArray[Any]: ...
+        @overload
+        def __getitem__(self, key: int) -> PathRow: ...
+        @overload
+        def __getitem__(self, key: Union[slice, list[str], list[int], NDArray[Any]]) -> Table: ...
+        def __getitem__(self, key: Any) -> Any: ...
+        def __iter__(self) -> Iterator[PathRow]: ...
+''')
+    blocks.append(attributes("ParameterValues", "Roughness parameters.", list(parameters), "float", object))
+    blocks.append(attributes("ResultValues", "Values of a result.", lists["ResultName"], "Any", asperity.RunResult))
+    blocks.append(attributes("MapArrays", "Arrays of a map.", lists["MapName"], "NDArray[Any]", asperity.Map))
+    return "\n\n".join(blocks)
+
+
+def union_of(columns, kind):
+    """The names of the columns of this type."""
+    return f"Literal[{', '.join(json.dumps(key) for key, of in columns.items() if of == kind)}]"
+
+
 def written():
-    """The text of the file."""
+    """The text of the keys."""
     tables = Tables()
     top, paths = tables.top(), tables.paths()
-    choices = {name: values for name, _, values in _asperity.choices()}
-    blocks = [HEAD]
-    blocks += [literal(name, values) for name, values in choices.items()]
-    blocks += [
-        attributes("ResultValues", "Values of a result.", choices["ResultName"], "Any", asperity.RunResult),
-        attributes("SummaryValues", "Numbers of a summary.", choices["SummaryName"], "Any", asperity.Summary),
-        attributes("PathArrays", "Columns along the path of contact.", choices["PathColumn"], "NDArray[Any]", asperity.Path),
-        attributes("MapArrays", "Arrays of a map.", choices["MapName"], "NDArray[Any]", asperity.Map),
-    ]
-    blocks += [table(name, about, rows) for name, (about, rows) in tables.classes.items()]
+    blocks = [HEAD, *(table(name, about, rows) for name, (about, rows) in tables.classes.items())]
     # The formulation is a keyword of its own.
     tables_of_case = {key: kind for key, kind in top.items() if key != "formulation"}
-    blocks.append(table("CaseTables", "Tables of a case, and its operating point as numbers", tables_of_case))
+    blocks.append(table("CaseTables", "Tables of a case, and its operating point as numbers or text", tables_of_case))
     blocks.append(table("CaseKeys", "Tables of a case and single keys by their paths", {**top, **paths}))
     return "\n\n".join(blocks)
 
@@ -235,10 +393,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import Any, Optional, Union
 
-if TYPE_CHECKING:
-%s
+%sfrom ._study_names import __all__ as __all__
+'''
+HEAD_OF_NAMES = '''"""Names of the studies.
+
+Written by crates/python/typed.py from the settings of the compiled part.
+"""
+
 __all__ = %s
 '''
 TYPES = {"usize": "int", "u64": "int", "f64": "float", "bool": "bool", "String": "str", "Ratio": "Union[float, str]", "PathBuf": "Union[str, PathLike[str]]"}
@@ -251,7 +414,7 @@ INPUTS = {
     "Option<Finishes>": ("Optional[Mapping[str, Finish]]", "None", "cases_of(case, {0})"),
     "Option<Cases>": ("Optional[Mapping[str, CaseLike]]", "None", "[(key, as_case(one)._raw) for key, one in ({0} or {{}}).items()]"),
     "Rig": ("Columns", None, 'table_of({0}, "rig", Code.E134)'),
-    "Map": ("Map", None, "{0}._raw"),
+    "Map": ("Map", None, "map_of({0})"),
     "Cycle": ("Columns", None, 'table_of({0}, "cycle", Code.E101)'),
     "Option<Vehicle>": ("Optional[Mapping[str, Any]]", "None", "vehicle_keys({0})"),
     "Vec<Curves>": ("Union[Columns, Sequence[Columns]]", None, 'tables_of_curves({0}, "{0}")'),
@@ -261,7 +424,7 @@ BY_NAME = ("Option<Cases>", "Option<Finishes>", "Option<Vehicle>")
 """Those that are given by name only."""
 HOMES = {
     "CaseLike": "_case", "Code": "_errors", "Columns": "_columns", "Finish": "_compare", "Numbers": "_quantity", "OilLike": "_oil", "Progress": "_progress",
-    "Quantities": "_quantity", "Quantity": "_quantity", "Study": "_study", "as_case": "_case", "cases_of": "_compare", "nodes": "_quantity", "number": "_quantity",
+    "Quantities": "_quantity", "Quantity": "_quantity", "Study": "_study", "as_case": "_case", "cases_of": "_compare", "map_of": "_map", "nodes": "_quantity", "number": "_quantity",
     "ran": "_study", "raw_oil": "_oil", "table_of": "_columns", "tables_of_curves": "_oil", "vehicle_keys": "_keys", "written": "_quantity",
 }
 """Modules of the names that the functions use."""
@@ -318,6 +481,21 @@ def described(setting):
     return wrapped(f"{names}: {about[0].lower()}{about[1:]}.")
 
 
+def first_sentence(kind):
+    """The first sentence of the text of a class, without what it lists."""
+    text = " ".join(kind.__doc__.split("\n\n")[0].split())
+    return re.split(r"[.:](?: |$)", text)[0] + "."
+
+
+def example(name):
+    """The example of a study as lines of a docstring."""
+    lines = []
+    for line in EXAMPLES[name]:
+        code, printed = line if isinstance(line, tuple) else (line, None)
+        lines += [f"{'...' if code.startswith(' ') else '>>>'} {code}"] + ([printed] if printed else [])
+    return "".join(f"        {line}\n" for line in lines)
+
+
 def wrapped(text):
     return textwrap.fill(text, 120, initial_indent=" " * 8, subsequent_indent=" " * 12) + "\n"
 
@@ -325,9 +503,9 @@ def wrapped(text):
 def imports(text, indent):
     """Imports of the names in a text, on lines with this indent."""
     homes, text = {}, re.sub('"[^"]*"', "", text)
-    choices = {python: "keys" for python, *_ in _asperity.choices()}
+    choices = [python for python, *_ in _asperity.choices()]
     results = {name: getattr(asperity, name).__module__.split(".")[-1] for name in RESULTS.values()}
-    for name, home in {**choices, **results, **HOMES}.items():
+    for name, home in {**dict.fromkeys(choices, "_choices"), **results, **HOMES}.items():
         if re.search(rf"\b{name}\b", text):
             homes.setdefault(home, []).append(name)
     return "".join(f"{indent}from .{home} import {', '.join(sorted(names))}\n" for home, names in sorted(homes.items()))
@@ -358,23 +536,37 @@ def study(found):
 
 {textwrap.fill(found["method"], 118, initial_indent="    ", subsequent_indent="    ")}
 
-    Args:
+    Parameters:
 {about}        {", ".join(name for name, *_ in threads)}: as in `Case.run`.
-    """
-{imports(body, "    ")}
-{body}'''
+
+    Returns:
+{wrapped(f"{result}: {first_sentence(getattr(asperity, result))}")}
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+{example(name)}    """
+''', body
 
 
 def studies():
     """The text of the studies."""
-    every = [(found["function"], *study(found)) for found in json.loads(_asperity.studies())]
-    signatures = "".join(signature for _, signature, _ in every)
+    every = [study(found) for found in json.loads(_asperity.studies())]
+    imported = imports("".join(signature + body for signature, _, body in every), "")
+    return HEAD_OF_STUDIES % imported + "\n" + "\n".join(f"\n{''.join(parts)}" for parts in every)
+
+
+def names_of_studies():
+    """The text of the names of the studies."""
     # `from asperity import *` must not replace the built-in function map.
-    names = "[\n" + "".join(f'    "{name}",\n' for name in sorted(name for name, *_ in every) if name != "map") + "]"
-    return HEAD_OF_STUDIES % (imports(signatures, "    "), names) + "\n" + "\n".join(f"\n{signature}{body}" for _, signature, body in every)
+    names = sorted(found["function"] for found in json.loads(_asperity.studies()) if found["function"] != "map")
+    return HEAD_OF_NAMES % ("[\n" + "".join(f'    "{name}",\n' for name in names) + "]")
 
 
-FILES = {FOLDER / "keys.py": written, FOLDER / "_studies.py": studies}
+FILES = {
+    FOLDER / "_choices.py": choices_written, FOLDER / "_values.py": values_written, FOLDER / "keys.py": written,
+    FOLDER / "_study_names.py": names_of_studies, FOLDER / "_studies.py": studies,
+}
 """Each file with the function that makes its text."""
 
 if __name__ == "__main__":

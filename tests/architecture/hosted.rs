@@ -80,3 +80,43 @@ fn the_browser_page_runs_its_own_scripts_and_those_of_a_report() {
         assert!(page.contains(&directive), "index.html needs {directive}");
     }
 }
+
+/// The text after `before` to the end of the quoted value, in a file.
+fn quoted_after(file: &str, before: &str) -> String {
+    let text = std::fs::read_to_string(root().join(file)).unwrap();
+    let (_, rest) = text
+        .split_once(before)
+        .unwrap_or_else(|| panic!("{file}: no {before}"));
+    let end = rest.find(['"', '\n']).unwrap();
+    rest[..end].to_owned()
+}
+
+#[test]
+fn every_recipe_has_the_version_of_the_program() {
+    let version = env!("CARGO_PKG_VERSION");
+    for (file, before) in [
+        ("crates/python/Cargo.toml", "\nversion = \""),
+        ("crates/web/Cargo.toml", "\nversion = \""),
+        ("CITATION.cff", "\nversion: "),
+        ("packaging/conda/recipe.yaml", "\n  version: \""),
+        ("packaging/homebrew/asperity.rb", "\n  version \""),
+    ] {
+        assert_eq!(quoted_after(file, before), version, "{file}");
+    }
+}
+
+#[test]
+fn every_archive_that_a_recipe_takes_is_one_of_a_release() {
+    let formula = std::fs::read_to_string(root().join("packaging/homebrew/asperity.rb")).unwrap();
+    let workflow = std::fs::read_to_string(root().join(".github/workflows/release.yml")).unwrap();
+    let archives = formula
+        .lines()
+        .filter_map(|line| line.split_once("/asperity-"));
+    let targets: Vec<&str> = archives
+        .filter_map(|(_, rest)| rest.split_once(".tar.gz").map(|(target, _)| target))
+        .collect();
+    assert_eq!(targets.len(), 4);
+    for target in targets {
+        assert!(workflow.contains(&format!("target: {target}")), "{target}");
+    }
+}

@@ -440,13 +440,42 @@ fn every_crate_has_a_readme_and_an_example() {
             continue;
         }
         let folder = root.join(folder);
-        assert!(folder.join("README.md").exists(), "{}", folder.display());
+        let readme = std::fs::read_to_string(folder.join("README.md")).unwrap();
+        assert!(
+            !readme.contains("](..") && !readme.contains("](examples"),
+            "{}: a registry has no other files of the repository",
+            folder.display()
+        );
+        // The front page of the documentation has an example, its own or that of the README, of the crate or of the command.
+        let front = std::fs::read_to_string(folder.join("src/lib.rs")).unwrap();
+        let is_page = |line: &&str| line.starts_with("//!") || line.starts_with("#![doc");
+        let page: Vec<&str> = front.lines().filter(is_page).collect();
+        let has_readme = page.iter().any(|line| line.contains("../README.md"));
+        assert!(
+            page.contains(&"//! ```") || has_readme && readme.contains("```"),
+            "{}: no example on the front page",
+            folder.display()
+        );
         let examples = std::fs::read_dir(folder.join("examples"));
         assert!(
             examples.is_ok_and(|mut files| files.next().is_some()),
             "{} has no example",
             folder.display()
         );
+    }
+}
+
+#[test]
+fn every_package_has_the_files_of_its_licences() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let outside = ["crates/python", "crates/web"];
+    let folders = ALLOWED.iter().map(|(folder, _)| *folder).chain(outside);
+    for folder in folders.filter(|folder| *folder != "tests") {
+        for name in ["LICENSE-MIT", "LICENSE-APACHE"] {
+            let text = std::fs::read(root.join(name)).unwrap();
+            let own = std::fs::read(root.join(folder).join(name));
+            assert!(own.is_ok_and(|own| own == text), "{folder}/{name}");
+        }
     }
 }
 

@@ -7,6 +7,8 @@
     reason = "helpers of tests may panic"
 )]
 
+#[cfg(unix)]
+mod archive;
 mod bench;
 
 mod bulk;

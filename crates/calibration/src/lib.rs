@@ -16,6 +16,8 @@
 //! | settings | `settings` |
 //! | traction curves of ball and disc | [`oil`] |
 //! | measurements that would narrow the loss of a case | [`evidence`] |
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod birge;
 mod block;

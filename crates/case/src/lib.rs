@@ -9,6 +9,8 @@
 //! | [`error`], [`message`] | errors and warnings with a code, the place in the case and a remedy |
 //!
 //! No rough contact, friction or loss is computed here: the crate `asperity` does that, and re-exports these modules.
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod balance;
 pub mod case;

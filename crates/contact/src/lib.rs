@@ -13,6 +13,8 @@
 //! | the kernel and its fast product | [`strip_kernel`], [`half_plane`] |
 //! | the dense solver, exact to round-off, and its gradient | `dense_reference` |
 //! | files | [`array_file`] |
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod array_file;
 pub mod boundary;
@@ -43,8 +45,3 @@ pub use problem::{
     ContactProblem, ContactSolution, ContactWarning, Control, SUSPECT_GAP, SolverSettings,
 };
 pub use solver::{Solver, solve};
-
-/// The examples of the README are tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;

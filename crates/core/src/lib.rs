@@ -4,6 +4,8 @@
 //! Conventions hold for the whole workspace: SI inside every function, heights point out of the
 //! material, the reduced modulus is E* = 1 / Σ((1 − νᵢ²)/Eᵢ), and E′ = 2 E* in the groups of
 //! elastohydrodynamics.
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod cancel;
 pub mod checked;
@@ -36,8 +38,3 @@ pub use quantity::Quantity;
 pub use remedy::{Action, Remedy, Setting, capitalised};
 pub use repeated_fault::RepeatedFault;
 pub use unique::unique;
-
-/// The examples of the README are tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;

@@ -11,6 +11,8 @@
 //! | X, P, H, T | x/a, p/p₀, h·R/a², t·u_m/a |
 //! | S | slide-to-roll ratio (u₁ − u₂)/u_m |
 //! | θ | void fraction of a cavitated node |
+//!
+#![doc = include_str!("../README.md")]
 
 /// Numbers of a short rough record, to which the tests hold the solver: what is stored of the solver is valid for these.
 pub const GOLDEN_RECORD: &str = include_str!("golden_record.txt");
@@ -49,8 +51,3 @@ pub use newton::NodeState;
 pub use oil::Oil;
 pub use steady::{CELL_MULTIPLE, SteadyFilm, SteadySettings, Warning, Window};
 pub use transient::{PlasticCeiling, Record, RecordSettings, RoughContact};
-
-/// The examples of the README are tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;

@@ -10,6 +10,8 @@
 //! | [`placement`] | where traces lie on their flanks |
 //! | [`mesh_position`] | a position of the mesh without roughness and oil: motion, load, Hertz contact |
 //! | [`error`] | why a mesh position has no result |
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod error;
 pub mod flank_form;
@@ -28,11 +30,6 @@ pub mod trace_filters;
 pub mod trace_pairs;
 pub mod trace_sites;
 mod window_pair;
-
-/// The examples of the README are tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
 
 pub use local_roughness::Roughness;
 pub use surfaces::{Surfaces, Texture};

@@ -2,6 +2,8 @@
 //!
 //! The code of a plan is generic: every crate that makes a plan or a planner compiles all of it, which costs more than the
 //! rest of most crates. The others take plans and planners from this crate, which is compiled once.
+//!
+#![doc = include_str!("../README.md")]
 
 use std::sync::{Arc, Mutex, PoisonError};
 

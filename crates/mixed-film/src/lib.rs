@@ -51,6 +51,8 @@
 //!
 //! The blind test has traces of other finishes, which were listed before they were solved.
 //! Above 3 the solutions, whose ridges cannot leak, are not a reference: the law is unconfirmed there.
+//!
+#![doc = include_str!("../README.md")]
 
 mod attenuated_traces;
 mod contact_table;

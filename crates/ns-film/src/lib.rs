@@ -3,6 +3,8 @@
 //! [`model`] computes the pressure difference across the film, the question of the paper, with the
 //! consistent film of [`reynolds_cross`] or with the film of the [`paper`]. [`film_pressure`] computes
 //! the pressure along the film of any gap.
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod error;
 pub mod film_pressure;

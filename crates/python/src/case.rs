@@ -22,7 +22,7 @@ use pyo3::types::PyDict;
 use serde_json::json;
 
 use crate::choices::{Detail, named};
-use crate::contact::found;
+use crate::contact::{ContactNumbers, found};
 use crate::failure::{self, Failure};
 use crate::outcome::{Found, Outcome};
 use crate::own_laws::PythonLaw;
@@ -400,12 +400,11 @@ impl Case {
             .get(1)
             .zip(dry.x.first())
             .map_or(0.0, |(second, first)| second - first);
-        let more = json!({
-            "path_fraction": dry.path_fraction,
-            "hertz_p_max_pa": dry.hertz.max_pressure.si(),
-            "hertz_half_width_m": dry.hertz.half_width.si(),
-        });
-        found(py, dry.solution, dry.undeformed, spacing, more)
+        let mut numbers = ContactNumbers::of(&dry.solution, spacing);
+        numbers.path_fraction = Some(dry.path_fraction);
+        numbers.hertz_p_max_pa = Some(dry.hertz.max_pressure.si());
+        numbers.hertz_half_width_m = Some(dry.hertz.half_width.si());
+        found(py, dry.solution, dry.undeformed, &numbers)
     }
 }
 

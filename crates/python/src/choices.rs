@@ -6,11 +6,13 @@ use asperity::case::CalibratedName;
 use asperity::ehl_regime::FilmLaw;
 use asperity::ehl_regime::thermal_reduction::ThermalLaw;
 use asperity::formulation::registered;
-use asperity::message::Code;
+use asperity::message::{Code, Subject};
 use asperity::profile_io::read::{
     Abscissa, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, Uneven,
 };
-use asperity::result::{PositionRow, RunResult, Summary};
+use asperity::result::{
+    PositionRow, Regime, RunResult, SamplingPart, Scope, Summary, Trust, Uncertainty,
+};
 use asperity::roughness::gaussian_filter::Ends;
 use asperity::roughness::generate::{Amplitudes, Surface};
 use asperity::roughness::height_parameters::Mode;
@@ -24,8 +26,10 @@ use pyo3::prelude::*;
 use serde::de::value::Error;
 use serde::de::{DeserializeOwned, Deserializer, Error as _, Visitor};
 use serde::{Deserialize, forward_to_deserialize_any};
+use serde_reflection::{Tracer, TracerConfig};
 
-use crate::failure::Failure;
+use crate::contact::ContactNumbers;
+use crate::failure::{self, Failure};
 use crate::maps::COLUMNS;
 
 /// The choice called `name`; `what` is the argument that it was given to.
@@ -103,6 +107,35 @@ type Listed = (&'static str, &'static str, Vec<String>);
 fn listed<T: DeserializeOwned>(name: &'static str) -> Listed {
     let path = std::any::type_name::<T>();
     (name, path.rsplit("::").next().unwrap_or(path), names::<T>())
+}
+
+fn trace<T: DeserializeOwned>(tracer: &mut Tracer) -> Result<(), Failure> {
+    let traced = tracer.trace_simple_type::<T>();
+    traced.map(|_| ()).map_err(|error| {
+        Failure::new(
+            Code::E501,
+            format!("{}: {error}", std::any::type_name::<T>()),
+        )
+    })
+}
+
+/// Names and types of the values of results, as JSON of [`serde_reflection::Registry`].
+#[pyfunction]
+pub fn values() -> PyResult<String> {
+    let mut tracer = Tracer::new(TracerConfig::default().is_human_readable(true));
+    trace::<Summary>(&mut tracer)?;
+    trace::<PositionRow>(&mut tracer)?;
+    trace::<Uncertainty>(&mut tracer)?;
+    trace::<ContactNumbers>(&mut tracer)?;
+    // Of an enumeration that is a part, only one variant is traced.
+    trace::<Regime>(&mut tracer)?;
+    trace::<SamplingPart>(&mut tracer)?;
+    trace::<Scope>(&mut tracer)?;
+    trace::<Subject>(&mut tracer)?;
+    trace::<Trust>(&mut tracer)?;
+    let traced = tracer.registry();
+    let registry = traced.map_err(|error| Failure::new(Code::E501, error.to_string()))?;
+    Ok(failure::json(&registry)?)
 }
 
 /// Choices of arguments and columns of results, by the names of their types in Python and in Rust.

@@ -14,7 +14,8 @@ use asperity::quantity::{Length, LineLoad, Pressure};
 use asperity::remedy::Remedy;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
+use serde_json::json;
 
 use crate::arrays::{Input, columns, copied};
 use crate::choices::{BoundaryOfContact, named};
@@ -114,7 +115,8 @@ pub fn solve_contact<'py>(
         };
         Ok(solve(&problem, &asked.settings)?)
     })?;
-    found(py, solution, gap, asked.spacing, json!({}))
+    let numbers = ContactNumbers::of(&solution, asked.spacing);
+    found(py, solution, gap, &numbers)
 }
 
 /// A run-in before the contact of two flanks.
@@ -136,7 +138,7 @@ pub fn press_flanks<'py>(
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
     let asked: Asked = failure::asked(asked)?;
     let run_in: Option<RunIn> = run_in.map(failure::asked).transpose()?;
-    let (solution, gap, spacing, more) = alone(py, || {
+    let (solution, gap, numbers) = alone(py, || {
         let load = asked
             .load
             .ok_or_else(|| Failure::new(Code::E205, "two flanks need a load"))?;
@@ -167,77 +169,133 @@ pub fn press_flanks<'py>(
             }
             None => flanks,
         };
-        let cycles: Vec<Value> = ran_in
-            .iter()
-            .flat_map(|ran_in| &ran_in.cycles)
-            .map(|cycle| {
-                json!({
-                    "plastic_energy_j_per_m": cycle.dissipated.si(),
-                    "largest_flow_m": cycle.largest_flow.si(),
-                    "contact_fraction": cycle.contact_fraction,
-                    "rq_first_m": cycle.rq[0].si(),
-                    "rq_second_m": cycle.rq[1].si(),
-                    "peak_first_m": cycle.peak[0].si(),
-                    "peak_second_m": cycle.peak[1].si(),
-                })
-            })
-            .collect();
-        Ok((
-            worn.press(&asked.settings)?,
-            worn.gap()?,
-            worn.spacing()?,
-            json!({ "running_in": cycles }),
-        ))
+        let running_in = ran_in.iter().flat_map(|ran_in| &ran_in.cycles);
+        let running_in = running_in.map(|cycle| RunningInCycle {
+            plastic_energy_j_per_m: cycle.dissipated.si(),
+            largest_flow_m: cycle.largest_flow.si(),
+            contact_fraction: cycle.contact_fraction,
+            rq_first_m: cycle.rq[0].si(),
+            rq_second_m: cycle.rq[1].si(),
+            peak_first_m: cycle.peak[0].si(),
+            peak_second_m: cycle.peak[1].si(),
+        });
+        let solution = worn.press(&asked.settings)?;
+        let numbers = ContactNumbers {
+            running_in: Some(running_in.collect()),
+            ..ContactNumbers::of(&solution, worn.spacing()?.si())
+        };
+        Ok((solution, worn.gap()?, numbers))
     })?;
-    found(py, solution, gap, spacing.si(), more)
+    found(py, solution, gap, &numbers)
 }
 
-/// The numbers as JSON, as the command has them, and the arrays.
-pub fn found<'py>(
-    py: Python<'py>,
-    solution: ContactSolution,
-    gap: Vec<f64>,
-    spacing: f64,
-    more: Value,
-) -> PyResult<(String, Bound<'py, PyDict>)> {
-    let s = &solution;
-    let warnings: Vec<Value> = s
-        .warnings()
-        .into_iter()
-        .map(|warning| {
+/// Bounds of the error of a contact.
+#[derive(Clone, Serialize, Deserialize)]
+struct ContactCertificate {
+    duality_gap: f64,
+    penetration: f64,
+    load_error: f64,
+    reference_gap_m: f64,
+}
+
+/// A warning about a contact.
+#[derive(Clone, Serialize, Deserialize)]
+struct ContactNote {
+    code: String,
+    text: String,
+}
+
+/// A cycle of running-in.
+#[derive(Clone, Serialize, Deserialize)]
+struct RunningInCycle {
+    plastic_energy_j_per_m: f64,
+    largest_flow_m: f64,
+    contact_fraction: f64,
+    rq_first_m: f64,
+    rq_second_m: f64,
+    peak_first_m: f64,
+    peak_second_m: f64,
+}
+
+/// Numbers of a contact, as the command has them.
+#[derive(Clone, Serialize, Deserialize)]
+pub struct ContactNumbers {
+    points: usize,
+    spacing_m: f64,
+    load_n_per_m: f64,
+    approach_m: f64,
+    approach_datum_m: f64,
+    contact_fraction: f64,
+    p_max_pa: f64,
+    p_end_pa: f64,
+    plastic_energy_j_per_m: f64,
+    elastic_energy_j_per_m: f64,
+    iterations: usize,
+    certificate: ContactCertificate,
+    warnings: Vec<ContactNote>,
+    /// Place on the path of a contact of a case.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub path_fraction: Option<f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hertz_p_max_pa: Option<f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hertz_half_width_m: Option<f64>,
+    /// Cycles of running-in of two flanks.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    running_in: Option<Vec<RunningInCycle>>,
+}
+
+impl ContactNumbers {
+    /// Numbers of a solution over a gap whose points are `spacing` in m apart.
+    pub fn of(solution: &ContactSolution, spacing: f64) -> Self {
+        let certificate = &solution.certificate;
+        let note = |warning: ContactWarning| {
             let code = match warning {
                 ContactWarning::PressureAtEnd { .. } => Code::W413,
                 _ => Code::W414,
             };
-            json!({ "code": code, "text": warning.to_string() })
-        })
-        .collect();
-    let mut numbers = json!({
-        "points": s.pressure.len(),
-        "spacing_m": spacing,
-        "load_n_per_m": s.load.si(),
-        "approach_m": s.approach.si(),
-        "approach_datum_m": s.datum.si(),
-        "contact_fraction": s.contact_fraction,
-        "p_max_pa": s.max_pressure.si(),
-        "p_end_pa": s.end_pressure.si(),
-        "plastic_energy_j_per_m": s.dissipated.si(),
-        "elastic_energy_j_per_m": s.elastic_energy.si(),
-        "iterations": s.iterations,
-        "certificate": {
-            "duality_gap": s.certificate.duality_gap,
-            "penetration": s.certificate.penetration,
-            "load_error": s.certificate.load_error,
-            "reference_gap_m": s.certificate.reference_gap.si(),
-        },
-        "warnings": warnings,
-    });
-    if let (Value::Object(to), Value::Object(from)) = (&mut numbers, more) {
-        to.extend(from);
+            ContactNote {
+                code: code.as_str().to_owned(),
+                text: warning.to_string(),
+            }
+        };
+        Self {
+            points: solution.pressure.len(),
+            spacing_m: spacing,
+            load_n_per_m: solution.load.si(),
+            approach_m: solution.approach.si(),
+            approach_datum_m: solution.datum.si(),
+            contact_fraction: solution.contact_fraction,
+            p_max_pa: solution.max_pressure.si(),
+            p_end_pa: solution.end_pressure.si(),
+            plastic_energy_j_per_m: solution.dissipated.si(),
+            elastic_energy_j_per_m: solution.elastic_energy.si(),
+            iterations: solution.iterations,
+            certificate: ContactCertificate {
+                duality_gap: certificate.duality_gap,
+                penetration: certificate.penetration,
+                load_error: certificate.load_error,
+                reference_gap_m: certificate.reference_gap.si(),
+            },
+            warnings: solution.warnings().into_iter().map(note).collect(),
+            path_fraction: None,
+            hertz_p_max_pa: None,
+            hertz_half_width_m: None,
+            running_in: None,
+        }
     }
+}
+
+/// The numbers as JSON, and the arrays.
+pub fn found<'py>(
+    py: Python<'py>,
+    solution: ContactSolution,
+    gap: Vec<f64>,
+    numbers: &ContactNumbers,
+) -> PyResult<(String, Bound<'py, PyDict>)> {
     let middle = 0.5 * gap.len().saturating_sub(1) as f64;
     let x = (0..gap.len())
-        .map(|i| (i as f64 - middle) * spacing)
+        .map(|i| (i as f64 - middle) * numbers.spacing_m)
         .collect();
     let arrays = [
         ("x", x),
@@ -247,7 +305,7 @@ pub fn found<'py>(
         ("displacement", solution.displacement),
         ("plastic_displacement", solution.plastic_displacement),
     ];
-    Ok((failure::json(&numbers)?, columns(py, arrays)?))
+    Ok((failure::json(numbers)?, columns(py, arrays)?))
 }
 
 /// Stress under a surface: numbers as JSON; arrays with a row per depth, flat.

@@ -40,6 +40,23 @@ impl Cases {
         self.0.study()
     }
 
+    /// Names and texts of the nodes of the crossed axes, the outermost first.
+    #[getter]
+    fn axes(&self) -> Vec<(String, Vec<String>)> {
+        self.0.axes()
+    }
+
+    /// Sampled keys.
+    #[getter]
+    fn sampled(&self) -> Vec<String> {
+        self.0.sampled()
+    }
+
+    /// Reads every value of the axes, without running a case.
+    fn check_values(&self, py: Python<'_>) -> PyResult<()> {
+        alone(py, || Ok(self.0.check_values()?))
+    }
+
     /// Names of the columns of a row.
     #[getter]
     fn header(&self) -> Vec<String> {

@@ -8,20 +8,24 @@ use asperity::message::{Code, Fault};
 use asperity::profile_io::read::{FilterState, Metadata, ReadOptions, Reading, read};
 use asperity::profile_io::write::{WrittenFormat, write};
 use asperity::quantity::Length;
+use asperity::roughness::autocorrelation::autocorrelation;
 use asperity::roughness::form::Form;
 use asperity::roughness::gaussian_filter::{Ends, mean_line};
 use asperity::roughness::generate::{Achieved, Recipe};
 use asperity::roughness::height_parameters::Mode;
 use asperity::roughness::involute::{Involute, form_left, remove};
+use asperity::roughness::material_ratio::{abbott_curve, material_ratio_percent};
 use asperity::roughness::preparation::{Preparation, Prepared, RoughnessFilter, profiles};
 use asperity::roughness::robust_filter::robust_mean_line;
+use asperity::roughness::spectral::power_spectrum;
 use asperity::roughness::{Parameters, Warning};
 use asperity_report::profile_json::{heights, material, spectral, um};
 use numpy::PyArray1;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use serde_json::{Value, json};
 
-use crate::arrays::{Input, copied, owned};
+use crate::arrays::{Input, columns, copied, owned};
 use crate::choices::{FormOfProfile, named};
 use crate::failure::{self, Failure};
 use crate::work::alone;
@@ -330,6 +334,53 @@ impl Trace {
                 "warnings": found.warnings.iter().map(of_roughness).collect::<Vec<_>>(),
             }))
         })
+    }
+
+    /// The points from `first` to before `end`.
+    fn cut(&self, first: usize, end: usize) -> PyResult<Self> {
+        let cut = self.profile.slice(first..end);
+        let cut = cut.ok_or_else(|| {
+            let points = self.profile.len();
+            let message = format!("points {first} to {end}: the profile has {points} points");
+            Failure::new(Code::E209, message)
+        })?;
+        // The checks of a trace that goes into a case.
+        CaseTrace::from_heights(cut.heights(), cut.spacing()).map_err(Failure::from)?;
+        Ok(Self {
+            profile: cut,
+            ..self.clone()
+        })
+    }
+
+    /// One-sided power spectral density: frequencies in 1/m, densities in m3.
+    fn psd<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let spectrum = alone(py, || Ok(power_spectrum(&self.profile)?))?;
+        let places = 0..spectrum.density.len();
+        let frequencies = places.map(|k| k as f64 * spectrum.frequency_step);
+        let arrays = [
+            ("frequency_per_m", frequencies.collect()),
+            ("density_m3", spectrum.density),
+        ];
+        columns(py, arrays)
+    }
+
+    /// Autocorrelation by shifts in m.
+    fn autocorrelation<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let found = alone(py, || Ok(autocorrelation(self.profile.heights())?))?;
+        let shifts = (0..found.len()).map(|k| k as f64 * self.spacing());
+        let arrays = [("shift_m", shifts.collect()), ("autocorrelation", found)];
+        columns(py, arrays)
+    }
+
+    /// Material ratio curve: heights in m from the highest, by the share of material.
+    fn material_ratio<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let curve = alone(py, || Ok(abbott_curve(self.profile.heights())?))?;
+        let ratios = (0..curve.len()).map(|k| material_ratio_percent(k, curve.len()));
+        let arrays = [
+            ("material_ratio_percent", ratios.collect()),
+            ("height_m", curve),
+        ];
+        columns(py, arrays)
     }
 
     /// The same run from its other end.

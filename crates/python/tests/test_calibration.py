@@ -55,6 +55,12 @@ def test_a_column_that_is_not_read_is_named(rig, columns):
     assert "W454" in {warning["code"] for warning in found["warnings"]}
 
 
+def test_tables_are_measurements(rig, columns, found):
+    table = asperity.Table([dict(zip(columns, row)) for row in zip(*columns.values())])
+    same = asperity.calibrate(table, rig[1])
+    assert same.points == asperity.calibrate(columns, rig[1]).points and len(same.points) == len(table)
+
+
 def test_a_table_gives_the_same_parameters_as_the_command(rig, found):
     ours, theirs = found.to_dict(), rig[2]
     assert ours.pop("table") == theirs.pop("table")

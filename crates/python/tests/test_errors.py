@@ -288,3 +288,33 @@ def test_bad_arguments_are_told_apart():
         asperity.Profile(heights(200), None)
     with pytest.raises(AsperityError, match="position 2"):
         Case(small()).contact(2.0)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda case: asperity.Case(5), "case: the path of a case file"),
+        (lambda case: asperity.map(3.0), "case: a Case"),
+        (lambda case: case.replace(["operation.torque"]), "changed: keys of a case"),
+        (lambda case: case.run("losses", threads="all"), "threads: a number"),
+        (lambda case: asperity.sensitivity(case, threads=2.5), "threads: a number"),
+        (lambda case: asperity.compare(case, [trace(), trace()]), "finishes: profiles"),
+        (lambda case: asperity.compare(case, {"a": 1, "b": 2}), "finishes['a']: a profile"),
+        (lambda case: asperity.compare(case, {"a": trace(), "b": trace()}, offsets="many"), "offsets"),
+        (lambda case: asperity.cycle(3, "cycle.csv"), "map: a Map"),
+        (lambda case: asperity.calibrate(3, case), "rig: a file"),
+        (lambda case: asperity.oil_fit(3, "m100"), "curves: a file"),
+        (lambda case: asperity.press_flanks(trace(), 2, radius=1e-2, load=1e5, modulus=1e11), "second: a Profile"),
+        (lambda case: asperity.solve_contact("gap", 1e-6, 1e11), "gap: an array of numbers"),
+        (lambda case: asperity.read_profile(3), "path: a path"),
+        (lambda case: case.run("losses").diff(3), "other: a RunResult"),
+        (lambda case: case.run().fields("first"), "position: a number"),
+        (lambda case: case.contact("middle"), "position: a number"),
+        (lambda case: asperity.sweep(case, {"torque_nm": 3}), "axes['torque_nm']: a list"),
+        (lambda case: asperity.sweep(case, ["torque_nm"]), "axes: keys"),
+    ],
+)
+def test_an_argument_of_another_kind_is_named_with_what_it_takes(case, call, words):
+    with pytest.raises(AsperityError) as refused:
+        call(case)
+    assert refused.value.code == "E204" and words in refused.value.message

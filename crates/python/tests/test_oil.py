@@ -45,6 +45,8 @@ def test_curves_give_the_constants_back(curves):
     both = asperity.oil_fit([cold, frame[frame.temperature_c > 40.0]], "m100", zero="none")
     assert len(both.to_pandas()) == len(frame)
     assert [name for name, _ in both["sources"]] == ["curves 1", "curves 2"]
+    table = asperity.Table([dict(zip(curves, row)) for row in zip(*curves.values())])
+    assert asperity.oil_fit(table, "m100") == found == asperity.oil_fit(table[list(COLUMNS)], "m100")
 
 
 def test_a_plan_narrows_the_loss_of_a_case(command, tmp_path):

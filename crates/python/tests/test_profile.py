@@ -98,3 +98,48 @@ def test_a_chart_is_svg_and_matplotlib_takes_its_axes(tmp_path):
     pyplot = pytest.importorskip("matplotlib.pyplot")
     axes = pyplot.figure().subplots()
     assert trace().plot(axes) is axes and len(axes.lines) == 1
+
+
+def test_parts_of_a_profile_are_profiles():
+    whole = asperity.read_profile(PROFILES / "ground_pinion.csv")
+    part = whole[1000:3001]
+    assert np.array_equal(part.heights, whole.heights[1000:3001]) and part.spacing == whole.spacing
+    assert part.unit == whole.unit and part.name == whole.name, "what the file says stays"
+    assert whole[-500:] == whole[5501:] and whole[:] == whole
+    assert whole.crop("0.5 mm", 1.5e-3) == part and whole.crop(end="1 mm") == whole[:2001]
+    read = asperity.read_profile(PROFILES / "ground_pinion.csv", range="0.5 mm .. 1.5 mm")
+    assert np.array_equal(read.heights, part.heights), "as the reader cuts"
+    rough = whole.prepare(cutoff="0.25 mm")
+    # Sections are as long as the cut-off that the heights have been through.
+    assert rough[:2000].parameters().section_um == rough.parameters().section_um == 250.0
+    for wrong, code in (
+        (lambda: whole[3], "E204"), (lambda: whole[::2], "E204"), (lambda: whole[:50], "E106"), (lambda: whole[10:10], "E209"),
+        (lambda: whole.crop("1 mm", "9 mm"), "E209"), (lambda: whole.crop("2 mm", "1 mm"), "E209"),
+    ):
+        with pytest.raises(asperity.AsperityError) as refused:
+            wrong()
+        assert refused.value.code == code
+
+
+def test_spectrum_autocorrelation_and_material_ratio_are_those_of_one_wave():
+    amplitude, period, spacing = 1e-6, 50, 1e-6
+    waves = asperity.Profile(amplitude * np.sin(2 * np.pi * np.arange(1000) / period), spacing)
+    spectrum = waves.psd()
+    step = spectrum.frequency_per_m[1]
+    assert step == pytest.approx(1 / (1000 * spacing)) and len(spectrum) == 501
+    assert spectrum.density_m3.sum() * step == pytest.approx(amplitude**2 / 2, rel=1e-4)
+    assert spectrum.frequency_per_m[spectrum.density_m3.argmax()] == pytest.approx(1 / (period * spacing))
+    shifts = waves.autocorrelation()
+    assert shifts.autocorrelation[0] == 1.0 and shifts.shift_m[period] == pytest.approx(period * spacing)
+    assert shifts.autocorrelation[[25, 50]] == pytest.approx([-1.0, 1.0], abs=1e-2)
+    curve = waves.material_ratio()
+    assert np.all(np.diff(curve.height_m) <= 0) and sorted(curve.height_m) == sorted(waves.heights)
+    # A sine has material up to arcsin: half of the length is above its mean.
+    quarter = curve[np.isclose(curve.material_ratio_percent, 25, atol=0.06)]
+    assert quarter.height_m == pytest.approx(amplitude * np.sin(np.pi / 4), rel=0.1)
+
+
+def test_a_parameter_that_a_profile_lacks_is_not_a_number():
+    slope = asperity.Profile(np.linspace(0, 1e-6, 2000), 1e-6).parameters(prepare=False)
+    assert np.isnan(slope.rsm_um) and np.isnan(slope["rsm_um"]) and slope.ra_um > 0
+    assert "<td" in slope._repr_html_()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import asperity
-from conftest import CASES, small
+from conftest import CASES, small, trace
 
 
 def test_numbers_have_names_and_columns_are_arrays(result):
@@ -110,3 +110,40 @@ def test_what_progress_raises_ends_the_run():
 
     with pytest.raises(RuntimeError, match="enough"):
         long.run("losses", progress=stop)
+
+
+def test_tables_are_cut_by_masks_and_lists(result):
+    path = result.path
+    thin = path[path.film_minimum_um < np.median(path.film_minimum_um)]
+    assert len(thin) == 2 and set(thin.position) < set(path.position)
+    assert path[["position", "loss_w_per_m"] if "loss_w_per_m" in path.columns else ["position", "mu"]].columns[0] == "position"
+    assert path[[3, 0]].position.tolist() == [4, 1] and path[-1].position == 4 and len(path[[]]) == 0
+    for wrong, error in (([True], asperity.AsperityError), (["nothing"], KeyError), ([1.5], asperity.AsperityError), (["mu", 1], asperity.AsperityError)):
+        with pytest.raises(error):
+            path[wrong]
+
+
+def test_programs_that_read_arrow_take_tables(result, tmp_path):
+    pyarrow = pytest.importorskip("pyarrow")
+    table = pyarrow.table(result.path)
+    assert table.column_names == result.path.columns and table["position"].to_pylist() == [1, 2, 3, 4]
+    assert table["film_minimum_um"].to_pylist() == result.path.film_minimum_um.tolist()
+    assert pyarrow.table(result.warnings).num_rows == len(result.warnings)
+    parquet = pytest.importorskip("pyarrow.parquet")
+    parquet.write_table(table, tmp_path / "path.parquet")
+    assert parquet.read_table(tmp_path / "path.parquet").equals(table)
+
+
+def test_assignments_that_would_do_nothing_are_refused(case, result):
+    chart, parameters = result.plot(), trace().parameters()
+    for thing, name in ((result, "loss_w"), (result, "note"), (result.path, "mu"), (case, "title"), (trace(), "heights"), (chart, "title"), (parameters, "ra_um")):
+        before = getattr(thing, name, None)
+        with pytest.raises(AttributeError, match=f"{name} cannot be assigned"):
+            setattr(thing, name, 3.0)
+        assert np.all(getattr(thing, name, None) == before)
+
+
+def test_versions_are_shown(capsys):
+    asperity.show_versions()
+    lines = dict(line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines())
+    assert lines["asperity"] == asperity.__version__ and lines["numpy"] == np.__version__

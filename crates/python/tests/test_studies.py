@@ -91,13 +91,45 @@ def test_a_sweep_is_an_iterator(drive):
     rows = asperity.sweep(drive, {"torque_nm": [50.0, 145], "operation.speed": {"from": "1000 1/min", "to": "9000 1/min", "count": 3}})
     assert len(rows) == 6
     first = next(rows)
-    assert first.case == 0 and first["operation.torque"] == "50 N m" and first.loss_w > 0
+    assert first.case == 0 and (first.torque_nm, first.speed_rpm) == (50.0, 1000.0) and first.loss_w > 0
     assert len(list(rows)) == 6, "it begins again"
     pytest.importorskip("pandas")
     frame = rows.to_pandas()
     assert frame.loss_w.notna().all() and (frame.code.isna()).all()
     single = drive.replace({"operation.torque": "50 N m", "operation.speed": "1000 1/min"}).run("losses")
     assert frame.loss_w[0] == single.loss_w
+    pytest.importorskip("xarray")
+    data = rows.to_xarray()
+    assert dict(data.sizes) == {"torque_nm": 2, "speed_rpm": 3}
+    assert data.loss_w.attrs["units"] == "W" and data.torque_nm.attrs["units"] == "N m"
+    assert float(data.loss_w.sel(torque_nm=145, speed_rpm=5000)) == frame.loss_w[4]
+
+
+def test_axes_are_numbers_with_their_unit_in_the_name(drive):
+    axes = {"gears.module": ["1.8 mm", "2e-3 m"], "model.positions": [4, 5], "temperature": ["60 °C", "363.15 K"]}
+    rows = asperity.sweep(drive, axes, columns=["loss_w"])
+    assert rows.columns == ["case", "id", "gears.module_m", "model.positions", "temperature_c", "loss_w", "outside", "code"]
+    pytest.importorskip("xarray")
+    sampled = {"method": "sobol", "count": 2, "seed": 1, "vary": {"surface.cutoff": {"uniform": ["0.2 mm", "0.3 mm"]}}}
+    data = asperity.sweep(drive, {"torque": ["50 N m", "100 N m", "145 N m"]}, sample=sampled, columns=["loss_w"]).to_xarray()
+    assert dict(data.sizes) == {"torque_nm": 3, "sample": 2} and data["surface.cutoff_m"].dims == ("torque_nm", "sample")
+    assert np.all((data["surface.cutoff_m"] >= 0.2e-3) & (data["surface.cutoff_m"] <= 0.3e-3))
+
+
+@pytest.mark.parametrize(
+    ("axes", "code"),
+    [
+        ({"torque_nm": [50], "operation.speed": ["1000 1/min", "9000 1/mn"]}, "E204"),
+        ({"operation.torque": [50.0]}, "E204"),
+        ({"operation.torque": 50.0}, "E204"),
+        ({"model.positions": [4, 4.5]}, "E204"),
+        ({"operation.torqe": ["50 N m"]}, "E203"),
+    ],
+)
+def test_values_of_axes_are_read_before_the_first_case(drive, axes, code):
+    with pytest.raises(asperity.AsperityError) as refused:
+        asperity.sweep(drive, axes)
+    assert refused.value.code == code and next(reversed(axes)) in str(refused.value)
 
 
 def test_a_sweep_goes_to_other_processes(drive, tmp_path, monkeypatch):

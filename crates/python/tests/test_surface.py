@@ -81,6 +81,8 @@ def test_a_cycle_is_that_of_the_command(drive, command, tmp_path):
     columns = {name: [row[number] for row in rows] for number, name in enumerate(header)}
     by_columns = asperity.cycle(found, columns, vehicle={"mass": "1700 kg"})
     assert by_columns.finishes.to_dict() == expected["finishes"]
+    table = asperity.Table([dict(zip(header, row)) for row in rows])
+    assert asperity.cycle(found, table, vehicle={"mass": "1700 kg"}) == by_columns
     with pytest.raises(AsperityError) as refused:
         asperity.cycle(found, {"time_s": [0, 1, 2], "torque_nm": [900, 900, 900], "speed_rpm": [3000, 3000, 3000]})
     assert refused.value.code == "E314"

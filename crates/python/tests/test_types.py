@@ -2,9 +2,12 @@
 
 import builtins
 import importlib.util
+import inspect
+import json
 import os
 import subprocess
 import sys
+import typing
 from pathlib import Path
 
 import pytest
@@ -59,31 +62,89 @@ def test_a_program_that_uses_the_package_is_typed(checked, tmp_path):
     checked("mypy", "--strict", "--config-file", str(CONFIGURATION), "program.py")
 
 
-MISTAKES = {
-    "r.loss_watt": "attr-defined",
-    'r.path["sliding_watts"]': "call-overload",
-    'case.replace(**{"operation.torqe": "3 N m"})': "arg-type",
-    'asperity.Case("case.toml", formulation="papr")': "arg-type",
-    "asperity.map(case, speed=[1000, 9000])": "list-item",
-    'asperity.map(case, torque_nm="145")': "arg-type",
-    'case.replace(surface={"finish": "grinded"})': "arg-type",
-    "m.loss_torque(torque_nm=3, speed_rad_s=3)": "call-arg",
-    'case.replace({"operation.torqe": "3 N m"})': "arg-type",
-    "case.replace(torque=3)": "call-arg",
-    'asperity.calibrate("rig.csv", hold=["friction"])': "list-item",
-}
-BEGIN = 'import asperity\ncase = asperity.Case("case.toml")\nr = case.run()\nm = asperity.map(case)\n'
+MISTAKES = [
+    "r.loss_watt",
+    'r.path["sliding_watts"]',
+    "r.path.film_minimum_mm",
+    "r.path[0].lambda_stra",
+    "r.summary.loss_kw",
+    "r.loss_w = 3.0",
+    'case.replace(**{"operation.torqe": "3 N m"})',
+    'case.replace({"operation.torqe": "3 N m"})',
+    'case.replace(surface={"finish": "grinded"})',
+    "case.replace(torque=3)",
+    'case.replace(torque_nm="3 N m")',
+    'asperity.Case("case.toml", formulation="papr")',
+    "asperity.map(case, speed=[1000, 9000])",
+    'asperity.map(case, torque_nm="145")',
+    "m.loss_torque(torque_nm=3, speed_rad_s=3)",
+    'asperity.calibrate("rig.csv", hold=["friction"])',
+    "drawn.loss.median_kw",
+    "drawn.loss.interval_w",
+    "drawn.loss.quantiles_w.high",
+    "contact.p_max_mpa",
+    'flank.parameters()["Ra"]',
+    "flank.parameters().ra_nm",
+    "flank[3]",
+]
+"""Faults: attributes and columns that there are not, assignments, misspelt keys and choices, wrong units, arguments and kinds."""
+BEGIN = (
+    'import asperity\ncase = asperity.Case("case.toml")\nr = case.run()\nm = asperity.map(case)\n'
+    'drawn = r.uncertainty\nassert drawn is not None\ncontact = case.contact()\nflank = asperity.read_profile("flank.csv")\n'
+    "loss: float = drawn.loss.median_w + contact.p_max_pa + flank.parameters()['ra_um'] + r.path[0].film_minimum_um\n"
+)
 
 
-def test_mistakes_in_names_units_and_choices_are_type_errors(checked, tmp_path):
-    (tmp_path / "mistakes.py").write_text(BEGIN + "".join(f"{line}\n" for line in MISTAKES))
-    strict = ("mypy", "--strict", "--config-file", str(CONFIGURATION), "mistakes.py")
+@pytest.fixture
+def mistakes(tmp_path):
+    """The file of the faults, a fault on each line after the first ones."""
+    file = tmp_path / "mistakes.py"
+    file.write_text(BEGIN + "".join(f"{line}\n" for line in MISTAKES))
+    return file
+
+
+def faults_of(lines):
+    """The faults on these lines, numbered from 1."""
     first = BEGIN.count("\n") + 1
-    found = {}
-    for line in checked(*strict, status=1).splitlines():
-        if ": error: " in line:
-            found.setdefault(int(line.split(":")[1]) - first, set()).add(line.rsplit("[", 1)[1].rstrip("]"))
-    assert found == {number: {kind} for number, kind in enumerate(MISTAKES.values())}
+    return [MISTAKES[line - first] if line >= first else f"line {line}" for line in sorted(lines)]
+
+
+def test_mypy_finds_every_fault(checked, mistakes):
+    strict = ("mypy", "--strict", "--config-file", str(CONFIGURATION), mistakes.name)
+    lines = {int(line.split(":")[1]) for line in checked(*strict, status=1).splitlines() if ": error: " in line}
+    assert faults_of(lines) == MISTAKES
+
+
+def test_pyright_finds_every_fault(mistakes):
+    pytest.importorskip("pyright")
+    place = {} if "site-packages" in PLACE.parts else {"extraPaths": [str(PLACE)]}
+    settings = {"typeCheckingMode": "basic", "include": [mistakes.name], "reportMissingModuleSource": False, **place}
+    (mistakes.parent / "pyrightconfig.json").write_text(json.dumps(settings))
+    command = [sys.executable, "-m", "pyright", "--outputjson", "--pythonpath", sys.executable]
+    done = subprocess.run(command, cwd=mistakes.parent, capture_output=True, text=True)
+    found = json.loads(done.stdout)["generalDiagnostics"]
+    lines = {one["range"]["start"]["line"] + 1 for one in found if one["severity"] == "error"}
+    assert faults_of(lines) == MISTAKES
+
+
+def test_types_are_there_at_run_time():
+    hints = typing.get_type_hints(asperity.Case.run)
+    assert hints["detail"] == typing.Literal["losses", "contacts", "fields"] and hints["return"] is asperity.RunResult
+    optional = ("pandas", "xarray")
+    for name in (*asperity.__all__, "map"):
+        thing = getattr(asperity, name)
+        members = {name: thing, **(vars(thing) if isinstance(thing, type) else {})}
+        for function in filter(inspect.isfunction, members.values()):
+            if not any(package in str(function.__annotations__.get("return")) for package in optional):
+                typing.get_type_hints(function)
+
+
+def test_values_of_a_run_have_their_types(case):
+    found = case.run("contacts", band=True).uncertainty
+    hints = {name: kind for name, kind in typing.get_type_hints(type(found)).items() if not name.startswith("_")}
+    assert set(found) <= set(hints) and {name for name in hints if name not in found} <= set(found._absent)
+    assert isinstance(found.loss.median_w, float) and found.loss.quantiles_w.shape == (2,)
+    assert found.with_traces_w is None and len(found.evidence) == 0, "left out of the result"
 
 
 def script(name):

@@ -86,11 +86,28 @@ def test_conditions_of_single_functions_are_stated(drive):
         lambda: asperity.oil_traction("m100", load=30),
         lambda: asperity.oil_traction("m100", rq=15e-9),
         lambda: asperity.ehl(drive, 0.25, eyring_stress=5e6),
+        lambda: asperity.sweep(drive, {"operation.torque": [50.0]}),
+        lambda: drive.replace(torque=50.0),
     ):
         with pytest.raises(AsperityError, match="has no unit") as refused:
             call()
         assert refused.value.code == "E204"
-    assert next(asperity.sweep(drive, {"operation.torque": [50.0]})).code == "E204"
+
+
+def test_the_operating_point_is_a_number_or_text(drive):
+    by_number = drive.replace(torque_nm=120, speed_rpm=3000, temperature_c=80)
+    assert drive.replace(torque="120 N m", speed="3000 1/min", temperature="80 °C") == by_number
+    assert drive.replace(operation={"torque": "120 N m", "speed": "3000 1/min", "bulk_temperature": "80 °C"}) == by_number
+    table = drive.to_dict()
+    del table["operation"]["torque"]
+    assert asperity.Case(table, torque="120 N m", folder=CASES).replace(speed_rpm=3000, temperature_c=80).inputs.operation == by_number.inputs.operation
+    for twice in ({"torque_nm": 1, "torque": "1 N m"}, {"speed": "1 1/min", "speed_rpm": 1}):
+        with pytest.raises(AsperityError, match="is given twice") as refused:
+            drive.replace(**twice)
+        assert refused.value.code == "E205"
+    pint = pytest.importorskip("pint")
+    units = pint.UnitRegistry()
+    assert drive.replace(torque=units.Quantity(0.12, "kN*m"), speed_rpm=3000, temperature_c=80).run("losses").loss_w == by_number.run("losses").loss_w
 
 
 

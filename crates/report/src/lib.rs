@@ -13,6 +13,8 @@
 //! | say what a study found, for terminal, page and folder | [`Report`] |
 //! | make a table of it | [`columns!`] |
 //! | state the settings of a study once for all faces | [`settings!`], [`StudySettings`] |
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod axis;
 mod blocks;

@@ -6,6 +6,8 @@
 //!
 //! Names of components, attributes and units: the public REXS model, schema 2.0.0, and files of three
 //! programs. A flank is called `flank_geometry` in 1.0 and 1.1, `cylindrical_gear_flank` from 1.2 on.
+//!
+#![doc = include_str!("../README.md")]
 
 mod case_text;
 mod contents;

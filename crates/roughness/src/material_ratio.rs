@@ -173,6 +173,17 @@ pub fn abbott_curve(heights: &[f64]) -> Result<Vec<f64>, DomainError> {
     Ok(falling(heights))
 }
 
+/// Material ratio (Rk-2) at the point `k` of a curve of so many points \[%\].
+///
+/// ```
+/// use asperity_roughness::material_ratio::material_ratio_percent;
+/// assert_eq!([0, 1].map(|k| material_ratio_percent(k, 2)), [25.0, 75.0]);
+/// ```
+#[must_use]
+pub fn material_ratio_percent(k: usize, points: usize) -> f64 {
+    100.0 * (k as f64 + 0.5) / points as f64
+}
+
 /// Heights in descending order. They are sorted as integers of the same order, which takes half the time.
 fn falling(heights: &[f64]) -> Vec<f64> {
     let mut keys: Vec<i64> = heights

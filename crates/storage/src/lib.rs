@@ -17,6 +17,8 @@
 //!
 //! The feature `write` (on by default) has everything that writes; without it the crate reads files, checks numbers and
 //! makes text harmless.
+//!
+#![doc = include_str!("../README.md")]
 
 mod checksum;
 mod finite;

@@ -10,6 +10,8 @@
 //!
 //! No loss is evaluated here: the crate `asperity` does that, fills [`Predictive`], and re-exports what a result needs. This crate
 //! is apart because the draws are arithmetic on some 16 000 values, and are compiled for speed in every profile.
+//!
+#![doc = include_str!("../README.md")]
 
 mod draw;
 mod expected;

@@ -14,9 +14,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Optional
 
-from . import _asperity, _studies
+from . import _asperity, _study_names
 from ._asperity import __version__
-from ._studies import *
 
 if TYPE_CHECKING:
     from ._calibration import Calibration, Design, Evidence
@@ -37,8 +36,10 @@ if TYPE_CHECKING:
     from ._ridges import Ridges
     from ._sensitivity import Sensitivity
     from ._stored import read_result
+    from ._studies import *
     from ._studies import map as map
     from ._sweep import Sweep, sweep
+    from ._versions import show_versions
 else:
     _HOMES = {
         "_calibration": "Calibration Design Evidence",
@@ -59,8 +60,9 @@ else:
         "_ridges": "Ridges",
         "_sensitivity": "Sensitivity",
         "_stored": "read_result",
-        "_studies": "map",
+        "_studies": " ".join(["map", *_study_names.__all__]),
         "_sweep": "Sweep sweep",
+        "_versions": "show_versions",
     }
     _HOME = {name: module for module, names in _HOMES.items() for name in names.split()}
 
@@ -129,13 +131,17 @@ __all__ = [
     "read_result",
     "rexs_contents",
     "schema",
+    "show_versions",
     "solve_contact",
     "steels",
     "subsurface_stress",
     "sweep",
     "thermal_reduction",
 ]
-__all__ += _studies.__all__
+__all__ += _study_names.__all__
+if TYPE_CHECKING:
+    # To type checkers a name that is not listed is private.
+    __all__ += ["map"]
 
 
 class Explanation(NamedTuple):
@@ -147,7 +153,21 @@ class Explanation(NamedTuple):
 
 
 def schema(kind: Literal["gears", "mesh", "settings"] = "gears") -> dict[str, Any]:
-    """JSON schema of a case with this table of gears, or of the settings of the studies, each by the name of its function."""
+    """JSON schema of a case with this table of gears, or of the settings of the studies, each by the name of its function.
+
+    Parameters:
+        kind: ``"gears"``, ``"mesh"`` (which has the meshes of a gear train by name) or ``"settings"``.
+
+    Returns:
+        The schema as a dictionary.
+
+    Raises:
+        AsperityError: the schema cannot be written, which is a fault of the program (E501).
+
+    Example:
+        >>> "gears" in asperity.schema()["properties"]
+        True
+    """
     # At its first need: it is not part of a run.
     import json
 
@@ -156,6 +176,20 @@ def schema(kind: Literal["gears", "mesh", "settings"] = "gears") -> dict[str, An
 
 
 def explain(code: str) -> Optional[Explanation]:
-    """Title, cause and remedy of a code such as ``E301``; none of a code that does not exist."""
+    """Title, cause and remedy of a code such as ``E301``; none of a code that does not exist.
+
+    Parameters:
+        code: the code of an error or a warning.
+
+    Returns:
+        An `Explanation`, or None.
+
+    Raises:
+        TypeError: the code is no text.
+
+    Example:
+        >>> asperity.explain("E204").title
+        'a value cannot be read'
+    """
     found = _asperity.explain(code)
     return None if found is None else Explanation(*found)

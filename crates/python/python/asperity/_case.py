@@ -7,49 +7,49 @@ import json
 import os
 from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import IO, TYPE_CHECKING, Any, Optional, Union, cast
+from typing import IO, Any, Optional, Union
 
 from . import _asperity
+from ._choices import Detail, Formulation
 from ._contact import Contact
-from ._errors import AsperityError, Code, warn
+from ._errors import AsperityError, Code, checked_number, warn, wrong_kind
 from ._files import is_read, text_of
+from ._fixed import Fixed
 from ._html import page
 from ._keys import Schema, Traces, changes, kind_of, written
 from ._own_laws import Called, Law, exponent_of, name_of
+from ._profile import Profile
 from ._progress import Progress, Steps
-from ._quantity import OPERATING, as_keys
+from ._quantity import BY_TEXT, OPERATING, as_keys
 from ._record import Record, Table, warned
 from ._result import Regime, RunResult
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
-    from .keys import CaseKeys, CaseTables, Detail, Formulation
+from ._typing import Unpack
+from .keys import CaseKeys, CaseTables
 
 Laws = dict[str, Called]
 """Laws in Python by what they replace."""
 
-CaseLike = Union["Case", str, PathLike[str], Mapping[str, Any]]
-"""A case, the file of one, or the tables of one."""
 
-
-class Case:
+class Case(Fixed):
     """A gear pair, gear train or planetary set with its load, oil and flanks, checked.
 
     The keys are those of a case file (docs/CASE_FILE.md). A quantity is text with a unit or a quantity of pint; the
-    operating point can be given by the numbers ``torque_nm``, ``speed_rpm`` and ``temperature_c`` (of the flanks). A
+    operating point can be given by the numbers ``torque_nm``, ``speed_rpm`` and ``temperature_c`` (of the flanks), or by
+    text with a unit as ``torque``, ``speed`` and ``temperature``. A
     flank, or its ``file``, can be a `Profile`. Files are relative to ``folder``, by default the working directory or
     the folder of the case file.
 
-    >>> case = Case("case.toml")                                    # doctest: +SKIP
-    >>> case = Case(gears={"teeth": [23, 68], "module": "1.8 mm", "face_width": "32 mm"},
-    ...             torque_nm=145, speed_rpm=9000, temperature_c=90,
-    ...             lubricant={"oil": "m100"}, surface={"pinion": {"rq": "0.4 um"}})
-
-    Args:
+    Parameters:
         case: file, object that is read like one, or tables; tables as keywords win over them.
         formulation: ``"corrected"`` or ``"paper"``, over that of the case.
         folder: folder that files are relative to.
+
+    Example:
+        >>> case = asperity.Case(gears={"teeth": [23, 68], "module": "1.8 mm", "face_width": "32 mm"},
+        ...                      torque_nm=145, speed_rpm=9000, temperature="90 °C",
+        ...                      lubricant={"oil": "m100"}, surface={"pinion": {"rq": "0.4 um"}})
+        >>> case == asperity.Case(case.to_dict())
+        True
     """
 
     _raw: _asperity.Case
@@ -71,8 +71,10 @@ class Case:
             if is_read(case):
                 made = Case._of(_asperity.Case.from_text("case.toml", text_of(case), of, [], formulation))
                 made = made._with(tables) if tables else made
+            elif case is not None and not isinstance(case, Mapping):
+                raise wrong_kind("case", case, "the path of a case file, the tables of one, or an object that is read like one")
             else:
-                given = tables_of({**(cast("Mapping[str, Any]", case) or {}), **tables})
+                given = tables_of({**(case or {}), **tables})
                 traces: Traces = []
                 values = written(given, Schema(kind_of(given)), traces)
                 text = json.dumps(values, ensure_ascii=False, indent=1)
@@ -127,7 +129,24 @@ class Case:
         *,
         formulation: Optional[Formulation] = None,
     ) -> Case:
-        """The case in a TOML or JSON file, with ``keys`` set past its text: ``{"operation.torque": "20 N m"}``."""
+        """The case in a TOML or JSON file, with ``keys`` set past its text: ``{"operation.torque": "20 N m"}``.
+
+        Parameters:
+            path: the case file.
+            keys: keys that are set past its text.
+            formulation: ``"corrected"`` or ``"paper"``, over that of the file.
+
+        Returns:
+            The `Case`.
+
+        Raises:
+            AsperityError: the file cannot be read (E201, E202), or a key or value of it is not valid (E203 to E212).
+
+        Example:
+            >>> case = asperity.Case.load(asperity.demo(), {"operation.torque": "20 N m"})
+            >>> case.inputs.operation.torque
+            '20 N m'
+        """
         if not keys:
             return cls._of(_asperity.Case.load(fspath(path), [], formulation))
         traces: Traces = []
@@ -149,9 +168,28 @@ class Case:
         """The same case with other values, rechecked; traces are read again only where they change.
 
         Keys are given by their paths, ``case.replace({"operation.torque": "20 N m"})``, by tables,
-        ``case.replace(operation={"torque": "20 N m"})``, whose other keys stay, or by the numbers of the operating point,
-        ``case.replace(torque_nm=20)``. None takes a key away, so that its default holds again. A flank takes a `Profile`.
+        ``case.replace(operation={"torque": "20 N m"})``, whose other keys stay, or by the operating point,
+        ``case.replace(torque_nm=20)``, ``case.replace(torque="20 N m")``. None takes a key away, so that its default holds again. A flank takes a `Profile`.
+
+        Parameters:
+            changed: keys by their paths, or tables.
+            formulation: ``"corrected"`` or ``"paper"``.
+            more: tables, or the operating point.
+
+        Returns:
+            Another `Case`; this one does not change.
+
+        Raises:
+            AsperityError: a key that no case has (E203), or a value that it cannot have (E204 to E212).
+
+        Example:
+            >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+            >>> lighter = case.replace({"lubricant.oil": "n100"}, torque="20 N m")
+            >>> lighter.run("losses").loss_w < case.run("losses").loss_w
+            True
         """
+        if changed is not None and not isinstance(changed, Mapping):
+            raise wrong_kind("changed", changed, "keys of a case with their values")
         other = {} if formulation is None else {"formulation": formulation}
         return self._with({**(changed or {}), **other, **more})
 
@@ -175,7 +213,7 @@ class Case:
         offsets of the traces at a mesh position. It returns an array or a number, or a dictionary of them. Results name
         a law by its ``name``, or by the name of its function or class. It is called from several threads, one at a time.
 
-        Args:
+        Parameters:
             film_friction: the friction coefficient of the film. Conditions: load, radius, entrainment, sliding,
                 max_pressure, viscosity, contact_viscosity, kinematic_viscosity, pressure_viscosity, central_film,
                 minimum_film, combined_roughness, mean_ra, sum_rz, boundary_coefficient, modulus, half_width,
@@ -189,6 +227,19 @@ class Case:
                 path_fraction (0 at A, 1 at E), torque, ``uniform`` (the load if all lines of contact share equally).
 
         An exception of a law ends the run and is raised with its traceback.
+
+        Returns:
+            Another `Case`, with these laws.
+
+        Raises:
+            AsperityError: a law that is not callable, or a film thickness without ``speed_exponent`` (E205); in a run what a law
+                returns is not valid (E209).
+
+        Example:
+            >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+            >>> own = case.with_laws(film_friction=lambda at: 0.03)
+            >>> own.run("losses").loss_w != case.run("losses").loss_w
+            True
         """
         made = self
         for kind, law in (
@@ -206,7 +257,7 @@ class Case:
         raw = self._raw.with_law(kind, name_of(law), exponent_of(kind, law), called.__call__)
         return Case._of(raw, {**self._laws, kind: called}, self._raw)
 
-    def _on_finish(self, finish: Any) -> Case:
+    def _on_finish(self, called: str, finish: Any) -> Case:
         """The case on the traces of a finish: one for both flanks, or those of pinion and wheel."""
         traces: Traces = []
         pair = finish if isinstance(finish, (tuple, list)) else (finish,)
@@ -216,6 +267,8 @@ class Case:
         def name(trace: Any) -> str:
             if isinstance(trace, (str, PathLike)):
                 return os.path.abspath(fspath(trace))
+            if not isinstance(trace, Profile):
+                raise wrong_kind(f"finishes[{called!r}]", trace, "a profile, the path of one, a pair of them or a case")
             named: str = written(trace, Schema(), traces)["file"]
             return named
 
@@ -267,7 +320,7 @@ class Case:
     ) -> RunResult:
         """Computes losses, and with more detail contacts and fields; the losses are the same to the last digit.
 
-        Args:
+        Parameters:
             detail: ``"losses"`` (a fraction of the time), ``"contacts"`` (the rough contacts at every offset), or
                 ``"fields"`` (as the command: fields and stress below the surface, too).
             band: whether the uncertainty of the loss is computed; default with ``"fields"`` only. Not with ``"losses"``.
@@ -275,23 +328,36 @@ class Case:
             progress: ``f(done, total)``, ``tqdm``, or a bar of it.
 
         Ctrl-C ends the run.
+
+        Returns:
+            A `RunResult`.
+
+        Raises:
+            AsperityError: what cannot be computed, by its code, or an interval of ``"losses"`` (E205).
+            KeyboardInterrupt: Ctrl-C.
+
+        Example:
+            >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+            >>> result = case.run()
+            >>> bool(result.uncertainty.loss.quantiles_w[0] < result.uncertainty.loss.median_w)
+            True
         """
         with Steps(progress, self.title) as steps:
-            found = RunResult._of(self._raw.run(detail, band, threads, steps))
+            found = RunResult._of(self._raw.run(detail, band, checked_number("threads", threads, int), steps))
         return warned(found, self._about["warnings"])
 
     def regime(self, *, threads: Optional[int] = None) -> Regime:
         """Film thickness, Λ* and regime along the path of contact; of several meshes, the first."""
-        meshes = json.loads(self._raw.regime(threads))
+        meshes = json.loads(self._raw.regime(checked_number("threads", threads, int)))
         return Regime(meshes)
 
     def contact(self, position: Optional[float] = None) -> Contact:
         """The flanks pressed dry against each other at a place of the path, 0 at A and 1 at E."""
-        return warned(Contact(*self._raw.contact(position)))
+        return warned(Contact(*self._raw.contact(checked_number("position", position, float))))
 
     def film(self, position: Optional[float] = None) -> Record:
         """Pressure difference across films from 1 nm to 1 mm at a place of the path; default the pitch point."""
-        return Record(json.loads(self._raw.film(position)))
+        return Record(json.loads(self._raw.film(checked_number("position", position, float))))
 
     def gear(self) -> Record:
         """Geometry, contact ratios, stiffness, transmission error, loss factors of every load distribution."""
@@ -331,15 +397,24 @@ class Case:
         return page(self.title, rows, None)
 
 
+CaseLike = Union[Case, str, PathLike[str], Mapping[str, Any]]
+"""A case, the file of one, or the tables of one."""
+
+
 def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Tables of a case, the numbers of its operating point among its keys."""
-    tables = {name: value for name, value in given.items() if name not in OPERATING}
-    for path, text in as_keys({name: value for name, value in given.items() if name in OPERATING}).items():
+    """Tables of a case, its operating point among its keys."""
+    of_point = {name: value for name, value in given.items() if name in OPERATING or name in BY_TEXT}
+    tables = {name: value for name, value in given.items() if name not in of_point}
+    for path, value in as_keys(of_point).items():
         name, key = path.split(".")
-        tables[name] = {**tables.get(name, {}), key: text}
+        tables[name] = {**tables.get(name, {}), key: value}
     return tables
 
 
-def as_case(case: CaseLike) -> Case:
-    """The case that is meant."""
-    return case if isinstance(case, Case) else Case(case)
+def as_case(case: CaseLike, name: str = "case") -> Case:
+    """The case that is meant; `name` is the argument."""
+    if isinstance(case, Case):
+        return case
+    if not isinstance(case, (str, PathLike, Mapping)) and not is_read(case):
+        raise wrong_kind(name, case, "a Case, the path of a case file or the tables of one")
+    return Case(case)

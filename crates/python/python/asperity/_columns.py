@@ -4,27 +4,38 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
-from typing import IO, TYPE_CHECKING, Any, Optional, Union
+from typing import IO, Any, Optional, Protocol, Union
 
-from ._errors import AsperityError
+from ._errors import AsperityError, wrong_kind
 from ._files import is_read, text_of
+from ._record import Rows
 
-if TYPE_CHECKING:
-    import pandas
 
-Columns = Union[str, "PathLike[str]", IO[str], IO[bytes], "pandas.DataFrame", Mapping[str, Sequence[Any]]]
-"""A file, an object that is read like one, a frame or columns by their names."""
+class FrameLike(Protocol):
+    """A frame of pandas, polars or another package: names of columns, and columns by name."""
+
+    @property
+    def columns(self) -> Any: ...
+
+    def __getitem__(self, name: Any, /) -> Any: ...
+
+
+Columns = Union[str, PathLike[str], IO[str], IO[bytes], FrameLike, Mapping[str, Sequence[Any]], Rows]
+"""A file, an object that is read like one, a table, a frame or columns by their names."""
 
 
 def table_text(columns_by_name: Any, what: str, code: str) -> str:
     """The table as text, or the error ``code`` about ``what``."""
     if is_read(columns_by_name):
         return text_of(columns_by_name)
+    if not isinstance(columns_by_name, Mapping) and not hasattr(columns_by_name, "columns"):
+        raise wrong_kind(what, columns_by_name, "a file, a table, a frame or columns by name")
     # At their first need: they take time to import.
     import csv
     import io
 
-    columns = {str(name): list(columns_by_name[name]) for name in columns_by_name}
+    names = columns_by_name if isinstance(columns_by_name, Mapping) else columns_by_name.columns
+    columns = {str(name): list(columns_by_name[name]) for name in names}
     if len({len(column) for column in columns.values()}) > 1:
         text = f"{what}: its columns differ in length"
         raise AsperityError(text, code, "Give every column one value per measurement.")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union, cast
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
+from ._errors import wrong_kind
 from ._profile import Profile
 from ._record import Table, drawn, variable
 from ._study import RawStudy, Study
@@ -31,9 +32,11 @@ def _loss(finish: Mapping[str, Any]) -> Any:
 def cases_of(case: CaseLike, finishes: Optional[Mapping[str, Finish]]) -> list[tuple[str, _asperity.Case]]:
     """The case on each finish, or on its own flanks."""
     base = as_case(case)
+    if finishes is not None and not isinstance(finishes, Mapping):
+        raise wrong_kind("finishes", finishes, "profiles, files or cases by name")
     if not finishes:
         return [(base.title or "case", base._raw)]
-    made = {name: of if isinstance(of, Case) else base._on_finish(of) for name, of in finishes.items()}
+    made = {name: of if isinstance(of, Case) else base._on_finish(name, of) for name, of in finishes.items()}
     return [(name, of._raw) for name, of in made.items()]
 
 

@@ -8,20 +8,19 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 from numpy.typing import ArrayLike
 
 from . import _asperity
-from ._errors import AsperityError, Code
+from ._choices import Boundary
+from ._errors import AsperityError, Code, wrong_kind
 from ._html import Chart, page, shown
 from ._profile import Profile
 from ._quantity import Floats, Scalar, Values, flat, numbers, si, si_array, si_or_none
 from ._record import Record, Table, variable, warned
+from ._values import ContactNumbers
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-    from .keys import Boundary
-
-
-class Contact(Record):
+class Contact(ContactNumbers):
     """A solved line contact: numbers with units in their names, arrays of shape (n,) in SI units.
 
     Numbers: ``load_n_per_m``, ``approach_m`` (over ``approach_datum_m``), ``contact_fraction``, ``p_max_pa``,
@@ -72,12 +71,7 @@ class Contact(Record):
         return float(self._values["approach_m"])
 
     @property
-    def certificate(self) -> Record:
-        """Bounds of the error: ``duality_gap``, ``penetration``, ``load_error``, ``reference_gap_m``."""
-        return Record(self._values["certificate"])
-
-    @property
-    def warnings(self) -> Table:
+    def warnings(self) -> Table:  # type: ignore[override]
         """Doubts about the problem: code and text."""
         return Table(self._values["warnings"], ["code", "text"])
 
@@ -170,7 +164,7 @@ def solve_contact(
 ) -> Contact:
     """Presses two elastic half-planes with a gap between them together (plane strain).
 
-    Args:
+    Parameters:
         gap: undeformed gap, shape (n,), m, from any datum.
         spacing: distance of the points, m.
         modulus: reduced modulus E* = 1/Σ((1 − ν²)/E), Pa.
@@ -188,6 +182,20 @@ def solve_contact(
 
     Solved by an active set with conjugate gradients over fast Fourier transforms, every solution with its
     certificate (docs/EQUATIONS.md, Contact).
+
+    Returns:
+        The `Contact`.
+
+    Raises:
+        AsperityError: spacing, modulus, or load and approach are missing (E205), a value is out of its domain (E209), or the
+            contact cannot be solved to the tolerance (E301) or below the pressure limit (E302).
+
+    Example:
+        >>> x = (np.arange(2001) - 1000) * 0.5e-6
+        >>> contact = asperity.solve_contact(x**2 / 0.02, 0.5e-6, 115e9, load=2e5)
+        >>> hertz = asperity.hertz(load=2e5, radius=0.01, modulus=115e9)
+        >>> bool(np.isclose(contact.p_max_pa, hertz.max_pressure, rtol=1e-3))
+        True
     """
     if isinstance(gap, Profile):
         spacing = gap.spacing if spacing is None else spacing
@@ -230,14 +238,33 @@ def press_flanks(
 ) -> Contact:
     """Presses two profiles of one length and spacing together, point i of one facing point i of the other.
 
-    Args:
+    Parameters:
+        first, second: the profiles.
         radius: relative radius of curvature, m.
         load: load per metre of face width, N/m.
         modulus: reduced modulus E*, Pa.
         pressure_limit: pressure at which the softer flank flows, Pa.
         run_in: passes per cycle of a running-in before; ``running_in`` of the result lists the cycles.
         first_share: share of the plastic displacement that the first flank takes.
+        tolerance: as of `solve_contact`.
+
+    Returns:
+        The `Contact`, with the cycles in ``running_in``.
+
+    Raises:
+        AsperityError: the profiles differ in length or spacing, or a value is out of its domain (E209), or the contact cannot
+            be solved (E301, E302).
+
+    Example:
+        >>> case = asperity.demo()
+        >>> first = asperity.read_profile("demo/ground_pinion.csv").prepare().crop(end="1 mm")
+        >>> contact = asperity.press_flanks(first, first.mirrored(), radius="10 mm", load="200 N/mm", modulus="115 GPa")
+        >>> 0 < contact.contact_fraction < 1
+        True
     """
+    for name, flank in (("first", first), ("second", second)):
+        if not isinstance(flank, Profile):
+            raise wrong_kind(name, flank, "a Profile")
     asked = _asked(
         "free",
         tolerance,
@@ -264,12 +291,25 @@ def subsurface_stress(
 ) -> Stress:
     """Stress in a half-plane under a pressure and a traction (Johnson 1985, uniform strips).
 
-    Args:
+    Parameters:
         pressure: shape (n,), Pa.
         spacing: distance of the points, m.
         depths: shape (m,), m; 0 is allowed.
         traction: shear on the surface, shape (n,), Pa.
         poisson: Poisson's ratio.
+
+    Returns:
+        The `Stress`.
+
+    Raises:
+        AsperityError: a value is out of its domain (E209).
+
+    Example:
+        >>> x = (np.arange(801) - 400) * 1e-6
+        >>> pressure = 1e9 * np.sqrt(np.maximum(0, 1 - (x / 200e-6) ** 2))
+        >>> stress = asperity.subsurface_stress(pressure, 1e-6, np.linspace(0, 400e-6, 41))
+        >>> round(stress.von_mises_depth_m / 200e-6, 1)
+        0.7
     """
     p = flat(numbers(pressure, "pressure"), "pressure")
     q = None if traction is None else flat(numbers(traction, "traction"), "traction")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Optional
 
 from . import _asperity
 from ._case import CaseLike, as_case
+from ._errors import checked_number
 from ._html import Chart, page, shown
 from ._progress import Progress, Steps
 from ._quantity import Floats, Quantity, stated_or_none
@@ -75,7 +76,7 @@ def ehl(
 ) -> EhlRecord:
     """Solves the mixed lubricated contact of a case at one place in time, the reference of the faster laws.
 
-    Args:
+    Parameters:
         case: the case, both of whose flanks have traces.
         position: place on the path, 0 at A and 1 at E; default that of the case.
         cells: cells across the film, a multiple of 64.
@@ -85,6 +86,18 @@ def ehl(
         eyring_stress: Eyring stress in place of the one of the base oil, ``"5 MPa"``.
         compare: whether the laws of load sharing are set beside it (``comparison``).
         threads, progress: as in `Case.run`. Ctrl-C ends the work.
+
+    Returns:
+        An `EhlRecord`.
+
+    Raises:
+        AsperityError: a flank has no trace (E205), or the film cannot be solved (E307), among others.
+
+    Example:
+        >>> case = asperity.Case(asperity.demo())
+        >>> record = asperity.ehl(case, 0.25, cells=128, half_widths=2, start=0)
+        >>> 0 <= record.solid_share <= 1
+        True
     """
     asked = {
         "position": position,
@@ -96,5 +109,5 @@ def ehl(
         "compare": compare,
     }
     with Steps(progress, "half-widths travelled") as steps:
-        text, arrays = _asperity.ehl(as_case(case)._raw, json.dumps(asked), threads, steps)
+        text, arrays = _asperity.ehl(as_case(case)._raw, json.dumps(asked), checked_number("threads", threads, int), steps)
     return warned(EhlRecord({**json.loads(text), **arrays}))

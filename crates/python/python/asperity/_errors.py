@@ -6,9 +6,12 @@ import json
 import sys
 import warnings
 from collections.abc import Iterable, Mapping
-from typing import Any, NamedTuple, Optional, Union
+from operator import index
+from typing import Any, NamedTuple, Optional, TypeVar, Union
 
 from . import _asperity
+
+N = TypeVar("N", int, float)
 
 Code = _asperity.Code
 """The stable codes by name, as the table of messages has them."""
@@ -91,6 +94,20 @@ class AsperityWarning(UserWarning):
 
     def __str__(self) -> str:
         return f"{self.code} {self.text}"
+
+
+def wrong_kind(name: str, value: object, takes: str) -> AsperityError:
+    """The error of an argument of a kind that a function does not take."""
+    text = f"{name}: {takes} is expected, not {value!r:.80} of type {type(value).__name__}"
+    return AsperityError(text, Code.E204, f"Give {name} as {takes}.")
+
+
+def checked_number(name: str, value: Any, kind: type[N]) -> Optional[N]:
+    """The number of an argument that can be missing, of the kind int or float."""
+    try:
+        return value if value is None else kind(index(value)) if kind is int else kind(value)
+    except (TypeError, ValueError):
+        raise wrong_kind(name, value, "a number" if kind is float else "a number without decimals") from None
 
 
 Row = Union[str, Mapping[str, Any]]

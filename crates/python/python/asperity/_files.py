@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from os import PathLike, fspath
 from typing import IO, Any, Union
 
-from ._errors import AsperityError, Code
+from ._errors import AsperityError, Code, wrong_kind
 
 
 def is_read(file: Any) -> bool:
@@ -30,6 +30,8 @@ def on_disk(file: Union[str, PathLike[str], IO[bytes]]) -> Iterator[str]:
     if isinstance(file, (str, PathLike)):
         yield fspath(file)
         return
+    if not is_read(file):
+        raise wrong_kind("path", file, "a path, or an object that is read like a file")
     import tempfile
     from pathlib import Path
 

@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from os import PathLike
 from typing import Any
 
+from ._fixed import Fixed
+
 Series = Sequence[tuple[str, Sequence[float]]]
 
 _COLOURS = ("#2a6f97", "#c8553d", "#588b4c", "#8a5a9e", "#b08900", "#5c6b73")
@@ -63,16 +65,21 @@ def _range(values: Iterable[float]) -> tuple[float, float]:
     return low, high
 
 
-class Chart:
+class Chart(Fixed):
     """A small line chart as SVG, in the colours of the page around it.
 
     Notebooks show it; `save` writes it to a file, `str` gives the text.
     """
 
     def __init__(self, title: str, x: Sequence[float], series: Series, labels: tuple[str, str]) -> None:
-        self.title = title
+        self._title = title
         self._x, self._series, self._labels = x, series, labels
         self._svg = _drawn(title, x, series, labels)
+
+    @property
+    def title(self) -> str:
+        """Title of the chart."""
+        return self._title
 
     def on(self, ax: Any) -> Any:
         """Draws the chart on axes of matplotlib and returns them."""

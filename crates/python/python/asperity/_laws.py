@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from . import _asperity
+from ._choices import FilmLaw, FrictionLaw, ThermalLaw
 from ._errors import Code, warn
 from ._quantity import Floats, Values, numbers, pressed, si_array
 from ._record import Record
-
-if TYPE_CHECKING:
-    from .keys import FilmLaw, FrictionLaw, ThermalLaw
 
 
 def _over(columns: dict[str, Floats], law: Callable[[dict[str, Floats]], dict[str, Any]]) -> dict[str, Any]:
@@ -56,12 +54,23 @@ def hertz(load: Values, radius: Values, modulus: Values) -> Record:
 
     b = √(4 w R/(π E*)), p₀ = √(w E*/(π R)); Johnson, Contact Mechanics (1985).
 
-    Args:
+    Parameters:
         load: load per metre w, N/m.
         radius: relative radius R, m.
         modulus: reduced modulus E*, Pa.
 
     The arguments are broadcast; the arrays have their common shape, with NaN where an argument is NaN or masked.
+
+    Returns:
+        A `Record` with ``half_width`` (m), ``max_pressure`` and ``mean_pressure`` (Pa).
+
+    Raises:
+        AsperityError: a value that is not positive (E209), of another unit (E204), or arrays that do not fit each other (E209).
+
+    Example:
+        >>> found = asperity.hertz(load=[1e5, 4e5], radius="10 mm", modulus=115e9)
+        >>> bool(np.isclose(found.max_pressure[1], 2 * found.max_pressure[0]))
+        True
     """
     columns = {
         "load": si_array(load, "LineLoad"),
@@ -95,7 +104,7 @@ def film_thickness(
 ) -> Record:
     """Smooth isothermal films: ``central``, ``minimum`` (m), ``outside`` (bool), ``notes`` (what left its range).
 
-    Args:
+    Parameters:
         law: ``"dowson-toyoda"``, ``"moes"``, ``"ertel-grubin"``, ``"hamrock-dowson"`` or ``"hamrock-dowson-line"``;
             sources in docs/EQUATIONS.md.
         entrainment: mean surface speed, m/s.
@@ -105,6 +114,18 @@ def film_thickness(
         viscosity: at ambient pressure, Pa s.
         pressure_viscosity: coefficient α, 1/Pa.
         contact_length: m, of ``"hamrock-dowson"`` alone.
+
+    Returns:
+        A `Record` with ``central``, ``minimum``, ``outside`` and ``notes``.
+
+    Raises:
+        AsperityError: a value that is not positive (E209), of another unit (E204), or arrays that do not fit each other (E209).
+
+    Example:
+        >>> film = asperity.film_thickness(entrainment=[5.0, 10.0], radius="10 mm", load="200 N/mm", modulus=230e9,
+        ...                                viscosity=0.01, pressure_viscosity=2e-8)
+        >>> bool(film.central[1] > film.central[0] > film.minimum[0])
+        True
     """
     given = dict(
         entrainment=entrainment,
@@ -129,12 +150,23 @@ def thermal_reduction(
 ) -> Record:
     """Factor by which heat in the inlet thins a film: ``factor``, ``outside``, ``notes``.
 
-    Args:
+    Parameters:
         law: ``"gupta"`` (1992), ``"murch-wilson"`` (1975) or ``"none"``.
         max_pressure: Hertz pressure, Pa.
         modulus: reduced modulus E*, Pa.
         loading: thermal loading L = η β V²/k.
         slide_to_roll: slide-to-roll ratio.
+
+    Returns:
+        A `Record` with ``factor``, ``outside`` and ``notes``.
+
+    Raises:
+        AsperityError: a value that is not positive (E209), of another unit (E204), or arrays that do not fit each other (E209).
+
+    Example:
+        >>> found = asperity.thermal_reduction(max_pressure=1e9, modulus=230e9, loading=[0.1, 1.0], slide_to_roll=0.2)
+        >>> bool(found.factor[1] < found.factor[0] < 1)
+        True
     """
     given = {"max_pressure": max_pressure, "modulus": modulus, "loading": loading, "slide_to_roll": slide_to_roll}
     known = {"max_pressure": "Pressure", "modulus": "Pressure", "loading": "", "slide_to_roll": ""}
@@ -200,12 +232,22 @@ def friction_coefficient(
 ) -> Record:
     """Friction coefficients by a published law: ``coefficient``, ``outside``, ``notes``.
 
-    Args:
+    Parameters:
         law: ``"xu"``, ``"benedict-kelley"``, ``"iso-14179-1"``, ``"iso-14179-2"``, ``"matsumoto"``, ``"doleschel"``,
             ``"eyring"`` or ``"constant"``; sources in docs/EQUATIONS.md.
         settings: ``constant``, ``fluid_coefficient``, ``limiting_stress`` and ``xu`` as in ``model.friction_settings``.
         load, ..., pitch_line_speed: the inputs of the law, in SI units; the last six are of the whole mesh. An input
             that the law requires and that is missing is refused.
+
+    Returns:
+        A `Record` with ``coefficient``, ``outside`` and ``notes``.
+
+    Raises:
+        AsperityError: an input that the law requires is missing (E205), or a value is out of its domain (E209).
+
+    Example:
+        >>> asperity.friction_coefficient("constant", settings={"constant": 0.05}).coefficient
+        0.05
     """
     every = locals()
     given = {name: every[name] for name in _FRICTION if every[name] is not None} or {"boundary_coefficient": 0.0}

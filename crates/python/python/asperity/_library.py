@@ -5,14 +5,12 @@ from __future__ import annotations
 import json
 import os
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union, overload
+from pathlib import Path
+from typing import Any, NamedTuple, Optional, Union, overload
 
 from . import _asperity
 from ._case import Case
 from ._record import Record, Table
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 
 def _listed(rows: str, name: Optional[str]) -> Any:
@@ -28,7 +26,21 @@ def gears(name: str) -> Record: ...
 
 def gears(name: Optional[str] = None) -> Union[Table, Record]:
     """The gears of the library, or the gears of this name, with centre distance, contact ratio, certainty and source of
-    every number, as ``asperity gears`` lists them."""
+    every number, as ``asperity gears`` lists them.
+
+    Parameters:
+        name: name of the gears; default all.
+
+    Returns:
+        A `Table` with a row per gear pair, or the `Record` of the one that is named.
+
+    Raises:
+        AsperityError: no gears of the library have this name (E220).
+
+    Example:
+        >>> round(asperity.gears("fzg-c").centre_distance_mm, 1)
+        91.5
+    """
     found: Union[Table, Record] = _listed(_asperity.gears(name), name)
     return found
 
@@ -41,7 +53,21 @@ def steels(name: str) -> Record: ...
 
 def steels(name: Optional[str] = None) -> Union[Table, Record]:
     """The steels of the library, or the one of this name, with flow pressure, elastic limit, certainty and source of
-    every number, as ``asperity steels`` lists them."""
+    every number, as ``asperity steels`` lists them.
+
+    Parameters:
+        name: name of the steel; default all.
+
+    Returns:
+        A `Table` with a row per steel, or the `Record` of the one that is named.
+
+    Raises:
+        AsperityError: no steel of the library has this name (E220).
+
+    Example:
+        >>> len(asperity.steels()) > 3
+        True
+    """
     found: Union[Table, Record] = _listed(_asperity.steels(name), name)
     return found
 
@@ -54,7 +80,21 @@ def oils(name: str) -> Record: ...
 
 def oils(name: Optional[str] = None) -> Union[Table, Record]:
     """The oils of the library, or the one of this name, with viscosities, certainty and source of the numbers, as
-    ``asperity oils`` lists them."""
+    ``asperity oils`` lists them.
+
+    Parameters:
+        name: name of the oil; default all.
+
+    Returns:
+        A `Table` with a row per oil, or the `Record` of the one that is named.
+
+    Raises:
+        AsperityError: no oil of the library has this name (E220).
+
+    Example:
+        >>> asperity.oils("m100").name
+        'm100'
+    """
     found: Union[Table, Record] = _listed(_asperity.oils(name), name)
     return found
 
@@ -64,13 +104,21 @@ def demo(
 ) -> Path:
     """Writes a worked case with synthetic profiles into a new folder and returns the path of its ``case.toml``.
 
-    Args:
+    Parameters:
         folder: the folder; default ``demo``, the name of the gears, or ``table2``.
         gears: gears of the library in place of the electric drive.
         paper: Table 2 of the 2022 paper on a damaged flank.
-    """
-    from pathlib import Path
 
+    Returns:
+        The path of the case file.
+
+    Raises:
+        AsperityError: the folder exists (E401), or no gears of the library have this name (E220).
+
+    Example:
+        >>> asperity.demo("drive").name
+        'case.toml'
+    """
     return Path(_asperity.demo(None if folder is None else fspath(folder), gears, paper)) / "case.toml"
 
 
@@ -89,7 +137,21 @@ class RexsCase(NamedTuple):
 
 def rexs_contents(file: Union[str, PathLike[str]]) -> Record:
     """The stages of a REXS gearbox file with kind, teeth and the operating points of the pinion or sun, and its
-    ``version``, ``program`` and ``lubricants``, as ``asperity case from-rexs`` lists them."""
+    ``version``, ``program`` and ``lubricants``, as ``asperity case from-rexs`` lists them.
+
+    Parameters:
+        file: the gearbox file.
+
+    Returns:
+        A `Record` with ``stages``, ``lubricants``, ``version`` and ``program``.
+
+    Raises:
+        AsperityError: the file cannot be read as REXS (E132).
+
+    Example:
+        >>> asperity.rexs_contents("chain.rexs").stages.kind.tolist()
+        ['pair', 'pair', 'bevel_stage']
+    """
     return Record(json.loads(_asperity.rexs_contents(fspath(file))))
 
 
@@ -103,11 +165,22 @@ def from_rexs(
 ) -> RexsCase:
     """The case of a stage of a REXS gearbox file (``.rexs``, ``.rexsj`` or zip).
 
-    Args:
+    Parameters:
         file: the gearbox file.
         stage: number of the stage, in the order of the file (`rexs_contents` lists them); None for one case of all stages.
         load_case: number of the load case, in the order of the file.
         pinion, wheel: files of the traces of pinion (sun) and wheel (planet).
+
+    Returns:
+        A `RexsCase`: the case, its text, and what was noted and not read.
+
+    Raises:
+        AsperityError: the file cannot be read as REXS (E132), or lacks what a case needs (E133).
+
+    Example:
+        >>> made = asperity.from_rexs("chain.rexs", pinion="ground_pinion.csv")
+        >>> made.case.run("losses").loss_w > 0
+        True
     """
     flanks = [None if trace is None else os.path.abspath(fspath(trace)) for trace in (pinion, wheel)]
     text, notes, not_read = _asperity.from_rexs(fspath(file), stage, load_case, (flanks[0], flanks[1]))

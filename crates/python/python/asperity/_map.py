@@ -4,26 +4,23 @@ from __future__ import annotations
 
 import json
 from os import PathLike, fspath
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union, cast
 
 import numpy as np
 
 from . import _asperity
-from ._errors import AsperityError, Code, warn
+from ._choices import ExportFormat
+from ._errors import AsperityError, Code, warn, wrong_kind
 from ._html import Chart, page, shown
 from ._quantity import Floats, Numbers, Quantities, Quantity, operating, together
 from ._record import Table, variable
 from ._study import RawStudy, Study, Unpickled, files_of
+from ._values import MapArrays
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     import pandas
     import xarray
-
-    from .keys import ExportFormat, MapArrays
-else:
-    MapArrays = object
 
 _DIMENSIONS = ("finish", "temperature_c", "torque_nm", "speed_rpm")
 
@@ -98,7 +95,7 @@ class Map(Study, MapArrays):
     ) -> Floats:
         """Loss torque in N m between the nodes of torque and speed, bilinear.
 
-        Args:
+        Parameters:
             torque_nm, speed_rpm: numbers, broadcast; or ``torque``, ``speed``: text with a unit, quantities of pint.
             temperature_c, temperature: a node of the map; default the first.
             finish: name of the finish, or its number.
@@ -106,6 +103,18 @@ class Map(Study, MapArrays):
         A negative speed is reverse, where a negative torque drives: it has the loss of the same power forwards.
         Outside the map loss over torque is constant, with a warning: the loss at the edge times the torque over the
         torque of the edge. A place that is not a number has no loss.
+
+        Returns:
+            An array of the common shape of torques and speeds.
+
+        Raises:
+            AsperityError: neither number nor text of torque or speed (E205), or no node or finish of the map (E209).
+
+        Example:
+            >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+            >>> losses = asperity.map(case, torque_nm=[50, 145], speed_rpm=[1000, 9000], band="none")
+            >>> losses.loss_torque(torque_nm=[60, 120], speed="4000 1/min").shape
+            (2,)
         """
         names = self.finishes
         if finish not in (names if isinstance(finish, str) else range(len(names))):
@@ -142,14 +151,24 @@ class Map(Study, MapArrays):
     ) -> list[Path]:
         """Writes the map for another program: csv, vecto, modelica, matlab, fmu, co2mpas, fastsim, advisor.
 
-        Args:
+        Parameters:
             format: the format.
             folder: existing folder of the files, whose names follow from the finishes.
             added: table of losses beside those of the mesh.
             cycle: drive cycle, which ``"fastsim"`` is weighted by.
-        """
-        from pathlib import Path
 
+        Returns:
+            The files that were written.
+
+        Raises:
+            AsperityError: a map that the format cannot hold (E205, E209), a missing cycle (E205), or an unwritable file (E401).
+
+        Example:
+            >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+            >>> losses = asperity.map(case, torque_nm=[-145, -50, 50, 145], speed_rpm=[1000, 9000], band="none")
+            >>> [file.suffix for file in losses.export("matlab", ".")]
+            ['.mat']
+        """
         tables = [None if file is None else fspath(file) for file in (added, cycle)]
         written = []
         files, found = self._map.export(format, *tables)
@@ -232,15 +251,36 @@ class Cycle(Study):
 
 
 def read_map(folder: Union[str, PathLike[str]]) -> Map:
-    """The map in a folder that ``asperity map`` or `Map.write` has written."""
+    """The map in a folder that ``asperity map`` or `Map.write` has written.
+
+    Parameters:
+        folder: the folder.
+
+    Returns:
+        The `Map`.
+
+    Raises:
+        AsperityError: the folder holds no map, or a file of it is damaged (E402).
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> asperity.map(case, torque_nm=[50, 145], speed_rpm=[1000, 9000], band="none").write("losses")
+        >>> asperity.read_map("losses").torque_nm.tolist()
+        [50.0, 145.0]
+    """
     return Map(_asperity.read_map(fspath(folder)))
+
+
+def map_of(map: Map) -> _asperity.Study:
+    """The map of the compiled part."""
+    if not isinstance(map, Map):
+        raise wrong_kind("map", map, "a Map, of map or read_map")
+    return cast("_asperity.Study", map._raw)
 
 
 def _restored(files: dict[str, bytes]) -> Map:
     """The map in the files that another process wrote."""
     import tempfile
-    from pathlib import Path
-
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place) / "map"
         Unpickled("", "", files).write(folder)

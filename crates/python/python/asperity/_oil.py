@@ -45,9 +45,22 @@ class OilFit(Study):
     def apply(self, case: CaseLike, folder: Union[str, PathLike[str]]) -> Case:
         """The case with the oil of this fit: its constants, whose band goes into the band of its losses.
 
-        Args:
+        Parameters:
             case: the case.
             folder: folder of the fit, written if it does not exist; the case reads its ``oil.toml``.
+
+        Returns:
+            Another `Case`.
+
+        Raises:
+            AsperityError: the folder cannot be written (E401), or the case is not valid with this oil.
+
+        Example:
+            >>> curves = asperity.oil_traction("m100").over_slide
+            >>> columns = ["load_n", "mean_speed_m_s", "slide_roll_percent", "temperature_c", "traction"]
+            >>> case = asperity.oil_fit(curves[columns], "m100").apply(asperity.demo(), "fit")
+            >>> case.inputs.lubricant.oil_file.endswith("oil.toml")
+            True
         """
         if not os.path.exists(folder):
             self.write(folder)

@@ -3,52 +3,56 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, TypedDict, Union
+from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, TypedDict, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _asperity
-from ._errors import warn
+from ._choices import (
+    Abscissa,
+    Amplitudes,
+    DecimalSign,
+    Encoding,
+    Ends,
+    Form,
+    Gaps,
+    LengthUnit,
+    Separator,
+    Standard,
+    SurfaceKind,
+    TraceLine,
+    Uneven,
+)
+from ._errors import AsperityError, Code, warn, wrong_kind
 from ._files import on_disk
+from ._fixed import Fixed
 from ._html import Chart, page, shown
 from ._quantity import Floats, Scalar, flat, numbers, si, si_or_none
 from ._record import Record, Table, described
+from ._typing import Unpack
+from ._values import ParameterName, ParameterValues
 
 if TYPE_CHECKING:
     import pandas
     import xarray
-    from typing_extensions import Unpack
 
-    from .keys import (
-        Abscissa,
-        Amplitudes,
-        DecimalSign,
-        Encoding,
-        Ends,
-        Form,
-        Gaps,
-        LengthUnit,
-        Separator,
-        Standard,
-        SurfaceKind,
-        TraceLine,
-        Uneven,
-    )
 
-    class Plan(TypedDict, total=False):
-        """Keywords of `Profile.prepare`."""
+class Plan(TypedDict, total=False):
+    """Keywords of `Profile.prepare`."""
 
-        form: Form
-        cutoff: Optional[Scalar]
-        noise_cutoff: Optional[Scalar]
-        ends: Ends
-        robust: bool
-        base_radius: Optional[Scalar]
-        roll_length: Optional[Scalar]
-        towards_root: bool
+    form: Form
+    cutoff: Optional[Scalar]
+    noise_cutoff: Optional[Scalar]
+    ends: Ends
+    robust: bool
+    base_radius: Optional[Scalar]
+    roll_length: Optional[Scalar]
+    towards_root: bool
+
 
 _USUAL_END: Ends = "cut"
 
@@ -56,38 +60,51 @@ _USUAL_END: Ends = "cut"
 _FIRST = ("ra_um", "rq_um", "rz_um", "rp_um", "rv_um", "rt_um", "rsk", "rku", "rk_um", "rpk_um", "rvk_um")
 
 
-class Parameters(dict[str, Any]):
+class Parameters(Fixed, dict[ParameterName, float], ParameterValues):
     """Roughness parameters by name, lengths in µm as the name tells (``ra_um``, ``rpk_um``); also as attributes.
 
-    ``standard`` and ``warnings`` are attributes alone.
+    A parameter that the profile does not have is NaN. ``standard`` and ``warnings`` are attributes alone.
     """
 
-    standard: str
-    warnings: Table
+    def __init__(self, values: Mapping[str, Optional[float]], standard: str, warnings: Table) -> None:
+        numbers = {name: math.nan if value is None else value for name, value in values.items()}
+        super().__init__(cast("dict[ParameterName, float]", numbers))
+        self._standard = standard
+        self._warnings = warnings
 
-    def __init__(self, values: Mapping[str, Any], standard: str, warnings: Table) -> None:
-        super().__init__(values)
-        self.standard = standard
-        self.warnings = warnings
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Parameters, (dict(self), self._standard, self._warnings)
 
-    def __getattr__(self, name: str) -> Any:
-        try:
-            return self[name]
-        except KeyError:
-            raise AttributeError(f"no parameter {name!r}; there are {', '.join(self)}") from None
+    @property
+    def standard(self) -> str:
+        """The standard that they follow."""
+        return self._standard
 
-    def to_dict(self) -> dict[str, Any]:
+    @property
+    def warnings(self) -> Table:
+        """Warnings: code, text and help."""
+        return self._warnings
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> float:
+            try:
+                return self[name]
+            except KeyError:
+                raise AttributeError(f"no parameter {name!r}; there are {', '.join(self)}") from None
+
+    def to_dict(self) -> dict[str, float]:
         """The parameters in Python's own types."""
-        return dict(self)
+        return {str(name): value for name, value in self.items()}
 
     def to_pandas(self) -> pandas.Series[float]:
         """The parameters as a `pandas.Series`."""
         import pandas
 
-        return pandas.Series(dict(self), name=self.standard, dtype=float)
+        return pandas.Series(self.to_dict(), name=self.standard, dtype=float)
 
     def _repr_html_(self) -> str:
-        rows = [(name, "-" if value is None else f"{value:.6g}") for name, value in self.items()]
+        rows = [(name, "-" if math.isnan(value) else f"{value:.6g}") for name, value in self.items()]
         return page(f"Parameters ({self.standard})", rows, None)
 
 
@@ -102,10 +119,10 @@ class Parts(NamedTuple):
     """Primary profile minus waviness."""
 
 
-class Profile:
+class Profile(Fixed):
     """Heights of a surface along a line, evenly spaced.
 
-    Args:
+    Parameters:
         heights: heights, shape (n,), m, out of the material; at least 100.
         spacing: distance of the points, m.
         name: name for charts and messages.
@@ -117,7 +134,7 @@ class Profile:
 
     def _set(self, raw: _asperity.Trace, name: Optional[str]) -> None:
         self._raw = raw
-        self.name = name
+        self._name = name
         self._about: dict[str, Any] = json.loads(raw.about)
 
     @classmethod
@@ -125,6 +142,11 @@ class Profile:
         made = cls.__new__(cls)
         made._set(raw, name)
         return made
+
+    @property
+    def name(self) -> Optional[str]:
+        """Name for charts and messages."""
+        return self._name
 
     @property
     def heights(self) -> Floats:
@@ -145,6 +167,56 @@ class Profile:
 
     def __len__(self) -> int:
         return len(self._raw.heights)
+
+    def __getitem__(self, points: slice) -> Profile:
+        if not isinstance(points, slice) or points.step not in (None, 1):
+            raise wrong_kind("points", points, "a slice of points one after another")
+        first, end, _ = points.indices(len(self))
+        return Profile._of(self._raw.cut(first, max(first, end)), self.name)
+
+    def crop(self, start: Scalar = 0.0, end: Optional[Scalar] = None) -> Profile:
+        """The part of the profile between two distances from its first point, as a slice of its points is.
+
+        Parameters:
+            start: beginning, m.
+            end: end, m; default the last point.
+
+        Returns:
+            The part as a `Profile`.
+
+        Raises:
+            AsperityError: distances beyond the profile (E209), or too few points between them (E106).
+
+        Example:
+            >>> flank = asperity.read_profile("ground_pinion.csv").crop("0.5 mm", "2 mm")
+            >>> len(flank)
+            3001
+        """
+        places = [round(si(place, "Length") / self.spacing) for place in (start, end) if place is not None]
+        if places[0] < 0 or places[-1] >= len(self) or places[0] > places[-1]:
+            length = f"{(len(self) - 1) * self.spacing * 1e3:.6g} mm"
+            text = f"{start!r} to {'the end' if end is None else repr(end)}: the profile is {length} long"
+            raise AsperityError(text, Code.E209, "Give two distances within the profile, the lower first.")
+        return self[places[0] : places[1] + 1 if end is not None else None]
+
+    def psd(self) -> Table:
+        """One-sided power spectral density under a Hann window: ``frequency_per_m``, ``density_m3``.
+
+        The sum of the densities times the step of the frequency is the mean square of the windowed heights
+        (docs/EQUATIONS.md, PSD-1). Filter the profile before (`prepare`), for form and waviness are part of the spectrum.
+        """
+        return Table._of_columns(self._raw.psd())
+
+    def autocorrelation(self) -> Table:
+        """Autocorrelation of the heights about their mean by shifts: ``shift_m``, ``autocorrelation``, 1 at no shift.
+
+        A shift averages the products of the overlap, and is noisy where that is short (docs/EQUATIONS.md, ACF-1).
+        """
+        return Table._of_columns(self._raw.autocorrelation())
+
+    def material_ratio(self) -> Table:
+        """The material ratio curve: ``material_ratio_percent``, ``height_m`` from the highest point (docs/EQUATIONS.md, Rk-2)."""
+        return Table._of_columns(self._raw.material_ratio())
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Profile):
@@ -176,13 +248,24 @@ class Profile:
     def prepare(self, **plan: Unpack[Plan]) -> Profile:
         """The roughness profile: form removed, filtered (ISO 21920-2, ISO 16610-21).
 
-        Args:
+        Parameters:
             form: ``"level"`` (default), ``"none"``, ``"mean"``, ``"poly2"``, ``"circle"`` or ``"involute"``.
             cutoff: cut-off λc, m; default what the file states, else 0.25 mm; 0 turns the filter off.
             noise_cutoff: cut-off λs, m; default what the file states, else 2.5 µm; 0 turns the filter off.
             ends: ``"cut"`` (default: half a cut-off is dropped at each end), ``"reg0"``, ``"reg1"`` or ``"reflect"``.
             robust: the robust Gaussian regression filter (ISO 16610-31).
             base_radius, roll_length, towards_root: place on the flank of ``form="involute"``, m.
+
+        Returns:
+            The roughness as a `Profile`, with what was done in ``about.preparation``.
+
+        Raises:
+            AsperityError: a trace that is too short for the filter (E120), or settings that do not go together (E205).
+
+        Example:
+            >>> rough = asperity.read_profile("ground_pinion.csv").prepare(cutoff="0.25 mm", robust=True)
+            >>> rough.about.preparation.filter
+            'robust-gaussian'
         """
         return self.filter(**plan).roughness
 
@@ -234,12 +317,23 @@ class Profile:
     ) -> Parameters:
         """Roughness parameters, lengths in µm, as ``asperity profile info`` gives them.
 
-        Args:
+        Parameters:
             standard: ``"iso4287"`` (means over sections) or ``"iso21920"``.
             sections: number of sections; default as many cut-offs as fit.
             cutoff: length of a section, m; default the cut-off of the filter.
             prepare: whether form and waviness are removed first by the defaults of `prepare`; by default so
                 unless the profile was prepared.
+
+        Returns:
+            The `Parameters`.
+
+        Raises:
+            AsperityError: a trace that is too short for the filter or the sections (E120).
+
+        Example:
+            >>> found = asperity.read_profile("ground_pinion.csv").parameters()
+            >>> found["ra_um"] == found.ra_um < found.rz_um
+            True
         """
         is_prepared = "preparation" in self._about
         trace = self
@@ -315,7 +409,7 @@ def read_profile(
 ) -> Profile:
     """Reads a profilometer file: text, CSV, X3P, SDF, SMD, PRF, Excel and others (docs/FILE_FORMATS.md).
 
-    Args:
+    Parameters:
         path: the file, or an object with ``read`` that has its bytes, whose ``name`` helps to recognise the format.
         x_unit, z_unit: ``"mm"``, ``"um"``, ``"nm"`` ..., where the file does not tell.
         dx: spacing, m.
@@ -329,6 +423,19 @@ def read_profile(
         range: part of the trace that is read, by distances from its first point: ``"1.2 mm .. 6.4 mm"``.
         invert: whether the values grow into the material (depths, a replica) and are turned into heights; by default only
             those that the file names depths.
+
+    Returns:
+        The `Profile`, with what was found and assumed in ``about``.
+
+    Raises:
+        AsperityError: the file cannot be read (E103), its format or units are not known (E102, E110, E114), or its values are
+            not a profile (E105, E106, E107), among others.
+
+    Example:
+        >>> case = asperity.demo()
+        >>> flank = asperity.read_profile("demo/ground_pinion.csv")
+        >>> flank.unit, 0.1 < flank.parameters().ra_um < 1
+        ('um', True)
     """
     if isinstance(columns, int):
         chosen: Optional[dict[str, int]] = {"z": columns}
@@ -388,7 +495,9 @@ def generate(
 ) -> Profile:
     """A synthetic profile; the same recipe and seed give the same heights.
 
-    Args:
+    Self-affine spectra after Jacobs, Junge and Pastewka (2017).
+
+    Parameters:
         surface: ``"self-affine"`` (points, spacing, rq, hurst, roll_off, short_cut, seed), ``"non-gaussian"``
             (spectrum, heights), ``"plateau-honed"`` (coarse, fine, depth) or ``"ground"`` (points, spacing, rq,
             grit_spacing, grit_radius, grit_protrusion, seed); lengths in m.
@@ -396,8 +505,18 @@ def generate(
         pits, scratches: count, width, depth, seed of damage added.
         pores: porosity, diameter, depth_ratio, seed of open pores of a sintered steel added.
         mirrored: whether the result is reversed.
+        name: name for charts and messages.
 
-    Self-affine spectra after Jacobs, Junge and Pastewka (2017).
+    Returns:
+        The `Profile`, with its recipe and what was achieved in ``about``.
+
+    Raises:
+        AsperityError: a key that the surface does not have or that is missing (E204), or a value out of its domain (E209).
+
+    Example:
+        >>> flank = asperity.generate(points=4000, spacing=0.5e-6, rq="0.4 um", hurst=0.8, roll_off=50e-6, short_cut=2e-6, seed=1)
+        >>> round(flank.about.achieved.rq_um, 3)
+        0.4
     """
     whole = {
         "surface": {surface: _with_units(recipe)},

@@ -199,16 +199,30 @@ def number(own: str, given: Optional[float], text: Optional[Quantity]) -> Option
     return None if found is None else _single(own, found)
 
 
+BY_TEXT: dict[str, str] = {own.rsplit("_", 1)[0]: own for own in OPERATING}
+"""The same by the names under which they are text with a unit."""
+
+
 def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
     """Keys of a case, the numbers of its operating point as text with their units."""
     keys: dict[str, Any] = {}
     for name, value in given.items():
-        of = OPERATING.get(name)
+        own = BY_TEXT.get(name, name)
+        of = OPERATING.get(own)
         if of is None:
             keys[name] = value
             continue
-        found = _single(name, operating(name, value, None))
-        keys[of.key] = f"{found!r} {of.unit}".replace(".0 ", " ")
+        if of.key in keys:
+            raise AsperityError(f"{name}: {of.key} is given twice", Code.E205, "Give one of both.")
+        if value is None:
+            keys[of.key] = None
+        elif name != own:
+            if not isinstance(value, str) and not is_pint(value):
+                raise _without_unit(name, value, of.quantity)
+            keys[of.key] = value
+        else:
+            found = _single(name, operating(name, value, None))
+            keys[of.key] = f"{found!r} {of.unit}".replace(".0 ", " ")
     return keys
 
 

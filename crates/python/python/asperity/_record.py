@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any, TypeVar, Union, overload
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, Union, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ._errors import warn
+from ._errors import AsperityError, Code, warn
+from ._fixed import Fixed
 from ._html import page
 
 if TYPE_CHECKING:
@@ -42,8 +44,13 @@ def wrapped(value: Any) -> Any:
     return value
 
 
-class Values(Mapping[str, Any]):
+class Values(Fixed, Mapping[str, Any]):
     """Values by name, as attributes and as items."""
+
+    _kinds: ClassVar[Mapping[str, Callable[[Any], Any]]] = {}
+    """Classes of the values that are objects or lists of objects."""
+    _absent: ClassVar[Mapping[str, Any]] = {}
+    """Values that are left out where they are these."""
 
     def __init__(self, values: Mapping[str, Any]) -> None:
         self._values = dict(values)
@@ -54,11 +61,18 @@ class Values(Mapping[str, Any]):
             try:
                 return self.__dict__["_values"][name] if name == "_values" else self[name]
             except KeyError:
+                if name in self._absent:
+                    return self._made(name, self._absent[name])
                 known = ", ".join(self.__dict__.get("_values", ()))
                 raise AttributeError(f"{type(self).__name__} has no {name!r}; it has {known}") from None
 
     def __getitem__(self, name: str) -> Any:
-        return wrapped(self._values[name])
+        return self._made(name, self._values[name])
+
+    def _made(self, name: str, value: Any) -> Any:
+        """A value in the class of its name."""
+        kind = self._kinds.get(name)
+        return wrapped(value) if kind is None or value is None else kind(value)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._values)
@@ -127,6 +141,13 @@ _UNITS = {
 """Units by the ends of names."""
 
 
+def in_names(unit: str) -> str:
+    """A unit as it ends names: ``w_per_m_k`` of W/(m K)."""
+    known = {of: end[1:] for end, of in _UNITS.items()}
+    found = "nm" if unit == "N m" else known.get(unit)
+    return found or unit.replace("/", " per ").replace("(", "").replace(")", "").strip().replace("  ", " ").replace(" ", "_").lower()
+
+
 def described(name: str, unit: str | None = None) -> dict[str, str]:
     """Attributes of a variable of xarray: its unit, by the end of its name, and its name in words."""
     end = next((end for end in _UNITS if name.endswith(end)), "")
@@ -161,11 +182,14 @@ def column(values: list[Any]) -> Any:
     return array
 
 
-class Rows:
+class Rows(Fixed):
     """Rows with the same names: columns as attributes, rows by their number.
 
     A column is an array; where a row has no such number, it holds NaN.
     """
+
+    _row: ClassVar[type[Values]] = Record
+    """Class of a row."""
 
     def __init__(self, rows: list[dict[str, Any]], names: list[str] | None = None) -> None:
         self._rows = rows
@@ -183,23 +207,46 @@ class Rows:
                 raise AttributeError(f"Table has no column {name!r}; it has {', '.join(self.__dict__.get('_names', ()))}")
             return self[name]
 
-        def __getitem__(self, key: Union[int, str, slice]) -> Any:
+        def __getitem__(self, key: Union[int, str, slice, list[str], Any]) -> Any:
             return self._at(key)
 
-    def _at(self, key: Union[int, str, slice]) -> Any:
+    def _at(self, key: Any) -> Any:
+        """A column by its name, a row by its number, or a table by a slice, a mask, or names or numbers in a list."""
         if isinstance(key, str):
             if key not in self._names:
                 raise KeyError(key)
             return column([row.get(key) for row in self._rows])
         if isinstance(key, slice):
             return Table(self._rows[key], self._names)
-        return Record(self._rows[key])
+        if isinstance(key, (list, tuple, np.ndarray)) or hasattr(key, "__array__") and np.ndim(key) == 1:
+            return self._several(key)
+        return self._row(self._rows[key])
+
+    def _several(self, keys: Any) -> Table:
+        """The table of the columns or rows in a list, or of the rows where a mask is true."""
+        chosen = np.asarray(keys)
+        if not chosen.size and isinstance(keys, (list, tuple)):
+            return Table([], self._names)
+        if chosen.dtype.kind in "UO" and all(isinstance(key, str) for key in keys):
+            names = [str(key) for key in keys]
+            if absent := [name for name in names if name not in self._names]:
+                raise KeyError(", ".join(absent))
+            return Table([{name: row[name] for name in names if name in row} for row in self._rows], names)
+        if chosen.dtype.kind == "b":
+            if chosen.shape != (len(self),):
+                text = f"a mask of {chosen.size} values: the table has {len(self)} rows"
+                raise AsperityError(text, Code.E209, "Give a mask with one value per row.")
+            chosen = np.flatnonzero(chosen)
+        if chosen.ndim != 1 or chosen.dtype.kind not in "iu":
+            text = f"{keys!r}: names of columns, numbers of rows or a mask are expected"
+            raise AsperityError(text, Code.E204, "Give a list of one kind.")
+        return Table([self._rows[number] for number in chosen.tolist()], self._names)
 
     def __len__(self) -> int:
         return len(self._rows)
 
-    def __iter__(self) -> Iterator[Record]:
-        return map(Record, self._rows)
+    def __iter__(self) -> Iterator[Any]:
+        return map(self._row, self._rows)
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._names]
@@ -221,6 +268,14 @@ class Rows:
 
         return pandas.DataFrame({name: self._at(name) for name in self._names})
 
+    def __arrow_c_stream__(self, requested_schema: object = None) -> object:
+        """The table for programs that read Arrow, by pyarrow: ``polars.DataFrame(table)``, ``pyarrow.table(table)``."""
+        import pyarrow
+
+        columns = {name: self._at(name) for name in self._names}
+        plainly = {name: plain(list(values)) if values.dtype == object else values for name, values in columns.items()}
+        return pyarrow.table(plainly).__arrow_c_stream__(requested_schema)
+
     def to_xarray(self, dimension: str = "row") -> xarray.Dataset:
         """The columns of numbers as an `xarray.Dataset` along one dimension."""
         import xarray
@@ -238,9 +293,10 @@ class Rows:
 
 
 class Table(Rows):
-    """Rows with the same names: columns as attributes, rows by their number, tables by slices.
+    """Rows with the same names: columns as attributes, rows by their number, tables by slices, masks and lists of names.
 
-    A column is an array; where a row has no such number, it holds NaN.
+    A column is an array; where a row has no such number, it holds NaN. pyarrow, polars and all else that reads Arrow
+    take a table as it is, where pyarrow is installed.
     """
 
     if TYPE_CHECKING:
@@ -251,5 +307,12 @@ class Table(Rows):
         @overload
         def __getitem__(self, key: int) -> Record: ...
         @overload
-        def __getitem__(self, key: slice) -> Table: ...
-        def __getitem__(self, key: Union[int, str, slice]) -> Any: ...
+        def __getitem__(self, key: Union[slice, Sequence[str], Sequence[int], NDArray[Any]]) -> Table: ...
+        def __getitem__(self, key: Any) -> Any: ...
+        def __iter__(self) -> Iterator[Record]: ...
+
+    @classmethod
+    def _of_columns(cls, columns: Mapping[str, NDArray[Any]]) -> Table:
+        """The table of columns of one length."""
+        lists = [values.tolist() for values in columns.values()]
+        return cls([dict(zip(columns, row)) for row in zip(*lists)], list(columns))

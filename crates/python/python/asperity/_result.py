@@ -5,24 +5,20 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Optional, Union, overload
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _asperity
-from ._errors import AsperityError, Code
+from ._errors import AsperityError, Code, checked_number, wrong_kind
 from ._html import Chart, page, shown
 from ._quantity import Floats
-from ._record import Record, Rows, Table, Values, drawn, variable
+from ._record import Record, Table, Values, drawn, variable
+from ._values import PathArrays, ResultValues, SummaryValues, Uncertainty
 
 if TYPE_CHECKING:
     import pandas
     import xarray
-
-    from .keys import PathArrays, PathColumn, ResultValues, SummaryValues
-else:
-    PathArrays = ResultValues = SummaryValues = object
 
 
 class Fields(Record):
@@ -77,22 +73,12 @@ def _unit_of_field(name: str) -> str:
 _DEPTHS = ("sigma_xx", "sigma_zz", "tau_xz", "von_mises", "plastic_stress")
 
 
-class Summary(Values, SummaryValues):
+class Summary(SummaryValues):
     """Efficiency and losses of a mesh, mean over the offsets; of a gear train its sums."""
 
 
-class Path(Rows, PathArrays):
+class Path(PathArrays):
     """One row per mesh position from A to E: columns as attributes and items, rows by their number."""
-
-    if TYPE_CHECKING:
-
-        @overload
-        def __getitem__(self, key: PathColumn) -> NDArray[Any]: ...
-        @overload
-        def __getitem__(self, key: int) -> Record: ...
-        @overload
-        def __getitem__(self, key: slice) -> Table: ...
-        def __getitem__(self, key: Union[PathColumn, int, slice]) -> Any: ...
 
 
 class RunResult(Values, ResultValues):
@@ -138,11 +124,11 @@ class RunResult(Values, ResultValues):
         return float(self._summary()["loss_w"])
 
     @property
-    def uncertainty(self) -> Optional[Record]:
+    def uncertainty(self) -> Optional[Uncertainty]:
         """Draws of the loss: ``loss`` with ``median_w``, ``quantiles_w`` (5 and 95 %) and ``parts`` by component,
         ``structures``, ``other_models``; None where nothing was drawn."""
         found = self._values.get("uncertainty")
-        return Record(found) if found else None
+        return Uncertainty(found) if found else None
 
     def _summary(self) -> Mapping[str, Any]:
         summary: Mapping[str, Any] = self._values.get("summary", self._values)
@@ -192,6 +178,7 @@ class RunResult(Values, ResultValues):
         if self._outcome is None:
             raise AsperityError("a result that was read back holds no fields", Code.E402, "Run the case again.")
         self._of_pair("fields")
+        position = checked_number("position", position, int)
         if position is None:
             highest = self.path["p_max_mpa"]
             position = int(np.nanargmax(highest)) + 1 if np.isfinite(highest).any() else 1
@@ -212,6 +199,8 @@ class RunResult(Values, ResultValues):
 
     def diff(self, other: RunResult) -> Record:
         """Differences from this result to another: ``inputs``, ``summary``, ``path``, ``warnings``, ``equations``."""
+        if not isinstance(other, RunResult):
+            raise wrong_kind("other", other, "a RunResult")
         return Record(json.loads(_asperity.diff(self._json, other._json)))
 
     def to_json(self) -> str:

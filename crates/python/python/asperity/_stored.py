@@ -17,6 +17,22 @@ def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Reco
     or ``calibrate``.
 
     The fields of single positions are not read.
+
+    Parameters:
+        folder: the folder, or the file ``result.json`` in it.
+
+    Returns:
+        The `RunResult`, the `Map`, or the `Record` of another study.
+
+    Raises:
+        AsperityError: the folder holds no result, or a file of it is damaged (E402).
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> result = case.run()
+        >>> result.write("result")
+        >>> asperity.read_result("result").loss_w == result.loss_w
+        True
     """
     from pathlib import Path
 

@@ -7,36 +7,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import Any, Optional, Union
 
-if TYPE_CHECKING:
-    from ._calibration import Calibration, Design, Evidence
-    from ._callout import CallOut
-    from ._case import CaseLike
-    from ._columns import Columns
-    from ._compare import Comparison, Finish
-    from ._map import Cycle, Map
-    from ._oil import OilFit, OilLike, OilPlan, Stribeck, Traction
-    from ._progress import Progress
-    from ._quantity import Numbers, Quantities, Quantity
-    from ._ridges import Ridges
-    from ._sensitivity import Sensitivity
-    from .keys import Band, CalibratedParameter, ExportFormat, RoughnessParameter, TemperatureColumn, Zero
-
-__all__ = [
-    "calibrate",
-    "callout",
-    "compare",
-    "cycle",
-    "design",
-    "evidence",
-    "oil_fit",
-    "oil_plan",
-    "oil_traction",
-    "ridges",
-    "sensitivity",
-    "stribeck",
-]
+from ._calibration import Calibration, Design, Evidence
+from ._callout import CallOut
+from ._case import CaseLike, as_case
+from ._choices import Band, CalibratedParameter, ExportFormat, RoughnessParameter, TemperatureColumn, Zero
+from ._columns import Columns, table_of
+from ._compare import Comparison, Finish, cases_of
+from ._errors import Code
+from ._keys import vehicle_keys
+from ._map import Cycle, Map, map_of
+from ._oil import OilFit, OilLike, OilPlan, Stribeck, Traction, raw_oil, tables_of_curves
+from ._progress import Progress
+from ._quantity import Numbers, Quantities, Quantity, nodes, number, written
+from ._ridges import Ridges
+from ._sensitivity import Sensitivity
+from ._study import ran
+from ._study_names import __all__ as __all__
 
 
 def compare(
@@ -52,17 +40,29 @@ def compare(
     The first finish is the reference for the others. All have the same offsets and the same draws of what is
     uncertain.
 
-    Args:
+    Parameters:
         case: the case, whose traces are replaced by the traces of each finish; the finishes of a gear train are cases.
         finishes: by name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, or a
             case; at least two.
         offsets: number of offsets along the traces at which the flanks are paired [default: those that each finish
             needs].
         threads, progress: as in `Case.run`.
-    """
-    from ._compare import Comparison, cases_of
-    from ._study import ran
 
+    Returns:
+        Comparison: Finishes side by side; the first is the one that the others are compared with.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> finishes = {"ground": "demo/ground_pinion.csv", "fine": "demo/superfinished_pinion.csv"}
+        >>> found = asperity.compare(case, finishes)
+        >>> found.names
+        ['ground', 'fine']
+        >>> bool(found.finishes.loss_w[1] < found.finishes.loss_w[0])
+        True
+    """
     settings = {
         "offsets": offsets,
     }
@@ -92,7 +92,7 @@ def map(
     speed and temperature; its quantiles (loss_median_w, loss_p05_w, loss_p95_w) are from draws at three torques and
     three speeds.
 
-    Args:
+    Parameters:
         case: the case.
         finishes: finishes by name, as in `compare` [default: the traces of the case].
         torque_nm, torque: torques at the pinion, numbers or text as ``"10..100:5 N m"`` [default: 0 and 12 from 1 % of
@@ -107,12 +107,21 @@ def map(
         add_loss: table with the loss torque of bearings, seals and churning, added to the exports as a separate part:
             columns torque_nm, speed_rpm, loss_torque_nm (and temperature_c).
         threads, progress: as in `Case.run`.
-    """
-    from ._compare import cases_of
-    from ._map import Map
-    from ._quantity import nodes
-    from ._study import ran
 
+    Returns:
+        Map: A map of losses.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> losses = asperity.map(case, torque_nm=[50, 145], speed="1000..9000:3 1/min", band="none")
+        >>> losses.loss_w.shape
+        (1, 1, 2, 4)
+        >>> float(losses.loss_torque(torque_nm=100, speed_rpm=4000)) > 0
+        True
+    """
     settings = {
         "torque": nodes("torque_nm", torque_nm, torque, None),
         "speed": nodes("speed_rpm", speed_rpm, speed, None),
@@ -140,7 +149,7 @@ def cycle(
 
     The loss torque is interpolated between the points of the map; its interval follows from the draws of the map.
 
-    Args:
+    Parameters:
         map: the map.
         trace: file, frame or columns: time_s, and torque_nm with speed_rpm at the pinion, or speed_km_h.
         vehicle: keys of `[vehicle]`, ``{"mass": "1600 kg"}``, in place of those of the case.
@@ -150,20 +159,26 @@ def cycle(
         allow_outside: permit more than 5 % of the energy of the cycle outside of the map, where the ratio of loss to
             torque is constant.
         threads: as in `Case.run`.
-    """
-    from ._columns import table_of
-    from ._errors import Code
-    from ._keys import vehicle_keys
-    from ._map import Cycle
-    from ._quantity import number
-    from ._study import ran
 
+    Returns:
+        Cycle: Energy lost over a cycle.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> losses = asperity.map(case, torque_nm=[-200, -60, -20, 20, 60, 200], speed_rpm=[500, 4000, 16000])
+        >>> energies = asperity.cycle(losses, "demo/urban.csv")
+        >>> bool(energies.finishes.lost_wh[0] > 0)
+        True
+    """
     settings = {
         "temperature_c": number("temperature_c", temperature_c, temperature),
         "columns": list(columns),
         "allow_outside": allow_outside,
     }
-    return ran(Cycle, "cycle", (map._raw, table_of(trace, "cycle", Code.E101), vehicle_keys(vehicle)), settings, threads)
+    return ran(Cycle, "cycle", (map_of(map), table_of(trace, "cycle", Code.E101), vehicle_keys(vehicle)), settings, threads)
 
 
 def sensitivity(
@@ -177,14 +192,22 @@ def sensitivity(
     Each row is a run of the model with one thing changed, at the same windows of the traces. To vary keys of your own
     choice, with distributions, see the command sweep.
 
-    Args:
+    Parameters:
         case: the case.
         threads, progress: as in `Case.run`.
-    """
-    from ._case import as_case
-    from ._sensitivity import Sensitivity
-    from ._study import ran
 
+    Returns:
+        Sensitivity: Changes of a loss, one thing changed at a time.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> found = asperity.sensitivity(case)
+        >>> len(found.rows) > 5
+        True
+    """
     return ran(Sensitivity, "sensitivity", (as_case(case)._raw,), {}, threads, progress)
 
 
@@ -199,14 +222,22 @@ def ridges(
     The gradient of the loss over every height of both traces, by ridge and by octave of wavelength, and a run with
     the twenty costliest ridges pressed to the mean line.
 
-    Args:
+    Parameters:
         case: the case.
         threads, progress: as in `Case.run`.
-    """
-    from ._case import as_case
-    from ._ridges import Ridges
-    from ._study import ran
 
+    Returns:
+        Ridges: Costliest ridges.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> found = asperity.ridges(case)
+        >>> found.pressed_loss_w < found.loss_w
+        True
+    """
     return ran(Ridges, "ridges", (as_case(case)._raw,), {}, threads, progress)
 
 
@@ -228,7 +259,7 @@ def callout(
     Lots of flanks like the traces of the case are simulated, inspected and run. A lot whose inspected mean is at the
     limit meets the loss with the confidence.
 
-    Args:
+    Parameters:
         case: the case.
         loss: loss of the mesh that a lot has to meet, the mean over 16 pairs of its flanks.
         confidence: share of the lots at the limit that meet the loss.
@@ -238,12 +269,19 @@ def callout(
         lots: number of simulated lots.
         seed: seed of the random numbers.
         threads, progress: as in `Case.run`.
-    """
-    from ._callout import CallOut
-    from ._case import as_case
-    from ._quantity import written
-    from ._study import ran
 
+    Returns:
+        CallOut: Call-out of a finish.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 2, "offsets": 2})
+        >>> found = asperity.callout(case, "600 W", parameter="rq", traces=3, lots=20, confidence=0.8)
+        >>> found.limits.parameter[0]
+        'Rq'
+    """
     settings = {
         "loss": written(loss, "Power", "loss"),
         "confidence": confidence,
@@ -268,15 +306,23 @@ def evidence(
     Each row is the interval that the measurement alone is expected to leave. What the case states or has measured has
     no row.
 
-    Args:
+    Parameters:
         case: the case.
         hours: hours of a measurement by its name in evidence.csv, ``{"traction-plan": 3}``.
         threads, progress: as in `Case.run`.
-    """
-    from ._calibration import Evidence
-    from ._case import as_case
-    from ._study import ran
 
+    Returns:
+        Evidence: Intervals of a loss that measurements would leave.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> table = asperity.evidence(case).rows
+        >>> bool(table.width[0] <= table.width[-1])
+        True
+    """
     settings = {
         "hours": [f"{key}={value}" for key, value in (hours or {}).items()],
     }
@@ -302,7 +348,7 @@ def calibrate(
     sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order, flank_state, case. The result
     says what the points can identify. calibration.toml in it holds the table [calibration] for the case.
 
-    Args:
+    Parameters:
         rig: the measurements, with the columns of the command; a column simulated may say that their losses are.
         case: the case of rows that name none.
         cases: cases by the names in the column case; others are files relative to the table, or to the working
@@ -315,14 +361,23 @@ def calibrate(
         temperature_c, temperature: oil temperatures of the rig, numbers or text as ``"10..100:5 °C"`` [default: lowest,
             middle and highest of the table; of a design 40,65,90, extended to the temperature of the case].
         threads, progress: as in `Case.run`.
-    """
-    from ._calibration import Calibration
-    from ._case import as_case
-    from ._columns import table_of
-    from ._errors import Code
-    from ._quantity import nodes
-    from ._study import ran
 
+    Returns:
+        Calibration: Constants of boundary layer and film that no data sheet holds, fitted to measured losses, with
+            their bands.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(gears="fzg-c"), model={"positions": 4, "offsets": 2})
+        >>> plan = asperity.design(case, torque_nm=[60, 183], speed="25..4400:7:log 1/min", simulate=4)
+        >>> plan.write("rig")
+        >>> found = asperity.calibrate("rig/simulated.csv", case)
+        >>> found.is_simulated, found.parameters.key[0]
+        (True, 'boundary_friction')
+        >>> calibrated = found.apply(case)
+    """
     settings = {
         "hold": list(hold),
         "torque_max_nm": torque_max_nm,
@@ -357,7 +412,7 @@ def design(
     Points within the limits are chosen that narrow the constants most, the gears and flanks of the case being on the
     rig. design.csv in the result is the table to fill in for asperity calibrate.
 
-    Args:
+    Parameters:
         case: the case.
         torque_nm, torque: torques to choose from, numbers or text as ``"10..100:5 N m"`` [default: a third of the
             largest, and the largest].
@@ -377,12 +432,19 @@ def design(
         temperature_c, temperature: oil temperatures of the rig, numbers or text as ``"10..100:5 °C"`` [default: lowest,
             middle and highest of the table; of a design 40,65,90, extended to the temperature of the case].
         threads, progress: as in `Case.run`.
-    """
-    from ._calibration import Design
-    from ._case import as_case
-    from ._quantity import nodes
-    from ._study import ran
 
+    Returns:
+        Design: Measurements on a rig that would narrow the calibrated constants.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> plan = asperity.design(case, hours=4, temperature_c=[40, 90])
+        >>> len(plan.points) > 5
+        True
+    """
     settings = {
         "torque": nodes("torque_nm", torque_nm, torque, None),
         "speed": nodes("speed_rpm", speed_rpm, speed, None),
@@ -418,7 +480,7 @@ def oil_traction(
     Predicted where the film is at least three times as thick as the roughness. The specimens are of through-hardened
     steel (21 W/(m K)). The tables have the columns of a measured traction curve.
 
-    Args:
+    Parameters:
         oil: the oil.
         load: load.
         speed: mean speed of the curves over the slide-to-roll ratio.
@@ -431,11 +493,18 @@ def oil_traction(
         ball_radius: radius of the ball, unless a row states it.
         second_radius: radius of the second body, unless a row states it [default: a flat disc].
         threads: as in `Case.run`.
-    """
-    from ._oil import Traction, raw_oil
-    from ._quantity import nodes, written
-    from ._study import ran
 
+    Returns:
+        Traction: Predicted traction.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> curves = asperity.oil_traction("m100", temperature_c=[40, 100])
+        >>> bool(curves.over_slide.traction.max() < 0.2)
+        True
+    """
     settings = {
         "load": written(load, "Force", "load"),
         "speed": written(speed, "Speed", "speed"),
@@ -470,7 +539,7 @@ def oil_fit(
     traction, and where known sigma, group, set_temperature_c, film_nm and the specimens; a text export of a PCS
     machine is read as it is. oil.toml in the result is the oil file that a case names by lubricant.oil_file.
 
-    Args:
+    Parameters:
         curves: one or several files, frames or columns, with the columns of the command.
         oil: the oil, for viscosity and family.
         temperature_column: probe of the temperature in a text export.
@@ -483,11 +552,20 @@ def oil_fit(
         point_sd: standard deviation of points without sigma, relative to the friction.
         point_floor: least standard deviation of the friction coefficient of such points.
         threads: as in `Case.run`.
-    """
-    from ._oil import OilFit, raw_oil, tables_of_curves
-    from ._quantity import written
-    from ._study import ran
 
+    Returns:
+        OilFit: Constants of an oil fitted to traction curves.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> curves = asperity.oil_traction("m100").over_slide
+        >>> columns = ["load_n", "mean_speed_m_s", "slide_roll_percent", "temperature_c", "traction"]
+        >>> found = asperity.oil_fit(curves[columns], "m100")
+        >>> found.pressure_law
+        'barus'
+    """
     settings = {
         "temperature_column": temperature_column,
         "force": force,
@@ -521,7 +599,7 @@ def oil_plan(
     plan.csv in the result is the table to fill in for asperity oil fit. With a case, the error of its loss by the
     constants is listed too, and the points are chosen that narrow it most.
 
-    Args:
+    Parameters:
         oil: the oil.
         case: the case whose loss is to be narrowed [default: the case of the oil if it is of one].
         simulate: write simulated.csv with simulated friction of the minimal plan, with this seed.
@@ -533,12 +611,18 @@ def oil_plan(
         point_sd: standard deviation of points without sigma, relative to the friction.
         point_floor: least standard deviation of the friction coefficient of such points.
         threads: as in `Case.run`.
-    """
-    from ._case import as_case
-    from ._oil import OilPlan, raw_oil
-    from ._quantity import written
-    from ._study import ran
 
+    Returns:
+        OilPlan: Traction measurements to make.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> plan = asperity.oil_plan("m100")
+        >>> len(plan.stages) > 2
+        True
+    """
     settings = {
         "simulate": simulate,
         "rq": written(rq, "Length", "rq"),
@@ -569,7 +653,7 @@ def stribeck(
     before. Points with a film of at most a fifth of the roughness count. How much of the load of gears the layer
     carries does not follow from them: model.inner_boundary is drawn.
 
-    Args:
+    Parameters:
         curves: one or several files, frames or columns, with the columns of the command.
         oil: the oil, for viscosity and family.
         rubbing: time of rubbing before each file, 0 s for new specimens, unless a row states it.
@@ -578,11 +662,21 @@ def stribeck(
         ball_radius: radius of the ball, unless a row states it.
         second_radius: radius of the second body, unless a row states it [default: a flat disc].
         threads: as in `Case.run`.
-    """
-    from ._oil import Stribeck, raw_oil, tables_of_curves
-    from ._quantity import written
-    from ._study import ran
 
+    Returns:
+        Stribeck: Boundary friction of rubbed specimens.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> speeds = [0.002, 0.003, 0.004, 0.005]
+        >>> curve = {"mean_speed_m_s": speeds, "load_n": [50.0] * 4, "slide_roll_percent": [50.0] * 4,
+        ...          "temperature_c": [120.0] * 4, "traction": [0.117] * 4, "rubbing_s": [7200.0] * 4}
+        >>> found = asperity.stribeck(curve, "m100")
+        >>> 0.1 < found.boundary_friction < 0.13
+        True
+    """
     settings = {
         "rubbing": [written(one, "Time", "rubbing") for one in rubbing],
         "temperature_column": temperature_column,

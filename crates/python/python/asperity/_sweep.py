@@ -3,26 +3,55 @@
 from __future__ import annotations
 
 import json
+import math
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Literal, Optional, Union
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Optional, Union
+
+import numpy as np
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
-from ._errors import AsperityError, Code, warn
-from ._keys import Schema, written
+from ._errors import AsperityError, Code, checked_number, warn, wrong_kind
+from ._fixed import Fixed
+from ._keys import Schema, kind_of, written
 from ._progress import Progress, Steps
-from ._quantity import OPERATING, as_keys
-from ._record import Record, Table
+from ._quantity import BY_TEXT, OPERATING, SI_UNITS, as_keys, si
+from ._record import Record, Table, in_names, variable
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
 _AT_ONCE = 16
 
 Source = Union[str, tuple[Case, str, str]]
 """A study file; or a case, the other keys of a study as JSON, and the folder of its files."""
+
+
+class _Input(NamedTuple):
+    """An input of a study in rows and tables: a number whose unit is in its name where its values have one."""
+
+    name: str
+    read: Callable[[str], Any]
+
+
+def _input(key: str, texts: Sequence[str]) -> _Input:
+    """The input of a key, whose values are these texts."""
+    own = next((own for own, of in OPERATING.items() if of.key == key), None)
+    if own is not None:
+        return _Input(own, lambda text: OPERATING[own].number(text, key))
+    quantity = _schema(key).quantity
+    if quantity is None:
+        return _Input(key, _value)
+    try:
+        for text in texts:
+            si(text, quantity)
+    except AsperityError:
+        # A list of quantities, as of both face widths.
+        return _Input(key, _value)
+    return _Input(f"{key}_{in_names(SI_UNITS[quantity])}", lambda text: si(text, quantity))
 
 
 def _value(text: str) -> Any:
@@ -41,13 +70,15 @@ def _title(code: str) -> str:
     return explained[0] if explained else ""
 
 
-class Sweep(Iterator[Record]):
+class Sweep(Fixed, Iterator[Record]):
     """The cases of a study, run as they are asked for: an iterator of rows.
 
     A row has ``case`` (its number), ``id``, the inputs, the results, ``outside``, the codes of warnings about inputs
-    outside of their ranges, and ``code``, the code of the error of a case that has no result. The first case with a
-    warning raises it. Cases that share their contacts solve them once. Iterating again runs nothing twice. In another
-    process the rows that were run are there, and ``progress`` is not called.
+    outside of their ranges, and ``code``, the code of the error of a case that has no result. An input with a unit is a
+    number in the unit of its name: ``torque_nm``, ``speed_rpm``, ``temperature_c``, ``gears.module_m``. Every value of an
+    axis is read before the first case is run. The first case with a warning raises it. Cases that share their contacts
+    solve them once. Iterating again runs nothing twice. In another process the rows that were run are there, and
+    ``progress`` is not called.
     """
 
     def __init__(
@@ -66,12 +97,16 @@ class Sweep(Iterator[Record]):
         if study not in (None, self._raw.study):
             text = "the pickled study is another one: a file that it reads, or the version of the program, has changed"
             raise AsperityError(text, Code.E140, "Read the study again.")
+        self._raw.check_values()
         self._source = source
-        self._threads = threads
+        self._threads = checked_number("threads", threads, int)
         self._steps = Steps(progress, "cases")
         self._rows = rows or []
         self._given = 0
-        self._header = self._raw.header
+        self._axes = [(_input(key, texts), texts) for key, texts in self._raw.axes]
+        inputs = [one for one, _ in self._axes] + [_input(key, ()) for key in self._raw.sampled]
+        self._inputs = dict(zip(self._raw.header[2:], inputs))
+        self._header = [self._inputs[name].name if name in self._inputs else name for name in self._raw.header]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Sweep, (self._source, self._threads, None, self._rows, self._raw.study)
@@ -101,9 +136,11 @@ class Sweep(Iterator[Record]):
         first = len(self._rows)
         known = {code for row in self._rows for code in row["outside"].split()}
         for cells in self._raw.rows(first, first + _AT_ONCE, self._threads):
-            row = dict(zip(self._header, cells))
+            row = dict(zip(self._raw.header, cells))
             texts = {"id": row["id"], "outside": row["outside"], "code": row["code"] or None, "case": int(row["case"])}
-            self._rows.append({name: texts[name] if name in texts else _value(cell) for name, cell in row.items()})
+            read = {name: self._inputs[name].read if name in self._inputs else _value for name in row}
+            values = [texts[name] if name in texts else read[name](cell) for name, cell in row.items()]
+            self._rows.append(dict(zip(self._header, values)))
         if self._steps.call is not None:
             self._steps.call(len(self._rows), len(self._raw))
         firsts = {code: row["case"] for row in reversed(self._rows[first:]) for code in row["outside"].split()}
@@ -127,9 +164,25 @@ class Sweep(Iterator[Record]):
         """All rows as a `pandas.DataFrame` with the numbers of the cases as index."""
         return self.run().to_pandas().set_index("case")
 
-    def to_xarray(self) -> Any:
-        """All rows as an `xarray.Dataset` over the numbers of the cases."""
-        return self.to_pandas().to_xarray()
+    def to_xarray(self) -> xarray.Dataset:
+        """All rows as an `xarray.Dataset` over the axes, and over ``sample`` where the study has a sample."""
+        import xarray
+
+        table = self.run()
+        nodes = {one.name: [one.read(text) for text in texts] for one, texts in self._axes}
+        sampled = [one.name for one in self._inputs.values() if one.name not in nodes]
+        sizes = {name: len(values) for name, values in nodes.items()}
+        points = len(table) // math.prod(sizes.values())
+        if sampled or points > 1:
+            sizes["sample"] = points
+        shape, dimensions = tuple(sizes.values()), tuple(sizes)
+        names = [name for name in self._header if name not in nodes]
+        data = {name: variable(dimensions, name, table[name].reshape(shape)) for name in names}
+        return xarray.Dataset(data, coords={name: variable(name, name, values) for name, values in nodes.items()})
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> object:
+        """All rows for programs that read Arrow, as those of a `Table`."""
+        return self.run().__arrow_c_stream__(requested_schema)
 
     def __repr__(self) -> str:
         return f"<Sweep: {len(self._rows)} of {len(self)} cases run>"
@@ -149,7 +202,7 @@ def sweep(
 ) -> Sweep:
     """The cases of a study, an iterator that runs them as it goes.
 
-    Args:
+    Parameters:
         case: the case that all others are made from.
         axes: crossed axes: by key the values, ``{"operation.torque": ["20 N m", "150 N m"]}``, for the operating point
             also by number, ``{"torque_nm": [20, 150]}``, or
@@ -163,11 +216,29 @@ def sweep(
         study: a study file in place of all these (docs/FILE_FORMATS.md).
         folder: folder that files of the sample are relative to.
         threads, progress: as in `Case.run`.
+
+    Returns:
+        A `Sweep`, an iterator of rows.
+
+    Raises:
+        AsperityError: a key that no case has (E203), or a value that it cannot have (E204), before the first case is run.
+
+    Example:
+        >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> cases = asperity.sweep(case, {"torque_nm": [50, 100, 145], "lubricant.oil": ["m100", "n100"]})
+        >>> [row.torque_nm for row in cases][:3]
+        [50.0, 50.0, 100.0]
+        >>> table = cases.run()
+        >>> table[table["lubricant.oil"] == "m100"].loss_w.shape
+        (3,)
     """
     if study is not None:
         return Sweep(os.path.abspath(fspath(study)), threads, progress)
     if case is None:
         raise AsperityError("a sweep needs a case or a study", Code.E205, "Give a case with axes, or a study file.")
+    for name, given in (("axes", axes), ("sample", sample)):
+        if given is not None and not isinstance(given, Mapping):
+            raise wrong_kind(name, given, "keys with their values" if name == "axes" else "the settings of a sample by name")
     base = as_case(case)
     text: dict[str, Any] = {"axis": [_axis(name, values) for name, values in (axes or {}).items()], "detail": detail}
     if columns is not None:
@@ -180,7 +251,7 @@ def sweep(
 
 
 def _schema(key: str) -> Schema:
-    schema = Schema()
+    schema = Schema(kind_of([key]))
     for part in key.split("."):
         schema = schema.item() if part.isdigit() else schema.at(part)
     return schema
@@ -191,12 +262,15 @@ def _with_units(key: str, law: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
 
 
 def _axis(name: str, values: Any) -> dict[str, Any]:
-    if name in OPERATING:
+    if not isinstance(values, (Mapping, Sequence, np.ndarray)) or isinstance(values, str):
+        raise wrong_kind(f"axes[{name!r}]", values, "a list of values, a range or choices")
+    if name in OPERATING or name in BY_TEXT:
+        key = OPERATING[BY_TEXT.get(name, name)].key
         every = values if not isinstance(values, Mapping) else [values["from"], values["to"]]
-        texts = [as_keys({name: value})[OPERATING[name].key] for value in every]
+        texts = [written(as_keys({name: value})[key], _schema(key), []) for value in every]
         if isinstance(values, Mapping):
-            return {"key": OPERATING[name].key, **values, "from": texts[0], "to": texts[1]}
-        return {"key": OPERATING[name].key, "values": texts}
+            return {"key": key, **values, "from": texts[0], "to": texts[1]}
+        return {"key": key, "values": texts}
     schema = _schema(name)
     if not isinstance(values, Mapping):
         return {"key": name, "values": [written(value, schema, []) for value in values]}

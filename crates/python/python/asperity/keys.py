@@ -1,332 +1,17 @@
-"""Keys of a case, choices of arguments and columns of results, for type checkers and completion.
+"""Keys of a case and choices of arguments, for type checkers and completion.
 
-Written by crates/python/typed.py; nothing of the package imports it at run time.
+Written by crates/python/typed.py from the lists of the compiled part.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Literal, Optional, TypedDict, Union
-
-from numpy.typing import NDArray
-
-if TYPE_CHECKING:
-    from ._profile import Profile
-    from ._quantity import PintLike
-
-Quantity = Union[str, "PintLike"]
-"""Text with a unit (``"1.8 mm"``) or a quantity of pint."""
-
-
-Formulation = Literal[
-    "corrected", "paper",
-]
-
-
-Detail = Literal[
-    "losses", "contacts", "fields",
-]
-
-
-Band = Literal[
-    "none", "nodes",
-]
-
-
-ExportFormat = Literal[
-    "csv", "vecto", "modelica", "matlab", "fmu", "co2mpas", "fastsim", "advisor",
-]
-
-
-Form = Literal[
-    "none", "mean", "level", "poly2", "circle", "involute",
-]
-
-
-Ends = Literal[
-    "cut", "reg0", "reg1", "reflect",
-]
-
-
-Standard = Literal[
-    "iso4287", "iso21920",
-]
-
-
-Boundary = Literal[
-    "free", "periodic", "periodic-spectral",
-]
-
-
-FilmLaw = Literal[
-    "dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line",
-]
-
-
-ThermalLaw = Literal[
-    "gupta", "murch-wilson", "none",
-]
-
-
-FrictionLaw = Literal[
-    "xu", "iso-14179-2", "iso-14179-1", "benedict-kelley", "matsumoto", "doleschel", "eyring", "constant",
-]
-
-
-LawOf = Literal[
-    "film-friction", "film-thickness", "load-share", "load-distribution",
-]
-
-
-Zero = Literal[
-    "curve", "common", "none",
-]
-
-
-TemperatureColumn = Literal[
-    "lube", "pot",
-]
-
-
-CalibratedParameter = Literal[
-    "boundary_friction", "boundary_layer", "limiting_shear", "eyring_stress",
-]
-
-
-RoughnessParameter = Literal[
-    "rpk", "rq", "rdq",
-]
-
-
-SurfaceKind = Literal[
-    "self-affine", "non-gaussian", "plateau-honed", "ground", "fitted",
-]
-
-
-Amplitudes = Literal[
-    "fixed", "random",
-]
-
-
-LengthUnit = Literal[
-    "m", "mm", "um", "nm", "angstrom", "inch", "mil", "uin",
-]
-
-
-DecimalSign = Literal[
-    "point", "comma",
-]
-
-
-Separator = Literal[
-    "semicolon", "tab", "comma", "blank", "none",
-]
-
-
-Encoding = Literal[
-    "utf-8", "utf-16le", "utf-16be", "windows-1252",
-]
-
-
-Gaps = Literal[
-    "refuse", "interpolate",
-]
-
-
-TraceLine = Literal[
-    "row", "column", "mean", "mean-column",
-]
-
-
-Abscissa = Literal[
-    "distance", "roll-length", "roll-degrees", "roll-radians",
-]
-
-
-Uneven = Literal[
-    "refuse", "resample",
-]
-
-
-ResultName = Literal[
-    "schema_version", "program", "title", "case_file", "formulation", "summary", "published_laws", "load", "path",
-    "points", "records", "uncertainty", "bulk", "gearbox", "micropitting", "running_in", "run_in", "ridges",
-    "no_ridges", "warnings", "flanks", "pairs", "gears", "lubricant", "film_constants", "inputs", "defaults",
-    "equations", "references",
-]
-
-
-SummaryName = Literal[
-    "scope", "gearbox_efficiency", "gearbox_loss_w", "efficiency", "efficiency_deviation", "offsets", "power_in_w",
-    "torque_out_nm", "loss_w", "sliding_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w",
-    "deformation_w", "deformation_in_contact_w", "hysteresis_w", "elastic_cycling_w", "asperity_share",
-    "asperity_share_standard_error", "boundary_share", "mu_equivalent", "loss_factor", "loss_factor_local",
-    "mixed_share", "regime", "positions", "worst_load_error", "worst_duality_gap",
-]
-
-
-PathColumn = Literal[
-    "position", "s_mm", "path_fraction", "weight_m", "line_load_n_per_mm", "sliding_load_n_per_mm", "load_share",
-    "radius_mm", "u1_m_per_s", "u2_m_per_s", "sliding_m_per_s", "entrainment_m_per_s", "slide_to_roll",
-    "half_width_um", "hertz_pressure_mpa", "thermal_reduction", "film_central_um", "film_minimum_um", "lambda_star",
-    "film_ratio", "mixed_share", "regime", "film_share", "film_share_standard_error", "boundary_of_asperities",
-    "boundary_share", "mean_gap_um", "roughness_over_film", "full_film", "mu_film", "mu", "flash_k", "flash_max_k",
-    "sliding_w_per_m", "sliding_deviation_w_per_m", "sliding_standard_error_w_per_m", "sliding_error_freedom",
-    "face_zone", "film_w_per_m", "lubricated_asperity_w_per_m", "boundary_w_per_m", "rolling_w_per_m",
-    "contact_fraction", "p_max_mpa", "plastic_work_j_per_m", "von_mises_max_mpa", "von_mises_depth_um",
-    "yield_depth_um", "yield_share", "iterations", "load_error",
-]
-
-
-MapName = Literal[
-    "loss_w", "loss_median_w", "loss_p05_w", "loss_p95_w", "loss_torque_nm", "loss_torque_deviation_nm", "efficiency",
-    "efficiency_deviation", "sliding_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w",
-    "deformation_w", "mu_equivalent", "mixed_share", "extended", "code", "regime",
-]
-
-
-class ResultValues:
-    """Values of a result."""
-
-    schema_version: Any
-    program: Any
-    case_file: Any
-    formulation: Any
-    published_laws: Any
-    load: Any
-    points: Any
-    records: Any
-    bulk: Any
-    gearbox: Any
-    micropitting: Any
-    running_in: Any
-    run_in: Any
-    ridges: Any
-    no_ridges: Any
-    flanks: Any
-    pairs: Any
-    gears: Any
-    lubricant: Any
-    film_constants: Any
-    inputs: Any
-    defaults: Any
-    equations: Any
-    references: Any
-
-
-class SummaryValues:
-    """Numbers of a summary."""
-
-    scope: Any
-    gearbox_efficiency: Any
-    gearbox_loss_w: Any
-    efficiency: Any
-    efficiency_deviation: Any
-    offsets: Any
-    power_in_w: Any
-    torque_out_nm: Any
-    loss_w: Any
-    sliding_w: Any
-    film_w: Any
-    lubricated_asperity_w: Any
-    boundary_w: Any
-    rolling_w: Any
-    deformation_w: Any
-    deformation_in_contact_w: Any
-    hysteresis_w: Any
-    elastic_cycling_w: Any
-    asperity_share: Any
-    asperity_share_standard_error: Any
-    boundary_share: Any
-    mu_equivalent: Any
-    loss_factor: Any
-    loss_factor_local: Any
-    mixed_share: Any
-    regime: Any
-    positions: Any
-    worst_load_error: Any
-    worst_duality_gap: Any
-
-
-class PathArrays:
-    """Columns along the path of contact."""
-
-    position: NDArray[Any]
-    s_mm: NDArray[Any]
-    path_fraction: NDArray[Any]
-    weight_m: NDArray[Any]
-    line_load_n_per_mm: NDArray[Any]
-    sliding_load_n_per_mm: NDArray[Any]
-    load_share: NDArray[Any]
-    radius_mm: NDArray[Any]
-    u1_m_per_s: NDArray[Any]
-    u2_m_per_s: NDArray[Any]
-    sliding_m_per_s: NDArray[Any]
-    entrainment_m_per_s: NDArray[Any]
-    slide_to_roll: NDArray[Any]
-    half_width_um: NDArray[Any]
-    hertz_pressure_mpa: NDArray[Any]
-    thermal_reduction: NDArray[Any]
-    film_central_um: NDArray[Any]
-    film_minimum_um: NDArray[Any]
-    lambda_star: NDArray[Any]
-    film_ratio: NDArray[Any]
-    mixed_share: NDArray[Any]
-    regime: NDArray[Any]
-    film_share: NDArray[Any]
-    film_share_standard_error: NDArray[Any]
-    boundary_of_asperities: NDArray[Any]
-    boundary_share: NDArray[Any]
-    mean_gap_um: NDArray[Any]
-    roughness_over_film: NDArray[Any]
-    full_film: NDArray[Any]
-    mu_film: NDArray[Any]
-    mu: NDArray[Any]
-    flash_k: NDArray[Any]
-    flash_max_k: NDArray[Any]
-    sliding_w_per_m: NDArray[Any]
-    sliding_deviation_w_per_m: NDArray[Any]
-    sliding_standard_error_w_per_m: NDArray[Any]
-    sliding_error_freedom: NDArray[Any]
-    face_zone: NDArray[Any]
-    film_w_per_m: NDArray[Any]
-    lubricated_asperity_w_per_m: NDArray[Any]
-    boundary_w_per_m: NDArray[Any]
-    rolling_w_per_m: NDArray[Any]
-    contact_fraction: NDArray[Any]
-    p_max_mpa: NDArray[Any]
-    plastic_work_j_per_m: NDArray[Any]
-    von_mises_max_mpa: NDArray[Any]
-    von_mises_depth_um: NDArray[Any]
-    yield_depth_um: NDArray[Any]
-    yield_share: NDArray[Any]
-    iterations: NDArray[Any]
-    load_error: NDArray[Any]
-
-
-class MapArrays:
-    """Arrays of a map."""
-
-    loss_w: NDArray[Any]
-    loss_median_w: NDArray[Any]
-    loss_p05_w: NDArray[Any]
-    loss_p95_w: NDArray[Any]
-    loss_torque_nm: NDArray[Any]
-    loss_torque_deviation_nm: NDArray[Any]
-    efficiency: NDArray[Any]
-    efficiency_deviation: NDArray[Any]
-    sliding_w: NDArray[Any]
-    film_w: NDArray[Any]
-    lubricated_asperity_w: NDArray[Any]
-    boundary_w: NDArray[Any]
-    rolling_w: NDArray[Any]
-    deformation_w: NDArray[Any]
-    mu_equivalent: NDArray[Any]
-    mixed_share: NDArray[Any]
-    extended: NDArray[Any]
-    code: NDArray[Any]
-    regime: NDArray[Any]
+from typing import Literal, Optional, TypedDict, Union
+
+from ._choices import *
+from ._profile import Profile
+from ._quantity import PintLike, Quantity
 
 
 class CalibrationInput(TypedDict, total=False):
@@ -894,7 +579,7 @@ class ShaftsInput(TypedDict, total=False):
 
 
 class CaseTables(TypedDict, total=False):
-    """Tables of a case, and its operating point as numbers."""
+    """Tables of a case, and its operating point as numbers or text."""
 
     calibration: Optional[CalibrationInput]
     gearbox: Optional[Union[GearboxInput, MeshGearboxInput]]
@@ -912,9 +597,12 @@ class CaseTables(TypedDict, total=False):
     mesh: Optional[Mapping[str, MeshInput]]
     planetary: Optional[PlanetaryInput]
     train: Optional[ShaftsInput]
-    torque_nm: float
-    speed_rpm: float
-    temperature_c: float
+    torque_nm: Optional[float]
+    speed_rpm: Optional[float]
+    temperature_c: Optional[float]
+    torque: Optional[Quantity]
+    speed: Optional[Quantity]
+    temperature: Optional[Quantity]
 
 
 CaseKeys = TypedDict(
@@ -937,9 +625,12 @@ CaseKeys = TypedDict(
         "mesh": "Optional[Mapping[str, MeshInput]]",
         "planetary": "Optional[PlanetaryInput]",
         "train": "Optional[ShaftsInput]",
-        "torque_nm": "float",
-        "speed_rpm": "float",
-        "temperature_c": "float",
+        "torque_nm": "Optional[float]",
+        "speed_rpm": "Optional[float]",
+        "temperature_c": "Optional[float]",
+        "torque": "Optional[Quantity]",
+        "speed": "Optional[Quantity]",
+        "temperature": "Optional[Quantity]",
         "calibration.boundary_friction": "Optional[Calibrated]",
         "calibration.boundary_friction.high": "Optional[float]",
         "calibration.boundary_friction.low": "Optional[float]",

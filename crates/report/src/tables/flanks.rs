@@ -6,7 +6,7 @@ use asperity::result::FlankRecord;
 use asperity_core::{Fault, Profile};
 use asperity_roughness::RoughnessError;
 use asperity_roughness::form::{self, Form};
-use asperity_roughness::material_ratio::abbott_curve;
+use asperity_roughness::material_ratio::{abbott_curve, material_ratio_percent};
 use asperity_roughness::preparation::{Preparation, Prepared, prepare};
 use asperity_roughness::resampling::respaced;
 use asperity_roughness::spectral::power_spectrum;
@@ -182,7 +182,7 @@ fn in_bands(rows: &[SpectrumRow]) -> Vec<SpectrumRow> {
 /// Row `k` of the material ratio curve with these heights.
 fn ratio_row(heights: &[f64], k: usize) -> MaterialRatioRow {
     MaterialRatioRow {
-        material_ratio_percent: 100.0 * (k as f64 + 0.5) / heights.len() as f64,
+        material_ratio_percent: material_ratio_percent(k, heights.len()),
         height_um: heights[k] * MICRO,
     }
 }

@@ -47,6 +47,13 @@ impl Axes {
         self.0.iter().map(|axis| axis.name.as_str())
     }
 
+    /// Column and text of each node, of every axis.
+    pub(super) fn texts(&self) -> Vec<(String, Vec<String>)> {
+        let texts = |axis: &CrossedAxis| axis.nodes.iter().map(|(text, _)| text.clone()).collect();
+        let axes = self.0.iter().map(|axis| (axis.name.clone(), texts(axis)));
+        axes.collect()
+    }
+
     /// Keys that each axis sets.
     pub(super) fn keys(&self) -> impl Iterator<Item = BTreeSet<&str>> {
         self.0

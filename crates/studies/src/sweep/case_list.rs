@@ -165,6 +165,21 @@ impl CaseList {
         }
     }
 
+    /// Every value of every axis, and those of the first point of the sample, can be set.
+    pub(super) fn check_values(&self, study: &Study) -> Result<(), SweepError> {
+        let sampled = self.inputs(0).settings;
+        for (key, value) in self.axes.settings().chain(&sampled) {
+            let mut input = study.case.input.clone();
+            set(&mut input, &study.case.defaults, key, value)?;
+        }
+        Ok(())
+    }
+
+    /// Names and texts of the nodes of the axes.
+    pub(super) fn axes(&self) -> Vec<(String, Vec<String>)> {
+        self.axes.texts()
+    }
+
     pub(super) fn count(&self) -> usize {
         self.per_sample() * self.samples()
     }

@@ -56,6 +56,26 @@ impl Cases {
         self.list.count()
     }
 
+    /// Names and texts of the nodes of the crossed axes, the outermost first; the sample is the innermost.
+    #[must_use]
+    pub fn axes(&self) -> Vec<(String, Vec<String>)> {
+        self.list.axes()
+    }
+
+    /// Sampled keys.
+    #[must_use]
+    pub fn sampled(&self) -> Vec<String> {
+        self.list.sampled()
+    }
+
+    /// Sets every value of every axis once, without running a case.
+    ///
+    /// # Errors
+    /// When a value cannot be read; a case with it would have a row with its error code.
+    pub fn check_values(&self) -> Result<(), SweepError> {
+        self.list.check_values(&self.study)
+    }
+
     /// Names of the columns of a row: number, id, inputs, results, codes of warnings, error code.
     #[must_use]
     pub fn header(&self) -> Vec<String> {

@@ -1,0 +1,19 @@
+"""Names of the studies.
+
+Written by crates/python/typed.py from the settings of the compiled part.
+"""
+
+__all__ = [
+    "calibrate",
+    "callout",
+    "compare",
+    "cycle",
+    "design",
+    "evidence",
+    "oil_fit",
+    "oil_plan",
+    "oil_traction",
+    "ridges",
+    "sensitivity",
+    "stribeck",
+]
