@@ -186,7 +186,7 @@ fn uncertainty() -> String {
         ends: [low, high],
         text: format!("{:.0} to {:.0}", tens(low), tens(high)),
     };
-    let mut intervals = vec![interval("all together", loss.drawn.ends())];
+    let mut intervals = vec![interval("all together", loss.drawn().ends())];
     let parts = loss.parts.iter().take(7);
     intervals.extend(parts.map(|part| interval(&part.name, part.quantiles_w)));
     let tornado = Tornado {
@@ -194,7 +194,7 @@ fn uncertainty() -> String {
         title: "Loss of the e-drive, 5 to 95 %, and its components".to_owned(),
         source: "uncertainty.md".to_owned(),
         axis: Axis::new("loss", "W"),
-        middle: loss.drawn.value,
+        middle: loss.drawn().value,
         intervals,
     };
     tornado.svg(Dress::Alone)

@@ -279,8 +279,8 @@ fn a_case_with_wild_numbers_has_a_finite_efficiency_or_a_coded_reason() {
             Ok(outcome) => {
                 let summary = outcome.result.summary;
                 if let Some(found) = outcome.result.uncertainty {
-                    let [low, high] = found.loss.drawn.ends();
-                    let [least, most] = found.efficiency.ends();
+                    let [low, high] = found.loss.drawn().ends();
+                    let [least, most] = found.efficiency().ends();
                     let is_possible = 0.0 <= low && low <= high && 0.0 <= least && most <= 1.0;
                     // Without sliding and without rolling friction nothing is lost.
                     let is_lossless = summary.loss_w == 0.0;

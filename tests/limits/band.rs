@@ -178,8 +178,8 @@ fn a_draw_is_a_run_with_its_constants() {
         .unwrap();
     // The loss rises with the friction, so that the quantiles of one are those of the other.
     for (value, drawn) in [
-        (friction.drawn.low, part.quantiles_w[0]),
-        (friction.drawn.high, part.quantiles_w[1]),
+        (friction.drawn().low, part.quantiles_w[0]),
+        (friction.drawn().high, part.quantiles_w[1]),
     ] {
         let other = case
             .with_key("model.boundary_friction", &value.to_string())
@@ -212,7 +212,7 @@ fn finishes_differ_less_than_each_is_uncertain() {
     );
     let width = |[low, high]: [f64; 2]| high - low;
     // The draws are the same, so what both finishes share cancels.
-    let each = drawn.map(|uncertainty| width(uncertainty.loss.drawn.ends()));
+    let each = drawn.map(|uncertainty| width(uncertainty.loss.drawn().ends()));
     assert!(
         width(found.watts.ends()) < each[0].hypot(each[1]),
         "{found:?} {each:?}"

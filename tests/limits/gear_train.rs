@@ -96,7 +96,7 @@ fn a_pair_of_gears_is_a_train_of_one_mesh() {
     assert_eq!(pair.whole.loss_distribution, named.whole.loss_distribution);
     assert_eq!(pair.whole.gearbox, named.whole.gearbox);
     assert_eq!(only.gearbox, named.whole.gearbox);
-    let loss = only.uncertainty.as_ref().unwrap().loss.drawn.ends();
+    let loss = only.uncertainty.as_ref().unwrap().loss.drawn().ends();
     assert_eq!(pair.whole.loss_distribution.unwrap().drawn.ends(), loss);
     // The ratio of the pair and the tooth numbers of the train differ by their rounding.
     for (a, b) in pair.whole.shafts.iter().zip(&named.whole.shafts) {

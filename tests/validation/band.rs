@@ -63,12 +63,12 @@ pub fn table() -> String {
     let range = |[low, high]: [f64; 2]| format!("{low:.0} to {high:.0}");
     row(
         "loss W, 5 to 95 %",
-        [ground, fine].map(|found| range(found.1.loss.drawn.ends())),
+        [ground, fine].map(|found| range(found.1.loss.drawn().ends())),
         "sliding 511 to 723, 337 to 460, first form",
     );
     row(
         "loss W, median",
-        [ground, fine].map(|found| whole(found.1.loss.drawn.value)),
+        [ground, fine].map(|found| whole(found.1.loss.drawn().value)),
         "-",
     );
     row(
@@ -107,7 +107,7 @@ fn the_band_of_the_shipped_drive_holds_the_reference_computation() {
     let [ground, fine] = both();
     // The reference's sliding losses with the rolling loss of this program.
     for (found, sliding) in [(ground, 569.0), (fine, 397.0)] {
-        let [low, high] = found.1.loss.drawn.ends();
+        let [low, high] = found.1.loss.drawn().ends();
         let reference = sliding + found.0.rolling_w;
         assert!(
             (low..high).contains(&reference),

@@ -105,14 +105,14 @@ pub fn table() -> String {
         let family = runs[0].2.sd_of_constants();
         for (by, banded) in by.iter().zip(runs) {
             let loss = &banded.1.loss;
-            let [low, high] = loss.drawn.ends();
+            let [low, high] = loss.drawn().ends();
             let sd = banded.2.sd_of_constants();
             let [left, law] =
                 [&UNSTATED[..], &["error of the film law"]].map(|names| part(banded, names));
             let _ = writeln!(
                 text,
                 "| {name} | {by} | {:.0} ({low:.0} to {high:.0}) | {sd:.3} | {:.2} | {left:.3} | {law:.3} |",
-                loss.drawn.value,
+                loss.drawn().value,
                 sd / family,
             );
         }
@@ -147,7 +147,7 @@ fn traction_curves_narrow_the_part_of_the_constants() {
             let left = part(fitted, &UNSTATED) / fitted.2.sd_of_constants();
             assert!(left > 0.9 || name == "superfinished", "{name}: {left}");
             let width = |banded: &Banded| {
-                let [low, high] = banded.1.loss.drawn.ends();
+                let [low, high] = banded.1.loss.drawn().ends();
                 high / low
             };
             assert!(width(fitted) < width(family), "{name}");

@@ -83,7 +83,7 @@ const OTHERS_BEFORE: [[&str; 9]; 2] = [
 
 /// The median with its quantiles.
 fn text((_, found, _): &Banded) -> String {
-    rounded(found.loss.drawn.value, found.loss.drawn.ends())
+    rounded(found.loss.drawn().value, found.loss.drawn().ends())
 }
 
 fn computed(case: &str, torque_nm: f64, celsius: f64) -> Banded {

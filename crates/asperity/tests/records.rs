@@ -93,7 +93,7 @@ fn a_loss_by_records_has_an_interval_and_no_draw_solves_a_record() {
     assert_eq!(files(cache.path()), 3);
     let of = |result: &RunResult| result.uncertainty.clone().unwrap();
     let found = of(&stated);
-    let [low, high] = found.loss.drawn.ends();
+    let [low, high] = found.loss.drawn().ends();
     assert!(low < stated.summary.loss_w && stated.summary.loss_w < high);
     let [falls, whole] = [0, 1].map(|k: usize| found.structures[k].loss_w.unwrap());
     // Ridges across the face, as in the records: the run is one of the draws.

@@ -19,7 +19,7 @@ pub(crate) fn models(uncertainty: &Uncertainty) -> Table {
 
 /// The losses by other models that are outside of the interval, in words; `None` if there are none.
 pub(crate) fn outside(uncertainty: &Uncertainty) -> Option<String> {
-    let drawn = uncertainty.loss.drawn;
+    let drawn = uncertainty.loss.drawn();
     let losses = uncertainty.other_models.iter();
     let losses = losses.filter_map(|row| row.loss_w);
     let outside: Vec<f64> = losses.filter(|loss| !drawn.contains(*loss)).collect();

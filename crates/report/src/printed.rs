@@ -119,7 +119,7 @@ const UNITS: [&str; 2] = [" W", " %"];
 pub(crate) fn of_mesh(result: &RunResult) -> [String; 2] {
     let s = &result.summary;
     match &result.uncertainty {
-        Some(uncertainty) => with_interval(uncertainty.loss.drawn, s.power_in_w, UNITS),
+        Some(uncertainty) => with_interval(uncertainty.loss.drawn(), s.power_in_w, UNITS),
         None => [
             PrintedLoss::of(s, &result.running_in, None).loss,
             format!("{:.4} %", 100.0 * s.efficiency),
@@ -129,7 +129,7 @@ pub(crate) fn of_mesh(result: &RunResult) -> [String; 2] {
 
 /// Loss and efficiency of the gearbox with the intervals that the mesh leaves.
 pub(crate) fn gearbox_with_interval(gearbox: &GearboxReport, of_mesh: &Uncertainty) -> [String; 2] {
-    let drawn_w = gearbox.drawn_w(of_mesh.loss.drawn);
+    let drawn_w = gearbox.drawn_w(of_mesh.loss.drawn());
     with_interval(drawn_w, gearbox.power_in_w, UNITS)
 }
 

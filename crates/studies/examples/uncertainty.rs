@@ -55,7 +55,7 @@ fn cells() {
                 ];
                 let case = shipped(name, &at);
                 let (found, _) = drawn(&case);
-                let [low, high] = found.loss.drawn.ends();
+                let [low, high] = found.loss.drawn().ends();
                 let former = [("model.boundary_friction", "0.08"), ("model.lay", "0")];
                 let former = former.iter().fold(case.clone(), |case, (key, value)| {
                     case.with_key(key, value).unwrap()
@@ -77,7 +77,7 @@ fn cells() {
                 };
                 println!(
                     "| {torque} | {temperature} | {name} | {:.0} ({low:.0}..{high:.0}) | {:+.3} | {} | {} | {} |",
-                    found.loss.drawn.value,
+                    found.loss.drawn().value,
                     found.scale().ln(),
                     held(loss(&former)),
                     held(of("0.6")),
@@ -164,7 +164,7 @@ fn coverage(pairs: u64, positions: &str) {
         });
         let truths: Vec<f64> = truths.collect();
         let held = |(of, _): &(Uncertainty, Predictive)| {
-            let [low, high] = of.loss.drawn.ends();
+            let [low, high] = of.loss.drawn().ends();
             let within = truths.iter().filter(|truth| (low..=high).contains(truth));
             within.count() as f64 / truths.len() as f64
         };

@@ -96,7 +96,7 @@ pub fn diff(first: &RunResult, second: &RunResult) -> Result<ResultDiff, serde_j
         let mut values = BTreeMap::new();
         flatten("", &json_value(&result.summary)?, &mut values);
         if let Some(band) = &result.uncertainty {
-            let (loss, efficiency) = (band.loss.drawn, band.efficiency);
+            let (loss, efficiency) = (band.loss.drawn(), band.efficiency());
             let drawn = [
                 ("loss_median_w", loss.value),
                 ("loss_p05_w", loss.low),

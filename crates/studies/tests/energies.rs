@@ -118,7 +118,11 @@ fn columns_of_a_sweep_hold_the_quantiles_of_runs() {
     let case = ground(3, 2);
     let loss = Run::new(&case).without_pictures().band(true).execute();
     let loss = loss.unwrap().result.uncertainty.unwrap().loss;
-    let expected = [loss.drawn.value, loss.drawn.ends()[0], loss.drawn.ends()[1]];
+    let expected = [
+        loss.drawn().value,
+        loss.drawn().ends()[0],
+        loss.drawn().ends()[1],
+    ];
     for detail in ["losses", "contacts"] {
         let text = format!(
             r#"{{ "axis": [{{ "key": "operation.bulk_temperature", "values": ["90 °C", "60 °C"] }}], "detail": "{detail}",

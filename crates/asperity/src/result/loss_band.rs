@@ -1,11 +1,9 @@
 //! The uncertainty of a loss as plain data, and the digits that it leaves.
 
 use asperity_case::message::Subject;
-use asperity_core::{Code, Estimate, EstimateKeys, estimate_keys};
-use asperity_uncertainty::{Quantiles, Watts};
+use asperity_core::{Code, Estimate};
+use asperity_uncertainty::Quantiles;
 use serde::{Deserialize, Serialize};
-
-estimate_keys! { Efficiency: "efficiency_median" "efficiency_quantiles"; }
 
 /// The uncertainty of the loss with its components, and the loss by other models.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -15,9 +13,10 @@ pub struct Uncertainty {
     pub loss: LossDistribution,
     /// The loss of the run, with every constant at its median \[W\].
     pub at_medians_w: f64,
-    /// Median of the mesh efficiency with its 5 % and 95 % quantiles.
-    #[serde(flatten, with = "Efficiency")]
-    pub efficiency: Estimate,
+    /// Median of the mesh efficiency.
+    pub efficiency_median: f64,
+    /// Its 5 % and 95 % quantiles.
+    pub efficiency_quantiles: [f64; 2],
     /// Constants that were drawn.
     pub constants: Vec<DrawnConstant>,
     /// Constants that were not drawn because the case states them.
@@ -110,13 +109,22 @@ impl EvidenceRow {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct LossDistribution {
-    /// Median with 5 % and 95 % quantiles \[W\].
-    #[serde(flatten, with = "Watts")]
-    pub drawn: Estimate,
+    /// Median \[W\].
+    pub median_w: f64,
+    /// 5 % and 95 % quantiles \[W\].
+    pub quantiles_w: [f64; 2],
     /// Standard deviation of the logarithm.
     pub sd_ln: f64,
     /// Components, each with all others at their medians, the largest first.
     pub parts: Vec<UncertaintyPart>,
+}
+
+impl LossDistribution {
+    /// Median with 5 % and 95 % quantiles \[W\].
+    #[must_use]
+    pub fn drawn(&self) -> Estimate {
+        Estimate::new(self.median_w, self.quantiles_w)
+    }
 }
 
 /// A component of the uncertainty, drawn with all others at their medians.
@@ -150,14 +158,25 @@ impl UncertaintyPart {
 pub struct DrawnConstant {
     /// Its name.
     pub name: String,
-    /// The median, which the run uses, with 5 % and 95 % quantiles; with 2.5 % and 97.5 % quantiles of a calibrated constant.
-    #[serde(flatten)]
-    pub drawn: Estimate,
+    /// The median, which the run uses.
+    pub value: f64,
+    /// 5 % quantile; 2.5 % of a calibrated constant.
+    pub low: f64,
+    /// 95 % quantile; 97.5 % of a calibrated constant.
+    pub high: f64,
     /// Unit of these; "-" for a number.
     pub unit: String,
     /// Whether the case calibrates it.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub is_calibrated: bool,
+}
+
+impl DrawnConstant {
+    /// The median with its quantiles.
+    #[must_use]
+    pub fn drawn(&self) -> Estimate {
+        Estimate::new(self.value, [self.low, self.high])
+    }
 }
 
 /// Contribution of a trace being a sample of its flank.
@@ -273,11 +292,17 @@ pub enum Trust {
 }
 
 impl Uncertainty {
+    /// Median of the mesh efficiency with its 5 % and 95 % quantiles.
+    #[must_use]
+    pub fn efficiency(&self) -> Estimate {
+        Estimate::new(self.efficiency_median, self.efficiency_quantiles)
+    }
+
     /// The median of the loss over the loss of the run, with which the parts of the run are parts of the median.
     #[must_use]
     pub fn scale(&self) -> f64 {
         match self.at_medians_w > 0.0 {
-            true => self.loss.drawn.value / self.at_medians_w,
+            true => self.loss.drawn().value / self.at_medians_w,
             false => 1.0,
         }
     }
@@ -311,14 +336,14 @@ impl Uncertainty {
     pub fn traces_narrow(&self) -> bool {
         let digits = self.digits();
         let printed = |ends: [f64; 2]| ends.map(|loss| digits.rounded(loss));
-        let now = printed(self.loss.drawn.ends());
+        let now = printed(self.loss.drawn().ends());
         self.with_traces_w.is_some_and(|ends| printed(ends) != now)
     }
 
     /// The last place of printed losses and their parts.
     #[must_use]
     pub fn digits(&self) -> Digits {
-        Digits::of_interval(self.loss.drawn.ends())
+        Digits::of_interval(self.loss.drawn().ends())
     }
 }
 

@@ -299,7 +299,7 @@ impl<'a> MeshLosses<'a> {
         Self {
             summary: &run.summary,
             path: &run.path,
-            drawn: run.uncertainty.as_ref().map(|found| found.loss.drawn),
+            drawn: run.uncertainty.as_ref().map(|found| found.loss.drawn()),
         }
     }
 }

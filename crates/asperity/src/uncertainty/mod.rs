@@ -207,12 +207,14 @@ fn uncertainty(
     let sliding_w_per_m = nominal.path.iter().map(|row| row.sliding_w_per_m);
     let found = Uncertainty {
         loss: LossDistribution {
-            drawn,
+            median_w: drawn.value,
+            quantiles_w: drawn.ends(),
             sd_ln,
             parts: parts(loaded, &predictive, &nominal, drawn.value),
         },
         at_medians_w: predictive.at_medians_w,
-        efficiency,
+        efficiency_median: efficiency.value,
+        efficiency_quantiles: efficiency.ends(),
         constants: predictive.constants.iter().map(drawn_constant).collect(),
         held,
         draws: Predictive::count(),
@@ -240,14 +242,17 @@ fn uncertainty(
 }
 
 fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
+    let Estimate { value, low, high } = match ranged.measured {
+        Some(Measured::OilFile) => {
+            Estimate::new(ranged.estimate.value, [-Z_95, Z_95].map(|z| ranged.at(z)))
+        }
+        _ => ranged.estimate,
+    };
     DrawnConstant {
         name: ranged.kind.name().to_owned(),
-        drawn: match ranged.measured {
-            Some(Measured::OilFile) => {
-                Estimate::new(ranged.estimate.value, [-Z_95, Z_95].map(|z| ranged.at(z)))
-            }
-            _ => ranged.estimate,
-        },
+        value,
+        low,
+        high,
         unit: ranged.kind.unit().to_owned(),
         is_calibrated: ranged.measured == Some(Measured::Calibration),
     }

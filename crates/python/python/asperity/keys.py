@@ -17,25 +17,25 @@ from ._quantity import PintLike, Quantity
 class CalibrationInput(TypedDict, total=False):
     """Parameters calibrated on a rig, each with the 95 % band that the band of the loss is drawn from."""
 
-    boundary_friction: Optional[Calibrated]
-    boundary_layer: Optional[Calibrated2]
+    boundary_friction: Optional[Estimate]
+    boundary_layer: Optional[Estimate2]
     correlations: Optional[Sequence[CorrelationInput]]
-    eyring_stress: Optional[Calibrated3]
-    limiting_shear: Optional[Calibrated]
+    eyring_stress: Optional[Estimate3]
+    limiting_shear: Optional[Estimate]
     simulated: Optional[bool]
     source: Optional[str]
 
 
-class Calibrated(TypedDict, total=False):
-    """A calibrated value with its 95 % band."""
+class Estimate(TypedDict, total=False):
+    """A value with the ends of its interval."""
 
     high: Optional[float]
     low: Optional[float]
     value: Optional[float]
 
 
-class Calibrated2(TypedDict, total=False):
-    """A calibrated value with its 95 % band."""
+class Estimate2(TypedDict, total=False):
+    """A value with the ends of its interval."""
 
     high: Optional[Quantity]
     low: Optional[Quantity]
@@ -49,8 +49,8 @@ class CorrelationInput(TypedDict, total=False):
     value: Optional[float]
 
 
-class Calibrated3(TypedDict, total=False):
-    """A calibrated value with its 95 % band."""
+class Estimate3(TypedDict, total=False):
+    """A value with the ends of its interval."""
 
     high: Optional[Quantity]
     low: Optional[Quantity]
@@ -631,20 +631,20 @@ CaseKeys = TypedDict(
         "torque": "Optional[Quantity]",
         "speed": "Optional[Quantity]",
         "temperature": "Optional[Quantity]",
-        "calibration.boundary_friction": "Optional[Calibrated]",
+        "calibration.boundary_friction": "Optional[Estimate]",
         "calibration.boundary_friction.high": "Optional[float]",
         "calibration.boundary_friction.low": "Optional[float]",
         "calibration.boundary_friction.value": "Optional[float]",
-        "calibration.boundary_layer": "Optional[Calibrated2]",
+        "calibration.boundary_layer": "Optional[Estimate2]",
         "calibration.boundary_layer.high": "Optional[Quantity]",
         "calibration.boundary_layer.low": "Optional[Quantity]",
         "calibration.boundary_layer.value": "Optional[Quantity]",
         "calibration.correlations": "Optional[Sequence[CorrelationInput]]",
-        "calibration.eyring_stress": "Optional[Calibrated3]",
+        "calibration.eyring_stress": "Optional[Estimate3]",
         "calibration.eyring_stress.high": "Optional[Quantity]",
         "calibration.eyring_stress.low": "Optional[Quantity]",
         "calibration.eyring_stress.value": "Optional[Quantity]",
-        "calibration.limiting_shear": "Optional[Calibrated]",
+        "calibration.limiting_shear": "Optional[Estimate]",
         "calibration.limiting_shear.high": "Optional[float]",
         "calibration.limiting_shear.low": "Optional[float]",
         "calibration.limiting_shear.value": "Optional[float]",

@@ -110,7 +110,7 @@ pub(super) fn values(constant: &DrawnConstant) -> [String; 3] {
         "K" => (1.0, " K", 1),
         _ => (1.0, "", 3),
     };
-    let Estimate { value, low, high } = constant.drawn;
+    let Estimate { value, low, high } = constant.drawn();
     [value, low, high].map(|value| format!("{:.digits$}{unit}", factor * value))
 }
 
@@ -125,7 +125,7 @@ pub(super) fn tornado(uncertainty: &Uncertainty) -> Drawing {
         ends,
         text: ends.map(|loss| digits.rounded(loss)).join("..") + " W",
     };
-    let all = interval("all together", uncertainty.loss.drawn.ends());
+    let all = interval("all together", uncertainty.loss.drawn().ends());
     let parts = uncertainty.loss.parts.iter().take(LARGEST);
     let parts = parts.filter(|part| digits.steps(part.half_range_w()) > 0.0);
     let parts = parts.map(|part| interval(&part.name, part.quantiles_w));
@@ -134,7 +134,7 @@ pub(super) fn tornado(uncertainty: &Uncertainty) -> Drawing {
         title: "Band of the loss, 5 to 95 %, and of its largest components".to_owned(),
         source: "result.json".to_owned(),
         axis: Axis::new("loss", "W"),
-        middle: uncertainty.loss.drawn.value,
+        middle: uncertainty.loss.drawn().value,
         intervals: std::iter::once(all).chain(parts).collect(),
     })
 }

@@ -141,7 +141,7 @@ impl FinishResult {
     /// Median of the loss with its 5 and 95 % quantiles \[W\]; `None` without draws.
     #[must_use]
     pub fn drawn_w(&self) -> Option<Estimate> {
-        let of_pair = self.uncertainty.as_ref().map(|found| found.loss.drawn);
+        let of_pair = self.uncertainty.as_ref().map(|found| found.loss.drawn());
         of_pair.or(self.loss_distribution.map(|loss| loss.drawn))
     }
 
