@@ -88,8 +88,8 @@ def test_a_calibrated_case_has_a_narrower_band(found):
     before, after = [of.run().uncertainty.loss for of in (case, found.apply(case))]
     assert after.sd_ln < 0.9 * before.sd_ln
     parts = [dict(zip(loss.parts.name, loss.parts.sd_ln)) for loss in (before, after)]
-    # The film of these flanks does not reach its limiting shear stress, so the losses say little of it.
-    for name, most in {"boundary friction": 0.7, "boundary layer": 0.8, "Eyring stress": 0.7}.items():
+    # The film of these flanks does not reach its limiting shear stress, so the losses say little of it, and its range stays.
+    for name, most in {"boundary friction": 0.7, "boundary layer": 0.85, "Eyring stress": 0.7}.items():
         assert parts[1][name] < most * parts[0][name], name
 
 

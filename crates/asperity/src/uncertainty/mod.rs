@@ -14,7 +14,7 @@
 //! })?;
 //! let result = Run::new(&case).band(true).execute()?.result;
 //! let loss = result.uncertainty.ok_or("the default model has an uncertainty")?.loss;
-//! assert!(loss.drawn.low < loss.drawn.value && loss.drawn.value < loss.drawn.high);
+//! assert!(loss.drawn().low < loss.drawn().value && loss.drawn().value < loss.drawn().high);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
