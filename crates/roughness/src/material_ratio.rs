@@ -173,7 +173,7 @@ pub fn abbott_curve(heights: &[f64]) -> Result<Vec<f64>, DomainError> {
     Ok(falling(heights))
 }
 
-/// Material ratio (Rk-2) at the point `k` of a curve of so many points \[%\].
+/// Material ratio (Rk-2) at the point `k` of a curve of `points` points \[%\].
 ///
 /// ```
 /// use asperity_roughness::material_ratio::material_ratio_percent;

@@ -185,7 +185,7 @@ def explain(code: str) -> Optional[Explanation]:
         An `Explanation`, or None.
 
     Raises:
-        TypeError: the code is no text.
+        TypeError: the code is not a string.
 
     Example:
         >>> asperity.explain("E204").title
