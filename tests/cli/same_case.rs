@@ -90,9 +90,13 @@ fn a_study_with_free_windows_has_the_same_rows_in_any_order_on_any_threads_and_s
     let mut all = Vec::new();
     for (order, axes) in orders.iter().enumerate() {
         bench.write("study.toml", study(axes));
-        for (threads, shards) in [("1", 1), ("2", 3), ("4", 5)] {
+        let ways: &[(&str, i32)] = match order {
+            0 => &[("1", 1), ("2", 3), ("4", 5)],
+            _ => &[("2", 3)],
+        };
+        for (threads, shards) in ways {
             let parts = format!("parts-{order}-{shards}");
-            for shard in 1..=shards {
+            for shard in 1..=*shards {
                 let shard = format!("{shard}/{shards}");
                 let run = ["sweep", "run", "study.toml", "--parts", &parts, "-q"];
                 let how = ["--threads", threads, "--shard", &shard];

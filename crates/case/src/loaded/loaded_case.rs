@@ -369,7 +369,7 @@ pub(crate) fn complete(
     let gearbox = Derived::renewed(
         known.map(|known| &known.gearbox),
         case.input.gearbox.clone(),
-        |stated| gearbox_of_pair(stated.as_ref(), source, &files),
+        |stated| gearbox_of_one_mesh(stated.as_ref(), source, &files),
     )?;
     case.gearbox.clone_from(&gearbox.value().0);
     if let Some(kept) = &kept {
@@ -517,7 +517,7 @@ fn xu_calibration(
 }
 
 /// The parts of the gearbox of a pair of gears.
-fn gearbox_of_pair(
+fn gearbox_of_one_mesh(
     stated: Option<&GearboxInput>,
     source: &Source,
     files: &Files,
@@ -527,7 +527,7 @@ fn gearbox_of_pair(
     };
     let reader = Reader::of(files);
     let places = vec![MeshPlace::default()];
-    let parts = stated.gearbox(places, &Shafting::shafts_of_pair(), (source, &reader))?;
+    let parts = stated.gearbox(places, &Shafting::shafts_of_one_mesh(), (source, &reader))?;
     Ok((Some(parts), reader.into_sums().into()))
 }
 

@@ -122,8 +122,8 @@ impl Shafting {
 
     /// A pair of gears whose pinion is the input.
     #[must_use]
-    pub fn of_pair(case: &Case) -> Self {
-        let mut shafts = Self::shafts_of_pair();
+    pub fn of_one_mesh(case: &Case) -> Self {
+        let mut shafts = Self::shafts_of_one_mesh();
         let load = MeshLoad::of(case);
         shafts.shafts[Self::INPUT].speed = Some(load.speed);
         shafts.shafts[Self::INPUT].torque = Some(load.torque);
@@ -136,7 +136,7 @@ impl Shafting {
     }
 
     /// The shafts of a pair of gears without load.
-    pub(crate) fn shafts_of_pair() -> GearTrain {
+    pub(crate) fn shafts_of_one_mesh() -> GearTrain {
         let shaft = |name: &str| Shaft {
             name: name.to_owned(),
             speed: None,

@@ -81,7 +81,7 @@ impl From<LoadedCase> for Train {
     fn from(case: LoadedCase) -> Self {
         Self {
             title: case.case.title.clone(),
-            shafting: Shafting::of_pair(&case.case),
+            shafting: Shafting::of_one_mesh(&case.case),
             heat: None,
             gearbox: case.case.gearbox.clone(),
             input: case.case.input.clone(),

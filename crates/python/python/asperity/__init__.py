@@ -188,8 +188,11 @@ def explain(code: str) -> Optional[Explanation]:
         TypeError: the code is not a string.
 
     Example:
-        >>> asperity.explain("E204").title
-        'a value cannot be read'
+        >>> try:
+        ...     asperity.read_profile("missing.csv")
+        ... except asperity.AsperityError as error:
+        ...     print(asperity.explain(error.code).title)
+        a file cannot be opened
     """
     found = _asperity.explain(code)
     return None if found is None else Explanation(*found)
