@@ -11,3 +11,4 @@ mod chapters;
 mod links;
 mod pictures;
 mod spelling;
+mod units;

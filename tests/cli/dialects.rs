@@ -134,7 +134,13 @@ fn curves(bench: &Bench) -> String {
         cells.join(",") + "\n"
     };
     let head = "load_n,mean_speed_m_s,slide_roll_percent,temperature_c,traction\n";
-    head.to_owned() + &text.lines().skip(1).step_by(18).map(row).collect::<String>()
+    head.to_owned()
+        + &text
+            .lines()
+            .skip(1)
+            .step_by(18)
+            .map(row)
+            .collect::<String>()
 }
 
 /// Friction of rubbed specimens over speed.

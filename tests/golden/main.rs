@@ -7,6 +7,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 mod outline;
+mod shipped_profiles;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

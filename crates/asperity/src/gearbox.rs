@@ -144,7 +144,7 @@ impl<'a> Gears<'a> {
 
     fn of_mesh(case: &'a Case) -> Self {
         Self {
-            shafting: Cow::Owned(Shafting::of_pair(case)),
+            shafting: Cow::Owned(Shafting::of_one_mesh(case)),
             cases: vec![case],
         }
     }

@@ -3,7 +3,9 @@
 mod examples;
 mod light_load;
 mod limits;
+mod micropitting;
 mod properties;
 mod reference_case;
 mod rough_inlet;
+mod starvation;
 mod validation;

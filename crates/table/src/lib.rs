@@ -292,7 +292,14 @@ fn separator(text: &str) -> Option<char> {
     }
 }
 
-/// The rows of the table in `text` that are not empty, the header among them, with their lines.
+/// A reader of cells, with the header as the first row.
+fn cells() -> csv::ReaderBuilder {
+    let mut reader = csv::ReaderBuilder::new();
+    reader.has_headers(false);
+    reader
+}
+
+/// The rows of the table in `text` that are not empty, with their lines.
 fn records(text: &str, separator: Option<char>) -> Vec<(usize, csv::StringRecord)> {
     let Some(separator) = separator else {
         let is_row = |(_, line): &(usize, &str)| !line.starts_with('#') && !line.trim().is_empty();
@@ -300,8 +307,7 @@ fn records(text: &str, separator: Option<char>) -> Vec<(usize, csv::StringRecord
         let record = |(at, line): (usize, &str)| (at + 1, line.split_whitespace().collect());
         return lines.map(record).collect();
     };
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
+    let mut reader = cells()
         .comment(Some(b'#'))
         .delimiter(separator as u8)
         .trim(csv::Trim::All)
