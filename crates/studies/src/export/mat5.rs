@@ -82,7 +82,7 @@ impl Mat5 {
             .iter()
             .map(|size| i32::try_from(*size).unwrap_or(i32::MAX));
         let mut array = Vec::new();
-        let flags = [class, 0].iter().flat_map(|flag| flag.to_le_bytes());
+        let flags = [class, 0].into_iter().flat_map(u32::to_le_bytes);
         push(&mut array, element::UINT32, &flags.collect::<Vec<u8>>());
         let sizes = sizes.flat_map(i32::to_le_bytes);
         push(&mut array, element::INT32, &sizes.collect::<Vec<u8>>());
