@@ -22,10 +22,9 @@ def check(what, worst, limit):
 
 def modelica():
     """The C functions of the Modelica Standard Library in the folder MODELICA_LIBRARY, as a library of this machine."""
-    folder = os.environ.get("MODELICA_LIBRARY")
-    if not folder or not shutil.which("cc"):
+    sources = Path(os.environ.get("MODELICA_LIBRARY", ".")) / "Modelica" / "Resources" / "C-Sources"
+    if not sources.is_dir() or not shutil.which("cc"):
         return None
-    sources = Path(folder) / "Modelica" / "Resources" / "C-Sources"
     tool = place / "tool.c"
     said = 'void NAME(const char *s) { fputs(s, stderr); END }\nvoid VNAME(const char *s, va_list a) { vfprintf(stderr, s, a); END }\n' \
         'void FNAME(const char *s, ...) { va_list a; va_start(a, s); VNAME(s, a); END }\n'
@@ -124,7 +123,8 @@ if library := modelica():
     drives = torque - (tau1 - tau2) / (eta1 - 1 / eta2) >= 0
     loss = np.where(drives, (1 - eta1) * torque + tau1, (1 - 1 / eta2) * torque + tau2)
     print(f"lossy-gear: fit {matrix(b'fit_rms_nm')[0, 0]:.4f} N m rms, mean loss torque {L.mean():.4f} N m")
-    check("lossy-gear", np.abs(loss - exact).max(), matrix(b"fit_max_nm")[0, 0] + np.abs(np.diff(L, axis=0)).max() / 4)
+    # Between the nodes the lines leave no more than at them, but for 1/eta2 over the speed.
+    check("lossy-gear", np.abs(loss - exact).max(), 1.01 * matrix(b"fit_max_nm")[0, 0])
 else:
     missing.append("the Modelica Standard Library")
 

@@ -709,8 +709,8 @@ fn heads_name_what_is_outside_its_range() {
     }
     let (_, text) = text_of(&map, Format::Vecto, With::default());
     for stated in [
-        "at 3 of 561 nodes",
-        "outside its fitted range at every node: the fit: viscosity",
+        "traces resolve: 3 of 561 nodes",
+        "; outside a fitted range: the fit: viscosity (every node)",
     ] {
         assert!(text.contains(stated), "{text}");
     }

@@ -4,7 +4,7 @@ use asperity_core::Fault;
 
 use super::error;
 use super::field::Field;
-use super::formats::With;
+use super::given::With;
 use crate::cycle::Coverage;
 
 /// Transmission of a vehicle of FASTSim: output energy relative to input energy over the time in which the input drives.

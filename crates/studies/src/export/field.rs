@@ -33,11 +33,11 @@ pub struct Field {
     pub added_nm: Option<Vec<f64>>,
     /// Flanks that carry the load at a negative torque, in words.
     pub flanks: &'static str,
-    /// What is out of its fitted range, or extended, with the number of nodes.
+    /// Inputs out of their fitted range, or extended losses, with the number of nodes.
     pub outside: Vec<(String, usize)>,
 }
 
-/// The marks in order, each once, with the sum of its numbers.
+/// The distinct marks in order, with the sum of the numbers of each.
 fn counted<'a>(marks: impl Iterator<Item = (&'a String, usize)>) -> Vec<(String, usize)> {
     let mut counts: BTreeMap<&String, usize> = BTreeMap::new();
     for (mark, count) in marks {
@@ -171,25 +171,29 @@ impl Field {
         let nodes: usize = fields.iter().map(|field| field.mesh_nm.len()).sum();
         let marks = fields.iter().flat_map(|field| &field.outside);
         let marks = counted(marks.map(|(mark, count)| (mark, *count)));
-        let mark = |(mark, count): (String, usize)| {
-            let places = match count == nodes {
-                true => "every node".to_owned(),
-                false => format!("{count} of {nodes} nodes"),
-            };
-            match mark == EXTENDED {
-                true => {
-                    format!("; loss extended below the torque that the traces resolve at {places}")
-                }
-                false => format!("; outside its fitted range at {places}: {}", plain(&mark)),
-            }
+        let places = |count: usize| match count == nodes {
+            true => "every node".to_owned(),
+            false => format!("{count} of {nodes} nodes"),
         };
+        let (extended, outside): (Vec<_>, Vec<_>) =
+            marks.into_iter().partition(|(mark, _)| mark == EXTENDED);
+        let outside = outside
+            .iter()
+            .map(|(mark, count)| format!("{} ({})", plain(mark), places(*count)));
+        let mut said = match outside.collect::<Vec<_>>().join(", ") {
+            none if none.is_empty() => none,
+            outside => format!("; outside a fitted range: {outside}"),
+        };
+        for (_, count) in extended {
+            said += "; loss extended below the torque that the traces resolve: ";
+            said += &places(count);
+        }
         format!(
-            "Asperity, {}, finish {}, {} °C{}{}",
+            "Asperity, {}, finish {}, {} °C{}{said}",
             plain(&first.title),
             plain(&first.finish),
             temperatures.collect::<Vec<_>>().join(", "),
-            first.flanks,
-            marks.into_iter().map(mark).collect::<String>()
+            first.flanks
         )
     }
 

@@ -13,7 +13,7 @@ use zip::write::SimpleFileOptions;
 
 use super::error;
 use super::field::Field;
-use super::formats::Given;
+use super::given::Given;
 
 const MODEL: &str = "AsperityLoss";
 const CODE: &str = include_str!("fmu.c");

@@ -1,22 +1,20 @@
 //! Export formats, and the files of a map in a format.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use asperity_core::Fault;
-use asperity_core::message::Warning;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use super::added::AddedLoss;
 use super::error;
 use super::field::Field;
+use super::given::{Given, With};
 use super::names::degrees;
 use super::{efficiency, fmu, lossy_gear, mat5, modelica, tables};
-use crate::cycle::Cycle;
-use crate::map::{FinishMap, Map};
+use crate::map::Map;
 
-/// How a file of a format is made.
+/// Function that makes a file of a format.
 enum Writer {
     /// One file, which holds every temperature; `None` where the map has nothing for it.
     Whole(fn(&Given<'_>) -> Result<Option<Vec<u8>>, Fault>),
@@ -31,10 +29,10 @@ struct Row {
     files: &'static [(&'static str, Writer)],
 }
 
-/// Stands for the name of a finish in the pattern of a file.
+/// Place of the name of a finish in the pattern of a file.
 const NAME: &str = "NAME";
 
-/// Rows `Format "what it holds" { "pattern of a file" how it is made, ... }`.
+/// Rows `Format "content" { "pattern of a file" function that makes it, ... }`.
 macro_rules! exports {
     ($($name:ident $holds:literal { $($file:literal $kind:ident($write:expr)),+ })+) => {
         /// Export format.
@@ -89,7 +87,7 @@ exports! {
 }
 
 impl Format {
-    /// What the files of this format hold.
+    /// Content of the files of this format, in words.
     #[must_use]
     pub fn holds(self) -> &'static str {
         self.row().holds
@@ -128,35 +126,6 @@ pub struct ExportFile {
     pub name: PathBuf,
     /// Content.
     pub bytes: Vec<u8>,
-}
-
-/// Additional data of the exports of a map.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct With<'a> {
-    /// Loss torque in addition to the mesh.
-    pub added: Option<&'a AddedLoss>,
-    /// Cycle that weights the formats with a single number.
-    pub cycle: Option<&'a Cycle>,
-    /// Folder or file next to which a library is compiled, in a draft; `None` for the folder of temporary files.
-    pub beside: Option<&'a Path>,
-}
-
-impl With<'_> {
-    /// Doubts about the tables.
-    #[must_use]
-    pub fn warnings(&self) -> Vec<Warning> {
-        let of_cycle = self.cycle.iter().flat_map(|cycle| &cycle.warnings);
-        let of_losses = self.added.iter().filter_map(|added| added.warning.as_ref());
-        of_cycle.chain(of_losses).cloned().collect()
-    }
-}
-
-/// What the files of a finish are made of.
-pub(super) struct Given<'a> {
-    /// One for each temperature.
-    pub fields: &'a [Field],
-    pub finish: &'a FinishMap,
-    pub with: With<'a>,
 }
 
 /// Files of `map` in one format: one per finish and, if the format holds only one temperature, one per temperature.

@@ -4,7 +4,7 @@ use asperity_core::Fault;
 
 use super::error;
 use super::field::Field;
-use super::formats::With;
+use super::given::With;
 use super::mat5::Mat5;
 
 const FORMAT: &str = "LossyGear";
@@ -84,7 +84,7 @@ pub fn lines(field: &Field) -> Vec<Lines> {
     (0..across).map(at).collect()
 }
 
-/// Sum of squares but for Σ w L², of which the minimum is sought.
+/// Sum of squares without Σ w L², for the search of its minimum.
 fn misfit(normal: &[[f64; 4]; 3], x: &[f64; 3]) -> f64 {
     let product = |row: &[f64; 4]| row.iter().zip(x).map(|(a, b)| a * b).sum::<f64>();
     let parts = normal.iter().zip(x);

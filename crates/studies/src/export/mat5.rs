@@ -3,7 +3,7 @@
 use asperity_core::Fault;
 
 use super::field::Field;
-use super::formats::Given;
+use super::given::Given;
 
 /// Types of data elements.
 mod element {
@@ -107,7 +107,7 @@ fn push(bytes: &mut Vec<u8>, kind: u32, data: &[u8]) {
     bytes.resize(bytes.len().next_multiple_of(8), 0);
 }
 
-/// What is said where the efficiency has no number.
+/// Rule for places where the efficiency has no number.
 const FILLED: &str = "efficiency at torque 0: that of the next torque, the positive one first, and 0 without one; where the loss exceeds the torque: 0. No other value is filled in; at speed 0 the loss torque is that at 1 1/min";
 
 /// Fields of a finish: arrays over torque, speed and, of several, temperature.

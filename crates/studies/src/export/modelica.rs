@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::field::Field;
-use super::formats::With;
+use super::given::With;
 use asperity_core::Fault;
 
 /// Table `lossTorque` over torque \[N m\] and speed \[rad/s\]; with an added loss also separate tables of the mesh and of

@@ -9,7 +9,7 @@ use asperity_report::tables::text;
 use serde::Serialize;
 
 use super::field::Field;
-use super::formats::{Given, With};
+use super::given::{Given, With};
 
 /// CSV with one row per node, mesh and added loss in separate columns.
 pub(super) fn csv(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
