@@ -38,7 +38,7 @@ def _say_that_it_compiles():
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     _say_that_it_compiles()
-    arguments = f"--locked {os.environ.get('MATURIN_PEP517_ARGS', '')}"
+    arguments = f"--locked --compression-level 9 {os.environ.get('MATURIN_PEP517_ARGS', '')}"
     if glibc := os.environ.get("ASPERITY_GLIBC"):
         arguments += f" --zig --compatibility manylinux_{glibc.replace('.', '_')}"
     os.environ["MATURIN_PEP517_ARGS"] = arguments

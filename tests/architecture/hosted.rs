@@ -106,6 +106,33 @@ fn every_recipe_has_the_version_of_the_program() {
 }
 
 #[test]
+fn the_address_of_the_repository_is_one_wherever_it_stands() {
+    let stated = |file: &str| {
+        let text = std::fs::read_to_string(root().join(file)).unwrap();
+        let line = text.lines().find(|line| line.starts_with("repository = "));
+        line.map(|line| line.split('"').nth(1).unwrap().to_owned())
+    };
+    let address = stated("Cargo.toml");
+    assert_eq!(stated("crates/python/Cargo.toml"), address);
+    // Until there is an address the recipes leave a place for the owner.
+    let address = address.unwrap_or_else(|| "https://github.com/OWNER/asperity".to_owned());
+    for file in [
+        "packaging/conda/recipe.yaml",
+        "packaging/homebrew/asperity.rb",
+    ] {
+        let text = std::fs::read_to_string(root().join(file)).unwrap();
+        let found: Vec<&str> = text
+            .match_indices("https://github.com/")
+            .map(|(at, _)| &text[at..])
+            .collect();
+        assert!(
+            !found.is_empty() && found.iter().all(|rest| rest.starts_with(&address)),
+            "{file}"
+        );
+    }
+}
+
+#[test]
 fn every_archive_that_a_recipe_takes_is_one_of_a_release() {
     let formula = std::fs::read_to_string(root().join("packaging/homebrew/asperity.rb")).unwrap();
     let workflow = std::fs::read_to_string(root().join(".github/workflows/release.yml")).unwrap();

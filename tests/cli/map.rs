@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 
 use asperity::case::{load_set, open_source};
+use asperity_studies::export::Format;
 
 use crate::bench::{Bench, E_DRIVE, root, with_line};
 
@@ -515,4 +516,16 @@ fn what_makes_no_map_is_refused() {
     bench
         .run(&["cycle", "nothing", "bad.csv"])
         .refused(2, "E402", &["nothing"]);
+}
+
+#[test]
+fn the_page_of_maps_lists_every_export() {
+    let page = fs::read_to_string(root().join("docs/files/maps.md")).unwrap();
+    for format in Format::ALL {
+        let files: Vec<String> = format.files().map(|file| format!("`{file}`")).collect();
+        let name = serde_json::json!(format);
+        let (name, files) = (name.as_str().unwrap(), files.join(", "));
+        let row = format!("| `{name}` | {files} | {} |", format.holds());
+        assert!(page.contains(&row), "{row}");
+    }
 }

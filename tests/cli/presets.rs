@@ -1,5 +1,7 @@
 //! Gears, oils and steels of the library: each runs, by its name alone.
 
+use asperity::core::presets::steel;
+use asperity::quantity::{Pressure, Quantity as _};
 use serde_json::Value;
 
 use crate::bench::{Bench, E_DRIVE};
@@ -124,6 +126,25 @@ fn every_steel_of_the_library_runs_the_case_by_its_name() {
             "{one}"
         );
     }
+}
+
+#[test]
+fn a_steel_as_a_value_has_the_constants_of_a_case() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    let run = with_material(&bench, "steel = \"18CrNiMo7-6\"")
+        .well()
+        .json();
+    let of_case = |key: &str| -> Pressure {
+        let value = &default(&run, &format!("material.pinion.{key}"))["value"];
+        value.as_str().unwrap().trim_matches('"').parse().unwrap()
+    };
+    let material = steel("18CrNiMo7-6").unwrap().material().unwrap();
+    // 60 HRC lies above the steels of the relation.
+    assert_eq!(material.outside.len(), 1);
+    assert_eq!(of_case("young"), material.value.young);
+    let limit = of_case("elastic_limit").si() / material.value.elastic_limit.si();
+    assert!((limit - 1.0).abs() < 1e-5, "{limit}");
 }
 
 #[test]

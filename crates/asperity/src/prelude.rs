@@ -15,5 +15,5 @@ pub use asperity_core::quantity::{
     ThermalConductivity, Torque,
 };
 pub use asperity_core::remedy::{Action, Remedy, Setting};
-pub use asperity_oil::{BaseOil, LubricantInput, ViscosityLaw};
+pub use asperity_oil::{BaseOil, FilmRheology, LubricantInput, ViscosityLaw};
 pub use asperity_profile_io::read::ReadOptions;

@@ -31,6 +31,7 @@ mod unit_text;
 pub use checked::{Checked, FittedRange, OutOfRange, Treatment};
 pub use error::DomainError;
 pub use estimate::{Estimate, EstimateKeys};
+pub use material::Material;
 pub use message::{Code, Fault, Place};
 pub use message_number::{decimals, number, number_with_unit};
 pub use profile::Profile;

@@ -68,9 +68,28 @@ def test_maps_are_exported(drive, tmp_path):
     assert found.finishes == ["a", "b"]
     files = found.export("matlab", tmp_path)
     assert [file.name for file in files] == ["a.mat", "b.mat"] and all(file.stat().st_size for file in files)
+    scipy = pytest.importorskip("scipy.io")
+    held = scipy.loadmat(files[1])
+    assert np.array_equal(held["loss_torque_nm"], found.loss_torque_nm[1, 0]) and np.isfinite(held["efficiency"]).all()
     with pytest.raises(asperity.AsperityError) as refused:
         found.export("fastsim", tmp_path)
     assert refused.value.code == "E205"
+    frame = pytest.importorskip("pandas").read_csv(found.export("wide", tmp_path)[0], index_col=0)
+    assert np.array_equal(frame.to_numpy(), found.loss_torque_nm[0, 0]) and frame.index.tolist() == found.torque_nm.tolist()
+
+
+def test_a_map_is_one_tidy_table(drive, tmp_path):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    pyarrow = pytest.importorskip("pyarrow")
+    found = asperity.map(drive, torque_nm=[50, 145], speed_rpm=[3000, 9000], temperature_c=[60, 90], finishes={"a": GROUND, "b": FINE}, band="none")
+    rows = found.rows
+    assert rows.columns[:5] == ["finish", "temperature_c", "torque_nm", "speed_rpm", "loss_w"] and len(rows) == found.loss_w.size
+    at = (rows.finish == "b") & (rows.temperature_c == 90) & (rows.torque_nm == 50) & (rows.speed_rpm == 9000)
+    place = [axis.tolist().index(value) for axis, value in ((found.temperature_c, 90), (found.torque_nm, 50), (found.speed_rpm, 9000))]
+    assert rows[at].loss_w.tolist() == [found.loss_w[(1, *place)]]
+    parquet.write_table(pyarrow.table(rows), tmp_path / "map.parquet")
+    again = parquet.read_table(tmp_path / "map.parquet")
+    assert again.column_names == list(rows.columns) and again["loss_w"].to_pylist() == rows.loss_w.tolist()
 
 
 def test_columns_of_tables_that_are_not_read_are_named(drive, tmp_path):

@@ -13,8 +13,8 @@ use std::process::Command;
 
 use asperity::case::{CaseInput, FlankInput, GearsInput, OperationInput};
 use asperity_studies::cycle::{cycle, evaluate};
-use asperity_studies::export::{AddedLoss, Field, Format, With, c_source, export, gear_box_fit};
-use asperity_studies::map::{Axes, FinishMap, Map, MeshPart, Numbers, Point, forwards};
+use asperity_studies::export::{AddedLoss, Field, Format, With, c_source, export};
+use asperity_studies::map::{Axes, EXTENDED, FinishMap, Map, MeshPart, Numbers, Point, forwards};
 
 /// A made-up loss torque: 0.0075 |T|^1.02, a tenth more where the wheel drives, and 2e-4 √ω.
 fn made_up(torque: f64, rpm: f64) -> f64 {
@@ -194,124 +194,249 @@ fn modelica_tables_follow_their_grammar() {
     }
 }
 
-/// Matrices of a MAT-file of level 4: name, rows, values column by column.
-fn matrices(bytes: &[u8]) -> Vec<(String, usize, Vec<f64>)> {
-    let mut at = 0;
+/// An array of a MAT-file: class, sizes, data with the first index fastest.
+struct Matrix {
+    name: String,
+    class: u8,
+    sizes: Vec<usize>,
+    values: Vec<f64>,
+}
+
+/// The data element at the beginning of `bytes`, and what follows it.
+fn element(bytes: &[u8]) -> (u32, &[u8], &[u8]) {
+    let number = |k: usize| u32::from_le_bytes(bytes[4 * k..4 * k + 4].try_into().unwrap());
+    let length = usize::try_from(number(1)).unwrap();
+    let rest = &bytes[8 + length.next_multiple_of(8)..];
+    (number(0), &bytes[8..8 + length], rest)
+}
+
+/// Arrays of a MAT-file of level 5.
+fn matrices(bytes: &[u8]) -> Vec<Matrix> {
+    assert!(bytes.starts_with(b"MATLAB 5.0 MAT-file"));
+    assert_eq!(&bytes[124..128], [0x00, 0x01, b'I', b'M']);
+    let mut rest = &bytes[128..];
     let mut found = Vec::new();
-    while at < bytes.len() {
-        let number = |k: usize| {
-            let raw: [u8; 4] = bytes[at + 4 * k..at + 4 * k + 4].try_into().unwrap();
-            usize::try_from(i32::from_le_bytes(raw)).unwrap()
-        };
-        let (rows, columns, imaginary, letters) = (number(1), number(2), number(3), number(4));
-        assert_eq!(imaginary, 0);
-        let name = &bytes[at + 20..at + 20 + letters - 1];
-        let begin = at + 20 + letters;
-        let end = begin + 8 * rows * columns;
-        let values = bytes[begin..end].chunks(8);
-        found.push((
-            String::from_utf8(name.to_vec()).unwrap(),
-            rows,
-            values
+    while !rest.is_empty() {
+        let (kind, array, after) = element(rest);
+        let (flags, sizes, name, data);
+        (_, flags, rest) = element(array);
+        (_, sizes, rest) = element(rest);
+        (_, name, rest) = element(rest);
+        let (of_data, ..) = element(rest);
+        (_, data, rest) = element(rest);
+        assert!(kind == 14 && rest.is_empty());
+        let size = |raw: &[u8]| usize::try_from(i32::from_le_bytes(raw.try_into().unwrap()));
+        let sizes: Vec<usize> = sizes.chunks(4).map(|raw| size(raw).unwrap()).collect();
+        let values: Vec<f64> = match of_data {
+            9 => data
+                .chunks(8)
                 .map(|raw| f64::from_le_bytes(raw.try_into().unwrap()))
                 .collect(),
-        ));
-        at = end;
+            4 => data
+                .chunks(2)
+                .map(|raw| f64::from(u16::from_le_bytes(raw.try_into().unwrap())))
+                .collect(),
+            other => panic!("type {other}"),
+        };
+        assert_eq!(values.len(), sizes.iter().product::<usize>());
+        let name = String::from_utf8(name.to_vec()).unwrap();
+        found.push(Matrix {
+            name,
+            class: flags[0],
+            sizes,
+            values,
+        });
+        rest = after;
     }
     found
 }
 
+/// The array of this name.
+fn matrix<'a>(found: &'a [Matrix], name: &str) -> &'a Matrix {
+    found.iter().find(|matrix| matrix.name == name).unwrap()
+}
+
+/// A text of a MAT-file.
+fn said_in(found: &[Matrix], name: &str) -> String {
+    let text = matrix(found, name);
+    assert_eq!(text.class, 4);
+    text.values
+        .iter()
+        .map(|code| char::from_u32(*code as u32).unwrap())
+        .collect()
+}
+
 #[test]
-fn mat_files_hold_every_temperature_column_by_column() {
+fn mat_files_hold_every_temperature_in_one_array_without_nan() {
     let torque: Vec<f64> = (0..17).map(|k| -160.0 + 20.0 * f64::from(k)).collect();
     let map = map_of(&torque, &[60.0, 90.0]);
     let files = export(&map, Format::Matlab, With::default()).unwrap();
     let found = matrices(&files[0].bytes);
-    let of = |name: &str| found.iter().find(|matrix| matrix.0 == name).unwrap();
-    let scope: String = of("scope")
-        .2
-        .iter()
-        .map(|code| char::from(*code as u8))
-        .collect();
-    assert_eq!(scope, "mesh only, input shaft");
-    assert_eq!(of("temperature_c").2, [60.0, 90.0]);
+    assert_eq!(said_in(&found, "scope"), "mesh only, input shaft");
+    assert!(said_in(&found, "head").contains("finish ground, 60, 90 °C"));
+    assert_eq!(matrix(&found, "temperature_c").values, [60.0, 90.0]);
+    assert_eq!(matrix(&found, "torque_nm").sizes, [17, 1]);
+    assert_eq!(matrix(&found, "omega_rad_s").sizes, [1, 17]);
     let fields = Field::all(&map, 0, None).unwrap();
-    for (name, field) in [
-        ("loss_torque_nm_60c", &fields[0]),
-        ("loss_torque_nm_90c", &fields[1]),
-    ] {
-        let (_, rows, values) = of(name);
-        assert_eq!(*rows, 17);
+    let (loss, power) = (matrix(&found, "loss_torque_nm"), matrix(&found, "loss_w"));
+    let efficiency = matrix(&found, "efficiency");
+    assert_eq!(loss.sizes, [17, 17, 2]);
+    for (k, field) in fields.iter().enumerate() {
         for (index, expected) in field.mesh_nm.iter().enumerate() {
             let (i, j) = (index / 17, index % 17);
-            assert_eq!(values[j * 17 + i], *expected);
-        }
-    }
-    let (_, rows, modelica) = of("lossTorque_90c");
-    assert_eq!((*rows, modelica.len()), (18, 18 * 18));
-    assert_eq!(modelica[18 + 1], fields[1].mesh_nm[0]);
-}
-
-#[test]
-fn advisor_efficiencies_are_those_of_the_output_shaft() {
-    let map = map();
-    let (name, text) = text_of(&map, Format::Advisor, With::default());
-    assert_eq!(name, "TX_ground.m");
-    assert!(text.starts_with("% scope mesh only"));
-    let block = |name: &str| -> Vec<f64> {
-        let begin = text.find(&format!("{name}=[")).unwrap() + name.len() + 2;
-        let end = begin + text[begin..].find(']').unwrap();
-        text[begin..end]
-            .split_whitespace()
-            .map(|word| word.parse().unwrap())
-            .collect()
-    };
-    let (speeds, torques, map_of) = (
-        block("tx_map_spd"),
-        block("tx_map_trq"),
-        block("tx_eff_map"),
-    );
-    assert_eq!(map_of.len(), speeds.len() * torques.len());
-    let surface = field(&map).surface();
-    for (row, speed) in speeds.iter().enumerate() {
-        for (column, output) in torques.iter().enumerate() {
-            let efficiency = map_of[row * torques.len() + column];
-            let output = output / RATIO;
-            let input = if output > 0.0 {
-                output / efficiency
+            let at = (k * 17 + j) * 17 + i;
+            assert_eq!(loss.values[at], *expected);
+            assert_eq!(power.values[at], expected * field.omega()[j]);
+            let torque = field.torque_nm[i];
+            if torque > 0.0 {
+                assert_eq!(efficiency.values[at], 1.0 - expected / torque);
+            } else if torque < 0.0 {
+                assert_eq!(efficiency.values[at], -torque / (expected - torque));
             } else {
-                output * efficiency
-            };
-            let loss = surface.loss_torque(input, speed * RATIO * 30.0 / PI).value;
-            assert!((input - output - loss).abs() < 1e-9 * (1.0 + output.abs()));
+                assert_eq!(efficiency.values[at], efficiency.values[at + 1]);
+            }
         }
     }
+    let all = found.iter().flat_map(|matrix| &matrix.values);
+    assert!(all.copied().all(f64::is_finite));
+    // One temperature makes matrices.
+    let files = export(&map_of(&torque, &[60.0]), Format::Matlab, With::default()).unwrap();
+    assert_eq!(matrix(&matrices(&files[0].bytes), "loss_w").sizes, [17, 17]);
 }
 
 #[test]
-fn the_gear_box_of_co2mpas_leaves_what_it_says() {
-    let map = map();
-    let (_, text) = text_of(&map, Format::Co2mpas, With::default());
-    let value: serde_json::Value = serde_json::from_str(&text).unwrap();
-    assert_eq!(value["scope"], "mesh only, input shaft");
-    let hot = &value["gear_box_efficiency_parameters_cold_hot"]["hot"];
-    let of = |key: &str| hot[key].as_f64().unwrap();
-    let field = field(&map);
-    let fit = gear_box_fit(&field);
-    assert_eq!(
-        [of("gbp00"), of("gbp10"), of("gbp01")],
-        [fit.gbp00, fit.gbp10, fit.gbp01]
-    );
-    assert!(fit.residual_rms_nm < 0.01 * fit.mean_loss_nm);
-    // T_in = (T_out + gbp00 + gbp10 n)/gbp01 gives the input torque back, but for the residual.
-    for (index, loss) in field.mesh_nm.iter().enumerate() {
-        let (torque, speed) = (field.torque_nm[index / 17], field.speed_rpm[index % 17]);
-        if torque > 0.0 && speed > 0.0 {
-            let found = (torque - loss + fit.gbp00 + fit.gbp10 * speed) / fit.gbp01;
-            assert!((found - torque).abs() <= 1.0001 * fit.residual_max_nm / fit.gbp01);
-        }
+fn an_efficiency_is_not_negative_where_the_loss_exceeds_the_torque() {
+    let map = map_of(&[-1e-4, 0.0, 1e-4, 10.0], &[60.0]);
+    let files = export(&map, Format::Matlab, With::default()).unwrap();
+    let found = matrices(&files[0].bytes);
+    let column = |j: usize| &matrix(&found, "efficiency").values[4 * j..4 * j + 4];
+    assert_eq!(column(16)[1..3], [0.0, 0.0]);
+    assert!((0.0..0.1).contains(&column(16)[0]) && column(16)[3] > 0.98);
+}
+
+#[test]
+fn the_wide_table_has_torques_down_and_speeds_across() {
+    let map = map_of(&[-50.0, 0.0, 50.0], &[60.0, 90.0]);
+    let files = export(&map, Format::Wide, With::default()).unwrap();
+    let names: Vec<_> = files
+        .iter()
+        .map(|file| file.name.to_string_lossy())
+        .collect();
+    let expected = [
+        "ground_60c_loss_torque_nm.csv",
+        "ground_90c_loss_torque_nm.csv",
+    ];
+    assert_eq!(names, expected);
+    let fields = Field::all(&map, 0, None).unwrap();
+    for (file, field) in files.iter().zip(fields) {
+        let mut table = csv::Reader::from_reader(&file.bytes[..]);
+        let head = table.headers().unwrap().clone();
+        assert_eq!(&head[0], "torque_nm/speed_rpm");
+        let speeds: Vec<f64> = head
+            .iter()
+            .skip(1)
+            .map(|cell| cell.parse().unwrap())
+            .collect();
+        assert_eq!(speeds, field.speed_rpm);
+        let rows = table.records().map(Result::unwrap);
+        let rows: Vec<Vec<f64>> = rows
+            .map(|row| row.iter().map(|cell| cell.parse().unwrap()).collect())
+            .collect();
+        let torques: Vec<f64> = rows.iter().map(|row| row[0]).collect();
+        assert_eq!(torques, field.torque_nm);
+        let values: Vec<f64> = rows.iter().flat_map(|row| row[1..].to_vec()).collect();
+        assert_eq!(values, field.mesh_nm);
     }
-    assert_eq!(value["fit"]["hot"]["residual_rms_nm"], fit.residual_rms_nm);
+}
+
+/// Loss torque of `LossyGear` by the formulas of its description, from a row of its table.
+fn of_lossy_gear(row: &[f64], torque: f64) -> f64 {
+    let [eta1, eta2, tau1, tau2] = row.try_into().unwrap();
+    // The torque that the bearing on the input side takes, which decides what drives.
+    let of_bearing = (tau1 - tau2) / (eta1 - 1.0 / eta2);
+    match torque - of_bearing >= 0.0 {
+        true => (1.0 - eta1) * torque + tau1,
+        false => (1.0 - 1.0 / eta2) * torque + tau2,
+    }
+}
+
+/// `lossTable` row by row, and the file.
+fn loss_table(map: &Map) -> (Vec<Vec<f64>>, Vec<Matrix>) {
+    let files = export(map, Format::LossyGear, With::default()).unwrap();
+    assert_eq!(files[0].name.to_string_lossy(), "ground_lossy_gear.mat");
+    let found = matrices(&files[0].bytes);
+    let table = matrix(&found, "lossTable");
+    let rows = table.sizes[0];
+    assert_eq!(table.sizes[1], 5);
+    let row = |i: usize| (0..5).map(|j| table.values[j * rows + i]).collect();
+    ((0..rows).map(row).collect(), found)
+}
+
+#[test]
+fn the_lossy_gear_leaves_what_it_says() {
+    let map = map();
+    let (table, found) = loss_table(&map);
+    let field = field(&map);
+    let omega: Vec<f64> = table.iter().map(|row| row[0]).collect();
+    assert_eq!(omega, field.omega());
+    let residual = |(index, loss): (usize, &f64)| {
+        of_lossy_gear(&table[index % 17][1..], field.torque_nm[index / 17]) - loss
+    };
+    let residuals: Vec<f64> = field.mesh_nm.iter().enumerate().map(residual).collect();
+    let most = residuals.iter().fold(0.0_f64, |most, r| most.max(r.abs()));
+    let rms = (residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len() as f64).sqrt();
+    let of = |name: &str| matrix(&found, name).values[0];
+    assert!((of("fit_max_nm") - most).abs() < 1e-12 && (of("fit_rms_nm") - rms).abs() < 1e-12);
+    assert!(said_in(&found, "fit").contains("N m rms"));
+    assert!((of("ratio") - RATIO).abs() < 1e-15);
+    let mean = field.mesh_nm.iter().sum::<f64>() / residuals.len() as f64;
+    assert!(most < 0.03 * mean, "{most} {mean}");
+}
+
+#[test]
+fn losses_on_lines_are_those_of_the_lossy_gear() {
+    // 0.3 N m and .01 of the torque where the input drives, .015 where the output drives.
+    let lines = |torque: f64| 0.3 + if torque < 0.0 { 0.015 } else { 0.01 } * torque.abs();
+    let on_lines = |torque: &[f64]| {
+        let mut map = map_of(torque, &[60.0]);
+        for point in &mut map.finishes[0].points {
+            point.numbers.as_mut().unwrap().loss_torque_nm = lines(point.torque_nm);
+        }
+        loss_table(&map).0
+    };
+    let both: Vec<f64> = (0..9).map(|k| -80.0 + 20.0 * f64::from(k)).collect();
+    for row in on_lines(&both) {
+        let expected = [0.99, 1.0 / 1.015, 0.3, 0.3];
+        assert!(
+            row[1..]
+                .iter()
+                .zip(expected)
+                .all(|(a, b)| (a - b).abs() < 1e-12),
+            "{row:?}"
+        );
+    }
+    // A direction without torques has the losses of the other.
+    for row in on_lines(&[0.0, 40.0, 80.0]) {
+        assert!((1.0 / row[2] - 1.01).abs() < 1e-12 && (row[1] - 0.99).abs() < 1e-12);
+    }
+    // A loss that falls with the torque has friction only; one that rises faster than a line has none.
+    let of = |of: &dyn Fn(f64) -> f64| {
+        let mut map = map_of(&both, &[60.0]);
+        for point in &mut map.finishes[0].points {
+            point.numbers.as_mut().unwrap().loss_torque_nm = of(point.torque_nm);
+        }
+        loss_table(&map).0.remove(0)
+    };
+    let falling = of(&|torque| 1.0 - 1e-3 * torque.abs());
+    assert!(
+        falling[1] == 1.0 && falling[2] == 1.0 && falling[3] > 0.9,
+        "{falling:?}"
+    );
+    let rising = of(&|torque| 1e-4 * torque * torque);
+    assert!(
+        rising[3] == 0.0 && rising[1] < 1.0 && rising[2] < 1.0,
+        "{rising:?}"
+    );
 }
 
 #[test]
@@ -326,10 +451,22 @@ fn fastsim_takes_the_efficiency_of_a_cycle() {
         cycle: Some(&drive),
         ..With::default()
     };
-    let (_, text) = text_of(&map, Format::Fastsim, with);
-    let value: serde_json::Value = serde_json::from_str(&text).unwrap();
-    let found = value["eff_interp"]["Interp0D"].as_f64().unwrap();
+    let (name, text) = text_of(&map, Format::Fastsim, with);
+    assert_eq!(name, "ground_fastsim.yaml");
+    assert!(
+        text.starts_with("# scope mesh only") && text.contains("0 of its points outside"),
+        "{text}"
+    );
+    let line = text.lines().last().unwrap();
+    let found: f64 = line.strip_prefix("eff_interp: ").unwrap().parse().unwrap();
     assert!((found - (1.0 - made_up(100.0, 3000.0) / 100.0)).abs() < 1e-12);
+    let braking = cycle("time_s,torque_nm,speed_rpm\n0,-50,3000\n1,-50,3000\n", None).unwrap();
+    let with = With {
+        cycle: Some(&braking),
+        ..With::default()
+    };
+    let said = export(&map, Format::Fastsim, with).unwrap_err().to_string();
+    assert!(said.contains("never does"), "{said}");
     let without = export(&map, Format::Fastsim, With::default());
     let said = without.unwrap_err().to_string();
     assert!(said.ends_with("and no cycle was given"), "{said}");
@@ -477,7 +614,6 @@ fn finishes_whose_files_would_have_one_name_are_refused() {
         (["a b", "a_b"], Format::Csv),
         (["a b", "a_b"], Format::Matlab),
         (["Ground", "ground"], Format::Vecto),
-        (["a-b", "a_b"], Format::Advisor),
         (["µ", "é"], Format::Fmu),
     ] {
         let error = export(&named(names), format, With::default()).unwrap_err();
@@ -550,7 +686,7 @@ fn beyond_the_map_loss_over_torque_is_held_and_marked() {
 #[test]
 fn tables_without_a_rule_beyond_their_nodes_state_it() {
     let map = map();
-    for format in [Format::Vecto, Format::Modelica, Format::Advisor] {
+    for format in [Format::Vecto, Format::Modelica] {
         let (name, text) = text_of(&map, format, With::default());
         assert!(
             text.contains("outside the table hold loss torque over torque"),
@@ -558,11 +694,27 @@ fn tables_without_a_rule_beyond_their_nodes_state_it() {
         );
     }
     let files = export(&map, Format::Matlab, With::default()).unwrap();
-    assert!(
-        matrices(&files[0].bytes)
-            .iter()
-            .any(|matrix| matrix.0 == "beyond")
-    );
+    let said = said_in(&matrices(&files[0].bytes), "beyond");
+    assert!(said.contains("outside the table hold loss torque over torque"));
+}
+
+#[test]
+fn heads_name_what_is_outside_its_range() {
+    let mut map = map();
+    for (index, point) in map.finishes[0].points.iter_mut().enumerate() {
+        point.outside.push("the fit: viscosity".to_owned());
+        if index < 3 {
+            point.outside.push(EXTENDED.to_owned());
+        }
+    }
+    let (_, text) = text_of(&map, Format::Vecto, With::default());
+    for stated in [
+        "traces resolve: 3 of 561 nodes",
+        "; outside a fitted range: the fit: viscosity (every node)",
+    ] {
+        assert!(text.contains(stated), "{text}");
+    }
+    assert!(!text.contains("561 of 561"));
 }
 
 #[test]
@@ -674,8 +826,7 @@ fn the_fmu_of_several_temperatures_has_the_temperature_as_input_and_the_parts_of
         r#"name="mesh_1_loss_torque" valueReference="8" causality="output""#,
         "part of 3 sun &lt;and&gt; planet at the input shaft",
         r#"<Unknown index="10" dependencies="1 2 3"/>"#,
-        "finish ground, 60, 100 °C; 0 of 102 nodes",
-        "negative torque: the same flanks",
+        "finish ground, 60, 100 °C; negative torque: the same flanks",
     ] {
         assert!(xml.contains(stated), "{stated}: {xml}");
     }

@@ -5,7 +5,10 @@ use serde::{Deserialize, Serialize};
 use super::error::PresetError;
 use super::figure::{Figure, FigureRow, check};
 use super::sources::{PresetSource, sources};
+use crate::checked::Checked;
+use crate::error::DomainError;
 use crate::hardness::Hardness;
+use crate::material::Material;
 use crate::quantity::{Density, Pressure, Quantity, SpecificHeat, ThermalConductivity};
 
 const FILE: &str = "steels.json";
@@ -56,6 +59,36 @@ impl SteelPreset {
             self.heat_capacity.row("heat_capacity", quoted),
             self.hardness.row("hardness", |h| format!("\"{h}\"")),
         ]
+    }
+
+    /// The constants of a body of this steel, with the elastic limit that follows from its hardness, as in a case.
+    ///
+    /// # Errors
+    /// For [`POWDER_METAL`], whose constants follow from its density ([`crate::powder_metal`]).
+    ///
+    /// ```
+    /// let steel = asperity_core::presets::steel("18CrNiMo7-6")?.material()?.value;
+    /// assert!(steel.elastic_limit.si() > 1.8e9);
+    /// assert!(asperity_core::presets::steel("powder-metal")?.material().is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn material(&self) -> Result<Checked<Material>, DomainError> {
+        DomainError::require(
+            !self.is_powder_metal(),
+            "density",
+            self.density.value.si(),
+            "kg/m3",
+            "is that without pores, and the constants of a sintered steel follow from its own density",
+        )?;
+        let limit = self.hardness.value.yield_strength()?;
+        Ok(limit.map(|elastic_limit| Material {
+            young: self.young.value,
+            poisson: self.poisson.value,
+            elastic_limit,
+            density: self.density.value,
+            conductivity: self.conductivity.value,
+            heat_capacity: self.heat_capacity.value,
+        }))
     }
 
     /// Whether its constants follow from the density that a case gives.

@@ -24,7 +24,7 @@ Band = Literal[
 
 
 ExportFormat = Literal[
-    "csv", "vecto", "modelica", "matlab", "fmu", "co2mpas", "fastsim", "advisor",
+    "csv", "wide", "vecto", "modelica", "lossy-gear", "matlab", "fmu", "fastsim",
 ]
 
 

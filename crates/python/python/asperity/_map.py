@@ -78,6 +78,17 @@ class Map(Study, MapArrays):
         return [str(finish["name"]) for finish in self._values["finishes"]]
 
     @property
+    def rows(self) -> Table:
+        """All points in one table, a row for each: finish, temperature, torque, speed, then its numbers.
+
+        pandas, polars and pyarrow take it as it is: ``pyarrow.parquet.write_table(pyarrow.table(losses.rows), "map.parquet")``.
+        """
+        axes = [np.array(self.finishes), self.temperature_c, self.torque_nm, self.speed_rpm]
+        places = [place.ravel() for place in np.meshgrid(*axes, indexing="ij")]
+        points = {name: array.ravel() for name, array in self._points.items()}
+        return Table._of_columns({**dict(zip(_DIMENSIONS, places)), **points})
+
+    @property
     def warnings(self) -> Table:
         """What left its range, with the points that it is about."""
         return Table(self._values["warnings"])
@@ -149,10 +160,10 @@ class Map(Study, MapArrays):
         added: Optional[Union[str, PathLike[str]]] = None,
         cycle: Optional[Union[str, PathLike[str]]] = None,
     ) -> list[Path]:
-        """Writes the map for another program: csv, vecto, modelica, matlab, fmu, co2mpas, fastsim, advisor.
+        """Writes the map for another program.
 
         Parameters:
-            format: the format.
+            format: one of ``asperity.keys.ExportFormat``.
             folder: existing folder of the files, whose names follow from the finishes.
             added: table of losses beside those of the mesh.
             cycle: drive cycle, which ``"fastsim"`` is weighted by.

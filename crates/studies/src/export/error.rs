@@ -72,6 +72,16 @@ pub(crate) fn no_cycle(format: &'static str) -> Fault {
     .with(Remedy::state(Setting::Key("cycle")))
 }
 
+/// The pinion never drives in the cycle.
+pub(crate) fn no_drive(format: &'static str) -> Fault {
+    Fault::new(
+        Code::E205,
+        format!(
+            "{format} takes the efficiency while the input drives, and in this cycle it never does"
+        ),
+    )
+}
+
 /// The cycle is partly outside of the map.
 pub(crate) fn uncovered(format: &'static str, source: crate::cycle::Uncovered) -> Fault {
     Fault::new(

@@ -1,9 +1,11 @@
 //! Exported data of a finish at one temperature.
 
+use std::collections::BTreeMap;
+
 use super::added;
 use super::added::AddedLoss;
 use super::error;
-use crate::map::{Map, MeshPart, Surface};
+use crate::map::{EXTENDED, Map, MeshPart, Surface};
 use asperity_core::Fault;
 
 /// Loss torque of the mesh and added loss torque over torque and speed of the input shaft.
@@ -31,8 +33,20 @@ pub struct Field {
     pub added_nm: Option<Vec<f64>>,
     /// Flanks that carry the load at a negative torque, in words.
     pub flanks: &'static str,
-    /// Number of nodes at which a correlation is out of its range or the loss is extended.
-    pub outside: usize,
+    /// Inputs out of their fitted range, or extended losses, with the number of nodes.
+    pub outside: Vec<(String, usize)>,
+}
+
+/// The distinct marks in order, with the sum of the numbers of each.
+fn counted<'a>(marks: impl Iterator<Item = (&'a String, usize)>) -> Vec<(String, usize)> {
+    let mut counts: BTreeMap<&String, usize> = BTreeMap::new();
+    for (mark, count) in marks {
+        *counts.entry(mark).or_default() += count;
+    }
+    let owned = counts
+        .into_iter()
+        .map(|(mark, count)| (mark.clone(), count));
+    owned.collect()
 }
 
 impl Field {
@@ -104,7 +118,9 @@ impl Field {
                     _ => "",
                 },
                 added_nm,
-                outside: points.filter(|point| !point.outside.is_empty()).count(),
+                outside: counted(
+                    points.flat_map(|point| point.outside.iter().map(|mark| (mark, 1))),
+                ),
             })
         };
         axes.temperature_c.iter().enumerate().map(field).collect()
@@ -152,10 +168,28 @@ impl Field {
         };
         let plain = |text: &str| text.replace(['\n', '\r'], " ");
         let temperatures = fields.iter().map(|field| field.temperature_c.to_string());
-        let outside: usize = fields.iter().map(|field| field.outside).sum();
         let nodes: usize = fields.iter().map(|field| field.mesh_nm.len()).sum();
+        let marks = fields.iter().flat_map(|field| &field.outside);
+        let marks = counted(marks.map(|(mark, count)| (mark, *count)));
+        let places = |count: usize| match count == nodes {
+            true => "every node".to_owned(),
+            false => format!("{count} of {nodes} nodes"),
+        };
+        let (extended, outside): (Vec<_>, Vec<_>) =
+            marks.into_iter().partition(|(mark, _)| mark == EXTENDED);
+        let outside = outside
+            .iter()
+            .map(|(mark, count)| format!("{} ({})", plain(mark), places(*count)));
+        let mut said = match outside.collect::<Vec<_>>().join(", ") {
+            none if none.is_empty() => none,
+            outside => format!("; outside a fitted range: {outside}"),
+        };
+        for (_, count) in extended {
+            said += "; loss extended below the torque that the traces resolve: ";
+            said += &places(count);
+        }
         format!(
-            "Asperity, {}, finish {}, {} °C; {outside} of {nodes} nodes outside a fitted range or extended{}",
+            "Asperity, {}, finish {}, {} °C{}{said}",
             plain(&first.title),
             plain(&first.finish),
             temperatures.collect::<Vec<_>>().join(", "),

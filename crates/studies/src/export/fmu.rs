@@ -13,6 +13,7 @@ use zip::write::SimpleFileOptions;
 
 use super::error;
 use super::field::Field;
+use super::given::Given;
 
 const MODEL: &str = "AsperityLoss";
 const CODE: &str = include_str!("fmu.c");
@@ -76,12 +77,12 @@ fn first(fields: &[Field]) -> Result<&Field, Fault> {
 }
 
 /// The unit: description, source and, if `cc` is available, a library for this machine.
-pub(super) fn archive(fields: &[Field], beside: Option<&Path>) -> Result<Vec<u8>, Fault> {
-    let source = c_source(fields)?;
-    let library = library(&source, beside);
-    let description = description(fields, library.is_some())?;
+pub(super) fn archive(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
+    let source = c_source(given.fields)?;
+    let library = library(&source, given.with.beside);
+    let description = description(given.fields, library.is_some())?;
     let zipped = zipped(&description, &source, library);
-    zipped.map_err(error::unwritten)
+    zipped.map(Some).map_err(error::unwritten)
 }
 
 fn zipped(description: &str, source: &str, library: Option<Library>) -> ZipResult<Vec<u8>> {

@@ -1,47 +1,109 @@
 //! Export formats, and the files of a map in a format.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use asperity_core::Fault;
-use asperity_core::message::Warning;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use super::added::AddedLoss;
 use super::error;
 use super::field::Field;
+use super::given::{Given, With};
 use super::names::degrees;
-use super::{advisor, fitted, fmu, mat4, modelica, tables};
-use crate::cycle::Cycle;
+use super::{efficiency, fmu, lossy_gear, mat5, modelica, tables};
 use crate::map::Map;
 
-/// Export format.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, JsonSchema,
-)]
-#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-#[serde(rename_all = "kebab-case")]
-pub enum Format {
-    /// Long table with the parts of the loss
-    Csv,
-    /// VECTO transmission loss map, .vtlm
-    Vecto,
-    /// Modelica CombiTable2Ds, .txt
-    Modelica,
-    /// MATLAB, Octave, scipy, Modelica: MAT-file level 4
-    Matlab,
-    /// FMI 2.0 model exchange and co-simulation, sources and, if cc is available, the library of this machine
-    Fmu,
-    /// CO2MPAS gear box efficiency parameters, fitted
-    Co2mpas,
-    /// fastsim transmission efficiency, one number
-    Fastsim,
-    /// ADVISOR transmission map, output side, .m
-    Advisor,
+/// Function that makes a file of a format.
+enum Writer {
+    /// One file, which holds every temperature; `None` where the map has nothing for it.
+    Whole(fn(&Given<'_>) -> Result<Option<Vec<u8>>, Fault>),
+    /// A file for each temperature.
+    Each(fn(&Field, &With<'_>) -> Result<Vec<u8>, Fault>),
+}
+
+/// Facts about a format.
+struct Row {
+    format: Format,
+    holds: &'static str,
+    files: &'static [(&'static str, Writer)],
+}
+
+/// Place of the name of a finish in the pattern of a file.
+const NAME: &str = "NAME";
+
+/// Rows `Format "content" { "pattern of a file" function that makes it, ... }`.
+macro_rules! exports {
+    ($($name:ident $holds:literal { $($file:literal $kind:ident($write:expr)),+ })+) => {
+        /// Export format.
+        #[derive(
+            Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, JsonSchema,
+        )]
+        #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+        #[serde(rename_all = "kebab-case")]
+        pub enum Format {
+            $(#[doc = $holds] $name),+
+        }
+
+        impl Format {
+            /// Every format.
+            pub const ALL: &[Self] = &[$(Self::$name),+];
+        }
+
+        const ROWS: &[Row] = &[$(Row {
+            format: Format::$name,
+            holds: $holds,
+            files: &[$(($file, Writer::$kind($write))),+],
+        }),+];
+    };
+}
+
+exports! {
+    Csv "Table with a row per node: mesh, added and whole loss torque; of a gear train also one with a row per node and mesh" {
+        "NAME.csv" Whole(tables::csv),
+        "NAME_meshes.csv" Whole(tables::meshes_csv)
+    }
+    Wide "Table of the loss torque in N m, torque in N m down and speed in 1/min across" {
+        "NAME_loss_torque_nm.csv" Each(tables::wide)
+    }
+    Vecto "VECTO transmission loss map; refused without torques of both signs, or where the loss rises faster than the torque" {
+        "NAME.vtlm" Each(tables::vecto)
+    }
+    Modelica "Table lossTorque of CombiTable2Ds of the Modelica Standard Library: u1 torque in N m, u2 speed in rad/s" {
+        "NAME.txt" Each(modelica::text)
+    }
+    LossyGear "Matrix lossTable of LossyGear of the Modelica Standard Library, fitted at each speed; with the residual of the fit" {
+        "NAME_lossy_gear.mat" Each(lossy_gear::bytes)
+    }
+    Matlab "MATLAB, Simulink, Octave, scipy: arrays over torque, speed and temperature in a MAT-file of level 5" {
+        "NAME.mat" Whole(mat5::of_fields)
+    }
+    Fmu "FMI 2.0 model exchange and co-simulation: sources and, if cc is available, the library of this machine" {
+        "NAME.fmu" Whole(fmu::archive)
+    }
+    Fastsim "FASTSim transmission of a vehicle: one efficiency, weighted by the cycle" {
+        "NAME_fastsim.yaml" Each(efficiency::fastsim)
+    }
 }
 
 impl Format {
+    /// Content of the files of this format, in words.
+    #[must_use]
+    pub fn holds(self) -> &'static str {
+        self.row().holds
+    }
+
+    /// Patterns of the names of the files, with `NAME` for the finish and, of several temperatures in a format that holds
+    /// one, the temperature.
+    pub fn files(self) -> impl Iterator<Item = &'static str> {
+        self.row().files.iter().map(|(pattern, _)| *pattern)
+    }
+
+    fn row(self) -> &'static Row {
+        let index = ROWS.iter().position(|row| row.format == self);
+        &ROWS[index.unwrap_or_default()]
+    }
+
     /// An error of the files in this format.
     fn refused(self, error: Fault) -> Fault {
         let name = json!(self);
@@ -66,27 +128,6 @@ pub struct ExportFile {
     pub bytes: Vec<u8>,
 }
 
-/// Additional data of the exports of a map.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct With<'a> {
-    /// Loss torque in addition to the mesh.
-    pub added: Option<&'a AddedLoss>,
-    /// Cycle that weights the formats with a single number.
-    pub cycle: Option<&'a Cycle>,
-    /// Folder or file next to which a library is compiled, in a draft; `None` for the folder of temporary files.
-    pub beside: Option<&'a Path>,
-}
-
-impl With<'_> {
-    /// Doubts about the tables.
-    #[must_use]
-    pub fn warnings(&self) -> Vec<Warning> {
-        let of_cycle = self.cycle.iter().flat_map(|cycle| &cycle.warnings);
-        let of_losses = self.added.iter().filter_map(|added| added.warning.as_ref());
-        of_cycle.chain(of_losses).cloned().collect()
-    }
-}
-
 /// Files of `map` in one format: one per finish and, if the format holds only one temperature, one per temperature.
 ///
 /// # Errors
@@ -101,30 +142,32 @@ pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFil
 fn files_of(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFile>, Fault> {
     let mut files = Vec::new();
     for (index, finish) in map.finishes.iter().enumerate() {
-        let fields = Field::all(map, index, with.added)?;
+        let fields = &Field::all(map, index, with.added)?[..];
         let name = file_name(&finish.name);
-        match format {
-            Format::Matlab => files.push(file(&name, "mat", mat4::bytes(&fields))),
-            Format::Csv => {
-                files.push(file(&name, "csv", tables::csv(&fields, finish)?));
-                if !finish.meshes.is_empty() {
-                    let meshes = tables::meshes_csv(&fields)?;
-                    files.push(file(&format!("{name}_meshes"), "csv", meshes));
-                }
-            }
-            Format::Fmu => files.push(file(&name, "fmu", fmu::archive(&fields, with.beside)?)),
-            Format::Co2mpas => files.push(file(
-                &format!("{name}_co2mpas"),
-                "json",
-                fitted::co2mpas(&fields)?,
-            )),
-            _ => {
-                for field in &fields {
-                    let name = match fields.len() {
-                        1 => name.clone(),
-                        _ => format!("{name}_{}", degrees(field.temperature_c)),
+        let mut push = |pattern: &str, name: &str, bytes| {
+            let name = PathBuf::from(pattern.replace(NAME, name));
+            files.push(ExportFile { name, bytes });
+        };
+        for (pattern, writer) in format.row().files {
+            match writer {
+                Writer::Whole(write) => {
+                    let given = Given {
+                        fields,
+                        finish,
+                        with,
                     };
-                    files.push(of_field(field, format, &name, with)?);
+                    if let Some(bytes) = write(&given)? {
+                        push(pattern, &name, bytes);
+                    }
+                }
+                Writer::Each(write) => {
+                    for field in fields {
+                        let name = match fields.len() {
+                            1 => name.clone(),
+                            _ => format!("{name}_{}", degrees(field.temperature_c)),
+                        };
+                        push(pattern, &name, write(field, &with)?);
+                    }
                 }
             }
         }
@@ -148,15 +191,9 @@ pub fn check(finishes: &[&str], format: Format, has_cycle: bool) -> Result<(), F
 fn check_names(finishes: &[&str], format: Format) -> Result<(), Fault> {
     let mut taken: Vec<(String, &str)> = Vec::new();
     for finish in finishes {
-        let name = file_name(finish);
-        let names = match format {
-            Format::Csv => vec![format!("{name}_meshes"), name],
-            Format::Advisor => vec![advisor_name(&name)],
-            _ => vec![name],
-        };
-        for name in names {
+        for pattern in format.files() {
             // Some file systems take capitals for small letters.
-            let name = name.to_lowercase();
+            let name = pattern.replace(NAME, &file_name(finish)).to_lowercase();
             if let Some((_, other)) = taken.iter().find(|(taken, _)| *taken == name) {
                 let finishes = [*other, *finish];
                 return Err(error::same_file(finishes, &name));
@@ -165,44 +202,6 @@ fn check_names(finishes: &[&str], format: Format) -> Result<(), Fault> {
         }
     }
     Ok(())
-}
-
-/// The file of a format that holds one temperature.
-fn of_field(
-    field: &Field,
-    format: Format,
-    name: &str,
-    with: With<'_>,
-) -> Result<ExportFile, Fault> {
-    Ok(match format {
-        Format::Vecto => file(name, "vtlm", tables::vecto(field)?.into_bytes()),
-        Format::Modelica => file(name, "txt", modelica::text(field)?.into_bytes()),
-        Format::Fastsim => {
-            let cycle = with.cycle.ok_or_else(|| error::no_cycle("fastsim"))?;
-            let bytes = fitted::fastsim(field, cycle)?;
-            file(&format!("{name}_fastsim"), "json", bytes)
-        }
-        _ => {
-            let text = advisor::text(field)?;
-            file(
-                &format!("TX_{}", advisor_name(name)),
-                "m",
-                text.into_bytes(),
-            )
-        }
-    })
-}
-
-fn file(name: &str, ending: &str, bytes: Vec<u8>) -> ExportFile {
-    ExportFile {
-        name: PathBuf::from(format!("{name}.{ending}")),
-        bytes,
-    }
-}
-
-/// A name that is valid in MATLAB.
-fn advisor_name(name: &str) -> String {
-    name.replace(['-', '.'], "_")
 }
 
 /// A name that is valid in all file systems and programs.

@@ -3,11 +3,12 @@
 use std::fmt::Write as _;
 
 use super::field::Field;
+use super::given::With;
 use asperity_core::Fault;
 
 /// Table `lossTorque` over torque \[N m\] and speed \[rad/s\]; with an added loss also separate tables of the mesh and of
 /// the added loss.
-pub(super) fn text(field: &Field) -> Result<String, Fault> {
+pub(super) fn text(field: &Field, _: &With<'_>) -> Result<Vec<u8>, Fault> {
     field.check_size("Modelica")?;
     let mut text = format!(
         "#1\n# {}\n# {} (extrapolation = NoExtrapolation)\n# scope = {}; u1 = torque of the input shaft N m, u2 = its speed rad/s, value = loss torque N m\n",
@@ -20,7 +21,7 @@ pub(super) fn text(field: &Field) -> Result<String, Fault> {
         write(&mut text, "meshLossTorque", field, &field.mesh_nm);
         write(&mut text, "addedLossTorque", field, added);
     }
-    Ok(text)
+    Ok(text.into_bytes())
 }
 
 /// First row: corner and speeds; then a torque and its values in each row. Writing into a string cannot fail.

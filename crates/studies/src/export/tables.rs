@@ -1,4 +1,4 @@
-//! Tables with one row per node: CSV, and the transmission loss map of VECTO.
+//! Tables as text: CSV with a row per node or per torque, and the transmission loss map of VECTO.
 
 use super::error;
 use std::fmt::Write as _;
@@ -9,10 +9,10 @@ use asperity_report::tables::text;
 use serde::Serialize;
 
 use super::field::Field;
-use crate::map::FinishMap;
+use super::given::{Given, With};
 
 /// CSV with one row per node, mesh and added loss in separate columns.
-pub(super) fn csv(fields: &[Field], finish: &FinishMap) -> Result<Vec<u8>, Fault> {
+pub(super) fn csv(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
     #[derive(Serialize)]
     struct NodeRow<'a> {
         torque_nm: f64,
@@ -26,8 +26,8 @@ pub(super) fn csv(fields: &[Field], finish: &FinishMap) -> Result<Vec<u8>, Fault
         outside: String,
     }
     let mut rows = Vec::new();
-    let mut points = finish.points.iter();
-    for field in fields {
+    let mut points = given.finish.points.iter();
+    for field in given.fields {
         let (total, across) = (field.total_nm(), field.speed_rpm.len());
         let omega = field.omega();
         for (index, mesh) in field.mesh_nm.iter().enumerate() {
@@ -46,11 +46,16 @@ pub(super) fn csv(fields: &[Field], finish: &FinishMap) -> Result<Vec<u8>, Fault
             });
         }
     }
-    text(Path::new("map.csv"), rows).map_err(error::unwritten)
+    text(Path::new("map.csv"), rows)
+        .map(Some)
+        .map_err(error::unwritten)
 }
 
 /// CSV with one row per node and mesh of a gear train, the loss torque of all equal meshes at the input shaft.
-pub(super) fn meshes_csv(fields: &[Field]) -> Result<Vec<u8>, Fault> {
+pub(super) fn meshes_csv(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
+    if given.finish.meshes.is_empty() {
+        return Ok(None);
+    }
     #[derive(Serialize)]
     struct MeshRow<'a> {
         torque_nm: f64,
@@ -60,7 +65,7 @@ pub(super) fn meshes_csv(fields: &[Field]) -> Result<Vec<u8>, Fault> {
         loss_torque_nm: f64,
     }
     let mut rows = Vec::new();
-    for field in fields {
+    for field in given.fields {
         let across = field.speed_rpm.len();
         for (mesh, losses) in &field.parts {
             for (index, loss) in losses.iter().enumerate() {
@@ -74,12 +79,37 @@ pub(super) fn meshes_csv(fields: &[Field]) -> Result<Vec<u8>, Fault> {
             }
         }
     }
-    text(Path::new("map.csv"), rows).map_err(error::unwritten)
+    text(Path::new("map.csv"), rows)
+        .map(Some)
+        .map_err(error::unwritten)
+}
+
+/// CSV of the loss torque \[N m\]: speeds in the first row, a torque before each row of values.
+pub(super) fn wide(field: &Field, _: &With<'_>) -> Result<Vec<u8>, Fault> {
+    let mut text = String::from("torque_nm/speed_rpm");
+    // Writing into a string cannot fail.
+    for speed in &field.speed_rpm {
+        let _ = write!(text, ",{speed}");
+    }
+    text.push('\n');
+    let total = field.total_nm();
+    for (torque, row) in field
+        .torque_nm
+        .iter()
+        .zip(total.chunks(field.speed_rpm.len()))
+    {
+        let _ = write!(text, "{torque}");
+        for value in row {
+            let _ = write!(text, ",{value}");
+        }
+        text.push('\n');
+    }
+    Ok(text.into_bytes())
 }
 
 /// Transmission loss map of VECTO: speed, torque and loss torque of the input shaft, for both signs of the torque. VECTO
 /// looks up by the output torque, so the loss must increase more slowly than the torque.
-pub(super) fn vecto(field: &Field) -> Result<String, Fault> {
+pub(super) fn vecto(field: &Field, _: &With<'_>) -> Result<Vec<u8>, Fault> {
     const FORMAT: &str = "VECTO";
     field.check_size(FORMAT)?;
     field.check_signs(FORMAT)?;
@@ -97,5 +127,5 @@ pub(super) fn vecto(field: &Field) -> Result<String, Fault> {
             let _ = writeln!(text, "{speed},{torque},{}", total[i * across + j]);
         }
     }
-    Ok(text)
+    Ok(text.into_bytes())
 }
