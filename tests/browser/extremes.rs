@@ -305,7 +305,9 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
         ("map/map.html", chart) => {
             let map = table("map.csv");
             Some(match chart.split('-').next().unwrap() {
-                "efficiency" => map.map(["efficiency"], |[value]| 100.0 * value),
+                "efficiency" => {
+                    table("efficiency.csv").map(["efficiency"], |[value]| 100.0 * value)
+                }
                 "interval" => map.map(
                     ["loss_p05_w", "loss_median_w", "loss_p95_w"],
                     |[low, median, high]| 50.0 * (high - low) / median,

@@ -142,6 +142,46 @@ fn quantiles_at_the_nodes_of_a_map_are_those_of_runs() {
     assert_eq!(without[9]["loss_w"], rows[9]["loss_w"]);
 }
 
+/// Whether the efficiency that is drawn has the points of the map, and between them the mean loss torque.
+fn assert_efficiency_is_that_of_the_loss_torque(
+    rows: &[BTreeMap<String, String>],
+    drawn: &[BTreeMap<String, String>],
+) {
+    let at = |rows: &[BTreeMap<String, String>], column: &str, torque: f64, speed: f64| {
+        let place = [
+            ("torque_nm", torque),
+            ("speed_rpm", speed),
+            ("temperature_c", 90.0),
+        ];
+        let is = |row: &&BTreeMap<String, String>| {
+            place.iter().all(|(key, value)| number(row, key) == *value)
+        };
+        rows.iter().find(is).unwrap()[column].clone()
+    };
+    for torque in [-100.0, 0.0, 2.5, 40.0, 100.0] {
+        for speed in [0.0, 500.0, 9000.0] {
+            let [there, here] =
+                [rows, drawn].map(|rows| at(rows, "efficiency", torque, speed).parse::<f64>());
+            assert_eq!(here.is_ok(), there.is_ok(), "{torque} {speed}");
+            if let (Ok(here), Ok(there)) = (here, there) {
+                assert!((here - there).abs() < 1e-14, "{here} {there}");
+            }
+        }
+    }
+    let loss = |torque: f64| {
+        let text = at(rows, "loss_torque_nm", torque, 9000.0);
+        text.parse::<f64>().unwrap()
+    };
+    let between = |torque: f64| at(drawn, "efficiency", torque, 9000.0).parse::<f64>();
+    let due = 1.0 - 0.5 * (loss(0.0) + loss(2.5)) / 1.25;
+    assert!((between(1.25).unwrap() - due).abs() < 1e-12);
+    let lost = 0.5 * (loss(0.0) + loss(-100.0));
+    let due = 50.0 / (50.0 + lost);
+    assert!((between(-50.0).unwrap() - due).abs() < 1e-12);
+    // At rest the loss torque is that at 1 1/min.
+    assert!(at(drawn, "efficiency", 40.0, 1.0).parse::<f64>().is_ok());
+}
+
 #[test]
 fn a_map_has_nodes_at_rest_and_its_points_are_those_of_runs() {
     let bench = bench(E_DRIVE);
@@ -199,6 +239,7 @@ fn a_map_has_nodes_at_rest_and_its_points_are_those_of_runs() {
             assert_eq!(number(row, column), value, "{column} at {set:?}");
         }
     }
+    assert_efficiency_is_that_of_the_loss_torque(&rows, &table(&bench, "m/efficiency.csv"));
     let json: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(bench.path("m/map.json")).unwrap()).unwrap();
     assert_eq!(json["scope"], "mesh");

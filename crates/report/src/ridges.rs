@@ -56,10 +56,10 @@ pub fn certain(ridges: &Ridges) -> Option<String> {
     Some(match &above[..] {
         [] => format!("None {of_all} has an interval above zero by itself."),
         [only] => format!("Only ridge {only} has an interval above zero by itself."),
-        some if some.len() <= LISTED => {
+        [first @ .., last] if first.len() < LISTED => {
             format!(
-                "Only ridges {} have intervals above zero by themselves.",
-                some.join(", ")
+                "Only ridges {} and {last} have intervals above zero by themselves.",
+                first.join(", ")
             )
         }
         many => format!(

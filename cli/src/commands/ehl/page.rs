@@ -35,7 +35,8 @@ fn page_of(
             env!("CARGO_PKG_VERSION"),
             scales.half_width,
             scales.max_pressure,
-            scales.slide_to_roll,
+            // −0 becomes 0.
+            scales.slide_to_roll + 0.0,
             scales.moes_load,
             scales.moes_lubricant
         ),

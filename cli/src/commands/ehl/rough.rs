@@ -9,6 +9,7 @@ use asperity::ehl::{
 };
 use asperity::lubrication::{HIGHEST_PRESSURE, ShareComparison};
 use asperity::reference_solution::{estimate_json, nanometres, record_json, record_warnings};
+use asperity::result::loss_band::Digits;
 use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
 use asperity_core::{Code, Fault};
@@ -249,7 +250,11 @@ impl Recorded {
 /// Mean with its standard error, which a record of few blocks does not have.
 pub(super) fn with_error(mean: f64, standard_error: f64) -> String {
     match standard_error.is_finite() {
-        true => format!("{mean:.4} (standard error {standard_error:.4})"),
+        true => {
+            let digits = Digits::of_uncertainty(standard_error);
+            let [mean, error] = [mean, standard_error].map(|value| digits.rounded(value));
+            format!("{mean} (standard error {error})")
+        }
         false => format!("{mean:.4} (record too short for a standard error)"),
     }
 }

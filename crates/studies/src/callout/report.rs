@@ -28,8 +28,8 @@ impl StudyResult for CallOut {
     fn report(&self) -> Report<'_> {
         Report::new(&self.title, "call-out")
             .section("Limit")
-            .text(headline(self))
             .verdict(self.limits.iter().map(limit_line))
+            .text(headline(self))
             .figures(|| self.limits.iter().map(|row| symbol(self, row)))
             .figures(|| [curve_chart(self)])
             .text([inspection(self), losses(self)])

@@ -3,14 +3,14 @@
 use asperity::message::Warning;
 use asperity::result::loss_band::Digits;
 use asperity_core::numerics::range;
-use asperity_core::{Code, decimals, number};
+use asperity_core::{Code, Estimate, decimals, number};
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Cell, Report, StudyResult, Table, columns};
 use serde::Serialize;
 
 use super::energy::{CycleFinish, CycleResult};
 use super::trace::CyclePoint;
-use crate::map::{banded, in_words, loses, loss_fields, marks, round_step};
+use crate::map::{HELPFUL, banded, in_words, loses, loss_fields, marks, round_step};
 
 /// Approximate number of torque bins.
 const BINS: f64 = 30.0;
@@ -29,9 +29,11 @@ impl StudyResult for CycleResult {
             format!("{} · cycle {}", self.program, self.cycle),
         )
         .section("Energy")
-        .text([conditions(self)])
         .verdict(verdicts(self))
         .figures(|| [over_time(self)])
+        .text([conditions(self)])
+        .text([HELPFUL])
+        .on_page()
         .table(table(self))
         .text(in_pairs(self))
         .on_page()
@@ -242,12 +244,15 @@ fn verdicts(result: &CycleResult) -> Vec<String> {
         let [whole, ..] = lost(finish);
         let share = share_of_drive(finish).map(|share| format!(", {share} % of the drive energy"));
         let against = finish.difference_wh.and_then(|_| {
-            let first = result.finishes.first()?;
-            Some(format!(
-                "; {} Wh against {}",
-                difference(finish),
-                first.name
-            ))
+            let first = &result.finishes.first()?.name;
+            let saved = finish.difference_drawn_wh.filter(|drawn| drawn.high < 0.0);
+            Some(match saved {
+                Some(Estimate { value, low, high }) => {
+                    let saved = Estimate::new(-value, [-high, -low]);
+                    format!("; {} Wh less than {first}", banded(-value, Some(saved)))
+                }
+                None => format!("; {} Wh against {first}", difference(finish)),
+            })
         });
         let [share, against] = [share, against].map(Option::unwrap_or_default);
         format!("{} {whole} Wh{share}{against}.", loses(&finish.name))

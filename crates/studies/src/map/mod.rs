@@ -33,6 +33,7 @@
 
 mod axes;
 mod draws;
+mod efficiency;
 mod evaluation;
 mod grid;
 mod page;
@@ -49,7 +50,7 @@ pub(crate) use draws::Place;
 pub use draws::{Drawn, DrawnNodes, MapBand};
 pub use grid::map;
 pub use page::loss_fields;
-pub(crate) use page::{marks, round_step};
+pub(crate) use page::{HELPFUL, marks, round_step};
 pub use point::{
     EXTENDED, FinishMap, Map, MapGearbox, MapWarning, MeshPart, Numbers, Point, ranges,
 };

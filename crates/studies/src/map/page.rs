@@ -7,6 +7,7 @@ use asperity_report::{Report, Table, columns};
 use maud::{Markup, html};
 
 use super::axes::Axes;
+use super::efficiency::{self, DrawnRow, closer};
 use super::point::{FinishMap, Map, Numbers, Point};
 use super::summary::{banded, in_words, words};
 
@@ -16,6 +17,13 @@ const BANDS: usize = 10;
 const TEMPERATURES: usize = 3;
 /// Largest share of hatched points; where more are extrapolated, only a sentence says so.
 const MOST_HATCHED: f64 = 1.0 / 3.0;
+
+/// What a page about losses at many operating points leaves to studies of one.
+pub(crate) const HELPFUL: &str = "The command asperity sensitivity lists changes that lower the loss; asperity evidence lists \
+    measurements that narrow its interval.";
+
+/// File of the efficiencies as drawn.
+pub(super) const EFFICIENCIES: &str = "efficiency.csv";
 
 /// A quantity over torque and speed.
 struct Quantity {
@@ -58,22 +66,32 @@ impl Quantity {
         point.numbers.as_ref().and_then(self.of).unwrap_or(f64::NAN)
     }
 
+    /// The quantity of `finish` at a temperature, at the points of the map.
+    fn field(&self, map: &Map, (finish, temperature): Of<'_>, visited: &[[f64; 2]]) -> Contour {
+        Contour {
+            id: id(map, self.id, finish, temperature),
+            title: format!("{}, {}", self.title, named(map, finish, temperature)),
+            value: self.scale.to_owned(),
+            dots: visited.to_vec(),
+            ..field(map, finish, temperature, &|point| self.at(point))
+        }
+    }
+
     /// The quantity for every finish and the temperatures `drawn`, all with the same bands.
     fn fields(&self, map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Vec<Drawing> {
-        let mut fields = Vec::new();
-        for finish in &map.finishes {
-            for &temperature in drawn {
-                fields.push(Contour {
-                    id: id(map, self.id, finish, temperature),
-                    title: format!("{}, {}", self.title, named(map, finish, temperature)),
-                    value: self.scale.to_owned(),
-                    dots: visited.to_vec(),
-                    ..field(map, finish, temperature, &|point| self.at(point))
-                });
-            }
-        }
-        with_common_levels(fields, self.levels)
+        let fields = each(map, drawn).map(|of| self.field(map, of, visited));
+        let fields = with_common_levels(fields.collect(), self.levels);
+        fields.into_iter().map(Drawing::Contour).collect()
     }
+}
+
+/// A finish and the number of a temperature.
+type Of<'a> = (&'a FinishMap, usize);
+
+/// Every finish at the temperatures `drawn`.
+fn each<'a>(map: &'a Map, drawn: &[usize]) -> impl Iterator<Item = Of<'a>> {
+    let finishes = map.finishes.iter();
+    finishes.flat_map(|finish| drawn.iter().map(move |temperature| (finish, *temperature)))
 }
 
 /// Values of a field at the nodes around its points, whose colours are to differ; at all nodes without points.
@@ -98,18 +116,15 @@ fn visited_values(field: &Contour) -> impl Iterator<Item = f64> {
 }
 
 /// The fields with the bands of all their values together, without those that have no value.
-fn with_common_levels(mut fields: Vec<Contour>, levels: fn(&[f64]) -> Vec<f64>) -> Vec<Drawing> {
+fn with_common_levels(mut fields: Vec<Contour>, levels: fn(&[f64]) -> Vec<f64>) -> Vec<Contour> {
     fields.retain(|field| field.values.iter().any(|value| value.is_finite()));
     let values = fields.iter().flat_map(visited_values);
     let values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
     let levels = levels(&values);
-    let drawing = |field| {
-        Drawing::Contour(Contour {
-            levels: Some(levels.clone()),
-            ..field
-        })
-    };
-    fields.into_iter().map(drawing).collect()
+    for field in &mut fields {
+        field.levels = Some(levels.clone());
+    }
+    fields
 }
 
 /// Loss and efficiency on the page, added to `report`.
@@ -117,16 +132,19 @@ pub(super) fn fields<'a>(report: Report<'a>, map: &'a Map, visited: &'a [[f64; 2
     let [pinion, wheel] = map.shafts();
     let axes = format!(
         "Loss of the {} over torque and speed of the {pinion}. At a negative torque the {wheel} drives. All finishes have the \
-        same colours; next to points at rest or without torque the efficiency is blank.",
+        same colours. The efficiency is blank where the loss exceeds the power, next to 0 N m.",
         map.scope
     );
     report
-        .text([axes])
+        .figures(move || loss_and_efficiency(map, visited))
+        .text([
+            axes.as_str(),
+            "Each colour of the efficiency covers about a tenth of the points.",
+        ])
         .on_page()
         .text(marks(map, !visited.is_empty()))
         .on_page()
-        .figures(move || loss_and_efficiency(map, visited))
-        .text(["Each colour of the efficiency covers about a tenth of the points."])
+        .text([HELPFUL])
         .on_page()
 }
 
@@ -158,15 +176,38 @@ pub(super) fn sections<'a>(
 
 /// Loss and efficiency of every finish and temperature, side by side.
 fn loss_and_efficiency(map: &Map, visited: &[[f64; 2]]) -> Vec<Drawing> {
-    let drawn = drawn(&map.axes);
-    let [losses, efficiencies] =
-        [LOSS, EFFICIENCY].map(|quantity| quantity.fields(map, &drawn, visited));
-    let mut efficiencies = efficiencies.into_iter();
+    let losses = LOSS.fields(map, &drawn(&map.axes), visited);
+    let mut efficiencies = efficiencies(map, visited)
+        .into_iter()
+        .map(|(_, field)| Drawing::Contour(field));
     let both = losses
         .into_iter()
         .flat_map(|loss| [Some(loss), efficiencies.next()]);
     let both: Vec<Drawing> = both.flatten().collect();
     both.into_iter().chain(efficiencies).collect()
+}
+
+/// The efficiencies as drawn, with the bands of the points of the map.
+fn efficiencies<'a>(map: &'a Map, visited: &[[f64; 2]]) -> Vec<(Of<'a>, Contour)> {
+    let drawn = drawn(&map.axes);
+    let fields = each(map, &drawn).map(|of| EFFICIENCY.field(map, of, visited));
+    let fields = with_common_levels(fields.collect(), EFFICIENCY.levels);
+    let of = |field: Contour| {
+        let of = each(map, &drawn)
+            .find(|(finish, at)| field.id == id(map, EFFICIENCY.id, finish, *at))?;
+        let source = EFFICIENCIES.to_owned();
+        let field = Contour { source, ..field };
+        Some((of, closer(map, of.0, of.1, field)))
+    };
+    fields.into_iter().filter_map(of).collect()
+}
+
+/// Rows of the efficiencies as drawn.
+pub(super) fn drawn_efficiencies(map: &Map) -> impl Iterator<Item = DrawnRow<'_>> {
+    let fields = efficiencies(map, &[]).into_iter();
+    fields.flat_map(|((finish, temperature), field)| {
+        efficiency::rows(map, finish, temperature, &field)
+    })
 }
 
 /// The extrapolations of every finish in words, then the meaning of the dots if there are any.
@@ -383,7 +424,7 @@ fn differences(map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Markup {
     }
     html! {
         p { "Blue: the loss is lower than with " (first.name) "; red: higher; white: nearly equal losses." }
-        div.charts { @for field in with_common_levels(fields, levels_about_zero) { (figure(&field)) } }
+        div.charts { @for field in with_common_levels(fields, levels_about_zero) { (figure(&Drawing::Contour(field))) } }
     }
 }
 
@@ -509,10 +550,7 @@ mod tests {
         ];
         let levels: Vec<Vec<f64>> = with_common_levels(fields, round_levels)
             .into_iter()
-            .map(|drawing| match drawing {
-                Drawing::Contour(contour) => contour.levels.unwrap_or_default(),
-                _ => Vec::new(),
-            })
+            .filter_map(|field| field.levels)
             .collect();
         assert_eq!(levels.len(), 2);
         assert_eq!(levels[0], levels[1]);

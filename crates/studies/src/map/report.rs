@@ -1,4 +1,4 @@
-//! Report of a map, and its folder: `map.json`, `map.csv`, `map.html`.
+//! Report of a map, and its folder: `map.json`, `map.csv`, `efficiency.csv`, `map.html`.
 
 use asperity_report::{Report, StudyResult};
 
@@ -34,9 +34,9 @@ impl Map {
             format!("{} · map of {}", self.program, names.join(", ")),
         )
         .section("Loss")
-        .text([points])
         .verdict(verdicts(self));
         let report = page::fields(report, self, visited)
+            .text([points])
             .table(extremes(self))
             .table(of_meshes(self))
             .warning(left_aside(self))
@@ -46,6 +46,7 @@ impl Map {
             .in_terminal();
         page::sections(report, self, visited)
             .file(|folder| table::write(self, &folder.join("map.csv")))
+            .rows(page::EFFICIENCIES, || page::drawn_efficiencies(self))
     }
 }
 

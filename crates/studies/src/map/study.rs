@@ -194,7 +194,6 @@ impl StudySettings for MapSettings {
     const STEPS: &'static str = "points";
 
     fn work(&self, CaseOrFinishes(given): &CaseOrFinishes) -> Result<Option<Work>, Fault> {
-        self.extras(given)?;
         let first = given.first()?;
         let torques = self.axes(first)?.torque_nm.len();
         let torques = match first.shafting.passes_losses {

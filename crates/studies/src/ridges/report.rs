@@ -24,10 +24,10 @@ impl StudyResult for RidgeStudy {
         let study = &self.found;
         let mut report = Report::new(&study.title, "ridges")
             .section("Where the loss is made")
-            .text([headline(study)])
-            .at(&study.conditions)
             .verdict([verdict(study)])
             .verdict(certain(study))
+            .text([headline(study)])
+            .at(&study.conditions)
             .markup(|| charts(study, None))
             .section("Ridges with the largest loss")
             .figures(|| [ridge_chart(study)])
@@ -124,7 +124,7 @@ fn kinks(kinks: &Kinks) -> Option<String> {
 }
 
 fn headline(study: &Ridges) -> String {
-    let loss = rounded(study.loss_w, 0.01 * study.loss_w);
+    let loss = rounded(study.loss_w, 0.1 * study.loss_w);
     let of_percent = rounded(
         0.01 * study.by_log_height_w,
         0.001 * study.by_log_height_w.abs(),

@@ -23,10 +23,10 @@ impl StudyResult for Sensitivity {
     fn report(&self) -> Report<'_> {
         Report::new(&self.title, "sensitivity")
             .section("What you can change")
-            .text([headline(self)])
-            .at(&self.conditions)
             .verdict(verdicts(self))
             .figures(|| chart(self, true))
+            .text([headline(self)])
+            .at(&self.conditions)
             .warning(left_aside(self))
             .section("What is not known well")
             .figures(|| chart(self, false))
@@ -192,7 +192,7 @@ fn left_aside(study: &Sensitivity) -> Option<Warning> {
 
 /// The loss that the changes are relative to, with three digits: at given windows and constants it has no interval.
 fn headline(study: &Sensitivity) -> String {
-    let loss = rounded(study.loss_w, 0.01 * study.loss_w);
+    let loss = rounded(study.loss_w, 0.1 * study.loss_w);
     format!("Loss {loss} W at the medians of all constants, and how it changes.")
 }
 

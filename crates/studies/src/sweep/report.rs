@@ -41,7 +41,7 @@ impl StudyResult for Merged {
         let over_axes = (!charts.is_empty()).then_some(OVER_AXES);
         let mut report = Report::new(&self.title, format!("sweep {}", self.name))
             .section("Results over the axes")
-            .verdict(largest(self))
+            .verdict(largest(self).or_else(|| extremes(self)))
             .text([format!(
                 "{} cases, {} without a result.",
                 self.cases, self.failed
@@ -174,6 +174,35 @@ fn largest(merged: &Merged) -> Option<String> {
         input_name(&row.input),
         output.change(&row.effect?)
     ))
+}
+
+/// The lowest and the highest of the first result with their axes, in words; `None` if all are equal.
+fn extremes(merged: &Merged) -> Option<String> {
+    let (name, values) = merged.outputs.first()?;
+    let output = Output::of(name);
+    let cases = || (0..values.len()).filter(|k| values[*k].is_finite());
+    let by_value = |a: &usize, b: &usize| values[*a].total_cmp(&values[*b]);
+    let (low, high) = (cases().min_by(by_value)?, cases().max_by(by_value)?);
+    let at = |k: usize| {
+        let axes = &merged.inputs[..merged.axes.min(merged.inputs.len())];
+        let varied = axes
+            .iter()
+            .filter(|axis| axis.cells().iter().any(|cell| *cell != axis.cells()[0]));
+        let texts = varied.map(|axis| {
+            let unit = match &axis.values {
+                InputValues::Numbers { unit, .. } => unit.as_str(),
+                InputValues::Choices(_) => "",
+            };
+            let text = format!("{} {} {unit}", input_name(&axis.name), axis.cells()[k]);
+            text.trim_end().to_owned()
+        });
+        let value = output.text(values[k]);
+        format!("{value} with {}", texts.collect::<Vec<_>>().join(", "))
+    };
+    (values[low] < values[high]).then(|| {
+        let name = &output.name;
+        format!("Lowest {name}: {}. Highest {name}: {}.", at(low), at(high))
+    })
 }
 
 /// The inputs by the size of their effect on a result, the largest first.

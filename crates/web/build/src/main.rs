@@ -35,8 +35,12 @@ const COPIED: [(&str, &str, &[&str]); 4] = [
     ("fixtures/profiles", "examples", &["csv"]),
 ];
 
-/// Picture of the start, from where in the repository.
-const PICTURE: &str = "docs/gallery/finishes.svg";
+/// Pictures of the start, from where in the repository.
+const PICTURES: [&str; 3] = [
+    "docs/gallery/finishes.svg",
+    "docs/figures/band.svg",
+    "docs/figures/gates.svg",
+];
 
 fn main() -> ExitCode {
     let Some(folder) = env::args_os().nth(1) else {
@@ -69,7 +73,10 @@ fn build(folder: &Path) -> Result<(), Box<dyn Error>> {
     for (from, to, endings) in COPIED {
         copy(&root.join(from), &folder.join(to), endings)?;
     }
-    fs::copy(root.join(PICTURE), folder.join("finishes.svg"))?;
+    for picture in PICTURES.map(Path::new) {
+        let name = picture.file_name().ok_or("a picture has no name")?;
+        fs::copy(root.join(picture), folder.join(name))?;
+    }
     println!(
         "wrote {}; serve it by any file server, e.g.",
         folder.display()
