@@ -1,7 +1,7 @@
 //! Gears, oils and steels of the library: each runs, by its name alone.
 
 use asperity::core::presets::steel;
-use asperity::quantity::{Pressure, Quantity as _};
+use asperity::quantity::Pressure;
 use serde_json::Value;
 
 use crate::bench::{Bench, E_DRIVE};

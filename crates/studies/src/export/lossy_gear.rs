@@ -108,10 +108,10 @@ fn solved(mut m: [[f64; 4]; 3], free: u8) -> [f64; 3] {
         .iter()
         .flatten()
         .fold(f64::MIN_POSITIVE, |a, b| a.max(b.abs()));
-    for k in 0..3 {
+    for (k, row) in m.iter_mut().enumerate() {
         if free & (1 << k) == 0 {
-            m[k] = [0.0; 4];
-            m[k][k] = scale;
+            *row = [0.0; 4];
+            row[k] = scale;
         }
     }
     for k in 0..3 {
