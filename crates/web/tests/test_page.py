@@ -85,7 +85,7 @@ def summary(case, folder=None):
     """The summary that the command prints, without what is about the command itself."""
     run = [PROGRAM, "run", str(case), "--notes", "--no-output"]
     text = subprocess.run(run, cwd=folder, capture_output=True, text=True, check=True).stdout
-    return [line for line in text.splitlines() if not re.match(r"defaults used|in [\d.]+ s|converged", line)]
+    return [line for line in text.splitlines() if not re.match(r"defaults used|in [\d.]+ s|solved", line)]
 
 
 def leaves(value, path=""):
@@ -153,7 +153,7 @@ def fill(page, key, value):
 
 def shown_summary(page):
     # Folded, so that it is not rendered.
-    return [line for line in page.text_content("#summary").splitlines() if not line.startswith("converged")]
+    return [line for line in page.text_content("#summary").splitlines() if not line.startswith("solved")]
 
 
 def test_the_demo_is_the_e_drive_of_the_command(page):
