@@ -178,7 +178,9 @@ fn verdicts(calibration: &Calibration) -> Vec<String> {
         verdicts.push(format!("Identified in part: {held}."));
     }
     if !others.is_empty() {
-        verdicts.push(format!("Not identified, left at the default: {others}."));
+        verdicts.push(format!(
+            "Not identified, not written to the case: {others}."
+        ));
     }
     let next = calibration.identifiability.helpful.first();
     verdicts.extend(next.map(|point| {

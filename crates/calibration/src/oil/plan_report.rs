@@ -186,7 +186,8 @@ fn verdict(plan: &OilPlan) -> Option<String> {
     let of_plan = plan.stages.iter().find(|stage| stage.name == WHOLE)?;
     let errors =
         |of: fn(&Stage) -> Option<f64>| Some([of(before)?, of(of_plan)?].map(|one| 100.0 * one));
-    let of_loss = errors(|stage| stage.loss_deviation).map(|both| ("loss of the case", both));
+    let of_loss = errors(|stage| stage.loss_deviation)
+        .map(|both| ("loss of the case by these constants alone", both));
     let of_constant = || {
         let first = errors(|stage| Some(stage.constants.first()?.deviation));
         first.map(|both| (STATED_CONSTANTS[0].1, both))

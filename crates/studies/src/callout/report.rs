@@ -62,7 +62,7 @@ fn curve_chart(study: &CallOut) -> Drawing {
         Axis::new("height over the present height of these flanks", ""),
         Axis::new("loss", "W"),
     );
-    let title = "Loss by the height of the flanks, shaded 5 to 95 % of the lots";
+    let title = "Loss by the height of the flanks, shaded 5 to 95 % of the lots before inspection";
     let of =
         |value: fn(&CurvePoint) -> f64| -> Vec<f64> { study.curve.iter().map(value).collect() };
     let heights = of(|point| point.height);

@@ -68,7 +68,7 @@ fn verdicts(study: &Sensitivity) -> impl Iterator<Item = String> {
         let what = if is_saving { "saving" } else { "rise" };
         let content = effect.sampling_quantiles_w.map_or("", |_| OF_SAMPLING);
         Some(format!(
-            "The largest {what}: {}, {} W, {} %{content}.",
+            "The largest {what} among these changes: {}, {} W, {} %{content}.",
             named(row),
             difference(effect),
             share(effect)

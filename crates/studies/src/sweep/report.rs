@@ -19,6 +19,9 @@ const METHOD: &str = "Change of a result from the mean of the lowest quarter of 
 /// Meaning of the indices of Sobol.
 const INDICES: &str = "First index: share of the variance of the result by this input alone. Total index: the same with its \
     interactions. Few samples estimate both roughly; an estimate may exceed 1.";
+/// What the losses of a sweep are, beside that of a run.
+const AT_MEDIANS: &str = "loss_w is computed with the constants at their stated or median values. The loss that asperity run prints \
+    first is the median over drawn constants, with its interval.";
 /// Content of the charts over the axes.
 const OVER_AXES: &str = "Mean of the cases at each value of an axis, and the range of all of them.";
 
@@ -37,6 +40,7 @@ impl StudyResult for Merged {
             };
             format!("{code} in {count} cases: {title}. A run of a case names the range.")
         });
+        let has_losses = self.outputs.iter().any(|(name, _)| name == "loss_w");
         let charts = axes(self);
         let over_axes = (!charts.is_empty()).then_some(OVER_AXES);
         let mut report = Report::new(&self.title, format!("sweep {}", self.name))
@@ -49,6 +53,8 @@ impl StudyResult for Merged {
             .text(outside)
             .figures(move || charts.clone())
             .text(over_axes)
+            .on_page()
+            .text(has_losses.then_some(AT_MEDIANS))
             .on_page()
             .section("Effects")
             .figures(|| {
