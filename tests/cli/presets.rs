@@ -234,14 +234,30 @@ fn a_wrong_name_is_answered_with_the_nearest_one() {
 }
 
 #[test]
-fn an_oil_of_which_the_case_states_the_viscosity_is_warned_about() {
+fn an_oil_of_which_the_case_states_properties_is_warned_about() {
     let bench = Bench::new();
     bench.write_flanks();
     bench.write("case.toml", E_DRIVE);
     let said = bench.run(&["check", "case.toml", "--set", "lubricant.oil=m100"]);
     let text = said.well().unwrapped();
     assert!(
-        text.contains("W442 lubricant.viscosity of the case replaces that of the oil m100"),
+        text.contains("W442 lubricant.base_oil, lubricant.density, lubricant.viscosity of the case replace those of the oil m100"),
+        "{text}"
+    );
+    // Also without the viscosity, of which the density of the case is left.
+    let lines = E_DRIVE.lines().filter(|line| {
+        !["viscosity", "base_oil"]
+            .iter()
+            .any(|key| line.starts_with(key))
+    });
+    bench.write(
+        "case.toml",
+        lines.map(|line| format!("{line}\n")).collect::<String>(),
+    );
+    let said = bench.run(&["check", "case.toml", "--set", "lubricant.oil=m100"]);
+    let text = said.well().unwrapped();
+    assert!(
+        text.contains("W442 lubricant.density of the case replaces that of the oil m100"),
         "{text}"
     );
 }

@@ -98,3 +98,18 @@ pub struct LubricantInput {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heat_capacity: Option<SpecificHeat>,
 }
+
+impl LubricantInput {
+    /// Keys that `other` states too, with another value.
+    pub fn stated_otherwise(&self, other: &Self) -> impl Iterator<Item = String> {
+        let table = |input: &Self| match serde_json::to_value(input) {
+            Ok(serde_json::Value::Object(keys)) => keys,
+            _ => serde_json::Map::new(),
+        };
+        let other = table(other);
+        let differs = move |(key, value): &(String, serde_json::Value)| {
+            other.get(key).is_some_and(|other| other != value)
+        };
+        table(self).into_iter().filter(differs).map(|(key, _)| key)
+    }
+}

@@ -52,7 +52,7 @@ pub use density::{DensityLaw, DensityLine, RelativeDensity, dowson_higginson_den
 pub use error::LubricantError;
 pub use heat::{cragoe_conductivity, cragoe_heat_capacity};
 pub use input::{LubricantInput, ViscosityLaw};
-pub use library::{LibraryOil, library};
+pub use library::{LibraryOil, library, library_oil};
 pub use lubricant::{Assumption, Lubricant, LubricantState};
 pub use pressure_viscosity::{
     GOLD_FIT, HIGHEST_PLAUSIBLE, LOWEST_PLAUSIBLE, gold_pressure_viscosity,

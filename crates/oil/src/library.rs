@@ -87,7 +87,10 @@ pub fn library() -> Result<Vec<LibraryOil>, LubricantError> {
 }
 
 /// The oil of this name, in upper or lower case.
-pub(crate) fn find(name: &str) -> Result<LibraryOil, LubricantError> {
+///
+/// # Errors
+/// When the library has no such oil, or cannot be read.
+pub fn library_oil(name: &str) -> Result<LibraryOil, LubricantError> {
     let mut oils = library()?;
     match oils
         .iter()

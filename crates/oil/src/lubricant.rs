@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     AstmD341, BaseOil, DensityLine, GivenViscosity, LubricantError, LubricantInput,
     TractionConstants, ViscosityLaw, Vogel, cragoe_conductivity, cragoe_heat_capacity,
-    gold_pressure_viscosity, library, plausible_pressure_viscosity, viscosity_index,
+    gold_pressure_viscosity, library_oil, plausible_pressure_viscosity, viscosity_index,
 };
 use asperity_core::quantity::{
     Density, DynamicViscosity, KinematicViscosity, PerKelvin, PressureViscosity, SpecificHeat,
@@ -145,7 +145,7 @@ impl LubricantInput {
     /// This input completed by the library's oil that it names.
     fn complete(&self) -> Result<Self, LubricantError> {
         Ok(match &self.oil {
-            Some(name) => self.over(&library::find(name)?.lubricant),
+            Some(name) => self.over(&library_oil(name)?.lubricant),
             None => self.clone(),
         })
     }

@@ -43,6 +43,16 @@ def test_a_comparison_of_files_profiles_pairs_and_cases(drive, tmp_path):
     assert found.to_xarray().loss_w.sizes == {"finish": 4, "offset": 2}
 
 
+def test_finishes_with_different_numbers_of_offsets_stand_in_one_array(drive):
+    pytest.importorskip("xarray")
+    found = asperity.compare(drive, {"ground": GROUND, "fine": FINE})
+    counts = {name: len(rows) for name, rows in found.offsets.items()}
+    assert counts["ground"] != counts["fine"]
+    losses = found.to_xarray().loss_w
+    assert losses.sizes["offset"] == max(counts.values())
+    assert losses.count("offset").values.tolist() == [counts["ground"], counts["fine"]]
+
+
 def test_a_point_of_a_map_is_a_run(drive, tmp_path):
     found = asperity.map(drive, torque="50..145:2 N m", speed=["3000 1/min", "9000 1/min"])
     run = drive.replace({"operation.torque": "50 N m", "operation.speed": "3000 1/min"}).run("losses")

@@ -45,7 +45,7 @@ use asperity_case::case::{BulkReport, Case, CaseInput};
 use asperity_case::error::PositionError;
 use asperity_case::message::Warning;
 
-/// What the warnings about a mesh take: its summary, its gearbox, and the effect of contact of the tip edges.
+/// Input of the warnings about a mesh: its summary, its gearbox, and the effect of contact of the tip edges.
 type OfMesh<'a> = (
     &'a Summary,
     Option<&'a GearboxReport>,

@@ -49,7 +49,7 @@ pub struct ShareComparison {
     pub reference_share: f64,
     /// Mean film of the reference solution \[µm\].
     pub reference_mean_film_um: f64,
-    /// Friction of the reference solution with the heat of film and surfaces, as the laws have it.
+    /// Friction of the reference solution with the heat of film and surfaces, by the laws.
     pub reference_friction: Option<f64>,
     /// Windows that the laws are averaged over.
     pub windows: usize,

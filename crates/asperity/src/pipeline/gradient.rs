@@ -493,7 +493,7 @@ mod tests {
         }
     }
 
-    /// The e-drive case with these traces in place of those of its files.
+    /// The e-drive case with these traces instead of its files.
     fn with_files(traces: &[Profile; 2]) -> LoadedCase {
         let folder = std::path::Path::new("../../fixtures/cases");
         let text = asperity_storage::whole_file(&folder.join("e-drive.toml"), 1 << 16).unwrap();

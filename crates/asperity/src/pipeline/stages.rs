@@ -111,7 +111,7 @@ pub(super) fn sampled<'a>(
     Ok((with_offsets(loaded, contacts.offsets()), contacts))
 }
 
-/// The contacts of `loaded`, whose load over the flanks is that of `mesh`.
+/// The contacts of `loaded`, with the load of `mesh` over the flanks.
 fn contacts_of<'a>(
     loaded: &LoadedCase,
     mesh: &Mesh,

@@ -37,7 +37,7 @@ use asperity_flanks::flank_lay::FlankLay;
 use asperity_flanks::surfaces::{FlankReport, Surfaces};
 use asperity_flanks::trace_pairs::SampledFlanks;
 use asperity_mixed_film::InletSupply;
-use asperity_oil::LubricantInput;
+use asperity_oil::{LubricantInput, library_oil};
 
 /// A case with its traces, ready to run.
 #[derive(Debug, Clone)]
@@ -460,7 +460,7 @@ fn warnings_of(case: &Case, flanks: &Flanks, source: &Source) -> Vec<Warning> {
     warnings.extend(gearbox.flat_map(|gearbox| gearbox.warnings.iter().cloned()));
     let oil = case.oil_file.iter();
     warnings.extend(oil.flat_map(|oil| oil.warnings(input, case.temperature)));
-    warnings.extend(replaced_viscosity(&input.lubricant));
+    warnings.extend(replaced_properties(&input.lubricant));
     warnings.extend(simulated(input, case.oil_file.as_deref()));
     warnings
 }
@@ -539,11 +539,20 @@ fn read_as_keys(source: &Source) -> Option<Warning> {
     (!pairs.is_empty()).then(|| Warning::new(SYMBOLS, pairs.join(", ")))
 }
 
-/// W442 if the case names an oil of the library and states its viscosity.
-fn replaced_viscosity(oil: &LubricantInput) -> Option<Warning> {
-    let (name, _) = (oil.oil.as_ref()?, oil.viscosity.as_ref()?);
+/// W442 if the case names an oil of the library and states other properties than those of the oil.
+fn replaced_properties(own: &LubricantInput) -> Option<Warning> {
+    let name = own.oil.as_ref()?;
+    let oil = library_oil(name).ok()?;
+    let keys = own.stated_otherwise(&oil.lubricant);
+    let keys: Vec<String> = keys.map(|key| format!("lubricant.{key}")).collect();
+    let replaces = match keys.len() {
+        0 => return None,
+        1 => "replaces that",
+        _ => "replace those",
+    };
     let text = format!(
-        "lubricant.viscosity of the case replaces that of the oil {name}, of which only what the case leaves out is used"
+        "{} of the case {replaces} of the oil {name}, of which only what the case leaves out is used",
+        keys.join(", ")
     );
     Some(Warning::new(Code::W442, text))
 }

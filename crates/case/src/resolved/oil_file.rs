@@ -384,16 +384,13 @@ impl OilFile {
 
     /// Keys of the oil that the case states with another value.
     fn other_properties(&self, own: &LubricantInput) -> Vec<String> {
-        let table = |input: &LubricantInput| match serde_json::to_value(input) {
-            Ok(Json::Object(keys)) => keys,
-            _ => serde_json::Map::new(),
-        };
-        let file = table(&self.lubricant);
-        let differs = |(key, value): (String, Json)| {
-            let other = file.get(&key).is_some_and(|other| *other != value);
-            (other || (key == "oil" && !file.is_empty() && file.get("oil") != Some(&value)))
-                .then(|| format!("lubricant.{key}"))
-        };
-        table(own).into_iter().filter_map(differs).collect()
+        let named = own.oil.as_ref().filter(|_| {
+            self.lubricant.oil.is_none() && self.lubricant != LubricantInput::default()
+        });
+        let named = named.map(|_| "lubricant.oil".to_owned()).into_iter();
+        let others = own.stated_otherwise(&self.lubricant);
+        named
+            .chain(others.map(|key| format!("lubricant.{key}")))
+            .collect()
     }
 }

@@ -7,6 +7,8 @@ from collections.abc import Iterable, Mapping
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, Optional, Union, cast
 
+import numpy as np
+
 from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._errors import wrong_kind
@@ -106,14 +108,18 @@ class Comparison(Study):
         return pandas.DataFrame(rows).set_index("name")
 
     def to_xarray(self) -> xarray.Dataset:
-        """Losses over finish and offset as an `xarray.Dataset`."""
+        """Losses over finish and offset as an `xarray.Dataset`; NaN beyond the offsets of a finish that has fewer."""
         import xarray
 
         offsets = self.offsets
+        most = max(map(len, offsets.values()))
+
+        def of(finish: str, name: str) -> Any:
+            values = offsets[finish][name]
+            return values if len(values) == most else np.pad(values.astype(float), (0, most - len(values)), constant_values=np.nan)
+
         names = [name for name in next(iter(offsets.values())).columns if name != "offset"]
-        stacked = {
-            name: variable(("finish", "offset"), name, [offsets[finish][name] for finish in self.names]) for name in names
-        }
+        stacked = {name: variable(("finish", "offset"), name, [of(finish, name) for finish in self.names]) for name in names}
         return xarray.Dataset(stacked, coords={"finish": self.names}, attrs={"title": str(self._values["title"])})
 
     def __repr__(self) -> str:

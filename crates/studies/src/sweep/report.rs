@@ -19,7 +19,7 @@ const METHOD: &str = "Change of a result from the mean of the lowest quarter of 
 /// Meaning of the indices of Sobol.
 const INDICES: &str = "First index: share of the variance of the result by this input alone. Total index: the same with its \
     interactions. Few samples estimate both roughly; an estimate may exceed 1.";
-/// What the losses of a sweep are, beside that of a run.
+/// Losses of a sweep beside the loss of a run.
 const AT_MEDIANS: &str = "loss_w is computed with the constants at their stated or median values. The loss that asperity run prints \
     first is the median over drawn constants, with its interval.";
 /// Content of the charts over the axes.
