@@ -133,7 +133,7 @@ fn report(failures: &[Failure], not_shown: usize, valid: Option<&ValidCase>) -> 
     })
 }
 
-/// Input of a run of the case: the number of its traces and defaults, and its warnings.
+/// Report of a case without its run: duration, traces, defaults and warnings.
 fn report_of<'a>(name: &str, valid: &ValidCase, lists_defaults: bool) -> Report<'a> {
     let traced = valid.traced.iter().map(|mesh| {
         let of = |body: usize| {
