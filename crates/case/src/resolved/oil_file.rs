@@ -8,7 +8,6 @@ use asperity_core::quantity::{PerKelvin, Pressure, Temperature};
 use asperity_core::{Code, Estimate};
 use asperity_oil::{LubricantError, LubricantInput, PressureLaw, TractionConstants};
 use serde::{Deserialize, Serialize};
-use serde_json::Value as Json;
 
 use crate::input::calibration::{CalibratedName, CorrelationInput, correlation};
 use crate::input::case_input::CaseInput;
