@@ -1,5 +1,10 @@
 //! Bulk temperature of the gears from the loss of their mesh.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests may unwrap as tests do"
+)]
+
 use asperity_core::quantity::{Length, Power, Temperature, ThermalConductance};
 use asperity_core::{Code, Fault};
 use asperity_efficiency::EfficiencyError;

@@ -1,5 +1,10 @@
 //! Film of a contact whose inlet is not flooded, as behind a sparse oil jet.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests may unwrap as tests do"
+)]
+
 use asperity_core::quantity::Length;
 use asperity_ehl_regime::starvation::starved;
 
