@@ -185,7 +185,9 @@ proptest! {
         let highest = elastic.rows().map(|row| row.max_pressure.si()).fold(0.0, f64::max);
         let free = drawn.share(&flanks, &elastic, &settings);
         let above = drawn.share(&flanks, &drawn.table(&flanks, 1.01 * highest), &settings);
-        prop_assert!((above.coefficient / free.coefficient - 1.0).abs() < 1e-5);
+        // As for bodies that change places: a spot may end a cell sooner.
+        prop_assert!((above.asperity_share - free.asperity_share).abs() < 1e-4);
+        prop_assert!((above.coefficient / free.coefficient - 1.0).abs() < 1e-3);
         let p0 = elastic.rows().next().unwrap().max_pressure.si().min(2e9);
         let soft = (0.4 * free.max_pressure.si()).max(1.6 * p0);
         if free.asperity_share > 0.05 && soft < 0.6 * free.max_pressure.si() {
