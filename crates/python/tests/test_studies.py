@@ -43,9 +43,10 @@ def test_a_comparison_of_files_profiles_pairs_and_cases(drive, tmp_path):
     assert found.to_xarray().loss_w.sizes == {"finish": 4, "offset": 2}
 
 
-def test_finishes_with_different_numbers_of_offsets_stand_in_one_array(drive):
+def test_finishes_with_different_numbers_of_offsets_stand_in_one_array():
     pytest.importorskip("xarray")
-    found = asperity.compare(drive, {"ground": GROUND, "fine": FINE})
+    case = asperity.Case(CASES / "e-drive.toml", model={"positions": 4})
+    found = asperity.compare(case, {"ground": GROUND, "fine": FINE})
     counts = {name: len(rows) for name, rows in found.offsets.items()}
     assert counts["ground"] != counts["fine"]
     losses = found.to_xarray().loss_w
