@@ -184,7 +184,8 @@ class Case(Fixed):
 
         Example:
             >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
-            >>> lighter = case.replace({"lubricant.oil": "n100"}, torque="20 N m")
+            >>> own = ["lubricant.viscosity", "lubricant.density", "lubricant.base_oil"]  # they would replace those of the oil
+            >>> lighter = case.replace({"lubricant.oil": "n100", **dict.fromkeys(own)}, torque="20 N m")
             >>> lighter.run("losses").loss_w < case.run("losses").loss_w
             True
         """

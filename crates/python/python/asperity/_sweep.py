@@ -225,6 +225,8 @@ def sweep(
 
     Example:
         >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
+        >>> own = ["lubricant.viscosity", "lubricant.density", "lubricant.base_oil"]  # they would replace those of the oils
+        >>> case = case.replace({"lubricant.oil": "m100", **dict.fromkeys(own)})
         >>> cases = asperity.sweep(case, {"torque_nm": [50, 100, 145], "lubricant.oil": ["m100", "n100"]})
         >>> [row.torque_nm for row in cases][:3]
         [50.0, 50.0, 100.0]
