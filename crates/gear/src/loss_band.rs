@@ -104,7 +104,7 @@ impl LoadMap {
                 ..*settings
             }))?,
         );
-        if !self.pair().is_spur() {
+        if !self.gears().is_spur() {
             part(
                 BandSource::FaceCoupling,
                 self.factors(FACE_COUPLINGS.map(|face_coupling| LoadMapSettings {
@@ -116,9 +116,9 @@ impl LoadMap {
         if let Some(with) = self.with_edge_contact()? {
             part(BandSource::EdgeContact, vec![with]);
         }
-        let chamfer = self.pair().normal_module * UNSTATED_CHAMFER;
+        let chamfer = self.gears().normal_module * UNSTATED_CHAMFER;
         // Without its full tips a pair may have no continuous contact.
-        if let Ok(pair) = self.pair().with_tip_chamfer([chamfer; 2]) {
+        if let Ok(pair) = self.gears().with_tip_chamfer([chamfer; 2]) {
             let chamfered = self.variant(&pair, self.micro_geometry(), settings)?;
             part(BandSource::TipChamfer, vec![chamfered.loss_factor()]);
         }
@@ -127,7 +127,7 @@ impl LoadMap {
                 .into_iter()
                 .map(|change| {
                     let micro = with_relief_changed(self.micro_geometry(), change);
-                    Ok(self.variant(self.pair(), &micro, settings)?.loss_factor())
+                    Ok(self.variant(self.gears(), &micro, settings)?.loss_factor())
                 })
                 .collect::<Result<Vec<f64>, GearError>>()?;
             part(BandSource::ReliefAmount, factors);
@@ -164,21 +164,21 @@ impl LoadMap {
 
     fn solved_with_edge_contact(&self) -> Result<Option<f64>, GearError> {
         let known = self.settings().edge_contact || !self.is_elastic();
-        if known || self.pair().internal || self.micro_geometry().relieves_profile() {
+        if known || self.gears().internal || self.micro_geometry().relieves_profile() {
             return Ok(None);
         }
         let settings = LoadMapSettings {
             edge_contact: true,
             ..*self.settings()
         };
-        let with = self.variant(self.pair(), self.micro_geometry(), &settings)?;
+        let with = self.variant(self.gears(), self.micro_geometry(), &settings)?;
         Ok(Some(with.loss_factor()))
     }
 
     fn factors(&self, settings: [LoadMapSettings; 2]) -> Result<Vec<f64>, GearError> {
         (settings.iter())
             .map(|settings| {
-                let map = self.variant(self.pair(), self.micro_geometry(), settings)?;
+                let map = self.variant(self.gears(), self.micro_geometry(), settings)?;
                 Ok(map.loss_factor())
             })
             .collect()

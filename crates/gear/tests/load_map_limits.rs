@@ -574,7 +574,7 @@ fn swapping_the_gears_mirrors_the_map() {
         let two = swapped.elastic(&mirrored);
         // The cells of a helical pair and the phases do not fall on the mirror images of each other.
         close(two.loss_factor(), one.loss_factor(), 1e-4);
-        let path = one.pair().path();
+        let path = one.gears().path();
         let s = path.a + path.length * 0.2;
         let there = one.mean_line_load(s).unwrap().si();
         close(two.mean_line_load(path.t1t2 - s).unwrap().si(), there, 2e-2);
@@ -674,7 +674,7 @@ fn cells_reach_the_ends_of_a_path_that_is_loaded_to_them() {
 #[test]
 fn sixteen_cells_stand_for_friction_that_varies() {
     let loss_error = |found: &LoadMap, count: usize| {
-        let middle = found.pair().path().eps_2;
+        let middle = found.gears().path().eps_2;
         let friction = |load: f64, xi: f64| load.powf(0.2) * (xi - middle).abs().powf(-0.1);
         let exact = found.friction_loss(|sample| {
             if sample.load.si() > 0.0 {

@@ -22,10 +22,10 @@ def test_a_function_says_what_it_takes_gives_and_raises(name):
     text = inspect.getdoc(function)
     sections = dict(re.findall(r"^(\w+):\n((?:(?: {4}.*)?\n?)+)", text, re.M))
     entries = re.findall(r"^ {4}(\w[\w, .]*): \S", sections.get("Parameters", ""), re.M)
-    told = {part.strip() for entry in entries for part in entry.split(",")}
+    listed = {part.strip() for entry in entries for part in entry.split(",")}
     given = {one.name for one in inspect.signature(function).parameters.values() if one.kind != one.VAR_KEYWORD}
     # `load, ..., pitch_line_speed` names the first and the last of many.
-    assert told - {"..."} == given or "..." in told and told - {"..."} <= given
+    assert listed - {"..."} == given or "..." in listed and listed - {"..."} <= given
     assert sections["Returns"].strip() and re.match(r" {4}\w+Error: ", sections["Raises"])
     assert list(doctest.DocTestParser().get_examples(sections["Example"])), "an example"
 
@@ -45,6 +45,6 @@ def test_an_example_runs(test, tmp_path, monkeypatch):
     test.globs = {"asperity": asperity, "np": np}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", asperity.AsperityWarning)
-        told = []
-        failed, _ = doctest.DocTestRunner(verbose=False).run(test, out=told.append)
-    assert not failed, "".join(told)
+        reported = []
+        failed, _ = doctest.DocTestRunner(verbose=False).run(test, out=reported.append)
+    assert not failed, "".join(reported)

@@ -7,6 +7,7 @@ use std::cell::Cell;
 
 use asperity_core::message::{Warning, columns_not_read};
 use asperity_core::{Code, RepeatedFault};
+use csv::ReaderBuilder;
 
 /// Rule that a cell with another text than a number violates.
 const NO_NUMBER: &str = "is not a finite number";
@@ -293,8 +294,8 @@ fn separator(text: &str) -> Option<char> {
 }
 
 /// A reader of cells, with the header as the first row.
-fn cells() -> csv::ReaderBuilder {
-    let mut reader = csv::ReaderBuilder::new();
+fn cells() -> ReaderBuilder {
+    let mut reader = ReaderBuilder::new();
     reader.has_headers(false);
     reader
 }

@@ -81,7 +81,7 @@ struct Strip {
 
 /// Rows of the strips that contain points of the map.
 fn rows(map: &LoadMap) -> Vec<LoadRow> {
-    let path = map.pair().path();
+    let path = map.gears().path();
     let empty = Strip {
         length: 0.0,
         force: 0.0,

@@ -379,6 +379,18 @@ pub fn rounded(value: f64, half_width: f64) -> String {
     digits.text(digits.steps(value))
 }
 
+/// A loss that is stated without its interval, with the digits that the interval of a run leaves: its half width is a tenth of
+/// the loss or more.
+///
+/// ```
+/// assert_eq!(asperity::result::loss_band::without_interval(708.13), "710");
+/// ```
+#[must_use]
+pub fn without_interval(loss_w: f64) -> String {
+    const LEAST_HALF_WIDTH: f64 = 0.1;
+    rounded(loss_w, LEAST_HALF_WIDTH * loss_w)
+}
+
 /// A loss \[W\] with its quantiles, and the efficiency \[%\] with them of `power_in_w`, each with the digits that the
 /// interval leaves and its unit after the first number.
 ///

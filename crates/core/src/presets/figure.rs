@@ -52,15 +52,6 @@ pub struct Figure<T> {
     pub note: Option<String>,
 }
 
-/// A figure reads as its number: `steel.young.si()`.
-impl<T> std::ops::Deref for Figure<T> {
-    type Target = T;
-
-    fn deref(&self) -> &T {
-        &self.value
-    }
-}
-
 impl<T> Figure<T> {
     /// The row of this number, its value as text.
     pub(super) fn row(&self, key: &'static str, text: impl Fn(&T) -> String) -> FigureRow<'_> {

@@ -296,8 +296,8 @@ impl LoadMap {
         self.sliding_integral(friction)
     }
 
-    /// The gear pair.
-    pub fn pair(&self) -> &GearPair {
+    /// The gears.
+    pub fn gears(&self) -> &GearPair {
         &self.pair
     }
 

@@ -14,7 +14,9 @@
 //! Those of the film alone are in `film_friction` of asperity-tribo-friction, those of Ψ and supply in
 //! `rough_inlet` of asperity-ehl-regime.
 
+use asperity_contact::hertz_line::max_pressure;
 use asperity_core::quantity::DynamicViscosity;
+use asperity_mixed_film::TableRow;
 use asperity_oil::TractionConstants;
 use proptest::prelude::*;
 use proptest::test_runner::Config;
@@ -182,12 +184,14 @@ proptest! {
         let flanks = drawn.flanks();
         let settings = LoadShareSettings::default();
         let elastic = drawn.table(&flanks, 1e12);
-        let highest = elastic.rows().map(|row| row.max_pressure.si()).fold(0.0, f64::max);
+        // Asperities carry at most the flow pressure less the largest pressure of the film, (1 − φ) p₀, wherever they stand.
+        let contact = &drawn.contact;
+        let hertz = max_pressure(contact.load, contact.radius, contact.modulus).unwrap().si();
+        let needed = |row: &TableRow| row.max_pressure.si() + (1.0 - row.asperity_share) * hertz;
+        let highest = elastic.rows().map(needed).fold(0.0, f64::max);
         let free = drawn.share(&flanks, &elastic, &settings);
         let above = drawn.share(&flanks, &drawn.table(&flanks, 1.01 * highest), &settings);
-        // As for bodies that change places: a spot may end a cell sooner.
-        prop_assert!((above.asperity_share - free.asperity_share).abs() < 1e-4);
-        prop_assert!((above.coefficient / free.coefficient - 1.0).abs() < 1e-3);
+        prop_assert!((above.coefficient / free.coefficient - 1.0).abs() < 1e-7);
         let p0 = elastic.rows().next().unwrap().max_pressure.si().min(2e9);
         let soft = (0.4 * free.max_pressure.si()).max(1.6 * p0);
         if free.asperity_share > 0.05 && soft < 0.6 * free.max_pressure.si() {

@@ -38,7 +38,7 @@ pub struct LoadPointRow {
 
 /// Rows of `map.csv`: all points of the load map.
 pub fn load_points(map: &LoadMap) -> impl Iterator<Item = LoadPointRow> + '_ {
-    let path = map.pair().path();
+    let path = map.gears().path();
     map.samples().iter().map(|sample| LoadPointRow {
         phase: sample.phase,
         xi: sample.xi,
@@ -52,11 +52,11 @@ pub fn load_points(map: &LoadMap) -> impl Iterator<Item = LoadPointRow> + '_ {
 /// Rows of `load_map.csv`: along the path, by strips of the face. A cell without a point has the load of its neighbour
 /// along the path.
 pub fn load_map(map: &LoadMap) -> Vec<LoadMapRow> {
-    let width = map.pair().face_width.si();
+    let width = map.gears().face_width.si();
     let first = map.samples().first().map_or(0.0, |sample| sample.y.si());
     let is_flat = map.samples().iter().all(|sample| sample.y.si() == first);
     let across = if is_flat { 1 } else { STRIPS_ACROSS };
-    let path = map.pair().path();
+    let path = map.gears().path();
     let strip =
         |place: f64, count: usize| ((place * count as f64).max(0.0) as usize).min(count - 1);
     let mut sums = vec![[0.0; 2]; across * STRIPS_ALONG];

@@ -1,6 +1,7 @@
 //! `lossTable` of `Modelica.Mechanics.Rotational.Components.LossyGear`: efficiency and friction over the speed.
 
 use asperity_core::Fault;
+use asperity_core::numerics::Cholesky;
 
 use super::error;
 use super::field::Field;
@@ -55,7 +56,7 @@ impl Lines {
             }
         }
         // Of all choices of numbers that are zero, the one that fits best without a negative one.
-        let feasible = (0..8).map(|free| solved(normal, free));
+        let feasible = (0..8).filter_map(|free| solved(&normal, free));
         let feasible = feasible.filter(|x| x.iter().all(|value| *value >= 0.0));
         let [friction_nm, driving, driven] = feasible
             .min_by(|a, b| misfit(&normal, a).total_cmp(&misfit(&normal, b)))
@@ -100,35 +101,21 @@ fn widths(nodes: &[f64]) -> Vec<f64> {
     (0..nodes.len()).map(width).collect()
 }
 
-/// Gaussian elimination over the unknowns whose bit in `free` is set; the others, and those without a pivot, are zero.
-fn solved(mut m: [[f64; 4]; 3], free: u8) -> [f64; 3] {
-    /// Pivot of a linearly dependent column; other pivots are of order one, in units of the largest.
-    const NONE: f64 = 1e-12;
-    let scale = m
-        .iter()
-        .flatten()
-        .fold(f64::MIN_POSITIVE, |a, b| a.max(b.abs()));
-    for (k, row) in m.iter_mut().enumerate() {
-        if free & (1 << k) == 0 {
-            *row = [0.0; 4];
-            row[k] = scale;
-        }
+/// The unknowns whose bit in `free` is set, the others zero; `None` if the rows do not determine them.
+fn solved(normal: &[[f64; 4]; 3], free: usize) -> Option<[f64; 3]> {
+    /// Least square of a pivot over the largest element.
+    const DEPENDENT: f64 = 1e-12;
+    let free: Vec<usize> = (0..3).filter(|k| free & (1 << k) != 0).collect();
+    let largest = normal.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let matrix = |i: usize, j: usize| normal[free[i]][free[j]];
+    let factor = Cholesky::new(free.len(), matrix, DEPENDENT * largest)?;
+    let mut found: Vec<f64> = free.iter().map(|k| normal[*k][3]).collect();
+    factor.solve(&mut found);
+    let mut all = [0.0; 3];
+    for (k, value) in free.iter().zip(found) {
+        all[*k] = value;
     }
-    for k in 0..3 {
-        if m[k][k].abs() < NONE * scale {
-            m[k] = [0.0; 4];
-            m[k][k] = scale;
-            continue;
-        }
-        for i in (0..3).filter(|i| *i != k) {
-            let factor = m[i][k] / m[k][k];
-            let pivot = m[k];
-            for (value, from) in m[i].iter_mut().zip(pivot) {
-                *value -= factor * from;
-            }
-        }
-    }
-    [0, 1, 2].map(|k| m[k][3] / m[k][k])
+    Some(all)
 }
 
 /// Columns |w|, `eta_mf1`, `eta_mf2`, `tau_bf1`, `tau_bf2`: without torque both directions have the same friction, so that

@@ -4,6 +4,7 @@ use asperity_core::Fault;
 
 use super::field::Field;
 use super::given::Given;
+use crate::map::efficiency;
 
 /// Types of data elements.
 mod element {
@@ -153,7 +154,7 @@ pub(super) fn of_fields(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
         .with("temperature_c", &[1, temperatures.len()], &temperatures)
         .with("loss_torque_nm", sizes, &array(&Field::total_nm))
         .with("loss_w", sizes, &array(&loss))
-        .with("efficiency", sizes, &array(&efficiency));
+        .with("efficiency", sizes, &array(&efficiencies));
     if first.added_nm.is_some() {
         let mesh = |field: &Field| field.mesh_nm.clone();
         let added = |field: &Field| field.added_nm.clone().unwrap_or_default();
@@ -167,7 +168,7 @@ pub(super) fn of_fields(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
 }
 
 /// Efficiency at the nodes, torque by torque, filled as [`FILLED`] says.
-fn efficiency(field: &Field) -> Vec<f64> {
+fn efficiencies(field: &Field) -> Vec<f64> {
     let (total, across) = (field.total_nm(), field.speed_rpm.len());
     let torques = &field.torque_nm;
     let next = |k: usize| match torques[k] == 0.0 {
@@ -178,11 +179,7 @@ fn efficiency(field: &Field) -> Vec<f64> {
     let of = |index: usize| {
         let k = next(index / across);
         let (torque, loss) = (torques[k], total[k * across + index % across]);
-        match torque {
-            t if t > 0.0 => (1.0 - loss / t).max(0.0),
-            t if t < 0.0 => t.abs() / (t.abs() + loss),
-            _ => 0.0,
-        }
+        efficiency(torque, loss).unwrap_or(0.0)
     };
     (0..total.len()).map(of).collect()
 }

@@ -71,7 +71,8 @@ pub(super) fn closer(map: &Map, finish: &FinishMap, temperature: usize, field: C
             let at = row * field.columns.len() + column;
             values.push(match is_speed && is_torque {
                 true => field.values[at],
-                false => efficiency(torque, surface.loss_torque(torque, speed).value),
+                false => efficiency(torque, surface.loss_torque(torque, speed).value)
+                    .map_or(f64::NAN, |efficiency| 100.0 * efficiency),
             });
             hatched.extend(field.hatched.get(at));
         }
@@ -117,18 +118,15 @@ fn closer_torques(torques: &[f64]) -> Vec<f64> {
     .concat()
 }
 
-/// Efficiency in percent with a loss torque \[N m\]; NaN if the loss exceeds the power in. At a negative torque the power leaves
-/// at the input shaft.
-fn efficiency(torque_nm: f64, loss_nm: f64) -> f64 {
+/// Efficiency with a loss torque \[N m\]; `None` if the loss exceeds the power in. At a negative torque the power leaves at the
+/// input shaft.
+pub(crate) fn efficiency(torque_nm: f64, loss_nm: f64) -> Option<f64> {
     let power_in = match torque_nm < 0.0 {
         true => torque_nm.abs() + loss_nm,
         false => torque_nm,
     };
     let efficiency = 1.0 - loss_nm / power_in;
-    match (0.0..1.0).contains(&efficiency) {
-        true => 100.0 * efficiency,
-        false => f64::NAN,
-    }
+    (0.0..1.0).contains(&efficiency).then_some(efficiency)
 }
 
 #[cfg(test)]
@@ -147,8 +145,8 @@ mod tests {
 
     #[test]
     fn a_loss_beyond_the_power_has_no_efficiency() {
-        assert_eq!(efficiency(10.0, 1.0), 90.0);
-        assert_eq!(efficiency(-9.0, 1.0), 90.0);
-        assert!(efficiency(0.5, 1.0).is_nan() && efficiency(0.0, 0.0).is_nan());
+        assert_eq!(efficiency(10.0, 1.0), Some(0.9));
+        assert_eq!(efficiency(-9.0, 1.0), Some(0.9));
+        assert!(efficiency(0.5, 1.0).is_none() && efficiency(0.0, 0.0).is_none());
     }
 }

@@ -48,6 +48,7 @@ mod table;
 pub use axes::Axes;
 pub(crate) use draws::Place;
 pub use draws::{Drawn, DrawnNodes, MapBand};
+pub(crate) use efficiency::efficiency;
 pub use grid::map;
 pub use page::loss_fields;
 pub(crate) use page::{HELPFUL, marks, round_step};

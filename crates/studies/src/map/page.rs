@@ -67,7 +67,7 @@ impl Quantity {
     }
 
     /// The quantity of `finish` at a temperature, at the points of the map.
-    fn field(&self, map: &Map, (finish, temperature): Of<'_>, visited: &[[f64; 2]]) -> Contour {
+    fn field(&self, map: &Map, (finish, temperature): Place<'_>, visited: &[[f64; 2]]) -> Contour {
         Contour {
             id: id(map, self.id, finish, temperature),
             title: format!("{}, {}", self.title, named(map, finish, temperature)),
@@ -79,17 +79,17 @@ impl Quantity {
 
     /// The quantity for every finish and the temperatures `drawn`, all with the same bands.
     fn fields(&self, map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Vec<Drawing> {
-        let fields = each(map, drawn).map(|of| self.field(map, of, visited));
+        let fields = each(map, drawn).map(|place| self.field(map, place, visited));
         let fields = with_common_levels(fields.collect(), self.levels);
         fields.into_iter().map(Drawing::Contour).collect()
     }
 }
 
 /// A finish and the number of a temperature.
-type Of<'a> = (&'a FinishMap, usize);
+type Place<'a> = (&'a FinishMap, usize);
 
 /// Every finish at the temperatures `drawn`.
-fn each<'a>(map: &'a Map, drawn: &[usize]) -> impl Iterator<Item = Of<'a>> {
+fn each<'a>(map: &'a Map, drawn: &[usize]) -> impl Iterator<Item = Place<'a>> {
     let finishes = map.finishes.iter();
     finishes.flat_map(|finish| drawn.iter().map(move |temperature| (finish, *temperature)))
 }
@@ -188,18 +188,18 @@ fn loss_and_efficiency(map: &Map, visited: &[[f64; 2]]) -> Vec<Drawing> {
 }
 
 /// The efficiencies as drawn, with the bands of the points of the map.
-fn efficiencies<'a>(map: &'a Map, visited: &[[f64; 2]]) -> Vec<(Of<'a>, Contour)> {
+fn efficiencies<'a>(map: &'a Map, visited: &[[f64; 2]]) -> Vec<(Place<'a>, Contour)> {
     let drawn = drawn(&map.axes);
-    let fields = each(map, &drawn).map(|of| EFFICIENCY.field(map, of, visited));
+    let fields = each(map, &drawn).map(|place| EFFICIENCY.field(map, place, visited));
     let fields = with_common_levels(fields.collect(), EFFICIENCY.levels);
-    let of = |field: Contour| {
-        let of = each(map, &drawn)
-            .find(|(finish, at)| field.id == id(map, EFFICIENCY.id, finish, *at))?;
+    let closer = |(place, field): (Place<'a>, Contour)| {
         let source = EFFICIENCIES.to_owned();
-        let field = Contour { source, ..field };
-        Some((of, closer(map, of.0, of.1, field)))
+        (
+            place,
+            closer(map, place.0, place.1, Contour { source, ..field }),
+        )
     };
-    fields.into_iter().filter_map(of).collect()
+    each(map, &drawn).zip(fields).map(closer).collect()
 }
 
 /// Rows of the efficiencies as drawn.

@@ -1,6 +1,6 @@
 //! Report of a study of ridges: the saving, the costliest ridges, both traces coloured by the loss, and the loss by wavelength.
 
-use asperity::result::loss_band::rounded;
+use asperity::result::loss_band::{rounded, without_interval};
 use asperity::result::ridges::{FlankWatts, Kinks, OctaveRow, Ridges};
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::html::ridges::{charts, table};
@@ -124,7 +124,7 @@ fn kinks(kinks: &Kinks) -> Option<String> {
 }
 
 fn headline(study: &Ridges) -> String {
-    let loss = rounded(study.loss_w, 0.1 * study.loss_w);
+    let loss = without_interval(study.loss_w);
     let of_percent = rounded(
         0.01 * study.by_log_height_w,
         0.001 * study.by_log_height_w.abs(),

@@ -1,7 +1,7 @@
 //! Report of a sensitivity study: the largest change, a bar for each change, and the changes of the parts.
 
 use asperity::message::Warning;
-use asperity::result::loss_band::{Digits, rounded};
+use asperity::result::loss_band::{Digits, without_interval};
 use asperity_core::{Code, Estimate};
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::{Cell, Report, StudyResult, Table, Value, columns};
@@ -190,9 +190,9 @@ fn left_aside(study: &Sensitivity) -> Option<Warning> {
     })
 }
 
-/// The loss that the changes are relative to, with three digits: at given windows and constants it has no interval.
+/// The loss that the changes are relative to, at given windows and constants.
 fn headline(study: &Sensitivity) -> String {
-    let loss = rounded(study.loss_w, 0.1 * study.loss_w);
+    let loss = without_interval(study.loss_w);
     format!("Loss {loss} W at the medians of all constants, and how it changes.")
 }
 
