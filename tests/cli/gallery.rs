@@ -14,12 +14,12 @@ const PICTURES: [(&str, &str, &str); 11] = [
     (
         "wrong_oil",
         "wrong_oil-sweep/sweep.html",
-        "loss_w-over-base-oil",
+        "loss_median_w-over-base-oil",
     ),
     (
         "hot_day",
         "hot_day-sweep/sweep.html",
-        "loss_w-over-operation-bulk_temperature",
+        "loss_median_w-over-operation-bulk_temperature",
     ),
     ("ridges", "demo-case-ridges/ridges.html", "watts-pinion"),
     ("run_in", "run-in/report.html", "flanks-change"),

@@ -385,29 +385,30 @@ impl EvidenceTable {
         loss
     }
 
-    /// The measurement that narrows the interval most, and the quickest one that narrows it nearly as much, in words.
+    /// The quickest measurement that narrows the interval nearly as much as any, and the one that narrows it more, in words.
     fn best(&self) -> Vec<String> {
         /// Largest difference of widths that are nearly the same.
         const NEARLY: f64 = 0.03;
         let left = |row: &EvidenceRow| {
             let interval = self.loss_text(row.interval(), " W");
-            format!("{}, to {interval}", row.measurement)
+            format!(
+                "{}. It is expected to leave {interval} after {} h.",
+                row.measurement, row.hours
+            )
         };
         let Some(narrowest) = self.rows.first() else {
             return Vec::new();
         };
-        let best = format!(
-            "What would narrow it most: {} in {} h.",
-            left(narrowest),
-            narrowest.hours
-        );
         let alike = self.rows.iter();
         let alike = alike.filter(|row| row.width <= narrowest.width + NEARLY);
         let quickest = alike.min_by(|a, b| a.hours.total_cmp(&b.hours));
-        let quickest = quickest.filter(|row| row.hours < narrowest.hours);
-        let nearly =
-            quickest.map(|row| format!("Nearly as much in {} h: {}.", row.hours, left(row)));
-        [best].into_iter().chain(nearly).collect()
+        let quickest = quickest.unwrap_or(narrowest);
+        let best = format!("Measure first: {}", left(quickest));
+        // Named if it narrows more as printed.
+        let printed = |row: &EvidenceRow| self.loss_text(row.interval(), "");
+        let more = printed(narrowest) != printed(quickest);
+        let more = more.then(|| format!("Slightly narrower: {}", left(narrowest)));
+        [best].into_iter().chain(more).collect()
     }
 
     /// The interval that each measurement leaves, below the present one.
@@ -448,6 +449,8 @@ impl EvidenceTable {
 
 /// Meaning of the numbers.
 const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median. In brackets: the 5 and 95 % quantiles of the loss. Remaining width: width of this interval of ln loss over the present one. The result of a measurement also moves the median. A second set has the same gears with other flanks.";
+/// Meaning of the hours.
+const HOURS: &str = "Hours are of measuring and its preparation on existing parts. Making a second set of gears is not included.";
 /// A quantity without a line.
 const NOT_DRAWN: &str = "The temperature is taken as exact and has no line: the case states no operation.temperature_deviation.";
 
@@ -461,6 +464,7 @@ impl StudyResult for EvidenceTable {
             .section("Measurements that narrow the interval")
             .verdict([format!("Loss {loss}.")])
             .verdict(self.best())
+            .text([HOURS])
             .at(&self.conditions)
             .figures(|| self.chart())
             .table(self.table().of_file(TABLE))

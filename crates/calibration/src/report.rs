@@ -172,7 +172,7 @@ fn verdicts(calibration: &Calibration) -> Vec<String> {
     let others = of(Verdict::NotIdentified, &|one| one.name.clone());
     let mut verdicts = vec![match determined.is_empty() {
         true => "The points identify no parameter.".to_owned(),
-        false => format!("Identified by the points: {determined}."),
+        false => format!("Identified by the points, in brackets 95 %: {determined}."),
     }];
     if !held.is_empty() {
         verdicts.push(format!("Identified in part: {held}."));

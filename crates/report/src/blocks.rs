@@ -15,6 +15,7 @@
 //! [`section`](Report::section) and [`heading`](Report::heading) part them; [`on_page`](Report::on_page) and
 //! [`in_terminal`](Report::in_terminal) leave blocks to one face, [`in_folder`](Report::in_folder) leaves a table to the folder.
 
+use asperity_core::message::gravest_first;
 use std::fmt::Display;
 use std::path::Path;
 
@@ -191,10 +192,12 @@ impl<'a> Report<'a> {
             .on_page()
     }
 
-    /// Warnings.
+    /// Warnings, the gravest first.
     pub fn warning<W: Display>(self, warnings: impl IntoIterator<Item = W>) -> Self {
-        let warnings = warnings.into_iter();
-        self.with(warnings.map(|warning| Block::Warning(warning.to_string())))
+        let warnings = warnings.into_iter().map(|warning| warning.to_string());
+        let mut warnings: Vec<String> = warnings.collect();
+        gravest_first(&mut warnings, |text| text.split(' ').next()?.parse().ok());
+        self.with(warnings.into_iter().map(Block::Warning))
     }
 
     /// How the numbers are made and what they mean.

@@ -16,6 +16,7 @@ use crate::summary::{brief, headline, short_text, summary_within, weightiest};
 use crate::tiles::{Tile, tiles};
 use crate::whole;
 use asperity_core::Fault;
+use asperity_core::message::gravest_first;
 
 /// Kind of the folder in messages.
 const KIND: &str = "result";
@@ -163,7 +164,9 @@ impl<'a> Results<'a> {
             let warnings = run.warnings.iter();
             warnings.map(move |warning| of_mesh(warning, row))
         });
-        whole.warnings.iter().cloned().chain(of_meshes).collect()
+        let mut all: Vec<Warning> = whole.warnings.iter().cloned().chain(of_meshes).collect();
+        gravest_first(&mut all, |warning| Some(warning.code));
+        all
     }
 
     /// The line with efficiency and loss, as in [`brief`](Self::brief) and [`summary`](Self::summary).

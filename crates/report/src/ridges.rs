@@ -40,23 +40,46 @@ fn saving(ridges: &Ridges) -> String {
     )
 }
 
+/// Ridges in the report of a run, named in sentences, and marked on the traces by their cost only.
+const LISTED: usize = 5;
+
+/// Whether the saving of a ridge has an interval above zero, as printed.
+fn is_certain(row: &RidgeRow) -> bool {
+    let ends = row.low_w.zip(row.high_w);
+    ends.is_some_and(|(low, high)| digits([low, high]).steps(low) > 0.0)
+}
+
+/// Digits of watts by their quantiles.
+fn digits([low, high]: [f64; 2]) -> Digits {
+    Digits::of_uncertainty((0.5 * (high - low)).max(LEAST_W))
+}
+
+/// The costliest ridges and those that [`certain`] names, with their numbers from 1.
+pub fn listed(ridges: &Ridges) -> impl Iterator<Item = (usize, &RidgeRow)> {
+    let is_named = ridges.rows.iter().filter(|row| is_certain(row)).count() <= LISTED;
+    let rows = (1..).zip(&ridges.rows);
+    rows.filter(move |(number, row)| *number <= LISTED || (is_named && is_certain(row)))
+}
+
 /// The ridges whose saving has an interval above zero, in words; `None` without intervals.
 pub fn certain(ridges: &Ridges) -> Option<String> {
-    /// Most ridges that are listed.
-    const LISTED: usize = 5;
-    let rows = ridges.rows.iter().enumerate();
-    let lows = rows.filter_map(|(k, row)| Some((k + 1, row.low_w?)));
-    let lows: Vec<(usize, f64)> = lows.collect();
-    if lows.is_empty() {
+    if ridges.rows.iter().all(|row| row.low_w.is_none()) {
         return None;
     }
-    let above = lows.iter().filter(|(_, low)| *low > 0.0);
-    let above: Vec<String> = above.map(|(number, _)| number.to_string()).collect();
+    /// Most ridges that are named with their places.
+    const PLACED: usize = 3;
+    let above = (1..).zip(&ridges.rows).filter(|(_, row)| is_certain(row));
+    let above: Vec<(usize, &RidgeRow)> = above.collect();
+    let place = |(number, row): &(usize, &RidgeRow)| match above.len() <= PLACED {
+        true => format!("{number} ({} at {:.3} mm)", row.flank, row.place_mm),
+        false => number.to_string(),
+    };
+    let above: Vec<String> = above.iter().map(place).collect();
     let of_all = format!("of the {} ridges", ridges.rows.len());
     Some(match &above[..] {
         [] => format!("None {of_all} has an interval above zero by itself."),
         [only] => format!("Only ridge {only} has an interval above zero by itself."),
-        [first @ .., last] if first.len() < LISTED => {
+        [first @ .., last] if above.len() <= LISTED => {
             format!(
                 "Only ridges {} and {last} have intervals above zero by themselves.",
                 first.join(", ")
@@ -80,8 +103,7 @@ fn with_interval(value: f64, quantiles: Option<[f64; 2]>, unit: &str) -> String 
     match quantiles {
         Some([low, high]) if low < high => {
             let estimate = Estimate { value, low, high };
-            let digits = Digits::of_uncertainty(estimate.half_width().max(LEAST_W));
-            digits.interval_with(unit, estimate)
+            digits([low, high]).interval_with(unit, estimate)
         }
         _ => format!("{}{unit}", watts(value)),
     }

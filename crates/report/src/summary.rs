@@ -104,28 +104,6 @@ pub fn headline(result: &RunResult) -> String {
     format!("efficiency (mesh only)  {efficiency}   loss {loss}")
 }
 
-/// Codes of warnings about inputs that make the result doubtful, the most important first.
-const DOUBTFUL: &[Code] = &[
-    Code::W451,
-    Code::W201,
-    Code::W402,
-    Code::W426,
-    Code::W412,
-    Code::W452,
-    Code::W405,
-    Code::W441,
-    Code::W322,
-    Code::W117,
-    Code::W124,
-    Code::W327,
-    Code::W128,
-    Code::W112,
-    Code::W132,
-    Code::W448,
-    Code::W118,
-    Code::W111,
-    Code::W125,
-];
 /// Component of the uncertainty that the warnings of a code are about.
 const SUBJECTS: &[(Code, Subject)] = &[
     (Code::W439, Subject::TipRelief),
@@ -144,7 +122,7 @@ const WORTH: &str = " (worth ";
 
 /// The warning of the first screen, with its worth in words.
 pub(crate) fn weightiest(result: &RunResult) -> Option<Warning> {
-    let doubt = |warning: &&Warning| DOUBTFUL.iter().position(|code| *code == warning.code);
+    let doubt = |warning: &&Warning| warning.code.doubt();
     let doubtful = result.warnings.iter().filter(|w| doubt(w).is_some());
     let digits = result.uncertainty.as_ref().map(Uncertainty::digits);
     let with_worth = |warning: &Warning, watts: f64, digits: Digits| {

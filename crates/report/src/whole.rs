@@ -157,7 +157,7 @@ fn summary_page(result: &Whole, warnings: &[Warning]) -> String {
             div { (figure(&losses_of_meshes(result))) }
             div { (figure(&losses_by_kind(result))) }
         }
-        (evidence(&result.evidence, &|loss| result.digits().rounded(loss)))
+        @if !result.evidence.is_empty() { (evidence(&result.evidence, &|loss| result.digits().rounded(loss))) }
         @if let Some(heat) = &result.heat { p { (capitalised(&heat.line())) "." } }
         @if let Some(gearbox) = &result.gearbox { (section(gearbox, result.loss_distribution.is_some())) }
         (listed(warnings))

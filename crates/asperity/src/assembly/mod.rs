@@ -20,6 +20,7 @@ pub(crate) use provenance::{equations_used, sources_used};
 pub(crate) use solved::Solved;
 
 use asperity_core::Fault;
+use asperity_core::message::gravest_first;
 use asperity_core::numerics::{deviation, mean, median};
 use asperity_core::quantity::Power;
 use asperity_efficiency::output_torque::power_flow;
@@ -161,6 +162,7 @@ impl Solved<'_> {
         let at = positions.iter().map(|position| &position.at);
         warnings::load(loaded, at, (edge_contact, evidence), &mut warnings);
         warnings::records(&loaded.case, records, &mut warnings)?;
+        gravest_first(&mut warnings, |warning| Some(warning.code));
         Ok(warnings)
     }
 

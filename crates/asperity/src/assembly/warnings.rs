@@ -610,7 +610,7 @@ fn stress(
         found.push(Warning::new(
             Code::W410,
             format!(
-                "asperities yield below their surface (von Mises stress above the elastic limit {:.0} MPa) in {strained} of {contacts} contacts, as usual before running-in",
+                "asperities yield below their surface in {strained} of {contacts} contacts, as usual before running-in: the von Mises stress exceeds the elastic limit {:.0} MPa",
                 limit.si() * 1e-6,
             ),
         ));

@@ -115,7 +115,10 @@ impl OilFit {
         let open: Vec<&str> = open.into_iter().map(|one| one.name.as_str()).collect();
         let mut verdicts = vec![match fitted.is_empty() {
             true => "The points identify no constant.".to_owned(),
-            false => format!("Identified by the points: {}.", fitted.join(", ")),
+            false => format!(
+                "Identified by the points, in brackets 5 to 95 %: {}.",
+                fitted.join(", ")
+            ),
         }];
         if !open.is_empty() {
             verdicts.push(format!("Not identified: {}.", open.join(", ")));

@@ -194,7 +194,7 @@ fn verdict(plan: &OilPlan) -> Option<String> {
     };
     let (name, [from, to]) = of_loss.or_else(of_constant)?;
     Some(format!(
-        "The minimal plan takes {:.0} min and narrows the standard deviation of the {name} from {from:.1} to {to:.1} %.",
+        "The minimal plan takes {:.0} min. It narrows the standard deviation of the {name} from {from:.1} to {to:.1} %.",
         of_plan.minutes
     ))
 }

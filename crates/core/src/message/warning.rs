@@ -56,6 +56,60 @@ impl Warning {
     }
 }
 
+/// Codes of warnings about gears, inputs or a solution that make the result doubtful, the gravest first.
+const DOUBTFUL: [Code; 22] = [
+    Code::W433,
+    Code::W451,
+    Code::W423,
+    Code::W201,
+    Code::W402,
+    Code::W426,
+    Code::W412,
+    Code::W425,
+    Code::W452,
+    Code::W405,
+    Code::W441,
+    Code::W322,
+    Code::W117,
+    Code::W124,
+    Code::W327,
+    Code::W128,
+    Code::W112,
+    Code::W132,
+    Code::W448,
+    Code::W118,
+    Code::W111,
+    Code::W125,
+];
+
+impl Code {
+    /// Place among the warnings that make a result doubtful, 0 for the gravest; `None` for other codes.
+    ///
+    /// ```
+    /// use asperity_core::message::Code;
+    /// assert_eq!(Code::W433.doubt(), Some(0));
+    /// assert_eq!(Code::W439.doubt(), None);
+    /// ```
+    pub fn doubt(self) -> Option<usize> {
+        DOUBTFUL.iter().position(|code| *code == self)
+    }
+}
+
+/// Sorts warnings for a reader: those that make the result doubtful come first, the gravest before others, the rest in their order.
+///
+/// ```
+/// use asperity_core::message::{Code, gravest_first};
+/// let mut codes = [Code::W439, Code::W405, Code::W401, Code::W433];
+/// gravest_first(&mut codes, |code| Some(*code));
+/// assert_eq!(codes, [Code::W433, Code::W405, Code::W439, Code::W401]);
+/// ```
+pub fn gravest_first<T>(warnings: &mut [T], code: impl Fn(&T) -> Option<Code>) {
+    warnings.sort_by_key(|warning| {
+        let doubt = code(warning).and_then(Code::doubt);
+        doubt.unwrap_or(DOUBTFUL.len())
+    });
+}
+
 /// The text of [`Code::W454`]: `columns` of a table, which `table` names in words, were not read.
 ///
 /// ```

@@ -6,11 +6,15 @@ use super::frame::document;
 use super::text_width::{NAME, width};
 
 /// Symbol of a surface of which material must be removed, with one requirement below its line and a note below that: the form
-/// of ISO 1302:2002, with the transmission band in mm before the parameter and its limit in µm.
+/// of ISO 21920-1:2021.
 ///
-/// ISO 21920-1:2021 replaces ISO 1302 and keeps the shape of the symbol. Its line begins with the kind of tolerance, the parameter
-/// and its limit, and the acceptance rule and the filters follow; it does not cover requirements on a population. A drawing that
-/// uses this form therefore states the edition of ISO 1302, and the mean over traces is a note.
+/// The requirement is one line, its parts separated by spaces: kind of tolerance (U: upper limit), parameter, limit in µm,
+/// acceptance rule, then type and nesting index in mm of the profile S-filter and of the profile L-filter (G: Gaussian). ISO 1302:2002,
+/// which it replaces, has the same symbol and writes the transmission band before the parameter. Neither covers a requirement
+/// on several traces, so the mean is a note.
+///
+/// Source of the sequence: ISO 21920-1:2021 in Westermann Verlag (Austria), ISBN 978-3-7100-2443-6, section 12.3.2 (elements a to u); of
+/// the legs' heights and angle the same, and of the letter of the filter ISO 1101:2017.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TextureSymbol {
     /// Identifier for links.
@@ -19,7 +23,7 @@ pub struct TextureSymbol {
     pub title: String,
     /// Name of its data file.
     pub source: String,
-    /// The requirement, as "U 0.0025-0.25 / Rq 0.094".
+    /// The requirement, as "U Rq 0.094 G 0.0025 G 0.25".
     pub requirement: String,
     /// Note below the requirement.
     pub note: String,
@@ -66,11 +70,11 @@ mod tests {
             id: "symbol".to_owned(),
             title: "Call-out".to_owned(),
             source: "limits.csv".to_owned(),
-            requirement: "U 0.0025-0.25 / Rq 0.094".to_owned(),
+            requirement: "U Rq 0.094 G 0.0025 G 0.25".to_owned(),
             note: "mean of 17 traces".to_owned(),
         };
         let svg = symbol.svg(Dress::Page);
-        assert!(svg.contains(">U 0.0025-0.25 / Rq 0.094</text>"), "{svg}");
+        assert!(svg.contains(">U Rq 0.094 G 0.0025 G 0.25</text>"), "{svg}");
         let number = |line: &str, key: &str| -> f64 {
             let (_, rest) = line.split_once(&format!("{key}=\"")).unwrap();
             rest.split('"').next().unwrap().parse().unwrap()

@@ -34,15 +34,16 @@ pub(crate) fn evidence(rows: &[EvidenceRow], loss: &dyn Fn(f64) -> String) -> Ma
     let others = others.iter().filter(|row| row.width < WORTH);
     let quickest = others.min_by(|a, b| hours(a).total_cmp(&hours(b)));
     let quickest = quickest.filter(|row| first.iter().all(|one| one.hours > row.hours));
-    html! { @if !rows.is_empty() {
-        h3 { "What would narrow the interval most" }
+    html! { h3 { "What would narrow the interval most" } @if rows.is_empty() {
+        p { "The page of the whole gear train and " code { "asperity evidence" } " list the measurements that would narrow its interval." }
+    } @else {
         (columns! { row in first.iter().chain(quickest);
             head measurement "measurement" "";
             number hours "hours" "";
             number width "remaining width" "" = row.width_percent();
             number loss "loss" "W" = row.interval().map(loss).join(" to ");
         })
-        p.note { "Remaining width: expected interval of ln loss over the present one. " code { "asperity evidence" } " has all measurements." }
+        p.note { "Remaining width: expected interval of ln loss over the present one. Hours: measuring with preparation, without the making of parts. " code { "asperity evidence" } " has all measurements." }
     } }
 }
 

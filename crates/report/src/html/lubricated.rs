@@ -110,8 +110,9 @@ fn numbers(contact: &LubricatedContact) -> Markup {
     }
 }
 
+/// Places around the contact, without the far inlet, where gap and pressure say nothing.
 fn across() -> Axis {
-    Axis::new("distance from the middle, in half-widths", "")
+    Axis::new("distance from the middle, in half-widths", "").within(-2.5, 1.75)
 }
 
 fn films(contact: &LubricatedContact) -> Markup {
@@ -128,7 +129,7 @@ fn films(contact: &LubricatedContact) -> Markup {
         .filter(|x| x.abs() <= 1.0)
         .collect();
     let [central, minimum] = contact.formula;
-    let flat = vec![central; within.len()];
+    let flat = |film: f64| vec![film; within.len()];
     // Gaps above a few central film thicknesses are not shown.
     let most = 4.0 * central.max(contact.mean.as_ref().map_or(0.0, middle));
     let shown = |film: &[f64]| -> Vec<f64> {
@@ -159,8 +160,8 @@ fn films(contact: &LubricatedContact) -> Markup {
     }
     pressure = pressure.curve("Hertz", Line::Dashed, &smooth.x, &hertz);
     film = film
-        .curve("formula, smooth gap", Line::Dashed, &within, &flat)
-        .level(minimum, "formula, minimum");
+        .curve("formula, smooth gap", Line::Dashed, &within, &flat(central))
+        .curve("formula, minimum", Line::Dashed, &within, &flat(minimum));
     let mut charts = vec![Drawing::Curves(pressure), Drawing::Curves(film)];
     charts.extend(shares(contact));
     html! { div.charts { @for chart in &charts { (figure(chart)) } } }

@@ -6,7 +6,7 @@ use maud::{Markup, html};
 
 use super::page::figure;
 use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
-use crate::ridges::{NOTE, certain, notes, saving_of, verdict, watts};
+use crate::ridges::{NOTE, certain, listed, notes, saving_of, verdict, watts};
 use crate::tables::BODIES;
 use crate::{Table, columns};
 
@@ -14,9 +14,6 @@ use crate::{Table, columns};
 const COLOURS: &str = "The colour shows the height above the mean line times the gradient of the loss, per length of the trace. Its sum \
     over a ridge is the saving by the gradient before pressing. Where it is negative, pressing the trace raises the loss. The \
     cursor shows its value.";
-
-/// Ridges in the report of a run, and marked on the traces.
-const SHOWN: usize = 5;
 
 /// The section of a run: the first ridges, or why there are none; empty if they were not sought.
 pub(super) fn section(result: &RunResult) -> Markup {
@@ -28,16 +25,16 @@ pub(super) fn section(result: &RunResult) -> Markup {
             @if let Some(certain) = certain(ridges) { p { (certain) } }
             @for note in notes(ridges) { p { (note) } }
             (charts(ridges, Some("result.json")))
-            (table(&ridges.rows[..ridges.rows.len().min(SHOWN)]))
+            (table(listed(ridges)))
             p.note { (NOTE) }
         }
     }
 }
 
-/// Table of ridges, numbered from 1.
-pub fn table(rows: &[RidgeRow]) -> Table {
-    columns! { (k, row) in rows.iter().enumerate();
-        shown ridge "ridge" "" = k + 1;
+/// Table of ridges with their numbers.
+pub fn table<'a>(rows: impl IntoIterator<Item = (usize, &'a RidgeRow)>) -> Table {
+    columns! { (number, row) in rows;
+        shown ridge "ridge" "" = number;
         text flank "flank" "" = &row.flank;
         number place_mm "place" "mm" "{:.4}" = row.place_mm;
         number width_um "width" "µm" "{:.1}" = row.width_um;
@@ -51,11 +48,10 @@ pub fn table(rows: &[RidgeRow]) -> Table {
 pub fn charts(ridges: &Ridges, file: Option<&str>) -> Markup {
     let scale = scale(ridges);
     let traces = BODIES.iter().zip(&ridges.along).map(|(body, strip)| {
-        let rows = ridges.rows.iter().take(SHOWN).enumerate();
-        let own = rows.filter(|(_, row)| row.flank == *body);
-        let marks = own.map(|(k, row)| Mark {
+        let own = listed(ridges).filter(|(_, row)| row.flank == *body);
+        let marks = own.map(|(number, row)| Mark {
             at: row.place_mm,
-            label: (k + 1).to_string(),
+            label: number.to_string(),
         });
         let mut marks: Vec<Mark> = marks.collect();
         marks.sort_by(|a, b| a.at.total_cmp(&b.at));

@@ -15,11 +15,11 @@ const NOTE: &str = "A lot is a set of flanks of the recipe of the traces; it mee
     measurements.";
 
 /// Standard of the symbol with its edition.
-const EDITION: &str = "ISO 1302:2002";
+const EDITION: &str = "ISO 21920-1:2021";
 /// Explanation of the symbol.
-const SYMBOL: &str = "The symbol has the form of ISO 1302:2002, whose edition the drawing must state. ISO 21920-1:2021, which replaces \
-    it, keeps its shape, but writes parameter and limit before the filters. Neither has a sign for the mean of several traces, so \
-    that is a note.";
+const SYMBOL: &str = "The symbol has the form of ISO 21920-1:2021: upper limit, parameter, limit in µm, then the S-filter and the \
+    L-filter, each with type (G: Gaussian) and nesting index in mm. The standard has no sign for the mean of several traces, so \
+    that is a note. A drawing by ISO 1302:2002 has the filters before the parameter.";
 
 impl StudyResult for CallOut {
     const KIND: &'static str = "call-out";
@@ -104,23 +104,28 @@ fn curve_chart(study: &CallOut) -> Drawing {
 
 /// The call-out as it stands on a drawing.
 fn symbol(study: &CallOut, row: &LimitRow) -> Drawing {
-    let mm = |um: Option<f64>| um.map_or(String::new(), |um| number(um * 1e-3));
-    let [short, long] = study.wavelengths_um.map(mm);
-    let band = match short.is_empty() && long.is_empty() {
-        true => String::new(),
-        false => format!("{short}-{long} / "),
+    let filter = |um: f64| format!("G {}", number(um * 1e-3));
+    let [filters, only] = match study.wavelengths_um {
+        [Some(short), Some(long)] => [
+            format!(" {} {}", filter(short), filter(long)),
+            String::new(),
+        ],
+        // A single filter of the line would not say which it is.
+        [Some(short), None] => [String::new(), format!("S-filter {}, ", filter(short))],
+        [None, Some(long)] => [String::new(), format!("L-filter {}, ", filter(long))],
+        [None, None] => Default::default(),
     };
     let traces = match study.traces {
         1 => "one trace".to_owned(),
         count => format!("mean of {count} traces"),
     };
-    let traces = format!("{traces}, {EDITION}");
+    let note = format!("{only}{traces}, {EDITION}");
     Drawing::Symbol(TextureSymbol {
         id: format!("symbol-{}", row.flank),
         title: format!("{} on the drawing", flank_of(row)),
         source: "limits.csv".to_owned(),
-        requirement: format!("U {band}{} {}", row.parameter, limited(row.limit)),
-        note: traces,
+        requirement: format!("U {} {}{filters}", row.parameter, limited(row.limit)),
+        note,
     })
 }
 

@@ -3,14 +3,14 @@
 use asperity::message::Warning;
 use asperity::result::loss_band::Digits;
 use asperity_core::numerics::range;
-use asperity_core::{Code, Estimate, decimals, number};
+use asperity_core::{Code, decimals, number};
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Cell, Report, StudyResult, Table, columns};
 use serde::Serialize;
 
 use super::energy::{CycleFinish, CycleResult};
 use super::trace::CyclePoint;
-use crate::map::{HELPFUL, banded, in_words, loses, loss_fields, marks, round_step};
+use crate::map::{HELPFUL, against, banded, in_words, loses, loss_fields, marks, round_step};
 
 /// Approximate number of torque bins.
 const BINS: f64 = 30.0;
@@ -245,14 +245,11 @@ fn verdicts(result: &CycleResult) -> Vec<String> {
         let share = share_of_drive(finish).map(|share| format!(", {share} % of the drive energy"));
         let against = finish.difference_wh.and_then(|_| {
             let first = &result.finishes.first()?.name;
-            let saved = finish.difference_drawn_wh.filter(|drawn| drawn.high < 0.0);
-            Some(match saved {
-                Some(Estimate { value, low, high }) => {
-                    let saved = Estimate::new(-value, [-high, -low]);
-                    format!("; {} Wh less than {first}", banded(-value, Some(saved)))
-                }
-                None => format!("; {} Wh against {first}", difference(finish)),
-            })
+            let drawn = finish.difference_drawn_wh;
+            let of_draws = drawn.map(|drawn| against(drawn, "Wh", first));
+            let in_words =
+                of_draws.unwrap_or_else(|| format!("{} Wh against {first}", difference(finish)));
+            Some(format!("; {in_words}"))
         });
         let [share, against] = [share, against].map(Option::unwrap_or_default);
         format!("{} {whole} Wh{share}{against}.", loses(&finish.name))

@@ -11,11 +11,12 @@ use asperity::fingerprint::Fingerprint;
 use asperity::flanks::Surfaces;
 use asperity::pipeline::Progress;
 use asperity::result::{Losses, OffsetRow};
+use asperity::uncertainty::median_with_ends;
 use asperity::{Error, PositionError};
 use asperity_core::numerics::{deviation, distinct};
 use asperity_core::quantity::{AngularSpeed, Power};
 use asperity_core::unique;
-use asperity_core::{Code, Fault};
+use asperity_core::{Code, Estimate, Fault};
 use rayon::prelude::*;
 
 use super::axes::Axes;
@@ -72,6 +73,11 @@ pub fn map<C: Clone + Into<Train>>(
             && pairs.all(|(own, first)| own.has_flanks_of(first));
         maps.push(map);
     }
+    if let Some((first, others)) = maps.split_first_mut() {
+        for finish in others {
+            finish.difference_w = difference(first, finish);
+        }
+    }
     if let (Some(first), true) = (maps.first(), case.shafting.passes_losses) {
         gearbox = gearbox_of(case, axes, &first.meshes)?;
     }
@@ -92,6 +98,29 @@ pub fn map<C: Clone + Into<Train>>(
         input: case.input.clone(),
         defaults: case.defaults.clone(),
     })
+}
+
+/// Loss with `finish` minus the loss with `first` at the largest loss of `finish`, over the draws that both share; `None` without
+/// draws.
+fn difference(first: &FinishMap, finish: &FinishMap) -> Option<Estimate> {
+    let (at, _) = finish.largest()?;
+    let drawn = |of: &FinishMap, flanks: usize| {
+        let Point {
+            torque_nm,
+            speed_rpm,
+            temperature_c,
+            numbers,
+            ..
+        } = &of.points[at];
+        let loss = numbers.as_ref()?.loss_w;
+        let drawn = of.drawn(flanks, 1.0)?;
+        let ratios = drawn.ratios(drawn.place(*torque_nm, *speed_rpm, *temperature_c));
+        Some(ratios.into_iter().map(move |ratio| loss * ratio))
+    };
+    // Errors of model and sampling are drawn apart unless the flanks are the same.
+    let own = drawn(finish, usize::from(!finish.has_flanks_of_first))?;
+    let differences = own.zip(drawn(first, 0)?).map(|(own, first)| own - first);
+    Some(median_with_ends(&differences.collect::<Vec<f64>>()))
 }
 
 /// Torque at the pinion of `mesh` over the torque of the input shaft, in the sign of the flanks.
@@ -213,6 +242,7 @@ fn of_finish(
         files: unique(drives.iter().flat_map(files)),
         coast_files: unique(coasts.iter().flat_map(files)),
         has_flanks_of_first: false,
+        difference_w: None,
         resolved_from_nm: sides.from,
         draws: draws(train, &computed, drawn, sides.differ, (axes, speeds)),
         meshes: match train.only() {

@@ -25,6 +25,9 @@ pub(crate) const HELPFUL: &str = "The command asperity sensitivity lists changes
 /// File of the efficiencies as drawn.
 pub(super) const EFFICIENCIES: &str = "efficiency.csv";
 
+/// Lower edges of the bands by the values around the points of a cycle, and by all values that are drawn.
+type Levels = fn([&[f64]; 2]) -> Vec<f64>;
+
 /// A quantity over torque and speed.
 struct Quantity {
     id: &'static str,
@@ -32,8 +35,8 @@ struct Quantity {
     /// Name of the colour scale, with the unit.
     scale: &'static str,
     of: fn(&Numbers) -> Option<f64>,
-    /// Lower edges of the bands for all values that are drawn.
-    levels: fn(&[f64]) -> Vec<f64>,
+    /// Lower edges of the bands.
+    levels: Levels,
 }
 
 const LOSS: Quantity = Quantity {
@@ -116,11 +119,13 @@ fn visited_values(field: &Contour) -> impl Iterator<Item = f64> {
 }
 
 /// The fields with the bands of all their values together, without those that have no value.
-fn with_common_levels(mut fields: Vec<Contour>, levels: fn(&[f64]) -> Vec<f64>) -> Vec<Contour> {
+fn with_common_levels(mut fields: Vec<Contour>, levels: Levels) -> Vec<Contour> {
     fields.retain(|field| field.values.iter().any(|value| value.is_finite()));
-    let values = fields.iter().flat_map(visited_values);
-    let values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
-    let levels = levels(&values);
+    let visited = fields.iter().flat_map(visited_values);
+    let visited: Vec<f64> = visited.filter(|value| value.is_finite()).collect();
+    let all = fields.iter().flat_map(|field| &field.values).copied();
+    let all: Vec<f64> = all.filter(|value| value.is_finite()).collect();
+    let levels = levels([&visited, &all]);
     for field in &mut fields {
         field.levels = Some(levels.clone());
     }
@@ -214,8 +219,8 @@ pub(super) fn drawn_efficiencies(map: &Map) -> impl Iterator<Item = DrawnRow<'_>
 pub(crate) fn marks(map: &Map, has_dots: bool) -> Vec<String> {
     let finishes = map.finishes.iter();
     let extrapolated = finishes.filter_map(|finish| extrapolated(map, finish));
-    let dots = has_dots.then(|| "Dots: operating points of the cycle. The colours part the losses around them; all higher losses have the last colour."
-            .to_owned());
+    let dots = "Dots: operating points of the cycle. The colours have small steps around them and large steps beyond.";
+    let dots = has_dots.then(|| dots.to_owned());
     extrapolated.chain(dots).collect()
 }
 
@@ -302,35 +307,71 @@ fn usual<'a>(map: &Map, finish: &'a FinishMap) -> Vec<&'a str> {
     })
 }
 
-/// Lower edges of bands at round numbers within the range of the values.
-fn round_levels(values: &[f64]) -> Vec<f64> {
-    let [low, high] = range(values.iter().copied());
+/// Most bands whose colours differ.
+const COLOURS: usize = 12;
+
+/// Lower edges of bands at round numbers within the range of the visited values, and of wider bands above.
+fn round_levels([visited, all]: [&[f64]; 2]) -> Vec<f64> {
+    let [low, high] = range(visited.iter().copied());
     if low >= high {
         return vec![if low.is_finite() { low } else { 0.0 }];
     }
     let step = round_step((high - low) / BANDS as f64);
     let first = (low / step).floor();
-    (0..)
-        .map(|k| multiple(first + f64::from(k), step))
-        .take_while(|level: &f64| *level < high)
-        .collect()
+    let fine = (0..).map(|k| multiple(first + f64::from(k), step));
+    let mut levels: Vec<f64> = fine.take_while(|level: &f64| *level < high).collect();
+    let [_, highest] = range(all.iter().copied());
+    let wider = wider_levels(high + step, highest, COLOURS.saturating_sub(levels.len()));
+    levels.extend(wider);
+    levels
 }
 
-/// Lower edges of bands of one round width, one of them about zero and as many below it as above.
-fn levels_about_zero(values: &[f64]) -> Vec<f64> {
-    let most = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+/// At most `count` numbers 1, 2 and 5 times a power of ten from `low` to below `high`, the highest of them included.
+fn wider_levels(low: f64, high: f64, count: usize) -> Vec<f64> {
+    let next = |level: &f64| Some(round_step(level * 1.01));
+    let first = (low < high).then(|| round_step(low));
+    let levels = std::iter::successors(first, next).take_while(|level| *level < high);
+    let levels: Vec<f64> = levels.collect();
+    let every = levels.len().div_ceil(count.max(1)).max(1);
+    let mut few: Vec<f64> = levels
+        .into_iter()
+        .rev()
+        .step_by(every)
+        .take(count)
+        .collect();
+    few.reverse();
+    few
+}
+
+/// Lower edges of bands of one round width for the visited values, one of them about zero and as many below it as above, and of
+/// wider bands beyond.
+fn levels_about_zero([visited, all]: [&[f64]; 2]) -> Vec<f64> {
+    let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let [most, most_of_all] = [visited, all].map(largest);
     if most <= 0.0 {
         return vec![0.0];
     }
-    let half = 0.5 * round_step(2.0 * most / BANDS as f64);
+    let is_wider = most_of_all > 2.0 * most;
+    let bands = if is_wider { BANDS - 3 } else { BANDS };
+    let half = 0.5 * round_step(2.0 * most / bands as f64);
     let beyond = ((most / half - 1.0) / 2.0).ceil().max(0.0) as i32;
-    let edges = (-beyond..=beyond).map(|k| multiple(f64::from(2 * k - 1), half));
-    edges.collect()
+    let fine = (-beyond..=beyond).map(|k| multiple(f64::from(2 * k - 1), half));
+    let wider = match is_wider {
+        true => wider_levels(f64::from(2 * beyond + 3) * half, most_of_all, 2),
+        false => Vec::new(),
+    };
+    let below = wider.iter().rev().map(|level| -level);
+    // The upper edge of the last fine band begins the wider ones.
+    let last = wider
+        .first()
+        .map(|_| multiple(f64::from(2 * beyond + 1), half));
+    let above = wider.iter().copied().rev().skip(1).rev();
+    below.chain(fine).chain(last).chain(above).collect()
 }
 
 /// Lower edges of bands that hold about as many values each: quantiles, with two digits of what is missing to 100 %.
-fn quantile_levels(values: &[f64]) -> Vec<f64> {
-    let mut sorted = values.to_vec();
+fn quantile_levels([visited, _]: [&[f64]; 2]) -> Vec<f64> {
+    let mut sorted = visited.to_vec();
     sorted.sort_by(f64::total_cmp);
     let level = |k: usize| {
         let missing = 100.0 - sorted.get(k * sorted.len() / BANDS)?;
@@ -555,8 +596,20 @@ mod tests {
         assert_eq!(levels.len(), 2);
         assert_eq!(levels[0], levels[1]);
         assert_eq!((levels[0][0], levels[0].len()), (0.0, 8));
+        let alike = |values: &'static [f64]| [values, values];
+        // Fine steps around the visited values, wide ones up to all others.
         assert_eq!(
-            levels_about_zero(&[-190.0, -20.0]),
+            round_levels([&[0.0, 95.0], &[0.0, 1220.0]]),
+            [
+                0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 200.0, 1000.0
+            ]
+        );
+        assert_eq!(
+            levels_about_zero([&[-90.0, 10.0], &[-370.0, 10.0]]),
+            [-200.0, -125.0, -75.0, -25.0, 25.0, 75.0, 125.0]
+        );
+        assert_eq!(
+            levels_about_zero(alike(&[-190.0, -20.0])),
             [
                 -225.0, -175.0, -125.0, -75.0, -25.0, 25.0, 75.0, 125.0, 175.0
             ]
@@ -564,7 +617,7 @@ mod tests {
         // A tenth of the values each, though most lie within 0.1 of each other.
         let mut efficiencies: Vec<f64> = (0..80).map(|k| 99.5 + 0.001 * f64::from(k)).collect();
         efficiencies.extend((0..20).map(|k| 90.0 + 0.4 * f64::from(k)));
-        let levels = quantile_levels(&efficiencies);
+        let levels = quantile_levels([&efficiencies, &efficiencies]);
         assert!(levels.is_sorted() && levels.iter().filter(|level| **level > 99.0).count() > 5);
         assert!(levels[0] >= 90.0 && levels.len() >= 8, "{levels:?}");
     }

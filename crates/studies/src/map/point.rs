@@ -87,6 +87,10 @@ pub struct FinishMap {
     /// Whether the first finish has the same flanks, so that both have the same errors of model and sampling.
     #[serde(default)]
     pub has_flanks_of_first: bool,
+    /// Loss minus the loss with the first finish at the point of its largest loss: median of the draws with their 5 % and 95 %
+    /// quantiles \[W\]; `None` of the first finish, and without draws.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub difference_w: Option<Estimate>,
     /// Smallest torques that the traces resolve, drive and coast \[N m\]; points below are extended.
     pub resolved_from_nm: [f64; 2],
     /// Draws at a few nodes, mesh by mesh, for the drive and, where they are others, the coast flanks; empty for a map without
@@ -238,6 +242,13 @@ impl FinishMap {
             speed_rpm: axes.speed_rpm.clone(),
             loss_torque_nm: value(&|numbers| numbers.loss_torque_nm)?,
         })
+    }
+
+    /// Index of the point with the largest loss, and its losses.
+    pub(super) fn largest(&self) -> Option<(usize, Numbers)> {
+        let points = self.points.iter().enumerate();
+        let numbers = points.filter_map(|(at, point)| Some((at, point.numbers?)));
+        numbers.max_by(|a, b| a.1.loss_w.total_cmp(&b.1.loss_w))
     }
 
     /// The draws, with the errors of model and sampling that flanks number `flanks` of a comparison have, and the standard

@@ -19,27 +19,50 @@ pub(super) fn extremes(map: &Map) -> Table {
         interval loss_median_w "largest loss" "W" = extremes.loss();
         file loss_w = extremes.most.loss_w;
         number share_percent "share of power" "%" = extremes.share();
-        number torque_nm "at torque" "N m" "{:.2}" = extremes.at.torque_nm;
-        number speed_rpm "and speed" "1/min" "{:.0}" = extremes.at.speed_rpm;
+        number torque_nm "at torque" "N m" "{:.2}" = extremes.point.torque_nm;
+        number speed_rpm "and speed" "1/min" "{:.0}" = extremes.point.speed_rpm;
         number efficiency_percent "best efficiency" "%" = extremes.efficiency();
         number loss_torque_nm "largest loss torque" "N m" = extremes.torque();
+        interval difference_median_w "minus the first" "W" = difference(finish);
+    };
+    let table = match map.finishes.len() {
+        1 => table.unshown_of(&["minus the first"]),
+        _ => table,
     };
     table.in_file("extremes.csv")
 }
 
-/// The largest loss and the best efficiency of each finish, in words.
+/// The difference of each finish from the first, then the largest loss and the best efficiency of each, in words.
 pub(super) fn verdicts(map: &Map) -> impl Iterator<Item = String> {
-    map.finishes.iter().filter_map(|finish| {
+    let compared = map.finishes.iter().skip(1).filter_map(|finish| {
+        let Extremes { point, .. } = Extremes::of(finish)?;
+        Some(format!(
+            "{} {}, at {} N m and {} 1/min.",
+            loses(&finish.name),
+            against(finish.difference_w?, "W", &map.finishes.first()?.name),
+            point.torque_nm,
+            point.speed_rpm
+        ))
+    });
+    let each = map.finishes.iter().filter_map(|finish| {
         let extremes = Extremes::of(finish)?;
         Some(format!(
             "{} at most {} W, at {} N m and {} 1/min; the best efficiency is {} %.",
             loses(&finish.name),
             extremes.loss().text(),
-            extremes.at.torque_nm,
-            extremes.at.speed_rpm,
+            extremes.point.torque_nm,
+            extremes.point.speed_rpm,
             extremes.efficiency().text()
         ))
-    })
+    });
+    compared.chain(each)
+}
+
+/// Difference of a finish from the first at its largest loss.
+fn difference(finish: &FinishMap) -> Cell {
+    let text = |drawn: Estimate| banded(drawn.value, Some(drawn));
+    let text = finish.difference_w.map_or("-".to_owned(), text);
+    Cell::estimate(text, finish.difference_w)
 }
 
 /// Loss of each mesh of a gear train at the largest loss of its finish.
@@ -58,8 +81,9 @@ pub(super) fn of_meshes(map: &Map) -> Table {
 
 /// The extremes of a finish over the map.
 struct Extremes<'a> {
-    /// Point with the largest loss.
-    at: &'a Point,
+    /// Index of the point with the largest loss.
+    at: usize,
+    point: &'a Point,
     most: Numbers,
     /// Best efficiency, the power in and the losses there.
     best: Option<(f64, f64, Numbers)>,
@@ -73,7 +97,7 @@ impl<'a> Extremes<'a> {
             let points = finish.points.iter();
             points.filter_map(|point| Some((point, point.numbers?)))
         };
-        let (at, most) = numbers().max_by(|a, b| a.1.loss_w.total_cmp(&b.1.loss_w))?;
+        let (at, most) = finish.largest()?;
         let efficient = numbers().filter_map(|(point, numbers)| {
             // As in a run: of the median of the loss.
             let scale = numbers.median_over_loss();
@@ -83,6 +107,7 @@ impl<'a> Extremes<'a> {
         let torque = numbers().map(|(_, numbers)| numbers);
         Some(Self {
             at,
+            point: &finish.points[at],
             most,
             best: efficient.max_by(|a, b| a.0.total_cmp(&b.0)),
             torque: torque.max_by(|a, b| a.loss_torque_nm.total_cmp(&b.loss_torque_nm))?,
@@ -97,7 +122,7 @@ impl<'a> Extremes<'a> {
 
     /// The largest loss over the power there \[%\].
     fn share(&self) -> Cell {
-        let power = power_w(self.at);
+        let power = power_w(self.point);
         let loss = (self.most.drawn_w).map_or(self.most.loss_w, |drawn| drawn.value);
         let share = (power != 0.0).then(|| 100.0 * loss / power);
         Cell::number(share, |share| {
@@ -136,14 +161,11 @@ fn parts_at_largest(finish: &FinishMap) -> Vec<[String; 3]> {
     let Some(extremes) = Extremes::of(finish) else {
         return Vec::new();
     };
-    let index = finish
-        .points
-        .iter()
-        .position(|point| std::ptr::eq(point, extremes.at));
     let most = &extremes.most;
     let factor = most.median_over_loss();
-    let omega = extremes.at.speed_rpm * std::f64::consts::PI / 30.0;
-    let part = |mesh: &MeshPart| Some(factor * omega * mesh.loss_torque_nm.get(index?).copied()??);
+    let omega = extremes.point.speed_rpm * std::f64::consts::PI / 30.0;
+    let part =
+        |mesh: &MeshPart| Some(factor * omega * mesh.loss_torque_nm.get(extremes.at).copied()??);
     let Some(parts) = finish.meshes.iter().map(part).collect::<Option<Vec<f64>>>() else {
         return Vec::new();
     };
@@ -184,6 +206,23 @@ pub(crate) fn loses(finish: &str) -> String {
     match finish {
         UNNAMED => "These flanks lose".to_owned(),
         name => format!("{name} loses"),
+    }
+}
+
+/// A difference from the finish `first` in words, as the object of a sentence with [`loses`].
+pub(crate) fn against(difference: Estimate, unit: &str, first: &str) -> String {
+    let Estimate { value, low, high } = difference;
+    let first = in_words(first);
+    match (high < 0.0, low > 0.0) {
+        (true, _) => {
+            let less = Estimate::new(-value, [-high, -low]);
+            format!("{} {unit} less than {first}", banded(-value, Some(less)))
+        }
+        (_, true) => format!(
+            "{} {unit} more than {first}",
+            banded(value, Some(difference))
+        ),
+        _ => format!("{} {unit} against {first}", banded(value, Some(difference))),
     }
 }
 

@@ -31,7 +31,7 @@ impl StudyResult for RidgeStudy {
             .markup(|| charts(study, None))
             .section("Ridges with the largest loss")
             .figures(|| [ridge_chart(study)])
-            .table(table(&study.rows).of_file(TABLE))
+            .table(table((1..).zip(&study.rows)).of_file(TABLE))
             .section("By wavelength")
             .figures(|| [octave_chart(study)])
             .text([OF_WAVELENGTHS])

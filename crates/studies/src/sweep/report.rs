@@ -1,14 +1,15 @@
 //! Report of a merged study: each result over each axis, then the effects of all inputs.
 
 use asperity::message::explain;
-use asperity_core::numerics::distinct;
-use asperity_core::{capitalised, unique};
+use asperity_core::numerics::{distinct, mean};
+use asperity_core::{Estimate, capitalised, unique};
 use asperity_report::chart::{
     Axis, Bar, BarChart, Chart, Drawing, Interval, Line, Series, Tornado,
 };
 use asperity_report::{Report, StudyResult, write_bytes};
 
 use super::columns::{InputColumn, InputValues};
+use super::known_columns::DRAWN;
 use super::merged::{EffectRow, Merged};
 use super::words::{Output, input_name, table};
 
@@ -16,14 +17,23 @@ use super::words::{Output, input_name, table};
 const METHOD: &str = "Change of a result from the mean of the lowest quarter of an input to the mean of the highest quarter. A choice is \
     compared with the first one. The changes follow from a linear regression on all inputs; in brackets are their 5 and 95 % \
     quantiles, without the errors of the model.";
+/// Column of the median of a drawn loss.
+const MEDIAN: &str = DRAWN[0];
+/// The ends of its interval.
+const ENDS: [&str; 2] = [DRAWN[1], DRAWN[2]];
 /// Meaning of the indices of Sobol.
 const INDICES: &str = "First index: share of the variance of the result by this input alone. Total index: the same with its \
     interactions. Few samples estimate both roughly; an estimate may exceed 1.";
 /// Losses of a sweep beside the loss of a run.
-const AT_MEDIANS: &str = "loss_w is computed with the constants at their stated or median values. The loss that asperity run prints \
+const AT_MEDIANS: &str = "The column loss_w has the constants at their stated or median values. The loss that asperity run prints \
     first is the median over drawn constants, with its interval.";
+/// How a study computes intervals.
+const NO_INTERVAL: &str = "The study computes no interval of the loss. It draws one for each case if its columns list loss_median_w, \
+    loss_p05_w and loss_p95_w.";
 /// Content of the charts over the axes.
 const OVER_AXES: &str = "Mean of the cases at each value of an axis, and the range of all of them.";
+/// Content of the charts of a loss with its interval.
+const OVER_AXES_DRAWN: &str = "Median of the loss with its 5 and 95 % quantiles, each the mean of the cases at a value of an axis.";
 
 impl StudyResult for Merged {
     const KIND: &'static str = "sweep";
@@ -42,10 +52,16 @@ impl StudyResult for Merged {
         });
         let has_losses = self.outputs.iter().any(|(name, _)| name == "loss_w");
         let charts = axes(self);
-        let over_axes = (!charts.is_empty()).then_some(OVER_AXES);
+        let is_drawn = self.ends(MEDIAN).is_some();
+        let over_axes = match is_drawn {
+            true => OVER_AXES_DRAWN,
+            false => OVER_AXES,
+        };
+        let over_axes = (!charts.is_empty()).then_some(over_axes);
         let mut report = Report::new(&self.title, format!("sweep {}", self.name))
             .section("Results over the axes")
             .verdict(largest(self).or_else(|| extremes(self)))
+            .text((has_losses && !is_drawn).then_some(NO_INTERVAL))
             .text([format!(
                 "{} cases, {} without a result.",
                 self.cases, self.failed
@@ -78,30 +94,62 @@ impl StudyResult for Merged {
     }
 }
 
-/// Every result over every axis.
+impl Merged {
+    /// The 5 and 95 % quantiles of the cases, of the column of their medians.
+    fn ends(&self, name: &str) -> Option<[&[f64]; 2]> {
+        let of = |name: &str| {
+            let column = self.outputs.iter().find(|(other, _)| other == name)?;
+            Some(&column.1[..])
+        };
+        (name == MEDIAN).then_some([of(ENDS[0])?, of(ENDS[1])?])
+    }
+}
+
+/// Every result over every axis; quantiles with their medians.
 fn axes(merged: &Merged) -> Vec<Drawing> {
     let axes = &merged.inputs[..merged.axes.min(merged.inputs.len())];
-    let outputs = merged.outputs.iter();
-    outputs
-        .flat_map(|(name, values)| axes.iter().filter_map(|axis| over(axis, name, values)))
-        .collect()
+    let is_end = |name: &str| ENDS.contains(&name) && merged.ends(MEDIAN).is_some();
+    let outputs = merged.outputs.iter().filter(|(name, _)| !is_end(name));
+    let of = |(name, values): &(String, Vec<f64>)| {
+        let drawn = (&values[..], merged.ends(name));
+        let over_axes = axes.iter().filter_map(|axis| over(axis, name, drawn));
+        over_axes.collect::<Vec<Drawing>>()
+    };
+    outputs.flat_map(of).collect()
 }
 
 /// A result over an axis: over a number a line and a range, of choices their ranges about the mean of all, or bars if
 /// each is a single case; `None` for a constant axis.
-fn over(axis: &InputColumn, name: &str, values: &[f64]) -> Option<Drawing> {
+fn over(
+    axis: &InputColumn,
+    name: &str,
+    (values, ends): (&[f64], Option<[&[f64]; 2]>),
+) -> Option<Drawing> {
     let output = Output::of(name);
     let id = format!("{name}-over-{}", axis.name.replace(['.', ' '], "-"));
     let title = format!("{} over {}", output.name, input_name(&axis.name));
     let title = capitalised(&title);
     let (source, y) = ("sweep.csv", Axis::new(&output.name, output.unit));
-    // Mean, lowest and highest result of the cases that have one.
+    // Mean, lowest and highest result of the cases that have one; of drawn losses the mean of each quantile.
     let group = |is_of: &dyn Fn(usize) -> bool| -> Option<[f64; 3]> {
         let cases = (0..values.len()).filter(|k| is_of(*k) && values[*k].is_finite());
-        let found: Vec<f64> = cases.map(|k| output.factor * values[k]).collect();
-        let mean = found.iter().sum::<f64>() / found.len() as f64;
-        let low = found.iter().copied().reduce(f64::min)?;
-        Some([mean, low, found.iter().copied().reduce(f64::max)?])
+        let cases: Vec<usize> = cases.collect();
+        let of_cases = |column: &[f64]| -> Vec<f64> {
+            let of_case = |k: &usize| output.factor * column[*k];
+            cases.iter().map(of_case).collect()
+        };
+        let found = of_cases(values);
+        let lowest = found.iter().copied().reduce(f64::min)?;
+        let highest = found.iter().copied().reduce(f64::max)?;
+        let [low, high] = match ends {
+            Some(ends) => ends.map(|end| mean(of_cases(end))),
+            None => [lowest, highest],
+        };
+        Some([mean(found), low, high])
+    };
+    let [middle, range] = match ends {
+        Some(_) => ["median", "5 to 95 %"],
+        None => ["mean", "lowest to highest"],
     };
     match &axis.values {
         InputValues::Numbers { unit, values, .. } => {
@@ -124,18 +172,21 @@ fn over(axis: &InputColumn, name: &str, values: &[f64]) -> Option<Drawing> {
                 Axis::new(&input_name(&axis.name), unit),
                 y,
             )
-            .curve("mean", Line::Dots, &x, &of(0))
-            .with(Series::band("lowest to highest", &x, &of(1), &of(2)));
+            .curve(middle, Line::Dots, &x, &of(0))
+            .with(Series::band(range, &x, &of(1), &of(2)));
             (points.len() > 1).then_some(Drawing::Curves(chart))
         }
         InputValues::Choices(names) => {
             let interval = |choice: &&String| {
                 let [mean, low, high] = group(&|k| names[k] == **choice)?;
-                let mean = output.text(mean / output.factor);
+                let text = match ends {
+                    Some(_) => output.interval(Estimate::new(mean, [low, high])),
+                    None => format!("mean {}", output.text(mean / output.factor)),
+                };
                 Some(Interval {
                     name: (*choice).clone(),
                     ends: [low, high],
-                    text: format!("mean {mean}"),
+                    text,
                 })
             };
             let intervals: Vec<Interval> = unique(names).iter().filter_map(interval).collect();
@@ -202,7 +253,10 @@ fn extremes(merged: &Merged) -> Option<String> {
             let text = format!("{} {} {unit}", input_name(&axis.name), axis.cells()[k]);
             text.trim_end().to_owned()
         });
-        let value = output.text(values[k]);
+        let value = match merged.ends(name) {
+            Some(ends) => output.interval(Estimate::new(values[k], ends.map(|end| end[k]))),
+            None => output.text(values[k]),
+        };
         format!("{value} with {}", texts.collect::<Vec<_>>().join(", "))
     };
     (values[low] < values[high]).then(|| {

@@ -47,6 +47,8 @@ impl Output {
         let name = match stem {
             "mu_equivalent" => "equivalent friction".to_owned(),
             "mixed_share" => "mixed lubrication".to_owned(),
+            // The median of a loss is the loss that a run prints first.
+            "loss_median" => "loss".to_owned(),
             stem if unit == "W" && stem != "loss" && !stem.ends_with("_loss") => {
                 format!("{} loss", stem.replace('_', " "))
             }
@@ -65,6 +67,12 @@ impl Output {
         format!("{value:.digits$} {}", self.unit)
             .trim_end()
             .to_owned()
+    }
+
+    /// A value in the unit with its interval.
+    pub(super) fn interval(&self, drawn: Estimate) -> String {
+        let unit = format!(" {}", self.unit);
+        Digits::of_interval(drawn.ends()).interval_with(&unit, drawn)
     }
 
     /// A change with its interval, the digits that this leaves, and the unit.
