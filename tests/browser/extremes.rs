@@ -95,6 +95,61 @@ fn numbers(values: &Value) -> Vec<f64> {
         .collect()
 }
 
+/// Ends of the cells of a trace whose loss per length lies between the bounds that a curve names: "100 to 300", "above 300".
+fn of_strip(ridges: &Value, chart: &str, curve: &str) -> Vec<f64> {
+    let strip = match chart.split_once('-').unwrap() {
+        ("watts", "pinion") => &ridges["along"][0],
+        ("watts", _) => &ridges["along"][1],
+        (_, number) => &ridges["near"][number.parse::<usize>().unwrap() - 1],
+    };
+    let bound = |text: &str| text.replace('−', "-").parse::<f64>().unwrap();
+    let words: Vec<&str> = curve.split(' ').collect();
+    let [low, high] = match words[..] {
+        ["below", high] => [f64::NEG_INFINITY, bound(high)],
+        ["above", low] => [bound(low), f64::INFINITY],
+        [low, _, high, ..] => [low, high].map(bound),
+        _ => panic!("{curve} names no bounds"),
+    };
+    // A bound belongs to the side that is farther from zero.
+    let is_within = |w: f64| {
+        let is_above = w > low || (w == low && low > 0.0);
+        is_above && (w < high || (w == high && high < 0.0))
+    };
+    let cells = strip["cells"].as_array().unwrap().iter().map(numbers);
+    let cells = cells.filter(|cell| is_within(cell[2]));
+    cells.flat_map(|cell| [cell[0], cell[1]]).collect()
+}
+
+/// Energies \[Wh\] that the points of a cycle at each torque lose with a finish, and none at other torques.
+fn by_torque(cycle: &Table) -> Vec<f64> {
+    let [times, torques, losses] =
+        ["time_s", "torque_nm", "loss_w"].map(|name| cycle.column(name));
+    let last = times.len() - 1;
+    let energy = |k: usize| {
+        let weight = 0.5 * (times[(k + 1).min(last)] - times[k.saturating_sub(1)]);
+        losses[k] * weight / 3600.0
+    };
+    let at = |torque: f64| (0..=last).filter(move |k| torques[*k] == torque);
+    let sums = torques.iter().map(|torque| at(*torque).map(energy).sum());
+    std::iter::once(0.0).chain(sums).collect()
+}
+
+/// Values of a curve in the tables of a gear train.
+fn of_set(folder: &Path, chart: &str) -> Vec<f64> {
+    match chart {
+        "meshes" => Table::read(folder, "meshes.csv").column("loss_median_w"),
+        _ => {
+            let whole = json(folder, "planetary.json");
+            let kinds = whole["kinds"].as_object().unwrap().values();
+            let kinds: Vec<f64> = kinds.map(|kind| kind.as_f64().unwrap()).collect();
+            let loss: f64 = kinds.iter().sum();
+            let median = whole["loss_distribution"]["median_w"].as_f64().unwrap();
+            let kinds = kinds.iter().filter(|kind| **kind > 0.0);
+            kinds.map(|kind| median * kind / loss).collect()
+        }
+    }
+}
+
 /// Values of a curve in the tables of a report; none for lines that no table holds: constants and constructions.
 fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
     let path = Table::read(folder, "path.csv");
@@ -264,8 +319,9 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
                     .collect(),
             )
         }
-        // Coloured cells of the traces: no curve is a whole column.
-        (chart, _) if chart.starts_with("watts-") || chart.starts_with("ridge-") => None,
+        (chart, _) if chart.starts_with("watts-") => {
+            Some(of_strip(&json(folder, "result.json")["ridges"], chart, curve))
+        }
         other => panic!("no table is known for {other:?} of a report"),
     }
 }
@@ -318,7 +374,9 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
         ("driven/cycle.html", "time") => {
             Some(table("cycle.csv").with("finish", curve).column("loss_w"))
         }
-        ("driven/cycle.html", "torque") => None,
+        ("driven/cycle.html", "torque") => {
+            Some(by_torque(&table("cycle.csv").with("finish", curve)))
+        }
         ("driven/cycle.html", _) => {
             Some(Table::read(&folder.join("../map"), "map.csv").column("loss_w"))
         }
@@ -340,7 +398,9 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
             Some(octaves.map(["pinion_w", "wheel_w"], |[pinion, wheel]| pinion + wheel))
         }
         // Coloured cells of the traces: no curve is a whole column.
-        ("pressed/ridges.html", _) => None,
+        ("pressed/ridges.html", chart) => {
+            Some(of_strip(&json(folder, "ridges.json"), chart, curve))
+        }
         ("limited/callout.html", "traces") => Some(table("traces.csv").column("limit_over_recipe")),
         ("limited/callout.html", _) if curve.starts_with("5 to 95 %") => {
             let curve = table("curve.csv");
@@ -524,6 +584,7 @@ fn expected(page: &Page, chart: &str, curve: &str) -> Option<Vec<f64>> {
     match page.name.as_str() {
         "figures" => of_figure(&page.folder, chart, curve),
         name if name.starts_with("report, ") => of_report(&page.folder, chart, curve),
+        "planetary, set" => Some(of_set(&page.folder, chart)),
         // Its meshes have no tables of their fields.
         name if name.starts_with("planetary, ") => None,
         name => of_study(&page.folder, name, chart, curve),
