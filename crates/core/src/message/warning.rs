@@ -57,7 +57,8 @@ impl Warning {
 }
 
 /// Codes of warnings about gears, inputs or a solution that make the result doubtful, the gravest first.
-const DOUBTFUL: [Code; 22] = [
+const DOUBTFUL: [Code; 23] = [
+    Code::W204,
     Code::W433,
     Code::W451,
     Code::W423,
@@ -87,7 +88,7 @@ impl Code {
     ///
     /// ```
     /// use asperity_core::message::Code;
-    /// assert_eq!(Code::W433.doubt(), Some(0));
+    /// assert_eq!(Code::W204.doubt(), Some(0));
     /// assert_eq!(Code::W439.doubt(), None);
     /// ```
     pub fn doubt(self) -> Option<usize> {
