@@ -122,8 +122,7 @@ fn of_strip(ridges: &Value, chart: &str, curve: &str) -> Vec<f64> {
 
 /// Energies \[Wh\] that the points of a cycle at each torque lose with a finish, and none at other torques.
 fn by_torque(cycle: &Table) -> Vec<f64> {
-    let [times, torques, losses] =
-        ["time_s", "torque_nm", "loss_w"].map(|name| cycle.column(name));
+    let [times, torques, losses] = ["time_s", "torque_nm", "loss_w"].map(|name| cycle.column(name));
     let last = times.len() - 1;
     let energy = |k: usize| {
         let weight = 0.5 * (times[(k + 1).min(last)] - times[k.saturating_sub(1)]);
@@ -319,9 +318,11 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
                     .collect(),
             )
         }
-        (chart, _) if chart.starts_with("watts-") => {
-            Some(of_strip(&json(folder, "result.json")["ridges"], chart, curve))
-        }
+        (chart, _) if chart.starts_with("watts-") => Some(of_strip(
+            &json(folder, "result.json")["ridges"],
+            chart,
+            curve,
+        )),
         other => panic!("no table is known for {other:?} of a report"),
     }
 }
