@@ -348,10 +348,11 @@ fn wider_levels(low: f64, high: f64, count: usize) -> Vec<f64> {
 fn levels_about_zero([visited, all]: [&[f64]; 2]) -> Vec<f64> {
     let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     let [most, most_of_all] = [visited, all].map(largest);
-    if most <= 0.0 {
+    if most_of_all <= 0.0 {
         return vec![0.0];
     }
-    let is_wider = most_of_all > 2.0 * most;
+    let is_wider = most > 0.0 && most_of_all > 2.0 * most;
+    let most = if is_wider { most } else { most_of_all };
     let bands = if is_wider { BANDS - 3 } else { BANDS };
     let half = 0.5 * round_step(2.0 * most / bands as f64);
     let beyond = ((most / half - 1.0) / 2.0).ceil().max(0.0) as i32;
