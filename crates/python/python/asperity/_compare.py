@@ -79,7 +79,8 @@ class Comparison(Study, ComparisonValues):
 
     @property
     def correlations(self) -> ComparisonCorrelationTable:
-        """Rank correlation of roughness parameters with the computed loss, the closest first."""
+        """Rank correlation of roughness parameters with the computed loss, the closest first; empty of
+        fewer than three finishes, of fewer than five offsets, and of a gear train."""
         return ComparisonCorrelationTable(self._values["correlations"])
 
     @property
