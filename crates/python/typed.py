@@ -5,16 +5,22 @@ _study_names.py, their names.
     python crates/python/typed.py          # after building the module
 """
 
+import inspect
 import json
 import keyword
+import os
 import re
 import sys
+import tempfile
 import textwrap
+import warnings
 from pathlib import Path
+from typing import NamedTuple
 
 import asperity
 from asperity import _asperity
 from asperity._quantity import BY_TEXT, OPERATING
+from asperity._study import Study
 
 FOLDER = Path(__file__).parent / "python" / "asperity"
 RESULTS = {
@@ -52,6 +58,26 @@ EXAMPLES = {
                  'found = asperity.stribeck(curve, "m100")', ("0.1 < found.boundary_friction < 0.13", "True")],
 }
 """An example of each study: lines, each alone or with what it prints."""
+MORE = [
+    ['case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 6})',
+     'of = {"a": "demo/ground_pinion.csv", "b": "demo/superfinished_pinion.csv", "c": ("demo/ground_pinion.csv", "demo/superfinished_pinion.csv")}',
+     "asperity.compare(case, of)", "losses = asperity.map(case, finishes=of, torque_nm=[-200, -60, 60, 200], speed_rpm=[500, 4000, 16000])",
+     'asperity.cycle(losses, "demo/urban.csv")', 'trace = {"time_s": [0, 60, 120], "torque_nm": [60, 190, 205], "speed_rpm": [900, 4000, 9000], "gear": [1, 1, 1]}',
+     "asperity.cycle(asperity.map(case.replace({'vehicle': None}), torque_nm=[-60, 60], speed_rpm=[500, 9000]), trace, allow_outside=True)"],
+    [SMALL, 'asperity.oil_plan("m100", case, simulate=1)'],
+    ['gears = {"teeth": [23, 68], "module": "2 mm", "face_width": "25 mm"}',
+     'meshes = {"a": {"shafts": ["in", "b"], "gears": gears}, "z": {"shafts": ["b", "out"], "gears": gears}}',
+     'case = asperity.Case(train={"input": "in"}, mesh=meshes, surface={"pinion": {"rq": "0.4 um"}}, torque_nm=60, speed_rpm=3000, temperature_c=80,',
+     '                     lubricant={"oil": "m100"}, model={"positions": 4, "offsets": 2})',
+     'asperity.compare(case, {"rough": case, "fine": case.replace({"surface.pinion.rq": "0.2 um"})})'],
+]
+"""Examples whose results have what those of the first ones leave out."""
+OPEN = (
+    "along", "axes", "by_traces", "curve", "curves", "defaults", "draws", "evidence", "helpful", "held_out", "identifiability", "input", "kinks", "lubricant", "near", "nuisance", "other_law", "stages",
+)
+"""Values that are keys of a case, or how a result was found; they stay without a class."""
+LISTS = {"float": "Floats", "int": "Floats", "str": "list[str]"}
+"""Types of lists, by the type of what they hold."""
 KINDS = ("gears", "mesh")
 ROOTS = {"Uncertainty": "Uncertainty", "Summary": "SummaryValues", "PositionRow": "PathRow", "ContactNumbers": "ContactNumbers"}
 """Classes of values of which others are parts, by the name of the type in Rust."""
@@ -88,16 +114,12 @@ Written by crates/python/typed.py from the lists of the compiled part.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal, Optional
+from typing import Any, Literal, NoReturn, Optional
 
 from numpy.typing import NDArray
 
 from ._quantity import Floats
-from ._record import Rows, Table, Values
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from typing import Union, overload
+from ._record import TableOf, Values
 '''
 
 
@@ -250,10 +272,14 @@ def table(name, about, rows):
     return f'{name} = TypedDict(\n    "{name}",\n    {{\n{body}    }},\n    total=False,\n)\n"""{first_line(about)}"""\n'
 
 
+def declared(result):
+    """Names that the class of a result declares itself."""
+    return {key for one in result.__mro__ for key in vars(one)}
+
+
 def attributes(name, about, names, kind, result):
     """Attributes of a result that the class `result` does not declare itself."""
-    own = {key for one in result.__mro__ for key in vars(one)}
-    body = "".join(f"    {key}: {kind}\n" for key in names if key not in own)
+    body = "".join(f"    {key}: {kind}\n" for key in names if key not in declared(result))
     return f'class {name}:\n    """{about}"""\n\n{body}'
 
 
@@ -286,49 +312,137 @@ class Registry:
         if kind in ("SEQ", "TUPLE", "TUPLEARRAY"):
             inner = self.type_of(of if kind == "SEQ" else of[0] if kind == "TUPLE" else of["CONTENT"])
             if inner[1]:
-                return "Table", "Table"
-            return {"float": "Floats", "int": "Floats", "str": "list[str]"}.get(inner[0], "list[Any]"), None
+                return f"{inner[1]}Table", f"{inner[1]}Table"
+            return LISTS.get(inner[0], "list[Any]"), None
         return "Any", None
 
     def absent(self, kind):
         """The value, if any, at which serde leaves out a value of this type."""
         if kind.startswith("Optional["):
             return [None]
-        return {"str": [""], "bool": [False], "Table": [[]], "list[str]": [[]], "list[Any]": [[]]}.get(kind, [])
+        return [[]] if kind.endswith("Table") else {"str": [""], "bool": [False], "list[str]": [[]], "list[Any]": [[]]}.get(kind, [])
 
-    def used(self):
-        """Names of all structures that the roots have, those that others need first."""
-        found = []
+    def structures(self):
+        """Types of the values of all structures that the roots have, those that others need first, and names of those that are rows."""
+        found, rows = {}, set()
 
         def add(name):
-            if name in found:
+            if self.name_of(name) in found:
                 return
-            for field in self.registry[name]["STRUCT"]:
-                (_, form), = field.items()
-                for part in re.findall(r"'TYPENAME': '(\w+)'", repr(form)):
-                    if "STRUCT" in self.registry[part]:
-                        add(part)
-            found.append(name)
+            fields = [next(iter(field.items())) for field in self.registry[name]["STRUCT"]]
+            for part in re.findall(r"'TYPENAME': '(\w+)'", repr(fields)):
+                if "STRUCT" in self.registry[part]:
+                    add(part)
+            types = {key: self.type_of(form) for key, form in fields}
+            rows.update(made.removesuffix("Table") for _, made in types.values() if made and made.endswith("Table"))
+            absent = {key: value for key, (kind, _) in types.items() for value in self.absent(kind)}
+            found[self.name_of(name)] = Structure(f"Values of `{name}` in Rust.", types, absent)
 
         for name in ROOTS:
             add(name)
-        return found
+        return found, {*rows, "PathRow"}
 
-    def written(self, name):
-        """The class of a structure."""
-        fields = [next(iter(field.items())) for field in self.registry[name]["STRUCT"]]
-        types = {key: self.type_of(form) for key, form in fields}
-        absent = {key: value for key, (kind, _) in types.items() for value in self.absent(kind)}
-        kinds = ", ".join(f'"{key}": {made}' for key, (_, made) in types.items() if made)
-        text = f'class {self.name_of(name)}(Values):\n    """Values of `{name}` in Rust."""\n\n'
+
+class Structure(NamedTuple):
+    """A class of values."""
+
+    about: str
+    types: dict
+    """Type of each value as text, and its class where it is an object or a list of objects."""
+    absent: dict
+    """Values where they are left out."""
+
+    def written(self, name, own=()):
+        """The class of this name, without the values that the class of a result declares itself."""
+        kinds = ", ".join(f'"{key}": {made}' for key, (_, made) in self.types.items() if made)
+        text = f"class {name}(Values):\n" + (f'    """{self.about}"""\n\n' if self.about else "")
         text += f"    _kinds = {{{kinds}}}\n" if kinds else ""
-        text += f"    _absent = {absent!r}\n".replace("'", '"') if absent else ""
-        return text + "".join(f"    {key}: {kind}\n" for key, (kind, _) in types.items())
+        text += f"    _absent = {json.dumps(self.absent).replace('null', 'None').replace('false', 'False')}\n" if self.absent else ""
+        return text + "".join(f"    {key}: {kind}\n" for key, (kind, _) in self.types.items() if key not in own)
 
-    def columns(self, name):
-        """Types of the columns of a table whose rows are these structures."""
-        fields = [next(iter(field.items())) for field in self.registry[name]["STRUCT"]]
-        return {key: "Floats" if self.type_of(form)[0] in ("float", "Optional[float]") else "NDArray[Any]" for key, form in fields}
+    def rows(self, name):
+        """The class of a table of such values."""
+        columns = {key: "Floats" if kind in ("float", "Optional[float]") else "NDArray[Any]" for key, (kind, _) in self.types.items()}
+        keys = ", ".join(union_of(columns, kind) for kind in ("Floats", "NDArray[Any]"))
+        text = f'class {name}Table(TableOf[{name}, {keys}]):\n    _row = {name}\n'
+        return text + textwrap.fill("; ".join(f"{key}:\0{kind}" for key, kind in columns.items()), 120, **INDENTED).replace(";\n", "\n").replace("\0", " ") + "\n"
+
+
+class Seen:
+    """Types of the values of studies, by what they are in results."""
+
+    def __init__(self, structures, rows):
+        self.structures, self.rows = structures, rows
+
+    def structure(self, name, values):
+        """Name of the class of these objects: one that has the same values, or else a new one of this name."""
+        keys = dict.fromkeys(key for one in values for key in one)
+        for known, of in self.structures.items():
+            if len(keys) > 1 and keys.keys() <= of.types.keys() and of.types.keys() - of.absent.keys() <= keys.keys():
+                return known
+        types = {key: self.type_of(name.removesuffix("Values"), key, [one.get(key) for one in values]) for key in keys}
+        absent = {key: None for key, (kind, _) in types.items() if kind == "Any" or kind.startswith("Optional[")}
+        self.structures[name] = Structure("", types, absent)
+        return name
+
+    def type_of(self, name, key, values):
+        """The type of the values of one key as text, and its class."""
+        there = [value for value in values if value is not None]
+        kinds = {type(value) for value in there}
+        inner = [item for value in there if isinstance(value, list) for item in value]
+        within = {type(item) for item in inner}
+        made = None
+        if key in OPEN:
+            kind = "Any"
+        elif kinds == {dict}:
+            kind = made = self.structure(name + key.title().replace("_", ""), there)
+        elif kinds == {list} and within == {dict}:
+            row = self.structure(name + singular(key).title().replace("_", ""), inner)
+            self.rows.add(row)
+            kind = made = f"{row}Table"
+        elif kinds == {list}:
+            names = {of.__name__ for of in within}
+            kind = LISTS.get(names.pop() if len(names) == 1 else "float" if names == {"int", "float"} else "", "list[Any]")
+        else:
+            kind = "float" if kinds == {int, float} else kinds.pop().__name__ if len(kinds) == 1 and not kinds & {dict, list} else "Any"
+        return f"Optional[{kind}]" if len(there) < len(values) and kind != "Any" else kind, made
+
+def singular(key):
+    """The name of one of several."""
+    return key.removesuffix("es") if key.endswith("shes") else key.removesuffix("s")
+
+
+def results_of_examples():
+    """Values of the results of studies in their examples, by their classes."""
+    found, begin, here = {}, Study.__init__, os.getcwd()
+
+    def noted(self, raw):
+        begin(self, raw)
+        found.setdefault(type(self), []).append(self)
+
+    Study.__init__ = noted
+    try:
+        for lines in (*EXAMPLES.values(), *MORE):
+            with tempfile.TemporaryDirectory() as place, warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                os.chdir(place)
+                exec("\n".join(line if isinstance(line, str) else line[0] for line in lines), {"asperity": asperity})
+    finally:
+        Study.__init__ = begin
+        os.chdir(here)
+    return {kind: [values_of(one) for one in many] for kind, many in found.items()}
+
+
+def values_of(study):
+    """What a study has under its names, its own tables as their rows; a table whose columns depend on the case is left out."""
+    values = dict(study._values)
+    for name, of in inspect.getmembers(type(study), lambda member: isinstance(member, property)):
+        kind = of.fget.__annotations__["return"]
+        if kind == "Table":
+            values.pop(name, None)
+        elif kind.endswith("Table"):
+            values[name] = getattr(study, name)._rows
+    return values
 
 
 def choices_written():
@@ -340,27 +454,14 @@ def choices_written():
 def values_written():
     """The text of the values of results."""
     registry, lists = Registry(), {name: values for name, _, values in _asperity.choices()}
-    path = "".join(f"    {key}: {kind}\n" for key, kind in registry.columns("PositionRow").items())
     parameters = asperity.generate(points=2000, spacing=0.5e-6, rq=0.4e-6, hurst=0.8, roll_off=20e-6, short_cut=2e-6, seed=1).parameters()
-    blocks = [HEAD_OF_VALUES, literal("ParameterName", list(parameters)), *(registry.written(name) for name in registry.used())]
-    blocks.append(f'''class PathArrays(Rows):
-    """Columns along the path of contact."""
-
-    _row = PathRow
-{path}
-    if TYPE_CHECKING:
-
-        @overload
-        def __getitem__(self, key: {union_of(registry.columns("PositionRow"), "Floats")}) -> Floats: ...
-        @overload
-        def __getitem__(self, key: {union_of(registry.columns("PositionRow"), "NDArray[Any]")}) -> NDArray[Any]: ...
-        @overload
-        def __getitem__(self, key: int) -> PathRow: ...
-        @overload
-        def __getitem__(self, key: Union[slice, list[str], list[int], NDArray[Any]]) -> Table: ...
-        def __getitem__(self, key: Any) -> Any: ...
-        def __iter__(self) -> Iterator[PathRow]: ...
-''')
+    seen, own = Seen(*registry.structures()), {}
+    for kind, values in results_of_examples().items():
+        own[seen.structure(f"{kind.__name__}Values", values)] = kind
+    blocks = [HEAD_OF_VALUES, literal("ParameterName", list(parameters))]
+    for name, of in seen.structures.items():
+        blocks.append(of.written(name, declared(own[name]) if name in own else ()))
+        blocks += [of.rows(name)] if name in seen.rows else []
     blocks.append(attributes("ParameterValues", "Roughness parameters.", list(parameters), "float", object))
     blocks.append(attributes("ResultValues", "Values of a result.", lists["ResultName"], "Any", asperity.RunResult))
     blocks.append(attributes("MapArrays", "Arrays of a map.", lists["MapName"], "NDArray[Any]", asperity.Map))
@@ -369,7 +470,8 @@ def values_written():
 
 def union_of(columns, kind):
     """The names of the columns of this type."""
-    return f"Literal[{', '.join(json.dumps(key) for key, of in columns.items() if of == kind)}]"
+    names = ", ".join(json.dumps(key) for key, of in columns.items() if of == kind)
+    return f"Literal[{names}]" if names else "NoReturn"
 
 
 def written():
@@ -395,7 +497,9 @@ from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from typing import Any, Optional, Union
 
-%sfrom ._study_names import __all__ as __all__
+%s
+# As in _study_names.py; type checkers read a list that is written here only.
+__all__ = %s
 '''
 HEAD_OF_NAMES = '''"""Names of the studies.
 
@@ -496,6 +600,9 @@ def example(name):
     return "".join(f"        {line}\n" for line in lines)
 
 
+INDENTED = {"initial_indent": "    ", "subsequent_indent": "    "}
+
+
 def wrapped(text):
     return textwrap.fill(text, 120, initial_indent=" " * 8, subsequent_indent=" " * 12) + "\n"
 
@@ -534,7 +641,7 @@ def study(found):
     body = f"{settings}    return ran({call})\n"
     return signature, f'''    """{found["about"]}.
 
-{textwrap.fill(found["method"], 118, initial_indent="    ", subsequent_indent="    ")}
+{textwrap.fill(found["method"], 118, **INDENTED)}
 
     Parameters:
 {about}        {", ".join(name for name, *_ in threads)}: as in `Case.run`.
@@ -553,14 +660,19 @@ def studies():
     """The text of the studies."""
     every = [study(found) for found in json.loads(_asperity.studies())]
     imported = imports("".join(signature + body for signature, _, body in every), "")
-    return HEAD_OF_STUDIES % imported + "\n" + "\n".join(f"\n{''.join(parts)}" for parts in every)
+    return HEAD_OF_STUDIES % (imported, list_of_studies()) + "\n" + "\n".join(f"\n{''.join(parts)}" for parts in every)
+
+
+def list_of_studies():
+    """The names of the studies as a list."""
+    # `from asperity import *` must not replace the built-in function map.
+    names = sorted(found["function"] for found in json.loads(_asperity.studies()) if found["function"] != "map")
+    return "[\n" + "".join(f'    "{name}",\n' for name in names) + "]"
 
 
 def names_of_studies():
     """The text of the names of the studies."""
-    # `from asperity import *` must not replace the built-in function map.
-    names = sorted(found["function"] for found in json.loads(_asperity.studies()) if found["function"] != "map")
-    return HEAD_OF_NAMES % ("[\n" + "".join(f'    "{name}",\n' for name in names) + "]")
+    return HEAD_OF_NAMES % list_of_studies()
 
 
 FILES = {

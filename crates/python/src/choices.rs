@@ -138,6 +138,12 @@ pub fn values() -> PyResult<String> {
     Ok(failure::json(&registry)?)
 }
 
+/// The name of `known` most similar to `seen`, if one is similar.
+#[pyfunction]
+pub fn nearest(seen: &str, known: Vec<String>) -> Option<String> {
+    asperity::case::nearest_name(seen, &known)
+}
+
 /// Choices of arguments and columns of results, by the names of their types in Python and in Rust.
 #[pyfunction]
 pub fn choices() -> Vec<Listed> {

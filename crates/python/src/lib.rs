@@ -29,7 +29,7 @@ mod _asperity {
     #[pymodule_export]
     use super::case::{Case, schema};
     #[pymodule_export]
-    use super::choices::{choices, values};
+    use super::choices::{choices, nearest, values};
     #[pymodule_export]
     use super::command::command;
     #[pymodule_export]

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use asperity::Remedy;
 use asperity::message::{Code, Fault};
 use asperity_fixtures::worked::{Worked, WorkedError};
 use asperity_report::library::{
@@ -45,7 +46,7 @@ pub fn oils(name: Option<&str>) -> PyResult<String> {
     listed(oils_named(name), listed_oil)
 }
 
-/// Writes a worked case into a new folder and returns the folder.
+/// Writes a worked case into a new folder, or finds it as it is written there, and returns the folder.
 #[pyfunction]
 pub fn demo(
     py: Python<'_>,
@@ -67,9 +68,19 @@ pub fn demo(
             WorkedError::Gears(error) => unlisted(error),
             error => Fault::internal(error),
         })?;
-        let texts = files.iter().map(|file| (file.name, file.content.as_str()));
-        let written = new_folder_of(&folder, texts);
-        written.map_err(|error| Failure::new(Code::E401, error.to_string()))?;
+        let mut texts = files.iter().map(|file| (file.name, file.content.as_str()));
+        let is_written = |(name, text): (&str, &str)| {
+            std::fs::read_to_string(folder.join(name)).is_ok_and(|found| found == text)
+        };
+        if !texts.clone().all(is_written) {
+            if folder.exists() {
+                let message = format!("{}: exists with other content", folder.display());
+                let help = Remedy::act("name another folder, as demo(\"my-first-case\")");
+                return Err(Failure::new(Code::E401, message).advising(help));
+            }
+            let written = new_folder_of(&folder, texts.by_ref());
+            written.map_err(|error| Failure::new(Code::E401, error.to_string()))?;
+        }
         Ok(folder)
     })
 }

@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+import typing
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,8 @@ import numpy as np
 import pytest
 
 import asperity
+from asperity._record import Record, TableOf, Values
+from asperity._study import Study
 
 ROOT = Path(__file__).resolve().parents[3]
 CASES = ROOT / "fixtures" / "cases"
@@ -98,6 +101,33 @@ def command() -> str:
     found = os.environ.get("ASPERITY_COMMAND") or (str(beside) if beside.is_file() else shutil.which("asperity"))
     assert found, "the command asperity is not here"
     return found
+
+
+def undeclared(values, within=""):
+    """Values of a study, and of all that it holds, whose names their classes do not declare or that have another type there."""
+    kinds = typing.get_type_hints(type(values))
+    for name in values:
+        is_property = isinstance(getattr(type(values), name, None), property)
+        value, kind = getattr(values, name) if is_property else values[name], kinds.get(name)
+        if kind is None and not is_property:
+            yield f"{within}{type(values).__name__}.{name}"
+        elif kind in (int, float, str, bool) and not isinstance(value, (kind, int) if kind is float else kind):
+            yield f"{within}{type(values).__name__}.{name} = {value!r}, not {kind.__name__}"
+        for one in value if isinstance(value, TableOf) else [value]:
+            if isinstance(one, Values) and not isinstance(one, Record):
+                yield from undeclared(one, f"{type(values).__name__}: ")
+
+
+@pytest.fixture(autouse=True)
+def every_study_has_what_its_class_declares(monkeypatch):
+    """Fails where a study of a test has a value that type checkers do not know."""
+    begin = Study.__init__
+
+    def checked(self, raw):
+        begin(self, raw)
+        assert not [*undeclared(self)], "name an example in MORE of crates/python/typed.py that has it, and run typed.py"
+
+    monkeypatch.setattr(Study, "__init__", checked)
 
 
 def json_of(command: str, *arguments: object) -> Any:

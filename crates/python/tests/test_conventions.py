@@ -3,6 +3,7 @@
 import copy
 import io
 import pickle
+import warnings
 
 import numpy as np
 import pytest
@@ -57,6 +58,53 @@ def test_a_text_that_is_no_text_is_refused():
 
 def law(at):
     return 0.05
+
+
+def test_a_name_that_there_is_not_is_answered_with_one_that_there_is(case, result):
+    table = result.path
+    for error, call in (
+        (AttributeError, lambda: result.losses_w),
+        (KeyError, lambda: result.summary["losses_w"]),
+        (AttributeError, lambda: table.mixed_shar),
+        (KeyError, lambda: table["mixed_shar"]),
+        (KeyError, lambda: table[["position", "mixed_shar"]]),
+        (AsperityError, lambda: case.replace(torqe_nm=3)),
+        (AsperityError, lambda: case.replace(temprature="90 °C")),
+        (AsperityError, lambda: case.replace({"gears.modul": "3 mm"})),
+    ):
+        with pytest.raises(error, match="Did you mean ['\"](loss_w|mixed_share|torque_nm|temperature|module)['\"]"):
+            call()
+    assert "sliding_m_per_s" in str(pytest.raises(KeyError, lambda: table["nothing"]).value)
+    assert "no interval drawn" in repr(case.run("losses")) and case.replace(surface=small()["surface"]) == case
+
+
+def test_a_range_is_the_same_text_in_maps_and_sweeps(case):
+    text = "20..90:3:log N m"
+    nodes = asperity.map(case, torque=text, speed_rpm=[1000, 9000], band="none").torque_nm.tolist()
+    for axis in ("torque", "operation.torque"):
+        assert [row.torque_nm for row in asperity.sweep(case, {axis: text})] == nodes
+    with pytest.raises(AsperityError, match="20..90.*is not an axis"):
+        asperity.sweep(case, {"torque": "20..90 N m"})
+
+
+def test_a_worked_case_is_written_once(tmp_path):
+    file = asperity.demo(tmp_path / "demo")
+    assert asperity.demo(tmp_path / "demo") == file
+    file.write_text(file.read_text().replace("145 N m", "140 N m"))
+    with pytest.raises(AsperityError, match="Name another folder") as error:
+        asperity.demo(tmp_path / "demo")
+    assert error.value.code == "E401"
+
+
+def test_one_code_is_silenced_as_the_docs_say(case):
+    with pytest.warns(asperity.AsperityWarning) as told:
+        case.run("losses")
+    code = told[0].message.code
+    with warnings.catch_warnings(record=True) as left:
+        warnings.simplefilter("always")
+        warnings.filterwarnings("ignore", code)
+        case.run("losses")
+    assert code not in {one.message.code for one in left} and len(left) < len(told)
 
 
 def test_equal_things_are_equal():

@@ -86,12 +86,25 @@ MISTAKES = [
     'flank.parameters()["Ra"]',
     "flank.parameters().ra_nm",
     "flank[3]",
+    "found.finishes.loss_watt",
+    'found.finishes["losses"]',
+    "found.finishes[0].loss_kw",
+    "found.verdict",
+    "change.rows.change_percent",
+    "m.finishes.name",
+    "m.rows.loss_watt",
+    "energies.finishes[0].lost_kwh",
+    "energies.distance_m",
+    "asperity.evidence(case).rows.gain",
+    "fit.constants[0].interval",
 ]
 """Faults: attributes and columns that there are not, assignments, misspelt keys and choices, wrong units, arguments and kinds."""
 BEGIN = (
     'import asperity\ncase = asperity.Case("case.toml")\nr = case.run()\nm = asperity.map(case)\n'
-    'drawn = r.uncertainty\nassert drawn is not None\ncontact = case.contact()\nflank = asperity.read_profile("flank.csv")\n'
+    'drawn = r.uncertainty\nassert drawn is not None\ncontact = case.contact()\nfound = asperity.compare(case, {})\n'
+    'change = asperity.sensitivity(case)\nenergies = asperity.cycle(m, "urban.csv")\nfit = asperity.oil_fit("curves.csv", "m100")\nflank = asperity.read_profile("flank.csv")\n'
     "loss: float = drawn.loss.median_w + contact.p_max_pa + flank.parameters()['ra_um'] + r.path[0].film_minimum_um\n"
+    "loss = found.finishes[0].loss_w + float(found.finishes.loss_w[0]) + float(m.rows['loss_w'][0]) + energies.finishes[0].lost_wh\n"
 )
 
 

@@ -55,6 +55,12 @@ pub fn axis(text: &str) -> Result<Vec<f64>, Fault> {
     {
         return Err(refused());
     }
+    Ok(range(low, high, count, is_log))
+}
+
+/// `count` nodes from `low` to `high`, in equal steps or in equal ratios, rounded to 12 digits.
+#[must_use]
+pub fn range(low: f64, high: f64, count: usize, is_log: bool) -> Vec<f64> {
     let last = (count - 1) as f64;
     let node = |k: usize| {
         let share = k as f64 / last;
@@ -65,7 +71,24 @@ pub fn axis(text: &str) -> Result<Vec<f64>, Fault> {
             _ => rounded_to(low + (high - low) * share, 12),
         }
     };
-    Ok((0..count).map(node).collect())
+    (0..count).map(node).collect()
+}
+
+/// Nodes of a text that ends with their unit, `10..100:5 N m`, and the unit, which can be missing.
+///
+/// # Errors
+/// When the text before the first blank is not an axis.
+///
+/// ```
+/// use asperity_report::axis::with_unit;
+/// assert_eq!(with_unit("20..100:2 N m")?, (vec![20.0, 100.0], "N m"));
+/// assert_eq!(with_unit("0.1..1:2:log")?, (vec![0.1, 1.0], ""));
+/// # Ok::<(), asperity_core::Fault>(())
+/// ```
+pub fn with_unit(text: &str) -> Result<(Vec<f64>, &str), Fault> {
+    let text = text.trim();
+    let (nodes, unit) = text.split_once(' ').unwrap_or((text, ""));
+    Ok((axis(nodes)?, unit.trim()))
 }
 
 /// `value` rounded to `digits` decimal digits.

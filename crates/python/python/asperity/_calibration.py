@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
-from ._record import Table
 from ._study import Study
+from ._values import CalibrationParameterTable, CalibrationPointTable, CalibrationValues, DesignPointTable, DesignValues, EvidenceRowTable, EvidenceValues
 
 if TYPE_CHECKING:
     import pandas
 
 
-class Calibration(Study):
+class Calibration(Study, CalibrationValues):
     """Constants of boundary layer and film that no data sheet holds, fitted to measured losses, with their bands.
 
     ``parameters`` (key, name, value, band, default, verdict ...; values in SI units), ``points`` (measured_w,
@@ -23,14 +23,14 @@ class Calibration(Study):
     """
 
     @property
-    def parameters(self) -> Table:
+    def parameters(self) -> CalibrationParameterTable:
         """One row per parameter."""
-        return Table(self._values["parameters"])
+        return CalibrationParameterTable(self._values["parameters"])
 
     @property
-    def points(self) -> Table:
+    def points(self) -> CalibrationPointTable:
         """One row per measurement beside the fit."""
-        return Table(self._values["points"])
+        return CalibrationPointTable(self._values["points"])
 
     def apply(self, case: CaseLike) -> Case:
         """The case with the parameters found, whose bands go into the band of its losses."""
@@ -51,26 +51,26 @@ class Calibration(Study):
         ]
 
 
-class Design(Study):
+class Design(Study, DesignValues):
     """Measurements on a rig that would narrow the calibrated constants: ``points``, ``limits``, ``parameters`` ..."""
 
     @property
-    def points(self) -> Table:
+    def points(self) -> DesignPointTable:
         """One row per point to measure, by temperature."""
-        return Table(self._values["points"])
+        return DesignPointTable(self._values["points"])
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per point to measure."""
         return self.points.to_pandas()
 
 
-class Evidence(Study):
+class Evidence(Study, EvidenceValues):
     """Intervals of a loss that measurements would leave: ``rows`` (key, measurement, hours, width ...)."""
 
     @property
-    def rows(self) -> Table:
+    def rows(self) -> EvidenceRowTable:
         """One row per measurement, the one that narrows the interval most first."""
-        return Table(self._values["rows"])
+        return EvidenceRowTable(self._values["rows"])
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per measurement."""

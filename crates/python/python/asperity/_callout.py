@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ._record import Table
 from ._study import Study
+from ._values import CallOutLimitTable, CallOutParameterTable, CallOutValues
 
 if TYPE_CHECKING:
     import pandas
 
 
-class CallOut(Study):
+class CallOut(Study, CallOutValues):
     """Call-out of a finish: ``parameter``, ``traces`` to inspect, ``limits`` of their mean, ``wavelengths_um``, ``mean_loss_w``
     at the limit, ``smooth_loss_w``.
 
@@ -19,14 +19,14 @@ class CallOut(Study):
     """
 
     @property
-    def limits(self) -> Table:
+    def limits(self) -> CallOutLimitTable:
         """One row per limit: of both flanks, or of pinion and wheel."""
-        return Table(self._values["limits"])
+        return CallOutLimitTable(self._values["limits"])
 
     @property
-    def parameters(self) -> Table:
+    def parameters(self) -> CallOutParameterTable:
         """One row per parameter: its traces, its limit over the recipe, and how well it predicts the loss."""
-        return Table(self._values["parameters"])
+        return CallOutParameterTable(self._values["parameters"])
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per limit."""

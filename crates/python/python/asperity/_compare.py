@@ -15,6 +15,7 @@ from ._errors import wrong_kind
 from ._profile import Profile
 from ._record import Table, drawn, variable
 from ._study import RawStudy, Study
+from ._values import ComparisonCorrelationTable, ComparisonFinishTable, ComparisonValues
 
 if TYPE_CHECKING:
     import pandas
@@ -42,7 +43,7 @@ def cases_of(case: CaseLike, finishes: Optional[Mapping[str, Finish]]) -> list[t
     return [(name, of._raw) for name, of in made.items()]
 
 
-class Comparison(Study):
+class Comparison(Study, ComparisonValues):
     """Finishes side by side; the first is the one that the others are compared with.
 
     ``finishes`` (name, loss_w, uncertainty, difference ...; of a gear train loss_distribution and meshes in place of
@@ -67,9 +68,9 @@ class Comparison(Study):
         return [str(finish["name"]) for finish in self._values["finishes"]]
 
     @property
-    def finishes(self) -> Table:
+    def finishes(self) -> ComparisonFinishTable:
         """One row per finish."""
-        return Table(self._values["finishes"])
+        return ComparisonFinishTable(self._values["finishes"])
 
     @property
     def verdicts(self) -> list[str]:
@@ -77,9 +78,10 @@ class Comparison(Study):
         return list(self._more[1])
 
     @property
-    def correlations(self) -> Table:
-        """Rank correlation of roughness parameters with the computed loss, the closest first."""
-        return Table(self._values["correlations"], ["parameter", "with_loss", "within_finishes"])
+    def correlations(self) -> ComparisonCorrelationTable:
+        """Rank correlation of roughness parameters with the computed loss, the closest first; empty of
+        fewer than three finishes, of fewer than five offsets, and of a gear train."""
+        return ComparisonCorrelationTable(self._values["correlations"])
 
     @property
     def offsets(self) -> dict[str, Table]:

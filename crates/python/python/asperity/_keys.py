@@ -48,6 +48,10 @@ class Schema:
         named = (node.get("additionalProperties") for node in self._nodes)
         return Schema(self._kind, found or [node for node in named if isinstance(node, dict)])
 
+    def has(self, key: str) -> bool:
+        """Whether a key of this name is below."""
+        return any(key in node.get("properties", {}) for node in self._nodes)
+
     def item(self) -> Schema:
         """The node of the items of a list."""
         found: list[dict[str, Any]] = []

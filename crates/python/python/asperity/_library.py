@@ -102,7 +102,9 @@ def oils(name: Optional[str] = None) -> Union[Table, Record]:
 def demo(
     folder: Optional[Union[str, PathLike[str]]] = None, *, gears: Optional[str] = None, paper: bool = False
 ) -> Path:
-    """Writes a worked case with synthetic profiles into a new folder and returns the path of its ``case.toml``.
+    """Writes a worked case with synthetic profiles into a folder and returns the path of its ``case.toml``.
+
+    A folder that has the case as it is written is left as it is: a cell of a notebook can be run again.
 
     Parameters:
         folder: the folder; default ``demo``, the name of the gears, or ``table2``.
@@ -113,7 +115,7 @@ def demo(
         The path of the case file.
 
     Raises:
-        AsperityError: the folder exists (E401), or no gears of the library have this name (E220).
+        AsperityError: the folder exists with other content (E401), or no gears of the library have this name (E220).
 
     Example:
         >>> asperity.demo("drive").name

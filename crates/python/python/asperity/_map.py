@@ -14,9 +14,9 @@ from ._choices import ExportFormat
 from ._errors import AsperityError, Code, warn, wrong_kind
 from ._html import Chart, page, shown
 from ._quantity import Floats, Numbers, Quantities, Quantity, operating, together
-from ._record import Table, variable
+from ._record import variable
 from ._study import RawStudy, Study, Unpickled, files_of
-from ._values import MapArrays
+from ._values import CycleFinishTable, CycleValues, MapArrays, MapRowTable, MapValues, MapWarningTable
 
 if TYPE_CHECKING:
     import pandas
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 _DIMENSIONS = ("finish", "temperature_c", "torque_nm", "speed_rpm")
 
 
-class Map(Study, MapArrays):
+class Map(Study, MapArrays, MapValues):
     """A map of losses: arrays over finish, temperature, torque and speed.
 
     ``loss_w``, ``loss_torque_nm``, ``efficiency`` and the other numbers have the shape (finishes, temperatures,
@@ -78,7 +78,7 @@ class Map(Study, MapArrays):
         return [str(finish["name"]) for finish in self._values["finishes"]]
 
     @property
-    def rows(self) -> Table:
+    def rows(self) -> MapRowTable:
         """All points in one table, a row for each: finish, temperature, torque, speed, then its numbers.
 
         pandas, polars and pyarrow take it as it is: ``pyarrow.parquet.write_table(pyarrow.table(losses.rows), "map.parquet")``.
@@ -86,12 +86,12 @@ class Map(Study, MapArrays):
         axes = [np.array(self.finishes), self.temperature_c, self.torque_nm, self.speed_rpm]
         places = [place.ravel() for place in np.meshgrid(*axes, indexing="ij")]
         points = {name: array.ravel() for name, array in self._points.items()}
-        return Table._of_columns({**dict(zip(_DIMENSIONS, places)), **points})
+        return MapRowTable._of_columns({**dict(zip(_DIMENSIONS, places)), **points})
 
     @property
-    def warnings(self) -> Table:
+    def warnings(self) -> MapWarningTable:
         """What left its range, with the points that it is about."""
-        return Table(self._values["warnings"])
+        return MapWarningTable(self._values["warnings"])
 
     def loss_torque(
         self,
@@ -248,13 +248,13 @@ def _places(own: str, given: Optional[Numbers], text: Optional[Quantities]) -> F
     return found.reshape(np.shape(given)) if given is not None else found[0] if is_single else found
 
 
-class Cycle(Study):
+class Cycle(Study, CycleValues):
     """Energy lost over a cycle: ``finishes`` (name, energies in Wh, quantiles ...), ``drive_wh``, ``coast_wh`` ..."""
 
     @property
-    def finishes(self) -> Table:
+    def finishes(self) -> CycleFinishTable:
         """One row per finish."""
-        return Table(self._values["finishes"])
+        return CycleFinishTable(self._values["finishes"])
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per finish."""

@@ -12,6 +12,7 @@ from ._case import Case, CaseLike, as_case
 from ._columns import table_of
 from ._record import Table
 from ._study import Study
+from ._values import OilFitConstantTable, OilFitValues, OilPlanValues, StribeckValues, TractionValues
 
 if TYPE_CHECKING:
     import pandas
@@ -21,7 +22,7 @@ OilLike = Union[str, CaseLike]
 """Name of an oil of the library, or a case whose oil is taken."""
 
 
-class Traction(Study):
+class Traction(Study, TractionValues):
     """Predicted traction: ``over_slide``, ``over_speed`` (load_n, mean_speed_m_s, slide_roll_percent, temperature_c,
     traction, traction_p05, traction_p95, film_nm, film_ratio)."""
 
@@ -33,14 +34,14 @@ class Traction(Study):
         return [("largest Hertz pressure", f"{self._values['max_pressure_gpa']:.2f} GPa")]
 
 
-class OilFit(Study):
+class OilFit(Study, OilFitValues):
     """Constants of an oil fitted to traction curves: ``constants`` (key, value, range of 5 to 95 %, is_identified ...),
     ``combinations``, ``nuisance``, ``points``, ``pressure_law``, ``other_law``, ``warnings``."""
 
     @property
-    def constants(self) -> Table:
+    def constants(self) -> OilFitConstantTable:
         """One row per constant."""
-        return Table(self._values["constants"])
+        return OilFitConstantTable(self._values["constants"])
 
     def apply(self, case: CaseLike, folder: Union[str, PathLike[str]]) -> Case:
         """The case with the oil of this fit: its constants, whose band goes into the band of its losses.
@@ -81,7 +82,7 @@ class OilFit(Study):
         ]
 
 
-class OilPlan(Study):
+class OilPlan(Study, OilPlanValues):
     """Traction measurements to make: ``curves``, ``points``, ``chosen``, ``stages`` with the errors they leave."""
 
     @property
@@ -106,7 +107,7 @@ class OilPlan(Study):
         return [(str(stage["name"]), f"{stage['points']} points, {stage['minutes']:.0f} min") for stage in self._values["stages"]]
 
 
-class Stribeck(Study):
+class Stribeck(Study, StribeckValues):
     """Boundary friction of rubbed specimens: ``boundary_friction``, ``range`` of 5 to 95 %, ``states`` before and after
     rubbing, ``points``."""
 

@@ -203,6 +203,14 @@ BY_TEXT: dict[str, str] = {own.rsplit("_", 1)[0]: own for own in OPERATING}
 """The same by the names under which they are text with a unit."""
 
 
+def is_table(name: str) -> bool:
+    """Whether a case has a table or a key of this name, or of its part before the first point."""
+    # At its first need: the schema is not part of a run.
+    from ._keys import Schema
+
+    return any(Schema(kind).has(name.split(".")[0]) for kind in ("gears", "mesh"))
+
+
 def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
     """Keys of a case, the numbers of its operating point as text with their units."""
     keys: dict[str, Any] = {}
@@ -210,6 +218,9 @@ def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
         own = BY_TEXT.get(name, name)
         of = OPERATING.get(own)
         if of is None:
+            like = _asperity.nearest(name, [*OPERATING, *BY_TEXT])
+            if like and not is_table(name):
+                raise AsperityError(f'case: unknown key "{name}". Did you mean "{like}"?', Code.E203, f"Write {like}.")
             keys[name] = value
             continue
         if of.key in keys:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, Union, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._errors import AsperityError, Code, warn
-from ._fixed import Fixed
+from ._fixed import Fixed, UnknownName, unknown
 from ._html import page
 
 if TYPE_CHECKING:
@@ -63,10 +63,11 @@ class Values(Fixed, Mapping[str, Any]):
             except KeyError:
                 if name in self._absent:
                     return self._made(name, self._absent[name])
-                known = ", ".join(self.__dict__.get("_values", ()))
-                raise AttributeError(f"{type(self).__name__} has no {name!r}; it has {known}") from None
+                raise AttributeError(unknown(type(self).__name__, name, self.__dict__.get("_values", ()), dir(type(self)))) from None
 
     def __getitem__(self, name: str) -> Any:
+        if name not in self._values:
+            raise UnknownName(unknown(type(self).__name__, name, self._values))
         return self._made(name, self._values[name])
 
     def _made(self, name: str, value: Any) -> Any:
@@ -182,6 +183,9 @@ def column(values: list[Any]) -> Any:
     return array
 
 
+T = TypeVar("T", bound="Rows")
+
+
 class Rows(Fixed):
     """Rows with the same names: columns as attributes, rows by their number.
 
@@ -195,6 +199,12 @@ class Rows(Fixed):
         self._rows = rows
         self._names = names if names is not None else list(dict.fromkeys(name for row in rows for name in row))
 
+    @classmethod
+    def _of_columns(cls: type[T], columns: Mapping[str, NDArray[Any]]) -> T:
+        """The table of columns of one length."""
+        lists = [values.tolist() for values in columns.values()]
+        return cls([dict(zip(columns, row)) for row in zip(*lists)], list(columns))
+
     @property
     def columns(self) -> list[str]:
         """Names of the columns."""
@@ -204,7 +214,7 @@ class Rows(Fixed):
 
         def __getattr__(self, name: str) -> Any:
             if name.startswith("_") or name not in self._names:
-                raise AttributeError(f"Table has no column {name!r}; it has {', '.join(self.__dict__.get('_names', ()))}")
+                raise AttributeError(unknown(type(self).__name__, name, self.__dict__.get("_names", ()), dir(type(self))))
             return self[name]
 
         def __getitem__(self, key: Union[int, str, slice, list[str], Any]) -> Any:
@@ -214,7 +224,7 @@ class Rows(Fixed):
         """A column by its name, a row by its number, or a table by a slice, a mask, or names or numbers in a list."""
         if isinstance(key, str):
             if key not in self._names:
-                raise KeyError(key)
+                raise UnknownName(unknown(type(self).__name__, key, self._names))
             return column([row.get(key) for row in self._rows])
         if isinstance(key, slice):
             return Table(self._rows[key], self._names)
@@ -230,7 +240,7 @@ class Rows(Fixed):
         if chosen.dtype.kind in "UO" and all(isinstance(key, str) for key in keys):
             names = [str(key) for key in keys]
             if absent := [name for name in names if name not in self._names]:
-                raise KeyError(", ".join(absent))
+                raise UnknownName(unknown(type(self).__name__, absent[0], self._names))
             return Table([{name: row[name] for name in names if name in row} for row in self._rows], names)
         if chosen.dtype.kind == "b":
             if chosen.shape != (len(self),):
@@ -311,8 +321,27 @@ class Table(Rows):
         def __getitem__(self, key: Any) -> Any: ...
         def __iter__(self) -> Iterator[Record]: ...
 
-    @classmethod
-    def _of_columns(cls, columns: Mapping[str, NDArray[Any]]) -> Table:
-        """The table of columns of one length."""
-        lists = [values.tolist() for values in columns.values()]
-        return cls([dict(zip(columns, row)) for row in zip(*lists)], list(columns))
+
+R = TypeVar("R", bound=Values)
+F = TypeVar("F", bound=str)
+O = TypeVar("O", bound=str)
+
+
+class TableOf(Rows, Generic[R, F, O]):
+    """Rows of a class, with columns of numbers and others, whose names are known."""
+
+    def __init__(self, rows: list[dict[str, Any]], names: list[str] | None = None) -> None:
+        super().__init__(rows, names if rows or names else list(self._row.__annotations__))
+
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(self, key: F) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(self, key: O) -> NDArray[Any]: ...
+        @overload
+        def __getitem__(self, key: int) -> R: ...
+        @overload
+        def __getitem__(self, key: Union[slice, list[str], list[int], NDArray[Any]]) -> Table: ...
+        def __getitem__(self, key: Any) -> Any: ...
+        def __iter__(self) -> Iterator[R]: ...

@@ -14,7 +14,7 @@ from ._errors import AsperityError, Code, checked_number, wrong_kind
 from ._html import Chart, page, shown
 from ._quantity import Floats
 from ._record import Record, Table, Values, drawn, variable
-from ._values import PathArrays, ResultValues, SummaryValues, Uncertainty
+from ._values import PathRowTable, ResultValues, SummaryValues, Uncertainty
 
 if TYPE_CHECKING:
     import pandas
@@ -77,7 +77,7 @@ class Summary(SummaryValues):
     """Efficiency and losses of a mesh, mean over the offsets; of a gear train its sums."""
 
 
-class Path(PathArrays):
+class Path(PathRowTable):
     """One row per mesh position from A to E: columns as attributes and items, rows by their number."""
 
 
@@ -126,7 +126,7 @@ class RunResult(Values, ResultValues):
     @property
     def uncertainty(self) -> Optional[Uncertainty]:
         """Draws of the loss: ``loss`` with ``median_w``, ``quantiles_w`` (5 and 95 %) and ``parts`` by component,
-        ``structures``, ``other_models``; None where nothing was drawn."""
+        ``structures``, ``other_models``; None where nothing was drawn, as by ``run("losses")`` or ``band=False``."""
         found = self._values.get("uncertainty")
         return Uncertainty(found) if found else None
 
@@ -246,7 +246,7 @@ class RunResult(Values, ResultValues):
 
     def __repr__(self) -> str:
         uncertainty = self._values.get("uncertainty")
-        loss = drawn(uncertainty) if uncertainty else f"{self.loss_w:.6g} W"
+        loss = drawn(uncertainty) if uncertainty else f"{self.loss_w:.6g} W (one run, no interval drawn)"
         return f"<RunResult {self.title!r}: loss {loss}, efficiency {self._printed_efficiency()}>"
 
     def _printed_efficiency(self) -> str:

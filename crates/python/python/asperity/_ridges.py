@@ -4,28 +4,28 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ._record import Table
 from ._study import Study
+from ._values import RidgesOctaveTable, RidgesRowTable, RidgesValues
 
 if TYPE_CHECKING:
     import pandas
 
 
-class Ridges(Study):
+class Ridges(Study, RidgesValues):
     """Costliest ridges: ``loss_w``, ``pressed_loss_w`` of a run with all of them pressed to the mean line, ``by_log_height_w``.
 
     The gradient holds windows and sets of the contacts; running-in is not in it.
     """
 
     @property
-    def rows(self) -> Table:
+    def rows(self) -> RidgesRowTable:
         """One row per ridge, the one that costs most first."""
-        return Table(self._values["rows"])
+        return RidgesRowTable(self._values["rows"])
 
     @property
-    def octaves(self) -> Table:
+    def octaves(self) -> RidgesOctaveTable:
         """One row per octave of wavelength: d(loss)/d ln(height) of its waves, by flank."""
-        return Table(self._values["octaves"])
+        return RidgesOctaveTable(self._values["octaves"])
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per ridge."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Optional
 
-from ._record import Table
 from ._study import Study
+from ._values import SensitivityRowTable, SensitivityValues
 
 if TYPE_CHECKING:
     import pandas
@@ -16,14 +16,14 @@ COLUMNS = [
 ]
 
 
-class Sensitivity(Study):
+class Sensitivity(Study, SensitivityValues):
     """Changes of a loss, one thing changed at a time: ``title``, ``loss_w``, ``efficiency``, ``rows``.
 
     They are answers of the model at the same windows of the traces, not measurements.
     """
 
     @property
-    def rows(self) -> Table:
+    def rows(self) -> SensitivityRowTable:
         """One row per change; a change that cannot be run has a ``code`` and no numbers."""
         rows: list[dict[str, Any]] = []
         for row in self._values["rows"]:
@@ -32,7 +32,7 @@ class Sensitivity(Study):
             flat.update(row["effect"] or {})
             flat["code"] = (row.get("refused") or {}).get("code")
             rows.append(flat)
-        return Table(rows, COLUMNS)
+        return SensitivityRowTable(rows, COLUMNS)
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per change."""

@@ -12,7 +12,7 @@ from . import _asperity
 from ._errors import AsperityError, Code, checked_number, warn
 from ._html import page
 from ._progress import Progress, Steps
-from ._record import Record
+from ._record import Values
 
 
 class RawStudy(Protocol):
@@ -63,7 +63,7 @@ class Unpickled:
             raise AsperityError(f"{place}: {error}", Code.E401, "Name a folder that does not exist.") from error
 
 
-class Study(Record):
+class Study(Values):
     """A study: values as attributes, a summary as text, a folder of files."""
 
     def __init__(self, raw: RawStudy) -> None:

@@ -205,7 +205,7 @@ def sweep(
     Parameters:
         case: the case that all others are made from.
         axes: crossed axes: by key the values, ``{"operation.torque": ["20 N m", "150 N m"]}``, for the operating point
-            also by number, ``{"torque_nm": [20, 150]}``, or
+            also by number, ``{"torque_nm": [20, 150]}``; or as text as in `map`, ``"10..100:5 N m"``; or
             ``{"from": .., "to": .., "count": .., "spacing": "log"}``; by any other name choices of several keys,
             ``{"finish": {"ground": {"surface.pinion.file": "g.csv"}}}``.
         sample: ``method`` (``"sobol"``, ``"latin-hypercube"``, ``"random"``, ``"list"``), ``count``, ``seed``,
@@ -227,9 +227,9 @@ def sweep(
         >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
         >>> own = ["lubricant.viscosity", "lubricant.density", "lubricant.base_oil"]  # they would replace those of the oils
         >>> case = case.replace({"lubricant.oil": "m100", **dict.fromkeys(own)})
-        >>> cases = asperity.sweep(case, {"torque_nm": [50, 100, 145], "lubricant.oil": ["m100", "n100"]})
+        >>> cases = asperity.sweep(case, {"torque": "50..100:3 N m", "lubricant.oil": ["m100", "n100"]})
         >>> [row.torque_nm for row in cases][:3]
-        [50.0, 50.0, 100.0]
+        [50.0, 50.0, 75.0]
         >>> table = cases.run()
         >>> table[table["lubricant.oil"] == "m100"].loss_w.shape
         (3,)
@@ -264,6 +264,8 @@ def _with_units(key: str, law: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
 
 
 def _axis(name: str, values: Any) -> dict[str, Any]:
+    if isinstance(values, str) and ".." in values and name not in OPERATING:
+        return {"key": OPERATING[BY_TEXT[name]].key if name in BY_TEXT else name, "values": values}
     if not isinstance(values, (Mapping, Sequence, np.ndarray)) or isinstance(values, str):
         raise wrong_kind(f"axes[{name!r}]", values, "a list of values, a range or choices")
     if name in OPERATING or name in BY_TEXT:

@@ -5,16 +5,12 @@ Written by crates/python/typed.py from the lists of the compiled part.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal, Optional
+from typing import Any, Literal, NoReturn, Optional
 
 from numpy.typing import NDArray
 
 from ._quantity import Floats
-from ._record import Rows, Table, Values
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from typing import Union, overload
+from ._record import TableOf, Values
 
 
 ParameterName = Literal[
@@ -35,15 +31,20 @@ class UncertaintyPart(Values):
     remedy: str
 
 
+class UncertaintyPartTable(TableOf[UncertaintyPart, Literal["sd_ln"], Literal["name", "about", "quantiles_w", "remedy"]]):
+    _row = UncertaintyPart
+    name: NDArray[Any]; about: NDArray[Any]; sd_ln: Floats; quantiles_w: NDArray[Any]; remedy: NDArray[Any]
+
+
 class LossDistribution(Values):
     """Values of `LossDistribution` in Rust."""
 
-    _kinds = {"parts": Table}
+    _kinds = {"parts": UncertaintyPartTable}
     _absent = {"parts": []}
     median_w: float
     quantiles_w: Floats
     sd_ln: float
-    parts: Table
+    parts: UncertaintyPartTable
 
 
 class DrawnConstant(Values):
@@ -58,6 +59,11 @@ class DrawnConstant(Values):
     is_calibrated: bool
 
 
+class DrawnConstantTable(TableOf[DrawnConstant, Literal["value", "low", "high"], Literal["name", "unit", "is_calibrated"]]):
+    _row = DrawnConstant
+    name: NDArray[Any]; value: Floats; low: Floats; high: Floats; unit: NDArray[Any]; is_calibrated: NDArray[Any]
+
+
 class AlternativeRow(Values):
     """Values of `AlternativeRow` in Rust."""
 
@@ -65,6 +71,11 @@ class AlternativeRow(Values):
     name: str
     loss_w: Optional[float]
     refuted_by: str
+
+
+class AlternativeRowTable(TableOf[AlternativeRow, Literal["loss_w"], Literal["name", "refuted_by"]]):
+    _row = AlternativeRow
+    name: NDArray[Any]; loss_w: Floats; refuted_by: NDArray[Any]
 
 
 class EvidenceRow(Values):
@@ -80,16 +91,22 @@ class EvidenceRow(Values):
     width: float
 
 
+class EvidenceRowTable(TableOf[EvidenceRow, Literal["hours", "low_w", "high_w", "sd_ln", "width"], Literal["key", "measurement"]]):
+    _row = EvidenceRow
+    key: NDArray[Any]; measurement: NDArray[Any]; hours: Floats; low_w: Floats; high_w: Floats; sd_ln: Floats
+    width: Floats
+
+
 class Uncertainty(Values):
     """Values of `Uncertainty` in Rust."""
 
-    _kinds = {"loss": LossDistribution, "constants": Table, "structures": Table, "other_models": Table, "evidence": Table}
+    _kinds = {"loss": LossDistribution, "constants": DrawnConstantTable, "structures": AlternativeRowTable, "other_models": AlternativeRowTable, "evidence": EvidenceRowTable}
     _absent = {"constants": [], "held": [], "roughness_over_film": None, "boundary_w": None, "structures": [], "other_models": [], "with_traces_w": None, "path_sliding_w_per_m": [], "evidence": []}
     loss: LossDistribution
     at_medians_w: float
     efficiency_median: float
     efficiency_quantiles: Floats
-    constants: Table
+    constants: DrawnConstantTable
     held: list[str]
     draws: int
     beyond_power: int
@@ -98,12 +115,12 @@ class Uncertainty(Values):
     roughness_over_film: Optional[float]
     sampling: Any
     boundary_w: Optional[Floats]
-    structures: Table
-    other_models: Table
+    structures: AlternativeRowTable
+    other_models: AlternativeRowTable
     trust: Literal["solved-contact", "share-formula", "surrogates", "roughness-values"]
     with_traces_w: Optional[Floats]
     path_sliding_w_per_m: list[Any]
-    evidence: Table
+    evidence: EvidenceRowTable
 
 
 class SummaryValues(Values):
@@ -212,6 +229,23 @@ class PathRow(Values):
     load_error: float
 
 
+class PathRowTable(TableOf[PathRow, Literal["s_mm", "path_fraction", "weight_m", "line_load_n_per_mm", "sliding_load_n_per_mm", "load_share", "radius_mm", "u1_m_per_s", "u2_m_per_s", "sliding_m_per_s", "entrainment_m_per_s", "slide_to_roll", "half_width_um", "hertz_pressure_mpa", "thermal_reduction", "film_central_um", "film_minimum_um", "lambda_star", "film_ratio", "mixed_share", "film_share", "film_share_standard_error", "boundary_of_asperities", "boundary_share", "mean_gap_um", "roughness_over_film", "mu_film", "mu", "flash_k", "flash_max_k", "sliding_w_per_m", "sliding_deviation_w_per_m", "sliding_standard_error_w_per_m", "sliding_error_freedom", "film_w_per_m", "lubricated_asperity_w_per_m", "boundary_w_per_m", "rolling_w_per_m", "contact_fraction", "p_max_mpa", "plastic_work_j_per_m", "von_mises_max_mpa", "von_mises_depth_um", "yield_depth_um", "yield_share", "load_error"], Literal["position", "regime", "full_film", "face_zone", "iterations"]]):
+    _row = PathRow
+    position: NDArray[Any]; s_mm: Floats; path_fraction: Floats; weight_m: Floats; line_load_n_per_mm: Floats
+    sliding_load_n_per_mm: Floats; load_share: Floats; radius_mm: Floats; u1_m_per_s: Floats; u2_m_per_s: Floats
+    sliding_m_per_s: Floats; entrainment_m_per_s: Floats; slide_to_roll: Floats; half_width_um: Floats
+    hertz_pressure_mpa: Floats; thermal_reduction: Floats; film_central_um: Floats; film_minimum_um: Floats
+    lambda_star: Floats; film_ratio: Floats; mixed_share: Floats; regime: NDArray[Any]; film_share: Floats
+    film_share_standard_error: Floats; boundary_of_asperities: Floats; boundary_share: Floats; mean_gap_um: Floats
+    roughness_over_film: Floats; full_film: NDArray[Any]; mu_film: Floats; mu: Floats; flash_k: Floats
+    flash_max_k: Floats; sliding_w_per_m: Floats; sliding_deviation_w_per_m: Floats
+    sliding_standard_error_w_per_m: Floats; sliding_error_freedom: Floats; face_zone: NDArray[Any]
+    film_w_per_m: Floats; lubricated_asperity_w_per_m: Floats; boundary_w_per_m: Floats; rolling_w_per_m: Floats
+    contact_fraction: Floats; p_max_mpa: Floats; plastic_work_j_per_m: Floats; von_mises_max_mpa: Floats
+    von_mises_depth_um: Floats; yield_depth_um: Floats; yield_share: Floats; iterations: NDArray[Any]
+    load_error: Floats
+
+
 class ContactCertificate(Values):
     """Values of `ContactCertificate` in Rust."""
 
@@ -229,6 +263,11 @@ class ContactNote(Values):
     text: str
 
 
+class ContactNoteTable(TableOf[ContactNote, NoReturn, Literal["code", "text"]]):
+    _row = ContactNote
+    code: NDArray[Any]; text: NDArray[Any]
+
+
 class RunningInCycle(Values):
     """Values of `RunningInCycle` in Rust."""
 
@@ -241,10 +280,16 @@ class RunningInCycle(Values):
     peak_second_m: float
 
 
+class RunningInCycleTable(TableOf[RunningInCycle, Literal["plastic_energy_j_per_m", "largest_flow_m", "contact_fraction", "rq_first_m", "rq_second_m", "peak_first_m", "peak_second_m"], NoReturn]):
+    _row = RunningInCycle
+    plastic_energy_j_per_m: Floats; largest_flow_m: Floats; contact_fraction: Floats; rq_first_m: Floats
+    rq_second_m: Floats; peak_first_m: Floats; peak_second_m: Floats
+
+
 class ContactNumbers(Values):
     """Values of `ContactNumbers` in Rust."""
 
-    _kinds = {"certificate": ContactCertificate, "warnings": Table, "running_in": Table}
+    _kinds = {"certificate": ContactCertificate, "warnings": ContactNoteTable, "running_in": RunningInCycleTable}
     _absent = {"warnings": [], "path_fraction": None, "hertz_p_max_pa": None, "hertz_half_width_m": None, "running_in": None}
     points: int
     spacing_m: float
@@ -258,81 +303,655 @@ class ContactNumbers(Values):
     elastic_energy_j_per_m: float
     iterations: int
     certificate: ContactCertificate
-    warnings: Table
+    warnings: ContactNoteTable
     path_fraction: Optional[float]
     hertz_p_max_pa: Optional[float]
     hertz_half_width_m: Optional[float]
-    running_in: Optional[Table]
+    running_in: Optional[RunningInCycleTable]
 
 
-class PathArrays(Rows):
-    """Columns along the path of contact."""
+class ComparisonFinishDifference(Values):
+    _kinds = {"models": AlternativeRowTable}
+    at_medians_w: float
+    median_w: float
+    quantiles_w: Floats
+    median_share: float
+    share_quantiles: Floats
+    probability: float
+    models: AlternativeRowTable
+    verdict: str
 
-    _row = PathRow
-    position: NDArray[Any]
-    s_mm: Floats
-    path_fraction: Floats
-    weight_m: Floats
-    line_load_n_per_mm: Floats
-    sliding_load_n_per_mm: Floats
-    load_share: Floats
-    radius_mm: Floats
-    u1_m_per_s: Floats
-    u2_m_per_s: Floats
-    sliding_m_per_s: Floats
-    entrainment_m_per_s: Floats
-    slide_to_roll: Floats
-    half_width_um: Floats
-    hertz_pressure_mpa: Floats
-    thermal_reduction: Floats
-    film_central_um: Floats
-    film_minimum_um: Floats
+
+class ComparisonFinishMesh(Values):
+    _kinds = {"difference": ComparisonFinishDifference}
+    _absent = {"difference": None}
+    mesh: str
+    count: int
+    loss_w: float
+    loss_median_w: float
+    loss_quantiles_w: Floats
+    difference: Optional[ComparisonFinishDifference]
+    mixed_share: float
+    regime: str
+
+
+class ComparisonFinishMeshTable(TableOf[ComparisonFinishMesh, Literal["loss_w", "loss_median_w", "mixed_share"], Literal["mesh", "count", "loss_quantiles_w", "difference", "regime"]]):
+    _row = ComparisonFinishMesh
+    mesh: NDArray[Any]; count: NDArray[Any]; loss_w: Floats; loss_median_w: Floats; loss_quantiles_w: NDArray[Any]
+    difference: NDArray[Any]; mixed_share: Floats; regime: NDArray[Any]
+
+
+class ComparisonFinish(Values):
+    _kinds = {"uncertainty": Uncertainty, "difference": ComparisonFinishDifference, "loss_distribution": LossDistribution, "meshes": ComparisonFinishMeshTable}
+    _absent = {"uncertainty": None, "difference": None, "mixed_share": None, "regime": None, "loss_distribution": None, "meshes": None}
+    name: str
+    files: list[Any]
+    efficiency: float
+    power_in_w: float
+    loss_w: float
+    uncertainty: Optional[Uncertainty]
+    difference: Optional[ComparisonFinishDifference]
+    mixed_share: Optional[float]
+    regime: Optional[str]
+    warnings: list[str]
+    loss_distribution: Optional[LossDistribution]
+    meshes: Optional[ComparisonFinishMeshTable]
+
+
+class ComparisonFinishTable(TableOf[ComparisonFinish, Literal["efficiency", "power_in_w", "loss_w", "mixed_share"], Literal["name", "files", "uncertainty", "difference", "regime", "warnings", "loss_distribution", "meshes"]]):
+    _row = ComparisonFinish
+    name: NDArray[Any]; files: NDArray[Any]; efficiency: Floats; power_in_w: Floats; loss_w: Floats
+    uncertainty: NDArray[Any]; difference: NDArray[Any]; mixed_share: Floats; regime: NDArray[Any]
+    warnings: NDArray[Any]; loss_distribution: NDArray[Any]; meshes: NDArray[Any]
+
+
+class ComparisonCorrelation(Values):
+    parameter: str
+    with_loss: float
+    within_finishes: float
+
+
+class ComparisonCorrelationTable(TableOf[ComparisonCorrelation, Literal["with_loss", "within_finishes"], Literal["parameter"]]):
+    _row = ComparisonCorrelation
+    parameter: NDArray[Any]; with_loss: Floats; within_finishes: Floats
+
+
+class ComparisonValues(Values):
+    _kinds = {"finishes": ComparisonFinishTable, "correlations": ComparisonCorrelationTable}
+    program: str
+    title: str
+    scope: str
+    power_in_w: float
+    windows: int
+
+
+class MapFinish(Values):
+    _absent = {"draws": None}
+    name: str
+    fingerprint: str
+    files: list[Any]
+    has_flanks_of_first: bool
+    resolved_from_nm: Floats
+    draws: Any
+
+
+class MapFinishTable(TableOf[MapFinish, NoReturn, Literal["name", "fingerprint", "files", "has_flanks_of_first", "resolved_from_nm", "draws"]]):
+    _row = MapFinish
+    name: NDArray[Any]; fingerprint: NDArray[Any]; files: NDArray[Any]; has_flanks_of_first: NDArray[Any]
+    resolved_from_nm: NDArray[Any]; draws: NDArray[Any]
+
+
+class MapWarning(Values):
+    text: str
+    finish: str
+    count: int
+    points: str
+
+
+class MapWarningTable(TableOf[MapWarning, NoReturn, Literal["text", "finish", "count", "points"]]):
+    _row = MapWarning
+    text: NDArray[Any]; finish: NDArray[Any]; count: NDArray[Any]; points: NDArray[Any]
+
+
+class MapRow(Values):
+    _absent = {"code": None}
+    finish: str
+    temperature_c: float
+    torque_nm: float
+    speed_rpm: float
+    loss_w: float
+    loss_median_w: float
+    loss_p05_w: float
+    loss_p95_w: float
+    loss_torque_nm: float
+    loss_torque_deviation_nm: float
+    efficiency: float
+    efficiency_deviation: float
+    sliding_w: float
+    film_w: float
+    lubricated_asperity_w: float
+    boundary_w: float
+    rolling_w: float
+    deformation_w: float
+    mu_equivalent: float
+    mixed_share: float
+    extended: bool
+    code: Any
+    regime: str
+
+
+class MapRowTable(TableOf[MapRow, Literal["temperature_c", "torque_nm", "speed_rpm", "loss_w", "loss_median_w", "loss_p05_w", "loss_p95_w", "loss_torque_nm", "loss_torque_deviation_nm", "efficiency", "efficiency_deviation", "sliding_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w", "deformation_w", "mu_equivalent", "mixed_share"], Literal["finish", "extended", "code", "regime"]]):
+    _row = MapRow
+    finish: NDArray[Any]; temperature_c: Floats; torque_nm: Floats; speed_rpm: Floats; loss_w: Floats
+    loss_median_w: Floats; loss_p05_w: Floats; loss_p95_w: Floats; loss_torque_nm: Floats
+    loss_torque_deviation_nm: Floats; efficiency: Floats; efficiency_deviation: Floats; sliding_w: Floats
+    film_w: Floats; lubricated_asperity_w: Floats; boundary_w: Floats; rolling_w: Floats; deformation_w: Floats
+    mu_equivalent: Floats; mixed_share: Floats; extended: NDArray[Any]; code: NDArray[Any]; regime: NDArray[Any]
+
+
+class MapValues(Values):
+    _kinds = {"finishes": MapFinishTable, "warnings": MapWarningTable, "rows": MapRowTable}
+    _absent = {"axes": None, "input": None, "defaults": None}
+    schema_version: int
+    program: str
+    title: str
+    scope: str
+    axes: Any
+    ratio: float
+    input: Any
+    defaults: Any
+
+
+class CycleFinish(Values):
+    _absent = {"wh_per_100_km": None, "difference_wh": None, "difference_median_wh": None, "difference_quantiles_wh": None}
+    name: str
+    lost_wh: float
+    lost_median_wh: float
+    lost_quantiles_wh: Floats
+    lost_drive_wh: float
+    lost_coast_wh: float
+    share_of_drive: float
+    drive_efficiency: float
+    wh_per_100_km: Optional[float]
+    difference_wh: Optional[float]
+    difference_median_wh: Optional[float]
+    difference_quantiles_wh: Optional[Floats]
+
+
+class CycleFinishTable(TableOf[CycleFinish, Literal["lost_wh", "lost_median_wh", "lost_drive_wh", "lost_coast_wh", "share_of_drive", "drive_efficiency", "wh_per_100_km", "difference_wh", "difference_median_wh"], Literal["name", "lost_quantiles_wh", "difference_quantiles_wh"]]):
+    _row = CycleFinish
+    name: NDArray[Any]; lost_wh: Floats; lost_median_wh: Floats; lost_quantiles_wh: NDArray[Any]; lost_drive_wh: Floats
+    lost_coast_wh: Floats; share_of_drive: Floats; drive_efficiency: Floats; wh_per_100_km: Floats
+    difference_wh: Floats; difference_median_wh: Floats; difference_quantiles_wh: NDArray[Any]
+
+
+class CycleValues(Values):
+    _kinds = {"finishes": CycleFinishTable, "warnings": ContactNoteTable}
+    _absent = {"distance_km": None, "warnings": None}
+    program: str
+    title: str
+    cycle: str
+    scope: str
+    temperature_c: float
+    duration_s: float
+    distance_km: Optional[float]
+    drive_wh: float
+    coast_wh: float
+    outside_energy_share: float
+    outside_share: float
+    extended_share: float
+    warnings: Optional[ContactNoteTable]
+
+
+class SensitivityRow(Values):
+    _absent = {"code": None}
+    group: str
+    what: str
+    to: str
+    difference_w: float
+    change: float
+    sampling_quantiles_w: Floats
+    film_w: float
+    lubricated_asperity_w: float
+    boundary_w: float
+    rolling_w: float
+    code: Any
+
+
+class SensitivityRowTable(TableOf[SensitivityRow, Literal["difference_w", "change", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w"], Literal["group", "what", "to", "sampling_quantiles_w", "code"]]):
+    _row = SensitivityRow
+    group: NDArray[Any]; what: NDArray[Any]; to: NDArray[Any]; difference_w: Floats; change: Floats
+    sampling_quantiles_w: NDArray[Any]; film_w: Floats; lubricated_asperity_w: Floats; boundary_w: Floats
+    rolling_w: Floats; code: NDArray[Any]
+
+
+class SensitivityValues(Values):
+    _kinds = {"rows": SensitivityRowTable}
+    title: str
+    conditions: str
+    loss_w: float
+    efficiency: float
+
+
+class RidgesRow(Values):
+    flank: str
+    place_mm: float
+    width_um: float
+    height_um: float
+    first_order_w: float
+    measured_first_order_w: float
+    mean_gradient_w: float
+    low_w: float
+    high_w: float
+    first_point: int
+    last_point: int
+
+
+class RidgesRowTable(TableOf[RidgesRow, Literal["place_mm", "width_um", "height_um", "first_order_w", "measured_first_order_w", "mean_gradient_w", "low_w", "high_w"], Literal["flank", "first_point", "last_point"]]):
+    _row = RidgesRow
+    flank: NDArray[Any]; place_mm: Floats; width_um: Floats; height_um: Floats; first_order_w: Floats
+    measured_first_order_w: Floats; mean_gradient_w: Floats; low_w: Floats; high_w: Floats; first_point: NDArray[Any]
+    last_point: NDArray[Any]
+
+
+class RidgesOctave(Values):
+    _absent = {"to_um": None}
+    from_um: float
+    to_um: Optional[float]
+    pinion_w: float
+    wheel_w: float
+
+
+class RidgesOctaveTable(TableOf[RidgesOctave, Literal["from_um", "to_um", "pinion_w", "wheel_w"], NoReturn]):
+    _row = RidgesOctave
+    from_um: Floats; to_um: Floats; pinion_w: Floats; wheel_w: Floats
+
+
+class RidgesValues(Values):
+    _kinds = {"rows": RidgesRowTable, "octaves": RidgesOctaveTable}
+    _absent = {"kinks": None, "along": None, "near": None}
+    title: str
+    conditions: str
+    loss_w: float
+    pressed_loss_w: float
+    sampling_quantiles_w: Floats
+    saving_quantiles_w: Floats
+    by_log_height_w: float
+    heat_balance: float
+    unresolved_w: float
+    without_gearbox: bool
+    kinks: Any
+    along: Any
+    near: Any
+
+
+class CallOutLimit(Values):
+    flank: str
+    parameter: str
+    unit: str
+    limit: float
+    standard_error: float
+    recipe: float
+
+
+class CallOutLimitTable(TableOf[CallOutLimit, Literal["limit", "standard_error", "recipe"], Literal["flank", "parameter", "unit"]]):
+    _row = CallOutLimit
+    flank: NDArray[Any]; parameter: NDArray[Any]; unit: NDArray[Any]; limit: Floats; standard_error: Floats
+    recipe: Floats
+
+
+class CallOutParameter(Values):
+    parameter: str
+    traces: int
+    limit_over_recipe: float
+    deviation: float
+    of_traces: float
+
+
+class CallOutParameterTable(TableOf[CallOutParameter, Literal["limit_over_recipe", "deviation", "of_traces"], Literal["parameter", "traces"]]):
+    _row = CallOutParameter
+    parameter: NDArray[Any]; traces: NDArray[Any]; limit_over_recipe: Floats; deviation: Floats; of_traces: Floats
+
+
+class CallOutValues(Values):
+    _kinds = {"limits": CallOutLimitTable, "parameters": CallOutParameterTable}
+    _absent = {"by_traces": None, "curve": None}
+    title: str
+    loss_w: float
+    confidence: float
+    scatter: float
+    parameter: str
+    traces: int
+    wavelengths_um: Floats
+    mean_loss_w: float
+    recipe_loss_w: float
+    smooth_loss_w: float
+    by_traces: Any
+    curve: Any
+    lots: int
+    seed: int
+
+
+class EvidenceValues(Values):
+    _kinds = {"loss": LossDistribution, "rows": EvidenceRowTable}
+    program: str
+    title: str
+    conditions: str
+    power_in_w: float
+    loss: LossDistribution
+    is_temperature_drawn: bool
+
+
+class DesignLimits(Values):
+    torques_nm: Floats
+    speeds_rpm: Floats
+    temperatures_c: Floats
+    hours: float
+    minutes_per_point: float
+    sigma: float
+    assemblies: int
+
+
+class DesignPoint(Values):
+    torque_nm: float
+    speed_rpm: float
+    temperature_c: float
+    repeats: int
+    loss_w: float
+    lambda_star: float
+
+
+class DesignPointTable(TableOf[DesignPoint, Literal["torque_nm", "speed_rpm", "temperature_c", "loss_w", "lambda_star"], Literal["repeats"]]):
+    _row = DesignPoint
+    torque_nm: Floats; speed_rpm: Floats; temperature_c: Floats; repeats: NDArray[Any]; loss_w: Floats
     lambda_star: Floats
-    film_ratio: Floats
-    mixed_share: Floats
-    regime: NDArray[Any]
-    film_share: Floats
-    film_share_standard_error: Floats
-    boundary_of_asperities: Floats
+
+
+class DesignParameter(Values):
+    key: str
+    name: str
+    deviation: float
+    prior: float
+    verdict: str
+    value: float
+    band: Floats
+    default_range: Floats
+
+
+class DesignParameterTable(TableOf[DesignParameter, Literal["deviation", "prior", "value"], Literal["key", "name", "verdict", "band", "default_range"]]):
+    _row = DesignParameter
+    key: NDArray[Any]; name: NDArray[Any]; deviation: Floats; prior: Floats; verdict: NDArray[Any]; value: Floats
+    band: NDArray[Any]; default_range: NDArray[Any]
+
+
+class DesignValues(Values):
+    _kinds = {"limits": DesignLimits, "points": DesignPointTable, "parameters": DesignParameterTable, "warnings": ContactNoteTable}
+    schema_version: int
+    program: str
+    title: str
+    limits: DesignLimits
+    lambda_star: Floats
+    parameters: DesignParameterTable
+    candidates: int
+    warnings: ContactNoteTable
+
+
+class CalibrationParameter(Values):
+    key: str
+    name: str
+    value: float
+    band: Floats
+    profile_band: Floats
+    is_open: list[Any]
+    profile: list[Any]
+    bootstrap: Floats
+    default: float
+    default_range: Floats
+    deviation: float
+    verdict: str
+
+
+class CalibrationParameterTable(TableOf[CalibrationParameter, Literal["value", "default", "deviation"], Literal["key", "name", "band", "profile_band", "is_open", "profile", "bootstrap", "default_range", "verdict"]]):
+    _row = CalibrationParameter
+    key: NDArray[Any]; name: NDArray[Any]; value: Floats; band: NDArray[Any]; profile_band: NDArray[Any]
+    is_open: NDArray[Any]; profile: NDArray[Any]; bootstrap: NDArray[Any]; default: Floats; default_range: NDArray[Any]
+    deviation: Floats; verdict: NDArray[Any]
+
+
+class CalibrationPoint(Values):
+    line: int
+    assembly: str
+    torque_nm: float
+    speed_rpm: float
+    temperature_c: float
+    measured_w: float
+    sigma_w: float
+    fitted_w: float
+    residual_sigma: float
+    lambda_star: float
+    boundary_share: float
+
+
+class CalibrationPointTable(TableOf[CalibrationPoint, Literal["torque_nm", "speed_rpm", "temperature_c", "measured_w", "sigma_w", "fitted_w", "residual_sigma", "lambda_star", "boundary_share"], Literal["line", "assembly"]]):
+    _row = CalibrationPoint
+    line: NDArray[Any]; assembly: NDArray[Any]; torque_nm: Floats; speed_rpm: Floats; temperature_c: Floats
+    measured_w: Floats; sigma_w: Floats; fitted_w: Floats; residual_sigma: Floats; lambda_star: Floats
     boundary_share: Floats
-    mean_gap_um: Floats
-    roughness_over_film: Floats
-    full_film: NDArray[Any]
-    mu_film: Floats
-    mu: Floats
-    flash_k: Floats
-    flash_max_k: Floats
-    sliding_w_per_m: Floats
-    sliding_deviation_w_per_m: Floats
-    sliding_standard_error_w_per_m: Floats
-    sliding_error_freedom: Floats
-    face_zone: NDArray[Any]
-    film_w_per_m: Floats
-    lubricated_asperity_w_per_m: Floats
-    boundary_w_per_m: Floats
-    rolling_w_per_m: Floats
-    contact_fraction: Floats
-    p_max_mpa: Floats
-    plastic_work_j_per_m: Floats
-    von_mises_max_mpa: Floats
-    von_mises_depth_um: Floats
-    yield_depth_um: Floats
-    yield_share: Floats
-    iterations: NDArray[Any]
-    load_error: Floats
 
-    if TYPE_CHECKING:
 
-        @overload
-        def __getitem__(self, key: Literal["s_mm", "path_fraction", "weight_m", "line_load_n_per_mm", "sliding_load_n_per_mm", "load_share", "radius_mm", "u1_m_per_s", "u2_m_per_s", "sliding_m_per_s", "entrainment_m_per_s", "slide_to_roll", "half_width_um", "hertz_pressure_mpa", "thermal_reduction", "film_central_um", "film_minimum_um", "lambda_star", "film_ratio", "mixed_share", "film_share", "film_share_standard_error", "boundary_of_asperities", "boundary_share", "mean_gap_um", "roughness_over_film", "mu_film", "mu", "flash_k", "flash_max_k", "sliding_w_per_m", "sliding_deviation_w_per_m", "sliding_standard_error_w_per_m", "sliding_error_freedom", "film_w_per_m", "lubricated_asperity_w_per_m", "boundary_w_per_m", "rolling_w_per_m", "contact_fraction", "p_max_mpa", "plastic_work_j_per_m", "von_mises_max_mpa", "von_mises_depth_um", "yield_depth_um", "yield_share", "load_error"]) -> Floats: ...
-        @overload
-        def __getitem__(self, key: Literal["position", "regime", "full_film", "face_zone", "iterations"]) -> NDArray[Any]: ...
-        @overload
-        def __getitem__(self, key: int) -> PathRow: ...
-        @overload
-        def __getitem__(self, key: Union[slice, list[str], list[int], NDArray[Any]]) -> Table: ...
-        def __getitem__(self, key: Any) -> Any: ...
-        def __iter__(self) -> Iterator[PathRow]: ...
+class CalibrationValues(Values):
+    _kinds = {"parameters": CalibrationParameterTable, "points": CalibrationPointTable, "warnings": ContactNoteTable}
+    _absent = {"identifiability": None, "stages": None, "nuisance": None, "held_out": None, "evidence": None}
+    schema_version: int
+    program: str
+    title: str
+    table: str
+    sha256: str
+    is_simulated: bool
+    assemblies: list[str]
+    identifiability: Any
+    stages: Any
+    correlations: list[Any]
+    nuisance: Any
+    chi_squared: float
+    freedom: int
+    birge_ratio: float
+    held_out: Any
+    evidence: Any
+    warnings: ContactNoteTable
+    block: str
+
+
+class TractionOverSlide(Values):
+    load_n: float
+    mean_speed_m_s: float
+    slide_roll_percent: float
+    temperature_c: float
+    traction: float
+    traction_p05: float
+    traction_p95: float
+    film_nm: float
+    film_ratio: float
+    surface_rise_k: float
+    film_rise_k: float
+
+
+class TractionOverSlideTable(TableOf[TractionOverSlide, Literal["load_n", "mean_speed_m_s", "slide_roll_percent", "temperature_c", "traction", "traction_p05", "traction_p95", "film_nm", "film_ratio", "surface_rise_k", "film_rise_k"], NoReturn]):
+    _row = TractionOverSlide
+    load_n: Floats; mean_speed_m_s: Floats; slide_roll_percent: Floats; temperature_c: Floats; traction: Floats
+    traction_p05: Floats; traction_p95: Floats; film_nm: Floats; film_ratio: Floats; surface_rise_k: Floats
+    film_rise_k: Floats
+
+
+class TractionValues(Values):
+    _kinds = {"over_slide": TractionOverSlideTable, "over_speed": TractionOverSlideTable}
+    program: str
+    title: str
+    pressure_law: str
+    max_pressure_gpa: float
+    load_n: float
+    mean_speed_m_s: float
+    slide_roll_percent: float
+    roughness_nm: float
+    boundary_friction: float
+    deviations: Floats
+    over_slide: TractionOverSlideTable
+    over_speed: TractionOverSlideTable
+
+
+class OilPlanPoint(Values):
+    _absent = {"simulated_traction": None}
+    load_n: float
+    mean_speed_m_s: float
+    slide_roll_percent: float
+    temperature_c: float
+    expected_traction: float
+    film_ratio: float
+    simulated_traction: Optional[float]
+
+
+class OilPlanPointTable(TableOf[OilPlanPoint, Literal["load_n", "mean_speed_m_s", "slide_roll_percent", "temperature_c", "expected_traction", "film_ratio", "simulated_traction"], NoReturn]):
+    _row = OilPlanPoint
+    load_n: Floats; mean_speed_m_s: Floats; slide_roll_percent: Floats; temperature_c: Floats
+    expected_traction: Floats; film_ratio: Floats; simulated_traction: Floats
+
+
+class OilPlanValues(Values):
+    _kinds = {"points": OilPlanPointTable, "chosen": OilPlanPointTable}
+    _absent = {"case": None, "curves": None, "loss_slopes": None}
+    program: str
+    title: str
+    oil: str
+    case: Optional[str]
+    roughness_nm: float
+    radius_mm: float
+    curves: Any
+    points: OilPlanPointTable
+    chosen: OilPlanPointTable
+    loss_slopes: Optional[Floats]
+
+
+class OilFitConstant(Values):
+    _absent = {"would_help": None}
+    key: str
+    name: str
+    unit: str
+    value: float
+    range: Floats
+    band: Floats
+    prior: float
+    prior_range: Floats
+    expected: float
+    posterior: float
+    is_identified: bool
+    would_help: Any
+
+
+class OilFitConstantTable(TableOf[OilFitConstant, Literal["value", "prior", "expected", "posterior"], Literal["key", "name", "unit", "range", "band", "prior_range", "is_identified", "would_help"]]):
+    _row = OilFitConstant
+    key: NDArray[Any]; name: NDArray[Any]; unit: NDArray[Any]; value: Floats; range: NDArray[Any]; band: NDArray[Any]
+    prior: Floats; prior_range: NDArray[Any]; expected: Floats; posterior: Floats; is_identified: NDArray[Any]
+    would_help: NDArray[Any]
+
+
+class OilFitPoint(Values):
+    _absent = {"curve": None, "dropped": None}
+    file: str
+    line: int
+    curve: Any
+    load_n: float
+    mean_speed_m_s: float
+    slide_roll_percent: float
+    temperature_c: float
+    readings: int
+    pressure_gpa: float
+    film_ratio: float
+    traction: float
+    has_measured_film: bool
+    fitted: float
+    residual_sigma: float
+    dropped: Any
+
+
+class OilFitPointTable(TableOf[OilFitPoint, Literal["load_n", "mean_speed_m_s", "slide_roll_percent", "temperature_c", "pressure_gpa", "film_ratio", "traction", "fitted", "residual_sigma"], Literal["file", "line", "curve", "readings", "has_measured_film", "dropped"]]):
+    _row = OilFitPoint
+    file: NDArray[Any]; line: NDArray[Any]; curve: NDArray[Any]; load_n: Floats; mean_speed_m_s: Floats
+    slide_roll_percent: Floats; temperature_c: Floats; readings: NDArray[Any]; pressure_gpa: Floats; film_ratio: Floats
+    traction: Floats; has_measured_film: NDArray[Any]; fitted: Floats; residual_sigma: Floats; dropped: NDArray[Any]
+
+
+class OilFitValues(Values):
+    _kinds = {"constants": OilFitConstantTable, "points": OilFitPointTable, "warnings": ContactNoteTable}
+    _absent = {"lubricant": None, "other_law": None, "nuisance": None}
+    program: str
+    title: str
+    lubricant: Any
+    sources: list[Any]
+    pressure_law: str
+    is_law_decided: bool
+    is_law_decided_by_points: bool
+    total_squared: Floats
+    squares_per_point: float
+    law_error: float
+    counts: Floats
+    temperatures_c: Floats
+    pressure_max_gpa: float
+    correlations: list[Any]
+    combinations: list[Any]
+    other_law: Any
+    nuisance: Any
+    points: OilFitPointTable
+    warnings: ContactNoteTable
+
+
+class StribeckState(Values):
+    rubbing_s: float
+    points: int
+    boundary_friction: float
+    scatter: float
+    slope_per_decade: float
+
+
+class StribeckStateTable(TableOf[StribeckState, Literal["rubbing_s", "boundary_friction", "scatter", "slope_per_decade"], Literal["points"]]):
+    _row = StribeckState
+    rubbing_s: Floats; points: NDArray[Any]; boundary_friction: Floats; scatter: Floats; slope_per_decade: Floats
+
+
+class StribeckPoint(Values):
+    file: str
+    line: int
+    load_n: float
+    mean_speed_m_s: float
+    slide_roll_percent: float
+    temperature_c: float
+    rubbing_s: float
+    readings: int
+    film_ratio: float
+    traction: float
+    is_boundary: bool
+
+
+class StribeckPointTable(TableOf[StribeckPoint, Literal["load_n", "mean_speed_m_s", "slide_roll_percent", "temperature_c", "rubbing_s", "film_ratio", "traction"], Literal["file", "line", "readings", "is_boundary"]]):
+    _row = StribeckPoint
+    file: NDArray[Any]; line: NDArray[Any]; load_n: Floats; mean_speed_m_s: Floats; slide_roll_percent: Floats
+    temperature_c: Floats; rubbing_s: Floats; readings: NDArray[Any]; film_ratio: Floats; traction: Floats
+    is_boundary: NDArray[Any]
+
+
+class StribeckValues(Values):
+    _kinds = {"states": StribeckStateTable, "points": StribeckPointTable}
+    program: str
+    title: str
+    sources: list[Any]
+    roughness_nm: float
+    boundary_friction: float
+    range: Floats
+    deviation: float
+    band: Floats
+    states: StribeckStateTable
+    temperatures_c: Floats
+    points: StribeckPointTable
+    warnings: list[Any]
 
 
 class ParameterValues:

@@ -4,12 +4,13 @@ use std::collections::BTreeSet;
 
 use asperity::case::train::Train;
 use asperity::case::{FILE_KEYS, FileSums};
+use asperity_report::axis::{range, with_unit};
 use toml::Value;
 
 use super::amount::{Amount, text_of, written};
 use super::error::SweepError;
 use super::settings::{Settings, set};
-use super::study_input::{AxisInput, Spacing, StudyInput};
+use super::study_input::{AxisInput, Nodes, Spacing, StudyInput};
 
 /// Largest number of points of an axis or a sample, which are stored in memory.
 pub(super) const MOST_POINTS: usize = 1_000_000;
@@ -153,8 +154,17 @@ fn axis(input: &AxisInput) -> Result<CrossedAxis, SweepError> {
     let key = input.key.clone();
     let key = key.ok_or_else(|| SweepError::key(&name, "needs a key, or choices"))?;
     let node = |text: String| (text.clone(), vec![(key.clone(), text)]);
-    if let Some(values) = &input.values {
-        return some(name, values.iter().map(written).map(node).collect());
+    match &input.values {
+        None => {}
+        Some(Nodes::Each(values)) => {
+            return some(name, values.iter().map(written).map(node).collect());
+        }
+        Some(Nodes::Text(text)) => {
+            let nodes = with_unit(text);
+            let (values, unit) = nodes.map_err(|fault| SweepError::key(&name, fault.message()))?;
+            let texts = values.into_iter().map(|value| text_of(value, unit));
+            return some(name, texts.map(node).collect());
+        }
     }
     let (Some(from), Some(to), Some(count)) = (&input.from, &input.to, input.count) else {
         return Err(SweepError::key(
@@ -170,19 +180,9 @@ fn axis(input: &AxisInput) -> Result<CrossedAxis, SweepError> {
         let rule = "needs a count from 2 to 1000000, and positive ends for log";
         return Err(SweepError::key(&name, rule));
     }
-    let value = |k: usize| {
-        let share = k as f64 / (count - 1) as f64;
-        match spacing {
-            _ if k == 0 => from,
-            _ if k + 1 == count => to,
-            Spacing::Linear => from + (to - from) * share,
-            Spacing::Log => from * (to / from).powf(share),
-        }
-    };
-    some(
-        name,
-        (0..count).map(|k| node(text_of(value(k), &unit))).collect(),
-    )
+    let values = range(from, to, count, spacing == Spacing::Log);
+    let node = |value| node(text_of(value, &unit));
+    some(name, values.into_iter().map(node).collect())
 }
 
 fn some(name: String, nodes: Vec<(String, Settings)>) -> Result<CrossedAxis, SweepError> {

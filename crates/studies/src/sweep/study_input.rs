@@ -39,12 +39,22 @@ pub(super) enum Detail {
 pub(super) struct AxisInput {
     pub key: Option<String>,
     pub name: Option<String>,
-    pub values: Option<Vec<Value>>,
+    pub values: Option<Nodes>,
     pub from: Option<Value>,
     pub to: Option<Value>,
     pub count: Option<usize>,
     pub spacing: Option<Spacing>,
     pub choice: Option<BTreeMap<String, BTreeMap<String, Value>>>,
+}
+
+/// Values of an axis.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(untagged)]
+pub(super) enum Nodes {
+    /// Each value.
+    Each(Vec<Value>),
+    /// Text with their unit, `10..100:5 N m`.
+    Text(String),
 }
 
 /// Spacing of an axis.
