@@ -37,6 +37,7 @@ pub mod outliers;
 mod parameters;
 pub mod preparation;
 mod quantised;
+pub mod relocation;
 pub mod resampling;
 pub mod robust_filter;
 pub mod section_heights;

@@ -9,6 +9,8 @@ use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::lay::{LayFinding, LayUnknown, lay_of_rows};
 use asperity_roughness::preparation::{Preparation, RoughnessFilter};
 
+use crate::common::Normal;
+
 const COLUMNS: usize = 1000;
 /// The spectrum of a filtered surface is no longer elliptical.
 const UNFILTERED: Preparation = Preparation {
@@ -17,23 +19,6 @@ const UNFILTERED: Preparation = Preparation {
     lambda_c: None,
     ends: Ends::Cut,
 };
-
-/// Deviates of the standard normal distribution by Box and Muller from a multiplicative congruential sequence.
-struct Normal(u64);
-
-impl Normal {
-    fn uniform(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
-    }
-
-    fn next(&mut self) -> f64 {
-        (-2.0 * self.uniform().ln()).sqrt() * (TAU * self.uniform()).cos()
-    }
-}
 
 /// White noise of `columns` by `rows` points, smoothed with Gaussian weights of widths [a, b] in points along and across
 /// the rows: its spectrum is elliptical, and the correlation lengths are in the ratio a/b = γ.

@@ -9,5 +9,6 @@ mod lay;
 mod limits;
 mod properties;
 mod provenance;
+mod relocation;
 mod surface;
 mod validation;

@@ -13,6 +13,7 @@ mod non_gaussian;
 mod plateau;
 mod pores;
 mod random;
+pub(crate) use random::Random;
 mod recipe;
 mod scaling;
 mod self_affine;

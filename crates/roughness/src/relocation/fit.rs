@@ -1,0 +1,453 @@
+//! Shift, stretch, height and tilt of the second trace by robust least squares over the dales.
+
+use asperity_core::numerics::Cholesky;
+use asperity_core::{Code, Fault, cite};
+
+use super::noise::Noise;
+use super::search::Match;
+use super::traces::Trace;
+use crate::error::RoughnessError;
+
+/// Tukey's constant, in standard deviations: 95 % efficiency on normal residuals.
+const TUKEY: f64 = 4.685;
+/// Residuals up to this number of standard deviations are noise.
+const NOISE: f64 = 3.0;
+/// Half the shortest interval with half of all values, in standard deviations of a normal distribution.
+const SHORTEST_HALF: f64 = 0.674_489_750_196_081_7;
+/// Least standard deviation \[m\]: rounding errors of equal traces are not noise.
+const LEAST_DEVIATION: f64 = 1e-12;
+/// Share of the points in a slice of the dales, and number of slices that are matched at most.
+const SLICE: f64 = 0.05;
+const MOST_SLICES: usize = 10;
+/// A slice is spared if its height differs by at most this number of standard errors.
+const SPARED: f64 = 2.0;
+/// The lowest two slices are worn if they differ by more than this number of standard errors.
+const WORN: f64 = 4.0;
+const WORN_DALES: &str = "too few dales are left for a match: the lowest twentieth of the points lost another height than the next one";
+/// Most steps of the least squares, steps with a scale of their own, and steps of height and tilt in each.
+const MAX_STEPS: usize = 60;
+const FREE_STEPS: usize = 5;
+const LINEAR_STEPS: usize = 10;
+/// Change of the place at which they end, in spacings.
+const SETTLED: f64 = 0.01;
+
+/// Place of the second trace on the first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Place {
+    /// Position of the middle of the second trace on the first \[m\].
+    pub middle: f64,
+    /// Stretch times half the length of the second trace \[m\].
+    pub stretch: f64,
+    /// Height to add to the second trace in its middle \[m\].
+    pub height: f64,
+    /// Height to add at its end, in addition \[m\].
+    pub tilt: f64,
+}
+
+/// Both traces at one place, at the points of the second.
+pub(super) struct Fit {
+    /// The place.
+    pub place: Place,
+    /// Half the length of the second trace \[m\].
+    pub half: f64,
+    /// Position along the second trace, from −1 to 1.
+    pub along: Vec<f64>,
+    /// First trace \[m\].
+    pub before: Vec<f64>,
+    /// Slope of the first trace.
+    slopes: Vec<f64>,
+    /// Mean height of both above their mean lines \[m\], by which dales are known.
+    pub level: Vec<f64>,
+    /// Residuals: height lost by the second trace \[m\].
+    pub lost: Vec<f64>,
+    /// Weights in the dales, zero elsewhere.
+    pub weights: Vec<f64>,
+    /// Normal matrix.
+    normal: Cholesky,
+    /// Share of the points that are spared dales.
+    share: f64,
+    /// Noise.
+    pub noise: Noise,
+    /// Difference of the upper from the lower dales, at least its standard error \[m\].
+    pub uneven: f64,
+}
+
+impl Fit {
+    /// ```text
+    /// min over s, e, h, t of Σ_dales ρ(z_b(s + (1 + e) x) − z_a(x) − h − t x)                     [Relocation-2]
+    /// ```
+    ///
+    /// ρ is Tukey's biweight with the scale of the shortest half. The dales are the lowest points, from a tenth of all
+    /// upwards as long as the next twentieth has the same height, at most half.
+    pub(super) fn of(before: &Trace, after: &Trace, start: Match) -> Result<Self, Fault> {
+        cite!("Relocation-2");
+        let half = 0.5 * after.length();
+        let stretch = start.stretch * half;
+        let mut place = Place {
+            middle: start.shift + half + stretch,
+            stretch,
+            height: 0.0,
+            tilt: 0.0,
+        };
+        let mut share = 0.4;
+        let mut fit = Self::settled(before, after, place, share)?;
+        for _ in 0..2 {
+            place = fit.place;
+            share = fit.spared().share;
+            fit = Self::settled(before, after, place, share)?;
+        }
+        let spared = fit.spared();
+        fit.uneven = spared.uneven;
+        match spared.is_worn {
+            true => Err(Fault::new(Code::E143, WORN_DALES)),
+            false => Ok(fit),
+        }
+    }
+
+    /// The fit to the dales of a share of the points.
+    fn settled(
+        before: &Trace,
+        after: &Trace,
+        mut place: Place,
+        share: f64,
+    ) -> Result<Self, RoughnessError> {
+        let (mut chosen, mut change) = (None, f64::INFINITY);
+        for step in 0..MAX_STEPS {
+            let mut points = Points::at(before, after, place)?;
+            // Dales and a scale that follow every change of the place would change it in turn.
+            if step < FREE_STEPS {
+                let is_dale = points.dales(share);
+                let (middle, scale) = points.scale(&is_dale);
+                points.moved(&mut place, [0.0, 0.0, middle, 0.0]);
+                let mut of_trace = vec![false; after.heights.len()];
+                of_trace[points.first..points.first + is_dale.len()].copy_from_slice(&is_dale);
+                chosen = Some((of_trace, scale));
+            }
+            let Some((is_dale, scale)) = &chosen else {
+                break;
+            };
+            let is_dale = &is_dale[points.first..points.first + points.lost.len()];
+            // Height and tilt are linear, and settle first.
+            for _ in 0..LINEAR_STEPS {
+                let solved = points.step(&points.weights(is_dale, *scale), false)?;
+                points.moved(&mut place, solved.0);
+            }
+            let weights = points.weights(is_dale, *scale);
+            let (moved, normal) = points.step(&weights, true)?;
+            points.moved(&mut place, moved);
+            change = (moved[0].abs() + moved[1].abs()) / before.dx;
+            if step >= FREE_STEPS && change < SETTLED {
+                return Ok(points.done(place, (weights, *scale), normal, share, after.dx));
+            }
+        }
+        Err(RoughnessError::NotConverged {
+            what: "the relocation of the trace",
+            iterations: MAX_STEPS,
+            residual: change,
+        })
+    }
+
+    /// Change of Σ b_i r_i with each residual: of the sum itself and through the place fitted.
+    pub(super) fn influence(&self, b: &[f64]) -> Vec<f64> {
+        let mut by_place = [0.0; 4];
+        for (i, b) in b.iter().enumerate() {
+            let row = self.row(i);
+            for (sum, of) in by_place.iter_mut().zip(row) {
+                *sum += b * of;
+            }
+        }
+        self.normal.solve(&mut by_place);
+        let of = |(i, b): (usize, &f64)| {
+            let row = self.row(i);
+            let through: f64 = row.iter().zip(&by_place).map(|(j, of)| j * of).sum();
+            b - through * self.weights[i]
+        };
+        b.iter().enumerate().map(of).collect()
+    }
+
+    /// Standard deviation of a linear function of the place: middle, stretch, height, tilt.
+    pub(super) fn deviation_of_place(&self, of: [f64; 4]) -> f64 {
+        let mut direction = of;
+        self.normal.solve(&mut direction);
+        let each = |i: usize| -> f64 {
+            let row = self.row(i);
+            let sum: f64 = row.iter().zip(&direction).map(|(j, d)| j * d).sum();
+            sum * self.weights[i]
+        };
+        let a: Vec<f64> = (0..self.lost.len()).map(each).collect();
+        self.noise.variance(&a).sqrt()
+    }
+
+    /// Share of the points in the dales that were matched.
+    pub(super) fn matched(&self) -> f64 {
+        self.share
+    }
+
+    /// Standard deviation of the height by the choice of the dales: noise of the trace that chooses them is below zero in them. Both
+    /// traces choose with equal weights; with all noise in one of them the mean difference in the dales is off by this bound.
+    pub(super) fn choice(&self) -> f64 {
+        const STEP: f64 = 0.05;
+        let mut sorted = self.level.clone();
+        sorted.sort_unstable_by(f64::total_cmp);
+        let at = |share: f64| sorted[(share * (sorted.len() - 1) as f64) as usize];
+        let [low, high] = [self.share - STEP, self.share + STEP];
+        let width = at(high) - at(low.max(0.0));
+        let density = (high - low.max(0.0)) / width.max(LEAST_DEVIATION);
+        let bound = 0.5 * self.noise.deviation().powi(2) * density / self.share;
+        bound / 3.0_f64.sqrt()
+    }
+
+    fn row(&self, i: usize) -> [f64; 4] {
+        row(self.slopes[i], self.along[i])
+    }
+
+    /// The dales from the lowest slice upwards, as long as the next has the same height.
+    fn spared(&self) -> Spared {
+        let n = self.lost.len();
+        let mut order: Vec<usize> = (0..n).collect();
+        order.sort_unstable_by(|i, j| self.level[*i].total_cmp(&self.level[*j]));
+        let size = (SLICE * n as f64) as usize;
+        let slice = |k: usize| {
+            let points = &order[k * size..(k + 1) * size];
+            let values: Vec<f64> = points.iter().map(|i| self.lost[*i]).collect();
+            let (location, weights) = location(&values);
+            let mut a = vec![0.0; n];
+            let sum: f64 = weights.iter().sum();
+            for (i, weight) in points.iter().zip(&weights) {
+                a[*i] = weight / sum;
+            }
+            (location, self.noise.variance(&a))
+        };
+        let differs = |a: (f64, f64), b: (f64, f64), most: f64| {
+            (a.0 - b.0).abs() > most * (a.1 + b.1).sqrt() + LEAST_DEVIATION
+        };
+        let mut slices = vec![slice(0), slice(1)];
+        for k in slices.len()..MOST_SLICES {
+            let next = slice(k);
+            if differs(next, weighted(&slices), SPARED) {
+                // The slice before may be worn in part.
+                slices.truncate((slices.len() - 1).max(2));
+                break;
+            }
+            slices.push(next);
+        }
+        let (deep, high) = slices.split_at(slices.len().div_ceil(2));
+        let [deep, high] = [deep, high].map(weighted);
+        Spared {
+            share: SLICE * slices.len() as f64,
+            uneven: (deep.0 - high.0).abs().max((deep.1 + high.1).sqrt()),
+            is_worn: slices.len() == 2 && differs(slices[0], slices[1], WORN),
+        }
+    }
+}
+
+/// Dales that wear spared.
+struct Spared {
+    /// Share of all points.
+    share: f64,
+    /// Difference of the upper from the lower dales, at least its standard error \[m\].
+    uneven: f64,
+    /// Whether the lowest two slices differ, so that even these are worn.
+    is_worn: bool,
+}
+
+/// Mean of values with their variances, weighted by the inverse variances, and its variance.
+fn weighted(values: &[(f64, f64)]) -> (f64, f64) {
+    let least = LEAST_DEVIATION * LEAST_DEVIATION;
+    let weight = |variance: f64| 1.0 / (variance + least);
+    let sum: f64 = values.iter().map(|value| weight(value.1)).sum();
+    let mean = values
+        .iter()
+        .map(|value| weight(value.1) * value.0)
+        .sum::<f64>()
+        / sum;
+    (mean, 1.0 / sum)
+}
+
+/// Robust mean of values, and their weights.
+fn location(values: &[f64]) -> (f64, Vec<f64>) {
+    let (mut middle, deviation) = shortest_half(values);
+    let mut weights = Vec::new();
+    for _ in 0..20 {
+        weights = values
+            .iter()
+            .map(|z| biweight(z - middle, deviation))
+            .collect();
+        let sum: f64 = weights.iter().sum();
+        let next = values.iter().zip(&weights).map(|(z, w)| z * w).sum::<f64>() / sum;
+        let change = (next - middle).abs();
+        middle = next;
+        if change < 1e-3 * LEAST_DEVIATION {
+            break;
+        }
+    }
+    (middle, weights)
+}
+
+fn row(slope: f64, along: f64) -> [f64; 4] {
+    [slope, slope * along, -1.0, -along]
+}
+
+fn biweight(residual: f64, deviation: f64) -> f64 {
+    let relative = residual / (TUKEY * deviation);
+    (1.0 - relative * relative).max(0.0).powi(2)
+}
+
+/// Middle of the shortest interval with half of the values, and the standard deviation that a normal distribution has with it.
+fn shortest_half(values: &[f64]) -> (f64, f64) {
+    let mut sorted = values.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let half = sorted.len() / 2;
+    let width = |i: &usize| sorted[i + half] - sorted[*i];
+    let shortest = (0..sorted.len() - half).min_by(|i, j| width(i).total_cmp(&width(j)));
+    let i = shortest.unwrap_or(0);
+    let deviation = 0.5 * width(&i) / SHORTEST_HALF;
+    (
+        0.5 * (sorted[i] + sorted[i + half]),
+        deviation.max(LEAST_DEVIATION),
+    )
+}
+
+/// Both traces at the points of the second that lie on the first.
+struct Points {
+    half: f64,
+    first: usize,
+    along: Vec<f64>,
+    before: Vec<f64>,
+    slopes: Vec<f64>,
+    level: Vec<f64>,
+    lost: Vec<f64>,
+}
+
+impl Points {
+    fn at(before: &Trace, after: &Trace, place: Place) -> Result<Self, RoughnessError> {
+        const MIN_POINTS: usize = 200;
+        let half = 0.5 * after.length();
+        let mut points = Self {
+            half,
+            first: 0,
+            along: Vec::new(),
+            before: Vec::new(),
+            slopes: Vec::new(),
+            level: Vec::new(),
+            lost: Vec::new(),
+        };
+        for (i, (z, rough)) in after.heights.iter().zip(&after.rough).enumerate() {
+            let along = i as f64 * after.dx / half - 1.0;
+            let x = place.middle + (half + place.stretch) * along;
+            let Some([height, slope, level]) = before.at(x) else {
+                continue;
+            };
+            if points.along.is_empty() {
+                points.first = i;
+            }
+            points.along.push(along);
+            points.before.push(height);
+            points.slopes.push(slope);
+            points.level.push(0.5 * (level + rough));
+            points
+                .lost
+                .push(height - z - place.height - place.tilt * along);
+        }
+        RoughnessError::at_least(points.along.len(), MIN_POINTS, "the overlap of two traces")?;
+        Ok(points)
+    }
+
+    /// Whether each point is among the lowest `share`.
+    fn dales(&self, share: f64) -> Vec<bool> {
+        let mut sorted = self.level.clone();
+        let last = ((share * sorted.len() as f64) as usize).min(sorted.len() - 1);
+        let (_, level, _) = sorted.select_nth_unstable_by(last, f64::total_cmp);
+        let level = *level;
+        self.level.iter().map(|z| *z < level).collect()
+    }
+
+    /// Middle and standard deviation of the residuals in the dales.
+    fn scale(&self, is_dale: &[bool]) -> (f64, f64) {
+        let dales = self
+            .lost
+            .iter()
+            .zip(is_dale)
+            .filter(|(_, is_dale)| **is_dale);
+        shortest_half(&dales.map(|(lost, _)| *lost).collect::<Vec<f64>>())
+    }
+
+    fn weights(&self, is_dale: &[bool], deviation: f64) -> Vec<f64> {
+        let weight = |(lost, is_dale): (&f64, &bool)| match is_dale {
+            true => biweight(*lost, deviation),
+            false => 0.0,
+        };
+        self.lost.iter().zip(is_dale).map(weight).collect()
+    }
+
+    /// Change of the place by weighted least squares, of height and tilt only or of all, and the normal matrix.
+    fn step(
+        &self,
+        weights: &[f64],
+        is_whole: bool,
+    ) -> Result<([f64; 4], Cholesky), RoughnessError> {
+        let mut matrix = [[0.0; 4]; 4];
+        let mut right = [0.0; 4];
+        for (i, weight) in weights.iter().enumerate().filter(|(_, w)| **w > 0.0) {
+            let mut row = row(self.slopes[i], self.along[i]);
+            if !is_whole {
+                (row[0], row[1]) = (0.0, 0.0);
+            }
+            for j in 0..4 {
+                right[j] -= weight * row[j] * self.lost[i];
+                for k in 0..=j {
+                    matrix[j][k] += weight * row[j] * row[k];
+                }
+            }
+        }
+        if !is_whole {
+            (matrix[0][0], matrix[1][1]) = (1.0, 1.0);
+        }
+        let normal = Cholesky::new(4, |j, k| matrix[j][k], 0.0);
+        let normal = normal.ok_or(RoughnessError::TooFewPoints {
+            points: weights.iter().filter(|weight| **weight > 0.0).count(),
+            needed: 4,
+            purpose: "the match of two traces",
+        })?;
+        normal.solve(&mut right);
+        Ok((right, normal))
+    }
+
+    /// Moves the place; residuals follow height and tilt.
+    fn moved(&mut self, place: &mut Place, change: [f64; 4]) {
+        place.middle += change[0];
+        place.stretch += change[1];
+        place.height += change[2];
+        place.tilt += change[3];
+        for (i, lost) in self.lost.iter_mut().enumerate() {
+            let row = row(self.slopes[i], self.along[i]);
+            *lost += row.iter().zip(&change).map(|(j, d)| j * d).sum::<f64>();
+        }
+    }
+
+    fn done(
+        self,
+        place: Place,
+        (weights, scale): (Vec<f64>, f64),
+        normal: Cholesky,
+        share: f64,
+        dx: f64,
+    ) -> Fit {
+        let counts = |(lost, weight): (&f64, &f64)| *weight > 0.0 && lost.abs() < NOISE * scale;
+        let counts = self.lost.iter().zip(&weights).map(counts);
+        Fit {
+            noise: Noise::of(&self.lost, &counts.collect::<Vec<bool>>(), dx),
+            place,
+            half: self.half,
+            along: self.along,
+            before: self.before,
+            slopes: self.slopes,
+            level: self.level,
+            lost: self.lost,
+            weights,
+            normal,
+            share,
+            uneven: 0.0,
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! The place of the second trace on the first by the correlation of their dales, over all shifts and stretches.
+
+use asperity_core::cite;
+use asperity_core::numerics::{good_fft_length, real_transforms};
+use realfft::num_complex::Complex;
+
+use super::traces::Trace;
+
+/// Least overlap, in lengths of the shorter trace.
+const LEAST_OVERLAP: f64 = 0.5;
+/// Step of the stretch: at the ends of the trace the match is off by at most this number of spacings.
+const STEP: f64 = 1.0;
+/// A place is another one at this distance \[m\].
+const ELSEWHERE: f64 = 20e-6;
+
+/// Place of the best match.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Match {
+    /// Correlation of the dales.
+    pub correlation: f64,
+    /// Shift of the first point \[m\].
+    pub shift: f64,
+    /// Stretch.
+    pub stretch: f64,
+    /// Best correlation elsewhere.
+    pub elsewhere: f64,
+}
+
+/// ```text
+/// ρ(s, e) = corr( min(r_b(s + (1 + e) x), median), min(r_a(x), median) ),  largest over |s|, |e| within bounds   [Relocation-1]
+/// ```
+///
+/// The correlation over the overlap of each shift, which is at least half of the shorter trace.
+pub(super) fn search(before: &Trace, after: &Trace, bounds: (f64, f64)) -> Match {
+    cite!("Relocation-1");
+    let (most_shift, most_stretch) = bounds;
+    let dx = before.dx;
+    let first = before.dales();
+    let second = after.dales();
+    let steps = (most_stretch * after.length() / (2.0 * STEP * dx)).ceil() as i64;
+    let mut table = Vec::new();
+    for k in -steps..=steps {
+        let stretch = most_stretch * k as f64 / steps.max(1) as f64;
+        let stretched = respaced(&second, after.dx * (1.0 + stretch), dx);
+        let found = correlations(&first, &stretched, (most_shift / dx).ceil() as i64);
+        table.extend(found.into_iter().map(|(k, c)| (c, k as f64 * dx, stretch)));
+    }
+    let by_correlation = |a: &&(f64, f64, f64), b: &&(f64, f64, f64)| a.0.total_cmp(&b.0);
+    let none = (0.0, 0.0, 0.0);
+    let best = *table.iter().max_by(by_correlation).unwrap_or(&none);
+    // With another stretch the same place matches in a part of the trace only, at a shift that differs by the rest.
+    let reach = ELSEWHERE + most_stretch * after.length();
+    let others = table.iter().filter(|one| (one.1 - best.1).abs() > reach);
+    Match {
+        correlation: best.0,
+        shift: best.1,
+        stretch: best.2,
+        elsewhere: others.max_by(by_correlation).unwrap_or(&none).0,
+    }
+}
+
+/// Values `from` apart, at a distance of `to` by linear interpolation.
+fn respaced(values: &[f64], from: f64, to: f64) -> Vec<f64> {
+    let count = ((values.len() - 1) as f64 * from / to).floor() as usize;
+    let at = |k: usize| {
+        let place = k as f64 * to / from;
+        let i = (place.floor() as usize).min(values.len() - 2);
+        values[i] + (place - i as f64) * (values[i + 1] - values[i])
+    };
+    (0..=count).map(at).collect()
+}
+
+/// Correlation over the overlap for each shift within `most` points.
+fn correlations(first: &[f64], second: &[f64], most: i64) -> Vec<(i64, f64)> {
+    let [n, m] = [first.len(), second.len()];
+    let length = good_fft_length(n + m);
+    let (forward, inverse) = real_transforms(length);
+    let spectrum = |values: &[f64]| {
+        let mut padded = values.to_vec();
+        padded.resize(length, 0.0);
+        let mut lines = forward.make_output_vec();
+        let done = forward.process(&mut padded, &mut lines);
+        debug_assert!(done.is_ok(), "buffers are made by the plan");
+        lines
+    };
+    let mut product: Vec<Complex<f64>> = spectrum(first)
+        .into_iter()
+        .zip(spectrum(second))
+        .map(|(a, b)| a * b.conj())
+        .collect();
+    let mut sums = inverse.make_output_vec();
+    let done = inverse.process(&mut product, &mut sums);
+    debug_assert!(done.is_ok(), "buffers are made by the plan");
+    let [of_first, of_second] = [first, second].map(prefix_sums);
+    let least = (LEAST_OVERLAP * n.min(m) as f64) as i64;
+    let at = |shift: i64| {
+        // Point j of the second trace is on point j + shift of the first.
+        let begin = (-shift).max(0);
+        let end = (m as i64).min(n as i64 - shift);
+        if end - begin < least {
+            return None;
+        }
+        let count = (end - begin) as f64;
+        let product = sums[shift.rem_euclid(length as i64) as usize] / length as f64;
+        let between = |sums: &[[f64; 2]], from: i64, to: i64| {
+            [0, 1].map(|k: usize| sums[to as usize][k] - sums[from as usize][k])
+        };
+        let a = between(&of_first, begin + shift, end + shift);
+        let b = between(&of_second, begin, end);
+        let variance = |[sum, square]: [f64; 2]| square - sum * sum / count;
+        let scale = (variance(a) * variance(b)).sqrt();
+        (scale > 0.0).then(|| (shift, (product - a[0] * b[0] / count) / scale))
+    };
+    (-most..=most).filter_map(at).collect()
+}
+
+/// Sums of the values and of their squares before each point.
+fn prefix_sums(values: &[f64]) -> Vec<[f64; 2]> {
+    let mut sums = vec![[0.0; 2]];
+    let mut total = [0.0; 2];
+    for z in values {
+        total = [total[0] + z, total[1] + z * z];
+        sums.push(total);
+    }
+    sums
+}

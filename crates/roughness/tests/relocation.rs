@@ -1,0 +1,392 @@
+//! Relocation of made pairs: traces of one place before and after a known wear, and of different places.
+#![allow(clippy::unwrap_used)]
+
+use asperity_core::quantity::Length;
+use asperity_core::{Code, Profile};
+use asperity_roughness::generate::{Ground, PlateauHoned, SelfAffine, truncated};
+use asperity_roughness::relocation::{Bounds, Relocation, relocate};
+
+use crate::common::Normal;
+
+/// Points of the texture for each point of a trace.
+const FINER: usize = 4;
+/// Length of the texture beyond the traces, in points of a trace.
+const BEYOND: usize = 1400;
+
+/// How the flank was made.
+#[derive(Debug, Clone, Copy)]
+enum Finish {
+    Ground,
+    Honed,
+    Superfinished,
+}
+
+const FINISHES: [Finish; 3] = [Finish::Ground, Finish::Honed, Finish::Superfinished];
+
+/// What a test did to it.
+#[derive(Debug, Clone, Copy)]
+enum Wear {
+    None,
+    /// All above the height that this share of the trace exceeds is removed.
+    Share(f64),
+    /// All within this depth of the highest point is removed [m].
+    Depth(f64),
+    /// As `Share`, and the material moves to its surroundings.
+    Levelled(f64),
+}
+
+impl Finish {
+    fn texture(self, points: usize, dx: f64, seed: u64) -> Profile {
+        let length = Length::from_si;
+        let affine = |rq: f64, hurst: f64, roll_off: f64, short_cut: f64, seed: u64| SelfAffine {
+            points,
+            spacing: length(dx),
+            rq: length(rq),
+            hurst,
+            roll_off: length(roll_off),
+            short_cut: length(short_cut),
+            seed,
+        };
+        match self {
+            Self::Ground => {
+                let lay = Ground {
+                    points,
+                    spacing: length(dx),
+                    rq: length(0.12e-6),
+                    grit_spacing: length(9e-6),
+                    grit_radius: length(60e-6),
+                    grit_protrusion: length(0.5e-6),
+                    seed,
+                };
+                let lay = lay.generate().unwrap();
+                let rest = affine(0.32e-6, 0.7, 60e-6, 5e-6, seed + 500);
+                let rest = rest.generate().unwrap();
+                let sum = lay.heights().iter().zip(rest.heights());
+                Profile::new(length(dx), sum.map(|(a, b)| a + b).collect()).unwrap()
+            }
+            Self::Honed => {
+                let recipe = PlateauHoned {
+                    coarse: affine(0.6e-6, 0.8, 100e-6, 5e-6, seed),
+                    fine: affine(0.05e-6, 0.8, 20e-6, 4e-6, seed + 500),
+                    depth: length(0.3e-6),
+                };
+                recipe.generate().unwrap()
+            }
+            Self::Superfinished => affine(0.08e-6, 0.8, 150e-6, 4e-6, seed).generate().unwrap(),
+        }
+    }
+}
+
+impl Wear {
+    fn of(self, texture: &Profile) -> Vec<f64> {
+        let z = texture.heights();
+        match self {
+            Self::None => z.to_vec(),
+            Self::Share(share) => truncated(texture, share).unwrap().0.into_heights(),
+            Self::Depth(depth) => {
+                let highest = z.iter().copied().fold(f64::MIN, f64::max);
+                z.iter().map(|z| z.min(highest - depth)).collect()
+            }
+            Self::Levelled(share) => {
+                let cut = truncated(texture, share).unwrap().0;
+                let lost: Vec<f64> = z.iter().zip(cut.heights()).map(|(a, b)| a - b).collect();
+                let spread = smooth(&lost, 8e-6 / texture.spacing().si());
+                let ratio = lost.iter().sum::<f64>() / spread.iter().sum::<f64>();
+                let raised = cut.heights().iter().zip(spread);
+                raised.map(|(z, gain)| z + ratio * gain).collect()
+            }
+        }
+    }
+}
+
+/// Gaussian mean with this standard deviation in points.
+fn smooth(z: &[f64], width: f64) -> Vec<f64> {
+    let reach = (4.0 * width) as usize;
+    let weight = |k: usize| (-0.5 * ((k as f64 - reach as f64) / width).powi(2)).exp();
+    let weights: Vec<f64> = (0..=2 * reach).map(weight).collect();
+    let n = z.len();
+    let at = |i: usize| {
+        let each = weights.iter().enumerate().filter_map(|(k, w)| {
+            let j = (i + k).checked_sub(reach)?;
+            (j < n).then(|| w * z[j])
+        });
+        each.sum::<f64>()
+    };
+    (0..n).map(at).collect()
+}
+
+/// A pair as a test rig leaves it.
+struct Pair {
+    before: Profile,
+    after: Profile,
+    shift: f64,
+    stretch: f64,
+    /// Texture before minus texture after, `fine` apart from the first point of the first trace.
+    removed: Vec<f64>,
+    fine: f64,
+}
+
+/// Noise of both traces [m], points and spacing.
+#[derive(Clone, Copy)]
+struct Setup {
+    noise: [f64; 2],
+    points: usize,
+    dx: f64,
+}
+
+fn between(z: &[f64], fine: f64, x: f64) -> f64 {
+    let place = x / fine;
+    let i = place.floor() as usize;
+    z[i] + (place - i as f64) * (z[i + 1] - z[i])
+}
+
+fn pair(finish: Finish, wear: Wear, setup: Setup, seed: u64) -> Pair {
+    let Setup { noise, points, dx } = setup;
+    let fine = dx / FINER as f64;
+    let texture = finish.texture((points + BEYOND) * FINER, fine, seed);
+    let worn = wear.of(&texture);
+    let mut random = Normal(seed.wrapping_mul(7919).wrapping_add(17));
+    let shift = (random.uniform() - 0.3) / 0.7 * 0.3e-3;
+    let stretch = (random.uniform() - 0.5) * 0.004;
+    let [tilt, height] = [1e-3, 3e-6].map(|most| (random.uniform() - 0.5) * most);
+    // The first trace begins inside the texture.
+    let begin = 0.2e-3;
+    let mut trace = |z: &[f64], place: &dyn Fn(f64) -> f64, level: [f64; 2], noise: f64| {
+        let heights = (0..points).map(|i| {
+            let x = i as f64 * dx;
+            between(z, fine, begin + place(x)) + level[0] * x + level[1] + noise * random.next()
+        });
+        Profile::new(Length::from_si(dx), heights.collect()).unwrap()
+    };
+    let before = trace(texture.heights(), &|x| x, [0.0; 2], noise[0]);
+    let after = trace(
+        &worn,
+        &|x| shift + (1.0 + stretch) * x,
+        [tilt, height],
+        noise[1],
+    );
+    let from = (begin / fine).round() as usize;
+    let pairs = texture.heights()[from..].iter().zip(&worn[from..]);
+    Pair {
+        before,
+        after,
+        shift,
+        stretch,
+        removed: pairs.map(|(a, b)| a - b).collect(),
+        fine,
+    }
+}
+
+impl Pair {
+    /// Shift of the middle of the second trace \[m\].
+    fn shift(&self) -> f64 {
+        let length = (self.after.len() - 1) as f64 * self.after.spacing().si();
+        self.shift + 0.5 * self.stretch * length
+    }
+
+    /// Mean height removed over the overlap \[m\].
+    fn truth(&self, found: &Relocation) -> f64 {
+        let dx = found.before.spacing().si();
+        let n = found.before.len();
+        let at = |i: usize| between(&self.removed, self.fine, found.start.si() + i as f64 * dx);
+        (0..n).map(at).sum::<f64>() / n as f64
+    }
+}
+
+/// Setups that differ in length, spacing, and in which trace is noisy.
+const SETUPS: [Setup; 4] = [
+    Setup {
+        noise: [0.0, 10e-9],
+        points: 6001,
+        dx: 0.5e-6,
+    },
+    Setup {
+        noise: [10e-9, 10e-9],
+        points: 3001,
+        dx: 1e-6,
+    },
+    Setup {
+        noise: [10e-9, 0.0],
+        points: 3001,
+        dx: 0.5e-6,
+    },
+    Setup {
+        noise: [7e-9, 7e-9],
+        points: 10_001,
+        dx: 0.5e-6,
+    },
+];
+
+const WEARS: [Wear; 6] = [
+    Wear::None,
+    Wear::Share(0.02),
+    Wear::Share(0.1),
+    Wear::Share(0.4),
+    Wear::Depth(0.1e-6),
+    Wear::Depth(0.2e-6),
+];
+
+/// Pairs relocated and what was found.
+#[derive(Debug, Default)]
+struct Tally {
+    pairs: usize,
+    refused: usize,
+    removal_inside: usize,
+    shift_inside: usize,
+    worst_removal: f64,
+    worst_shift: f64,
+}
+
+impl Tally {
+    fn add(&mut self, pair: &Pair) {
+        self.pairs += 1;
+        let Ok(found) = relocate(&pair.before, &pair.after, Bounds::default()) else {
+            self.refused += 1;
+            return;
+        };
+        let [truth, removed] = [pair.truth(&found), found.removed.value.si()];
+        self.removal_inside += usize::from(found.removed.map(Length::si).contains(truth));
+        self.worst_removal = self.worst_removal.max((removed - truth).abs());
+        let [truth, shift] = [pair.shift(), found.shift.value.si()];
+        self.shift_inside += usize::from(found.shift.map(Length::si).contains(truth));
+        self.worst_shift = self.worst_shift.max((shift - truth).abs());
+    }
+}
+
+#[test]
+fn pairs_of_one_place_are_relocated_and_their_removal_is_in_its_interval() {
+    let mut tally = Tally::default();
+    for (k, finish) in FINISHES.into_iter().enumerate() {
+        for (l, wear) in WEARS.into_iter().enumerate() {
+            let seed = (10 * k + l) as u64 + 1;
+            tally.add(&pair(finish, wear, SETUPS[(k + l) % 3], seed));
+        }
+    }
+    println!("{tally:?}");
+    assert_eq!(tally.refused, 0);
+    assert!(tally.worst_removal < 2e-9 && tally.worst_shift < 0.2e-6);
+    // Of 18 intervals that hold with 90 %, fewer than 14 hold with a probability of 3 %; the seeds are fixed.
+    assert!(tally.removal_inside >= 16 && tally.shift_inside >= 14);
+}
+
+#[test]
+#[ignore = "minutes; docs/records/relocation.md has its table"]
+fn intervals_of_removal_hold_in_nine_of_ten_pairs() {
+    let seeds = std::env::var("ASPERITY_SEEDS").map_or(9, |seeds| seeds.parse().unwrap());
+    for finish in FINISHES {
+        for (name, wears) in [("removed", &WEARS[..]), ("levelled", &LEVELLED[..])] {
+            for setup in SETUPS {
+                let mut tally = Tally::default();
+                for wear in wears {
+                    for seed in 0..seeds {
+                        tally.add(&pair(finish, *wear, setup, 1000 + seed));
+                    }
+                }
+                println!(
+                    "{finish:?}, {name}, {} points, dx {:.1e}, noise {:?}: {tally:?}",
+                    setup.points, setup.dx, setup.noise
+                );
+                assert!(tally.removal_inside * 10 >= (tally.pairs - tally.refused) * 9);
+            }
+        }
+    }
+}
+
+const LEVELLED: [Wear; 2] = [Wear::Levelled(0.1), Wear::Levelled(0.25)];
+
+#[test]
+fn levelling_that_conserves_material_is_not_called_wear() {
+    for (k, finish) in FINISHES.into_iter().enumerate() {
+        for (l, wear) in LEVELLED.into_iter().enumerate() {
+            let pair = pair(finish, wear, SETUPS[k], 70 + (k + 3 * l) as u64);
+            let found = relocate(&pair.before, &pair.after, Bounds::default()).unwrap();
+            let removed = found.removed.map(Length::si);
+            assert!(removed.contains(0.0), "{finish:?} {wear:?}: {removed:?}");
+            let is_seen = found.gained.low > Length::from_si(0.0);
+            assert!(is_seen || !matches!(finish, Finish::Ground), "{wear:?}");
+        }
+    }
+}
+
+#[test]
+fn forty_of_forty_pairs_of_different_places_are_refused() {
+    for seed in 0..40 {
+        let (finish, setup) = (FINISHES[seed % 3], SETUPS[seed % 3]);
+        let [one, other] =
+            [0, 500].map(|more| pair(finish, Wear::Share(0.1), setup, seed as u64 + more));
+        let refusal = relocate(&one.before, &other.after, Bounds::default()).unwrap_err();
+        assert_eq!(refusal.code(), Code::E143, "{finish:?} {seed}: {refusal}");
+    }
+}
+
+#[test]
+fn a_trace_on_itself_changed_nothing_above_the_noise_floor() {
+    for (k, finish) in FINISHES.into_iter().enumerate() {
+        let setup = SETUPS[k];
+        let measured = pair(finish, Wear::None, setup, 7);
+        let itself = relocate(&measured.before, &measured.before, Bounds::default()).unwrap();
+        assert!(itself.shift.value.si().abs() < 1e-12 && itself.stretch.value.abs() < 1e-9);
+        let removed = itself.removed.map(Length::si);
+        assert!(
+            removed.value.abs() < 1e-12 && removed.contains(0.0),
+            "{removed:?}"
+        );
+        assert!(
+            itself
+                .parameters()
+                .unwrap()
+                .iter()
+                .all(|change| !change.is_clear())
+        );
+        let again = relocate(&measured.before, &measured.after, Bounds::default()).unwrap();
+        assert!(again.removed.map(Length::si).contains(0.0));
+        for change in again.parameters().unwrap() {
+            // The floor is the noise's 95 % quantile of one number.
+            let difference = change.difference().si().abs();
+            assert!(
+                difference < 2.0 * change.floor.si(),
+                "{finish:?} {change:?}"
+            );
+        }
+        let levels = again.material_ratio(&[5.0, 50.0, 95.0]).unwrap();
+        assert!(levels.iter().all(|level| !level.is_clear()), "{levels:?}");
+    }
+}
+
+#[test]
+fn truncated_peaks_lower_the_peaks_of_the_material_ratio_curve() {
+    let pair = pair(Finish::Ground, Wear::Share(0.25), SETUPS[0], 3);
+    let found = relocate(&pair.before, &pair.after, Bounds::default()).unwrap();
+    let [ra, rq, rpk, ..] = found.parameters().unwrap();
+    for change in [ra, rq, rpk] {
+        assert!(
+            change.is_clear() && change.difference().si() < 0.0,
+            "{change:?}"
+        );
+    }
+    let levels = found.material_ratio(&[5.0, 80.0]).unwrap();
+    assert!(levels[0].is_clear() && !levels[1].is_clear(), "{levels:?}");
+}
+
+#[test]
+fn the_noise_of_a_match_is_that_of_the_traces() {
+    let pair = pair(Finish::Ground, Wear::Share(0.1), SETUPS[3], 5);
+    let found = relocate(&pair.before, &pair.after, Bounds::default()).unwrap();
+    let spacing = pair.before.spacing();
+    let weights =
+        asperity_roughness::gaussian_filter::weights(found.noise_cutoff, spacing).unwrap();
+    let both: f64 =
+        weights.iter().skip(1).map(|w| 2.0 * w * w).sum::<f64>() + weights[0] * weights[0];
+    let expected = 7e-9 * (2.0 * both).sqrt();
+    crate::common::close(found.noise.si(), expected, 0.1);
+}
+
+#[test]
+fn bounds_of_no_sense_are_refused() {
+    let pair = pair(Finish::Ground, Wear::None, SETUPS[2], 1);
+    for (shift, stretch) in [(-1e-6, 0.0), (f64::NAN, 0.0), (1e-3, 0.2), (1e-3, f64::NAN)] {
+        let shift = Length::from_si(shift);
+        let refused = relocate(&pair.before, &pair.after, Bounds { shift, stretch });
+        assert!(refused.is_err());
+    }
+}
