@@ -128,8 +128,11 @@ fn by_torque(cycle: &Table) -> Vec<f64> {
         let weight = 0.5 * (times[(k + 1).min(last)] - times[k.saturating_sub(1)]);
         losses[k] * weight / 3600.0
     };
-    let at = |torque: f64| (0..=last).filter(move |k| torques[*k] == torque);
-    let sums = torques.iter().map(|torque| at(*torque).map(energy).sum());
+    let sum = |torque: &f64| -> f64 {
+        let points = (0..=last).filter(|k| torques[*k] == *torque);
+        points.map(energy).sum()
+    };
+    let sums = torques.iter().map(sum);
     std::iter::once(0.0).chain(sums).collect()
 }
 

@@ -80,6 +80,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
             files: Vec::new(),
             coast_files: Vec::new(),
             has_flanks_of_first: true,
+            difference_w: None,
             resolved_from_nm: [1.0, 1.0],
             draws: Vec::new(),
             meshes: Vec::new(),

@@ -207,7 +207,8 @@ def test_the_report_in_the_page_is_that_of_the_command(page, tmp_path):
     evidence = r"<h3>What would narrow the interval most</h3>.*?has all measurements\.</p>"
     written, found = re.subn(evidence, "", (tmp_path / "result/report.html").read_text(), flags=re.S)
     assert found == 1
-    saved = result(page, "report.html").decode()
+    saved, left_out = re.subn(r"<h3>What would narrow the interval most</h3><p>.*?</p>", "", result(page, "report.html").decode())
+    assert left_out == 1
     pairs = list(zip(words(saved), words(written), strict=True))
     assert len(pairs) > 1000
     differing = [pair for pair in pairs if pair[0] != pair[1]]

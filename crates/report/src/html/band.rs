@@ -35,7 +35,7 @@ pub(crate) fn evidence(rows: &[EvidenceRow], loss: &dyn Fn(f64) -> String) -> Ma
     let quickest = others.min_by(|a, b| hours(a).total_cmp(&hours(b)));
     let quickest = quickest.filter(|row| first.iter().all(|one| one.hours > row.hours));
     html! { h3 { "What would narrow the interval most" } @if rows.is_empty() {
-        p { "The page of the whole gear train and " code { "asperity evidence" } " list the measurements that would narrow its interval." }
+        p { "The command " code { "asperity evidence" } " lists the measurements that would narrow the interval, of a gear train as a whole." }
     } @else {
         (columns! { row in first.iter().chain(quickest);
             head measurement "measurement" "";

@@ -351,23 +351,24 @@ fn levels_about_zero([visited, all]: [&[f64]; 2]) -> Vec<f64> {
     if most_of_all <= 0.0 {
         return vec![0.0];
     }
-    let is_wider = most > 0.0 && most_of_all > 2.0 * most;
-    let most = if is_wider { most } else { most_of_all };
-    let bands = if is_wider { BANDS - 3 } else { BANDS };
-    let half = 0.5 * round_step(2.0 * most / bands as f64);
-    let beyond = ((most / half - 1.0) / 2.0).ceil().max(0.0) as i32;
-    let fine = (-beyond..=beyond).map(|k| multiple(f64::from(2 * k - 1), half));
-    let wider = match is_wider {
-        true => wider_levels(f64::from(2 * beyond + 3) * half, most_of_all, 2),
-        false => Vec::new(),
+    // Half the width of a band, and the number of bands on each side of the one about zero.
+    let fine = |most: f64, bands: usize| {
+        let half = 0.5 * round_step(2.0 * most / bands as f64);
+        (half, ((most / half - 1.0) / 2.0).ceil().max(0.0) as i32)
     };
-    let below = wider.iter().rev().map(|level| -level);
-    // The upper edge of the last fine band begins the wider ones.
-    let last = wider
-        .first()
-        .map(|_| multiple(f64::from(2 * beyond + 1), half));
-    let above = wider.iter().copied().rev().skip(1).rev();
-    below.chain(fine).chain(last).chain(above).collect()
+    let edge = |half: f64, k: i32| multiple(f64::from(2 * k - 1), half);
+    if most > 0.0 && most_of_all > 2.0 * most {
+        let (half, beyond) = fine(most, BANDS - 3);
+        let wider = wider_levels(edge(half, beyond + 2), most_of_all, 2);
+        if let [above @ .., _] = &wider[..] {
+            let below = wider.iter().rev().map(|level| -level);
+            // The upper edge of the last fine band begins the wider ones.
+            let fine = (-beyond..=beyond + 1).map(|k| edge(half, k));
+            return below.chain(fine).chain(above.iter().copied()).collect();
+        }
+    }
+    let (half, beyond) = fine(most_of_all, BANDS);
+    (-beyond..=beyond).map(|k| edge(half, k)).collect()
 }
 
 /// Lower edges of bands that hold about as many values each: quantiles, with two digits of what is missing to 100 %.
