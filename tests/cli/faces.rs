@@ -451,7 +451,7 @@ fn every_study_has_one_value_on_every_face() {
         "--temperature=90",
     ];
     let map = ["map", "case.toml", "-o", "m"];
-    check("m", "map", &run(&[&map[..], &axes].concat()));
+    check("m", "map", &with(&[&map[..], &axes].concat()));
     check("y", "cycle", &run(&["cycle", "m", "cycle.csv", "-o", "y"]));
     run(&["sweep", "run", "study.toml", "-q"]);
     check(
