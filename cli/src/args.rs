@@ -23,7 +23,7 @@ pub use finish::FinishArg;
 pub use from_rexs::{CaseCommand, FromRexsArgs};
 pub use oil::{GivenCurves, GivenOil, GivenOilOfCase, NoLimits, OilCommand};
 pub use profile::{
-    FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
+    FormArg, GivenTracePairs, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, Ratios, ReadingArgs,
     Wavelengths,
 };

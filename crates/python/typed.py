@@ -24,7 +24,7 @@ from asperity._study import Study
 
 FOLDER = Path(__file__).parent / "python" / "asperity"
 RESULTS = {
-    "calibrate": "Calibration", "callout": "CallOut", "compare": "Comparison", "cycle": "Cycle", "design": "Design", "evidence": "Evidence", "map": "Map", "oil_fit": "OilFit", "oil_plan": "OilPlan", "oil_traction": "Traction", "ridges": "Ridges",
+    "calibrate": "Calibration", "callout": "CallOut", "compare": "Comparison", "cycle": "Cycle", "design": "Design", "evidence": "Evidence", "map": "Map", "oil_fit": "OilFit", "oil_plan": "OilPlan", "oil_traction": "Traction", "profile_change": "ProfileChange", "ridges": "Ridges",
     "sensitivity": "Sensitivity", "stribeck": "Stribeck",
 }
 """Classes of the results of studies that have attributes of their own."""
@@ -48,6 +48,9 @@ EXAMPLES = {
                   'found = asperity.calibrate("rig/simulated.csv", case)', ("found.is_simulated, found.parameters.key[0]", "(True, 'boundary_friction')"),
                   "calibrated = found.apply(case)"],
     "oil_traction": ['curves = asperity.oil_traction("m100", temperature_c=[40, 100])', ("bool(curves.over_slide.traction.max() < 0.2)", "True")],
+    "profile_change": ['before = asperity.read_profile("demo/ground_pinion.csv")', 'heights = before.heights.clip(max=0.3e-6)[200:]',
+                       'found = asperity.profile_change(before, asperity.Profile(heights, before.spacing, name="after"))',
+                       ('bool(found.pairs.removed_nm[0] > 10)', "True"), ('round(found.pairs.shift_um[0])', "100")],
     "oil_plan": ['plan = asperity.oil_plan("m100")', ("len(plan.stages) > 2", "True")],
     "oil_fit": ['curves = asperity.oil_traction("m100").over_slide',
                 'columns = ["load_n", "mean_speed_m_s", "slide_roll_percent", "temperature_c", "traction"]',
@@ -521,6 +524,7 @@ INPUTS = {
     "Map": ("Map", None, "map_of({0})"),
     "Cycle": ("Columns", None, 'table_of({0}, "cycle", Code.E101)'),
     "Option<Vehicle>": ("Optional[Mapping[str, Any]]", "None", "vehicle_keys({0})"),
+    "Vec<Trace>": ("Union[Trace, Sequence[Trace]]", None, 'raw_traces({0}, "{0}")'),
     "Vec<Curves>": ("Union[Columns, Sequence[Columns]]", None, 'tables_of_curves({0}, "{0}")'),
 }
 """Arguments of what a study is about: type, default and value for the compiled part, none of an argument that another one takes."""
@@ -529,7 +533,7 @@ BY_NAME = ("Option<Cases>", "Option<Finishes>", "Option<Vehicle>")
 HOMES = {
     "CaseLike": "_case", "Code": "_errors", "Columns": "_columns", "Finish": "_compare", "Numbers": "_quantity", "OilLike": "_oil", "Progress": "_progress",
     "Quantities": "_quantity", "Quantity": "_quantity", "Study": "_study", "as_case": "_case", "cases_of": "_compare", "map_of": "_map", "nodes": "_quantity", "number": "_quantity",
-    "ran": "_study", "raw_oil": "_oil", "table_of": "_columns", "tables_of_curves": "_oil", "vehicle_keys": "_keys", "written": "_quantity",
+    "Trace": "_compare", "ran": "_study", "raw_oil": "_oil", "raw_traces": "_profile_change", "table_of": "_columns", "tables_of_curves": "_oil", "vehicle_keys": "_keys", "written": "_quantity",
 }
 """Modules of the names that the functions use."""
 

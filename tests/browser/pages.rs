@@ -253,6 +253,17 @@ const COMMANDS: [(&[&str], &[&str]); 12] = [
         &["found/calibration.html"],
     ),
     (
+        &[
+            "profile",
+            "change",
+            "pinion.csv",
+            "worn.csv",
+            "-o",
+            "change",
+        ],
+        &["change/change.html"],
+    ),
+    (
         &["oil", "traction", "m100", "-o", "traction"],
         &["traction/traction.html"],
     ),
@@ -280,6 +291,7 @@ fn studies(bench: &Bench) -> Vec<Page> {
         let trace = shipped(&format!("../profiles/{from}.csv"));
         std::fs::copy(trace, bench.path(&format!("{to}.csv"))).unwrap();
     }
+    bench.write_worn("pinion.csv", "worn.csv");
     bench.write("case.toml", E_DRIVE);
     bench.write("cycle.csv", CYCLE);
     bench.write("study.toml", STUDY);

@@ -468,6 +468,9 @@ fn every_study_has_one_value_on_every_face() {
     check("p", "oil_plan", &run(&plan));
     let fit = ["oil", "fit", "p/simulated.csv", "--oil", "m100", "-o", "f"];
     check("f", "oil_fit", &run(&fit));
+    bench.write_worn("pinion.csv", "worn.csv");
+    let change = ["profile", "change", "pinion.csv", "worn.csv", "-o", "h"];
+    check("h", "change", &run(&change));
     let traction = ["oil", "traction", "m100", "-o", "t"];
     check("t", "traction", &run(&traction));
     let stribeck = [

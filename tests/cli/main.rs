@@ -16,6 +16,7 @@ mod calibrate;
 mod callout;
 mod case_commands;
 mod case_messages;
+mod change;
 mod changed_digit;
 mod codes;
 mod contact;

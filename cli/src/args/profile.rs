@@ -10,6 +10,7 @@ use asperity_profile_io::read::{
 use asperity_roughness::gaussian_filter::Ends;
 use clap::{Args, Subcommand, ValueEnum};
 
+use super::study::{Group, StudyCommand};
 use super::values::{choice, cutoff};
 
 /// Commands on profiles.
@@ -44,6 +45,35 @@ pub enum ProfileCommand {
     Generate(ProfileGenerateArgs),
     /// Compare the parameters of several profiles, relative to the first
     Compare(ProfileInfoArgs),
+    /// Studies of profiles
+    #[command(flatten)]
+    Study(StudyCommand<Profiles>),
+}
+
+/// `asperity profile`
+#[derive(Debug)]
+pub struct Profiles;
+
+impl Group for Profiles {
+    const NAME: &'static str = "profile ";
+}
+
+/// Traces before and after a test.
+#[derive(Debug, Args)]
+pub struct GivenTracePairs {
+    /// Trace before the test
+    pub before: PathBuf,
+    /// Trace of the same place after it
+    pub after: PathBuf,
+    /// Further pairs, each a trace before and a trace after
+    #[arg(value_name = "BEFORE AFTER")]
+    pub more: Vec<PathBuf>,
+    /// Base radius of the gear, for files against roll length, e.g. "50 mm"
+    #[arg(long, value_name = "R_B", allow_hyphen_values = true)]
+    pub base_radius: Option<Length>,
+    /// Reading of the files.
+    #[command(flatten)]
+    pub reading: ReadingArgs,
 }
 
 /// A profile and its plot.

@@ -48,8 +48,8 @@ pub struct StudyArgs<S: StudySettings<Input: Given> + Args> {
     /// Its subject.
     #[command(flatten)]
     pub given: <S::Input as Given>::Args,
-    /// Settings of the study.
-    #[command(flatten)]
+    /// Settings of the study, without the heading of the arguments before.
+    #[command(flatten, next_help_heading = None::<&'static str>)]
     pub settings: S,
     /// Keys of the case set on the command line.
     #[command(flatten)]

@@ -10,6 +10,7 @@ use asperity::message::{Code, Fault};
 use asperity::profile_io::read::read_table;
 use asperity_calibration::RigFiles;
 use asperity_report::{Described, Input, StudyResult, StudySettings, Watch};
+use asperity_studies::change::{TracePair, TracePairs};
 use asperity_studies::compare::{Comparison, Finish, Finishes};
 use asperity_studies::cycle::{CycleOnMap, LARGEST_TABLE};
 use asperity_studies::every_study;
@@ -20,6 +21,7 @@ use serde_json::Value;
 
 use crate::case::Case;
 use crate::failure::{self, Failure};
+use crate::trace::Trace;
 use crate::work::{alone, in_parallel};
 
 /// Subject of a study, as arguments of its function in Python.
@@ -59,6 +61,31 @@ impl Given for Finishes {
 impl Given for CaseOrFinishes {
     fn read(given: &Bound<'_, PyTuple>) -> PyResult<Self> {
         Ok(Self(Finishes::read(given)?))
+    }
+}
+
+/// Traces by name.
+type NamedTraces<'py> = Vec<(String, PyRef<'py, Trace>)>;
+
+impl Given for TracePairs {
+    fn read(given: &Bound<'_, PyTuple>) -> PyResult<Self> {
+        let (before, after): (NamedTraces<'_>, NamedTraces<'_>) = given.extract()?;
+        if before.len() != after.len() || before.is_empty() {
+            let [before, after] = [before.len(), after.len()];
+            let text =
+                format!("{before} traces before a test and {after} after it: each needs the other");
+            return Err(Failure::new(Code::E205, text).into());
+        }
+        let pair = |((first, before), (second, after)): (
+            (String, PyRef<'_, Trace>),
+            (String, PyRef<'_, Trace>),
+        )| {
+            TracePair::new(
+                [&first, &second],
+                [before.profile.clone(), after.profile.clone()],
+            )
+        };
+        Ok(Self(before.into_iter().zip(after).map(pair).collect()))
     }
 }
 

@@ -65,6 +65,10 @@ STUDIES = {
         ["design/simulated.csv", "rig.toml", "--hold", "limiting-shear"],
         lambda at: asperity.calibrate("design/simulated.csv", at / "rig.toml", hold=["limiting_shear"]),
     ),
+    "profile_change": (
+        [PROFILES / "ground_pinion.csv", "worn.csv"],
+        lambda at: asperity.profile_change(PROFILES / "ground_pinion.csv", at / "worn.csv"),
+    ),
     "oil_traction": (["m100", "--load", "20 N"], lambda at: asperity.oil_traction("m100", load="20 N")),
     "oil_plan": (["--oil", "m100", "--simulate", "1"], lambda at: asperity.oil_plan("m100", simulate=1)),
     "oil_fit": (["oil_plan/simulated.csv", "--oil", "m100"], lambda at: asperity.oil_fit("oil_plan/simulated.csv", "m100")),
@@ -85,6 +89,8 @@ def at(tmp_path_factory):
     folder = tmp_path_factory.mktemp("faces")
     (folder / "trace.csv").write_text(TRACE)
     (folder / "stribeck.csv").write_text(STRIBECK)
+    ground = asperity.read_profile(PROFILES / "ground_pinion.csv")
+    asperity.Profile(ground.heights.clip(max=0.3e-6)[200:], ground.spacing).write(folder / "worn.csv")
     (folder / "rig.toml").write_text(RIG % (PROFILES / "ground_pinion.csv", PROFILES / "ground_wheel.csv"))
     return folder
 

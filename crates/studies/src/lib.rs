@@ -1,10 +1,11 @@
-//! Studies that run the gear mesh many times: [`compare`] compares finishes, [`callout`] limits the roughness of one, [`map`] computes losses over torque, speed and
+//! Studies that run the gear mesh many times: [`compare`] compares finishes, [`callout`] limits the roughness of one, [`change`] relocates traces after a test on traces before it, [`map`] computes losses over torque, speed and
 //! temperature, [`cycle`] integrates them over a driving cycle, [`export`] writes maps for other programs, [`sensitivity`]
 //! changes one input at a time, [`sweep`] runs many cases in shards.
 //!
 #![doc = include_str!("../README.md")]
 
 pub mod callout;
+pub mod change;
 pub mod compare;
 pub mod cycle;
 pub mod diff;

@@ -12,6 +12,7 @@ macro_rules! every_study {
             $visit::<$crate::sensitivity::SensitivitySettings>(),
             $visit::<$crate::ridges::RidgeSettings>(),
             $visit::<$crate::callout::CallOutSettings>(),
+            $visit::<$crate::change::ChangeSettings>(),
             $visit::<asperity_calibration::evidence::EvidenceSettings>(),
             $visit::<asperity_calibration::CalibrationSettings>(),
             $visit::<asperity_calibration::DesignSettings>(),

@@ -1,6 +1,7 @@
 //! `asperity profile`: evaluation, conversion, filtering, generation and comparison of profiles.
 
 mod case_lines;
+mod change;
 mod details;
 mod evaluated;
 mod file_facts;
@@ -14,6 +15,7 @@ mod surface_facts;
 mod text;
 mod transform;
 
+use super::study;
 use crate::args::{Common, ProfileCommand};
 use crate::failure::Failure;
 
@@ -26,5 +28,6 @@ pub fn run(command: &ProfileCommand, common: &Common) -> Result<(), Failure> {
         ProfileCommand::Convert(args) => transform::convert(args, common),
         ProfileCommand::Filter(args) => transform::filter(args, common),
         ProfileCommand::Generate(args) => transform::generate(args, common),
+        ProfileCommand::Study(command) => study::study(command, common),
     }
 }

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from ._profile import Parameters, Parts, Profile, generate, read_profile
     from ._record import Record, Table
     from ._result import Fields, Path, Regime, RunResult, Summary
+    from ._profile_change import ProfileChange
     from ._ridges import Ridges
     from ._sensitivity import Sensitivity
     from ._stored import read_result
@@ -57,6 +58,7 @@ else:
         "_profile": "Parameters Parts Profile generate read_profile",
         "_record": "Record Table",
         "_result": "Fields Path Regime RunResult Summary",
+        "_profile_change": "ProfileChange",
         "_ridges": "Ridges",
         "_sensitivity": "Sensitivity",
         "_stored": "read_result",
@@ -102,6 +104,7 @@ __all__ = [
     "Path",
     "Place",
     "Profile",
+    "ProfileChange",
     "Record",
     "Regime",
     "RexsCase",

@@ -54,7 +54,7 @@ pub(super) struct Fit {
     pub along: Vec<f64>,
     /// First trace \[m\].
     pub before: Vec<f64>,
-    /// Slope of the first trace.
+    /// Mean slope of both traces.
     slopes: Vec<f64>,
     /// Mean height of both above their mean lines \[m\], by which dales are known.
     pub level: Vec<f64>,
@@ -62,7 +62,7 @@ pub(super) struct Fit {
     pub lost: Vec<f64>,
     /// Weights in the dales, zero elsewhere.
     pub weights: Vec<f64>,
-    /// Normal matrix.
+    /// Normal matrix with products of the slopes of both traces: noise, which would enlarge the squares of one, has none in the mean.
     normal: Cholesky,
     /// Share of the points that are spared dales.
     share: f64,
@@ -130,14 +130,14 @@ impl Fit {
             // Height and tilt are linear, and settle first.
             for _ in 0..LINEAR_STEPS {
                 let solved = points.step(&points.weights(is_dale, *scale), false)?;
-                points.moved(&mut place, solved.0);
+                points.moved(&mut place, solved);
             }
             let weights = points.weights(is_dale, *scale);
-            let (moved, normal) = points.step(&weights, true)?;
+            let moved = points.step(&weights, true)?;
             points.moved(&mut place, moved);
             change = (moved[0].abs() + moved[1].abs()) / before.dx;
             if step >= FREE_STEPS && change < SETTLED {
-                return Ok(points.done(place, (weights, *scale), normal, share, after.dx));
+                return points.done(place, (weights, *scale), share, after.dx);
             }
         }
         Err(RoughnessError::NotConverged {
@@ -308,6 +308,19 @@ fn shortest_half(values: &[f64]) -> (f64, f64) {
     )
 }
 
+/// Sum of the normal matrices of all points, each by point, row and column.
+fn normal(
+    of: impl Fn(usize, usize, usize) -> f64,
+    weights: &[f64],
+) -> Result<Cholesky, RoughnessError> {
+    let sum = |j: usize, k: usize| (0..weights.len()).map(|i| of(i, j, k)).sum();
+    Cholesky::new(4, sum, 0.0).ok_or(RoughnessError::TooFewPoints {
+        points: weights.iter().filter(|weight| **weight > 0.0).count(),
+        needed: 4,
+        purpose: "the match of two traces",
+    })
+}
+
 /// Both traces at the points of the second that lie on the first.
 struct Points {
     half: f64,
@@ -315,6 +328,7 @@ struct Points {
     along: Vec<f64>,
     before: Vec<f64>,
     slopes: Vec<f64>,
+    after_slopes: Vec<f64>,
     level: Vec<f64>,
     lost: Vec<f64>,
 }
@@ -329,13 +343,15 @@ impl Points {
             along: Vec::new(),
             before: Vec::new(),
             slopes: Vec::new(),
+            after_slopes: Vec::new(),
             level: Vec::new(),
             lost: Vec::new(),
         };
         for (i, (z, rough)) in after.heights.iter().zip(&after.rough).enumerate() {
             let along = i as f64 * after.dx / half - 1.0;
             let x = place.middle + (half + place.stretch) * along;
-            let Some([height, slope, level]) = before.at(x) else {
+            let on_both = before.at(x).zip(after.at(i as f64 * after.dx));
+            let Some(([height, slope, level], [_, after_slope, _])) = on_both else {
                 continue;
             };
             if points.along.is_empty() {
@@ -344,6 +360,7 @@ impl Points {
             points.along.push(along);
             points.before.push(height);
             points.slopes.push(slope);
+            points.after_slopes.push(after_slope);
             points.level.push(0.5 * (level + rough));
             points
                 .lost
@@ -380,37 +397,33 @@ impl Points {
         self.lost.iter().zip(is_dale).map(weight).collect()
     }
 
-    /// Change of the place by weighted least squares, of height and tilt only or of all, and the normal matrix.
-    fn step(
-        &self,
-        weights: &[f64],
-        is_whole: bool,
-    ) -> Result<([f64; 4], Cholesky), RoughnessError> {
-        let mut matrix = [[0.0; 4]; 4];
+    /// Change of the place by weighted least squares, of height and tilt only or of all.
+    fn step(&self, weights: &[f64], is_whole: bool) -> Result<[f64; 4], RoughnessError> {
+        let row = |i: usize| {
+            let slope = if is_whole { self.slopes[i] } else { 0.0 };
+            row(slope, self.along[i])
+        };
         let mut right = [0.0; 4];
-        for (i, weight) in weights.iter().enumerate().filter(|(_, w)| **w > 0.0) {
-            let mut row = row(self.slopes[i], self.along[i]);
-            if !is_whole {
-                (row[0], row[1]) = (0.0, 0.0);
-            }
-            for j in 0..4 {
-                right[j] -= weight * row[j] * self.lost[i];
-                for k in 0..=j {
-                    matrix[j][k] += weight * row[j] * row[k];
-                }
+        for (i, weight) in weights.iter().enumerate() {
+            for (sum, j) in right.iter_mut().zip(row(i)) {
+                *sum -= weight * j * self.lost[i];
             }
         }
-        if !is_whole {
-            (matrix[0][0], matrix[1][1]) = (1.0, 1.0);
-        }
-        let normal = Cholesky::new(4, |j, k| matrix[j][k], 0.0);
-        let normal = normal.ok_or(RoughnessError::TooFewPoints {
-            points: weights.iter().filter(|weight| **weight > 0.0).count(),
-            needed: 4,
-            purpose: "the match of two traces",
-        })?;
+        let least = if is_whole { 0.0 } else { 1.0 };
+        let normal = normal(
+            |i, j, k| {
+                let row = row(i);
+                let own = if i == 0 && j == k && j < 2 {
+                    least
+                } else {
+                    0.0
+                };
+                own + weights[i] * row[j] * row[k]
+            },
+            weights,
+        )?;
         normal.solve(&mut right);
-        Ok((right, normal))
+        Ok(right)
     }
 
     /// Moves the place; residuals follow height and tilt.
@@ -429,25 +442,39 @@ impl Points {
         self,
         place: Place,
         (weights, scale): (Vec<f64>, f64),
-        normal: Cholesky,
         share: f64,
         dx: f64,
-    ) -> Fit {
+    ) -> Result<Fit, RoughnessError> {
         let counts = |(lost, weight): (&f64, &f64)| *weight > 0.0 && lost.abs() < NOISE * scale;
         let counts = self.lost.iter().zip(&weights).map(counts);
-        Fit {
+        let normal = normal(
+            |i, j, k| {
+                let of = |slopes: &[f64]| row(slopes[i], self.along[i]);
+                let [first, second] = [of(&self.slopes), of(&self.after_slopes)];
+                0.5 * weights[i] * (first[j] * second[k] + first[k] * second[j])
+            },
+            &weights,
+        )?;
+        let mean = |(first, second): (&f64, &f64)| 0.5 * (first + second);
+        let slopes = self
+            .slopes
+            .iter()
+            .zip(&self.after_slopes)
+            .map(mean)
+            .collect();
+        Ok(Fit {
             noise: Noise::of(&self.lost, &counts.collect::<Vec<bool>>(), dx),
             place,
             half: self.half,
             along: self.along,
             before: self.before,
-            slopes: self.slopes,
+            slopes,
             level: self.level,
             lost: self.lost,
             weights,
             normal,
             share,
             uneven: 0.0,
-        }
+        })
     }
 }

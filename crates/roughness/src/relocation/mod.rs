@@ -65,6 +65,19 @@ impl Default for Bounds {
     }
 }
 
+impl Bounds {
+    /// Checks the bounds, and returns the largest shift \[m\].
+    ///
+    /// # Errors
+    /// When the shift is negative, or the stretch is not from 0 to 0.05.
+    pub fn check(&self) -> Result<f64, DomainError> {
+        let rule = "must be from 0 to 0.05";
+        let is_valid = (0.0..=0.05).contains(&self.stretch);
+        DomainError::require(is_valid, "max_stretch", self.stretch, "-", rule)?;
+        DomainError::non_negative("max_shift", self.shift)
+    }
+}
+
 /// A trace on the trace of the same place before it. All intervals are from 5 to 95 %.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -125,10 +138,7 @@ pub struct Relocation {
 /// # Ok::<(), asperity_core::Fault>(())
 /// ```
 pub fn relocate(before: &Profile, after: &Profile, bounds: Bounds) -> Result<Relocation, Fault> {
-    let shift = DomainError::non_negative("shift", bounds.shift)?;
-    let rule = "must be from 0 to 0.05";
-    let is_valid = (0.0..=0.05).contains(&bounds.stretch);
-    DomainError::require(is_valid, "stretch", bounds.stretch, "-", rule)?;
+    let shift = bounds.check()?;
     let cutoff = noise_cutoff(before, after);
     let [first, second] = [Trace::new(before, cutoff)?, Trace::new(after, cutoff)?];
     let found = search(&first, &second, (shift, bounds.stretch));

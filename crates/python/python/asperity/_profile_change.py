@@ -1,0 +1,59 @@
+"""Traces of the same places before and after a test."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Union
+
+from . import _asperity
+from ._compare import Trace
+from ._errors import wrong_kind
+from ._profile import Profile, read_profile
+from ._record import Table
+from ._study import Study
+
+if TYPE_CHECKING:
+    import pandas
+
+
+def raw_traces(traces: Union[Trace, Sequence[Trace]], what: str) -> list[tuple[str, _asperity.Trace]]:
+    """Names and traces as the compiled part takes them."""
+    found = []
+    for number, trace in enumerate(traces if isinstance(traces, (list, tuple)) else [traces], 1):
+        profile = read_profile(trace) if isinstance(trace, (str, PathLike)) else trace
+        if not isinstance(profile, Profile):
+            raise wrong_kind(what, trace, "a profile, the path of one, or a list of them")
+        name = Path(trace).name if isinstance(trace, (str, PathLike)) else profile.name or f"{what} {number}"
+        found.append((name, profile._raw))
+    return found
+
+
+class ProfileChange(Study):
+    """Traces after a test on those before it: ``mean`` (removed_nm, lost_nm, gained_nm, each with quantiles of 5 and 95 %),
+    ``scatter_nm`` from pair to pair."""
+
+    @property
+    def pairs(self) -> Table:
+        """One row per pair: place of the second trace on the first, and what it lost."""
+        return Table(self._values["pairs"])
+
+    @property
+    def parameters(self) -> Table:
+        """One row per roughness parameter: before, after, change, noise floor."""
+        return Table(self._values["parameters"])
+
+    @property
+    def material_ratio(self) -> Table:
+        """One row per material ratio: level before, after, change, noise floor."""
+        return Table(self._values["material_ratio"])
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row per pair."""
+        return self.pairs.to_pandas()
+
+    def _rows(self) -> list[tuple[str, str]]:
+        mean = self._values["mean"]
+        low, high = mean["removed_quantiles_nm"]
+        return [("removed", f"{mean['removed_nm']:.1f} nm ({low:.1f}..{high:.1f})")]

@@ -1,0 +1,263 @@
+//! Report of a change of traces: what was removed and moved, both traces over each other, and the parameters.
+
+use asperity::result::loss_band::{Digits, rounded};
+use asperity_core::Estimate;
+use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
+use asperity_report::{Cell, Report, StudyResult, StudySettings as _, Table, columns, thin};
+
+use super::study::{ChangeSettings, Heights, PairRow, ParameterRow, PointRow, TraceChange};
+
+const PAIRS: &str = "pairs.csv";
+const PARAMETERS: &str = "parameters.csv";
+const CURVE: &str = "material_ratio.csv";
+/// Pairs that are drawn.
+const DRAWN: usize = 4;
+/// Bins of a drawn trace.
+const BINS: usize = 350;
+/// Width of the close-up \[mm\].
+const CLOSE: f64 = 0.2;
+/// Half width of an interval over a noise floor, which one of twenty exceeds.
+const OF_FLOOR: f64 = 0.84;
+
+impl StudyResult for TraceChange {
+    const KIND: &'static str = "change of traces";
+    const NAME: &'static str = "change";
+
+    fn report(&self) -> Report<'_> {
+        let mut report = Report::new(&self.title, "change of traces")
+            .section("What changed")
+            .verdict(verdict(&self.mean))
+            .verdict(scatter(self))
+            .verdict(moved(&self.mean))
+            .verdict([parameters_line(self)])
+            .figures(|| charts(self))
+            .warning(&self.warnings)
+            .section("Roughness parameters")
+            .table(parameters(self))
+            .section("Material ratio curve")
+            .figures(|| [curve_chart(self)])
+            .table(curve(self))
+            .section("Match")
+            .text(self.pairs.iter().map(place))
+            .table(pairs(self))
+            .method([ChangeSettings::METHOD]);
+        for (k, points) in self.points.iter().enumerate() {
+            report = report.rows(trace_file(k), move || points);
+        }
+        report
+    }
+}
+
+fn trace_file(pair: usize) -> String {
+    format!("traces_{}.csv", pair + 1)
+}
+
+fn nanometres(estimate: Estimate) -> String {
+    Digits::of_difference(estimate.ends()).interval_with(" nm", estimate)
+}
+
+/// The height removed, or that there is none.
+fn verdict(mean: &Heights) -> [String; 1] {
+    let removed = mean.removed_nm;
+    let height = nanometres(removed);
+    [if removed.low > 0.0 {
+        format!("The test removed {height} of height, as mean over the trace.")
+    } else if removed.high < 0.0 {
+        format!(
+            "Nothing was removed: the trace is higher by {}, relative to its dales.",
+            nanometres(removed.map(|nm| -nm))
+        )
+    } else {
+        format!(
+            "Nothing was removed within the noise floor: {height} of height, as mean over the trace."
+        )
+    }]
+}
+
+/// Scatter from pair to pair; `None` of a single one.
+fn scatter(study: &TraceChange) -> Option<String> {
+    study.scatter_nm.map(|scatter| {
+        let digits = Digits::of_interval(study.mean.removed_nm.ends());
+        format!(
+            "From pair to pair it scatters by {} nm (standard deviation of {}).",
+            digits.rounded(scatter),
+            study.pairs.len()
+        )
+    })
+}
+
+/// Height that moved; `None` if noise explains it.
+fn moved(mean: &Heights) -> Option<String> {
+    let [lost, gained] = [mean.lost_nm, mean.gained_nm];
+    (gained.low > 0.0).then(|| {
+        let share = 100.0 * (gained.value / lost.value).min(1.0);
+        format!(
+            "Material moved: where the trace is lower it lost {}, where it is higher it gained {}, {share:.0} % of that.",
+            nanometres(lost),
+            nanometres(gained)
+        )
+    })
+}
+
+fn is_clear(row: &ParameterRow) -> bool {
+    row.change_um.abs() > row.floor_um
+}
+
+/// Change of a parameter with the digits that noise leaves.
+fn change_of(row: &ParameterRow) -> String {
+    Digits::of_uncertainty(OF_FLOOR * row.floor_um).signed(row.change_um)
+}
+
+/// The parameters that changed.
+fn parameters_line(study: &TraceChange) -> String {
+    let clear: Vec<String> = study
+        .parameters
+        .iter()
+        .filter(|row| is_clear(row))
+        .map(|row| {
+            let percent = 100.0 * row.change_um / row.before_um;
+            format!("{} {} µm ({percent:+.0} %)", row.parameter, change_of(row))
+        })
+        .collect();
+    match clear.is_empty() {
+        true => "No roughness parameter changed by more than its noise floor.".to_owned(),
+        false => format!("Changed by more than noise: {}.", clear.join(", ")),
+    }
+}
+
+/// Where the second trace of a pair lies on the first.
+fn place(pair: &PairRow) -> String {
+    let interval = |estimate: Estimate| Digits::of_interval(estimate.ends()).interval(estimate);
+    format!(
+        "{} lies {} µm along {}, stretched by {} %; their dales correlate by {:.3}, elsewhere by {:.2}.",
+        pair.after,
+        interval(pair.shift_um),
+        pair.before,
+        interval(pair.stretch_percent),
+        pair.correlation,
+        pair.elsewhere
+    )
+}
+
+fn parameters(study: &TraceChange) -> Table {
+    let um = |value: f64, floor: f64| Cell::number(value, |value| rounded(value, OF_FLOOR * floor));
+    let table = columns! { row in &study.parameters;
+        head parameter "parameter" "" = row.parameter;
+        number before_um "before" "µm" = um(row.before_um, row.floor_um);
+        number after_um "after" "µm" = um(row.after_um, row.floor_um);
+        number change_um "change" "µm" = Cell::number(row.change_um, |_| change_of(row));
+        number floor_um "noise floor" "µm" = um(row.floor_um, row.floor_um);
+    };
+    table.in_file(PARAMETERS)
+}
+
+fn curve(study: &TraceChange) -> Table {
+    let um = |value: f64, floor: f64| Cell::number(value, |value| rounded(value, OF_FLOOR * floor));
+    let signed = |value: f64, floor: f64| {
+        Cell::number(value, |value| {
+            Digits::of_uncertainty(OF_FLOOR * floor).signed(value)
+        })
+    };
+    let table = columns! { row in &study.material_ratio;
+        number material_ratio_percent "material ratio" "%" "{:.0}";
+        number before_um "level before" "µm" = um(row.before_um, row.floor_um);
+        number after_um "level after" "µm" = um(row.after_um, row.floor_um);
+        number change_um "change" "µm" = signed(row.change_um, row.floor_um);
+        number floor_um "noise floor" "µm" = um(row.floor_um, row.floor_um);
+    };
+    table.in_file(CURVE)
+}
+
+fn pairs(study: &TraceChange) -> Table {
+    let table = columns! { pair in &study.pairs;
+        head before "before" "";
+        head after "after" "";
+        interval removed_nm "removed" "nm" = Cell::interval(pair.heights.removed_nm);
+        interval lost_nm "lost" "nm" = Cell::interval(pair.heights.lost_nm);
+        interval gained_nm "gained" "nm" = Cell::interval(pair.heights.gained_nm);
+        interval shift_um "shift" "µm" = Cell::interval(pair.shift_um);
+        interval stretch_percent "stretch" "%" = Cell::interval(pair.stretch_percent);
+        interval height_um "height" "µm" = Cell::interval(pair.height_um);
+        interval tilt_um_per_mm "tilt" "µm/mm" = Cell::interval(pair.tilt_um_per_mm);
+        number correlation "correlation" "" "{:.3}";
+        number elsewhere "elsewhere" "" "{:.2}";
+        number matched_percent "dales matched" "%" "{:.0}";
+        number noise_nm "noise" "nm" "{:.1}";
+        number overlap_mm "common length" "mm" "{:.3}";
+        number removed_um2 "section removed" "µm²" "{:.1}";
+    };
+    table.in_file(PAIRS)
+}
+
+fn charts(study: &TraceChange) -> Vec<Drawing> {
+    let mut charts = Vec::new();
+    for (k, (pair, points)) in study
+        .pairs
+        .iter()
+        .zip(&study.points)
+        .take(DRAWN)
+        .enumerate()
+    {
+        let title = format!("{} (after) on {} (before)", pair.after, pair.before);
+        charts.push(traces(&format!("traces-{}", k + 1), &title, k, points));
+        if k == 0 {
+            let title = "Where most was lost";
+            charts.push(traces("close-up", title, k, close_up(points)));
+        }
+    }
+    charts
+}
+
+/// The points about the place of the largest loss.
+fn close_up(points: &[PointRow]) -> &[PointRow] {
+    let most = |point: &&PointRow| point.lost_nm;
+    let most = points.iter().max_by(|a, b| most(a).total_cmp(&most(b)));
+    let middle = most.map_or(0.0, |point| point.x_mm);
+    let begin = points.partition_point(|point| point.x_mm < middle - 0.5 * CLOSE);
+    let end = points.partition_point(|point| point.x_mm <= middle + 0.5 * CLOSE);
+    &points[begin..end]
+}
+
+/// Both traces over each other; the lost part is an area.
+fn traces(id: &str, title: &str, pair: usize, points: &[PointRow]) -> Drawing {
+    let drawn = thin(
+        points,
+        BINS,
+        |point| point.x_mm,
+        |point| [point.before_um, point.after_um, point.lost_nm],
+    );
+    let of = |value: fn(&PointRow) -> f64| drawn.iter().map(value).collect::<Vec<f64>>();
+    let x = of(|point| point.x_mm);
+    let [before, after] = [of(|point| point.before_um), of(|point| point.after_um)];
+    let lower = of(|point| point.before_um.min(point.after_um));
+    let chart = Chart::new(
+        id,
+        title,
+        &trace_file(pair),
+        Axis::new("place on the first trace", "mm"),
+        Axis::new("height above the mean line before", "µm"),
+    );
+    let chart = chart
+        .with(Series::area("lost", &x, &lower, &before))
+        .curve("before", Line::Solid, &x, &before)
+        .curve("after", Line::Solid, &x, &after);
+    Drawing::Curves(chart)
+}
+
+fn curve_chart(study: &TraceChange) -> Drawing {
+    let of = |value: fn(&super::CurveRow) -> f64| {
+        study.material_ratio.iter().map(value).collect::<Vec<f64>>()
+    };
+    let x = of(|row| row.material_ratio_percent);
+    let chart = Chart::new(
+        "material-ratio",
+        "Material ratio curve before and after",
+        CURVE,
+        Axis::new("material ratio", "%"),
+        Axis::new("level above the mean line before", "µm"),
+    );
+    let chart = chart
+        .curve("before", Line::Dots, &x, &of(|row| row.before_um))
+        .curve("after", Line::Dots, &x, &of(|row| row.after_um));
+    Drawing::Curves(chart)
+}

@@ -1,0 +1,366 @@
+//! Computation of the change of traces.
+
+use asperity::message::Warning;
+use asperity_core::numerics::{deviation, mean};
+use asperity_core::quantity::{Length, Ratio};
+use asperity_core::{Estimate, EstimateKeys, Fault, Profile, estimate_keys};
+use asperity_report::{Input, Setting, StudySettings, Watch, Work, settings};
+use asperity_roughness::gaussian_filter::{Ends, mean_line};
+use asperity_roughness::preparation::LAMBDA_C;
+use asperity_roughness::relocation::{Bounds, Change, Relocation, relocate};
+use serde::Serialize;
+
+/// Material ratios of the table \[%\].
+const RATIOS: [f64; 9] = [1.0, 5.0, 10.0, 25.0, 50.0, 75.0, 90.0, 95.0, 99.0];
+/// Micrometres and nanometres in a metre.
+const MICRO: f64 = 1e6;
+const NANO: f64 = 1e9;
+
+/// Traces of one place before and after a test.
+#[derive(Debug, Clone)]
+pub struct TracePair {
+    /// Names of both.
+    pub names: [String; 2],
+    /// Both traces.
+    pub traces: [Profile; 2],
+    /// Warnings of their readers.
+    pub warnings: Vec<Warning>,
+}
+
+impl TracePair {
+    /// A pair of traces with their names, read without a warning.
+    pub fn new(names: [&str; 2], traces: [Profile; 2]) -> Self {
+        Self {
+            names: names.map(str::to_owned),
+            traces,
+            warnings: Vec::new(),
+        }
+    }
+}
+
+/// Pairs of traces, each of one place.
+#[derive(Debug, Clone)]
+pub struct TracePairs(pub Vec<TracePair>);
+
+impl Input for TracePairs {
+    fn described() -> Vec<Setting> {
+        let traces = |name, about| Setting::new(name, "Vec<Trace>", about, None);
+        vec![
+            traces("before", "One or several traces before the test"),
+            traces("after", "The traces of the same places after it"),
+        ]
+    }
+
+    fn title(&self) -> String {
+        match &self.0[..] {
+            [pair] => format!("{} after {}", pair.names[1], pair.names[0]),
+            [first, rest @ ..] => format!(
+                "{} after {}, and {} more pair{}",
+                first.names[1],
+                first.names[0],
+                rest.len(),
+                if rest.len() == 1 { "" } else { "s" }
+            ),
+            [] => String::new(),
+        }
+    }
+}
+
+settings! {
+    /// Settings of a change of traces.
+    pub struct ChangeSettings {
+        /// Largest shift of the second trace, to either side
+        max_shift: Length = "0.5 mm",
+        /// Largest stretch of the second trace, to either side
+        max_stretch: Ratio = "0.3 %",
+    }
+}
+
+estimate_keys! {
+    ShiftKeys: "shift_um" "shift_quantiles_um";
+    StretchKeys: "stretch_percent" "stretch_quantiles_percent";
+    HeightKeys: "height_um" "height_quantiles_um";
+    TiltKeys: "tilt_um_per_mm" "tilt_quantiles_um_per_mm";
+    RemovedKeys: "removed_nm" "removed_quantiles_nm";
+    LostKeys: "lost_nm" "lost_quantiles_nm";
+    GainedKeys: "gained_nm" "gained_quantiles_nm";
+}
+
+/// Mean heights over a trace.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Heights {
+    /// Height removed.
+    #[serde(flatten, with = "RemovedKeys")]
+    pub removed_nm: Estimate,
+    /// Height lost where the trace is lower after the test.
+    #[serde(flatten, with = "LostKeys")]
+    pub lost_nm: Estimate,
+    /// Height gained where it is higher.
+    #[serde(flatten, with = "GainedKeys")]
+    pub gained_nm: Estimate,
+}
+
+/// Match of a pair and what it lost.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PairRow {
+    /// Name of the trace before.
+    pub before: String,
+    /// Name of the trace after.
+    pub after: String,
+    /// Shift of the middle of the second trace along the first.
+    #[serde(flatten, with = "ShiftKeys")]
+    pub shift_um: Estimate,
+    /// Stretch of the second trace.
+    #[serde(flatten, with = "StretchKeys")]
+    pub stretch_percent: Estimate,
+    /// Height added to the second trace.
+    #[serde(flatten, with = "HeightKeys")]
+    pub height_um: Estimate,
+    /// Slope added to the second trace.
+    #[serde(flatten, with = "TiltKeys")]
+    pub tilt_um_per_mm: Estimate,
+    /// Correlation of the dales.
+    pub correlation: f64,
+    /// Best correlation of the dales at another place.
+    pub elsewhere: f64,
+    /// Share of the points in the dales that were matched.
+    pub matched_percent: f64,
+    /// Standard deviation of the difference of both traces in the dales.
+    pub noise_nm: f64,
+    /// Length that both traces have in common.
+    pub overlap_mm: f64,
+    /// Area of the section that was removed.
+    pub removed_um2: f64,
+    /// Mean heights.
+    #[serde(flatten)]
+    pub heights: Heights,
+}
+
+/// A parameter before and after, as mean of all pairs.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct ParameterRow {
+    /// Parameter.
+    pub parameter: &'static str,
+    /// Before the test.
+    pub before_um: f64,
+    /// After it.
+    pub after_um: f64,
+    /// Difference.
+    pub change_um: f64,
+    /// Change that noise makes in one of twenty comparisons of unchanged traces.
+    pub floor_um: f64,
+}
+
+/// A level of the material ratio curve before and after, as mean of all pairs.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct CurveRow {
+    /// Material ratio.
+    pub material_ratio_percent: f64,
+    /// Level before the test above the mean line.
+    pub before_um: f64,
+    /// Level after it above the same line.
+    pub after_um: f64,
+    /// Difference.
+    pub change_um: f64,
+    /// Change that noise and the uncertain height make in one of twenty comparisons of unchanged traces.
+    pub floor_um: f64,
+}
+
+/// A point of both traces, with heights above the mean line of the first.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(super) struct PointRow {
+    pub x_mm: f64,
+    pub before_um: f64,
+    pub after_um: f64,
+    pub lost_nm: f64,
+}
+
+/// Change of traces of the same places by a test.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct TraceChange {
+    /// Title.
+    pub title: String,
+    /// Mean over the pairs, for these places.
+    pub mean: Heights,
+    /// Standard deviation of the height removed from pair to pair; `None` of a single pair.
+    pub scatter_nm: Option<f64>,
+    /// Pairs.
+    pub pairs: Vec<PairRow>,
+    /// Parameters.
+    pub parameters: Vec<ParameterRow>,
+    /// Material ratio curve.
+    pub material_ratio: Vec<CurveRow>,
+    /// Warnings of the readers.
+    pub warnings: Vec<Warning>,
+    /// Points of each pair.
+    #[serde(skip)]
+    pub(super) points: Vec<Vec<PointRow>>,
+}
+
+impl StudySettings for ChangeSettings {
+    type Input = TracePairs;
+    type Found = TraceChange;
+    const COMMAND: &'static str = "profile change";
+    const FUNCTION: &'static str = "profile_change";
+    const FOLDER: &'static str = "change";
+    const ABOUT: &'static str = "Height that a test removed from traces of the same places, and the change of their parameters";
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] =
+        &[&[("before", "before.csv"), ("after", "after.csv")]];
+    const METHOD: &'static str = "The second trace is placed on the first by the dales, which wear spares: shift, stretch, height and tilt. \
+        Heights are relative to the dales, so that a loss of dales and peaks alike does not show. Intervals are from 5 to 95 %. They \
+        contain the noise of the match and the choice of the dales. Where parts of the trace rose, other dales may have risen as well: the \
+        height gained is then also a standard deviation of the height removed. Parameters follow ISO 4287 with sections of 0.25 mm over the \
+        common length. A noise floor is the change that noise makes in one of twenty comparisons.";
+    const STEPS: &'static str = "pairs";
+
+    fn work(&self, _: &TracePairs) -> Result<Option<Work>, Fault> {
+        Ok(None)
+    }
+
+    fn run(&self, given: TracePairs, watch: &Watch<'_>) -> Result<TraceChange, Fault> {
+        let bounds = Bounds {
+            shift: self.max_shift,
+            stretch: self.max_stretch.value(),
+        };
+        bounds.check()?;
+        let title = given.title();
+        let count = given.0.len();
+        let (mut pairs, mut points, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut parameters, mut levels) = (Vec::new(), Vec::new());
+        for (k, pair) in given.0.into_iter().enumerate() {
+            let [before, after] = &pair.traces;
+            let about = |fault: Fault| fault.about(format!("{}, {}", pair.names[0], pair.names[1]));
+            let found = relocate(before, after, bounds).map_err(about)?;
+            let of_trace = |error| about(Fault::from(error));
+            parameters.push(found.parameters().map_err(of_trace)?.to_vec());
+            levels.push(found.material_ratio(&RATIOS).map_err(of_trace)?);
+            points.push(along(&found).map_err(of_trace)?);
+            pairs.push(row(&pair.names, &found));
+            warnings.extend(pair.warnings);
+            (watch.progress)(k + 1, count);
+        }
+        let of = |value: fn(&Heights) -> Estimate| {
+            mean_of(
+                &pairs
+                    .iter()
+                    .map(|pair| value(&pair.heights))
+                    .collect::<Vec<_>>(),
+            )
+        };
+        let removed = pairs.iter().map(|pair| pair.heights.removed_nm.value);
+        let removed: Vec<f64> = removed.collect();
+        Ok(TraceChange {
+            title,
+            mean: Heights {
+                removed_nm: of(|heights| heights.removed_nm),
+                lost_nm: of(|heights| heights.lost_nm),
+                gained_nm: of(|heights| heights.gained_nm),
+            },
+            scatter_nm: deviation(&removed),
+            parameters: means(&parameters).map(ParameterRow::of).collect(),
+            material_ratio: means(&levels).map(CurveRow::of).collect(),
+            pairs,
+            warnings,
+            points,
+        })
+    }
+}
+
+fn row(names: &[String; 2], found: &Relocation) -> PairRow {
+    let in_unit = |estimate: Estimate<Length>, unit: f64| estimate.map(|length| length.si() * unit);
+    let overlap = found.before.length().si();
+    let [before, after] = names.clone();
+    PairRow {
+        before,
+        after,
+        shift_um: in_unit(found.shift, MICRO),
+        stretch_percent: found.stretch.map(|stretch| 100.0 * stretch),
+        height_um: in_unit(found.height, MICRO),
+        tilt_um_per_mm: found.tilt.map(|slope| 1e3 * slope),
+        correlation: found.correlation,
+        elsewhere: found.elsewhere,
+        matched_percent: 100.0 * found.matched,
+        noise_nm: found.noise.si() * NANO,
+        overlap_mm: 1e3 * overlap,
+        removed_um2: found.removed.value.si() * overlap * MICRO * MICRO,
+        heights: Heights {
+            removed_nm: in_unit(found.removed, NANO),
+            lost_nm: in_unit(found.lost, NANO),
+            gained_nm: in_unit(found.gained, NANO),
+        },
+    }
+}
+
+/// Both traces over the mean line of the first.
+fn along(found: &Relocation) -> Result<Vec<PointRow>, asperity_roughness::RoughnessError> {
+    let line = mean_line(&found.before, LAMBDA_C, Ends::Reg1)?;
+    let [start, dx] = [found.start, found.before.spacing()].map(Length::si);
+    let heights = found.before.heights().iter().zip(found.after.heights());
+    let point = |(i, ((before, after), line)): (usize, ((&f64, &f64), f64))| PointRow {
+        x_mm: 1e3 * (start + dx * i as f64),
+        before_um: MICRO * (before - line),
+        after_um: MICRO * (after - line),
+        lost_nm: NANO * (before - after),
+    };
+    Ok(heights.zip(line).enumerate().map(point).collect())
+}
+
+/// Mean of the pairs, whose errors are independent.
+fn mean_of(pairs: &[Estimate]) -> Estimate {
+    let count = pairs.len() as f64;
+    let value = mean(pairs.iter().map(|pair| pair.value));
+    let square = mean(pairs.iter().map(|pair| pair.half_width().powi(2)));
+    let reach = (square / count).sqrt();
+    Estimate::new(value, [value - reach, value + reach])
+}
+
+/// A change as mean over the pairs \[µm\].
+struct MeanChange<T> {
+    of: T,
+    before: f64,
+    after: f64,
+    floor: f64,
+}
+
+fn means<T: Copy>(pairs: &[Vec<Change<T>>]) -> impl Iterator<Item = MeanChange<T>> {
+    let count = pairs.len() as f64;
+    let first = pairs.first().map_or(&[][..], Vec::as_slice);
+    first.iter().enumerate().map(move |(k, one)| {
+        let each = || pairs.iter().map(|changes| &changes[k]);
+        MeanChange {
+            of: one.of,
+            before: MICRO * mean(each().map(|change| change.before.si())),
+            after: MICRO * mean(each().map(|change| change.after.si())),
+            floor: MICRO * (mean(each().map(|change| change.floor.si().powi(2))) / count).sqrt(),
+        }
+    })
+}
+
+impl ParameterRow {
+    fn of(change: MeanChange<&'static str>) -> Self {
+        Self {
+            parameter: change.of,
+            before_um: change.before,
+            after_um: change.after,
+            change_um: change.after - change.before,
+            floor_um: change.floor,
+        }
+    }
+}
+
+impl CurveRow {
+    fn of(change: MeanChange<f64>) -> Self {
+        Self {
+            material_ratio_percent: change.of,
+            before_um: change.before,
+            after_um: change.after,
+            change_um: change.after - change.before,
+            floor_um: change.floor,
+        }
+    }
+}
