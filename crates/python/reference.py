@@ -24,7 +24,7 @@ of arguments are in `asperity.keys` and written as in Python: `Scalar` is a numb
 TOPICS = {
     "Cases": "Case read_result demo from_rexs rexs_contents RexsCase",
     "Results of a case": "RunResult Summary Path Fields Regime",
-    "Profiles": "read_profile generate Profile Parts Parameters",
+    "Profiles": "read_profile generate Profile Parts Parameters profile_change ProfileChange",
     "Contacts": "solve_contact press_flanks subsurface_stress Contact Stress ehl EhlRecord",
     "Laws over arrays": "hertz film_thickness thermal_reduction friction_coefficient",
     "Studies": "compare Comparison map read_map Map cycle Cycle sensitivity Sensitivity ridges Ridges callout CallOut sweep Sweep",

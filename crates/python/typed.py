@@ -524,7 +524,7 @@ INPUTS = {
     "Map": ("Map", None, "map_of({0})"),
     "Cycle": ("Columns", None, 'table_of({0}, "cycle", Code.E101)'),
     "Option<Vehicle>": ("Optional[Mapping[str, Any]]", "None", "vehicle_keys({0})"),
-    "Vec<Trace>": ("Union[Trace, Sequence[Trace]]", None, 'raw_traces({0}, "{0}")'),
+    "Vec<Trace>": ("Union[Trace, Sequence[Trace]]", None, "raw_traces({0})"),
     "Vec<Curves>": ("Union[Columns, Sequence[Columns]]", None, 'tables_of_curves({0}, "{0}")'),
 }
 """Arguments of what a study is about: type, default and value for the compiled part, none of an argument that another one takes."""

@@ -18,21 +18,21 @@ if TYPE_CHECKING:
     import pandas
 
 
-def raw_traces(traces: Union[Trace, Sequence[Trace]], what: str) -> list[tuple[str, _asperity.Trace]]:
+def raw_traces(traces: Union[Trace, Sequence[Trace]]) -> list[tuple[str, _asperity.Trace]]:
     """Names and traces as the compiled part takes them."""
     found = []
     for number, trace in enumerate(traces if isinstance(traces, (list, tuple)) else [traces], 1):
         profile = read_profile(trace) if isinstance(trace, (str, PathLike)) else trace
         if not isinstance(profile, Profile):
-            raise wrong_kind(what, trace, "a profile, the path of one, or a list of them")
-        name = Path(trace).name if isinstance(trace, (str, PathLike)) else profile.name or f"{what} {number}"
+            raise wrong_kind("traces", trace, "a profile, the path of one, or a list of them")
+        name = Path(trace).name if isinstance(trace, (str, PathLike)) else profile.name or f"trace {number}"
         found.append((name, profile._raw))
     return found
 
 
 class ProfileChange(Study):
-    """Traces after a test on those before it: ``mean`` (removed_nm, lost_nm, gained_nm, each with quantiles of 5 and 95 %),
-    ``scatter_nm`` from pair to pair."""
+    """Traces after a test on the traces before it: ``mean`` (removed_nm, lost_nm, gained_nm, each with quantiles of 5 and
+    95 %), ``scatter_nm`` from pair to pair."""
 
     @property
     def pairs(self) -> Table:

@@ -14,11 +14,12 @@ from ._callout import CallOut
 from ._case import CaseLike, as_case
 from ._choices import Band, CalibratedParameter, ExportFormat, RoughnessParameter, TemperatureColumn, Zero
 from ._columns import Columns, table_of
-from ._compare import Comparison, Finish, cases_of
+from ._compare import Comparison, Finish, Trace, cases_of
 from ._errors import Code
 from ._keys import vehicle_keys
 from ._map import Cycle, Map, map_of
 from ._oil import OilFit, OilLike, OilPlan, Stribeck, Traction, raw_oil, tables_of_curves
+from ._profile_change import ProfileChange, raw_traces
 from ._progress import Progress
 from ._quantity import Numbers, Quantities, Quantity, nodes, number, written
 from ._ridges import Ridges
@@ -307,6 +308,53 @@ def callout(
         "seed": seed,
     }
     return ran(CallOut, "callout", (as_case(case)._raw,), settings, threads, progress)
+
+
+def profile_change(
+    before: Union[Trace, Sequence[Trace]],
+    after: Union[Trace, Sequence[Trace]],
+    *,
+    max_shift: Quantity = "0.5 mm",
+    max_stretch: Union[float, str] = "0.3 %",
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> ProfileChange:
+    """Height that a test removed from traces of the same places, and the change of their parameters.
+
+    The second trace is placed on the first by the dales, which wear spares: shift, stretch, height and tilt. Heights
+    are relative to the dales, so that a loss of dales and peaks alike does not show. Intervals are from 5 to 95 %.
+    They contain the noise of the match and the choice of the dales. Where parts of the trace rose, other dales may
+    have risen as well: the height gained is then also a standard deviation of the height removed. Parameters follow
+    ISO 4287 with sections of 0.25 mm over the common length. A noise floor is the change that noise makes in one of
+    twenty comparisons.
+
+    Parameters:
+        before: one or several traces before the test.
+        after: the traces of the same places after it.
+        max_shift: largest shift of the second trace, to either side.
+        max_stretch: largest stretch of the second trace, to either side.
+        threads, progress: as in `Case.run`.
+
+    Returns:
+        ProfileChange: Traces after a test on the traces before it.
+
+    Raises:
+        AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
+
+    Example:
+        >>> before = asperity.read_profile("demo/ground_pinion.csv")
+        >>> heights = before.heights.clip(max=0.3e-6)[200:]
+        >>> found = asperity.profile_change(before, asperity.Profile(heights, before.spacing, name="after"))
+        >>> bool(found.pairs.removed_nm[0] > 10)
+        True
+        >>> round(found.pairs.shift_um[0])
+        100
+    """
+    settings = {
+        "max_shift": written(max_shift, "Length", "max_shift"),
+        "max_stretch": max_stretch,
+    }
+    return ran(ProfileChange, "profile_change", (raw_traces(before), raw_traces(after)), settings, threads, progress)
 
 
 def evidence(

@@ -13,6 +13,7 @@ __all__ = [
     "oil_fit",
     "oil_plan",
     "oil_traction",
+    "profile_change",
     "ridges",
     "sensitivity",
     "stribeck",
