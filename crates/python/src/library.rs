@@ -68,9 +68,9 @@ pub fn demo(
             WorkedError::Gears(error) => unlisted(error),
             error => Fault::internal(error),
         })?;
-        let mut texts = files.iter().map(|file| (file.name, file.content.as_str()));
+        let texts = files.iter().map(|file| (file.name, file.content.as_str()));
         let is_written = |(name, text): (&str, &str)| {
-            std::fs::read_to_string(folder.join(name)).is_ok_and(|found| found == text)
+            whole_file(&folder.join(name), LARGEST).is_ok_and(|found| found == text.as_bytes())
         };
         if !texts.clone().all(is_written) {
             if folder.exists() {
@@ -78,7 +78,7 @@ pub fn demo(
                 let help = Remedy::act("name another folder, as demo(\"my-first-case\")");
                 return Err(Failure::new(Code::E401, message).advising(help));
             }
-            let written = new_folder_of(&folder, texts.by_ref());
+            let written = new_folder_of(&folder, texts);
             written.map_err(|error| Failure::new(Code::E401, error.to_string()))?;
         }
         Ok(folder)
