@@ -3,7 +3,7 @@
 use asperity_core::quantity::Length;
 use asperity_core::{Profile, cite};
 
-use super::{Relocation, SETS};
+use super::relocated::{Relocation, SETS};
 use crate::error::RoughnessError;
 use crate::form::Form;
 use crate::gaussian_filter::{Ends, mean_line};

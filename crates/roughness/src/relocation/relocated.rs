@@ -1,0 +1,216 @@
+//! The trace on the trace before it, with what was removed and what moved.
+
+use asperity_core::numerics::{Z_95, deviation, mean};
+use asperity_core::quantity::Length;
+use asperity_core::{Code, DomainError, Estimate, Fault, Profile, cite};
+
+use crate::error::RoughnessError;
+use crate::gaussian_filter::{Ends, mean_line};
+use crate::generate::Random;
+
+use super::fit::Fit;
+use super::noise::Noise;
+use super::search::search;
+use super::traces::{Trace, noise_cutoff};
+
+/// Least correlation of the dales.
+const LEAST_CORRELATION: f64 = 0.7;
+/// A place elsewhere matches as well if this part of the distance from full correlation is between both.
+const CLEARLY: f64 = 0.7;
+/// Standard deviation of the height over the gain of the dales: where some rose, others that were matched may have risen as well.
+const RISEN: f64 = 1.0;
+/// Waves longer than this are compared to see where the trace is higher: material moves by about a grain \[m\].
+const MOVED: f64 = 20e-6;
+/// Sets of made noise that show the gain of noise.
+pub(super) const SETS: usize = 40;
+
+/// Bounds of a relocation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// Largest shift, to either side.
+    pub shift: Length,
+    /// Largest stretch, to either side.
+    pub stretch: f64,
+}
+
+impl Default for Bounds {
+    fn default() -> Self {
+        Self {
+            shift: Length::from_si(0.5e-3),
+            stretch: 0.003,
+        }
+    }
+}
+
+impl Bounds {
+    /// Checks the bounds, and returns the largest shift \[m\].
+    ///
+    /// # Errors
+    /// When the shift is negative, or the stretch is not from 0 to 0.05.
+    pub fn check(&self) -> Result<f64, DomainError> {
+        let rule = "must be from 0 to 0.05";
+        let is_valid = (0.0..=0.05).contains(&self.stretch);
+        DomainError::require(is_valid, "max_stretch", self.stretch, "-", rule)?;
+        DomainError::non_negative("max_shift", self.shift)
+    }
+}
+
+/// A trace on the trace of the same place before it. All intervals are from 5 to 95 %.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Relocation {
+    /// Distance of the first points at which the middle of the second trace lies on its place of the first; the stretch is about
+    /// the middle.
+    pub shift: Estimate<Length>,
+    /// Relative stretch of the second trace.
+    pub stretch: Estimate,
+    /// Height to add to the second trace in its middle.
+    pub height: Estimate<Length>,
+    /// Slope to add to the second trace.
+    pub tilt: Estimate,
+    /// Correlation of the dales.
+    pub correlation: f64,
+    /// Best correlation of the dales at another place.
+    pub elsewhere: f64,
+    /// Share of the points in the dales that were matched.
+    pub matched: f64,
+    /// Standard deviation of the difference of both traces in the dales.
+    pub noise: Length,
+    /// Noise cut-off of both traces.
+    pub noise_cutoff: Length,
+    /// Distance of the first point of the overlap from the first point of the first trace.
+    pub start: Length,
+    /// First trace over the overlap.
+    pub before: Profile,
+    /// Second trace over the overlap, in the frame of the first.
+    pub after: Profile,
+    /// Mean height lost over the overlap: what was removed.
+    pub removed: Estimate<Length>,
+    /// Height lost where the trace is lower after the test, as mean over the overlap.
+    pub lost: Estimate<Length>,
+    /// Height gained where it is higher, as mean over the overlap: the material that moved.
+    pub gained: Estimate<Length>,
+    /// Noise of the difference of both traces.
+    pub(super) differences: Noise,
+}
+
+/// Relocates the trace `after` on the trace `before`.
+///
+/// # Errors
+/// When a trace is too short for the filters, or the traces are not of the same place.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::generate::{SelfAffine, truncated};
+/// use asperity_roughness::relocation::{Bounds, relocate};
+/// let texture = SelfAffine {
+///     points: 4096, spacing: Length::from_si(0.5e-6), rq: Length::from_si(0.3e-6), hurst: 0.8,
+///     roll_off: Length::from_si(50e-6), short_cut: Length::from_si(5e-6), seed: 7,
+/// }.generate()?;
+/// let worn = truncated(&texture, 0.1)?.0;
+/// let [before, after] = [texture.slice(0..3600), worn.slice(200..3800)].map(Option::unwrap);
+/// let found = relocate(&before, &after, Bounds::default())?;
+/// assert!((found.shift.value.si() - 100e-6).abs() < 0.1e-6);
+/// assert!(found.removed.low.si() > 0.0);
+/// # Ok::<(), asperity_core::Fault>(())
+/// ```
+pub fn relocate(before: &Profile, after: &Profile, bounds: Bounds) -> Result<Relocation, Fault> {
+    let shift = bounds.check()?;
+    let cutoff = noise_cutoff(before, after);
+    let [first, second] = [Trace::new(before, cutoff)?, Trace::new(after, cutoff)?];
+    let found = search(&first, &second, (shift, bounds.stretch));
+    let is_unclear = 1.0 - found.correlation > CLEARLY * (1.0 - found.elsewhere);
+    if found.correlation < LEAST_CORRELATION || is_unclear {
+        let message = format!(
+            "not the same place: the dales of both traces correlate by {:.2} at best, and by {:.2} at another place",
+            found.correlation, found.elsewhere
+        );
+        return Err(Fault::new(Code::E143, message));
+    }
+    let fit = Fit::of(&first, &second, found)?;
+    relocation(
+        &fit,
+        (&first, &second),
+        (found.correlation, found.elsewhere),
+        cutoff,
+    )
+}
+
+fn relocation(
+    fit: &Fit,
+    (first, second): (&Trace, &Trace),
+    (correlation, elsewhere): (f64, f64),
+    noise_cutoff: Length,
+) -> Result<Relocation, Fault> {
+    let place = fit.place;
+    let half = fit.half;
+    let within = |value: f64, deviation: f64| {
+        let reach = Z_95 * deviation;
+        Estimate::new(value, [value - reach, value + reach])
+    };
+    let length = |value: f64, deviation: f64| within(value, deviation).map(Length::from_si);
+    let stretch = place.stretch / half;
+    let spacing = Length::from_si(second.dx * (1.0 + stretch));
+    let after = fit.before.iter().zip(&fit.lost).map(|(z, lost)| z - lost);
+    let n = fit.lost.len();
+    let part = 1.0 / n as f64;
+    let (gain, of_gain) = gained(&fit.lost, &fit.noise, spacing.si());
+    let of_choice = fit.choice().hypot(fit.uneven);
+    let of_dales = (RISEN * gain.max(0.0)).hypot(of_choice);
+    let of_height = fit.deviation_of_place([0.0, 0.0, 1.0, 0.0]).hypot(of_dales);
+    let removed = fit.lost.iter().sum::<f64>() * part;
+    let of_removed = fit.noise.variance(&fit.influence(&vec![part; n])).sqrt();
+    let of_removed = of_removed.hypot(of_dales);
+    Ok(Relocation {
+        shift: length(
+            place.middle - half,
+            fit.deviation_of_place([1.0, 0.0, 0.0, 0.0]),
+        ),
+        stretch: within(stretch, fit.deviation_of_place([0.0, 1.0, 0.0, 0.0]) / half),
+        height: length(place.height + first.middle - second.middle, of_height),
+        tilt: within(
+            place.tilt / half,
+            fit.deviation_of_place([0.0, 0.0, 0.0, 1.0]) / half,
+        ),
+        correlation,
+        elsewhere,
+        matched: fit.matched(),
+        noise: Length::from_si(fit.noise.deviation()),
+        noise_cutoff,
+        differences: fit.noise.clone(),
+        start: Length::from_si(place.middle + (half + place.stretch) * fit.along[0]),
+        before: Profile::new(spacing, fit.before.clone())?,
+        after: Profile::new(spacing, after.collect())?,
+        removed: length(removed, of_removed),
+        lost: length(removed + gain, of_removed.hypot(of_gain)),
+        gained: length(gain, of_gain.hypot(of_choice)),
+    })
+}
+
+/// Mean gain of height where the trace is higher, beyond noise, and its standard deviation \[m\].
+///
+/// ```text
+/// g = ⟨max(−w̄, 0)⟩ − 2 n₋/n ⟨max(−n̄, 0)⟩                                                    [Relocation-4]
+/// ```
+///
+/// w̄ is the lost height and n̄ the noise, both smoothed; n₋ of n points are higher. Noise makes half of the points higher that
+/// neither lost nor gained.
+fn gained(lost: &[f64], noise: &Noise, dx: f64) -> (f64, f64) {
+    cite!("Relocation-4");
+    let cutoff = Length::from_si(MOVED.max(2.0 * dx));
+    let higher = |lost: &[f64]| -> [f64; 2] {
+        let smooth = Profile::new(Length::from_si(dx), lost.to_vec());
+        let smooth = smooth.map_err(RoughnessError::from);
+        let smooth = smooth.and_then(|lost| mean_line(&lost, cutoff, Ends::Reg0));
+        let smooth = smooth.unwrap_or_default();
+        let negative = smooth.iter().filter(|w| **w < 0.0);
+        let sums = negative.fold([0.0; 2], |[sum, count], w| [sum - w, count + 1.0]);
+        sums.map(|sum| sum / lost.len() as f64)
+    };
+    let mut random = Random::new(1);
+    let made = (0..SETS).map(|_| higher(&noise.made(lost.len(), &mut random))[0]);
+    let made: Vec<f64> = made.collect();
+    let [gain, share] = higher(lost);
+    let expected = 2.0 * share * mean(made.iter().copied());
+    (gain - expected, deviation(&made).unwrap_or(0.0))
+}
