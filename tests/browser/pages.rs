@@ -143,7 +143,7 @@ vary."lubricant.viscosity.at_100" = { normal = ["5.9 mm2/s", "0.15 mm2/s"] }
 "#;
 
 /// Options of the commands that make the other pages, and the pages.
-const COMMANDS: [(&[&str], &[&str]); 12] = [
+const COMMANDS: [(&[&str], &[&str]); 13] = [
     (
         &[
             "compare",
