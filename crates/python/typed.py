@@ -48,7 +48,7 @@ EXAMPLES = {
                   'found = asperity.calibrate("rig/simulated.csv", case)', ("found.is_simulated, found.parameters.key[0]", "(True, 'boundary_friction')"),
                   "calibrated = found.apply(case)"],
     "oil_traction": ['curves = asperity.oil_traction("m100", temperature_c=[40, 100])', ("bool(curves.over_slide.traction.max() < 0.2)", "True")],
-    "profile_change": ['before = asperity.read_profile("demo/ground_pinion.csv")', 'heights = before.heights.clip(max=0.3e-6)[200:]',
+    "profile_change": ['demo = asperity.demo()', 'before = asperity.read_profile("demo/ground_pinion.csv").prepare()', 'heights = before.heights.clip(max=0.3e-6)[200:]',
                        'found = asperity.profile_change(before, asperity.Profile(heights, before.spacing, name="after"))',
                        ('bool(found.pairs.removed_nm[0] > 10)', "True"), ('round(found.pairs.shift_um[0])', "100")],
     "oil_plan": ['plan = asperity.oil_plan("m100")', ("len(plan.stages) > 2", "True")],

@@ -489,6 +489,19 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
             }
             None => table("points.csv").column("residual_sigma"),
         }),
+        ("change/change.html", "material-ratio") => {
+            Some(table("material_ratio.csv").column(&format!("{curve}_um")))
+        }
+        // A part of the trace.
+        ("change/change.html", "close-up") => None,
+        ("change/change.html", chart) => {
+            let own = table(&format!("{}.csv", chart.replace('-', "_")));
+            Some(match curve {
+                // From the lower of both traces up to the first.
+                "lost" => [own.column("before_um"), own.column("after_um")].concat(),
+                _ => own.column(&format!("{curve}_um")),
+            })
+        }
         // The page of a film holds its numbers itself.
         ("film.html", _) => None,
         other => panic!("no table is known for {other:?}"),

@@ -156,20 +156,24 @@ impl Bench {
         }
     }
 
-    /// Writes the trace `from` after a test as `to`, from 150 um on and 2 um higher: everything above 0.3 um is removed. Returns the mean
-    /// height removed \[nm\].
+    /// Writes the trace `from` after a test as `to`, from 150 um on and 2 um higher: everything more than 0.3 um above the mean of
+    /// 0.25 mm around it is removed. Returns the mean height removed \[nm\].
     pub fn write_worn(&self, from: &str, to: &str) -> f64 {
         const SHIFT: usize = 300;
+        const AROUND: usize = 250;
         const LEVEL: f64 = 0.3;
         const RAISED: f64 = 2.0;
         let text = fs::read_to_string(self.path(from)).unwrap();
         let (header, rows) = text.split_once('\n').unwrap();
         let rows: Vec<(&str, &str)> = rows.lines().filter_map(|row| row.split_once(',')).collect();
+        let heights = rows.iter().map(|(_, z)| z.trim().parse::<f64>().unwrap());
+        let heights: Vec<f64> = heights.collect();
         let (mut worn, mut removed) = (format!("{header}\n"), Vec::new());
-        for ((x, _), (_, z)) in rows.iter().zip(&rows[SHIFT..]) {
-            let z: f64 = z.trim().parse().unwrap();
-            worn += &format!("{x},{:.5}\n", z.min(LEVEL) + RAISED);
-            removed.push(1e3 * (z - z.min(LEVEL)));
+        for (i, (x, _)) in (SHIFT..heights.len()).zip(&rows) {
+            let around = &heights[i - AROUND..heights.len().min(i + AROUND + 1)];
+            let most = around.iter().sum::<f64>() / around.len() as f64 + LEVEL;
+            worn += &format!("{x},{:.5}\n", heights[i].min(most) + RAISED);
+            removed.push(1e3 * (heights[i] - heights[i].min(most)));
         }
         self.write(to, worn);
         removed.iter().sum::<f64>() / removed.len() as f64

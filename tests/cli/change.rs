@@ -84,6 +84,6 @@ fn pairs_that_cannot_be_compared_are_refused() {
     refused(
         &["--max-stretch", "20 %"],
         "E209",
-        "--max-stretch = 0.2 must be from 0 to 0.05",
+        "--max-stretch = 0.2: must be from 0 to 0.05",
     );
 }

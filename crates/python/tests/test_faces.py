@@ -4,6 +4,7 @@ import json
 import subprocess
 
 import jsonschema
+import numpy as np
 import pytest
 
 import asperity
@@ -90,7 +91,9 @@ def at(tmp_path_factory):
     (folder / "trace.csv").write_text(TRACE)
     (folder / "stribeck.csv").write_text(STRIBECK)
     ground = asperity.read_profile(PROFILES / "ground_pinion.csv")
-    asperity.Profile(ground.heights.clip(max=0.3e-6)[200:], ground.spacing).write(folder / "worn.csv")
+    around = np.convolve(np.pad(ground.heights, 250, mode="edge"), np.full(501, 1 / 501), mode="valid")
+    worn = np.minimum(ground.heights, around + 0.3e-6)
+    asperity.Profile(worn[200:], ground.spacing).write(folder / "worn.csv")
     (folder / "rig.toml").write_text(RIG % (PROFILES / "ground_pinion.csv", PROFILES / "ground_wheel.csv"))
     return folder
 

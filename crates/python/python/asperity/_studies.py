@@ -37,6 +37,7 @@ __all__ = [
     "oil_fit",
     "oil_plan",
     "oil_traction",
+    "profile_change",
     "ridges",
     "sensitivity",
     "stribeck",
@@ -342,7 +343,8 @@ def profile_change(
         AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
 
     Example:
-        >>> before = asperity.read_profile("demo/ground_pinion.csv")
+        >>> demo = asperity.demo()
+        >>> before = asperity.read_profile("demo/ground_pinion.csv").prepare()
         >>> heights = before.heights.clip(max=0.3e-6)[200:]
         >>> found = asperity.profile_change(before, asperity.Profile(heights, before.spacing, name="after"))
         >>> bool(found.pairs.removed_nm[0] > 10)

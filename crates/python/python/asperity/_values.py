@@ -386,19 +386,21 @@ class ComparisonValues(Values):
 
 
 class MapFinish(Values):
-    _absent = {"draws": None}
+    _kinds = {"difference_w": DrawnConstant}
+    _absent = {"draws": None, "difference_w": None}
     name: str
     fingerprint: str
     files: list[Any]
     has_flanks_of_first: bool
     resolved_from_nm: Floats
     draws: Any
+    difference_w: Optional[DrawnConstant]
 
 
-class MapFinishTable(TableOf[MapFinish, NoReturn, Literal["name", "fingerprint", "files", "has_flanks_of_first", "resolved_from_nm", "draws"]]):
+class MapFinishTable(TableOf[MapFinish, NoReturn, Literal["name", "fingerprint", "files", "has_flanks_of_first", "resolved_from_nm", "draws", "difference_w"]]):
     _row = MapFinish
     name: NDArray[Any]; fingerprint: NDArray[Any]; files: NDArray[Any]; has_flanks_of_first: NDArray[Any]
-    resolved_from_nm: NDArray[Any]; draws: NDArray[Any]
+    resolved_from_nm: NDArray[Any]; draws: NDArray[Any]; difference_w: NDArray[Any]
 
 
 class MapWarning(Values):
@@ -797,6 +799,24 @@ class TractionValues(Values):
     deviations: Floats
     over_slide: TractionOverSlideTable
     over_speed: TractionOverSlideTable
+
+
+class ProfileChangeMean(Values):
+    removed_nm: float
+    removed_quantiles_nm: Floats
+    lost_nm: float
+    lost_quantiles_nm: Floats
+    gained_nm: float
+    gained_quantiles_nm: Floats
+
+
+class ProfileChangeValues(Values):
+    _kinds = {"mean": ProfileChangeMean}
+    _absent = {"scatter_nm": None}
+    title: str
+    mean: ProfileChangeMean
+    scatter_nm: Any
+    warnings: list[Any]
 
 
 class OilPlanPoint(Values):
