@@ -208,6 +208,7 @@ RAISES = {
     "E319": None,
     "E140": None,  # test_case.py
     "E141": averaged,
+    "E143": lambda place: asperity.profile_change(PROFILES / "ground_pinion.csv", PROFILES / "ground_wheel.csv"),
     "E320": read(digital_surf_image(), "image.sur"),
     "E321": read(matlab_arrays(b"left", b"right"), "two.mat"),
     "E322": None,  # test_oil.py

@@ -68,7 +68,7 @@ STUDIES = {
     ),
     "profile_change": (
         [PROFILES / "ground_pinion.csv", "worn.csv"],
-        lambda at: asperity.profile_change(PROFILES / "ground_pinion.csv", at / "worn.csv"),
+        lambda _: asperity.profile_change(PROFILES / "ground_pinion.csv", "worn.csv"),
     ),
     "oil_traction": (["m100", "--load", "20 N"], lambda at: asperity.oil_traction("m100", load="20 N")),
     "oil_plan": (["--oil", "m100", "--simulate", "1"], lambda at: asperity.oil_plan("m100", simulate=1)),

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from os import PathLike
-from pathlib import Path
+from os import PathLike, fspath
 from typing import TYPE_CHECKING, Union
 
 from . import _asperity
@@ -13,6 +12,7 @@ from ._errors import wrong_kind
 from ._profile import Profile, read_profile
 from ._record import Table
 from ._study import Study
+from ._values import ProfileChangeValues
 
 if TYPE_CHECKING:
     import pandas
@@ -25,12 +25,12 @@ def raw_traces(traces: Union[Trace, Sequence[Trace]]) -> list[tuple[str, _asperi
         profile = read_profile(trace) if isinstance(trace, (str, PathLike)) else trace
         if not isinstance(profile, Profile):
             raise wrong_kind("traces", trace, "a profile, the path of one, or a list of them")
-        name = Path(trace).name if isinstance(trace, (str, PathLike)) else profile.name or f"trace {number}"
+        name = fspath(trace) if isinstance(trace, (str, PathLike)) else profile.name or f"trace {number}"
         found.append((name, profile._raw))
     return found
 
 
-class ProfileChange(Study):
+class ProfileChange(Study, ProfileChangeValues):
     """Traces after a test on the traces before it: ``mean`` (removed_nm, lost_nm, gained_nm, each with quantiles of 5 and
     95 %), ``scatter_nm`` from pair to pair."""
 
