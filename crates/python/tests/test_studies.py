@@ -197,3 +197,14 @@ def test_a_name_tells_heights_apart(drive):
     other = asperity.Profile(trace().heights * 2, 0.5e-6, name="waves")
     losses = [drive.replace({"surface.pinion": flank}).run("losses").loss_w for flank in (trace(), other, trace())]
     assert losses[0] == losses[2] != losses[1]
+
+
+def test_an_axis_takes_what_numpy_makes_an_array_of_and_no_profile_in_memory(drive):
+    pandas = pytest.importorskip("pandas")
+    listed, series = (asperity.sweep(drive, {"torque_nm": of}).run() for of in ([40, 90], pandas.Series([40, 90])))
+    assert listed == series and np.isfinite(listed.loss_w).all()
+    profile = asperity.read_profile(PROFILES / "superfinished.csv")
+    for axes in ({"surface.pinion": [profile]}, {"finish": {"fine": {"surface.pinion": profile}}}):
+        with pytest.raises(asperity.AsperityError, match="a profile in memory, and a sweep reads files") as raised:
+            asperity.sweep(drive, axes)
+        assert raised.value.code == "E204" and "compare or map" in raised.value.help

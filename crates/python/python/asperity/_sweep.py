@@ -15,7 +15,7 @@ from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._errors import AsperityError, Code, checked_number, warn, wrong_kind
 from ._fixed import Fixed
-from ._keys import Schema, kind_of, written
+from ._keys import Schema, Traces, kind_of, written
 from ._progress import Progress, Steps
 from ._quantity import BY_TEXT, OPERATING, SI_UNITS, as_keys, si
 from ._record import Record, Table, in_names, variable
@@ -211,7 +211,7 @@ def sweep(
         sample: ``method`` (``"sobol"``, ``"latin-hypercube"``, ``"random"``, ``"list"``), ``count``, ``seed``,
             ``vary`` (by key ``{"uniform": [a, b]}``, ``"normal"``, ``"log-uniform"``, ``"triangular"``), ``indices``.
         columns: results of the summary, of a mesh of a gear train ``mesh.NAME.loss_w``; default efficiency, losses,
-            equivalent friction, mixed share.
+            equivalent friction, mixed share. ``loss_median_w``, ``loss_p05_w`` and ``loss_p95_w`` draw the interval.
         detail: ``"losses"`` or ``"contacts"``.
         study: a study file in place of all these (docs/FILE_FORMATS.md).
         folder: folder that files of the sample are relative to.
@@ -259,29 +259,38 @@ def _schema(key: str) -> Schema:
     return schema
 
 
+def _stated(value: Any, key: str) -> Any:
+    """The value of a key as a study has it, which names files."""
+    traces: Traces = []
+    stated = written(value, _schema(key), traces)
+    if traces:
+        text = f"{key}: {traces[0][0]} is a profile in memory, and a sweep reads files"
+        raise AsperityError(text, Code.E204, "Write the profile to a file and name that, or take compare or map, whose finishes can be profiles.")
+    return stated
+
+
 def _with_units(key: str, law: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
-    return {name: [written(value, _schema(key), []) for value in values] for name, values in law.items()}
+    return {name: [_stated(value, key) for value in values] for name, values in law.items()}
 
 
 def _axis(name: str, values: Any) -> dict[str, Any]:
     if isinstance(values, str) and ".." in values and name not in OPERATING:
         return {"key": OPERATING[BY_TEXT[name]].key if name in BY_TEXT else name, "values": values}
+    if not isinstance(values, (str, Mapping, Sequence)) and hasattr(values, "__array__"):
+        values = np.asarray(values)
     if not isinstance(values, (Mapping, Sequence, np.ndarray)) or isinstance(values, str):
         raise wrong_kind(f"axes[{name!r}]", values, "a list of values, a range or choices")
     if name in OPERATING or name in BY_TEXT:
         key = OPERATING[BY_TEXT.get(name, name)].key
         every = values if not isinstance(values, Mapping) else [values["from"], values["to"]]
-        texts = [written(as_keys({name: value})[key], _schema(key), []) for value in every]
+        texts = [_stated(as_keys({name: value})[key], key) for value in every]
         if isinstance(values, Mapping):
             return {"key": key, **values, "from": texts[0], "to": texts[1]}
         return {"key": key, "values": texts}
-    schema = _schema(name)
     if not isinstance(values, Mapping):
-        return {"key": name, "values": [written(value, schema, []) for value in values]}
+        return {"key": name, "values": [_stated(value, name) for value in values]}
     if "from" in values and "to" in values:
-        ends = {end: written(values[end], schema, []) for end in ("from", "to")}
+        ends = {end: _stated(values[end], name) for end in ("from", "to")}
         return {"key": name, **values, **ends}
-    choice = {
-        of: {key: written(value, _schema(key), []) for key, value in keys.items()} for of, keys in values.items()
-    }
+    choice = {of: {key: _stated(value, key) for key, value in keys.items()} for of, keys in values.items()}
     return {"name": name, "choice": choice}
