@@ -1,5 +1,6 @@
 """Comparisons, maps, sweeps."""
 
+import json
 import pickle
 
 import numpy as np
@@ -208,3 +209,11 @@ def test_an_axis_takes_what_numpy_makes_an_array_of_and_no_profile_in_memory(dri
         with pytest.raises(asperity.AsperityError, match="a profile in memory, and a sweep reads files") as raised:
             asperity.sweep(drive, axes)
         assert raised.value.code == "E204" and "compare or map" in raised.value.help
+
+
+def test_a_map_with_values_that_there_are_not_is_equal_to_itself(drive):
+    found = asperity.map(drive, torque_nm=[-40, 40], speed_rpm=[500, 9000], temperature_c=[90], band="none")
+    assert "NaN" in json.dumps(found.to_dict())
+    assert found == found and pickle.loads(pickle.dumps(found)) == found
+    other = asperity.map(drive, torque_nm=[-40, 50], speed_rpm=[500, 9000], temperature_c=[90], band="none")
+    assert found != other

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, Union, overload
 
@@ -42,6 +43,15 @@ def wrapped(value: Any) -> Any:
         if all(isinstance(item, (int, float)) and not isinstance(item, bool) for item in value):
             return np.array(value, dtype=np.float64)
     return value
+
+
+def same(one: Any, other: Any) -> bool:
+    """Whether values in Python's own types are equal; NaN, which stands for a value that there is not, is equal to NaN."""
+    return bool(one == other) or _sorted(one) == _sorted(other)
+
+
+def _sorted(value: Any) -> str:
+    return json.dumps(value, sort_keys=True, default=repr)
 
 
 class Values(Fixed, Mapping[str, Any]):
@@ -87,8 +97,7 @@ class Values(Fixed, Mapping[str, Any]):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Values):
             return NotImplemented
-        same: bool = self.to_dict() == other.to_dict()
-        return same
+        return same(self.to_dict(), other.to_dict())
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -264,7 +273,7 @@ class Rows(Fixed):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Rows):
             return NotImplemented
-        return self._names == other._names and self._rows == other._rows
+        return self._names == other._names and same(self._rows, other._rows)
 
     __hash__ = None  # type: ignore[assignment]
 
