@@ -15,10 +15,10 @@
 //! [`section`](Report::section) and [`heading`](Report::heading) part them; [`on_page`](Report::on_page) and
 //! [`in_terminal`](Report::in_terminal) leave blocks to one face, [`in_folder`](Report::in_folder) leaves a table to the folder.
 
-use asperity_core::message::gravest_first;
 use std::fmt::Display;
 use std::path::Path;
 
+use asperity_core::message::gravest_first;
 use asperity_core::{Fault, capitalised};
 use asperity_storage::one_line;
 use maud::{Markup, Render, html};
@@ -192,7 +192,7 @@ impl<'a> Report<'a> {
             .on_page()
     }
 
-    /// Warnings, the gravest first.
+    /// Warnings, the gravest first; each begins with its code.
     pub fn warning<W: Display>(self, warnings: impl IntoIterator<Item = W>) -> Self {
         let warnings = warnings.into_iter().map(|warning| warning.to_string());
         let mut warnings: Vec<String> = warnings.collect();

@@ -271,9 +271,10 @@ fn pairs_of_one_place_are_relocated_and_their_removal_is_in_its_interval() {
 
 #[test]
 #[ignore = "minutes; docs/records/relocation.md has its table"]
-fn intervals_of_removal_hold_in_nine_of_ten_pairs() {
+fn intervals_of_removal_hold_their_truth() {
     let seeds = std::env::var("ASPERITY_SEEDS").map_or(9, |seeds| seeds.parse().unwrap());
     for finish in FINISHES {
+        // 90 % is stated. Where honed plateaus rise as a whole, few dales show it: 63 of 72 held.
         for (name, wears, least) in [("removed", &WEARS[..], 90), ("levelled", &LEVELLED[..], 80)] {
             let [mut inside, mut found] = [0; 2];
             for (k, setup) in SETUPS.into_iter().enumerate() {
@@ -343,7 +344,7 @@ fn a_trace_on_itself_changed_nothing_above_the_noise_floor() {
         let again = relocate(&measured.before, &measured.after, Bounds::default()).unwrap();
         assert!(again.removed.map(Length::si).contains(0.0));
         for change in again.parameters().unwrap() {
-            // The floor is the noise's 95 % quantile of one number.
+            // One of twenty numbers exceeds its floor, and fifteen are compared.
             let difference = change.difference().si().abs();
             assert!(
                 difference < 2.0 * change.floor.si(),

@@ -29,7 +29,7 @@ class Calibration(Study, CalibrationValues):
 
     @property
     def points(self) -> CalibrationPointTable:
-        """One row per measurement beside the fit."""
+        """One row per measurement, with its fitted value."""
         return CalibrationPointTable(self._values["points"])
 
     def apply(self, case: CaseLike) -> Case:

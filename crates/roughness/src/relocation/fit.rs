@@ -24,6 +24,10 @@ const SPARED: f64 = 2.0;
 /// The lowest two slices are worn if they differ by more than this number of standard errors.
 const WORN: f64 = 4.0;
 const WORN_DALES: &str = "too few dales are left for a match: the lowest twentieth of the points lost another height than the next one";
+/// Numbers of a place that are held while height and tilt settle.
+const SHIFT_AND_STRETCH: usize = 2;
+/// Most steps of a robust mean.
+const MEAN_STEPS: usize = 20;
 /// Most steps of the least squares, steps with a scale of their own, and steps of height and tilt in each.
 const MAX_STEPS: usize = 60;
 const FREE_STEPS: usize = 5;
@@ -129,11 +133,11 @@ impl Fit {
             let is_dale = &is_dale[points.first..points.first + points.lost.len()];
             // Height and tilt are linear, and settle first.
             for _ in 0..LINEAR_STEPS {
-                let solved = points.step(&points.weights(is_dale, *scale), false)?;
+                let solved = points.step(&points.weights(is_dale, *scale), SHIFT_AND_STRETCH)?;
                 points.moved(&mut place, solved);
             }
             let weights = points.weights(is_dale, *scale);
-            let moved = points.step(&weights, true)?;
+            let moved = points.step(&weights, 0)?;
             points.moved(&mut place, moved);
             change = (moved[0].abs() + moved[1].abs()) / before.dx;
             if step >= FREE_STEPS && change < SETTLED {
@@ -183,9 +187,17 @@ impl Fit {
         self.share
     }
 
-    /// Standard deviation of the height by the choice of the dales: noise of the trace that chooses them is below zero in them. Both
-    /// traces choose with equal weights; with all noise in one of them the mean difference in the dales is off by this bound.
+    /// Standard deviation of the height by the choice of the dales: noise of the trace that chooses them is below zero in them \[m\].
+    ///
+    /// ```text
+    /// s = σ² f/(2 q √3)                                                                          [Relocation-6]
+    /// ```
+    ///
+    /// σ² is the variance of the difference of both traces, f the density of the heights at the highest of the dales, and q the share
+    /// of the dales. Both traces choose with equal weights. If all noise is in one of them, the mean difference in the dales is off by
+    /// √3 s, to either side.
     pub(super) fn choice(&self) -> f64 {
+        cite!("Relocation-6");
         const STEP: f64 = 0.05;
         let mut sorted = self.level.clone();
         sorted.sort_unstable_by(f64::total_cmp);
@@ -268,7 +280,7 @@ fn weighted(values: &[(f64, f64)]) -> (f64, f64) {
 fn location(values: &[f64]) -> (f64, Vec<f64>) {
     let (mut middle, deviation) = shortest_half(values);
     let mut weights = Vec::new();
-    for _ in 0..20 {
+    for _ in 0..MEAN_STEPS {
         weights = values
             .iter()
             .map(|z| biweight(z - middle, deviation))
@@ -308,12 +320,16 @@ fn shortest_half(values: &[f64]) -> (f64, f64) {
     )
 }
 
-/// Sum of the normal matrices of all points, each by point, row and column.
+/// Normal matrix, the sum of `of` over all points by point, row and column. The first `held` unknowns stay as they are.
 fn normal(
     of: impl Fn(usize, usize, usize) -> f64,
     weights: &[f64],
+    held: usize,
 ) -> Result<Cholesky, RoughnessError> {
-    let sum = |j: usize, k: usize| (0..weights.len()).map(|i| of(i, j, k)).sum();
+    let sum = |j: usize, k: usize| match j.min(k) < held {
+        true => f64::from(u8::from(j == k)),
+        false => (0..weights.len()).map(|i| of(i, j, k)).sum(),
+    };
     Cholesky::new(4, sum, 0.0).ok_or(RoughnessError::TooFewPoints {
         points: weights.iter().filter(|weight| **weight > 0.0).count(),
         needed: 4,
@@ -397,32 +413,17 @@ impl Points {
         self.lost.iter().zip(is_dale).map(weight).collect()
     }
 
-    /// Change of the place by weighted least squares, of height and tilt only or of all.
-    fn step(&self, weights: &[f64], is_whole: bool) -> Result<[f64; 4], RoughnessError> {
-        let row = |i: usize| {
-            let slope = if is_whole { self.slopes[i] } else { 0.0 };
-            row(slope, self.along[i])
-        };
+    /// Change of the place by weighted least squares, without its first `held` numbers.
+    fn step(&self, weights: &[f64], held: usize) -> Result<[f64; 4], RoughnessError> {
+        let row = |i: usize| row(self.slopes[i], self.along[i]);
         let mut right = [0.0; 4];
         for (i, weight) in weights.iter().enumerate() {
-            for (sum, j) in right.iter_mut().zip(row(i)) {
+            for (sum, j) in right.iter_mut().zip(row(i)).skip(held) {
                 *sum -= weight * j * self.lost[i];
             }
         }
-        let least = if is_whole { 0.0 } else { 1.0 };
-        let normal = normal(
-            |i, j, k| {
-                let row = row(i);
-                let own = if i == 0 && j == k && j < 2 {
-                    least
-                } else {
-                    0.0
-                };
-                own + weights[i] * row[j] * row[k]
-            },
-            weights,
-        )?;
-        normal.solve(&mut right);
+        let of = |i: usize, j: usize, k: usize| weights[i] * row(i)[j] * row(i)[k];
+        normal(of, weights, held)?.solve(&mut right);
         Ok(right)
     }
 
@@ -454,6 +455,7 @@ impl Points {
                 0.5 * weights[i] * (first[j] * second[k] + first[k] * second[j])
             },
             &weights,
+            0,
         )?;
         let mean = |(first, second): (&f64, &f64)| 0.5 * (first + second);
         let slopes = self

@@ -10,6 +10,8 @@ use crate::generate::Random;
 /// Longest lag \[m\] and in lengths of the overlap.
 const LONGEST: f64 = 100e-6;
 const LONGEST_SHARE: f64 = 0.1;
+/// Least variance over the variance without correlation.
+const LEAST_SHARE: f64 = 0.25;
 
 /// Autocovariance of the noise.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,13 +51,13 @@ impl Noise {
         self.covariance[0].max(0.0).sqrt()
     }
 
-    /// Variance of Σ a_i n_i, at least that of noise without correlation.
+    /// Variance of Σ a_i n_i; errors of the covariance may not lower it below a part of the variance without correlation.
     pub(super) fn variance(&self, a: &[f64]) -> f64 {
         let sum = |k: usize| -> f64 { a.iter().zip(&a[k..]).map(|(x, y)| x * y).sum() };
         let lags = self.covariance.iter().enumerate().skip(1);
         let white = self.covariance[0] * sum(0);
         let rest: f64 = lags.map(|(k, covariance)| 2.0 * covariance * sum(k)).sum();
-        (white + rest).max(0.25 * white)
+        (white + rest).max(LEAST_SHARE * white)
     }
 
     /// Noise of this kind at `points` points.

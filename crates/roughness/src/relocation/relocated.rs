@@ -154,7 +154,7 @@ fn relocation(
     let after = fit.before.iter().zip(&fit.lost).map(|(z, lost)| z - lost);
     let n = fit.lost.len();
     let part = 1.0 / n as f64;
-    let (gain, of_gain) = gained(&fit.lost, &fit.noise, spacing.si());
+    let (gain, of_gain) = gained(&fit.lost, &fit.noise, spacing)?;
     let of_choice = fit.choice().hypot(fit.uneven);
     let of_dales = (RISEN * gain.max(0.0)).hypot(of_choice);
     let of_height = fit.deviation_of_place([0.0, 0.0, 1.0, 0.0]).hypot(of_dales);
@@ -195,22 +195,20 @@ fn relocation(
 ///
 /// w̄ is the lost height and n̄ the noise, both smoothed; n₋ of n points are higher. Noise makes half of the points higher that
 /// neither lost nor gained.
-fn gained(lost: &[f64], noise: &Noise, dx: f64) -> (f64, f64) {
+fn gained(lost: &[f64], noise: &Noise, spacing: Length) -> Result<(f64, f64), RoughnessError> {
     cite!("Relocation-4");
-    let cutoff = Length::from_si(MOVED.max(2.0 * dx));
-    let higher = |lost: &[f64]| -> [f64; 2] {
-        let smooth = Profile::new(Length::from_si(dx), lost.to_vec());
-        let smooth = smooth.map_err(RoughnessError::from);
-        let smooth = smooth.and_then(|lost| mean_line(&lost, cutoff, Ends::Reg0));
-        let smooth = smooth.unwrap_or_default();
+    let cutoff = Length::from_si(MOVED.max(2.0 * spacing.si()));
+    // Mean gain, and share of the points that are higher.
+    let higher = |lost: &[f64]| -> Result<[f64; 2], RoughnessError> {
+        let smooth = mean_line(&Profile::new(spacing, lost.to_vec())?, cutoff, Ends::Reg0)?;
         let negative = smooth.iter().filter(|w| **w < 0.0);
         let sums = negative.fold([0.0; 2], |[sum, count], w| [sum - w, count + 1.0]);
-        sums.map(|sum| sum / lost.len() as f64)
+        Ok(sums.map(|sum| sum / lost.len() as f64))
     };
     let mut random = Random::new(1);
-    let made = (0..SETS).map(|_| higher(&noise.made(lost.len(), &mut random))[0]);
-    let made: Vec<f64> = made.collect();
-    let [gain, share] = higher(lost);
+    let made = (0..SETS).map(|_| Ok(higher(&noise.made(lost.len(), &mut random))?[0]));
+    let made = made.collect::<Result<Vec<f64>, RoughnessError>>()?;
+    let [gain, share] = higher(lost)?;
     let expected = 2.0 * share * mean(made.iter().copied());
-    (gain - expected, deviation(&made).unwrap_or(0.0))
+    Ok((gain - expected, deviation(&made).unwrap_or(0.0)))
 }

@@ -310,13 +310,10 @@ fn along(found: &Relocation) -> Result<Vec<PointRow>, asperity_roughness::Roughn
     Ok(heights.zip(line).enumerate().map(point).collect())
 }
 
-/// Mean of the pairs, whose errors are independent.
+/// Mean of the pairs. The dales of all are chosen by one rule, so their errors are taken as common, and more pairs do not narrow it.
 fn mean_of(pairs: &[Estimate]) -> Estimate {
-    let count = pairs.len() as f64;
-    let value = mean(pairs.iter().map(|pair| pair.value));
-    let square = mean(pairs.iter().map(|pair| pair.half_width().powi(2)));
-    let reach = (square / count).sqrt();
-    Estimate::new(value, [value - reach, value + reach])
+    let of = |end: fn(&Estimate) -> f64| mean(pairs.iter().map(end));
+    Estimate::new(of(|one| one.value), [of(|one| one.low), of(|one| one.high)])
 }
 
 /// A change as mean over the pairs \[µm\].

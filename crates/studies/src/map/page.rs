@@ -328,6 +328,7 @@ fn round_levels([visited, all]: [&[f64]; 2]) -> Vec<f64> {
 
 /// At most `count` numbers 1, 2 and 5 times a power of ten from `low` to below `high`, the highest of them included.
 fn wider_levels(low: f64, high: f64, count: usize) -> Vec<f64> {
+    // The next round number is the first one above a little more.
     let next = |level: &f64| Some(round_step(level * 1.01));
     let first = (low < high).then(|| round_step(low));
     let levels = std::iter::successors(first, next).take_while(|level| *level < high);
@@ -342,6 +343,9 @@ fn wider_levels(low: f64, high: f64, count: usize) -> Vec<f64> {
     few.reverse();
     few
 }
+
+/// Wider bands on each side of a difference.
+const WIDER: usize = 2;
 
 /// Lower edges of bands of one round width for the visited values, one of them about zero and as many below it as above, and of
 /// wider bands beyond.
@@ -358,8 +362,8 @@ fn levels_about_zero([visited, all]: [&[f64]; 2]) -> Vec<f64> {
     };
     let edge = |half: f64, k: i32| multiple(f64::from(2 * k - 1), half);
     if most > 0.0 && most_of_all > 2.0 * most {
-        let (half, beyond) = fine(most, BANDS - 3);
-        let wider = wider_levels(edge(half, beyond + 2), most_of_all, 2);
+        let (half, beyond) = fine(most, BANDS - WIDER - 1);
+        let wider = wider_levels(edge(half, beyond + 2), most_of_all, WIDER);
         if let [above @ .., _] = &wider[..] {
             let below = wider.iter().rev().map(|level| -level);
             // The upper edge of the last fine band begins the wider ones.
