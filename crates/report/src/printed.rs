@@ -13,6 +13,8 @@ pub(crate) struct PrintedLoss {
     pub asperities: String,
     /// Boundary layer, with its interval if it is drawn.
     pub boundary: String,
+    /// Share of lubricated asperities and boundary layer together, the sum of their printed shares.
+    pub asperity_share: Option<String>,
 }
 
 /// Part of a loss.
@@ -23,6 +25,8 @@ pub(crate) struct PrintedPart {
     /// The part in the run \[W\].
     pub watts: f64,
     pub text: String,
+    /// Share of the loss as printed.
+    pub share: String,
 }
 
 impl PrintedLoss {
@@ -55,8 +59,11 @@ impl PrintedLoss {
             .digits
             .parts(steps[0], &of_sliding.map(|part| scale * part));
         let all = of_sliding.into_iter().chain(of_mesh.into_iter().skip(1));
-        let places = in_sliding.iter().chain(&steps[1..]);
-        let parts = PARTS.iter().zip(all.zip(places)).enumerate();
+        let all: Vec<f64> = all.collect();
+        let places = [&in_sliding, &steps[1..]].concat();
+        let shares = powers.digits.shares(&places, &all);
+        let numbers = all.into_iter().zip(places).zip(shares.iter());
+        let parts = PARTS.iter().zip(numbers).enumerate();
         let matters = |number: usize, watts: f64| number < ALWAYS || watts > NAMED * s.loss_w;
         let boundary = powers.text(scale * s.boundary_w, in_sliding[2]);
         let of_asperities = scale * (s.lubricated_asperity_w + s.boundary_w);
@@ -64,6 +71,7 @@ impl PrintedLoss {
         Self {
             loss: powers.text(median, loss),
             asperities: powers.text(of_asperities, in_sliding[1] + in_sliding[2]),
+            asperity_share: sum_of(&shares[1..3]),
             boundary: match (interval, boundary.strip_suffix(" W")) {
                 (Some(ends), Some(number))
                     if powers.digits.rounded(ends[0]) != powers.digits.rounded(ends[1]) =>
@@ -73,16 +81,26 @@ impl PrintedLoss {
                 _ => boundary,
             },
             parts: parts
-                .filter(|(number, (_, (watts, _)))| matters(*number, *watts))
-                .map(|(_, ((name, key), (watts, place)))| PrintedPart {
+                .filter(|(number, (_, ((watts, _), _)))| matters(*number, *watts))
+                .map(|(_, ((name, key), ((watts, place), share)))| PrintedPart {
                     name,
                     key,
                     watts,
-                    text: powers.text(scale * watts, *place),
+                    text: powers.text(scale * watts, place),
+                    share: format!("{share} %"),
                 })
                 .collect(),
         }
     }
+}
+
+/// The sum of shares as text, without those that are only bounded; `None` if all are.
+fn sum_of(shares: &[String]) -> Option<String> {
+    let decimals = shares.iter().filter_map(|share| share.split_once('.'));
+    let decimals = decimals.map(|(_, digits)| digits.len()).max().unwrap_or(0);
+    let known = shares.iter().filter_map(|share| share.parse::<f64>().ok());
+    let sum = known.reduce(|a, b| a + b)?;
+    Some(format!("{sum:.decimals$} %"))
 }
 
 /// Parts of the loss of a mesh: name, watts and text, which add up to the printed loss.

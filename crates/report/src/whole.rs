@@ -130,7 +130,7 @@ pub(crate) fn tiles(result: &Whole) -> Vec<Tile> {
     let parts = result.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
     let parts = parts.map(|part| [part.name.clone(), stated(part.loss_w)]);
     let kinds = result.kinds_with_digits().into_iter();
-    let kinds = kinds.map(|(name, loss, _)| [name.to_owned(), format!("{loss} W")]);
+    let kinds = kinds.map(|kind| [kind.name.to_owned(), format!("{} W", kind.loss)]);
     tiles.push(Tile::rows(
         "meshes and parts",
         meshes.chain(parts).collect(),
@@ -202,11 +202,11 @@ fn losses_by_kind(result: &Whole) -> Drawing {
     let bars = result
         .kinds_with_digits()
         .into_iter()
-        .map(|(name, text, share)| Bar {
-            name: name.to_owned(),
-            value: Some(share * result.median_w()),
+        .map(|kind| Bar {
+            name: kind.name.to_owned(),
+            value: Some(kind.watts),
             spread: None,
-            text: format!("{text} W, {:.0} %", 100.0 * share),
+            text: format!("{} W, {} %", kind.loss, kind.share),
         });
     let mark = if result.set.is_some() {
         PLANETARY_MARK
@@ -266,9 +266,9 @@ fn meshes_section(result: &Whole) -> Markup {
 
 fn kinds(result: &Whole) -> Table {
     columns! { row in result.kinds_with_digits();
-        head kind "kind" "" = row.0;
-        number loss "loss of all meshes" "W" = &row.1;
-        number share "share" "%" "{:.1}" = 100.0 * row.2;
+        head kind "kind" "" = row.name;
+        number loss "loss of all meshes" "W" = &row.loss;
+        number share "share" "%" = &row.share;
     }
 }
 

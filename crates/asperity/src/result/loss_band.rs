@@ -626,6 +626,34 @@ impl Digits {
         steps.into_iter().zip(parts).map(text).collect()
     }
 
+    /// Shares \[%\] of `parts` that are printed as these `steps`: of the printed parts in their printed sum, so that a reader who
+    /// divides the printed numbers obtains them. They add up to 100; a part below a step has less than the share of a step.
+    ///
+    /// ```
+    /// use asperity::result::loss_band::Digits;
+    /// // 180, 50, 440 and 40 W of 710 W.
+    /// let shares = Digits::of_decimals(-1).shares(&[18.0, 5.0, 44.0, 4.0], &[178.0, 54.0, 438.0, 38.0]);
+    /// assert_eq!(shares, ["25", "7", "62", "6"]);
+    /// assert_eq!(Digits::of_decimals(-1).shares(&[45.0, 0.0], &[447.0, 3.0]), ["100", "< 3"]);
+    /// ```
+    #[must_use]
+    pub fn shares(self, steps: &[f64], parts: &[f64]) -> Vec<String> {
+        let total: f64 = steps.iter().sum();
+        if total <= 0.0 {
+            return parts.iter().map(|_| "0".to_owned()).collect();
+        }
+        let digits = self.of_percent(total * self.step());
+        let shares: Vec<f64> = steps.iter().map(|steps| 100.0 * steps / total).collect();
+        let rounded = digits.parts(digits.steps(100.0), &shares);
+        let one = digits.text((100.0 / total / digits.step()).ceil());
+        let texts = rounded.into_iter().zip(steps.iter().zip(parts));
+        let text = |(share, (steps, part)): (f64, (&f64, &f64))| match *steps == 0.0 && *part > 0.0 {
+            true => format!("< {one}"),
+            false => digits.text(share),
+        };
+        texts.map(text).collect()
+    }
+
     /// A number of steps as text.
     #[must_use]
     pub fn text(self, steps: f64) -> String {

@@ -170,6 +170,20 @@ pub struct ShaftRow {
     pub by_losses_nm: f64,
 }
 
+/// Kind of loss of all meshes of a gear train as printed.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct PrintedKind {
+    /// Name.
+    pub name: &'static str,
+    /// Loss \[W\], scaled to the median.
+    pub watts: f64,
+    /// Loss as text \[W\].
+    pub loss: String,
+    /// Share of the printed loss as text \[%\].
+    pub share: String,
+}
+
 /// A mesh of a gear train, or one of the equal ones of a planetary set.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -713,18 +727,24 @@ impl Whole {
         Digits::of_drawn(drawn, Digits::of_power(self.loss_w))
     }
 
-    /// Name, text \[W\] and share of each kind of loss that occurs: the kinds of the run scaled to the median, to which they
-    /// add up.
+    /// The kinds of loss that occur, scaled to the median, to which they add up as printed.
     #[must_use]
-    pub fn kinds_with_digits(&self) -> Vec<(&'static str, String, f64)> {
-        let median = self.median_w();
+    pub fn kinds_with_digits(&self) -> Vec<PrintedKind> {
+        let (median, digits) = (self.median_w(), self.digits());
         let kinds = self.kinds.rows();
         let scaled = kinds.map(|(_, loss)| loss * median / self.loss_w);
-        let texts = self.digits().texts_of_parts(median, &scaled);
-        let rows = kinds.into_iter().zip(texts);
-        let rows = rows.filter(|((_, loss), _)| *loss > 0.0);
-        rows.map(|((name, loss), text)| (name, text, loss / self.loss_w))
-            .collect()
+        let steps = digits.parts(digits.steps(median), &scaled);
+        let shares = digits.shares(&steps, &scaled);
+        let texts = digits.texts_of_parts(median, &scaled).into_iter();
+        let rows = kinds.into_iter().zip(scaled).zip(texts.zip(shares));
+        let rows = rows.filter(|((_, watts), _)| *watts > 0.0);
+        let row = |(((name, _), watts), (loss, share))| PrintedKind {
+            name,
+            watts,
+            loss,
+            share,
+        };
+        rows.map(row).collect()
     }
 
     /// Median of the loss of all meshes \[W\], without an interval the loss of the run.
@@ -872,8 +892,8 @@ mod tests {
         (train.kinds.film_w, train.kinds.rolling_w) = (1000.1, 370.1773);
         assert_eq!(train.with_bands(), ["1370 W", "98.9523 %"]);
         let kinds = train.kinds_with_digits();
-        assert_eq!(kinds[0].1, "1000");
-        assert_eq!(kinds[1].1, "370");
+        assert_eq!(kinds[0].loss, "1000");
+        assert_eq!([&kinds[1].loss, &kinds[1].share], ["370", "27.0"]);
         // The torque of the losses is known to as many digits as the loss.
         let shaft = ShaftRow {
             shaft: "out".to_owned(),

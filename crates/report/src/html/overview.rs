@@ -2,7 +2,6 @@
 
 use asperity::key_words::advice;
 use asperity::message::Warning;
-use asperity::result::loss_band::Digits;
 use asperity::result::{FlankHeights, RunInFlanks, RunResult, Summary};
 use maud::{Markup, html};
 
@@ -50,11 +49,9 @@ pub(super) fn section(result: &RunResult) -> Markup {
 /// The scope of the loss as to the finish: the power that these flanks lose on their asperities, and where another finish
 /// is compared.
 fn own_finish(result: &RunResult) -> Markup {
-    let s = &result.summary;
-    let share = (s.lubricated_asperity_w + s.boundary_w) / s.loss_w;
     html! {
         "The loss is for these two flanks as stated"
-        @if share.is_finite() { ": " (format!("{:.0} %", 100.0 * share)) " of it arises where asperities touch" }
+        @if let Some(share) = printed(result).asperity_share { ": " (share) " of it arises where asperities touch" }
         ". "
         code { "asperity compare" } " computes what another finish would save."
     }
@@ -175,11 +172,10 @@ fn printed(result: &RunResult) -> PrintedLoss {
 /// Parts of the loss with their shares, and the regime.
 fn parts(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
-    let parts = printed(result).parts;
-    let watts: Vec<f64> = parts.iter().map(|part| part.watts).collect();
-    let shares = shares_of_loss(&watts, result);
-    let tile = |(part, share): (PrintedPart, String)| {
-        (part.name, format!("{}, {share}", part.text), part.key)
+    let parts = printed(result).parts.into_iter();
+    let tile = |part: PrintedPart| {
+        let value = format!("{}, {}", part.text, part.share);
+        (part.name, value, part.key)
     };
     let regime = [
         (
@@ -193,31 +189,7 @@ fn parts(result: &RunResult) -> Vec<Tile> {
             "summary.asperity_share",
         ),
     ];
-    parts
-        .into_iter()
-        .zip(shares)
-        .map(tile)
-        .chain(regime)
-        .collect()
-}
-
-/// Shares of the parts in the loss, with the digits that its band justifies; they add up to 100 %.
-fn shares_of_loss(parts: &[f64], result: &RunResult) -> Vec<String> {
-    let loss = result.summary.loss_w;
-    if loss <= 0.0 {
-        return parts.iter().map(|_| percent(0.0)).collect();
-    }
-    let digits = match &result.uncertainty {
-        Some(uncertainty) => uncertainty.digits().of_percent(loss),
-        None => Digits::of_decimals(1),
-    };
-    let shares: Vec<f64> = parts.iter().map(|watts| 100.0 * watts / loss).collect();
-    let steps = digits.parts(digits.steps(100.0), &shares);
-    let text = |(share, steps): (&f64, f64)| match steps == 0.0 && *share > 0.0 {
-        true => format!("< {} %", digits.last_place()),
-        false => format!("{} %", digits.text(steps)),
-    };
-    shares.iter().zip(steps).map(text).collect()
+    parts.map(tile).chain(regime).collect()
 }
 
 /// The loss by published friction laws, each in place of film and asperity friction.

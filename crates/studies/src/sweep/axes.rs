@@ -67,6 +67,11 @@ impl Axes {
         self.0.iter().flat_map(CrossedAxis::settings)
     }
 
+    /// Keys that an axis sets to one value in all cases.
+    pub(super) fn constant(&self) -> Vec<(String, String)> {
+        self.0.iter().flat_map(CrossedAxis::constant).collect()
+    }
+
     /// Text and settings of each axis at the point `number`, in row-major order.
     pub(super) fn at(&self, number: usize) -> impl Iterator<Item = &(String, Settings)> {
         let mut remainder = number;
@@ -103,6 +108,14 @@ impl CrossedAxis {
     /// Keys and values of all nodes.
     fn settings(&self) -> impl Iterator<Item = &(String, String)> {
         self.nodes.iter().flat_map(|(_, settings)| settings)
+    }
+
+    /// Keys that every node sets to the same value.
+    fn constant(&self) -> Vec<(String, String)> {
+        let mut nodes = self.nodes.iter().map(|(_, settings)| settings);
+        let first = nodes.next().into_iter().flatten();
+        let of_all = first.filter(|setting| nodes.clone().all(|node| node.contains(setting)));
+        of_all.cloned().collect()
     }
 
     /// Whether the axis sets a key that names files, or a part or a parent of such a key.

@@ -45,6 +45,7 @@ pub fn merge(study: &Study, folder: &Path) -> Result<Merged, SweepError> {
         effects: effects_of(study, &list, &rows, &inputs),
         outputs: values_of(study, &rows, first_output(&list)),
         axes: list.columns().len() - list.sampled().len(),
+        constant: study.axes.constant(),
         inputs,
         table,
     })

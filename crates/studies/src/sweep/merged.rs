@@ -33,6 +33,9 @@ pub struct Merged {
     /// Number of axes among the inputs.
     #[serde(skip)]
     pub axes: usize,
+    /// Keys that the axes set to one value in all cases.
+    #[serde(skip)]
+    pub constant: Vec<(String, String)>,
     /// Columns of the results, each with its value in every case; NaN where a case has no result.
     #[serde(skip)]
     pub outputs: Vec<(String, Vec<f64>)>,

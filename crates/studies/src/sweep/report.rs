@@ -66,6 +66,7 @@ impl StudyResult for Merged {
                 "{} cases, {} without a result.",
                 self.cases, self.failed
             )])
+            .text(settings(self))
             .text(outside)
             .figures(move || charts.clone())
             .text(over_axes)
@@ -92,6 +93,18 @@ impl StudyResult for Merged {
             .on_page()
             .file(|folder| write_bytes(&folder.join("sweep.csv"), &self.table))
     }
+}
+
+/// The keys that are the same in all cases, in words; `None` without any.
+fn settings(merged: &Merged) -> Option<String> {
+    let keys = merged.constant.iter();
+    let keys: Vec<String> = keys.map(|(key, value)| format!("{key} = {value}")).collect();
+    (!keys.is_empty()).then(|| {
+        format!(
+            "All cases have {}. asperity run with the settings of the case gives another number.",
+            keys.join(" and ")
+        )
+    })
 }
 
 impl Merged {
