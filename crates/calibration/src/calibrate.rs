@@ -25,7 +25,7 @@ use crate::result::{
 };
 use crate::rig::{Rig, RigCase};
 use crate::rig_table::{RigTable, SIMULATED, Scope};
-use crate::summary::before_the_fit;
+use crate::summary::{BOOTSTRAPPED, before_the_fit};
 
 /// Number of bootstrap samples.
 const SAMPLES: usize = 200;
@@ -63,11 +63,11 @@ pub fn calibrate(
         }
     };
     let rig = Rig::new(table, cases, held, &progress)?;
-    // Response surfaces of three rounds, and the candidates for further measurements.
+    // Response surfaces of three rounds, the derivatives, and the candidates for further measurements.
     let axes = rig.parameters.len() + 1;
     let settings = 1 + 2 * axes + axes * (axes - 1) / 2;
     estimated_total.store(
-        3 * settings * rig.operating_points.len() + 36 * (1 + axes),
+        (3 * settings + 1 + axes) * rig.operating_points.len() + 36 * (1 + axes),
         Ordering::Relaxed,
     );
     rig.check_share()?;
@@ -392,7 +392,7 @@ fn warnings(rig: &Rig, fit: &Fit, residuals: &[f64]) -> Vec<Warning> {
         warnings.push(Warning::new(Code::W431, text));
     }
     let assemblies = rig.table.assemblies().len();
-    if assemblies < 3 {
+    if assemblies < BOOTSTRAPPED {
         warnings.push(Warning::new(
             Code::W420,
             format!(

@@ -7,7 +7,7 @@ use asperity_core::numerics::{median, range};
 use nalgebra::{DMatrix, DVector};
 
 use crate::information::{
-    correlations, covariance, deviation_without_prior, information, variances_after,
+    correlations, covariance, deviation_without_prior, information, variances_after, without_prior,
 };
 use crate::parameters::Parameter;
 use crate::problem::{Observation, Problem};
@@ -123,7 +123,7 @@ impl Rig {
         check_share(&self.table.name, &self.parameters, &points)
     }
 
-    /// Identifiability by the points of `problem` with the parameters at their centres.
+    /// Identifiability by the points of `problem`, from the derivatives of the model with the parameters at their centres.
     ///
     /// # Errors
     /// When the model has no solution at a further point.
@@ -132,8 +132,15 @@ impl Rig {
         problem: &Problem<'_>,
         progress: Progress<'_>,
     ) -> Result<Identifiability, Fault> {
+        let region = slope_region(&self.parameters);
+        let planes = tangents(&self.model, &region, progress)?;
+        let local = Problem {
+            surfaces: &planes,
+            region: &region,
+            ..problem.clone()
+        };
         let start = DVector::zeros(problem.variables());
-        let whole = information(&problem.slopes(&start));
+        let whole = information(&local.slopes(&start));
         let verdict = |k: usize, parameter: &Parameter| {
             let deviation = deviation_without_prior(&whole, k, parameter.prior);
             IdentifiedParameter {
@@ -196,12 +203,15 @@ impl Rig {
             let gain: f64 = (0..self.parameters.len()).map(shrunk).sum();
             let most = (0..self.parameters.len()).max_by(|a, b| shrunk(*a).total_cmp(&shrunk(*b)));
             let k = most.unwrap_or_default();
+            // As in the list of the parameters; the prior where the points leave the parameter open.
+            let prior = self.parameters[k].prior;
+            let by_points = |variance| without_prior(variance, prior).unwrap_or(prior);
             let helpful = HelpfulPoint {
                 torque_nm,
                 speed_rpm,
                 temperature_c,
                 gains_most: self.parameters[k].words().to_owned(),
-                deviation: [before[(k, k)].sqrt(), after[k].sqrt()],
+                deviation: [before[(k, k)], after[k]].map(by_points),
             };
             gains.push((gain, helpful));
         }

@@ -50,11 +50,17 @@ pub fn variances_after(covariance: &DMatrix<f64>, slope: &DVector<f64>) -> DVect
 /// Standard deviation of variable `k` without its own prior of width `prior`; `None` if only the prior determines it.
 #[must_use]
 pub fn deviation_without_prior(information: &DMatrix<f64>, k: usize, prior: f64) -> Option<f64> {
+    without_prior(covariance(information)?[(k, k)], prior)
+}
+
+/// Standard deviation of a variable with this `variance` without its own prior of width `prior`; `None` if only the prior
+/// determines it.
+#[must_use]
+pub fn without_prior(variance: f64, prior: f64) -> Option<f64> {
     /// Information that is only round-off.
     const LEAST: f64 = 1e-9;
-    let variance = covariance(information)?[(k, k)];
-    let without_prior = 1.0 / variance - 1.0 / (prior * prior);
-    (without_prior > LEAST).then(|| without_prior.sqrt().recip())
+    let information = 1.0 / variance - 1.0 / (prior * prior);
+    (information > LEAST).then(|| information.sqrt().recip())
 }
 
 /// Correlations of a covariance.

@@ -14,8 +14,8 @@ use crate::oil::is_simulated_source;
 use crate::result::{Calibration, FittedParameter, FittedPoint, Verdict};
 use crate::rig_table::SIMULATED;
 use crate::summary::{
-    HELD_OUT, design_bands, design_points, fitted, held_out, identified, range, scatter, shown,
-    unit_of,
+    BOOTSTRAPPED, HELD_OUT, before_and_after, design_bands, design_points, fitted, held_out, range,
+    scatter, shown, unit_of,
 };
 
 /// Table of the points.
@@ -61,7 +61,7 @@ impl StudyResult for Calibration {
             .section("Identifiability")
             .text([by_derivatives(self)])
             .on_page()
-            .table(identified(&self.identifiability.parameters))
+            .table(before_and_after(self))
             .on_page();
         let report = match self.identifiability.helpful.is_empty() {
             true => report,
@@ -107,6 +107,8 @@ impl StudyResult for Design {
         .verdict([deviations(self)])
         .figures(|| places(self))
         .table(design_points(self))
+        .text([LOSSES])
+        .on_page()
         .section("Expected bands")
         .heading(format!(
             "Expected with {:.1} % per point",
@@ -129,6 +131,9 @@ impl StudyResult for Design {
 
 /// Kind of both folders in messages.
 const KIND: &str = "calibration";
+/// Meaning of the losses of a design.
+const LOSSES: &str = "Losses by the model with the constants of the case, to choose the range of the torque meter. They have no interval; \
+    asperity map computes it.";
 /// Note on simulated losses.
 const REHEARSAL: &str = "SIMULATED losses: a rehearsal of a rig, not a measurement.";
 /// Content of the bands.
@@ -350,7 +355,10 @@ fn by_derivatives(calibration: &Calibration) -> String {
         format!(", Lambda* from {low:.2} to {high:.2}")
     });
     format!(
-        "{} operating points{range}. Before the fit, from the derivatives of the model; each parameter without its own prior.",
+        "{} operating points{range}. Standard deviations of the logarithms. Those expected are from the derivatives of the \
+        model at the values of the case, before the fit, each without its own prior. Those after the fit are from the 95 % bands, \
+        which include the priors. The priors are wider than the ranges without calibration, so that they decide only what the points \
+        leave open.",
         design.points
     )
 }
@@ -361,8 +369,8 @@ fn helpful(calibration: &Calibration) -> Table {
         number speed_rpm "speed" "1/min" "{:.0}";
         number temperature_c "temperature" "°C" "{:.0}";
         text gains_most "helps most" "";
-        percent now "standard deviation now" "%" "{:.1}" = one.deviation[0];
-        percent then "with the point" "%" "{:.1}" = one.deviation[1];
+        percent now "expected by the points" "%" "{:.1}" = one.deviation[0];
+        percent then "expected with this one" "%" "{:.1}" = one.deviation[1];
     }
 }
 
@@ -371,7 +379,7 @@ fn nuisance(calibration: &Calibration) -> Table {
         head name "term" "";
         number value "value" "" "{:.3}";
         number deviation "standard deviation" "" "{:.3}";
-        number prior "of the prior" "" "{:.3}";
+        number prior "standard deviation of the prior" "" "{:.3}";
         text unit "unit" "";
     }
 }
@@ -384,15 +392,20 @@ fn provenance(calibration: &Calibration) -> Vec<String> {
             calibration.table, calibration.sha256
         ),
         format!(
-            "{} evaluations of the model with stored contacts, {} response surfaces; the last one differs from the model by {:.3} % at \
-            most, {:.2} sigma. {} samples of the bootstrap.",
+            "{} evaluations of the model with stored contacts, {} response surfaces. The last one differs from the model by at most \
+            {:.3} %, {:.2} sigma.",
             evidence.evaluations,
             evidence.rounds,
             100.0 * evidence.largest_surface_error,
-            evidence.largest_surface_error_sigma,
-            evidence.bootstrap_samples
+            evidence.largest_surface_error_sigma
         ),
     ];
+    if calibration.assemblies.len() >= BOOTSTRAPPED {
+        lines.push(format!(
+            "{} samples of the bootstrap.",
+            evidence.bootstrap_samples
+        ));
+    }
     let stages = calibration.stages.iter();
     lines.extend(stages.map(|stage| format!("Stage: {} ({} points).", stage.name, stage.points)));
     lines

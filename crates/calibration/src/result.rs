@@ -59,7 +59,7 @@ pub struct IdentifiedParameter {
     pub name: String,
     /// Standard deviation of its logarithm by the points, without its own prior; `None` if they do not determine it.
     pub deviation: Option<f64>,
-    /// Standard deviation of the prior.
+    /// Standard deviation of the prior of the fit.
     pub prior: f64,
     /// Verdict.
     pub verdict: Verdict,
@@ -77,7 +77,7 @@ pub struct HelpfulPoint {
     pub temperature_c: f64,
     /// Name of the parameter with the largest gain.
     pub gains_most: String,
-    /// Standard deviation of its logarithm without and with the point, priors included.
+    /// Standard deviation of its logarithm by the points, without and with this one; the prior where they do not determine it.
     pub deviation: [f64; 2],
 }
 

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use asperity::result::loss_band::Digits;
-use asperity_report::{Cell, Table, columns, wrapped};
+use asperity_report::{Cell, Column, Kind, Table, columns, wrapped};
 
 use crate::design::Design;
 use crate::result::{Calibration, Identifiability, IdentifiedParameter};
@@ -111,14 +111,25 @@ pub(crate) fn before_the_fit(identifiability: &Identifiability) -> String {
     text
 }
 
-/// Standard deviations of the logarithms of the parameters, each without its own prior.
+/// Standard deviations of the logarithms of the parameters before the fit, each without its own prior.
 pub(crate) fn identified(parameters: &[IdentifiedParameter]) -> Table {
     columns! { one in parameters;
         head name "parameter" "";
-        number deviation "standard deviation by the points" "%" "{:.0}" = one.deviation.map(share);
-        number prior "of the prior" "%" "{:.0}" = share(one.prior);
+        number deviation "expected by the points" "%" "{:.0}" = one.deviation.map(share);
+        number prior "prior of the fit" "%" "{:.0}" = share(one.prior);
         text verdict "expected" "" = one.verdict.text();
     }
+}
+
+/// The same with the standard deviations after the fit.
+pub(crate) fn before_and_after(calibration: &Calibration) -> Table {
+    let after = calibration.parameters.iter().map(|one| {
+        let [low, high] = one.fitted.ends();
+        let deviation = (high / low).ln() / (2.0 * MIDDLE_95);
+        Cell::number(share(deviation), |percent| format!("{percent:.0}"))
+    });
+    let after = Column::new(Kind::Number, "after the fit", "%", after);
+    identified(&calibration.identifiability.parameters).with([after])
 }
 
 /// A share in percent.
@@ -126,8 +137,14 @@ fn share(share: f64) -> f64 {
     100.0 * share
 }
 
+/// Half of the middle 95 % of a normal distribution, in its standard deviations.
+const MIDDLE_95: f64 = 1.959_964;
+
 /// Columns of the fitted parameters that the page has and the terminal has no room for.
-const FOLDED: [&str; 3] = ["profile likelihood", "bootstrap over assemblies", "default"];
+const FOLDED: [&str; 3] = ["profile likelihood", BOOTSTRAP, "default"];
+const BOOTSTRAP: &str = "bootstrap over assemblies";
+/// Number of assemblies from which a bootstrap over them is shown.
+pub(crate) const BOOTSTRAPPED: usize = 3;
 /// Heading of the temperatures held out.
 pub(crate) const HELD_OUT: &str = "Every temperature predicted from the others";
 
@@ -147,7 +164,12 @@ pub(crate) fn fitted(calibration: &Calibration) -> Table {
             false => one.verdict.text().to_owned(),
         };
     };
-    table.brief(&FOLDED).in_file("parameters.csv")
+    let table = table.brief(&FOLDED);
+    let table = match calibration.assemblies.len() < BOOTSTRAPPED {
+        true => table.unshown_of(&[BOOTSTRAP]),
+        false => table,
+    };
+    table.in_file("parameters.csv")
 }
 
 /// A name, shown with its unit.
@@ -173,10 +195,16 @@ pub(crate) fn design_points(design: &Design) -> Table {
         number speed_rpm "speed" "1/min" "{:.0}";
         number temperature_c "temperature" "°C" "{:.0}";
         number repeats "repeats" "";
-        number loss_w "loss of the mesh" "W" "{:.1}";
+        number loss_w "expected loss of the mesh" "W" = Cell::number(point.loss_w, two_digits);
         number lambda_star "Λ*" "" "{:.2}";
     };
     table.in_file("points.csv")
+}
+
+/// A power with two digits, as far as it is known before its measurement.
+fn two_digits(watts: f64) -> String {
+    Digits::of_decimals(1 - watts.abs().max(f64::MIN_POSITIVE).log10().floor() as i32)
+        .rounded(watts)
 }
 
 /// Bands of the parameters that a design is expected to leave.

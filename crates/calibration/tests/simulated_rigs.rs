@@ -230,6 +230,14 @@ fn deviations(temperatures: &[f64]) -> Vec<f64> {
     let problem = asperity_calibration::problem::Problem::new(&surfaces, &region, &priors, seen);
     let found = rig.identifiability(&problem, &|_| {}).unwrap();
     assert_eq!(found.helpful.len(), 3);
+    // One standard deviation of a parameter before the fit, and less with a further point.
+    for point in &found.helpful {
+        let mut parameters = found.parameters.iter();
+        let one = parameters.find(|one| one.name == point.gains_most).unwrap();
+        let before = one.deviation.unwrap_or(one.prior);
+        assert!((point.deviation[0] / before - 1.0).abs() < 1e-12);
+        assert!(point.deviation[1] < before);
+    }
     let of =
         |one: &asperity_calibration::IdentifiedParameter| one.deviation.unwrap_or(f64::INFINITY);
     found.parameters.iter().map(of).collect()

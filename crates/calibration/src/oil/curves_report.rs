@@ -34,6 +34,8 @@ impl StudyResult for TractionCurves {
         .section("Traction")
         .verdict(verdict(self))
         .text([conditions(self)])
+        .text([NEXT])
+        .on_page()
         .figures(|| charts(self))
         .text([guide])
         .on_page()
@@ -43,6 +45,10 @@ impl StudyResult for TractionCurves {
         .rows(OVER_SPEED, || &self.over_speed)
     }
 }
+
+/// Next step.
+const NEXT: &str = "Measured traction curves narrow this interval: asperity oil plan lists the points to measure, and asperity oil fit \
+    fits the constants to them.";
 
 /// Film and friction at each temperature.
 fn table(traction: &TractionCurves) -> Table {

@@ -36,6 +36,8 @@ impl StudyResult for OilFit {
         .section("Constants")
         .verdict(&simulated)
         .verdict(self.verdicts())
+        .text([NEXT])
+        .on_page()
         .figures(|| curves(self))
         .text([format!("Dots: {dots}. Lines: fitted, with gain and zero.")])
         .on_page()
@@ -90,6 +92,9 @@ const FOLDED: [&str; 4] = [
     "remaining error, as expected before",
     "remaining error",
 ];
+/// Next step.
+const NEXT: &str = "To use these constants, name the oil file in a case by lubricant.oil_file and run the case again. asperity evidence \
+    then lists the measurements that narrow the interval of its loss further.";
 /// Meaning of the nuisance terms.
 const NUISANCE: &str = "Errors of the machine that the fit assumes, the largest first, over the standard deviations of their priors.";
 /// Meaning of the numbers.

@@ -233,7 +233,7 @@ fn notes(plan: &OilPlan) -> Vec<String> {
     ));
     if let Some(case) = &plan.case {
         notes.push(format!(
-            "Loss: standard deviation of the loss of {case} by these constants only; the error of the law adds {:.0} %.",
+            "Loss: standard deviation of the loss of {case} by these constants only. The error of the law adds {:.0} %.",
             100.0 * law_error(0.0)
         ));
     }
