@@ -74,6 +74,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
         gearbox: None,
         axes,
         ratio: Some(RATIO),
+        operating_point: None,
         finishes: vec![FinishMap {
             name: "ground".to_owned(),
             fingerprint: String::new(),
@@ -99,6 +100,18 @@ const RATIO: f64 = 68.0 / 23.0;
 fn map() -> Map {
     let torque: Vec<f64> = (0..33).map(|k| -160.0 + 10.0 * f64::from(k)).collect();
     map_of(&torque, &[60.0])
+}
+
+#[test]
+fn the_verdict_of_a_map_is_next_to_the_operating_point() {
+    let mut map = map();
+    let verdict = |map: &Map| {
+        let text = asperity_report::StudyResult::report(map).terminal();
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    assert!(verdict(&map).contains("at -160 N m and 16000 1/min."));
+    map.operating_point = Some([41.0, 3400.0]);
+    assert!(verdict(&map).contains("at 40 N m and 3000 1/min."));
 }
 
 /// Places of all quadrants, off the nodes: torque \[N m\], speed \[1/min\].

@@ -75,12 +75,14 @@ pub fn map<C: Clone + Into<Train>>(
     }
     if let Some((first, others)) = maps.split_first_mut() {
         for finish in others {
-            finish.difference_w = difference(first, finish);
+            let largest = finish.largest().map(|(at, _)| at);
+            finish.difference_w = largest.and_then(|at| difference(first, finish, at));
         }
     }
     if let (Some(first), true) = (maps.first(), case.shafting.passes_losses) {
         gearbox = gearbox_of(case, axes, &first.meshes)?;
     }
+    let operation = case.shafting.operation();
     Ok(Map {
         schema_version: SCHEMA_VERSION,
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
@@ -92,6 +94,10 @@ pub fn map<C: Clone + Into<Train>>(
         gearbox,
         axes: axes.clone(),
         ratio: case.ratio(),
+        operating_point: Some([
+            operation.torque.si(),
+            operation.speed.si() * 30.0 / std::f64::consts::PI,
+        ]),
         warnings: maps.iter().flat_map(warnings).collect(),
         table_warnings: Vec::new(),
         finishes: maps,
@@ -100,10 +106,8 @@ pub fn map<C: Clone + Into<Train>>(
     })
 }
 
-/// Loss with `finish` minus the loss with `first` at the largest loss of `finish`, over the draws that both share; `None` without
-/// draws.
-fn difference(first: &FinishMap, finish: &FinishMap) -> Option<Estimate> {
-    let (at, _) = finish.largest()?;
+/// Loss with `finish` minus the loss with `first` at point number `at`, over the draws that both share; `None` without draws.
+pub(super) fn difference(first: &FinishMap, finish: &FinishMap, at: usize) -> Option<Estimate> {
     let drawn = |of: &FinishMap, flanks: usize| {
         let Point {
             torque_nm,
@@ -111,7 +115,7 @@ fn difference(first: &FinishMap, finish: &FinishMap) -> Option<Estimate> {
             temperature_c,
             numbers,
             ..
-        } = &of.points[at];
+        } = of.points.get(at)?;
         let loss = numbers.as_ref()?.loss_w;
         let drawn = of.drawn(flanks, 1.0)?;
         let ratios = drawn.ratios(drawn.place(*torque_nm, *speed_rpm, *temperature_c));

@@ -19,6 +19,9 @@ const TEMPERATURES: usize = 3;
 const MOST_HATCHED: f64 = 1.0 / 3.0;
 
 /// What a page about losses at many operating points leaves to studies of one.
+/// Point of the verdicts of a map.
+const TYPICAL: &str = "The losses above the charts are at the point of the map next to the operating point of the case.";
+/// Next steps.
 pub(crate) const HELPFUL: &str = "The command asperity sensitivity lists changes that lower the loss; asperity evidence lists \
     measurements that narrow its interval.";
 
@@ -147,6 +150,8 @@ pub(super) fn fields<'a>(report: Report<'a>, map: &'a Map, visited: &'a [[f64; 2
             "Each colour of the efficiency covers about a tenth of the points.",
         ])
         .on_page()
+        .text(map.operating_point.map(|_| TYPICAL))
+        .on_page()
         .text(marks(map, !visited.is_empty()))
         .on_page()
         .text([HELPFUL])
@@ -236,7 +241,7 @@ fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
     }
     let [first, last] = match share <= MOST_HATCHED {
         true => ["Hatched: at", ""],
-        false => ["At", "; these are too many to hatch"],
+        false => ["At", ". These are too many to hatch"],
     };
     Some(format!(
         "{first} {:.0} % of the points of {} the model is extrapolated further than at the operating point of the case{last}.",

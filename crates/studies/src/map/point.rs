@@ -32,6 +32,9 @@ pub struct Map {
     /// Revolutions of the pinion per revolution of the wheel, or of the input shaft per revolution of the output shaft; `None`
     /// of several outputs.
     pub ratio: Option<f64>,
+    /// Torque \[N m\] and speed \[1/min\] at which the case states its load; `None` in older maps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub operating_point: Option<[f64; 2]>,
     /// The finishes; the first is the reference of differences.
     pub finishes: Vec<FinishMap>,
     /// Warnings with their points.
@@ -215,6 +218,29 @@ impl Map {
         let mut loaded = points.filter(|point| point.torque_nm != 0.0 && point.speed_rpm != 0.0);
         let first = loaded.next()?.code?;
         loaded.all(|point| point.code.is_some()).then_some(first)
+    }
+
+    /// Index of the point next to the operating point of the case, in parts of the largest torque and speed, that has a loss with
+    /// the first finish. Without an operating point the point of its largest loss.
+    pub(super) fn typical(&self) -> Option<usize> {
+        let first = self.finishes.first()?;
+        let Some([torque, speed]) = self.operating_point else {
+            return first.largest().map(|(at, _)| at);
+        };
+        let of = |nodes: &[f64]| {
+            nodes
+                .iter()
+                .fold(f64::MIN_POSITIVE, |most, x| most.max(x.abs()))
+        };
+        let most = [of(&self.axes.torque_nm), of(&self.axes.speed_rpm)];
+        let distance = |point: &Point| {
+            let torque = (point.torque_nm - torque) / most[0];
+            torque.hypot((point.speed_rpm - speed) / most[1])
+        };
+        let points = first.points.iter().enumerate();
+        let known = points.filter(|(_, point)| point.numbers.is_some());
+        let nearest = known.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));
+        nearest.map(|(at, _)| at)
     }
 
     /// Shafts at which power enters and leaves, in words.

@@ -8,6 +8,8 @@ use asperity::result::loss_band::Digits;
 use asperity_core::numerics::range;
 use asperity_report::{Cell, Table, columns};
 
+use super::axes::Axes;
+use super::grid::difference as difference_of;
 use super::point::{EXTENDED, FinishMap, Map, MeshPart, Numbers, Point};
 
 /// Largest loss, best efficiency and largest loss torque of each finish.
@@ -32,30 +34,54 @@ pub(super) fn extremes(map: &Map) -> Table {
     table.in_file("extremes.csv")
 }
 
-/// The difference of each finish from the first, then the largest loss and the best efficiency of each, in words.
+/// The difference of each finish from the first, then the loss and the efficiency of each, next to the operating point of the case,
+/// in words.
 pub(super) fn verdicts(map: &Map) -> impl Iterator<Item = String> {
-    let compared = map.finishes.iter().skip(1).filter_map(|finish| {
-        let Extremes { point, .. } = Extremes::of(finish)?;
+    let typical = map.typical();
+    let at =
+        move |finish: &FinishMap| typical.and_then(|at| Some((at, finish.points[at].numbers?)));
+    let place = move |finish: &FinishMap, at: usize| place(&map.axes, &finish.points[at]);
+    let compared = map.finishes.iter().skip(1).filter_map(move |finish| {
+        let first = map.finishes.first()?;
+        let (at, _) = at(finish)?;
         Some(format!(
-            "{} {}, at {} N m and {} 1/min.",
+            "{} {}, {}.",
             loses(&finish.name),
-            against(finish.difference_w?, "W", &map.finishes.first()?.name),
-            point.torque_nm,
-            point.speed_rpm
+            against(difference_of(first, finish, at)?, "W", &first.name),
+            place(finish, at)
         ))
     });
-    let each = map.finishes.iter().filter_map(|finish| {
-        let extremes = Extremes::of(finish)?;
+    let each = map.finishes.iter().filter_map(move |finish| {
+        let (at, numbers) = at(finish)?;
+        let point = &finish.points[at];
+        let power = power_w(point);
+        let loss = numbers.drawn_w.map_or(numbers.loss_w, |drawn| drawn.value);
+        let efficiency = match power > 0.0 && loss < power {
+            true => {
+                let digits = percent_digits(&numbers, power);
+                let efficiency = digits.rounded(100.0 * (1.0 - loss / power));
+                format!(", an efficiency of {efficiency} %")
+            }
+            false => String::new(),
+        };
         Some(format!(
-            "{} at most {} W, at {} N m and {} 1/min; the best efficiency is {} %.",
+            "{} {} W{efficiency}, {}.",
             loses(&finish.name),
-            extremes.loss().text(),
-            extremes.point.torque_nm,
-            extremes.point.speed_rpm,
-            extremes.efficiency().text()
+            banded(numbers.loss_w, numbers.drawn_w),
+            place(finish, at)
         ))
     });
     compared.chain(each)
+}
+
+/// Torque and speed of a point, and its temperature among several, in words.
+fn place(axes: &Axes, point: &Point) -> String {
+    let torque = (100.0 * point.torque_nm).round() / 100.0;
+    let at = format!("at {torque} N m and {:.0} 1/min", point.speed_rpm);
+    match axes.temperature_c.len() {
+        1 => at,
+        _ => format!("{at}, {:.0} °C", point.temperature_c),
+    }
 }
 
 /// Difference of a finish from the first at its largest loss.
