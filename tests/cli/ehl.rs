@@ -530,6 +530,12 @@ fn a_record_too_short_for_a_standard_error_says_so() {
         "{said}"
     );
     assert!(!said.contains("NaN"), "{said}");
+    // A mean over the start says so.
+    let words = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        words.contains("from 1.0 to 2.0 half-widths. They include a part of the start"),
+        "{said}"
+    );
     let unread = "\nW454 columns of fine.csv that are not read: a\n";
     assert!(said.contains(unread), "{said}");
     let json = bench.run(&[&short[..], &["--json"]].concat()).well().json();

@@ -1,7 +1,7 @@
 //! Page of a lubricated contact.
 
 use asperity::ehl::transient::Moment;
-use asperity::ehl::{RoughContact, Scales, SteadyFilm, SteadySettings, steady};
+use asperity::ehl::{RoughContact, Scales, SteadyFilm, SteadySettings, Window, steady};
 use asperity::reference_solution::formula_film;
 use asperity_core::{Code, Fault};
 use asperity_report::html::{
@@ -35,13 +35,14 @@ fn page_of(
             env!("CARGO_PKG_VERSION"),
             scales.half_width,
             scales.max_pressure,
-            // −0 becomes 0.
-            scales.slide_to_roll + 0.0,
+            // The sum turns −0 into 0.
+            (1e3 * scales.slide_to_roll).round() / 1e3 + 0.0,
             scales.moes_load,
             scales.moes_lubricant
         ),
         verdict: String::new(),
         numbers: Vec::new(),
+        notes: Vec::new(),
         warnings: about.warnings.into_iter().map(owned).collect(),
         hertz_pressure: scales.max_pressure.si() * 1e-9,
         formula: formula.map(|film| film.si() * 1e6),
@@ -76,6 +77,21 @@ fn number(name: &str, value: String) -> (String, String) {
     (name.to_owned(), value)
 }
 
+/// Next step after a smooth film.
+const NEXT_OF_SMOOTH: &str = "Without --smooth the command solves the flanks of a case with their traces; asperity run computes the loss.";
+/// Next step after a record.
+const NEXT: &str = "The command asperity run computes the loss of a case with a fast model of this contact. For a case, --compare prints the load \
+    share of the fast model next to this solution.";
+
+/// The inlet of a record, which makes its smooth film thinner, in words.
+fn inlet_of(window: Window) -> String {
+    format!(
+        "Rough and smooth film have an inlet that begins {:.1} half-widths before the middle. With the longer inlet of asperity ehl \
+        --smooth the smooth film is slightly thicker.",
+        -window.inlet
+    )
+}
+
 impl Smooth {
     /// Page of the smooth film.
     pub fn page(&self, contact: &RoughContact) -> Result<String, Failure> {
@@ -86,7 +102,7 @@ impl Smooth {
             warnings: self.warnings(),
         };
         let mut page = page_of(about, contact, film)?;
-        let micrometres = |length: f64| format!("{:.4} µm", length * 1e6);
+        let micrometres = |length: f64| format!("{:.3} µm", length * 1e6);
         page.verdict = format!(
             "Smooth film: {} in the middle, {} at least.",
             micrometres(film.central_film.si()),
@@ -101,6 +117,7 @@ impl Smooth {
             ),
         ];
         let names = ["traction, isothermal", "traction, thermal"];
+        page.notes = vec![NEXT_OF_SMOOTH.to_owned()];
         for (name, traction) in names.into_iter().zip(self.tractions()) {
             if let Some(traction) = traction {
                 page.numbers
@@ -147,8 +164,8 @@ impl Recorded {
                 ) + " µm",
             ),
             number(
-                "smooth film",
-                format!("{:.4} µm", record.smooth_film.si() * 1e6),
+                "smooth film from the same inlet",
+                format!("{:.3} µm", record.smooth_film.si() * 1e6),
             ),
             number(
                 "largest pressure, mean",
@@ -160,6 +177,7 @@ impl Recorded {
             let text = with_error(friction.shifted.mean, friction.shifted.standard_error);
             page.numbers.push(number("friction", text));
         }
+        page.notes = vec![self.travel(), inlet_of(self.window), NEXT.to_owned()];
         page.mean = Some(curve(
             scales,
             &record.x,

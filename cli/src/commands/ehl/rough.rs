@@ -28,6 +28,8 @@ pub struct Recorded {
     pub solid_film: Length,
     pub cells: usize,
     pub window: Window,
+    /// Travel before the record, in half-widths.
+    pub start: f64,
     pub solved: Solved<Record>,
     /// Solid share of each of the averaged records.
     pub shares: Vec<RecordMean>,
@@ -80,17 +82,34 @@ pub fn solve(
         solid_film: settings.solid_film,
         cells: settings.cells,
         window: settings.window,
+        start: settings.start,
         attenuated_roughness: None,
         unread: vec![],
         ceiling: settings.ceiling,
     })
 }
 
+/// Travel in which a record starts from smooth surfaces, in half-widths.
+const START_UP: f64 = 3.0;
+
 impl Recorded {
     /// Attenuated roughness relative to the smooth film.
     fn roughness_over_film(&self) -> Option<f64> {
         let smooth = self.solved.value.smooth_film;
         Some(self.attenuated_roughness? / smooth)
+    }
+
+    /// The travel over which the means are taken, in words.
+    pub fn travel(&self) -> String {
+        let (start, end) = (self.start, self.start + self.solved.value.travel);
+        let means =
+            format!("The means are over the travel from {start:.1} to {end:.1} half-widths");
+        match start < START_UP {
+            true => format!(
+                "{means}. They include a part of the start: in the first {START_UP:.0} half-widths the film is still smooth."
+            ),
+            false => format!("{means}, after the start from smooth surfaces."),
+        }
     }
 
     /// Warnings with their codes.
@@ -185,7 +204,14 @@ impl Recorded {
             .verdict([share])
             .verdict(self.friction())
             .table(below)
-            .text([film, pressure, of_scales(&record.scales), oil, solved])
+            .text([
+                self.travel(),
+                film,
+                pressure,
+                of_scales(&record.scales),
+                oil,
+                solved,
+            ])
             .warning(warnings.map(|(code, warning)| format!("{code} {warning}")));
         match comparison {
             Some(comparison) => laws::shown(report, comparison),

@@ -66,6 +66,8 @@ pub struct LubricatedContact {
     pub verdict: String,
     /// Names and values of numbers.
     pub numbers: Vec<(String, String)>,
+    /// Meaning of the numbers, and the next step.
+    pub notes: Vec<String>,
     /// Codes and texts of warnings.
     pub warnings: Vec<(String, String)>,
     /// Hertz pressure \[GPa\].
@@ -101,6 +103,7 @@ fn numbers(contact: &LubricatedContact) -> Markup {
         dl.tiles {
             @for (name, value) in &contact.numbers { div { dt { (name) } dd { (value) } } }
         }
+        @for note in &contact.notes { p { (note) } }
         @if !contact.warnings.is_empty() {
             h3 { "Warnings" }
             ul.warnings {
