@@ -53,7 +53,7 @@ pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
         p {
             "The median and the 5 to 95 % of the loss are over " (uncertainty.draws) " draws. The draws interpolate "
             (uncertainty.evaluations) " evaluations (error of ln loss " (format!("{:.4}", uncertainty.interpolation_error))
-            "). Each component is drawn alone. Trust: " (uncertainty.trust_text()) "."
+            "). Each component is drawn alone."
         }
         p { "Sampling of the flanks: " (sampling(&uncertainty.sampling)) "." }
         h3 { "Constants" }
@@ -67,6 +67,7 @@ pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
             p { "Not varied, because the case states it: " (uncertainty.held.join(", ")) "." }
         }
         h3 { "Other models, and the evidence against them" }
+        p { "Each other model has its constants at their medians. The interval of the loss contains no model with evidence against it." }
         (models(uncertainty))
     }
 }

@@ -89,12 +89,19 @@ fn of_pairs<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
         .rows("components.csv", || tables::components(comparison))
         .heading("Other models, and the evidence against them")
         .on_page()
+        .text([OTHER_MODELS])
+        .on_page()
         .table(models(&drawn, first))
         .on_page()
 }
 
 /// Text above the components of the uncertainty.
 const COMPONENTS: &str = "Each component is drawn alone, with every other at its median.";
+
+/// Text above the other models.
+const OTHER_MODELS: &str = "Each other model has its constants at their medians, and the evidence is against its result there. The \
+    interval of the verdict is of the default model with drawn constants and contains no excluded model. Its ends need constants \
+    far from their medians: there the default, too, may save as much as an excluded model.";
 
 /// Rank correlations of the roughness with the loss.
 fn correlations<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
