@@ -358,6 +358,9 @@ fn the_pages_of_runs_are_in_plain_sentences() {
         .well();
     page("two/report.html");
     bench.run(&["run", "set.toml", "-o", "set"]).well();
+    // The gears of this set interfere, which is graver than the other warnings.
+    let set = fs::read_to_string(bench.path("set/report.html")).unwrap();
+    assert!(set.matches("<li class=\"grave\">").count() == 1, "{set}");
     for name in [
         "report.html",
         "sun_planet/report.html",

@@ -59,6 +59,20 @@ fn pages_of_the_demo_print_what_they_show_and_their_pictures_are_drawn() {
         hold_picture(&file, &Figure::of(&page, figure).alone());
         assert!(document.contains(&format!("]({file})")), "{file}");
     }
+    // The sweep has the loss of the run for the oil of the case.
+    let median = |file: &str, row: &str| {
+        let text = read(file);
+        let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let header = lines.next().unwrap();
+        let column = header.iter().position(|name| *name == "loss_median_w");
+        let row = lines.find(|cells| cells.contains(&row)).unwrap();
+        row[column.unwrap()].parse::<f64>().unwrap()
+    };
+    let swept = median("wrong_oil-sweep/sweep.csv", "polyalphaolefin");
+    let compared = median("demo-case-compare/compare.csv", "ground");
+    assert!((swept / compared - 1.0).abs() < 1e-12, "{swept} {compared}");
+    let hot = read("hot_day-sweep/sweep.html");
+    assert!(hot.contains("All cases have model.offsets = 4 and model.positions = 6."));
     holds("docs/TUTORIAL.md", &bench, 40);
     holds("docs/howto/rig.md", &bench, 30);
     holds("docs/howto/vehicle.md", &bench, 12);

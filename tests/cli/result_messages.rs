@@ -89,7 +89,7 @@ fn tip_relief_that_nobody_states_is_said_first_with_what_it_changes() {
     assert_eq!(first["code"], "W439");
     let text = first["text"].as_str().unwrap();
     assert!(
-        text.starts_with("tip relief of both gears not stated, taken from 0 to 10 um: none"),
+        text.starts_with("tip relief of both gears not stated, taken from 0 to 10 um. The loss"),
         "{text}"
     );
 }

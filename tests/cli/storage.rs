@@ -137,8 +137,13 @@ fn the_default_result_is_small_and_fields_are_kept_on_request() {
     said(&["--no-band", "--fields", "1,3"]).well();
     assert!(bench.path("out/position_01/surface.csv").is_file());
     assert!(!bench.path("out/position_02").exists());
-    bench.run(&kept).well();
-    bench.run(&other).well();
+    // A page of a position that was chosen names it.
+    let named = [(&kept, 1), (&other, 3)].map(|(arguments, position)| {
+        bench.run(arguments).well();
+        let page = fs::read_to_string(bench.path("out/report.html")).unwrap();
+        page.contains(&format!("contact at position {position} of 3"))
+    });
+    assert_eq!(named, [false, true]);
     said(&["--fields", "9"]).refused(2, "E402", &["position 9 is not among the 3"]);
     said(&["--fields", "some"]).refused(2, "E209", &["must be all, or numbers"]);
 }

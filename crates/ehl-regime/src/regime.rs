@@ -98,7 +98,23 @@ impl Regime {
         }
     }
 
-    /// Name in words.
+    /// Words for a reader, with the share of the load on asperities. Boundary friction may dominate where the film carries most
+    /// of the load: this is mixed lubrication in the usual sense of the word.
+    ///
+    /// ```
+    /// use asperity_ehl_regime::Regime;
+    /// assert_eq!(Regime::Boundary.words(0.33), "mixed, mostly boundary friction");
+    /// assert_eq!(Regime::Boundary.words(0.84), "boundary");
+    /// ```
+    #[must_use]
+    pub fn words(self, asperity_share: f64) -> &'static str {
+        match self {
+            Self::Boundary if asperity_share <= 0.5 => "mixed, mostly boundary friction",
+            other => other.name(),
+        }
+    }
+
+    /// Name in tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -52,7 +52,7 @@ const COMPARED: FittedRange = FittedRange::new(
     0.0,
     3.0,
     "-",
-    "the mixed-EHL solutions that the load share was compared with",
+    "mixed-EHL solutions of the load share",
 );
 
 /// Mean gap that the inlet supplies without asperity contact.

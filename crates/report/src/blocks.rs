@@ -19,16 +19,27 @@ use std::fmt::Display;
 use std::path::Path;
 
 use asperity_core::message::gravest_first;
-use asperity_core::{Fault, capitalised};
+use asperity_core::{Code, Fault, capitalised};
 use asperity_storage::one_line;
 use maud::{Markup, Render, html};
 use serde::Serialize;
 
 use crate::chart::Drawing;
 use crate::columns::Table;
+use crate::html::overview::DOUBTFUL;
 use crate::html::{Section, figure, page_of};
 use crate::wrap::wrapped;
 use crate::{tables, write_text};
+
+/// The code at the beginning of a warning.
+fn code_of(warning: &str) -> Option<Code> {
+    warning.split(' ').next()?.parse().ok()
+}
+
+/// Whether a warning makes the result doubtful.
+fn is_doubtful(warning: &str) -> bool {
+    code_of(warning).is_some_and(|code| code.doubt().is_some())
+}
 
 /// Number of lines that a first screen leaves out, and of the warnings among them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -196,7 +207,7 @@ impl<'a> Report<'a> {
     pub fn warning<W: Display>(self, warnings: impl IntoIterator<Item = W>) -> Self {
         let warnings = warnings.into_iter().map(|warning| warning.to_string());
         let mut warnings: Vec<String> = warnings.collect();
-        gravest_first(&mut warnings, |text| text.split(' ').next()?.parse().ok());
+        gravest_first(&mut warnings, |text| code_of(text));
         self.with(warnings.into_iter().map(Block::Warning))
     }
 
@@ -387,7 +398,11 @@ impl<'a> Report<'a> {
                     continue;
                 }
                 Block::Verdict(line) => html! { p.answer { (line) } },
-                Block::Text(line) | Block::Warning(line) => html! { p { (line) } },
+                Block::Text(line) => html! { p { (line) } },
+                Block::Warning(line) => match is_doubtful(line) {
+                    true => html! { p.grave { strong { (DOUBTFUL) } " " (line) } },
+                    false => html! { p { (line) } },
+                },
                 Block::Heading(line) => html! { h3 { (line) } },
                 Block::Code(code) => html! { pre { code { (code) } } },
                 Block::Table(table) => table.render(),

@@ -209,6 +209,9 @@ fn parts(printed: &PrintedLoss) -> String {
     parts.collect::<Vec<_>>().join(", ")
 }
 
+/// Share of the path from which a regime is stated without it.
+const NEARLY_ALL: f64 = 0.95;
+
 /// The regime with the load on the asperities.
 pub(crate) fn regime(s: &Summary) -> String {
     let percent = |share: f64| match share < 0.005 {
@@ -219,7 +222,8 @@ pub(crate) fn regime(s: &Summary) -> String {
     let regime = match s.regime() {
         Regime::FullFilm => "full film all along the path".to_owned(),
         Regime::Mixed => mixed,
-        Regime::Boundary => format!("{}, {mixed}", Regime::Boundary.name()),
+        Regime::Boundary if s.mixed_share >= NEARLY_ALL => s.regime_words().to_owned(),
+        Regime::Boundary => s.regime_words().replacen(Regime::Mixed.name(), &mixed, 1),
     };
     match s.mixed_share == 0.0 && s.asperity_share < 0.005 {
         true => regime,
@@ -576,7 +580,9 @@ mod tests {
         assert_eq!(of(0.0, 0.01, 0.0), expected);
         let expected = "mixed on 25 % of the path, 7 % of the load on asperities";
         assert_eq!(of(0.25, 0.07, 1.0), expected);
-        let expected = "boundary, mixed on 100 % of the path, 61 % of the load on asperities";
+        let expected = "boundary, 61 % of the load on asperities";
         assert_eq!(of(1.0, 0.61, 50.0), expected);
+        let expected = "mixed, mostly boundary friction, 33 % of the load on asperities";
+        assert_eq!(of(0.99, 0.33, 50.0), expected);
     }
 }

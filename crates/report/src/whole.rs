@@ -199,15 +199,12 @@ fn losses_of_meshes(result: &Whole) -> Drawing {
 
 /// Losses of all meshes by kind.
 fn losses_by_kind(result: &Whole) -> Drawing {
-    let bars = result
-        .kinds_with_digits()
-        .into_iter()
-        .map(|kind| Bar {
-            name: kind.name.to_owned(),
-            value: Some(kind.watts),
-            spread: None,
-            text: format!("{} W, {} %", kind.loss, kind.share),
-        });
+    let bars = result.kinds_with_digits().into_iter().map(|kind| Bar {
+        name: kind.name.to_owned(),
+        value: Some(kind.watts),
+        spread: None,
+        text: format!("{} W, {} %", kind.loss, kind.share),
+    });
     let mark = if result.set.is_some() {
         PLANETARY_MARK
     } else {

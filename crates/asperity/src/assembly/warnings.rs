@@ -232,12 +232,12 @@ pub(crate) fn relief(loaded: &LoadedCase, at_ends: Option<[f64; 2]>) -> Option<W
     };
     let edges = match loaded.case.gears.internal {
         true => "",
-        false => ", with contact of the tip edges,",
+        false => ", with contact of the tip edges",
     };
     let most = 1e6 * assumed.approach.si();
     let worth = at_ends.map_or(String::new(), |ratios| {
         let [none, whole] = ratios.map(|ratio| 100.0 * (ratio - 1.0));
-        format!(": none{edges} changes the loss by {none:+.0} %, {most:.0} um by {whole:+.0} %")
+        format!(". The loss changes by {whole:+.0} % with {most:.0} um, and by {none:+.0} % without relief{edges}")
     });
     let text = format!("tip relief {gears} not stated, taken from 0 to {most:.0} um{worth}");
     Some(Warning::new(Code::W439, text))
@@ -393,7 +393,7 @@ pub(crate) fn load<'a>(
             add(
                 Code::W433,
                 format!(
-                    "contact reaches a roll length of {:.2} mm below the involute of the {gear}: the tip of the mating gear meets its fillet",
+                    "the gears interfere: contact reaches a roll length of {:.2} mm below the involute of the {gear}, into its fillet",
                     below.si() * 1e3
                 ),
             );
@@ -610,7 +610,7 @@ fn stress(
         found.push(Warning::new(
             Code::W410,
             format!(
-                "asperities yield below their surface in {strained} of {contacts} contacts, as usual before running-in: the von Mises stress exceeds the elastic limit {:.0} MPa",
+                "asperities yield below their surface in {strained} of {contacts} contacts, as usual before running-in. The von Mises stress exceeds the elastic limit {:.0} MPa",
                 limit.si() * 1e-6,
             ),
         ));

@@ -627,7 +627,8 @@ impl Digits {
     }
 
     /// Shares \[%\] of `parts` that are printed as these `steps`: of the printed parts in their printed sum, so that a reader who
-    /// divides the printed numbers obtains them. They add up to 100; a part below a step has less than the share of a step.
+    /// divides the printed numbers obtains them. They add up to 100, with
+    /// one decimal at most; a part below a step has less than the share of a step.
     ///
     /// ```
     /// use asperity::result::loss_band::Digits;
@@ -642,12 +643,14 @@ impl Digits {
         if total <= 0.0 {
             return parts.iter().map(|_| "0".to_owned()).collect();
         }
-        let digits = self.of_percent(total * self.step());
+        let decimals = self.of_percent(total * self.step()).decimals.min(1);
+        let digits = Self { decimals };
         let shares: Vec<f64> = steps.iter().map(|steps| 100.0 * steps / total).collect();
         let rounded = digits.parts(digits.steps(100.0), &shares);
         let one = digits.text((100.0 / total / digits.step()).ceil());
         let texts = rounded.into_iter().zip(steps.iter().zip(parts));
-        let text = |(share, (steps, part)): (f64, (&f64, &f64))| match *steps == 0.0 && *part > 0.0 {
+        let text = |(share, (steps, part)): (f64, (&f64, &f64))| match *steps == 0.0 && *part > 0.0
+        {
             true => format!("< {one}"),
             false => digits.text(share),
         };

@@ -219,6 +219,12 @@ impl Summary {
         let of_parts = || Regime::of_friction(self.mixed_share, self.boundary_w, self.sliding_w);
         self.regime.unwrap_or_else(of_parts)
     }
+
+    /// Lubrication regime in words.
+    #[must_use]
+    pub fn regime_words(&self) -> &'static str {
+        self.regime().words(self.asperity_share)
+    }
 }
 
 /// A published friction law applied whole: its coefficient times the load, instead of film and asperities.

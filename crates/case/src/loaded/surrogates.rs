@@ -197,7 +197,7 @@ fn of_flank(known: &KnownFlank, record: &SurrogateRecord) -> String {
         }
     }
     if known.lambda_s.is_none() {
-        text += "; their noise cut-off is assumed to be 2.5 to 25 um: state surface.noise_cutoff";
+        text += ". Their noise cut-off is assumed to be 2.5 to 25 um: state surface.noise_cutoff";
     }
     text
 }

@@ -269,7 +269,7 @@ impl Contour {
 
     /// Small circles at the dots.
     fn dotted(&self, frame: &Frame) -> String {
-        const RADIUS: f64 = 1.3;
+        const RADIUS: f64 = 2.0;
         let mut d = String::new();
         for [x, y] in &self.dots {
             let (x, y) = (frame.px(*x) - RADIUS, frame.py(*y));

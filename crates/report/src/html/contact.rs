@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 
 use super::page::figure;
 use crate::chart::{Axis, Chart, Contour, Drawing, Line, Series};
-use crate::page_tables::PageTables;
+use crate::page_tables::{PageTables, shown_position};
 use crate::tables::{
     CONVERGENCE, ContactTables, ConvergenceRow, NEAR, SubsurfaceRow, SurfaceRow, folder_of,
 };
@@ -47,6 +47,17 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
         }
         div.charts { @for drawing in &drawings { (figure(drawing)) } }
     })
+}
+
+/// The position that the page shows instead of the one with the highest pressure, in words.
+pub(super) fn chosen(result: &RunResult, tables: &PageTables) -> Result<Option<String>, Fault> {
+    let Some(contact) = &tables.contact else {
+        return Ok(None);
+    };
+    let usual = shown_position(result, None)?;
+    let is_chosen = usual.is_some_and(|usual| usual.position != contact.position);
+    let (number, count) = (contact.position, result.path.len());
+    Ok(is_chosen.then(|| format!(" · contact at position {number} of {count}")))
 }
 
 fn row_of<'a>(result: &'a RunResult, contact: &ContactTables) -> Result<&'a PositionRow, Fault> {

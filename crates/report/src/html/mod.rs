@@ -52,6 +52,7 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> 
         body,
         is_folded,
     };
+    let chosen = contact::chosen(result, tables)?;
     let sections = [
         section("Summary", overview::section(result), false),
         section("What to check", checks::section(result), false),
@@ -65,7 +66,11 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> 
             ridges::section(result),
             false,
         ),
-        section("One contact", contact::section(result, tables)?, true),
+        section(
+            "One contact",
+            contact::section(result, tables)?,
+            chosen.is_none(),
+        ),
         section("Flanks", flanks::section(result, tables), true),
         section("Uncertainty and other models", models(result), true),
         section("Inputs", last, true),
@@ -73,9 +78,10 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> 
     let formulation = result.formulation.name();
     let file = result.case_file.as_deref().map(|file| format!(" · {file}"));
     let subtitle = format!(
-        "{}{} · formulation {formulation}",
+        "{}{} · formulation {formulation}{}",
         result.program,
-        file.unwrap_or_default()
+        file.unwrap_or_default(),
+        chosen.unwrap_or_default()
     );
     Ok(page_of(&result.title, &subtitle, None, &sections))
 }

@@ -24,6 +24,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
             }
         }
         p.sub { (own_finish(result)) }
+        @if let Some(uncertainty) = &result.uncertainty { p.sub { "Trust: " (uncertainty.trust_text()) "." } }
         @if let Some(outside) = result.uncertainty.as_ref().and_then(other_models::outside) {
             p.sub { (outside) " The section \"Uncertainty and other models\" has the evidence against each." }
         }
@@ -57,15 +58,18 @@ fn own_finish(result: &RunResult) -> Markup {
     }
 }
 
+/// Mark of a warning that makes the result doubtful.
+pub(crate) const DOUBTFUL: &str = "Result doubtful:";
+
 /// The warnings, each of which opens to its cause and its remedy.
 pub(crate) fn warnings(warnings: &[Warning]) -> Markup {
     html! {
         @if !warnings.is_empty() {
             h3 { "Warnings" }
-            ul.warnings { @for warning in warnings { li {
+            ul.warnings { @for warning in warnings { li.grave[warning.code.doubt().is_some()] {
                 @let text = html! { code { (warning.code.as_str()) } " " (warning.text) };
                 details {
-                    summary { (text) }
+                    summary { @if warning.code.doubt().is_some() { strong { (DOUBTFUL) } " " } (text) }
                     p { b { "Why: " } (warning.code.explain().meaning) }
                     p { b { "What to do: " } (advice(warning.code)) }
                 }

@@ -47,8 +47,14 @@ pub fn table<'a>(rows: impl IntoIterator<Item = (usize, &'a RidgeRow)>) -> Table
 /// run, whose `file` holds their data, only the traces.
 pub fn charts(ridges: &Ridges, file: Option<&str>) -> Markup {
     let scale = scale(ridges);
+    // As many as the table next to the traces has.
+    let all = ridges.rows.iter().enumerate().map(|(k, row)| (k + 1, row));
+    let numbered: Vec<(usize, &RidgeRow)> = match file {
+        Some(_) => listed(ridges).collect(),
+        None => all.collect(),
+    };
     let traces = BODIES.iter().zip(&ridges.along).map(|(body, strip)| {
-        let own = listed(ridges).filter(|(_, row)| row.flank == *body);
+        let own = numbered.iter().filter(|(_, row)| row.flank == *body);
         let marks = own.map(|(number, row)| Mark {
             at: row.place_mm,
             label: number.to_string(),

@@ -8,8 +8,8 @@ use asperity_report::{Cell, Report, StudyResult, Table, columns};
 use super::study::{CallOut, CurvePoint, LimitRow, ParameterRow};
 
 /// Explanation of the numbers.
-const NOTE: &str = "A lot is a set of flanks of the recipe of the traces; it meets the loss if the mean over 16 pairs of its \
-    flanks, constants at their medians, is at most the permitted loss. Heights, wavelengths and peaks of a flank scatter about the \
+const NOTE: &str = "A lot is a set of flanks of the recipe of the traces. It meets the loss if the mean over 16 pairs of its \
+    flanks is at most the permitted loss, with constants at their medians. Heights, wavelengths and peaks of a flank scatter about the \
     median of its lot, wavelengths and peaks of a lot about the recipe. Nothing is assumed of the height of a lot before its \
     inspection. These are answers of the model, not \
     measurements.";

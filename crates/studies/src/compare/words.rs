@@ -3,6 +3,7 @@
 use asperity_core::Estimate;
 use asperity_report::{Cell, Table, Value, columns, stated, stated_parts};
 
+use asperity::result::Summary;
 use asperity::result::loss_band::Digits;
 use asperity::uncertainty::{PairedDifference, Predictive, Verdict};
 
@@ -29,7 +30,7 @@ pub(super) fn table(comparison: &Comparison) -> Table {
         interval difference_w "minus the first" "W" = losses.difference();
         interval change_percent "change" "%" = losses.change();
         number mixed_share_percent "mixed" "%" "{:.0}" = finish.mixed_share.map(|share| 100.0 * share);
-        text regime "regime" "" = Cell::optional(finish.regime.map(|regime| regime.name()));
+        text regime "regime" "" = regime(finish);
         file gearbox_efficiency_percent = Cell::optional(finish.gearbox.as_ref().map(|g| 100.0 * g.efficiency));
         file gearbox_loss_w = Cell::optional(finish.gearbox.as_ref().map(|g| g.loss_w));
         file outside = finish.outside();
@@ -39,6 +40,14 @@ pub(super) fn table(comparison: &Comparison) -> Table {
         None => table.unshown_of(&["mixed", "regime"]),
     };
     table.in_file("compare.csv")
+}
+
+/// Lubrication regime of a single mesh in words, in the file its name.
+fn regime(finish: &FinishResult) -> Cell {
+    let summary = finish.pair.as_ref().map(|pair| &pair.result.summary);
+    let cell =
+        |summary: &Summary| Cell::shown(summary.regime_words(), summary.regime().name().into());
+    Cell::optional(summary.map(cell))
 }
 
 /// Loss of every mesh of a gear train with every finish, mesh by mesh.
@@ -241,7 +250,7 @@ pub(super) fn note(comparison: &Comparison) -> String {
     match is_drawn.then(Predictive::count) {
         None => "Without an uncertainty of the loss.".to_owned(),
         Some(draws) => format!(
-            "Medians of {draws} draws, in brackets their 5 and 95 % quantiles; all finishes share the draws, but model error and sampling of the flanks are drawn for each."
+            "Medians of {draws} draws, in brackets their 5 and 95 % quantiles. All finishes share the draws, but model error and sampling of the flanks are drawn for each."
         ),
     }
 }

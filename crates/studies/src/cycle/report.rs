@@ -89,13 +89,14 @@ fn conditions(result: &CycleResult) -> String {
         .map_or(String::new(), |km| format!(", {} km", decimals(km, 2)));
     let [pinion, wheel] = result.map.shafts();
     format!(
-        "Cycle {}: {} s{way}, {} Wh at the {pinion} while it drives, {} Wh while the {wheel} drives, flanks at {} °C; loss of the {} only.",
+        "Cycle {}: {} s{way}, flanks at {} °C; loss of the {} only. At the {pinion} {} Wh while it drives, {} Wh while the {wheel} \
+        drives.",
         result.cycle,
         decimals(result.duration_s, 0),
-        decimals(result.drive_wh, 1),
-        decimals(result.coast_wh, 1),
         number(result.temperature_c),
-        result.scope
+        result.scope,
+        decimals(result.drive_wh, 1),
+        decimals(result.coast_wh, 1)
     )
 }
 

@@ -38,7 +38,7 @@ impl StudyResult for Sensitivity {
 }
 
 /// Content of the interval of a change.
-const OF_SAMPLING: &str = "; interval of the sampling of the flanks only";
+const OF_SAMPLING: &str = ". The interval is of the sampling of the flanks only";
 
 /// A change with its effect.
 type Changed<'a> = (&'a SensitivityRow, &'a Effect);

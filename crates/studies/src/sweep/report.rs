@@ -30,6 +30,9 @@ const AT_MEDIANS: &str = "The column loss_w has the constants at their stated or
 /// How a study computes intervals.
 const NO_INTERVAL: &str = "The study computes no interval of the loss. It draws one for each case if its columns list loss_median_w, \
     loss_p05_w and loss_p95_w.";
+/// Next step.
+const NEXT: &str = "The command asperity run shows where a single case loses its power; asperity sensitivity lists \
+    other changes that lower the loss; asperity evidence lists measurements that narrow its interval.";
 /// Content of the charts over the axes.
 const OVER_AXES: &str = "Mean of the cases at each value of an axis, and the range of all of them.";
 /// Content of the charts of a loss with its interval.
@@ -51,6 +54,7 @@ impl StudyResult for Merged {
             format!("{code} in {count} cases: {title}. A run of a case names the range.")
         });
         let has_losses = self.outputs.iter().any(|(name, _)| name == "loss_w");
+        let has_watts = self.outputs.iter().any(|(name, _)| name.ends_with("_w"));
         let charts = axes(self);
         let is_drawn = self.ends(MEDIAN).is_some();
         let over_axes = match is_drawn {
@@ -70,6 +74,8 @@ impl StudyResult for Merged {
             .text(outside)
             .figures(move || charts.clone())
             .text(over_axes)
+            .on_page()
+            .text(has_watts.then_some(NEXT))
             .on_page()
             .text(has_losses.then_some(AT_MEDIANS))
             .on_page()
@@ -98,7 +104,9 @@ impl StudyResult for Merged {
 /// The keys that are the same in all cases, in words; `None` without any.
 fn settings(merged: &Merged) -> Option<String> {
     let keys = merged.constant.iter();
-    let keys: Vec<String> = keys.map(|(key, value)| format!("{key} = {value}")).collect();
+    let keys: Vec<String> = keys
+        .map(|(key, value)| format!("{key} = {value}"))
+        .collect();
     (!keys.is_empty()).then(|| {
         format!(
             "All cases have {}. asperity run with the settings of the case gives another number.",
