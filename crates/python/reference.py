@@ -10,16 +10,15 @@ import sys
 from pathlib import Path
 
 import asperity
-from asperity import _asperity, _studies
+from asperity import _asperity, _case, _columns, _compare, _oil, _own_laws, _profile, _progress, _quantity, _studies, _values
 
 FILE = Path(__file__).resolve().parents[2] / "docs" / "PYTHON_API.md"
 HEAD = """# Python API
 
 <!-- Written by crates/python/reference.py from signatures and doc strings. -->
 
-Everything public of the module `asperity`; [PYTHON.md](PYTHON.md) has rules, examples and laws written in Python. Types
-of arguments are in `asperity.keys` and written as in Python: `Scalar` is a number in SI units or text with a unit,
-`Quantity` text with a unit or a quantity of pint, `Numbers` a number, a list or an array of them.
+Everything public of the module `asperity`; [PYTHON.md](PYTHON.md) has rules, examples and laws written in Python.
+[Types](#types) are written as in Python.
 """
 TOPICS = {
     "Cases": "Case read_result demo from_rexs rexs_contents RexsCase",
@@ -34,8 +33,22 @@ TOPICS = {
     "Errors and warnings": "AsperityError AsperityWarning Place explain Explanation show_versions",
     "Tables and charts": "Record Table Chart",
 }
+TYPES = {
+    _case: "CaseLike", _compare: "Finish Trace", _columns: "Columns FrameLike", _oil: "OilLike", _own_laws: "Law", _profile: "Plan", _progress: "Progress",
+    _quantity: "Scalar Values Quantity Quantities Numbers Floats PintLike", asperity.keys: "CaseTables CaseKeys",
+}
+"""Types of arguments and results by the module that has them."""
+OF_PYTHON = "ArrayLike IO PathLike Unpack Any Optional Union Mapping Sequence Literal None False True".split()
 # Columns are listed in FILE_FORMATS.md, kinds of laws are keywords.
 NOT_LISTED = ("ResultName", "SummaryName", "PathColumn", "MapName", "LawOf")
+NAMED = set()
+"""Names in the types of the signatures that were written."""
+
+
+def noted(annotation):
+    """A type as text, whose names are added to `NAMED`."""
+    NAMED.update(re.findall(r"(?<![.\w])[A-Z]\w+", re.sub("[\"'][^\"']*[\"']", "", str(annotation))))
+    return annotation
 
 
 def signature(name, function, begin=""):
@@ -51,11 +64,11 @@ def signature(name, function, begin=""):
         if one.kind == kinds.KEYWORD_ONLY and before not in (kinds.KEYWORD_ONLY, kinds.VAR_POSITIONAL):
             parts.append("*")
         star = {kinds.VAR_POSITIONAL: "*", kinds.VAR_KEYWORD: "**"}.get(one.kind, "")
-        kind = "" if one.annotation is one.empty else f": {one.annotation}"
+        kind = "" if one.annotation is one.empty else f": {noted(one.annotation)}"
         default = "" if one.default is one.empty else f" = {one.default!r}"
         parts.append(f"{star}{one.name}{kind}{default}")
         before = one.kind
-    back = "" if given.return_annotation is given.empty or given.return_annotation == "None" else f" -> {given.return_annotation}"
+    back = "" if given.return_annotation is given.empty or given.return_annotation == "None" else f" -> {noted(given.return_annotation)}"
     line = f"{begin}{name}({', '.join(parts)}){back}"
     if len(line) <= 100:
         return line
@@ -134,7 +147,7 @@ def of_class(name, kind):
         member = member.__func__ if isinstance(member, (classmethod, staticmethod)) else member
         getter = getattr(member, "fget", None) or getattr(member, "func", None)
         if getter is not None:
-            text.append(f"- `.{key}: {inspect.signature(getter).return_annotation}`: {first(getter.__doc__)}")
+            text.append(f"- `.{key}: {noted(inspect.signature(getter).return_annotation)}`: {first(getter.__doc__)}")
         elif inspect.isfunction(member):
             call = signature(f".{key}", member)
             is_short = "\n" not in call and "\n\n" not in inspect.cleandoc(member.__doc__)
@@ -146,6 +159,33 @@ def of_class(name, kind):
 def of_function(name, function):
     """A function with its call."""
     return f"### {name}\n\n```python\n{signature(name, function)}\n```\n\n{prose(function.__doc__)}"
+
+
+def types():
+    """The types that the signatures above name: unions and classes by their definitions, tables by their columns."""
+    rows, named = [], set()
+    for home, names in TYPES.items():
+        body = ast.parse(inspect.getsource(home)).body
+        for node, after in zip(body, [*body[1:], None]):
+            name = node.name if isinstance(node, ast.ClassDef) else getattr(node.targets[0], "id", "") if isinstance(node, ast.Assign) else ""
+            if name in names.split():
+                about = ast.get_docstring(node) if isinstance(node, ast.ClassDef) else after.value.value
+                is_union = isinstance(node, ast.Assign) and home is not asperity.keys
+                of = f"`{ast.unparse(node.value)}`".replace("|", "\\|") if is_union else "`asperity.keys`" if home is asperity.keys else "class"
+                fields = [field.target.id for field in getattr(node, "body", ()) if isinstance(field, ast.AnnAssign)] if name == "Plan" else []
+                more = f" Keys: {', '.join(f'`{field}`' for field in fields)}." if fields else ""
+                rows.append(f"| `{name}` | {of} | {first(about)}{more} |\n")
+                named.add(name)
+    listed = sorted(name for name in NAMED if getattr(getattr(_values, name, None), "__module__", "") == _values.__name__)
+    known = {*named, *listed, *OF_PYTHON, *asperity.__all__, *(name for name, *_ in _asperity.choices())}
+    if unknown := NAMED - known:
+        raise ValueError(f"types that the page does not explain: {sorted(unknown)}; add them to TYPES")
+    columns = "".join(f"| `{name}` | {', '.join(f'`{key}`' for key in getattr(_values, name).__annotations__)} |\n" for name in listed)
+    return (
+        f"## Types\n\nTypes of arguments and results that the signatures name.\n\n| type | in Python | is |\n|---|---|---|\n{''.join(rows)}\n"
+        f"Values whose names a type checker knows: columns of tables, whose rows have the same, and attributes.\n\n"
+        f"| type | names |\n|---|---|\n{columns}"
+    )
 
 
 def written():
@@ -167,6 +207,7 @@ def written():
     rows = "".join(
         f"| `{name}` | {', '.join(f'`{value}`' for value in values)} |\n" for name, _, values in _asperity.choices() if name not in NOT_LISTED
     )
+    blocks.append(types())
     blocks.append(f"## Choices\n\nTypes of arguments that take one of these texts.\n\n| type | texts |\n|---|---|\n{rows}")
     return re.sub(r"\n{3,}", "\n\n", "\n".join(blocks))
 

@@ -20,6 +20,7 @@ from typing import NamedTuple
 import asperity
 from asperity import _asperity
 from asperity._quantity import BY_TEXT, OPERATING
+from asperity._record import ends_of
 from asperity._study import Study
 
 FOLDER = Path(__file__).parent / "python" / "asperity"
@@ -68,6 +69,7 @@ MORE = [
      'asperity.cycle(losses, "demo/urban.csv")', 'trace = {"time_s": [0, 60, 120], "torque_nm": [60, 190, 205], "speed_rpm": [900, 4000, 9000], "gear": [1, 1, 1]}',
      "asperity.cycle(asperity.map(case.replace({'vehicle': None}), torque_nm=[-60, 60], speed_rpm=[500, 9000]), trace, allow_outside=True)"],
     [SMALL, 'asperity.oil_plan("m100", case, simulate=1)'],
+    ['flank = asperity.generate(points=8000, spacing=0.5e-6, rq=0.4e-6, hurst=0.8, roll_off=50e-6, short_cut=2e-6, seed=1)', 'asperity.profile_change([flank[:6000], flank[1000:]], [flank[100:5000], flank[1200:6000]])'],
     ['gears = {"teeth": [23, 68], "module": "2 mm", "face_width": "25 mm"}',
      'meshes = {"a": {"shafts": ["in", "b"], "gears": gears}, "z": {"shafts": ["b", "out"], "gears": gears}}',
      'case = asperity.Case(train={"input": "in"}, mesh=meshes, surface={"pinion": {"rq": "0.4 um"}}, torque_nm=60, speed_rpm=3000, temperature_c=80,',
@@ -363,6 +365,15 @@ class Structure(NamedTuple):
         text += f"    _absent = {json.dumps(self.absent).replace('null', 'None').replace('false', 'False')}\n" if self.absent else ""
         return text + "".join(f"    {key}: {kind}\n" for key, (kind, _) in self.types.items() if key not in own)
 
+    def in_columns(self):
+        """The same as a row of a table, in which an interval is two numbers."""
+        types, absent = {}, {}
+        for key, (kind, made) in self.types.items():
+            ends = ends_of(key) if kind in ("Floats", "Optional[Floats]") else None
+            types.update(dict.fromkeys(ends, (kind.replace("Floats", "float"), None)) if ends else {key: (kind, made)})
+            absent.update(dict.fromkeys(ends or (key,), self.absent[key]) if key in self.absent else {})
+        return Structure(self.about, types, absent)
+
     def rows(self, name):
         """The class of a table of such values."""
         columns = {key: "Floats" if kind in ("float", "Optional[float]") else "NDArray[Any]" for key, (kind, _) in self.types.items()}
@@ -381,7 +392,8 @@ class Seen:
         """Name of the class of these objects: one that has the same values, or else a new one of this name."""
         keys = dict.fromkeys(key for one in values for key in one)
         for known, of in self.structures.items():
-            if len(keys) > 1 and keys.keys() <= of.types.keys() and of.types.keys() - of.absent.keys() <= keys.keys():
+            is_named = "name" in keys or "name" not in of.types
+            if is_named and len(keys) > 1 and keys.keys() <= of.types.keys() and of.types.keys() - of.absent.keys() <= keys.keys():
                 return known
         types = {key: self.type_of(name.removesuffix("Values"), key, [one.get(key) for one in values]) for key in keys}
         absent = {key: None for key, (kind, _) in types.items() if kind == "Any" or kind.startswith("Optional[")}
@@ -398,7 +410,7 @@ class Seen:
         if key in OPEN:
             kind = "Any"
         elif kinds == {dict}:
-            kind = made = self.structure(name + key.title().replace("_", ""), there)
+            kind = made = self.structure(name + key.removesuffix("_w").title().replace("_", ""), there)
         elif kinds == {list} and within == {dict}:
             row = self.structure(name + singular(key).title().replace("_", ""), inner)
             self.rows.add(row)
@@ -463,6 +475,7 @@ def values_written():
         own[seen.structure(f"{kind.__name__}Values", values)] = kind
     blocks = [HEAD_OF_VALUES, literal("ParameterName", list(parameters))]
     for name, of in seen.structures.items():
+        of = of.in_columns() if name in seen.rows else of
         blocks.append(of.written(name, declared(own[name]) if name in own else ()))
         blocks += [of.rows(name)] if name in seen.rows else []
     blocks.append(attributes("ParameterValues", "Roughness parameters.", list(parameters), "float", object))

@@ -52,7 +52,7 @@ impl Cases {
         self.0.sampled()
     }
 
-    /// Reads every value of the axes, without running a case.
+    /// Reads every value of the axes and every file that they name, without running a case.
     fn check_values(&self, py: Python<'_>) -> PyResult<()> {
         alone(py, || Ok(self.0.check_values()?))
     }

@@ -5,6 +5,7 @@ import json
 import multiprocessing
 import pickle
 import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -76,6 +77,27 @@ def test_a_case_takes_other_flanks(case):
     assert smooth.run("losses").loss_w < case.run("losses").loss_w
     by_value = case.replace(surface={"pinion": {"file": None, "rq": "0.2 um"}, "wheel": {"file": None, "rq": "200 nm"}})
     assert by_value.inputs.surface.wheel["rq"] == "200 nm"
+
+
+def test_a_trace_by_itself_is_a_flank_and_as_a_file_leaves_the_other_keys(tmp_path):
+    for name in ("ground_pinion.csv", "ground_wheel.csv", "superfinished.csv"):
+        (tmp_path / name).write_bytes((PROFILES / name).read_bytes())
+    surface = {"cutoff": "0.25 mm", "pinion": "ground_pinion.csv", "wheel": {"file": "ground_wheel.csv", "mirrored": True, "range": "0 mm .. 2.5 mm"}}
+    case = asperity.Case(small(surface=surface), folder=tmp_path)
+    flank = asperity.read_profile(tmp_path / "superfinished.csv")
+    loss = {}
+    for kind, trace_of in (("memory", flank), ("text", "superfinished.csv"), ("path", Path("superfinished.csv"))):
+        alone, file = case.replace({"surface.wheel": trace_of}), case.replace({"surface.wheel.file": trace_of})
+        assert alone == case.replace(surface={"wheel": trace_of}) and file == case.replace(surface={"wheel": {"file": trace_of}})
+        stated = {key: value for key, value in alone.to_dict()["surface"]["wheel"].items() if value is not None}
+        assert [*stated] == ["file"]
+        kept = file.to_dict()["surface"]["wheel"]
+        assert kept["mirrored"] and kept["range"] == case.to_dict()["surface"]["wheel"]["range"]
+        loss[kind] = [of.run("losses").loss_w for of in (alone, case.replace({"surface.wheel": {"file": trace_of, "mirrored": True}}))]
+    assert loss["memory"] == loss["text"] == loss["path"] and loss["text"][0] != loss["text"][1]
+    assert asperity.Case(small(surface={**surface, "wheel": flank}), folder=tmp_path).run("losses").loss_w == loss["memory"][0]
+    train = asperity.Case(SETS["train"]).replace({"mesh.z.surface.pinion": flank})
+    assert train.to_dict()["mesh"]["z"]["surface"]["pinion"]["file"].startswith("superfinished")
 
 
 def test_text_of_a_case_reads_back():

@@ -71,9 +71,16 @@ def test_a_name_that_there_is_not_is_answered_with_one_that_there_is(case, resul
         (AsperityError, lambda: case.replace(torqe_nm=3)),
         (AsperityError, lambda: case.replace(temprature="90 °C")),
         (AsperityError, lambda: case.replace({"gears.modul": "3 mm"})),
+        (AsperityError, lambda: case.replace(temp_c=90)),
+        (AsperityError, lambda: asperity.Case(small(temp_c=90))),
+        (AsperityError, lambda: asperity.sweep(case, {"temp_c": [90]})),
+        (KeyError, lambda: trace().parameters()["Rq"]),
+        (AttributeError, lambda: trace().parameters().Rq),
     ):
-        with pytest.raises(error, match="Did you mean ['\"](loss_w|mixed_share|torque_nm|temperature|module)['\"]"):
+        with pytest.raises(error, match="Did you mean ['\"](loss_w|mixed_share|torque_nm|temperature|temperature_c|module|rq_um)['\"]"):
             call()
+    assert "it is an attribute, .loss_w" in str(pytest.raises(KeyError, lambda: result["loss_w"]).value)
+    assert trace().parameters().get("Rq") is None
     assert "sliding_m_per_s" in str(pytest.raises(KeyError, lambda: table["nothing"]).value)
     assert "no interval drawn" in repr(case.run("losses")) and case.replace(surface=small()["surface"]) == case
 
@@ -105,6 +112,23 @@ def test_one_code_is_silenced_as_the_docs_say(case):
         warnings.filterwarnings("ignore", code)
         case.run("losses")
     assert code not in {one.message.code for one in left} and len(left) < len(told)
+
+
+def test_all_warnings_are_silenced_by_one_line(case):
+    with warnings.catch_warnings(record=True) as left:
+        warnings.simplefilter("always")
+        warnings.filterwarnings("ignore", category=asperity.AsperityWarning)
+        case.run("losses")
+        warnings.warn("another")
+    assert [str(one.message) for one in left] == ["another"]
+
+
+def test_an_interval_is_two_columns_of_every_table():
+    rows = [{"key": "a", "band": [1.0, 2.0], "lost_quantiles_wh": [3.0, 4.0], "at": [5, 6]}, {"key": "b", "band": None, "lost_quantiles_wh": None}]
+    table = asperity.Table(rows)
+    assert table.columns == ["key", "band_low", "band_high", "lost_p05_wh", "lost_p95_wh", "at"]
+    assert table.band_high[0] == 2.0 and np.isnan(table.lost_p05_wh[1]) and table[0].lost_p95_wh == 4.0 and table[:1][0] == table[0]
+    assert rows[0]["band"] == [1.0, 2.0], "the rows that were given are as they were"
 
 
 def test_equal_things_are_equal():

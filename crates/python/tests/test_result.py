@@ -85,7 +85,7 @@ def test_the_uncertainty_goes_with_a_run(result):
     low, high = uncertainty.loss.quantiles_w
     assert low < uncertainty.loss.median_w < high and uncertainty.draws == 16_384
     parts = uncertainty.loss.parts
-    widths = [high - low for low, high in (part.quantiles_w for part in parts)]
+    widths = (parts.p95_w - parts.p05_w).tolist()
     assert widths == sorted(widths, reverse=True) and all(parts.name) and all(parts.remedy)
     assert result.uncertainty is None
     assert "5 to 95 %" in case.run()._repr_html_()

@@ -189,6 +189,33 @@ def test_choices_and_samples(drive):
     assert np.all((0.06 <= frictions) & (frictions <= 0.1)) and len(set(frictions)) == 4
 
 
+def test_choices_and_values_stay_in_their_order(drive, tmp_path):
+    fine, rough = ({"surface.pinion.file": str(file)} for file in (FINE, GROUND))
+    axes = {"finish": {"z": rough, "a": fine, "m": rough}, "lubricant.oil": ["n100", "m100"]}
+    oil = drive.replace(dict.fromkeys(["lubricant.viscosity", "lubricant.density", "lubricant.base_oil"]) | {"lubricant.oil": "m100"})
+    rows = asperity.sweep(oil, axes, columns=["loss_w"])
+    assert rows.to_xarray().finish.values.tolist() == ["z", "a", "m"] and list(dict.fromkeys(rows.run()["lubricant.oil"])) == ["n100", "m100"]
+    losses = rows.run().loss_w
+    assert losses[0] == losses[4] != losses[2]
+    text = 'case = "%s"\ncolumns = ["loss_w"]\n[[axis]]\nname = "finish"\n' % (CASES / "e-drive.toml")
+    table = '[axis.choice.z]\n"model.positions" = 4\n[axis.choice.a]\n"model.positions" = 5\n'
+    for choices in (table, 'choice.z."model.positions" = 4\nchoice.a = { "model.positions" = 5 }\n'):
+        (tmp_path / "study.toml").write_text(text + choices)
+        assert [text for _, texts in asperity.sweep(study=tmp_path / "study.toml")._raw.axes for text in texts] == ["z", "a"]
+
+
+def test_a_file_that_an_axis_names_is_read_before_the_first_case(drive, tmp_path):
+    (tmp_path / "words.csv").write_text("no numbers\n")
+    for axes, code in (
+        ({"surface.pinion.file": [str(GROUND), str(tmp_path / "none.csv")]}, "E103"),
+        ({"finish": {"a": {"surface.pinion.file": str(GROUND)}, "b": {"surface.pinion.file": str(tmp_path / "none.csv")}}}, "E103"),
+        ({"torque_nm": [20, 50], "surface.wheel.file": [str(tmp_path / "words.csv")]}, "E102"),
+    ):
+        with pytest.raises(asperity.AsperityError, match=str(tmp_path)) as refused:
+            asperity.sweep(drive, axes)
+        assert refused.value.code == code
+
+
 def test_a_case_without_result_is_a_row_with_its_code(drive):
     rows = list(asperity.sweep(drive, {"model.window": [6, 99]}, columns=["loss_w"], detail="contacts"))
     assert rows[0].code is None and rows[1].code == "E122" and rows[1].loss_w is None

@@ -97,14 +97,19 @@ MISTAKES = [
     "energies.distance_m",
     "asperity.evidence(case).rows.gain",
     "fit.constants[0].interval",
+    "energies.finishes[0].lost_quantiles_wh",
+    "worn.pairs[0].removed_um",
+    'worn.parameters["before"]',
 ]
 """Faults: attributes and columns that there are not, assignments, misspelt keys and choices, wrong units, arguments and kinds."""
 BEGIN = (
     'import asperity\ncase = asperity.Case("case.toml")\nr = case.run()\nm = asperity.map(case)\n'
     'drawn = r.uncertainty\nassert drawn is not None\ncontact = case.contact()\nfound = asperity.compare(case, {})\n'
     'change = asperity.sensitivity(case)\nenergies = asperity.cycle(m, "urban.csv")\nfit = asperity.oil_fit("curves.csv", "m100")\nflank = asperity.read_profile("flank.csv")\n'
+    "worn = asperity.profile_change(flank, flank)\n"
     "loss: float = drawn.loss.median_w + contact.p_max_pa + flank.parameters()['ra_um'] + r.path[0].film_minimum_um\n"
     "loss = found.finishes[0].loss_w + float(found.finishes.loss_w[0]) + float(m.rows['loss_w'][0]) + energies.finishes[0].lost_wh\n"
+    "loss = energies.finishes[0].lost_p05_wh + worn.pairs[0].removed_p95_nm + float(worn.parameters.before_um[0])\n"
 )
 
 
@@ -184,6 +189,23 @@ def test_tables_that_differ_by_the_kind_of_the_case_are_different_classes():
 def test_the_reference_has_everything_public_as_it_is():
     reference = script("reference")
     assert reference.written() == reference.FILE.read_text(encoding="utf-8"), "run crates/python/reference.py"
+
+
+def test_the_reference_explains_every_type_that_it_names():
+    reference = script("reference")
+    page = reference.written()
+    for name in ("CaseLike", "Finish", "Plan", "ProfileChangePairTable", "Quantity"):
+        assert f"| `{name}` |" in page
+    reference.NAMED.add("NeverExplained")
+    with pytest.raises(ValueError, match="NeverExplained"):
+        reference.types()
+
+
+def test_a_class_of_values_has_the_names_that_they_have():
+    from asperity._values import MapFinish, MapFinishDifference
+
+    assert typing.get_type_hints(MapFinish)["difference_w"] == typing.Optional[MapFinishDifference]
+    assert [*MapFinishDifference.__annotations__] == ["value", "low", "high"]
 
 
 def test_a_star_import_replaces_no_built_in_function():

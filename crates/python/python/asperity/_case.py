@@ -20,7 +20,7 @@ from ._keys import Schema, Traces, changes, kind_of, written
 from ._own_laws import Called, Law, exponent_of, name_of
 from ._profile import Profile
 from ._progress import Progress, Steps
-from ._quantity import BY_TEXT, OPERATING, as_keys
+from ._quantity import BY_TEXT, OPERATING, as_keys, refuse_misspelt
 from ._record import Record, Table, warned
 from ._result import Regime, RunResult
 from ._typing import Unpack
@@ -169,7 +169,11 @@ class Case(Fixed):
 
         Keys are given by their paths, ``case.replace({"operation.torque": "20 N m"})``, by tables,
         ``case.replace(operation={"torque": "20 N m"})``, whose other keys stay, or by the operating point,
-        ``case.replace(torque_nm=20)``, ``case.replace(torque="20 N m")``. None takes a key away, so that its default holds again. A flank takes a `Profile`.
+        ``case.replace(torque_nm=20)``, ``case.replace(torque="20 N m")``. None takes a key away, so that its default holds again.
+
+        A flank takes a `Profile` or the name of a file, which replaces all keys of that flank: ``mirrored``, ``range`` and roughness
+        values of the trace before do not stay. Its ``file`` takes both, too, and the other keys stay:
+        ``case.replace({"surface.wheel.file": flank})`` reads the flank from its other end where the case has ``mirrored``.
 
         Parameters:
             changed: keys by their paths, or tables.
@@ -406,6 +410,8 @@ def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
     """Tables of a case, its operating point among its keys."""
     of_point = {name: value for name, value in given.items() if name in OPERATING or name in BY_TEXT}
     tables = {name: value for name, value in given.items() if name not in of_point}
+    for name in tables:
+        refuse_misspelt(name)
     for path, value in as_keys(of_point).items():
         name, key = path.split(".")
         tables[name] = {**tables.get(name, {}), key: value}

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     import xarray
 
 Trace = Union[Profile, str, PathLike[str]]
+"""A profile, or the path of one."""
+
 Finish = Union[Trace, tuple[Trace, Trace], Case]
 """A trace for both flanks, those of pinion and wheel, or a case."""
 

@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Optional
 
 from . import _asperity
+
+
+def similar(name: str, known: Iterable[str]) -> Optional[str]:
+    """The name that is meant: the most similar one, or the only one of the same unit of which the name is a short form."""
+    names = [*known]
+    stem, _, unit = name.rpartition("_")
+    longer = [one for one in names if stem and one.startswith(stem) and one.endswith(f"_{unit}")]
+    return longer[0] if len(longer) == 1 else _asperity.nearest(name, names)
 
 
 def unknown(kind: str, name: object, known: Iterable[str], more: Iterable[str] = ()) -> str:
     """The text about a name that is not known: the most similar one, and those that there are; some more can be meant."""
     names = [*known]
-    like = _asperity.nearest(str(name), [*names, *(one for one in more if not one.startswith("_"))])
+    like = similar(str(name), [*names, *(one for one in more if not one.startswith("_"))])
     meant = f" Did you mean {like!r}?" if like else ""
     return f"{kind} has no {name!r}.{meant} It has {', '.join(names)}."
 

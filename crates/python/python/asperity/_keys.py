@@ -121,6 +121,11 @@ def _text(value: float, quantity: str) -> str:
     return f"{repr(value).removesuffix('.0')} {SI_UNITS[quantity]}"
 
 
+def is_toml(value: Any) -> bool:
+    """Whether the value is the text of a table or list."""
+    return isinstance(value, str) and value.lstrip().startswith(("{", "["))
+
+
 def as_toml(value: Any) -> str:
     """A JSON value in the form of a case file; text stands as it is."""
     return value if isinstance(value, str) else _inline(value)
@@ -139,9 +144,6 @@ def vehicle_keys(vehicle: Optional[Mapping[str, Any]]) -> list[tuple[str, Option
     return changes({"vehicle": dict(vehicle)} if vehicle else {}, "gears", [])
 
 
-_OF_VALUES = ("finish", "rq", "ra", "rz", "rpk", "asperity_radius")
-
-
 def changes(
     given: Mapping[str, Any], kind: str, traces: Traces
 ) -> list[tuple[str, Optional[str]]]:
@@ -151,9 +153,11 @@ def changes(
     def add(path: str, value: Any, schema: Schema) -> None:
         if value is None:
             found.append((path, None))
-        elif isinstance(value, Profile):
-            found.append((f"{path}.file", written(value, schema, traces)["file"]))
-            found.extend((f"{path}.{key}", None) for key in _OF_VALUES)
+        elif isinstance(value, Profile) and path.endswith(".file"):
+            found.append((path, written(value, schema, traces)["file"]))
+        elif isinstance(value, (Profile, str, PathLike)) and schema.is_table and schema.has("file") and not is_toml(value):
+            # A trace by itself is a flank without other keys.
+            found.append((path, as_toml(written({"file": value}, schema, traces))))
         elif isinstance(value, Mapping) and schema.is_table:
             for key, item in value.items():
                 add(f"{path}.{key}", item, schema.at(key))

@@ -29,7 +29,7 @@ from ._choices import (
 )
 from ._errors import AsperityError, Code, warn, wrong_kind
 from ._files import on_disk
-from ._fixed import Fixed
+from ._fixed import Fixed, UnknownName, unknown
 from ._html import Chart, page, shown
 from ._quantity import Floats, Scalar, flat, numbers, si, si_or_none
 from ._record import Record, Table, described
@@ -90,8 +90,11 @@ class Parameters(Fixed, dict[ParameterName, float], ParameterValues):
         def __getattr__(self, name: str) -> float:
             try:
                 return self[name]
-            except KeyError:
-                raise AttributeError(f"no parameter {name!r}; there are {', '.join(self)}") from None
+            except KeyError as error:
+                raise AttributeError(str(error)) from None
+
+        def __missing__(self, name: object) -> float:
+            raise UnknownName(unknown("Parameters", name, self))
 
     def to_dict(self) -> dict[str, float]:
         """The parameters in Python's own types."""
@@ -200,10 +203,11 @@ class Profile(Fixed):
         return self[places[0] : places[1] + 1 if end is not None else None]
 
     def psd(self) -> Table:
-        """One-sided power spectral density under a Hann window: ``frequency_per_m``, ``density_m3``.
+        """One-sided power spectral density: ``frequency_per_m``, ``density_m3``.
 
-        The sum of the densities times the step of the frequency is the mean square of the windowed heights
-        (docs/EQUATIONS.md, PSD-1). Filter the profile before (`prepare`), for form and waviness are part of the spectrum.
+        The sum of the densities times the step of the frequency is a mean square of the heights about their mean, whose weights
+        are the squares of a Hann window (docs/EQUATIONS.md, PSD-1): near the square of ``rq_um``, but not equal to it. The
+        spectrum has the form and the waviness of the profile, which `prepare` removes.
         """
         return Table._of_columns(self._raw.psd())
 

@@ -10,9 +10,8 @@ from . import _asperity
 from ._compare import Trace
 from ._errors import wrong_kind
 from ._profile import Profile, read_profile
-from ._record import Table
 from ._study import Study
-from ._values import ProfileChangeValues
+from ._values import ProfileChangeMaterialRatioTable, ProfileChangePairTable, ProfileChangeParameterTable, ProfileChangeValues
 
 if TYPE_CHECKING:
     import pandas
@@ -35,19 +34,19 @@ class ProfileChange(Study, ProfileChangeValues):
     95 %), ``scatter_nm`` from pair to pair."""
 
     @property
-    def pairs(self) -> Table:
+    def pairs(self) -> ProfileChangePairTable:
         """One row per pair: place of the second trace on the first, and what it lost."""
-        return Table(self._values["pairs"])
+        return ProfileChangePairTable(self._values["pairs"])
 
     @property
-    def parameters(self) -> Table:
+    def parameters(self) -> ProfileChangeParameterTable:
         """One row per roughness parameter: before, after, change, noise floor."""
-        return Table(self._values["parameters"])
+        return ProfileChangeParameterTable(self._values["parameters"])
 
     @property
-    def material_ratio(self) -> Table:
+    def material_ratio(self) -> ProfileChangeMaterialRatioTable:
         """One row per material ratio: level before, after, change, noise floor."""
-        return Table(self._values["material_ratio"])
+        return ProfileChangeMaterialRatioTable(self._values["material_ratio"])
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per pair."""

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _asperity
 from ._errors import AsperityError, Code
+from ._fixed import similar
 
 
 class PintLike(Protocol):
@@ -25,13 +26,13 @@ Scalar = Union[float, str, PintLike]
 """A number in SI units, text with a unit (``"1.8 mm"``), or a quantity of pint."""
 
 Values = Union[Scalar, ArrayLike, Sequence[str]]
-"""The same, or arrays and lists of them."""
+"""Numbers in SI units, text with a unit, or quantities of pint; single, or in arrays and lists."""
 
 Quantity = Union[str, PintLike]
 """Text with a unit (``"1.8 mm"``) or a quantity of pint."""
 
 Quantities = Union[Quantity, Sequence[Quantity]]
-"""The same, or lists of them."""
+"""Text with a unit or a quantity of pint, or lists of them."""
 
 Numbers = Union[float, Sequence[float], NDArray[Any]]
 """A number, or an array or list of numbers."""
@@ -211,6 +212,13 @@ def is_table(name: str) -> bool:
     return any(Schema(kind).has(name.split(".")[0]) for kind in ("gears", "mesh"))
 
 
+def refuse_misspelt(name: str) -> None:
+    """Refuses a name that is similar to one of the operating point, and is none of a case."""
+    like = similar(name, [*OPERATING, *BY_TEXT])
+    if like and not is_table(name):
+        raise AsperityError(f'case: unknown key "{name}". Did you mean "{like}"?', Code.E203, f"Write {like}.")
+
+
 def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
     """Keys of a case, the numbers of its operating point as text with their units."""
     keys: dict[str, Any] = {}
@@ -218,9 +226,7 @@ def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
         own = BY_TEXT.get(name, name)
         of = OPERATING.get(own)
         if of is None:
-            like = _asperity.nearest(name, [*OPERATING, *BY_TEXT])
-            if like and not is_table(name):
-                raise AsperityError(f'case: unknown key "{name}". Did you mean "{like}"?', Code.E203, f"Write {like}.")
+            refuse_misspelt(name)
             keys[name] = value
             continue
         if of.key in keys:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, Union, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Optional, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -77,6 +77,8 @@ class Values(Fixed, Mapping[str, Any]):
 
     def __getitem__(self, name: str) -> Any:
         if name not in self._values:
+            if isinstance(getattr(type(self), str(name), None), property):
+                raise UnknownName(f"{type(self).__name__} has no item {name!r}: it is an attribute, .{name}")
             raise UnknownName(unknown(type(self).__name__, name, self._values))
         return self._made(name, self._values[name])
 
@@ -192,21 +194,38 @@ def column(values: list[Any]) -> Any:
     return array
 
 
+def ends_of(name: str) -> Optional[tuple[str, str]]:
+    """Columns of the ends of an interval that is a pair of this name in JSON, as the tables of the command name them."""
+    if "quantiles" in name:
+        return name.replace("quantiles", "p05"), name.replace("quantiles", "p95")
+    is_band = name in ("band", "range", "bootstrap") or name.endswith(("_band", "_range"))
+    return (f"{name}_low", f"{name}_high") if is_band else None
+
+
+def in_columns(row: dict[str, Any]) -> dict[str, Any]:
+    """A row of a table, in which an interval is two numbers."""
+    found: dict[str, Any] = {}
+    for name, value in row.items():
+        ends = ends_of(name) if value is None or isinstance(value, (list, tuple)) and len(value) in (0, 2) else None
+        found.update({name: value} if ends is None else dict(zip(ends, value or (None, None))))
+    return found
+
+
 T = TypeVar("T", bound="Rows")
 
 
 class Rows(Fixed):
     """Rows with the same names: columns as attributes, rows by their number.
 
-    A column is an array; where a row has no such number, it holds NaN.
+    A column is an array; where a row has no such number, it holds NaN. An interval is two columns.
     """
 
     _row: ClassVar[type[Values]] = Record
     """Class of a row."""
 
     def __init__(self, rows: list[dict[str, Any]], names: list[str] | None = None) -> None:
-        self._rows = rows
-        self._names = names if names is not None else list(dict.fromkeys(name for row in rows for name in row))
+        self._rows = [in_columns(row) for row in rows]
+        self._names = names if names is not None else list(dict.fromkeys(name for row in self._rows for name in row))
 
     @classmethod
     def _of_columns(cls: type[T], columns: Mapping[str, NDArray[Any]]) -> T:
@@ -314,7 +333,8 @@ class Rows(Fixed):
 class Table(Rows):
     """Rows with the same names: columns as attributes, rows by their number, tables by slices, masks and lists of names.
 
-    A column is an array; where a row has no such number, it holds NaN. pyarrow, polars and all else that reads Arrow
+    A column is an array; where a row has no such number, it holds NaN. An interval is two columns: ``p05_w`` and ``p95_w``
+    of what is ``quantiles_w`` in JSON, ``band_low`` and ``band_high`` of ``band``. pyarrow, polars and all else that reads Arrow
     take a table as it is, where pyarrow is installed.
     """
 

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     import pandas
 
 COLUMNS = [
-    "group", "what", "to", "difference_w", "change", "sampling_quantiles_w", "film_w", "lubricated_asperity_w",
+    "group", "what", "to", "difference_w", "change", "sampling_p05_w", "sampling_p95_w", "film_w", "lubricated_asperity_w",
     "boundary_w", "rolling_w", "code",
 ]
 

@@ -17,7 +17,7 @@ from ._errors import AsperityError, Code, checked_number, warn, wrong_kind
 from ._fixed import Fixed
 from ._keys import Schema, Traces, kind_of, written
 from ._progress import Progress, Steps
-from ._quantity import BY_TEXT, OPERATING, SI_UNITS, as_keys, si
+from ._quantity import BY_TEXT, OPERATING, SI_UNITS, as_keys, refuse_misspelt, si
 from ._record import Record, Table, in_names, variable
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ class Sweep(Fixed, Iterator[Record]):
     A row has ``case`` (its number), ``id``, the inputs, the results, ``outside``, the codes of warnings about inputs
     outside of their ranges, and ``code``, the code of the error of a case that has no result. An input with a unit is a
     number in the unit of its name: ``torque_nm``, ``speed_rpm``, ``temperature_c``, ``gears.module_m``. Every value of an
-    axis is read before the first case is run. The first case with a warning raises it. Cases that share their contacts
+    axis, and every file that it names, is read before the first case is run. The first case with a warning raises it. Cases that share their contacts
     solve them once. Iterating again runs nothing twice. In another process the rows that were run are there, and
     ``progress`` is not called.
     """
@@ -207,7 +207,7 @@ def sweep(
         axes: crossed axes: by key the values, ``{"operation.torque": ["20 N m", "150 N m"]}``, for the operating point
             also by number, ``{"torque_nm": [20, 150]}``; or as text as in `map`, ``"10..100:5 N m"``; or
             ``{"from": .., "to": .., "count": .., "spacing": "log"}``; by any other name choices of several keys,
-            ``{"finish": {"ground": {"surface.pinion.file": "g.csv"}}}``.
+            ``{"finish": {"ground": {"surface.pinion.file": "g.csv"}}}``. Values and choices stay in the order in which they are given.
         sample: ``method`` (``"sobol"``, ``"latin-hypercube"``, ``"random"``, ``"list"``), ``count``, ``seed``,
             ``vary`` (by key ``{"uniform": [a, b]}``, ``"normal"``, ``"log-uniform"``, ``"triangular"``), ``indices``.
         columns: results of the summary, of a mesh of a gear train ``mesh.NAME.loss_w``; default efficiency, losses,
@@ -221,7 +221,8 @@ def sweep(
         A `Sweep`, an iterator of rows.
 
     Raises:
-        AsperityError: a key that no case has (E203), or a value that it cannot have (E204), before the first case is run.
+        AsperityError: a key that no case has (E203), a value that it cannot have (E204), or a file that cannot be read (E101
+            to E116, as E103 of a wrong path), before the first case is run.
 
     Example:
         >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
@@ -287,6 +288,8 @@ def _axis(name: str, values: Any) -> dict[str, Any]:
         if isinstance(values, Mapping):
             return {"key": key, **values, "from": texts[0], "to": texts[1]}
         return {"key": key, "values": texts}
+    if not isinstance(values, Mapping) or "from" in values:
+        refuse_misspelt(name)
     if not isinstance(values, Mapping):
         return {"key": name, "values": [_stated(value, name) for value in values]}
     if "from" in values and "to" in values:

@@ -27,13 +27,14 @@ class UncertaintyPart(Values):
     name: str
     about: Optional[Literal["pressure-viscosity", "tip-relief", "fast-model", "sampling", "lay"]]
     sd_ln: float
-    quantiles_w: Floats
+    p05_w: float
+    p95_w: float
     remedy: str
 
 
-class UncertaintyPartTable(TableOf[UncertaintyPart, Literal["sd_ln"], Literal["name", "about", "quantiles_w", "remedy"]]):
+class UncertaintyPartTable(TableOf[UncertaintyPart, Literal["sd_ln", "p05_w", "p95_w"], Literal["name", "about", "remedy"]]):
     _row = UncertaintyPart
-    name: NDArray[Any]; about: NDArray[Any]; sd_ln: Floats; quantiles_w: NDArray[Any]; remedy: NDArray[Any]
+    name: NDArray[Any]; about: NDArray[Any]; sd_ln: Floats; p05_w: Floats; p95_w: Floats; remedy: NDArray[Any]
 
 
 class LossDistribution(Values):
@@ -329,16 +330,17 @@ class ComparisonFinishMesh(Values):
     count: int
     loss_w: float
     loss_median_w: float
-    loss_quantiles_w: Floats
+    loss_p05_w: float
+    loss_p95_w: float
     difference: Optional[ComparisonFinishDifference]
     mixed_share: float
     regime: str
 
 
-class ComparisonFinishMeshTable(TableOf[ComparisonFinishMesh, Literal["loss_w", "loss_median_w", "mixed_share"], Literal["mesh", "count", "loss_quantiles_w", "difference", "regime"]]):
+class ComparisonFinishMeshTable(TableOf[ComparisonFinishMesh, Literal["loss_w", "loss_median_w", "loss_p05_w", "loss_p95_w", "mixed_share"], Literal["mesh", "count", "difference", "regime"]]):
     _row = ComparisonFinishMesh
-    mesh: NDArray[Any]; count: NDArray[Any]; loss_w: Floats; loss_median_w: Floats; loss_quantiles_w: NDArray[Any]
-    difference: NDArray[Any]; mixed_share: Floats; regime: NDArray[Any]
+    mesh: NDArray[Any]; count: NDArray[Any]; loss_w: Floats; loss_median_w: Floats; loss_p05_w: Floats
+    loss_p95_w: Floats; difference: NDArray[Any]; mixed_share: Floats; regime: NDArray[Any]
 
 
 class ComparisonFinish(Values):
@@ -385,8 +387,14 @@ class ComparisonValues(Values):
     windows: int
 
 
+class MapFinishDifference(Values):
+    value: float
+    low: float
+    high: float
+
+
 class MapFinish(Values):
-    _kinds = {"difference_w": DrawnConstant}
+    _kinds = {"difference_w": MapFinishDifference}
     _absent = {"draws": None, "difference_w": None}
     name: str
     fingerprint: str
@@ -394,7 +402,7 @@ class MapFinish(Values):
     has_flanks_of_first: bool
     resolved_from_nm: Floats
     draws: Any
-    difference_w: Optional[DrawnConstant]
+    difference_w: Optional[MapFinishDifference]
 
 
 class MapFinishTable(TableOf[MapFinish, NoReturn, Literal["name", "fingerprint", "files", "has_flanks_of_first", "resolved_from_nm", "draws", "difference_w"]]):
@@ -465,11 +473,12 @@ class MapValues(Values):
 
 
 class CycleFinish(Values):
-    _absent = {"wh_per_100_km": None, "difference_wh": None, "difference_median_wh": None, "difference_quantiles_wh": None}
+    _absent = {"wh_per_100_km": None, "difference_wh": None, "difference_median_wh": None, "difference_p05_wh": None, "difference_p95_wh": None}
     name: str
     lost_wh: float
     lost_median_wh: float
-    lost_quantiles_wh: Floats
+    lost_p05_wh: float
+    lost_p95_wh: float
     lost_drive_wh: float
     lost_coast_wh: float
     share_of_drive: float
@@ -477,14 +486,16 @@ class CycleFinish(Values):
     wh_per_100_km: Optional[float]
     difference_wh: Optional[float]
     difference_median_wh: Optional[float]
-    difference_quantiles_wh: Optional[Floats]
+    difference_p05_wh: Optional[float]
+    difference_p95_wh: Optional[float]
 
 
-class CycleFinishTable(TableOf[CycleFinish, Literal["lost_wh", "lost_median_wh", "lost_drive_wh", "lost_coast_wh", "share_of_drive", "drive_efficiency", "wh_per_100_km", "difference_wh", "difference_median_wh"], Literal["name", "lost_quantiles_wh", "difference_quantiles_wh"]]):
+class CycleFinishTable(TableOf[CycleFinish, Literal["lost_wh", "lost_median_wh", "lost_p05_wh", "lost_p95_wh", "lost_drive_wh", "lost_coast_wh", "share_of_drive", "drive_efficiency", "wh_per_100_km", "difference_wh", "difference_median_wh", "difference_p05_wh", "difference_p95_wh"], Literal["name"]]):
     _row = CycleFinish
-    name: NDArray[Any]; lost_wh: Floats; lost_median_wh: Floats; lost_quantiles_wh: NDArray[Any]; lost_drive_wh: Floats
-    lost_coast_wh: Floats; share_of_drive: Floats; drive_efficiency: Floats; wh_per_100_km: Floats
-    difference_wh: Floats; difference_median_wh: Floats; difference_quantiles_wh: NDArray[Any]
+    name: NDArray[Any]; lost_wh: Floats; lost_median_wh: Floats; lost_p05_wh: Floats; lost_p95_wh: Floats
+    lost_drive_wh: Floats; lost_coast_wh: Floats; share_of_drive: Floats; drive_efficiency: Floats
+    wh_per_100_km: Floats; difference_wh: Floats; difference_median_wh: Floats; difference_p05_wh: Floats
+    difference_p95_wh: Floats
 
 
 class CycleValues(Values):
@@ -512,7 +523,8 @@ class SensitivityRow(Values):
     to: str
     difference_w: float
     change: float
-    sampling_quantiles_w: Floats
+    sampling_p05_w: float
+    sampling_p95_w: float
     film_w: float
     lubricated_asperity_w: float
     boundary_w: float
@@ -520,10 +532,10 @@ class SensitivityRow(Values):
     code: Any
 
 
-class SensitivityRowTable(TableOf[SensitivityRow, Literal["difference_w", "change", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w"], Literal["group", "what", "to", "sampling_quantiles_w", "code"]]):
+class SensitivityRowTable(TableOf[SensitivityRow, Literal["difference_w", "change", "sampling_p05_w", "sampling_p95_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w"], Literal["group", "what", "to", "code"]]):
     _row = SensitivityRow
     group: NDArray[Any]; what: NDArray[Any]; to: NDArray[Any]; difference_w: Floats; change: Floats
-    sampling_quantiles_w: NDArray[Any]; film_w: Floats; lubricated_asperity_w: Floats; boundary_w: Floats
+    sampling_p05_w: Floats; sampling_p95_w: Floats; film_w: Floats; lubricated_asperity_w: Floats; boundary_w: Floats
     rolling_w: Floats; code: NDArray[Any]
 
 
@@ -676,14 +688,16 @@ class DesignParameter(Values):
     prior: float
     verdict: str
     value: float
-    band: Floats
-    default_range: Floats
+    band_low: float
+    band_high: float
+    default_range_low: float
+    default_range_high: float
 
 
-class DesignParameterTable(TableOf[DesignParameter, Literal["deviation", "prior", "value"], Literal["key", "name", "verdict", "band", "default_range"]]):
+class DesignParameterTable(TableOf[DesignParameter, Literal["deviation", "prior", "value", "band_low", "band_high", "default_range_low", "default_range_high"], Literal["key", "name", "verdict"]]):
     _row = DesignParameter
     key: NDArray[Any]; name: NDArray[Any]; deviation: Floats; prior: Floats; verdict: NDArray[Any]; value: Floats
-    band: NDArray[Any]; default_range: NDArray[Any]
+    band_low: Floats; band_high: Floats; default_range_low: Floats; default_range_high: Floats
 
 
 class DesignValues(Values):
@@ -702,22 +716,27 @@ class CalibrationParameter(Values):
     key: str
     name: str
     value: float
-    band: Floats
-    profile_band: Floats
+    band_low: float
+    band_high: float
+    profile_band_low: float
+    profile_band_high: float
     is_open: list[Any]
     profile: list[Any]
-    bootstrap: Floats
+    bootstrap_low: float
+    bootstrap_high: float
     default: float
-    default_range: Floats
+    default_range_low: float
+    default_range_high: float
     deviation: float
     verdict: str
 
 
-class CalibrationParameterTable(TableOf[CalibrationParameter, Literal["value", "default", "deviation"], Literal["key", "name", "band", "profile_band", "is_open", "profile", "bootstrap", "default_range", "verdict"]]):
+class CalibrationParameterTable(TableOf[CalibrationParameter, Literal["value", "band_low", "band_high", "profile_band_low", "profile_band_high", "bootstrap_low", "bootstrap_high", "default", "default_range_low", "default_range_high", "deviation"], Literal["key", "name", "is_open", "profile", "verdict"]]):
     _row = CalibrationParameter
-    key: NDArray[Any]; name: NDArray[Any]; value: Floats; band: NDArray[Any]; profile_band: NDArray[Any]
-    is_open: NDArray[Any]; profile: NDArray[Any]; bootstrap: NDArray[Any]; default: Floats; default_range: NDArray[Any]
-    deviation: Floats; verdict: NDArray[Any]
+    key: NDArray[Any]; name: NDArray[Any]; value: Floats; band_low: Floats; band_high: Floats; profile_band_low: Floats
+    profile_band_high: Floats; is_open: NDArray[Any]; profile: NDArray[Any]; bootstrap_low: Floats
+    bootstrap_high: Floats; default: Floats; default_range_low: Floats; default_range_high: Floats; deviation: Floats
+    verdict: NDArray[Any]
 
 
 class CalibrationPoint(Values):
@@ -810,12 +829,81 @@ class ProfileChangeMean(Values):
     gained_quantiles_nm: Floats
 
 
+class ProfileChangePair(Values):
+    before: str
+    after: str
+    shift_um: float
+    shift_p05_um: float
+    shift_p95_um: float
+    stretch_percent: float
+    stretch_p05_percent: float
+    stretch_p95_percent: float
+    height_um: float
+    height_p05_um: float
+    height_p95_um: float
+    tilt_um_per_mm: float
+    tilt_p05_um_per_mm: float
+    tilt_p95_um_per_mm: float
+    correlation: float
+    elsewhere: float
+    matched_percent: float
+    noise_nm: float
+    overlap_mm: float
+    removed_um2: float
+    removed_nm: float
+    removed_p05_nm: float
+    removed_p95_nm: float
+    lost_nm: float
+    lost_p05_nm: float
+    lost_p95_nm: float
+    gained_nm: float
+    gained_p05_nm: float
+    gained_p95_nm: float
+
+
+class ProfileChangePairTable(TableOf[ProfileChangePair, Literal["shift_um", "shift_p05_um", "shift_p95_um", "stretch_percent", "stretch_p05_percent", "stretch_p95_percent", "height_um", "height_p05_um", "height_p95_um", "tilt_um_per_mm", "tilt_p05_um_per_mm", "tilt_p95_um_per_mm", "correlation", "elsewhere", "matched_percent", "noise_nm", "overlap_mm", "removed_um2", "removed_nm", "removed_p05_nm", "removed_p95_nm", "lost_nm", "lost_p05_nm", "lost_p95_nm", "gained_nm", "gained_p05_nm", "gained_p95_nm"], Literal["before", "after"]]):
+    _row = ProfileChangePair
+    before: NDArray[Any]; after: NDArray[Any]; shift_um: Floats; shift_p05_um: Floats; shift_p95_um: Floats
+    stretch_percent: Floats; stretch_p05_percent: Floats; stretch_p95_percent: Floats; height_um: Floats
+    height_p05_um: Floats; height_p95_um: Floats; tilt_um_per_mm: Floats; tilt_p05_um_per_mm: Floats
+    tilt_p95_um_per_mm: Floats; correlation: Floats; elsewhere: Floats; matched_percent: Floats; noise_nm: Floats
+    overlap_mm: Floats; removed_um2: Floats; removed_nm: Floats; removed_p05_nm: Floats; removed_p95_nm: Floats
+    lost_nm: Floats; lost_p05_nm: Floats; lost_p95_nm: Floats; gained_nm: Floats; gained_p05_nm: Floats
+    gained_p95_nm: Floats
+
+
+class ProfileChangeParameter(Values):
+    parameter: str
+    before_um: float
+    after_um: float
+    change_um: float
+    floor_um: float
+
+
+class ProfileChangeParameterTable(TableOf[ProfileChangeParameter, Literal["before_um", "after_um", "change_um", "floor_um"], Literal["parameter"]]):
+    _row = ProfileChangeParameter
+    parameter: NDArray[Any]; before_um: Floats; after_um: Floats; change_um: Floats; floor_um: Floats
+
+
+class ProfileChangeMaterialRatio(Values):
+    material_ratio_percent: float
+    before_um: float
+    after_um: float
+    change_um: float
+    floor_um: float
+
+
+class ProfileChangeMaterialRatioTable(TableOf[ProfileChangeMaterialRatio, Literal["material_ratio_percent", "before_um", "after_um", "change_um", "floor_um"], NoReturn]):
+    _row = ProfileChangeMaterialRatio
+    material_ratio_percent: Floats; before_um: Floats; after_um: Floats; change_um: Floats; floor_um: Floats
+
+
 class ProfileChangeValues(Values):
-    _kinds = {"mean": ProfileChangeMean}
+    _kinds = {"mean": ProfileChangeMean, "pairs": ProfileChangePairTable, "parameters": ProfileChangeParameterTable, "material_ratio": ProfileChangeMaterialRatioTable}
     _absent = {"scatter_nm": None}
     title: str
     mean: ProfileChangeMean
-    scatter_nm: Any
+    scatter_nm: Optional[float]
     warnings: list[Any]
 
 
@@ -857,21 +945,24 @@ class OilFitConstant(Values):
     name: str
     unit: str
     value: float
-    range: Floats
-    band: Floats
+    range_low: float
+    range_high: float
+    band_low: float
+    band_high: float
     prior: float
-    prior_range: Floats
+    prior_range_low: float
+    prior_range_high: float
     expected: float
     posterior: float
     is_identified: bool
     would_help: Any
 
 
-class OilFitConstantTable(TableOf[OilFitConstant, Literal["value", "prior", "expected", "posterior"], Literal["key", "name", "unit", "range", "band", "prior_range", "is_identified", "would_help"]]):
+class OilFitConstantTable(TableOf[OilFitConstant, Literal["value", "range_low", "range_high", "band_low", "band_high", "prior", "prior_range_low", "prior_range_high", "expected", "posterior"], Literal["key", "name", "unit", "is_identified", "would_help"]]):
     _row = OilFitConstant
-    key: NDArray[Any]; name: NDArray[Any]; unit: NDArray[Any]; value: Floats; range: NDArray[Any]; band: NDArray[Any]
-    prior: Floats; prior_range: NDArray[Any]; expected: Floats; posterior: Floats; is_identified: NDArray[Any]
-    would_help: NDArray[Any]
+    key: NDArray[Any]; name: NDArray[Any]; unit: NDArray[Any]; value: Floats; range_low: Floats; range_high: Floats
+    band_low: Floats; band_high: Floats; prior: Floats; prior_range_low: Floats; prior_range_high: Floats
+    expected: Floats; posterior: Floats; is_identified: NDArray[Any]; would_help: NDArray[Any]
 
 
 class OilFitPoint(Values):

@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 use asperity::case::train::Train;
 use asperity::case::{FILE_KEYS, FileSums};
 use asperity_report::axis::{range, with_unit};
-use toml::Value;
 
 use super::amount::{Amount, text_of, written};
 use super::error::SweepError;
@@ -84,6 +83,12 @@ impl Axes {
         axes.map(|(axis, node)| &axis.nodes[node])
     }
 
+    /// Settings of the nodes of the axes that name files.
+    pub(super) fn naming_files(&self) -> impl Iterator<Item = &Settings> {
+        let axes = self.0.iter().filter(|axis| axis.names_files());
+        axes.flat_map(|axis| axis.nodes.iter().map(|(_, settings)| settings))
+    }
+
     /// Hashes of the files that `case` reads at any point of the axes.
     pub(super) fn files(&self, case: &Train) -> FileSums {
         let mut inputs = vec![case.input.clone()];
@@ -155,14 +160,13 @@ fn axis(input: &AxisInput) -> Result<CrossedAxis, SweepError> {
     let name =
         name.ok_or_else(|| SweepError::key("axis", "needs a key, or a name with choices"))?;
     if let Some(choices) = &input.choice {
-        let node = |(name, keys): (&String, &std::collections::BTreeMap<String, Value>)| {
+        let nodes = choices.0.iter().map(|(name, keys)| {
             let settings = keys
                 .iter()
                 .map(|(key, value)| (key.clone(), written(value)));
             (name.clone(), settings.collect())
-        };
-        let nodes: Vec<_> = choices.iter().map(node).collect();
-        return some(name, nodes);
+        });
+        return some(name, nodes.collect());
     }
     let key = input.key.clone();
     let key = key.ok_or_else(|| SweepError::key(&name, "needs a key, or choices"))?;

@@ -165,14 +165,25 @@ impl CaseList {
         }
     }
 
-    /// Every value of every axis, and those of the first point of the sample, can be set.
+    /// Every value of every axis, and those of the first point of the sample, can be set, and the files that they name are
+    /// read.
     pub(super) fn check_values(&self, study: &Study) -> Result<(), SweepError> {
         let sampled = self.inputs(0).settings;
         for (key, value) in self.axes.settings().chain(&sampled) {
             let mut input = study.case.input.clone();
             set(&mut input, &study.case.defaults, key, value)?;
         }
-        Ok(())
+        let settings = self.axes.naming_files().chain([&sampled]);
+        let mut unread = settings.filter_map(|settings| {
+            let settings = settings.clone();
+            let columns = Vec::new();
+            resolved(study, &CaseInputs { columns, settings }).err()
+        });
+        // Any other error may be of this combination only, which the study need not have.
+        match unread.find(SweepError::is_of_file) {
+            Some(error) => Err(error),
+            None => Ok(()),
+        }
     }
 
     /// Names and texts of the nodes of the axes.

@@ -68,10 +68,10 @@ impl Cases {
         self.list.sampled()
     }
 
-    /// Sets every value of every axis once, without running a case.
+    /// Sets every value of every axis once and reads the files that it names, without running a case.
     ///
     /// # Errors
-    /// When a value cannot be read; a case with it would have a row with its error code.
+    /// When a value or a file cannot be read; a case with it would have a row with its error code.
     pub fn check_values(&self) -> Result<(), SweepError> {
         self.list.check_values(&self.study)
     }

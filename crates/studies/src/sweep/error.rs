@@ -132,6 +132,11 @@ impl SweepError {
         }
     }
 
+    /// Whether a file cannot be read, whatever the other keys of the case are.
+    pub(super) fn is_of_file(&self) -> bool {
+        (Code::E101..=Code::E116).contains(&self.code())
+    }
+
     /// Error code of a single case, for its row.
     pub(super) fn code_of_case(&self) -> Code {
         match self {

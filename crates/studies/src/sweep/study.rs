@@ -45,7 +45,7 @@ impl Study {
     pub fn load(file: &Path) -> Result<Self, SweepError> {
         let text = whole_text(file, LARGEST_STUDY).map_err(|source| unopened(file, source))?;
         let folder = file.parent().unwrap_or(Path::new("")).to_owned();
-        let input: StudyInput = toml::from_str(&text).map_err(|error| SweepError::Study {
+        let input = StudyInput::of_toml(&text).map_err(|error| SweepError::Study {
             path: file.to_owned(),
             message: error.to_string().trim().replace('\n', "; "),
         })?;

@@ -1,10 +1,12 @@
 //! Keys of a study file.
 
 use std::collections::BTreeMap;
+use std::fmt;
 use std::path::PathBuf;
 
-use serde::Deserialize;
-use toml::Value;
+use serde::de::{IgnoredAny, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use toml::{Spanned, Value};
 
 /// Keys of a study.
 #[derive(Debug, Clone, Deserialize)]
@@ -44,7 +46,62 @@ pub(super) struct AxisInput {
     pub to: Option<Value>,
     pub count: Option<usize>,
     pub spacing: Option<Spacing>,
-    pub choice: Option<BTreeMap<String, BTreeMap<String, Value>>>,
+    pub choice: Option<Choices>,
+}
+
+/// Settings of named choices, in the order of their text.
+#[derive(Debug, Clone)]
+pub(super) struct Choices(pub Vec<(String, BTreeMap<String, Value>)>);
+
+impl<'de> Deserialize<'de> for Choices {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        from.deserialize_map(InOrder)
+    }
+}
+
+struct InOrder;
+
+impl<'de> Visitor<'de> for InOrder {
+    type Value = Choices;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("tables of keys by the names of choices")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Choices, A::Error> {
+        let mut found = Vec::new();
+        while let Some(choice) = map.next_entry()? {
+            found.push(choice);
+        }
+        Ok(Choices(found))
+    }
+}
+
+/// Where the choices of the axes stand in the text of a study: the reader of TOML returns them by name.
+#[derive(Deserialize)]
+struct Places {
+    #[serde(default)]
+    axis: Vec<PlacesOfAxis>,
+}
+
+#[derive(Deserialize)]
+struct PlacesOfAxis {
+    #[serde(default)]
+    choice: BTreeMap<String, Spanned<IgnoredAny>>,
+}
+
+impl StudyInput {
+    /// Reads the text of a study file.
+    pub fn of_toml(text: &str) -> Result<Self, toml::de::Error> {
+        let mut input: Self = toml::from_str(text)?;
+        let places: Places = toml::from_str(text)?;
+        for (axis, places) in input.axis.iter_mut().zip(&places.axis) {
+            if let Some(Choices(choices)) = &mut axis.choice {
+                choices.sort_by_key(|(name, _)| places.choice.get(name).map(|at| at.span().start));
+            }
+        }
+        Ok(input)
+    }
 }
 
 /// Values of an axis.
@@ -111,4 +168,31 @@ pub(super) enum Distribution {
     Normal([Value; 2]),
     /// Smallest, most likely, largest.
     Triangular([Value; 3]),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Choices, StudyInput};
+
+    #[test]
+    fn choices_stay_in_the_order_of_the_text() -> Result<(), Box<dyn std::error::Error>> {
+        let tables = "[[axis]]\nname = 'n'\n[[axis]]\nname = 'f'\n[axis.choice.z]\nk = 1\n[axis.choice.a]\nk = 2\n";
+        let inline = "[[axis]]\nname = 'f'\nchoice.z.k = 1\nchoice.a = { k = 2 }\n";
+        let whole = "[[axis]]\nname = 'f'\nchoice = { z = { k = 1 }, a = { k = 2 } }\n";
+        let json = r#"{"axis": [{"name": "f", "choice": {"z": {"k": 1}, "a": {"k": 2}}}]}"#;
+        for study in [
+            StudyInput::of_toml(tables)?,
+            StudyInput::of_toml(inline)?,
+            StudyInput::of_toml(whole)?,
+            serde_json::from_str(json)?,
+        ] {
+            let last = study.axis.last().and_then(|axis| axis.choice.as_ref());
+            let Some(Choices(choices)) = last else {
+                return Err("no choices".into());
+            };
+            let names: Vec<_> = choices.iter().map(|(name, _)| name.as_str()).collect();
+            assert_eq!(names, ["z", "a"]);
+        }
+        Ok(())
+    }
 }
