@@ -294,7 +294,7 @@ mod tests {
             };
             100.0 * (1.0 - loss("e-drive-superfinished.toml") / loss("e-drive.toml"))
         };
-        let default = format!(" %, by the default {:.0} %;", saving(LoadShareName::Solved));
+        let default = format!(", by the default {:.0} %;", saving(LoadShareName::Solved));
         assert!(DRY_REFUTED.contains(&default), "{default}");
         let savings = DRY.map(|(_, law)| saving(law));
         let least = savings.iter().fold(f64::INFINITY, |a, b| a.min(*b));
