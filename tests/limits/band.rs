@@ -310,13 +310,13 @@ fn the_factor_of_a_relief_is_that_of_a_run_with_it() {
     let outcome = Run::new(&unstated).fields(&KEPT).band(true).execute();
     let first = &outcome.unwrap().result.warnings[0];
     assert_eq!(first.code, "W439");
-    // "... none changes the loss by +19 %, 10 um by -15 %"
+    // "... The loss changes by -15 % with 10 um, and by +19 % without relief, ..."
     let words = first.text.split(' ');
     let percents: Vec<f64> = words
         .filter(|word| word.starts_with(['+', '-']))
         .map(|word| word.parse().unwrap())
         .collect();
-    for (c, percent) in [0.0, 1.0].into_iter().zip(&percents) {
+    for (c, percent) in [1.0, 0.0].into_iter().zip(&percents) {
         let run = loss(c) / loss(0.5);
         let drawn = 1.0 + 0.01 * percent;
         assert!((drawn / run - 1.0).abs() < 0.04, "{c}: {drawn} {run}");
