@@ -23,24 +23,29 @@ pub(crate) fn outside(uncertainty: &Uncertainty) -> Option<String> {
     let losses = uncertainty.other_models.iter();
     let losses = losses.filter_map(|row| row.loss_w);
     let outside: Vec<f64> = losses.filter(|loss| !drawn.contains(*loss)).collect();
-    let of = |losses: Vec<f64>| {
-        let ends =
-            numerics::range(losses.iter().copied()).map(|end| uncertainty.digits().rounded(end));
-        match (losses.len(), ends[0] == ends[1]) {
-            (0, _) => None,
-            (_, true) => Some(format!("{} W", ends[0])),
-            _ => Some(format!("{} W", ends.join(" to "))),
-        }
-    };
     let (below, above): (Vec<f64>, Vec<f64>) =
         outside.iter().copied().partition(|loss| *loss < drawn.low);
-    let ends: Vec<String> = [of(below), of(above)].into_iter().flatten().collect();
-    (!ends.is_empty()).then(|| {
+    // An end that is printed as the end of the interval is not named.
+    let side = |losses: &[f64], words: [&str; 2], farthest: f64, end: f64| {
+        let [farthest, end] = [farthest, end].map(|loss| uncertainty.digits().rounded(loss));
+        let count = losses.len();
+        (count > 0).then(|| match farthest == end {
+            true => format!("{count} just {}", words[0]),
+            false => format!("{count} {}, {} to {farthest} W", words[0], words[1]),
+        })
+    };
+    let [lowest, highest] = numerics::range(outside.iter().copied());
+    let sides = [
+        side(&below, ["below", "down"], lowest, drawn.low),
+        side(&above, ["above", "up"], highest, drawn.high),
+    ];
+    let sides: Vec<String> = sides.into_iter().flatten().collect();
+    (!sides.is_empty()).then(|| {
         format!(
             "{} of {} other models give a loss outside of this interval: {}.",
             outside.len(),
             uncertainty.other_models.len(),
-            ends.join(" and ")
+            sides.join(", and ")
         )
     })
 }

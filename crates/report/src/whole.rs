@@ -12,7 +12,7 @@ use crate::chart::{Axis, Bar, BarChart, Drawing};
 use crate::folder::{FileText, PAGE, PLANETARY_MARK, TRAIN_MARK, json_text};
 use crate::html::band::evidence;
 use crate::html::gearbox::section;
-use crate::html::overview::warnings as listed;
+use crate::html::overview::{doubt, trust, warnings as listed};
 use crate::html::{figure, page, source_line};
 use crate::printed::stated;
 use crate::summary::besides_the_mesh;
@@ -149,10 +149,12 @@ fn summary_page(result: &Whole, warnings: &[Warning]) -> String {
     let values = named_values(result);
     let (first, others) = values.split_at(first.min(values.len()));
     let summary = html! {
+        (doubt(warnings))
         @for (class, values) in [("tiles first", first), ("tiles", others)] {
             dl class=(class) { @for [name, value] in values { div { dt { (name) } dd { (value) } } } }
         }
         @if result.loss_distribution.is_some() { p.sub { "In brackets: 5 to 95 %." } }
+        (trust(warnings, None))
         div.verdict {
             div { (figure(&losses_of_meshes(result))) }
             div { (figure(&losses_by_kind(result))) }

@@ -30,7 +30,7 @@ const DRY: [(&str, LoadShareName); 3] = [
         LoadShareName::MasjediKhonsari,
     ),
 ];
-const DRY_REFUTED: &str = "superfinishing would save 47 to 53 % of the loss of the example drive, by the default 36 %; measured on other pairs: 15 to 35 % (gate T3 of VALIDATION.md)";
+const DRY_REFUTED: &str = "superfinishing would save 47 to 53 % of the loss of the example drive, 12 to 18 percentage points above the 15 to 35 % measured on other pairs; the default, 36 %, is 1 point above (gate T3 of VALIDATION.md)";
 
 /// Films of the spots, with their numbers in docs/records/ehl-friction-parts.md.
 const SPEEDS: [(&str, SpotSpeed, &str); 2] = [
@@ -294,14 +294,19 @@ mod tests {
             };
             100.0 * (1.0 - loss("e-drive-superfinished.toml") / loss("e-drive.toml"))
         };
-        let default = format!(", by the default {:.0} %;", saving(LoadShareName::Solved));
-        assert!(DRY_REFUTED.contains(&default), "{default}");
-        let savings = DRY.map(|(_, law)| saving(law));
+        /// The largest saving that was measured on another pair, in percent.
+        const MEASURED: f64 = 35.0;
+        let default = saving(LoadShareName::Solved).round();
+        let savings = DRY.map(|(_, law)| saving(law).round());
         let least = savings.iter().fold(f64::INFINITY, |a, b| a.min(*b));
         let most = savings.iter().fold(0.0, |a: f64, b| a.max(*b));
-        assert!(
-            DRY_REFUTED.contains(&format!(" {least:.0} to {most:.0} % of the loss")),
-            "{savings:?}"
+        let expected = format!(
+            "superfinishing would save {least} to {most} % of the loss of the example drive, {} to {} percentage points above the \
+             15 to {MEASURED} % measured on other pairs; the default, {default} %, is {} point above (gate T3 of VALIDATION.md)",
+            least - MEASURED,
+            most - MEASURED,
+            default - MEASURED
         );
+        assert_eq!(DRY_REFUTED, expected);
     }
 }

@@ -123,9 +123,9 @@ fn contact(result: &RunResult) -> Vec<Row> {
     let flash = |row: &PositionRow| row.flash_max_k.unwrap_or(row.flash_k);
     if let Some(row) = largest(result, flash) {
         let value = format!("{:.1} K at {}", flash(row), place(row));
-        rows.push(("largest flash temperature", value, ""));
+        rows.push(("largest flash temperature of all offsets", value, ""));
         let contact = temperatures::bulk(result) + flash(row);
-        rows.push(("contact temperature there", format!("{contact:.0} °C"), ""));
+        rows.push(("largest contact temperature, there", format!("{contact:.0} °C"), ""));
     }
     rows
 }
@@ -186,7 +186,7 @@ fn oil(result: &RunResult) -> Markup {
         let mut defaults = result.defaults.iter();
         let default = defaults.find(|default| default.key == key);
         match default.map(|default| (&default.value, &default.source)) {
-            None => "stated in the case".to_owned(),
+            None => "from the case".to_owned(),
             Some((value, None)) => value.clone(),
             Some((value, Some(source))) => format!("{value}: {source}"),
         }

@@ -1,7 +1,8 @@
 //! Summary: key numbers, their band, losses along the path, the pair in mesh, warnings.
 
 use asperity::key_words::advice;
-use asperity::message::Warning;
+use asperity::message::{Code, Warning, outside_codes};
+use asperity::result::loss_band::{Trust, Uncertainty};
 use asperity::result::{FlankHeights, RunInFlanks, RunResult, Summary};
 use maud::{Markup, html};
 
@@ -16,6 +17,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
         first.extend(super::gearbox::tiles(gearbox, result.uncertainty.as_ref()));
     }
     html! {
+        (doubt(&result.warnings))
         @for (class, tiles) in [("tiles first", first), ("tiles", parts(result))] {
             dl class=(class) {
                 @for (name, value, key) in tiles {
@@ -24,7 +26,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
             }
         }
         p.sub { (own_finish(result)) }
-        @if let Some(uncertainty) = &result.uncertainty { p.sub { "Trust: " (uncertainty.trust_text()) "." } }
+        (trust(&result.warnings, result.uncertainty.as_ref().map(Uncertainty::trust_text)))
         @if let Some(outside) = result.uncertainty.as_ref().and_then(other_models::outside) {
             p.sub { (outside) " The section \"Uncertainty and other models\" has the evidence against each." }
         }
@@ -51,7 +53,11 @@ pub(super) fn section(result: &RunResult) -> Markup {
 /// is compared.
 fn own_finish(result: &RunResult) -> Markup {
     html! {
-        "The loss is for these two flanks as stated"
+        @match result.uncertainty.as_ref().map(|uncertainty| uncertainty.trust) {
+            Some(Trust::Surrogates) => "The loss is for flanks generated from the stated roughness",
+            Some(Trust::RoughnessValues) => "The loss is for the stated roughness values",
+            _ => "The loss is for these two flanks as stated",
+        }
         @if let Some(share) = printed(result).asperity_share { ": " (share) " of it arises where asperities touch" }
         ". "
         code { "asperity compare" } " computes what another finish would save."
@@ -60,6 +66,31 @@ fn own_finish(result: &RunResult) -> Markup {
 
 /// Mark of a warning that makes the result doubtful.
 pub(crate) const DOUBTFUL: &str = "Result doubtful:";
+
+/// The gravest warning that makes a result doubtful, to stand before its loss.
+pub(crate) fn doubt(warnings: &[Warning]) -> Markup {
+    let doubtful = warnings.iter().filter(|warning| warning.code.doubt().is_some());
+    html! { @if let Some(warning) = doubtful.min_by_key(|warning| warning.code.doubt()) {
+        p.grave { strong { (DOUBTFUL) } " " code { (warning.code.as_str()) } " " (warning.text) }
+    } }
+}
+
+/// Codes of the warnings that lower the trust in the loss, those that make it doubtful first, then its `level`.
+pub(crate) fn trust(warnings: &[Warning], level: Option<String>) -> Markup {
+    let codes = || warnings.iter().map(|warning| warning.code);
+    let mut doubtful: Vec<Code> = codes().filter(|code| code.doubt().is_some()).collect();
+    doubtful.sort_by_key(|code| code.doubt());
+    doubtful.dedup();
+    let doubtful: Vec<&str> = doubtful.into_iter().map(Code::as_str).collect();
+    let of = |what: &str, codes: String| (!codes.is_empty()).then(|| format!("{what} {codes}"));
+    let parts = [
+        of("doubtful by", doubtful.join(" ")),
+        of("outside fitted ranges by", outside_codes(codes())),
+        level,
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    html! { @if !parts.is_empty() { p.sub { "Trust: " (parts.join("; ")) "." } } }
+}
 
 /// The warnings, each of which opens to its cause and its remedy.
 pub(crate) fn warnings(warnings: &[Warning]) -> Markup {

@@ -15,13 +15,12 @@ use super::summary::{banded, in_words, words};
 const BANDS: usize = 10;
 /// Largest number of temperatures that are drawn.
 const TEMPERATURES: usize = 3;
-/// Largest share of hatched points; where more are extrapolated, only a sentence says so.
-const MOST_HATCHED: f64 = 1.0 / 3.0;
 
-/// What a page about losses at many operating points leaves to studies of one.
+/// Meaning of the shares of extrapolated points.
+const OF_GRID: &str = "Each share is of the points of this grid, not of the operating time.";
 /// Point of the verdicts of a map.
 const TYPICAL: &str = "The losses above the charts are at the point of the map next to the operating point of the case.";
-/// Next steps.
+/// What a page about losses at many operating points leaves to studies of one.
 pub(crate) const HELPFUL: &str = "The command asperity sensitivity lists changes that lower the loss; asperity evidence lists \
     measurements that narrow its interval.";
 
@@ -223,10 +222,15 @@ pub(super) fn drawn_efficiencies(map: &Map) -> impl Iterator<Item = DrawnRow<'_>
 /// The extrapolations of every finish in words, then the meaning of the dots if there are any.
 pub(crate) fn marks(map: &Map, has_dots: bool) -> Vec<String> {
     let finishes = map.finishes.iter();
-    let extrapolated = finishes.filter_map(|finish| extrapolated(map, finish));
+    let mut extrapolated: Vec<String> = finishes
+        .filter_map(|finish| extrapolated(map, finish))
+        .collect();
+    if !extrapolated.is_empty() {
+        extrapolated.push(OF_GRID.to_owned());
+    }
     let dots = "Dots: operating points of the cycle. The colours have small steps around them and large steps beyond.";
     let dots = has_dots.then(|| dots.to_owned());
-    extrapolated.chain(dots).collect()
+    extrapolated.into_iter().chain(dots).collect()
 }
 
 /// The extrapolations of `finish` beyond those at the operating point of the case, in words; `None` if there are none.
@@ -239,12 +243,8 @@ fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
     if share == 0.0 {
         return None;
     }
-    let [first, last] = match share <= MOST_HATCHED {
-        true => ["Hatched: at", ""],
-        false => ["At", ". These are too many to hatch"],
-    };
     Some(format!(
-        "{first} {:.0} % of the points of {} the model is extrapolated further than at the operating point of the case{last}.",
+        "Hatched: at {:.0} % of the points of {} the model is extrapolated further than at the operating point of the case.",
         100.0 * share,
         in_words(&finish.name)
     ))
@@ -274,11 +274,7 @@ fn field(map: &Map, finish: &FinishMap, temperature: usize, of: &dyn Fn(&Point) 
             .iter()
             .any(|mark| !usual.contains(&mark.as_str()))
     };
-    let mut hatched: Vec<bool> = nodes().map(|node| is_hatched(at(node))).collect();
-    let count = hatched.iter().filter(|is_hatched| **is_hatched).count();
-    if count as f64 > MOST_HATCHED * hatched.len() as f64 {
-        hatched.clear();
-    }
+    let hatched = nodes().map(|node| is_hatched(at(node))).collect();
     Contour {
         source: "map.csv".to_owned(),
         x: Axis::new("torque", "N m"),
