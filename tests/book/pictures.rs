@@ -194,7 +194,7 @@ fn uncertainty() -> String {
         title: "Loss of the e-drive, 5 to 95 %, and its components".to_owned(),
         source: "uncertainty.md".to_owned(),
         axis: Axis::new("loss", "W"),
-        middle: loss.drawn().value,
+        middle: Some(loss.drawn().value),
         intervals,
     };
     tornado.svg(Dress::Alone)

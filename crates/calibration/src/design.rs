@@ -50,6 +50,9 @@ pub struct Design {
     pub program: String,
     /// Title of the case.
     pub title: String,
+    /// Boundary friction, positions and offsets of the losses, in words; empty in older designs.
+    #[serde(default)]
+    pub settings: String,
     /// The limits.
     pub limits: Limits,
     /// Points of each assembly, by temperature.
@@ -97,6 +100,16 @@ pub struct ExpectedParameter {
     pub expected: Estimate,
     /// Range of a case without calibration.
     pub default_range: [f64; 2],
+}
+
+/// The settings of a case that change its losses as much as the points do, in words.
+fn settings_of(case: &LoadedCase) -> String {
+    let model = &case.case.model;
+    format!(
+        "boundary friction {}, {}",
+        model.boundary_friction,
+        case.case.sampling()
+    )
 }
 
 /// Chooses the D-optimal points within `limits` for the parameters of `case` that are not `held`. The points of the
@@ -196,6 +209,7 @@ pub fn plan(
         schema_version: SCHEMA_VERSION,
         program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
         title: case.case.title.clone(),
+        settings: settings_of(case),
         limits: limits.clone(),
         lambda_star: lambda_star_range(numbers.iter().map(|number| nominal[*number].lambda_star)),
         points: numbers.iter().map(point).collect(),

@@ -109,6 +109,8 @@ impl StudyResult for Design {
         .table(design_points(self))
         .text([LOSSES])
         .on_page()
+        .text(self.with_settings())
+        .on_page()
         .section("Expected bands")
         .heading(format!(
             "Expected with {:.1} % per point",
@@ -131,6 +133,9 @@ impl StudyResult for Design {
 
 /// Kind of both folders in messages.
 const KIND: &str = "calibration";
+/// Next step where no point helps.
+const NO_NEXT: &str =
+    "No further point within the limits of this rig narrows a parameter by a tenth.";
 /// Meaning of the losses of a design.
 const LOSSES: &str = "Losses by the model with the constants of the case, to choose the range of the torque meter. They have no interval; \
     asperity map computes it.";
@@ -139,6 +144,18 @@ const REHEARSAL: &str = "SIMULATED losses: a rehearsal of a rig, not a measureme
 /// Content of the bands.
 const BANDS: &str = "The bands include scatter and nuisance terms, but not the structure of the model: alternative models are \
     listed with a run.";
+
+impl Design {
+    /// The settings of the losses, in words; `None` of an older design.
+    fn with_settings(&self) -> Option<String> {
+        (!self.settings.is_empty()).then(|| {
+            format!(
+                "Settings of these losses: {}. A map with other settings, or with medians over the draws, has other losses.",
+                self.settings
+            )
+        })
+    }
+}
 
 /// Standard deviations of the parameters that the points leave, in words.
 fn deviations(design: &Design) -> String {
@@ -177,7 +194,7 @@ fn verdicts(calibration: &Calibration) -> Vec<String> {
     let others = of(Verdict::NotIdentified, &|one| one.name.clone());
     let mut verdicts = vec![match determined.is_empty() {
         true => "The points identify no parameter.".to_owned(),
-        false => format!("Identified by the points, in brackets 95 %: {determined}."),
+        false => format!("Identified by the points, in brackets 2.5 to 97.5 %: {determined}."),
     }];
     if !held.is_empty() {
         verdicts.push(format!("Identified in part: {held}."));
@@ -187,13 +204,14 @@ fn verdicts(calibration: &Calibration) -> Vec<String> {
             "Not identified, not written to the case: {others}."
         ));
     }
-    let next = calibration.identifiability.helpful.first();
-    verdicts.extend(next.map(|point| {
+    let next = calibration.identifiability.next();
+    let next = next.map(|point| {
         format!(
             "Measure next: {:.0} N m, {:.0} 1/min, {:.0} °C, for {}.",
             point.torque_nm, point.speed_rpm, point.temperature_c, point.gains_most
         )
-    }));
+    });
+    verdicts.push(next.unwrap_or_else(|| NO_NEXT.to_owned()));
     verdicts
 }
 

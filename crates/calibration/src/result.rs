@@ -49,6 +49,17 @@ pub struct Identifiability {
     pub helpful: Vec<HelpfulPoint>,
 }
 
+impl Identifiability {
+    /// The further measurement that helps most, if it narrows its parameter noticeably.
+    #[must_use]
+    pub fn next(&self) -> Option<&HelpfulPoint> {
+        /// Least gain that is worth a measurement.
+        const LEAST: f64 = 0.1;
+        let best = self.helpful.first();
+        best.filter(|best| best.deviation[1] <= (1.0 - LEAST) * best.deviation[0])
+    }
+}
+
 /// Identification of one parameter.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]

@@ -154,7 +154,7 @@ pub(crate) fn fitted(calibration: &Calibration) -> Table {
         head parameter "parameter" "" = named(&one.name, &one.key);
         file unit = unit_of(&one.key).0;
         number value "value" "" = bare(&one.key, one.fitted.value);
-        range band "95 % band" "" = range_cell(&one.key, Some(one.fitted.ends()));
+        range band "2.5 to 97.5 %" "" = range_cell(&one.key, Some(one.fitted.ends()));
         range profile_band "profile likelihood" "" = range_cell(&one.key, Some(one.profile_band));
         range bootstrap "bootstrap over assemblies" "" = range_cell(&one.key, one.bootstrap);
         number default "default" "" = bare(&one.key, one.default.value);
@@ -213,7 +213,7 @@ pub(crate) fn design_bands(design: &Design) -> Table {
         head parameter "parameter" "" = named(&one.identified.name, &one.identified.key);
         file unit = unit_of(&one.identified.key).0;
         percent deviation "standard deviation" "%" "{:.0}" = one.identified.deviation;
-        range band "95 % band" "" = range_cell(&one.identified.key, Some(one.expected.ends()));
+        range band "2.5 to 97.5 %" "" = range_cell(&one.identified.key, Some(one.expected.ends()));
         range default_range "range without calibration" "" = range_cell(&one.identified.key, Some(one.default_range));
         text verdict "verdict" "" = one.identified.verdict.text();
     };

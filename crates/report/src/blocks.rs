@@ -197,10 +197,13 @@ impl<'a> Report<'a> {
         self.with(lines.into_iter().map(|line| Block::Text(line.into())))
     }
 
-    /// A paragraph of the page with the operating point and the numbers of positions and offsets of the runs; none without `conditions`.
+    /// A paragraph of the page with operating point, positions and offsets of the runs, and the scope of their losses; none without `conditions`.
     pub fn at(self, conditions: &str) -> Self {
-        self.text((!conditions.is_empty()).then(|| format!("At {conditions}.")))
-            .on_page()
+        self.text(
+            (!conditions.is_empty())
+                .then(|| format!("At {conditions}. The losses are of the mesh only.")),
+        )
+        .on_page()
     }
 
     /// Warnings, the gravest first; each begins with its code.

@@ -170,7 +170,13 @@ fn summary_page(result: &Whole, warnings: &[Warning]) -> String {
         &[
             ("Summary", summary),
             ("Meshes", meshes_section(result)),
-            ("Losses by kind", html! { (kinds(result)) }),
+            (
+                "Losses by kind",
+                html! {
+                    (kinds(result))
+                    p.note { "Losses of all meshes and planets. Medians are drawn and rounded here and for each mesh by itself, so their sums may differ." }
+                },
+            ),
             ("Shafts", shafts_section(result)),
         ],
     )

@@ -128,7 +128,40 @@ impl Smooth {
     }
 }
 
+/// Why the friction is not zero at the pitch point.
+const AT_PITCH_POINT: &str = "Here the flanks roll with almost no sliding. The friction of the boundary layer does not depend on the \
+    sliding speed, so that the coefficient is not 0. Almost no loss follows from it.";
+
 impl Recorded {
+    /// Friction without sliding, a pressure at its ceiling and a mean that still changes, in words.
+    fn beyond(&self) -> Vec<String> {
+        /// Slide-to-roll ratio that is printed as 0.
+        const PRINTED_AS_ZERO: f64 = 0.0005;
+        let record = &self.solved.value;
+        let is_pitch_point = record.scales.slide_to_roll.abs() < PRINTED_AS_ZERO;
+        let rubs = is_pitch_point && record.friction.is_some();
+        let ceiling = self.ceiling.map(|ceiling| ceiling.pressure);
+        let reached = ceiling.filter(|ceiling| record.max_pressure >= *ceiling);
+        let mean = |half: &[Moment]| {
+            half.iter().map(|moment| moment.solid_share).sum::<f64>() / half.len().max(1) as f64
+        };
+        let (first, second) = record.history.split_at(record.history.len() / 2);
+        let change = mean(second) - mean(first);
+        let drifts = change.abs() > 2.0 * record.solid_share.standard_error;
+        [
+            rubs.then(|| AT_PITCH_POINT.to_owned()),
+            reached.map(|ceiling| {
+                format!("The largest pressure is at most the flow pressure of the softer flank, {ceiling:.1}, at which the flanks yield.")
+            }),
+            drifts.then(|| {
+                format!("The share of the second half of the travel differs by {change:+.3} from the first: a longer travel is needed.")
+            }),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+
     /// Page of the record, with the frames of the first record.
     pub fn page(&self, contact: &RoughContact) -> Result<String, Failure> {
         let record = &self.solved.value;
@@ -177,7 +210,9 @@ impl Recorded {
             let text = with_error(friction.shifted.mean, friction.shifted.standard_error);
             page.numbers.push(number("friction", text));
         }
-        page.notes = vec![self.travel(), inlet_of(self.window), NEXT.to_owned()];
+        let notes = self.beyond().into_iter();
+        page.notes = [self.travel()].into_iter().chain(notes).collect();
+        page.notes.extend([inlet_of(self.window), NEXT.to_owned()]);
         page.mean = Some(curve(
             scales,
             &record.x,

@@ -38,7 +38,7 @@ pub struct Recorded {
     /// Columns of the files of both profiles that were not read.
     pub unread: Vec<Warning>,
     /// Pressure at which the surfaces yield.
-    ceiling: Option<PlasticCeiling>,
+    pub ceiling: Option<PlasticCeiling>,
 }
 
 /// Solves a record and shows its progress.

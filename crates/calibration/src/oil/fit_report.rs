@@ -25,9 +25,9 @@ impl StudyResult for OilFit {
         let names: Vec<&str> = self.constants.iter().map(|one| one.name.as_str()).collect();
         let other = &self.other_law;
         let simulated = rehearsal(&self.sources);
-        let dots = match simulated {
-            Some(_) => "simulated, not measured",
-            None => "measured",
+        let [dots, next] = match simulated {
+            Some(_) => ["simulated, not measured", NEXT_OF_REHEARSAL],
+            None => ["measured", NEXT],
         };
         let mut report = Report::new(
             &self.title,
@@ -36,7 +36,7 @@ impl StudyResult for OilFit {
         .section("Constants")
         .verdict(&simulated)
         .verdict(self.verdicts())
-        .text([NEXT])
+        .text([next])
         .on_page()
         .figures(|| curves(self))
         .text([format!("Dots: {dots}. Lines: fitted, with gain and zero.")])
@@ -95,6 +95,8 @@ const FOLDED: [&str; 4] = [
 /// Next step.
 const NEXT: &str = "To use these constants, name the oil file in a case by lubricant.oil_file and run the case again. asperity evidence \
     then lists the measurements that narrow the interval of its loss further.";
+/// Next step after a rehearsal.
+const NEXT_OF_REHEARSAL: &str = "These constants are not for use: measure the points of the plan, then fit the measured curves.";
 /// Meaning of the nuisance terms.
 const NUISANCE: &str = "Errors of the machine that the fit assumes, the largest first, over the standard deviations of their priors.";
 /// Meaning of the numbers.

@@ -52,7 +52,9 @@ impl StudyResult for OilPlan {
         let report = Report::new(&self.title, format!("{} · traction plan", self.program))
             .section("Expected errors")
             .verdict(verdict(self))
+            .verdict(self.case.as_ref().map(|_| REMAINS))
             .verdict([format!("{choice}.")])
+            .text(more_of_minimal(self))
             .figures(|| [errors(self)])
             .table(stages(self))
             .text(notes(self))
@@ -76,6 +78,9 @@ impl StudyResult for OilPlan {
     }
 }
 
+/// What a plan does not narrow.
+const REMAINS: &str =
+    "The error of the law and all other components of the interval of the loss remain.";
 /// Purpose of the table to fill in.
 const TO_FILL_IN_TEXT: &str =
     "plan.csv is the table to fill in, with the friction expected before any test.";
@@ -197,6 +202,19 @@ fn verdict(plan: &OilPlan) -> Option<String> {
         "The minimal plan takes {:.0} min. It narrows the standard deviation of the {name} from {from:.1} to {to:.1} %.",
         of_plan.minutes
     ))
+}
+
+/// What the minimal plan leaves of the error of the Eyring stress against the chosen points, in words; `None` if not less.
+fn more_of_minimal(plan: &OilPlan) -> Option<String> {
+    let whole = plan.stages.iter().find(|stage| stage.name == WHOLE)?;
+    let of = |stage: &Stage| Some(100.0 * stage.constants.first()?.deviation);
+    let [minimal, chosen] = [of(whole)?, of(plan.stages.last()?)?];
+    (minimal < chosen).then(|| {
+        format!(
+            "The minimal plan determines the constants better for other cases: {} to {minimal:.1} %, by the chosen points to {chosen:.1} %.",
+            STATED_CONSTANTS[0].1
+        )
+    })
 }
 
 /// The chosen points with their duration and the error that they leave.

@@ -7,7 +7,8 @@ use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperat
 use asperity_core::{DomainError, OutOfRange, decimals};
 use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
 use asperity_oil::{
-    FilmRheology, Lubricant, LubricantError, LubricantInput, LubricantState, PressureLaw,
+    Assumption, FilmRheology, Lubricant, LubricantError, LubricantInput, LubricantState,
+    PressureLaw,
 };
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
@@ -173,6 +174,13 @@ pub(crate) fn resolve_with(
     }
     let of_film = (&model, (&input, oil_file.as_deref()));
     let (oil_state, rheology) = film_oil(&lubricant, oil.value, of_film, temperature, source)?;
+    if rheology.is_some() && lubricant.given_thermal_conductivity().is_none() {
+        defaults.assume_instead(&Assumption {
+            key: "thermal_conductivity",
+            value: "by the base oil".to_owned(),
+            source: "constants of the film",
+        });
+    }
     let title = input.title.clone();
     let case = Case {
         title: title.unwrap_or_else(|| title_by_gears(&gears.teeth, gears.normal_module)),
@@ -277,11 +285,23 @@ impl Case {
             None => "their equilibrium temperature".to_owned(),
         };
         format!(
-            "{} N m, {} 1/min, flanks at {temperature}, {} positions and {} offsets",
+            "{} N m, {} 1/min, flanks at {temperature}, {}",
             decimals(self.torque.si(), 1),
             decimals(self.speed.si() * 30.0 / std::f64::consts::PI, 0),
-            self.model.positions,
-            self.model.offsets
+            self.sampling()
+        )
+    }
+
+    /// Numbers of positions and offsets in words: a run may choose more offsets if the case states none.
+    #[must_use]
+    pub fn sampling(&self) -> String {
+        let least = match self.input.model.offsets {
+            Some(_) => "",
+            None => "at least ",
+        };
+        format!(
+            "{} positions and {least}{} offsets",
+            self.model.positions, self.model.offsets
         )
     }
 

@@ -60,6 +60,15 @@ impl Defaults {
         });
     }
 
+    /// Replaces the assumption about a property of the oil, if it is listed.
+    pub(crate) fn assume_instead(&mut self, assumption: &Assumption) {
+        let key = format!("lubricant.{}", assumption.key);
+        for used in self.0.iter_mut().filter(|used| used.key == key) {
+            used.value.clone_from(&assumption.value);
+            used.source = Some(assumption.source.into());
+        }
+    }
+
     fn list<T: Serialize>(&mut self, key: Cow<'static, str>, value: &T, source: Option<String>) {
         self.0.push(DefaultUsed {
             key,

@@ -57,8 +57,8 @@ pub struct Tornado {
     pub source: String,
     /// Axis along the intervals.
     pub axis: Axis,
-    /// The middle.
-    pub middle: f64,
+    /// The common middle; `None` if each interval has another one.
+    pub middle: Option<f64>,
     /// The intervals.
     pub intervals: Vec<Interval>,
 }
@@ -143,7 +143,13 @@ impl BarChart {
     /// The chart as SVG.
     pub fn svg(&self, dress: Dress) -> String {
         let axis = self.axis.clone().from_zero();
-        drawn(dress, [Self::KIND, &self.title], &axis, 0.0, &self.rows())
+        drawn(
+            dress,
+            [Self::KIND, &self.title],
+            &axis,
+            Some(0.0),
+            &self.rows(),
+        )
     }
 }
 
@@ -170,18 +176,18 @@ impl Tornado {
 }
 
 /// Range of all values of `rows` and the `middle`.
-fn range(axis: &Axis, middle: f64, rows: &[Row<'_>]) -> Range {
+fn range(axis: &Axis, middle: Option<f64>, rows: &[Row<'_>]) -> Range {
     let values = rows
         .iter()
         .flat_map(|row| row.bar.iter().chain(&row.whisker));
-    axis.range(values.flatten().copied().chain([middle]))
+    axis.range(values.flatten().copied().chain(middle))
 }
 
 fn drawn(
     dress: Dress,
     [kind, title]: [&str; 2],
     axis: &Axis,
-    middle: f64,
+    middle: Option<f64>,
     rows: &[Row<'_>],
 ) -> String {
     const THICK: f64 = 17.0;
@@ -234,7 +240,9 @@ fn drawn(
         let end = row.end().map_or(left, px);
         canvas.label("name", [end + GAP, at + 4.0], Anchor::Start, row.text);
     }
-    canvas.line("axis", [px(middle), top], [px(middle), bottom]);
+    if let Some(middle) = middle {
+        canvas.line("axis", [px(middle), top], [px(middle), bottom]);
+    }
     let below = [0.5 * (left + right), height - 8.0];
     canvas.label("name", below, Anchor::Middle, &axis.text());
     document(dress, kind, title, height, &canvas.into_text())
@@ -370,7 +378,7 @@ mod tests {
             title: "Tornado".to_owned(),
             source: "result.json".to_owned(),
             axis: Axis::new("loss", "W"),
-            middle: 660.0,
+            middle: Some(660.0),
             intervals: vec![Interval {
                 name: "all".to_owned(),
                 ends: [520.0, 870.0],

@@ -136,7 +136,7 @@ pub(super) fn tornado(uncertainty: &Uncertainty) -> Drawing {
         title: "Band of the loss, 5 to 95 %, and of its largest components".to_owned(),
         source: "result.json".to_owned(),
         axis: Axis::new("loss", "W"),
-        middle: uncertainty.loss.drawn().value,
+        middle: Some(uncertainty.loss.drawn().value),
         intervals: std::iter::once(all).chain(parts).collect(),
     })
 }

@@ -125,7 +125,11 @@ fn contact(result: &RunResult) -> Vec<Row> {
         let value = format!("{:.1} K at {}", flash(row), place(row));
         rows.push(("largest flash temperature of all offsets", value, ""));
         let contact = temperatures::bulk(result) + flash(row);
-        rows.push(("largest contact temperature, there", format!("{contact:.0} °C"), ""));
+        rows.push((
+            "largest contact temperature, there",
+            format!("{contact:.0} °C"),
+            "",
+        ));
     }
     rows
 }

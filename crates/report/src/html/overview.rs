@@ -69,7 +69,9 @@ pub(crate) const DOUBTFUL: &str = "Result doubtful:";
 
 /// The gravest warning that makes a result doubtful, to stand before its loss.
 pub(crate) fn doubt(warnings: &[Warning]) -> Markup {
-    let doubtful = warnings.iter().filter(|warning| warning.code.doubt().is_some());
+    let doubtful = warnings
+        .iter()
+        .filter(|warning| warning.code.doubt().is_some());
     html! { @if let Some(warning) = doubtful.min_by_key(|warning| warning.code.doubt()) {
         p.grave { strong { (DOUBTFUL) } " " code { (warning.code.as_str()) } " " (warning.text) }
     } }

@@ -89,7 +89,7 @@ fn conditions(result: &CycleResult) -> String {
         .map_or(String::new(), |km| format!(", {} km", decimals(km, 2)));
     let [pinion, wheel] = result.map.shafts();
     format!(
-        "Cycle {}: {} s{way}, flanks at {} °C; loss of the {} only. At the {pinion} {} Wh while it drives, {} Wh while the {wheel} \
+        "Cycle {}: {} s{way}, flanks at {} °C; loss of the {} only. At the {pinion} {} Wh while it drives, the drive energy; {} Wh while the {wheel} \
         drives.",
         result.cycle,
         decimals(result.duration_s, 0),

@@ -116,7 +116,7 @@ fn kinks(kinks: &Kinks) -> Option<String> {
     } = kinks;
     (*windows > 0).then(|| {
         format!(
-            "Kinks of the loss, of {windows} windows: {apart} are apart, {first_touch} next to first touch, {rows} next to a row of \
+            "Kinks of the loss, of {windows} windows, each a position with an offset: {apart} are apart, {first_touch} next to first touch, {rows} next to a row of \
             the contact table. With a limited slope of the gap: {limited_slopes}; at a floor: {floors}. Next to means within 1 nm of \
             mean gap."
         )

@@ -30,6 +30,8 @@ const AT_MEDIANS: &str = "The column loss_w has the constants at their stated or
 /// How a study computes intervals.
 const NO_INTERVAL: &str = "The study computes no interval of the loss. It draws one for each case if its columns list loss_median_w, \
     loss_p05_w and loss_p95_w.";
+/// Scope of the losses of a run.
+const OF_MESHES: &str = "The losses are of the meshes only, without bearings, seals and churning.";
 /// Next step.
 const NEXT: &str = "The command asperity run shows where a single case loses its power; asperity sensitivity lists \
     other changes that lower the loss; asperity evidence lists measurements that narrow its interval.";
@@ -74,6 +76,8 @@ impl StudyResult for Merged {
             .text(outside)
             .figures(move || charts.clone())
             .text(over_axes)
+            .on_page()
+            .text((has_losses || is_drawn).then_some(OF_MESHES))
             .on_page()
             .text(has_watts.then_some(NEXT))
             .on_page()
@@ -139,7 +143,7 @@ fn axes(merged: &Merged) -> Vec<Drawing> {
     outputs.flat_map(of).collect()
 }
 
-/// A result over an axis: over a number a line and a range, of choices their ranges about the mean of all, or bars if
+/// A result over an axis: over a number a line and a range, of choices their ranges, or bars if
 /// each is a single case; `None` for a constant axis.
 fn over(
     axis: &InputColumn,
@@ -211,7 +215,6 @@ fn over(
                 })
             };
             let intervals: Vec<Interval> = unique(names).iter().filter_map(interval).collect();
-            let [middle, ..] = group(&|_| true)?;
             // Of a single case at each choice there is no range to draw.
             if intervals.iter().all(|of| of.ends[0] == of.ends[1]) {
                 let bars = intervals.into_iter().map(|of| Bar {
@@ -234,7 +237,7 @@ fn over(
                 title,
                 source: source.to_owned(),
                 axis: y,
-                middle,
+                middle: None,
                 intervals,
             }))
         }
