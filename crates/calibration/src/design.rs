@@ -128,11 +128,7 @@ pub fn plan(
     let mut fitted = parameters(case, held)?;
     let operating_points = grid(limits);
     let model = RigModel::new(std::slice::from_ref(case), &[], &operating_points)?;
-    let nominal: Vec<PointLosses> = model
-        .evaluate(&[vec![0.0]], progress)?
-        .into_iter()
-        .flatten()
-        .collect();
+    let nominal: Vec<PointLosses> = model.evaluate(&[vec![0.0]], progress)?.concat();
     let lambda_stars: Vec<_> = operating_points
         .iter()
         .zip(&nominal)

@@ -450,7 +450,7 @@ impl EvidenceTable {
 /// Meaning of the numbers.
 const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median. In brackets: the 5 and 95 % quantiles of the loss. Remaining width: width of this interval of ln loss over the present one. The result of a measurement also moves the median. A second set has the same gears with other flanks.";
 /// Meaning of the hours.
-const HOURS: &str = "Measured first: the quickest of those that leave at most 3 % of the present width more than the narrowest. Hours are of measuring and its preparation on existing parts. Making a second set of gears is not included.";
+const HOURS: &str = "Measured first: the quickest of those that leave at most 3 % of the present width more than the narrowest. Hours are usual ones, of measuring and its preparation on existing parts; asperity oil plan computes those of traction curves. Making a second set of gears is not included.";
 /// A quantity without a line.
 const NOT_DRAWN: &str = "The temperature is taken as exact and has no line: the case states no operation.temperature_deviation.";
 

@@ -91,7 +91,7 @@ pub struct LubricantInput {
     /// Fall of the logarithm of the limiting shear stress with temperature, from its value at 90 °C; default 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limiting_shear_temperature: Option<PerKelvin>,
-    /// Thermal conductivity; default estimated from the density.
+    /// Thermal conductivity; default of the base oil in the film, otherwise from the density.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thermal_conductivity: Option<ThermalConductivity>,
     /// Specific heat capacity; default estimated from the density.

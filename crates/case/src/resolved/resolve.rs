@@ -115,8 +115,7 @@ pub(crate) fn resolve_with(
     refuse_impossible(&input, source)?;
     let oil_file = oil_file.map(|file| file.by_law(input.model.film_pressure_law));
     let mut defaults = Defaults::default();
-    let formulation = FormulationChoice::default();
-    let formulation = defaults.take("formulation", input.formulation, formulation);
+    let formulation = defaults.take("formulation", input.formulation, Default::default());
     refuse_keys(formulation, &input, source)?;
     check_micropitting(&input, source)?;
     let gears = gears(&input, source, &mut defaults)?;
@@ -174,13 +173,7 @@ pub(crate) fn resolve_with(
     }
     let of_film = (&model, (&input, oil_file.as_deref()));
     let (oil_state, rheology) = film_oil(&lubricant, oil.value, of_film, temperature, source)?;
-    if rheology.is_some() && lubricant.given_thermal_conductivity().is_none() {
-        defaults.assume_instead(&Assumption {
-            key: "thermal_conductivity",
-            value: "by the base oil".to_owned(),
-            source: "constants of the film",
-        });
-    }
+    assume_conductivity(&lubricant, rheology.as_ref(), &mut defaults);
     let title = input.title.clone();
     let case = Case {
         title: title.unwrap_or_else(|| title_by_gears(&gears.teeth, gears.normal_module)),
@@ -381,6 +374,21 @@ fn film_oil(
         ..oil
     };
     Ok((oil, Some(rheology)))
+}
+
+/// Lists the thermal conductivity of a film with constants of its base oil in place of the one by density.
+fn assume_conductivity(
+    lubricant: &Lubricant,
+    rheology: Option<&FilmRheology>,
+    defaults: &mut Defaults,
+) {
+    if rheology.is_some() && lubricant.given_thermal_conductivity().is_none() {
+        defaults.assume_instead(&Assumption {
+            key: "thermal_conductivity",
+            value: "by the base oil".to_owned(),
+            source: "constants of the film",
+        });
+    }
 }
 
 /// Refuses properties of the oil that only film friction with a shear stress uses.
