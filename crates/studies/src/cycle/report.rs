@@ -45,10 +45,15 @@ impl StudyResult for CycleResult {
         .on_page()
         .figures(|| operating_points(self))
         .figures(|| by_torque(self))
+        .method([DRIVE_ENERGY])
+        .on_page()
         .method(is_banded(self).then_some(NOTE))
         .rows("cycle.csv", || rows(self))
     }
 }
+
+/// Meaning of the energy that the lost energy is compared with.
+const DRIVE_ENERGY: &str = "The drive energy is the energy at the pinion while it drives, without the energy while the wheel drives.";
 
 /// Row of `cycle.csv`: a point with a finish.
 #[derive(Serialize)]
@@ -89,7 +94,7 @@ fn conditions(result: &CycleResult) -> String {
         .map_or(String::new(), |km| format!(", {} km", decimals(km, 2)));
     let [pinion, wheel] = result.map.shafts();
     format!(
-        "Cycle {}: {} s{way}, flanks at {} °C; loss of the {} only. At the {pinion} {} Wh while it drives, the drive energy; {} Wh while the {wheel} \
+        "Cycle {}: {} s{way}, flanks at {} °C; loss of the {} only. At the {pinion} {} Wh while it drives, {} Wh while the {wheel} \
         drives.",
         result.cycle,
         decimals(result.duration_s, 0),
