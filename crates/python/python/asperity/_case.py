@@ -374,7 +374,7 @@ class Case(Fixed):
         return Record(json.loads(self._raw.gear()))
 
     def to_dict(self) -> dict[str, Any]:
-        """The case as given; ``Case(case.to_dict())`` is the same case where its traces are files."""
+        """The case as given; ``Case(case.to_dict())``, with the ``folder`` of its files, is the same case where its traces are files."""
         inputs: dict[str, Any] = json.loads(json.dumps(self._about["inputs"]))
         return inputs
 
