@@ -31,6 +31,15 @@ fn fault(page: &str, link: &str, text: &str, chapters: &[String]) -> Option<Stri
         return None;
     }
     let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+    let packages = ["crates/", "cli/", "fixtures/"];
+    if !file.is_empty()
+        && page.ends_with("README.md")
+        && packages.iter().any(|start| page.starts_with(start))
+    {
+        return Some(format!(
+            "{page}: {link}: a registry shows this page alone; write the path as code"
+        ));
+    }
     let folder = Path::new(page).parent().unwrap_or(Path::new(""));
     let target = match file {
         "" => PathBuf::from(page),
@@ -90,6 +99,8 @@ fn links_that_lead_nowhere_are_found() {
     assert!(faults[1].contains("none.md: no such file"));
     assert!(faults[2].contains("../Cargo.toml: not part of the book"));
     assert_eq!(found("docs/OTHER.md").len(), 2);
+    let of_package = found("crates/x/README.md");
+    assert!(of_package[1].contains("none.md: a registry shows this page alone"));
 }
 
 #[test]

@@ -305,3 +305,23 @@ def test_a_gear_train_is_compared_and_swept_as_a_whole():
     rows = asperity.sweep(case, {"mesh.a.gears.face_width": ["25 mm", "30 mm"]}).to_dict()
     assert rows[0]["loss_w"] == pytest.approx(case.run().loss_w, rel=1e-12)
     assert rows[0]["mesh.z.loss_w"] == rows[1]["mesh.z.loss_w"] and rows[0]["mesh.a.loss_w"] != rows[1]["mesh.a.loss_w"]
+
+
+def test_a_case_file_takes_its_files_from_another_folder(tmp_path):
+    demo = Path(asperity.demo())
+    alone = tmp_path / "alone.toml"
+    alone.write_text(demo.read_text(encoding="utf-8"), encoding="utf-8")
+    with pytest.raises(asperity.AsperityError, match="cannot be opened"):
+        asperity.Case(alone)
+    case = asperity.Case(alone, folder=demo.parent)
+    assert case.run("losses").loss_w == asperity.Case(demo).run("losses").loss_w
+    with pytest.raises(asperity.AsperityError) as missing:
+        asperity.Case(tmp_path / "none.toml", folder=demo.parent)
+    assert missing.value.code == "E201"
+
+
+def test_a_warning_says_what_to_do():
+    with pytest.warns(asperity.AsperityWarning, match="W442") as warned:
+        asperity.Case(asperity.demo()).replace({"lubricant.oil": "n100"})
+    helps = [one.message.help for one in warned if one.message.code == "W442"]
+    assert helps == [asperity.explain("W442").remedy]

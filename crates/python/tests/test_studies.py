@@ -216,6 +216,17 @@ def test_a_file_that_an_axis_names_is_read_before_the_first_case(drive, tmp_path
         assert refused.value.code == code
 
 
+def test_an_oil_that_the_library_does_not_have_is_refused_before_the_first_case(drive):
+    with pytest.raises(asperity.AsperityError, match='no oil "m101"'):
+        asperity.sweep(drive, {"lubricant.oil": ["m100", "m101"]})
+
+
+def test_a_row_whose_oil_the_case_states_otherwise_says_so(drive):
+    with pytest.warns(asperity.AsperityWarning, match="W442"):
+        rows = asperity.sweep(drive, {"lubricant.oil": ["m100", "n100"]}).run()
+    assert all("W442" in row["outside"] for row in rows)
+
+
 def test_a_case_without_result_is_a_row_with_its_code(drive):
     rows = list(asperity.sweep(drive, {"model.window": [6, 99]}, columns=["loss_w"], detail="contacts"))
     assert rows[0].code is None and rows[1].code == "E122" and rows[1].loss_w is None

@@ -10,7 +10,9 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 pub use fault::Fault;
 pub use place::{IN_MEMORY, Place};
 pub use table::{Code, EXPLANATIONS, Explanation};
-pub use warning::{Subject, Warning, columns_not_read, gravest_first, outside_codes};
+pub use warning::{
+    Subject, Warning, columns_not_read, gravest_first, outside_codes, outside_codes_of_case,
+};
 
 /// The explanation of `code`, in upper or lower case.
 ///

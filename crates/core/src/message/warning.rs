@@ -144,7 +144,21 @@ const OUTSIDE: [Code; 6] = [
 /// assert_eq!(outside_codes(codes), "W401 W443");
 /// ```
 pub fn outside_codes(codes: impl IntoIterator<Item = Code>) -> String {
-    let codes = codes.into_iter().filter(|code| OUTSIDE.contains(code));
+    listed(codes, |code| OUTSIDE.contains(&code))
+}
+
+/// The same for rows that name their oil: with W442, as the case states other properties than the oil of the row.
+///
+/// ```
+/// use asperity_core::message::{Code, outside_codes_of_case};
+/// assert_eq!(outside_codes_of_case([Code::W442, Code::W409, Code::W401]), "W401 W442");
+/// ```
+pub fn outside_codes_of_case(codes: impl IntoIterator<Item = Code>) -> String {
+    listed(codes, |code| OUTSIDE.contains(&code) || code == Code::W442)
+}
+
+fn listed(codes: impl IntoIterator<Item = Code>, is_listed: impl Fn(Code) -> bool) -> String {
+    let codes = codes.into_iter().filter(|code| is_listed(*code));
     let codes = BTreeSet::from_iter(codes).into_iter().map(Code::as_str);
     Vec::from_iter(codes).join(" ")
 }

@@ -64,11 +64,16 @@ class Case(Fixed):
         folder: Optional[Union[str, PathLike[str]]] = None,
         **tables: Unpack[CaseTables],
     ) -> None:
-        if isinstance(case, (str, PathLike)):
+        if isinstance(case, (str, PathLike)) and (folder is None or not os.path.isfile(case)):
             made = Case.load(case, tables, formulation=formulation)
         else:
             of = os.path.abspath(fspath(folder or "."))
-            if is_read(case):
+            if isinstance(case, (str, PathLike)):
+                with open(case, "rb") as file:
+                    text = text_of(file)
+                made = Case._of(_asperity.Case.from_text(os.path.basename(case), text, of, [], formulation))
+                made = made._with(tables) if tables else made
+            elif is_read(case):
                 made = Case._of(_asperity.Case.from_text("case.toml", text_of(case), of, [], formulation))
                 made = made._with(tables) if tables else made
             elif case is not None and not isinstance(case, Mapping):
@@ -369,7 +374,7 @@ class Case(Fixed):
         return Record(json.loads(self._raw.gear()))
 
     def to_dict(self) -> dict[str, Any]:
-        """The case as given; ``Case(case.to_dict())`` is the same case where its traces are files."""
+        """The case as given; ``Case(case.to_dict())``, with the ``folder`` of its files, is the same case where its traces are files."""
         inputs: dict[str, Any] = json.loads(json.dumps(self._about["inputs"]))
         return inputs
 

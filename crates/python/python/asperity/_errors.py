@@ -118,8 +118,8 @@ def _parts(row: Row) -> tuple[str, str, str]:
     """Code, text and help of a warning."""
     if isinstance(row, str) or "code" not in row:
         code, _, text = (row if isinstance(row, str) else str(row["text"])).partition(" ")
-        return code, text, ""
-    return row["code"], row["text"], row.get("help") or ""
+        return code, text, general_help(code)
+    return row["code"], row["text"], row.get("help") or general_help(row["code"])
 
 
 def warn(rows: Iterable[Row], known: Iterable[Row] = ()) -> None:

@@ -5,8 +5,9 @@ use std::path::Path;
 
 use asperity::case::nearest_name;
 use asperity::case::train::Train;
+use asperity::oil::library_oil;
 use asperity::profile_io::read::table_text;
-use asperity_core::Code;
+use asperity_core::{Code, Fault};
 use asperity_core::numerics::standard_normal_quantile;
 use asperity_table::Table;
 use toml::Value;
@@ -20,6 +21,8 @@ use super::settings::{Settings, set};
 use super::study::Study;
 use super::study_input::{Distribution, Method, SampleInput};
 
+/// Key of the oil of the library.
+const OIL: &str = "lubricant.oil";
 /// Number of digits of the fingerprint of a case in its row.
 const ID: usize = 16;
 /// Number of axes of which both ends are combined with those of the others.
@@ -165,13 +168,16 @@ impl CaseList {
         }
     }
 
-    /// Every value of every axis, and those of the first point of the sample, can be set, and the files that they name are
-    /// read.
+    /// Every value of every axis, and those of the first point of the sample, can be set, the files that they name are read,
+    /// and the library has the oils.
     pub(super) fn check_values(&self, study: &Study) -> Result<(), SweepError> {
         let sampled = self.inputs(0).settings;
         for (key, value) in self.axes.settings().chain(&sampled) {
             let mut input = study.case.input.clone();
             set(&mut input, &study.case.defaults, key, value)?;
+            if let (OIL, Some(name)) = (&**key, &input.lubricant.oil) {
+                library_oil(name).map_err(Fault::from)?;
+            }
         }
         let settings = self.axes.naming_files().chain([&sampled]);
         let mut unread = settings.filter_map(|settings| {

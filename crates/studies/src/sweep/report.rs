@@ -53,7 +53,7 @@ impl StudyResult for Merged {
                 true => format!("all {count}"),
                 false => count.to_string(),
             };
-            format!("{code} in {count} cases: {title}. A run of a case names the range.")
+            format!("{code} in {count} cases: {title}. A run of a case has the details.")
         });
         let has_losses = self.outputs.iter().any(|(name, _)| name == "loss_w");
         let has_watts = self.outputs.iter().any(|(name, _)| name.ends_with("_w"));

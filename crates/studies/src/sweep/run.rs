@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use asperity::case::LoadedCase;
 use asperity::case::train::Train;
 use asperity::core::cancel::checkpoint;
-use asperity::message::{Warning, outside_codes};
+use asperity::message::{Warning, outside_codes_of_case};
 use asperity::pipeline::{losses, losses_with};
 use asperity::result::Losses;
 use asperity::train;
@@ -275,6 +275,7 @@ fn result(
     if parts.any(|part| !part.outside.is_empty()) {
         outside.insert(Code::W401);
     }
+    outside.extend(case.all_warnings().iter().map(|warning| warning.code));
     let numbers = match (case.only(), &summaries[..]) {
         (Some(_), [summary]) => json_value(summary).unwrap_or_default(),
         _ => numbers_of(&found),
@@ -282,7 +283,7 @@ fn result(
     Ok(Found {
         numbers,
         drawn: found.loss_distribution.map(|found| found.drawn),
-        outside: outside_codes(outside),
+        outside: outside_codes_of_case(outside),
     })
 }
 
