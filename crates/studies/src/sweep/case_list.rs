@@ -7,8 +7,8 @@ use asperity::case::nearest_name;
 use asperity::case::train::Train;
 use asperity::oil::library_oil;
 use asperity::profile_io::read::table_text;
-use asperity_core::{Code, Fault};
 use asperity_core::numerics::standard_normal_quantile;
+use asperity_core::{Code, Fault};
 use asperity_table::Table;
 use toml::Value;
 
