@@ -468,6 +468,7 @@ class MapValues(Values):
     scope: str
     axes: Any
     ratio: float
+    operating_point: Floats
     input: Any
     defaults: Any
 
@@ -705,6 +706,7 @@ class DesignValues(Values):
     schema_version: int
     program: str
     title: str
+    settings: str
     limits: DesignLimits
     lambda_star: Floats
     parameters: DesignParameterTable
