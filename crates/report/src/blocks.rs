@@ -127,6 +127,10 @@ const HANGING: &str = "    ";
 /// Name of the section of a page with the method.
 const METHOD: &str = "Method";
 
+/// Scope of the losses of studies.
+pub const OF_MESHES: &str =
+    "The losses are of the meshes only, without bearings, seals and churning.";
+
 impl<'a> Report<'a> {
     /// A report with `title`; below it the page says which program made which kind of study.
     pub fn new(title: &str, subtitle: impl Display) -> Self {
@@ -199,11 +203,8 @@ impl<'a> Report<'a> {
 
     /// A paragraph of the page with operating point, positions and offsets of the runs, and the scope of their losses; none without `conditions`.
     pub fn at(self, conditions: &str) -> Self {
-        self.text(
-            (!conditions.is_empty())
-                .then(|| format!("At {conditions}. The losses are of the mesh only.")),
-        )
-        .on_page()
+        self.text((!conditions.is_empty()).then(|| format!("At {conditions}. {OF_MESHES}")))
+            .on_page()
     }
 
     /// Warnings, the gravest first; each begins with its code.

@@ -42,7 +42,7 @@ mod whole;
 mod wrap;
 
 pub use axis::Nodes;
-pub use blocks::{LeftOut, Report};
+pub use blocks::{LeftOut, OF_MESHES, Report};
 pub use columns::{Cell, Column, Kind, Number, Table, Value};
 pub use described::{Described, Input, StudySettings, Watch, Work, schema_of_settings};
 pub use folder::{

@@ -89,9 +89,6 @@ pub fn solve(
     })
 }
 
-/// Travel in which a record starts from smooth surfaces, in half-widths.
-const START_UP: f64 = 3.0;
-
 impl Recorded {
     /// Attenuated roughness relative to the smooth film.
     fn roughness_over_film(&self) -> Option<f64> {
@@ -104,9 +101,10 @@ impl Recorded {
         let (start, end) = (self.start, self.start + self.solved.value.travel);
         let means =
             format!("The means are over the travel from {start:.1} to {end:.1} half-widths");
-        match start < START_UP {
+        let start_up = RecordSettings::default().start;
+        match start < start_up {
             true => format!(
-                "{means}. They include a part of the start: in the first {START_UP:.0} half-widths the film is still smooth."
+                "{means}. They include a part of the start: in the first {start_up:.0} half-widths the film is still smooth."
             ),
             false => format!("{means}, after the start from smooth surfaces."),
         }

@@ -354,7 +354,7 @@ class Profile(Fixed):
         return Profile._of(self._raw.mirrored(), self.name)
 
     def write(self, path: Union[str, PathLike[str]]) -> None:
-        """Writes the profile as ``.csv``, ``.x3p`` or ``.smd``; reading it back gives the same to the last bit, in ``.csv`` but for the last bit of some heights."""
+        """Writes the profile as ``.csv``, ``.x3p`` or ``.smd``; reading it back gives the same to the last bit. In ``.csv`` some heights differ in their last bit."""
         self._raw.write(fspath(path))
 
     def plot(self, ax: Any = None) -> Any:

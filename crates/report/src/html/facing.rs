@@ -150,7 +150,7 @@ fn caption(result: &RunResult, row: &PositionRow, exaggeration: f64) -> String {
         100.0 * (1.0 - row.film_share)
     ));
     let contact = temperatures::bulk(result) + row.flash_k;
-    parts.push(format!("{contact:.0} °C in the contact, in the mean"));
+    parts.push(format!("mean contact temperature {contact:.0} °C"));
     format!(
         "{}. Heights are drawn {exaggeration:.0} times as large as lengths.",
         parts.join("; ")

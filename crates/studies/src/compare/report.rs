@@ -100,8 +100,8 @@ const COMPONENTS: &str = "Each component is drawn alone, with every other at its
 
 /// Text above the other models.
 const OTHER_MODELS: &str = "Each other model has its constants at their medians, and the evidence is against its result there. The \
-    interval of the verdict is of the default model with drawn constants and contains no excluded model. Its ends need constants \
-    far from their medians: there the default, too, may save as much as an excluded model.";
+    interval of the verdict is of the default model with drawn constants. Its ends need constants far from their medians: there the \
+    default, too, may save as much as an excluded model.";
 
 /// Rank correlations of the roughness with the loss.
 fn correlations<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {

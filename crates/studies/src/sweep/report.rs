@@ -6,7 +6,7 @@ use asperity_core::{Estimate, capitalised, unique};
 use asperity_report::chart::{
     Axis, Bar, BarChart, Chart, Drawing, Interval, Line, Series, Tornado,
 };
-use asperity_report::{Report, StudyResult, write_bytes};
+use asperity_report::{OF_MESHES, Report, StudyResult, write_bytes};
 
 use super::columns::{InputColumn, InputValues};
 use super::known_columns::DRAWN;
@@ -30,8 +30,6 @@ const AT_MEDIANS: &str = "The column loss_w has the constants at their stated or
 /// How a study computes intervals.
 const NO_INTERVAL: &str = "The study computes no interval of the loss. It draws one for each case if its columns list loss_median_w, \
     loss_p05_w and loss_p95_w.";
-/// Scope of the losses of a run.
-const OF_MESHES: &str = "The losses are of the meshes only, without bearings, seals and churning.";
 /// Next step.
 const NEXT: &str = "The command asperity run shows where a single case loses its power; asperity sensitivity lists \
     other changes that lower the loss; asperity evidence lists measurements that narrow its interval.";
