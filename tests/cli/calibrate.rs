@@ -29,7 +29,7 @@ wheel = { file = "wheel.csv", mirrored = true }
 
 [model]
 positions = 4
-offsets = 2
+offsets = 1
 depths = 0
 "#;
 
@@ -351,7 +351,7 @@ fn largest(points: &serde_json::Value) -> [f64; 2] {
 fn a_design_stays_within_the_rig_and_holds_what_the_rig_cannot_identify() {
     let bench = Bench::new();
     bench.run(&["demo", "rig"]).well();
-    let coarse = ["--set", "model.positions=3", "--set", "model.offsets=2"];
+    let coarse = ["--set", "model.positions=2", "--set", "model.offsets=1"];
     let run = |arguments: &[&str]| bench.run(&[arguments, &coarse].concat());
     let designed = |folder: &str| -> serde_json::Value {
         let text = fs::read_to_string(bench.path(folder).join("design.json")).unwrap();

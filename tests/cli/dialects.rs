@@ -168,7 +168,8 @@ file = "table.csv"
 fn every_command_reads_one_table_in_every_dialect() {
     let bench = Bench::new();
     bench.write_flanks();
-    let quick = E_DRIVE.replace("[model]\n", "[model]\nload_share = \"lambda-star\"\n");
+    let quick = "positions = 2\noffsets = 1\nload_share = \"lambda-star\"\n";
+    let quick = E_DRIVE.replace("positions = 2\noffsets = 2\n", quick);
     assert_ne!(quick, E_DRIVE);
     bench.write("case.toml", quick);
     bench.write("study.toml", STUDY);

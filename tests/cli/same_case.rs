@@ -22,7 +22,7 @@ fn bench() -> Bench {
     let case = case
         .replace("../profiles", profiles.to_str().unwrap())
         .replace("145 N m", "60 N m");
-    bench.write("case.toml", case + "\n[model]\npositions = 3\n");
+    bench.write("case.toml", case + "\n[model]\npositions = 2\n");
     bench
 }
 

@@ -15,6 +15,7 @@ use std::process::Command;
 use asperity_tests::markdown::{blocks, shell_words};
 
 use crate::bench::{Bench, root};
+use crate::first_screens::is_first_screen;
 
 #[path = "../../crates/report/examples/own_law.rs"]
 #[allow(dead_code, reason = "its main function is the example")]
@@ -85,6 +86,7 @@ fn run_line(bench: &Bench, line: &str, may_fail: bool) -> Option<String> {
     };
     let said = bench.first_screen(arguments);
     assert!(may_fail || said.status == 0, "{line}\n{}", said.err);
+    is_first_screen(arguments, &said.out);
     Some(said.out + &said.err)
 }
 

@@ -62,3 +62,26 @@ fn a_first_screen_keeps_a_short_warning_and_counts_the_others() {
         format!("{} more lines with 1 warning", left_out.lines)
     );
 }
+
+#[test]
+fn a_first_screen_has_so_many_lines_at_most_whatever_a_report_holds() {
+    let long = "A sentence that is longer than a line of a terminal, as those that name several finishes are. ".repeat(3);
+    for (verdicts, rows) in [(0, 0), (1, 1), (3, 40), (12, 3_usize)] {
+        for warnings in [0, 1, 5] {
+            let table = columns! { k in 1..=rows; number number "number" "" = k; };
+            let report = Report::new("A study", "example")
+                .section("Result")
+                .verdict(vec![&*long; verdicts])
+                .text(vec![&*long; verdicts])
+                .heading("Points")
+                .table(table)
+                .warning(vec![&*long; warnings]);
+            for lines in 3..=12 {
+                let (text, left_out) = report.brief(lines);
+                assert!(text.lines().count() <= lines, "{lines}:\n{text}");
+                let all = report.terminal().lines().count();
+                assert_eq!(text.lines().count() + left_out.lines, all);
+            }
+        }
+    }
+}
