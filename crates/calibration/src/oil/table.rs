@@ -48,7 +48,7 @@ const KNOWN: [&str; 16] = [
 const PRESSURE: &str = "max_pressure_gpa";
 /// Column of a measured film.
 const FILM: &str = "film_nm";
-/// Columns of a plan beside those of its measurements, which are left out without a warning.
+/// Columns of a plan that hold no measurement; they are left out without a warning.
 const OF_A_PLAN: [&str; 2] = ["expected_traction", "film_ratio"];
 /// Columns that a table needs.
 const NEEDED: usize = 5;

@@ -81,7 +81,7 @@ fn exact_micrometres(metres: f64) -> Option<f64> {
     exact.min_by_key(digits)
 }
 
-/// The same, or the nearest number.
+/// Micrometres of a length in metres, rounded if no number is exact.
 fn micrometres(metres: f64) -> f64 {
     exact_micrometres(metres).unwrap_or(metres * MICROMETRES)
 }
