@@ -130,9 +130,7 @@ fn command(code: Code) -> Option<&'static str> {
         Code::E212 | Code::E308 | Code::W201 => {
             "asperity check lists every unusual number of a case."
         }
-        Code::E310 => {
-            "asperity calibrate takes these as --hold boundary-layer, and asperity design with --torque-max, --speed-max and --temperature."
-        }
+        Code::E310 => "asperity design takes these as --torque-max, --speed-max and --temperature.",
         Code::E322 => "asperity oil stribeck takes times of rubbing as --rubbing \"0 s,2 h\".",
         Code::E319 => "asperity oil fit takes it for all readings as --point-floor 0.001.",
         Code::E401 => "Most commands take another target with -o.",

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import asperity
+import columns
 from asperity import _asperity, _case, _columns, _compare, _oil, _own_laws, _profile, _progress, _quantity, _studies, _values
 
 FILE = Path(__file__).resolve().parents[2] / "docs" / "PYTHON_API.md"
@@ -180,11 +181,17 @@ def types():
     known = {*named, *listed, *OF_PYTHON, *asperity.__all__, *(name for name, *_ in _asperity.choices())}
     if unknown := NAMED - known:
         raise ValueError(f"types that the page does not explain: {sorted(unknown)}; add them to TYPES")
-    columns = "".join(f"| `{name}` | {', '.join(f'`{key}`' for key in getattr(_values, name).__annotations__)} |\n" for name in listed)
+    meanings = columns.tables()
+    values = "".join(f"| `{name}` | {', '.join(f'`{key}`' for key in getattr(_values, name).__annotations__)} |\n" for name in listed if name not in meanings)
+    tables = "".join(
+        f"### {name}\n\n| column | what it is |\n|---|---|\n{''.join(f'| `{key}` | {text} |' + chr(10) for key, text in meanings[name].items())}\n"
+        for name in listed if name in meanings
+    )
     return (
         f"## Types\n\nTypes of arguments and results that the signatures name.\n\n| type | in Python | is |\n|---|---|---|\n{''.join(rows)}\n"
-        f"Values whose names a type checker knows: columns of tables, whose rows have the same, and attributes.\n\n"
-        f"| type | names |\n|---|---|\n{columns}"
+        f"Values whose names a type checker knows:\n\n| type | names |\n|---|---|\n{values}\n"
+        f"## Tables\n\nColumns of the tables of results, whose rows have the same names. The type of a column does not depend on its values: "
+        f"where a row has no such number, it holds NaN.\n\n{tables}"
     )
 
 

@@ -25,7 +25,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let table = RigTable::of_rows("SIMULATED", rows, true);
     let cases = [RigCase { name: None, case }];
     let rig = Rig::new(table, &cases, &[], &|_| {})?;
-    rig.check_share()?;
     let first = rig.first_surfaces(&|_| {})?;
     // The defaults, and parameters off them to either side.
     let truths = [

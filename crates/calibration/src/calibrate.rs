@@ -38,12 +38,12 @@ const FEW_ASSEMBLIES: usize = 5;
 /// the hash of its `text`. What the points can identify is said before the fit.
 ///
 /// ```text
-/// read, check -> contacts of every torque -> share refused? -> outliers -> information -> stages, fit
+/// read, check -> contacts of every torque -> layer held? -> outliers -> information -> stages, fit
 ///   -> residuals within 3 stated errors? -> bands
 /// ```
 ///
 /// # Errors
-/// When a row has no case, the points do not identify the boundary share, rows are outliers, the model does not explain
+/// When a row has no case, the points identify no parameter that is left, rows are outliers, the model does not explain
 /// the measurements within three times their errors or too few are left to confirm that, or the model has no solution.
 pub fn calibrate(
     table: RigTable,
@@ -62,7 +62,7 @@ pub fn calibrate(
             total => (watch.progress)(count, total.max(count)),
         }
     };
-    let rig = Rig::new(table, cases, held, &progress)?;
+    let rig = Rig::new(table, cases, held, &progress)?.without_open_layer()?;
     // Response surfaces of three rounds, the derivatives, and the candidates for further measurements.
     let axes = rig.parameters.len() + 1;
     let settings = 1 + 2 * axes + axes * (axes - 1) / 2;
@@ -70,7 +70,6 @@ pub fn calibrate(
         (3 * settings + 1 + axes) * rig.operating_points.len() + 36 * (1 + axes),
         Ordering::Relaxed,
     );
-    rig.check_share()?;
     rig.check_freedom()?;
     rig.check_size()?;
     let first = rig.first_surfaces(&progress)?;

@@ -13,12 +13,13 @@ use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_ban
 use asperity::{Contacts, LoadedCase};
 use asperity_report::chart::{Axis, Drawing, Interval, Tornado};
 use asperity_report::{
-    Report, Settings as _, StudyResult, StudySettings, Table, Watch, Work, columns, settings,
+    Cell, Report, Settings as _, StudyResult, StudySettings, Table, Watch, Work, columns, duration,
+    settings,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::oil::{ConstantsOf, OilBase, OilPlanSettings, left_of_loss};
+use crate::oil::{ConstantsOf, OilBase, OilPlanSettings, stages_of_case};
 
 /// Standard deviation of the logarithm of a boundary friction measured on a traction machine: its transfer to gears.
 const TRANSFER: f64 = 0.10;
@@ -37,8 +38,8 @@ const TABLE: &str = "evidence.csv";
 pub struct Effort {
     /// Name of its row and of its hours.
     pub key: &'static str,
-    /// Hours of work, with preparation.
-    pub hours: f64,
+    /// Hours of work, with preparation; `None` of traction curves, whose plan says them.
+    pub hours: Option<f64>,
 }
 
 impl Effort {
@@ -46,16 +47,16 @@ impl Effort {
     #[must_use]
     pub fn usual() -> [Self; 10] {
         [
-            ("traction-curve", 0.3),
-            ("traction-plan", 1.6),
-            ("stribeck-curve", 2.0),
-            ("areal-scan", 1.0),
-            ("thermocouple", 2.0),
-            ("more-traces", 1.0),
-            ("measured-flanks", 1.0),
-            ("tip-relief", 0.1),
-            ("rig-point", 4.0),
-            ("rig-day", 8.0),
+            ("traction-curve", None),
+            ("traction-plan", None),
+            ("stribeck-curve", Some(2.0)),
+            ("areal-scan", Some(1.0)),
+            ("thermocouple", Some(2.0)),
+            ("more-traces", Some(1.0)),
+            ("measured-flanks", Some(1.0)),
+            ("tip-relief", Some(0.1)),
+            ("rig-point", Some(4.0)),
+            ("rig-day", Some(8.0)),
         ]
         .map(|(key, hours)| Self { key, hours })
     }
@@ -98,9 +99,10 @@ impl EvidenceSettings {
                 return Err(refused(why).helping(help));
             };
             let hours = hours.trim().parse().ok();
-            own.hours = hours
-                .filter(|hours| (0.0..1e6).contains(hours))
-                .ok_or_else(|| refused("the hours must be a number from 0 to below 1e6".into()))?;
+            let hours = hours.filter(|hours| (0.0..1e6).contains(hours));
+            own.hours = Some(hours.ok_or_else(|| {
+                refused("the hours must be a number from 0 to below 1e6".into())
+            })?);
         }
         Ok(efforts)
     }
@@ -242,7 +244,7 @@ fn rows(
     loss: Quantiles,
     efforts: &[Effort],
 ) -> Result<Rows, Fault> {
-    let mut no_curves = None;
+    let (mut no_curves, mut of_plan) = (None, Vec::new());
     let mut of_meshes = Vec::with_capacity(meshes.len());
     for mesh in meshes {
         let mut measurements = of_case(mesh.0);
@@ -253,7 +255,11 @@ fn rows(
                         .to_owned(),
                 );
             }
-            Ok(oil) => measurements.extend(of_film(*mesh, &oil)?),
+            Ok(oil) => {
+                let (film, hours) = of_film(*mesh, &oil)?;
+                measurements.extend(film);
+                of_plan = hours;
+            }
             Err(error) => no_curves = Some(error.to_string()),
         }
         of_meshes.push(measurements);
@@ -265,8 +271,10 @@ fn rows(
         let words = of_meshes.iter().flatten().find(is_known)?.1.clone();
         let measurements: Vec<Option<Measurement>> = of_meshes.iter().map(of_mesh).collect();
         let left = narrowed(&expected, loss, &measurements)?;
+        let planned = || of_plan.iter().find(|(key, _)| *key == effort.key);
+        let hours = effort.hours.or_else(|| Some(planned()?.1))?;
         Some(EvidenceRow::new(
-            (effort.key, words, effort.hours),
+            (effort.key, words, hours),
             loss,
             left,
         ))
@@ -345,9 +353,12 @@ fn of_case(case: &LoadedCase) -> Vec<Known> {
 }
 
 /// Measurements of the film friction of `oil`.
-fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<Vec<Known>, Fault> {
+fn of_film(
+    case: (&LoadedCase, &Contacts),
+    oil: &OilBase,
+) -> Result<(Vec<Known>, Vec<(&'static str, f64)>), Fault> {
     let settings = OilPlanSettings::usual()?.plan()?;
-    let (left, slope) = left_of_loss(oil, case, &settings)?;
+    let (stages, slope) = stages_of_case(oil, case, &settings)?;
     let rows = [
         ("traction-curve", "one traction curve of the oil"),
         (
@@ -355,15 +366,18 @@ fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<Vec<Known>, 
             "traction curves of the oil, the minimal plan",
         ),
     ];
+    let hours = rows.iter().zip(&stages);
+    let hours = hours.map(|((key, _), stage)| (*key, stage.minutes / 60.0));
+    let hours = hours.collect();
     let rows = rows
         .into_iter()
-        .zip(left)
-        .filter_map(|((key, words), left)| {
-            let deviation = left?;
+        .zip(stages)
+        .filter_map(|((key, words), stage)| {
+            let deviation = stage.loss_deviation?;
             let measurement = Measurement::FilmFriction { deviation, slope };
             Some((key, words.to_owned(), measurement))
         });
-    Ok(rows.collect())
+    Ok((rows.collect(), hours))
 }
 
 impl EvidenceTable {
@@ -392,8 +406,9 @@ impl EvidenceTable {
         let left = |row: &EvidenceRow| {
             let interval = self.loss_text(row.interval(), " W");
             format!(
-                "{}. It is expected to leave {interval} after {} h.",
-                row.measurement, row.hours
+                "{}. It is expected to leave {interval} after {}.",
+                row.measurement,
+                duration(60.0 * row.hours)
             )
         };
         let Some(narrowest) = self.rows.first() else {
@@ -421,7 +436,7 @@ impl EvidenceTable {
         let left = self.rows.iter().map(|row| Interval {
             name: row.measurement.clone(),
             ends: row.interval(),
-            text: format!("{} h", row.hours),
+            text: duration(60.0 * row.hours),
         });
         (!self.rows.is_empty()).then(|| {
             Drawing::Tornado(Tornado {
@@ -440,7 +455,7 @@ impl EvidenceTable {
     fn table(&self) -> Table {
         columns! { row in &self.rows;
             head measurement "measurement" "";
-            number hours "hours" "";
+            number hours "duration" "" = Cell::number(row.hours, |hours| duration(60.0 * hours));
             percent width "remaining width" "%" "{:.0}";
             shown loss "loss" "W" = self.loss_text(row.interval(), "");
         }
@@ -450,7 +465,7 @@ impl EvidenceTable {
 /// Meaning of the numbers.
 const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median. In brackets: the 5 and 95 % quantiles of the loss. Remaining width: width of this interval of ln loss over the present one. The result of a measurement also moves the median. A second set has the same gears with other flanks.";
 /// Meaning of the hours.
-const HOURS: &str = "Measured first: the quickest of those that leave at most 3 % of the present width more than the narrowest. Hours are usual ones, of measuring and its preparation on existing parts; asperity oil plan computes those of traction curves. Making a second set of gears is not included.";
+const HOURS: &str = "Measured first: the quickest of those that leave at most 3 % of the present width more than the narrowest. Durations are usual ones, of measuring and its preparation on existing parts; of traction curves they are computed, as by asperity oil plan. Making a second set of gears is not included.";
 /// A quantity without a line.
 const NOT_DRAWN: &str = "The temperature is taken as exact and has no line: the case states no operation.temperature_deviation.";
 

@@ -2,8 +2,9 @@
 
 use crate::error;
 use asperity::case::CalibratedName;
-use asperity_core::Fault;
+use asperity::message::Warning;
 use asperity_core::numerics::{median, range};
+use asperity_core::{Code, Fault};
 use nalgebra::{DMatrix, DVector};
 
 use crate::information::{
@@ -41,22 +42,6 @@ pub fn temperatures(all: impl Iterator<Item = f64>) -> Vec<f64> {
         .iter()
         .map(|group| group.iter().sum::<f64>() / group.len() as f64)
         .collect()
-}
-
-/// Rejects a fit of the boundary layer if [`missing_for_share`] lists anything.
-///
-/// # Errors
-/// Lists all missing conditions.
-pub fn check_share(
-    name: &str,
-    parameters: &[Parameter],
-    points: &[([f64; 3], Option<f64>)],
-) -> Result<(), Fault> {
-    let missing = missing_for_share(parameters, points);
-    match missing.is_empty() {
-        true => Ok(()),
-        false => Err(error::share(name, points.len(), &missing)),
-    }
 }
 
 /// Conditions under which points identify the boundary layer, which determines the boundary share, and that are not
@@ -111,16 +96,34 @@ pub(crate) fn lambda_star_range(all: impl Iterator<Item = Option<f64>>) -> Optio
 }
 
 impl Rig {
-    /// Checks the points by [`check_share`].
+    /// Holds the boundary layer, with a warning, if [`missing_for_share`] lists anything.
     ///
     /// # Errors
-    /// Lists all missing conditions.
-    pub fn check_share(&self) -> Result<(), Fault> {
+    /// When no other parameter is fitted.
+    pub fn without_open_layer(mut self) -> Result<Self, Fault> {
         let points = self.operating_points.iter().zip(&self.nominal);
         let points: Vec<_> = points
             .map(|(point, parts)| (point.at, parts.lambda_star))
             .collect();
-        check_share(&self.table.name, &self.parameters, &points)
+        let missing = missing_for_share(&self.parameters, &points);
+        if missing.is_empty() {
+            return Ok(self);
+        }
+        self.parameters
+            .retain(|parameter| parameter.name != CalibratedName::BoundaryLayer);
+        if self.parameters.is_empty() {
+            return Err(error::share(&self.table.name, points.len(), &missing));
+        }
+        self.model = self.model.with_parameters(&self.parameters);
+        self.table.warnings.push(Warning::new(
+            Code::W436,
+            format!(
+                "the boundary layer is held, because these {} points do not identify it: {}",
+                points.len(),
+                missing.join("; ")
+            ),
+        ));
+        Ok(self)
     }
 
     /// Identifiability by the points of `problem`, from the derivatives of the model with the parameters at their centres.
@@ -311,20 +314,17 @@ mod tests {
     fn one_temperature_is_named_and_two_that_sweep_are_enough() {
         let all = layer();
         let ratios = [0.2, 0.6, 1.0, 1.6];
-        let error = check_share("rig.csv", &all, &points(&[89.0, 91.0], &ratios)).unwrap_err();
-        assert!(
-            error.to_string().contains("temperature: only 90 °C"),
-            "{error}"
-        );
-        assert!(!error.to_string().contains("speed range"), "{error}");
-        assert!(check_share("rig.csv", &all, &points(&[40.0, 90.0], &ratios)).is_ok());
+        let missing = missing_for_share(&all, &points(&[89.0, 91.0], &ratios)).join("; ");
+        assert!(missing.contains("temperature: only 90 °C"), "{missing}");
+        assert!(!missing.contains("speed range"), "{missing}");
+        assert!(missing_for_share(&all, &points(&[40.0, 90.0], &ratios)).is_empty());
     }
 
     #[test]
-    fn two_points_lack_everything_and_a_held_layer_asks_for_nothing() {
+    fn two_points_lack_everything_and_a_held_layer_lacks_nothing() {
         let all = layer();
         let few = points(&[90.0], &[0.4, 1.0]);
-        let text = check_share("rig.csv", &all, &few).unwrap_err().to_string();
+        let text = missing_for_share(&all, &few).join("; ");
         for part in [
             "5 operating points",
             "temperature: only 90 °C",
@@ -336,7 +336,7 @@ mod tests {
             .into_iter()
             .filter(|one| one.name != CalibratedName::BoundaryLayer)
             .collect();
-        assert!(check_share("rig.csv", &held, &few).is_ok());
+        assert!(missing_for_share(&held, &few).is_empty());
     }
 
     #[test]

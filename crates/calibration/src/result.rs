@@ -50,13 +50,15 @@ pub struct Identifiability {
 }
 
 impl Identifiability {
-    /// The further measurement that helps most, if it narrows its parameter noticeably.
+    /// The further measurement that narrows its parameter most, if that is noticeable.
     #[must_use]
     pub fn next(&self) -> Option<&HelpfulPoint> {
         /// Least gain that is worth a measurement.
         const LEAST: f64 = 0.1;
-        let best = self.helpful.first();
-        best.filter(|best| best.deviation[1] <= (1.0 - LEAST) * best.deviation[0])
+        let left = |point: &HelpfulPoint| point.deviation[1] / point.deviation[0];
+        let points = self.helpful.iter();
+        let best = points.min_by(|a, b| left(a).total_cmp(&left(b)));
+        best.filter(|best| left(best) <= 1.0 - LEAST)
     }
 }
 

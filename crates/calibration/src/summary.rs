@@ -95,7 +95,7 @@ pub(crate) fn before_the_fit(identifiability: &Identifiability) -> String {
             "  hardest to separate: {first} and {other}, correlation {value:+.2}"
         );
     }
-    if let Some(best) = identifiability.helpful.first() {
+    if let Some(best) = identifiability.next() {
         let line = format!(
             "  would help most: {:.0} N m, {:.0} 1/min, {:.0} °C ({} {:.1} % instead of {:.1} %)",
             best.torque_nm,

@@ -34,8 +34,11 @@ use crate::maps::COLUMNS;
 
 /// The choice called `name`; `what` is the argument that it was given to.
 pub fn named<T: DeserializeOwned>(what: &str, name: &str) -> Result<T, Failure> {
-    serde_json::from_value(serde_json::Value::String(name.to_owned()))
-        .map_err(|error| Failure::new(Code::E204, format!("{what}: {error}")))
+    serde_json::from_value(serde_json::Value::String(name.to_owned())).map_err(|error| {
+        let like = asperity::case::nearest_name(name, &names::<T>());
+        let meant = like.map_or(String::new(), |like| format!(". Did you mean `{like}`?"));
+        Failure::new(Code::E204, format!("{what}: {error}{meant}"))
+    })
 }
 
 /// Choices of arguments that no library type has.

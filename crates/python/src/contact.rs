@@ -208,12 +208,19 @@ struct ContactNote {
 /// A cycle of running-in.
 #[derive(Clone, Serialize, Deserialize)]
 struct RunningInCycle {
+    /// Plastic energy of the cycle \[J/m\].
     plastic_energy_j_per_m: f64,
+    /// Largest plastic displacement of a point in it \[m\].
     largest_flow_m: f64,
+    /// Share of the points in contact.
     contact_fraction: f64,
+    /// Rq of the first surface after it \[m\].
     rq_first_m: f64,
+    /// Rq of the second surface after it \[m\].
     rq_second_m: f64,
+    /// Height of the highest peak of the first surface after it \[m\].
     peak_first_m: f64,
+    /// Height of the highest peak of the second surface after it \[m\].
     peak_second_m: f64,
 }
 

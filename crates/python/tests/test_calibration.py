@@ -118,4 +118,15 @@ def test_what_a_table_lacks_is_named(rig, columns, tmp_path):
     far = [str(3 * float(loss)) if line == 0 else loss for line, loss in enumerate(columns["loss_w"])]
     refused("E135", "ten sigma", {**columns, "loss_w": far}, CASE)
     two = {name: values[:2] for name, values in columns.items()}
-    refused("E310", "these 2 points do not identify the boundary layer", two, CASE)
+    refused("E316", "2 rows for 3 parameters", two, CASE)
+    others = ["boundary_friction", "limiting_shear", "eyring_stress"]
+    refused("E310", "these 2 points do not identify the boundary layer", two, CASE, hold=others)
+
+
+def test_points_at_one_temperature_hold_the_boundary_layer(rig, columns):
+    cold = [row for row, at in enumerate(columns["temperature_c"]) if at == columns["temperature_c"][0]]
+    one = {name: [values[row] for row in cold] for name, values in columns.items()}
+    with pytest.warns(asperity.AsperityWarning, match="W436 the boundary layer is held, .* temperature: only"):
+        found = asperity.calibrate(one, CASE)
+    assert list(found.parameters.key) == ["boundary_friction", "limiting_shear", "eyring_stress"]
+    assert found.parameters.unit.tolist() == ["", "", "Pa"]

@@ -51,7 +51,7 @@ def test_curves_give_the_constants_back(curves):
 
 def test_a_plan_narrows_the_loss_of_a_case(command, tmp_path):
     plan = asperity.oil_plan(asperity.Case(small()))
-    loss = list(plan.stages.loss)
+    loss = list(plan.stages.loss_sd_ln)
     assert loss[0] > 3 * loss[1] > 3 * loss[3] and len(plan.chosen) == 10
     assert len(plan.to_pandas()) == 100 and "<table" in plan._repr_html_()
     same = json_of(command, "oil", "plan", "--oil", "m100", "-o", tmp_path / "out")

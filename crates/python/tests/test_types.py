@@ -167,6 +167,7 @@ def test_values_of_a_run_have_their_types(case):
 
 def script(name):
     """A script of crates/python as a module."""
+    sys.path.insert(0, str(Path(__file__).parents[1]))
     specification = importlib.util.spec_from_file_location(name, Path(__file__).parents[1] / f"{name}.py")
     module = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(module)
@@ -194,11 +195,19 @@ def test_the_reference_has_everything_public_as_it_is():
 def test_the_reference_explains_every_type_that_it_names():
     reference = script("reference")
     page = reference.written()
-    for name in ("CaseLike", "Finish", "Plan", "ProfileChangePairTable", "Quantity"):
+    for name in ("CaseLike", "Finish", "Plan", "Quantity"):
         assert f"| `{name}` |" in page
+    assert "### ProfileChangePairTable\n\n| column | what it is |" in page
     reference.NAMED.add("NeverExplained")
     with pytest.raises(ValueError, match="NeverExplained"):
         reference.types()
+
+
+def test_every_column_is_described():
+    columns = script("columns")
+    assert all(text.strip() for table in columns.tables().values() for text in table.values())
+    with pytest.raises(ValueError, match="EvidenceRow.never_described"):
+        columns.meaning("EvidenceRow", "never_described", {})
 
 
 def test_a_class_of_values_has_the_names_that_they_have():

@@ -50,7 +50,7 @@ pub use folder::{
     write_json, write_text, write_unsolved,
 };
 pub use page_tables::PageTables;
-pub use printed::{parts_of, stated, stated_parts};
+pub use printed::{duration, parts_of, stated, stated_parts};
 pub use results::{Results, check_place, texts, write_folder, write_load_points};
 pub use settings::{SchemaOf, Setting, Settings, Stated, schema_of, taken};
 pub use study::StudyResult;

@@ -190,6 +190,19 @@ impl Powers {
     }
 }
 
+/// A duration: up to two hours in minutes.
+///
+/// ```
+/// use asperity_report::duration;
+/// assert_eq!([18.6, 85.0, 120.0, 93.0 * 4.0].map(duration), ["19 min", "85 min", "2 h", "6.2 h"]);
+/// ```
+pub fn duration(minutes: f64) -> String {
+    match minutes < 120.0 {
+        true => format!("{minutes:.0} min"),
+        false => format!("{} h", (minutes / 6.0).round() / 10.0),
+    }
+}
+
 /// An input power with three digits.
 pub fn stated(power: f64) -> String {
     let digits = stated_digits(power);

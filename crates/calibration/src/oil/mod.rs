@@ -43,7 +43,7 @@ pub use combination::Combination;
 pub use machine::{Machine, Setting};
 pub use oil_fit::{FitSettings, FittedConstant, NuisanceTerm, OilFit, TractionPointRow};
 pub use pcs_text::{Probe, is_pcs, read_pcs};
-pub(crate) use plan::left_of_loss;
+pub(crate) use plan::stages_of_case;
 pub use plan::{ExpectedError, OilPlan, PlanSettings, PlannedCurve, PlannedPoint, Stage};
 pub use reading::{Reading, SetPoint, set_points};
 pub use simulate::simulated;

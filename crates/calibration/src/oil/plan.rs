@@ -184,16 +184,16 @@ struct Planner<'a> {
     slopes: Option<DVector<f64>>,
 }
 
-/// Standard deviations of ln loss of `case` by the errors of its film friction, as one curve and the minimal plan would leave
-/// them, and the derivative of ln loss by a standard deviation of the pressure-viscosity coefficient in the friction only.
+/// One curve and the minimal plan for the loss of `case`, and the derivative of ln loss by a standard deviation of the
+/// pressure-viscosity coefficient in the friction only.
 ///
 /// # Errors
 /// When the film has no solution at a point, or the case has no loss.
-pub(crate) fn left_of_loss(
+pub(crate) fn stages_of_case(
     oil: &OilBase,
     case: (&LoadedCase, &Contacts),
     settings: &PlanSettings,
-) -> Result<([Option<f64>; 2], f64), Fault> {
+) -> Result<([Stage; 2], f64), Fault> {
     let priors = Priors::of(oil, settings.is_wide);
     let slopes = loss_slopes(case.0, Some(case.1), priors)?;
     let planner = Planner {
@@ -202,12 +202,11 @@ pub(crate) fn left_of_loss(
         priors,
         slopes: Some(DVector::from_row_slice(&slopes)),
     };
-    let mut left = [None; 2];
-    for (left, (name, grid)) in left.iter_mut().zip([(ONE, &ONE_CURVE), (WHOLE, &MINIMAL)]) {
-        let points = grid.described(oil, &settings.machine)?;
-        *left = planner.stage(name, &points)?.loss_deviation;
-    }
-    Ok((left, slopes[FACTOR]))
+    let stage = |name: &str, grid: &Grid<'_>| {
+        planner.stage(name, &grid.described(oil, &settings.machine)?)
+    };
+    let stages = [stage(ONE, &ONE_CURVE)?, stage(WHOLE, &MINIMAL)?];
+    Ok((stages, slopes[FACTOR]))
 }
 
 impl OilPlan {

@@ -6,7 +6,7 @@ use asperity::case::law_error;
 use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{
-    Cell, Column, Kind, Report, StudyResult, Table, columns, tables, write_bytes,
+    Cell, Column, Kind, Report, StudyResult, Table, columns, duration, tables, write_bytes,
 };
 use serde::Serialize;
 
@@ -140,7 +140,7 @@ fn stages(plan: &OilPlan) -> Table {
     let table = columns! { stage in &plan.stages;
         head name "expected standard deviation" "";
         number points "points" "";
-        number minutes "duration" "min" "{:.0}";
+        number minutes "duration" "" = Cell::number(stage.minutes, duration);
     };
     let constants = STATED_CONSTANTS
         .iter()
@@ -199,8 +199,8 @@ fn verdict(plan: &OilPlan) -> Option<String> {
     };
     let (name, [from, to]) = of_loss.or_else(of_constant)?;
     Some(format!(
-        "The minimal plan takes {:.0} min. It narrows the standard deviation of the {name} from {from:.1} to {to:.1} %.",
-        of_plan.minutes
+        "The minimal plan takes {}. It narrows the standard deviation of the {name} from {from:.1} to {to:.1} %.",
+        duration(of_plan.minutes)
     ))
 }
 
@@ -229,9 +229,9 @@ fn choice(plan: &OilPlan) -> String {
         .or(of_constant)
         .map(|(name, deviation)| format!(": {name} to {:.1} %", 100.0 * deviation));
     format!(
-        "{}, {:.0} min{}",
+        "{}, {}{}",
         chosen.name,
-        chosen.minutes,
+        duration(chosen.minutes),
         left.unwrap_or_default()
     )
 }

@@ -48,6 +48,8 @@ const KNOWN: [&str; 16] = [
 const PRESSURE: &str = "max_pressure_gpa";
 /// Column of a measured film.
 const FILM: &str = "film_nm";
+/// Columns of a plan that hold no measurement; they are left out without a warning.
+const OF_A_PLAN: [&str; 2] = ["expected_traction", "film_ratio"];
 /// Columns that a table needs.
 const NEEDED: usize = 5;
 /// Prefixes of column names, with the known column of the quantity.
@@ -151,6 +153,9 @@ fn reading(file: &str, row: Row<'_>, machine: &Machine) -> Result<Reading, RowFa
             let rule = format!("{value} {unit}; expected is {low} to {high} {unit}");
             return Err(row.fault(column, rule));
         }
+    }
+    for column in OF_A_PLAN {
+        let _ = row.text(column);
     }
     let celsius = row.number("temperature_c")?;
     let set = row.optional("set_temperature_c")?;

@@ -10,7 +10,7 @@ use crate::read::metadata::Metadata;
 /// Micrometres of a metre.
 const MICROMETRES: f64 = 1e6;
 
-/// Writes x and height in micrometres, with the spacing of even points and the filters in the header.
+/// Writes x and height in micrometres, or heights in metres if no number of micrometres is read as one of them, with the spacing of even points and the filters in the header.
 pub(super) fn write(
     places: Places<'_>,
     heights: &[f64],
@@ -39,14 +39,19 @@ pub(super) fn write(
             false => writeln!(text, "# dx = {dx:e} m"),
         };
     }
-    text += "x [um],z [um]\n";
+    let in_um: Option<Vec<f64>> = heights.iter().map(|z| exact_micrometres(*z)).collect();
+    let unit = if in_um.is_some() { "um" } else { "m" };
+    let _ = writeln!(text, "x [um],z [{unit}]");
     for (i, z) in heights.iter().enumerate() {
         let _ = match places {
             // The spacing above is exact, so x needs no more digits than a reader of the table.
             Places::Even(dx) => write!(text, "{}", rounded(MICROMETRES * (i as f64 * dx))),
             Places::Own(x) => write!(text, "{}", micrometres(x[i])),
         };
-        let _ = writeln!(text, ",{}", micrometres(*z));
+        let _ = match &in_um {
+            Some(in_um) => writeln!(text, ",{}", in_um[i]),
+            None => writeln!(text, ",{z:e}"),
+        };
     }
     text.into_bytes()
 }
@@ -64,16 +69,21 @@ fn filter(metadata: &Metadata, state: FilterState) -> Option<String> {
     Some(format!("{name}{cutoffs}"))
 }
 
-/// The number of micrometres with the fewest digits that a reader converts to `metres`, or to the next number if there
-/// is none: the division by a million skips one number of twenty.
-fn micrometres(metres: f64) -> f64 {
+/// The number of micrometres with the fewest digits that a reader converts to `metres`; `None` if there is none: the
+/// division by a million skips one number of twenty.
+fn exact_micrometres(metres: f64) -> Option<f64> {
     let near = metres * MICROMETRES;
     let candidates = [near, near.next_up(), near.next_down()];
     let exact = candidates
         .into_iter()
         .filter(|um| um / MICROMETRES == metres);
     let digits = |um: &f64| um.to_string().len();
-    exact.min_by_key(digits).unwrap_or(near)
+    exact.min_by_key(digits)
+}
+
+/// Micrometres of a length in metres, rounded if no number is exact.
+fn micrometres(metres: f64) -> f64 {
+    exact_micrometres(metres).unwrap_or(metres * MICROMETRES)
 }
 
 /// `value` to twelve digits.

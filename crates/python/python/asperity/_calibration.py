@@ -3,15 +3,27 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
+from ._keys import Schema
+from ._quantity import SI_UNITS
 from ._study import Study
-from ._values import CalibrationParameterTable, CalibrationPointTable, CalibrationValues, DesignPointTable, DesignValues, EvidenceRowTable, EvidenceValues
+from ._values import CalibrationParameterTable, CalibrationPointTable, CalibrationValues, DesignParameterTable, DesignPointTable, DesignValues, EvidenceRowTable, EvidenceValues
 
 if TYPE_CHECKING:
     import pandas
+
+
+def with_units(parameters: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Rows of parameters with the units of their values."""
+
+    def unit(key: str) -> str:
+        quantity = Schema().at("calibration").at(key).at("value").quantity
+        return SI_UNITS[quantity] if quantity else ""
+
+    return [{"key": row["key"], "name": row["name"], "unit": unit(row["key"]), **row} for row in parameters]
 
 
 class Calibration(Study, CalibrationValues):
@@ -24,8 +36,8 @@ class Calibration(Study, CalibrationValues):
 
     @property
     def parameters(self) -> CalibrationParameterTable:
-        """One row per parameter."""
-        return CalibrationParameterTable(self._values["parameters"])
+        """One row per parameter that is fitted, in its ``unit``."""
+        return CalibrationParameterTable(with_units(self._values["parameters"]))
 
     @property
     def points(self) -> CalibrationPointTable:
@@ -58,6 +70,11 @@ class Design(Study, DesignValues):
     def points(self) -> DesignPointTable:
         """One row per point to measure, by temperature."""
         return DesignPointTable(self._values["points"])
+
+    @property
+    def parameters(self) -> DesignParameterTable:
+        """One row per parameter, as the points would determine it, in its ``unit``."""
+        return DesignParameterTable(with_units(self._values["parameters"]))
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per point to measure."""

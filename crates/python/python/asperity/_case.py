@@ -9,6 +9,8 @@ from collections.abc import Mapping
 from os import PathLike, fspath
 from typing import IO, Any, Optional, Union
 
+import numpy as np
+
 from . import _asperity
 from ._choices import Detail, Formulation
 from ._contact import Contact
@@ -16,7 +18,7 @@ from ._errors import AsperityError, Code, checked_number, warn, wrong_kind
 from ._files import is_read, text_of
 from ._fixed import Fixed
 from ._html import page
-from ._keys import Schema, Traces, changes, kind_of, written
+from ._keys import Schema, Traces, changes, kind_of, may_name_a_profile, written
 from ._own_laws import Called, Law, exponent_of, name_of
 from ._profile import Profile
 from ._progress import Progress, Steps
@@ -378,9 +380,60 @@ class Case(Fixed):
         inputs: dict[str, Any] = json.loads(json.dumps(self._about["inputs"]))
         return inputs
 
-    def to_toml(self) -> str:
-        """The case as the text of a case file."""
-        return self._raw.to_toml()
+    def to_toml(self, folder: Optional[Union[str, PathLike[str]]] = None) -> str:
+        """The case as the text of a case file, without laws in Python.
+
+        Parameters:
+            folder: existing folder of the case file; default that of the files of the case. Profiles in memory are written into it,
+                and names of files become relative to it.
+
+        Returns:
+            The text.
+
+        Raises:
+            AsperityError: profiles in memory without a folder (E205), or a folder that cannot be written (E401).
+
+        Example:
+            >>> flank = asperity.generate(points=8000, spacing=0.5e-6, rq=0.4e-6, hurst=0.8, roll_off=50e-6, short_cut=2e-6, seed=1)
+            >>> case = asperity.Case(asperity.demo(), surface={"pinion": flank}, model={"positions": 4, "offsets": 2})
+            >>> with open("demo/own.toml", "w", encoding="utf-8") as file:
+            ...     _ = file.write(case.to_toml("demo"))
+            >>> asperity.Case("demo/own.toml").run("losses").loss_w == case.run("losses").loss_w
+            True
+        """
+        text = self._raw.to_toml()
+        # Only names of profiles in memory look like theirs; what they are is in the content.
+        if folder is None and not may_name_a_profile(text):
+            return text
+        # At its first need: it takes time to import.
+        import re
+
+        content = self._raw.content()
+        if folder is None:
+            if not content["traces"]:
+                return text
+            names = ", ".join(fspath(name) for name, *_ in content["traces"])
+            raise AsperityError(f"profiles in memory: {names}; no file has them", Code.E205, "Name the folder that they are written into: to_toml(folder).")
+        place, before = os.path.abspath(folder), fspath(content["folder"])
+        renamed: dict[str, str] = {}
+        for name, spacing, heights in content["traces"]:
+            own = os.path.basename(fspath(name))
+            renamed[fspath(name)] = file = f"{re.sub(r'[^a-zA-Z0-9.-]+', '_', own).strip('_')}.csv"
+            Profile(np.frombuffer(heights), spacing, name=own).write(os.path.join(place, file))
+        files = {os.path.normpath(os.path.join(before, name)) for name, _ in content["files"]}
+
+        def moved(value: Any) -> Any:
+            if isinstance(value, dict):
+                return {key: moved(item) for key, item in value.items()}
+            if isinstance(value, list):
+                return [moved(item) for item in value]
+            if not isinstance(value, str) or value in renamed:
+                return renamed.get(value, value)
+            file = os.path.normpath(os.path.join(before, value))
+            return os.path.relpath(file, place) if file in files and not os.path.isabs(value) else value
+
+        text = json.dumps(moved(self.to_dict()), ensure_ascii=False)
+        return _asperity.Case.from_text("case.json", text, place, [], None).to_toml()
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Case):

@@ -41,11 +41,11 @@ def table_text(columns_by_name: Any, what: str, code: str) -> str:
         raise AsperityError(text, code, "Give every column one value per measurement.")
     simulated = columns.pop("simulated", [])
     written = io.StringIO()
-    if any(simulated):
-        written.write("# SIMULATED\n")
     writer = csv.writer(written, lineterminator="\n")
     writer.writerow(columns)
     writer.writerows([_cell(value) for value in row] for row in zip(*columns.values()))
+    # At the end, so that messages count the heading as line 1.
+    written.write("# SIMULATED\n" if any(simulated) else "")
     return written.getvalue()
 
 

@@ -14,6 +14,7 @@ from ._case import Case, CaseLike, as_case
 from ._errors import wrong_kind
 from ._profile import Profile
 from ._record import Table, drawn, variable
+from ._result import OF_OFFSETS
 from ._study import RawStudy, Study
 from ._values import ComparisonCorrelationTable, ComparisonFinishTable, ComparisonValues
 
@@ -62,7 +63,11 @@ class Comparison(Study, ComparisonValues):
         return type(self), (*super().__reduce__()[1], self._more)
 
     def _doubts(self) -> Iterable[Any]:
-        return dict.fromkeys(warning for finish in self._values["finishes"] for warning in finish["warnings"])
+        of: dict[str, list[str]] = {}
+        for finish in self._values["finishes"]:
+            for warning in finish["warnings"]:
+                of.setdefault(warning, []).append(finish["name"])
+        return [{"text": text, "of": [] if len(names) == len(self.names) else names} for text, names in of.items()]
 
     @property
     def names(self) -> list[str]:
@@ -88,28 +93,26 @@ class Comparison(Study, ComparisonValues):
     @property
     def offsets(self) -> dict[str, Table]:
         """Efficiency and losses at each offset, by the name of the finish; empty of a gear train."""
-        return {name: Table(rows) for name, rows in zip(self.names, json.loads(self._more[0]))}
+        return {name: Table(rows, declared=OF_OFFSETS) for name, rows in zip(self.names, json.loads(self._more[0]))}
 
     def to_pandas(self) -> pandas.DataFrame:
-        """One row per finish: loss, its median and quantiles, difference to the first with its quantiles and verdict."""
-        import pandas
-
+        """One row per finish, by its name: loss, its median and quantiles, difference to the first with its quantiles and verdict."""
         rows = []
         for finish in self._values["finishes"]:
-            row = {key: value for key, value in finish.items() if isinstance(value, (int, float, str))}
-            if loss := _loss(finish):
-                row["loss_median_w"] = loss["median_w"]
-                row["loss_p05_w"], row["loss_p95_w"] = loss["quantiles_w"]
-            if difference := finish.get("difference"):
-                row["difference_median_w"] = difference["median_w"]
-                row["difference_p05_w"], row["difference_p95_w"] = difference["quantiles_w"]
-                row["difference_median_share"] = difference["median_share"]
-                row["difference_p05_share"], row["difference_p95_share"] = difference["share_quantiles"]
-                row["difference_probability"] = difference["probability"]
-                verdict = difference["verdict"]
-                row["difference_verdict"] = verdict if isinstance(verdict, str) else "except"
+            row = {key: finish.get(key) for key in ("name", "efficiency", "power_in_w", "loss_w", "mixed_share", "regime")}
+            loss, difference = _loss(finish) or {}, finish.get("difference") or {}
+            row["loss_median_w"] = loss.get("median_w")
+            row["loss_p05_w"], row["loss_p95_w"] = loss.get("quantiles_w", (None, None))
+            row["difference_median_w"] = difference.get("median_w")
+            row["difference_p05_w"], row["difference_p95_w"] = difference.get("quantiles_w", (None, None))
+            row["difference_median_share"] = difference.get("median_share")
+            row["difference_p05_share"], row["difference_p95_share"] = difference.get("share_quantiles", (None, None))
+            row["difference_probability"] = difference.get("probability")
+            verdict = difference.get("verdict")
+            row["difference_verdict"] = verdict if isinstance(verdict, (str, type(None))) else "except"
             rows.append(row)
-        return pandas.DataFrame(rows).set_index("name")
+        texts = dict.fromkeys(("name", "regime", "difference_verdict"), "Optional[str]")
+        return Table(rows, declared={**dict.fromkeys(rows[0], "float"), **texts}).to_pandas().set_index("name")
 
     def to_xarray(self) -> xarray.Dataset:
         """Losses over finish and offset as an `xarray.Dataset`; NaN beyond the offsets of a finish that has fewer."""

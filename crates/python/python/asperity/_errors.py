@@ -98,8 +98,15 @@ class AsperityWarning(UserWarning):
 
 def wrong_kind(name: str, value: object, takes: str) -> AsperityError:
     """The error of an argument of a kind that a function does not take."""
-    text = f"{name}: {takes} is expected, not {value!r:.80} of type {type(value).__name__}"
-    return AsperityError(text, Code.E204, f"Give {name} as {takes}.")
+    shape = getattr(value, "shape", None)
+    seen = f"an array of shape {shape}" if isinstance(shape, tuple) else f"{value!r:.80} of type {type(value).__name__}"
+    help = "asperity.Profile(heights, spacing) is the profile of an array." if shape and "profile" in takes else f"Give {name} as {takes}."
+    return AsperityError(f"{name}: {takes} is expected, not {seen}", Code.E204, help)
+
+
+def not_finite(name: str, value: float) -> AsperityError:
+    """The error of a number that is NaN or infinite."""
+    return AsperityError(f"{name}: {value}: must be a finite number", Code.E209, "Give a finite number, or leave it out.")
 
 
 def checked_number(name: str, value: Any, kind: type[N]) -> Optional[N]:
@@ -122,13 +129,20 @@ def _parts(row: Row) -> tuple[str, str, str]:
     return row["code"], row["text"], row.get("help") or general_help(row["code"])
 
 
+def _of(row: Row) -> str:
+    """The finishes that a warning is about, in brackets; nothing if it is about all."""
+    names = [] if isinstance(row, str) else row.get("of") or []
+    return f" ({', '.join(names)})" if names else ""
+
+
 def warn(rows: Iterable[Row], known: Iterable[Row] = ()) -> None:
     """Warns of every row with a code that is not known yet, at the line outside of the package.
 
     A map lists other notes on its points among its warnings, as points that are extrapolated, which have no code.
     """
     told = {_parts(row)[1] for row in known}
-    new = [parts for parts in map(_parts, rows) if parts[1] and parts[1] not in told]
+    read = [(*_parts(row), _of(row)) for row in rows]
+    new = [(code, text + of, help) for code, text, help, of in read if text and text not in told]
     if not new:
         return
     level, frame = 1, sys._getframe()

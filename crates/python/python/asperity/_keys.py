@@ -11,6 +11,7 @@ from typing import Any, Optional
 import numpy as np
 
 from . import _asperity
+from ._errors import not_finite, wrong_kind
 from ._profile import Profile
 from ._quantity import SI_UNITS, is_pint, si
 
@@ -90,8 +91,19 @@ def named(profile: Profile) -> str:
     return f"{profile.name or 'heights'} ({digest})"
 
 
-def written(value: Any, schema: Schema, traces: Traces) -> Any:
-    """The value as JSON has it in a case file."""
+def may_name_a_profile(text: str) -> bool:
+    """Whether a text may have a name of `named`."""
+    import re
+
+    return re.search(r" \([0-9a-f]{12}\)", text) is not None
+
+
+def written(value: Any, schema: Schema, traces: Traces, name: str = "case") -> Any:
+    """The value of a key called `name` as JSON has it in a case file."""
+    if isinstance(value, (float, np.floating)) and not np.isfinite(value):
+        raise not_finite(name, float(value))
+    if isinstance(value, (list, tuple, np.ndarray)) and schema.is_table and schema.has("file"):
+        raise wrong_kind(name, value, "a profile, the path of one, or a table")
     if isinstance(value, Profile):
         name = named(value)
         traces.append((name, value._raw))
@@ -100,7 +112,8 @@ def written(value: Any, schema: Schema, traces: Traces) -> Any:
         kept = {key: item for key, item in value.items() if item is not None}
         if isinstance(kept.get("file"), Profile):
             kept.update(written(kept["file"], schema, traces))
-        return {key: written(item, schema.at(key), traces) for key, item in kept.items()}
+        above = "" if name == "case" else f"{name}."
+        return {key: written(item, schema.at(key), traces, f"{above}{key}") for key, item in kept.items()}
     if is_pint(value):
         quantity = schema.quantity or schema.item().quantity
         if quantity is not None:
@@ -111,7 +124,7 @@ def written(value: Any, schema: Schema, traces: Traces) -> Any:
         value = value.to("").magnitude
     if isinstance(value, (list, tuple, np.ndarray)):
         below = schema.item()
-        return [written(item, below, traces) for item in value]
+        return [written(item, below, traces, name) for item in value]
     if isinstance(value, PathLike):
         return fspath(value)
     return value.item() if isinstance(value, (np.bool_, np.integer, np.floating)) else value
@@ -162,7 +175,7 @@ def changes(
             for key, item in value.items():
                 add(f"{path}.{key}", item, schema.at(key))
         else:
-            found.append((path, as_toml(written(value, schema, traces))))
+            found.append((path, as_toml(written(value, schema, traces, path))))
 
     for path, value in given.items():
         schema = Schema(kind)

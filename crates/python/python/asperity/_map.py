@@ -215,7 +215,7 @@ class Map(Study, MapArrays, MapValues):
 
         levels = [self.finishes, self.temperature_c, self.torque_nm, self.speed_rpm]
         index = pandas.MultiIndex.from_product(levels, names=_DIMENSIONS)
-        return pandas.DataFrame({name: array.ravel() for name, array in self._points.items()}, index=index)
+        return self.rows.to_pandas().drop(columns=list(_DIMENSIONS)).set_index(index)
 
     def plot(self, ax: Any = None) -> Any:
         """Loss over speed at the largest torque, of every finish at the first temperature, on axes of matplotlib or as a `Chart`."""

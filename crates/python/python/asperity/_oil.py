@@ -28,7 +28,7 @@ class Traction(Study, TractionValues):
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per slide-to-roll ratio and temperature."""
-        return Table(self._values["over_slide"]).to_pandas()
+        return self.over_slide.to_pandas()
 
     def _rows(self) -> list[tuple[str, str]]:
         return [("largest Hertz pressure", f"{self._values['max_pressure_gpa']:.2f} GPa")]
@@ -73,7 +73,7 @@ class OilFit(Study, OilFitValues):
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per set point: where, measured, fitted, residual, the rule that drops it."""
-        return Table(self._values["points"]).to_pandas()
+        return self.points.to_pandas()
 
     def _rows(self) -> list[tuple[str, str]]:
         return [
@@ -82,26 +82,36 @@ class OilFit(Study, OilFitValues):
         ]
 
 
+def _sd_of(key: str) -> str:
+    """Name of the standard deviation of a constant."""
+    return "sd_per_k" if key.endswith("_temperature") else "sd_ln"
+
+
 class OilPlan(Study, OilPlanValues):
     """Traction measurements to make: ``curves``, ``points``, ``chosen``, ``stages`` with the errors they leave."""
 
     @property
     def stages(self) -> Table:
-        """One row per amount of measurement: points, minutes, standard deviation of each constant and of the loss."""
+        """One row per amount of measurement: ``name``, ``points``, ``minutes``, and of each constant and the loss ``sd_ln``, the standard
+        deviation of its logarithm; of the temperature coefficient ``sd_per_k``, in 1/K."""
         return Table(
             [
                 {
                     **{name: stage[name] for name in ("name", "points", "minutes")},
-                    **{one["key"]: one["deviation"] for one in stage["constants"]},
-                    "loss": stage["loss_deviation"],
+                    **{f"{one['key']}_{_sd_of(one['key'])}": one["deviation"] for one in stage["constants"]},
+                    "loss_sd_ln": stage["loss_deviation"],
                 }
                 for stage in self._values["stages"]
-            ]
+            ],
+            declared={
+                **{"name": "str", "points": "int", "minutes": "float", "loss_sd_ln": "Optional[float]"},
+                **{f"{one['key']}_{_sd_of(one['key'])}": "float" for one in self._values["stages"][0]["constants"]},
+            },
         )
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per point of the minimal plan."""
-        return Table(self._values["points"]).to_pandas()
+        return self.points.to_pandas()
 
     def _rows(self) -> list[tuple[str, str]]:
         return [(str(stage["name"]), f"{stage['points']} points, {stage['minutes']:.0f} min") for stage in self._values["stages"]]
@@ -120,7 +130,7 @@ class Stribeck(Study, StribeckValues):
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per set point."""
-        return Table(self._values["points"]).to_pandas()
+        return self.points.to_pandas()
 
     def _rows(self) -> list[tuple[str, str]]:
         low, high = self._values["range"]

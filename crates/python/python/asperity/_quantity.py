@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _asperity
-from ._errors import AsperityError, Code
+from ._errors import AsperityError, Code, not_finite
 from ._fixed import similar
 
 
@@ -239,6 +239,8 @@ def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
             keys[of.key] = value
         else:
             found = _single(name, operating(name, value, None))
+            if not np.isfinite(found):
+                raise not_finite(name, found)
             keys[of.key] = f"{found!r} {of.unit}".replace(".0 ", " ")
     return keys
 

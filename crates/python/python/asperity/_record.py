@@ -146,11 +146,12 @@ def _short(value: Any) -> str:
 
 
 _UNITS = {
-    "_w_per_m": "W/m", "_n_per_mm": "N/mm", "_n_per_m": "N/m", "_m_per_s": "m/s", "_j_per_m": "J/m", "_rpm": "1/min",
-    "_mpa": "MPa", "_gpa": "GPa", "_pa": "Pa", "_nm": "nm", "_um": "um", "_mm": "mm", "_m": "m", "_wh": "W h", "_w": "W",
-    "_k": "K", "_c": "degC", "_s": "s", "_n": "N", "_percent": "percent", "_deg": "degree",
+    "_wh_per_100_km": "W h/(100 km)", "_w_per_m": "W/m", "_n_per_mm": "N/mm", "_n_per_m": "N/m", "_m_per_s": "m/s", "_m_s": "m/s",
+    "_j_per_m": "J/m", "_um_per_mm": "um/mm", "_per_um2": "1/um**2", "_per_k": "1/K", "_um2": "um**2", "_rpm": "1/min", "_mpa": "MPa", "_gpa": "GPa",
+    "_pa": "Pa", "_nm": "nm", "_um": "um", "_mm": "mm", "_km": "km", "_m": "m", "_wh": "W h", "_w": "W", "_k": "K", "_c": "degC",
+    "_s": "s", "_n": "N", "_percent": "percent", "_deg": "degree", "_hours": "h", "_minutes": "min",
 }
-"""Units by the ends of names."""
+"""Units by the ends of names, of which one that ends another one follows it."""
 
 
 def in_names(unit: str) -> str:
@@ -162,7 +163,7 @@ def in_names(unit: str) -> str:
 
 def described(name: str, unit: str | None = None) -> dict[str, str]:
     """Attributes of a variable of xarray: its unit, by the end of its name, and its name in words."""
-    end = next((end for end in _UNITS if name.endswith(end)), "")
+    end = next((end for end in _UNITS if f"_{name}".endswith(end)), "")
     unit = unit or ("N m" if end == "_nm" and "torque" in name else _UNITS.get(end, "1"))
     return {"units": unit, "long_name": name.removesuffix(end).replace("_", " ")}
 
@@ -180,15 +181,26 @@ def drawn(uncertainty: Mapping[str, Any]) -> str:
     return f"{loss['median_w']:.4g} ({low:.4g}..{high:.4g}) W"
 
 
-def column(values: list[Any]) -> Any:
-    """A column of a table as an array: numbers with NaN for what is missing, or objects."""
+_NUMBERS = {"float": np.float64, "Optional[float]": np.float64, "Optional[int]": np.float64, "int": np.int64, "bool": np.bool_}
+"""Types of arrays by the types of columns that are declared."""
+
+
+def is_text(declared: str) -> bool:
+    """Whether a column is declared as text."""
+    return declared.removeprefix("Optional[").startswith(("str", "Literal["))
+
+
+def column(values: list[Any], declared: str = "") -> Any:
+    """A column of a table as an array: numbers with NaN for what is missing, or objects; of the type that is declared, which does
+    not depend on the values."""
     kinds = {type(value) for value in values if value is not None}
-    if kinds <= {bool} and None not in values:
+    is_whole = None not in values
+    if declared in _NUMBERS and (is_whole or declared not in ("int", "bool")):
+        return np.array([np.nan if value is None else value for value in values], dtype=_NUMBERS[declared])
+    if not declared and kinds and kinds <= {bool} and is_whole:
         return np.array(values, dtype=np.bool_)
-    if kinds <= {int, float}:
-        if kinds == {int} and None not in values:
-            return np.array(values, dtype=np.int64)
-        return np.array([np.nan if value is None else value for value in values], dtype=np.float64)
+    if not declared and kinds and kinds <= {int, float}:
+        return np.array([np.nan if value is None else value for value in values], dtype=np.int64 if kinds == {int} and is_whole else np.float64)
     array = np.empty(len(values), dtype=object)
     array[:] = [wrapped(value) if isinstance(value, dict) else value for value in values]
     return array
@@ -223,9 +235,15 @@ class Rows(Fixed):
     _row: ClassVar[type[Values]] = Record
     """Class of a row."""
 
-    def __init__(self, rows: list[dict[str, Any]], names: list[str] | None = None) -> None:
+    _declared: Mapping[str, str] = {"code": "Optional[str]", "text": "str"}
+    """Types of columns by their names."""
+
+    def __init__(self, rows: list[dict[str, Any]], names: list[str] | None = None, declared: Optional[Mapping[str, str]] = None) -> None:
         self._rows = [in_columns(row) for row in rows]
         self._names = names if names is not None else list(dict.fromkeys(name for row in self._rows for name in row))
+        if declared is not None:
+            self._declared = declared
+        self._missing = self._row._absent
 
     @classmethod
     def _of_columns(cls: type[T], columns: Mapping[str, NDArray[Any]]) -> T:
@@ -253,23 +271,30 @@ class Rows(Fixed):
         if isinstance(key, str):
             if key not in self._names:
                 raise UnknownName(unknown(type(self).__name__, key, self._names))
-            return column([row.get(key) for row in self._rows])
+            missing = self._missing.get(key)
+            return column([row.get(key, missing) for row in self._rows], self._declared.get(key, ""))
         if isinstance(key, slice):
-            return Table(self._rows[key], self._names)
+            return self._part(self._rows[key], self._names)
         if isinstance(key, (list, tuple, np.ndarray)) or hasattr(key, "__array__") and np.ndim(key) == 1:
             return self._several(key)
         return self._row(self._rows[key])
+
+    def _part(self, rows: list[dict[str, Any]], names: list[str]) -> Table:
+        """A table of some of the rows or columns."""
+        made = Table(rows, names, self._declared)
+        made._missing = self._missing
+        return made
 
     def _several(self, keys: Any) -> Table:
         """The table of the columns or rows in a list, or of the rows where a mask is true."""
         chosen = np.asarray(keys)
         if not chosen.size and isinstance(keys, (list, tuple)):
-            return Table([], self._names)
+            return self._part([], self._names)
         if chosen.dtype.kind in "UO" and all(isinstance(key, str) for key in keys):
             names = [str(key) for key in keys]
             if absent := [name for name in names if name not in self._names]:
                 raise UnknownName(unknown(type(self).__name__, absent[0], self._names))
-            return Table([{name: row[name] for name in names if name in row} for row in self._rows], names)
+            return self._part([{name: row[name] for name in names if name in row} for row in self._rows], names)
         if chosen.dtype.kind == "b":
             if chosen.shape != (len(self),):
                 text = f"a mask of {chosen.size} values: the table has {len(self)} rows"
@@ -278,7 +303,7 @@ class Rows(Fixed):
         if chosen.ndim != 1 or chosen.dtype.kind not in "iu":
             text = f"{keys!r}: names of columns, numbers of rows or a mask are expected"
             raise AsperityError(text, Code.E204, "Give a list of one kind.")
-        return Table([self._rows[number] for number in chosen.tolist()], self._names)
+        return self._part([self._rows[number] for number in chosen.tolist()], self._names)
 
     def __len__(self) -> int:
         return len(self._rows)
@@ -304,15 +329,32 @@ class Rows(Fixed):
         """The table as a `pandas.DataFrame`."""
         import pandas
 
-        return pandas.DataFrame({name: self._at(name) for name in self._names})
+        # The type that this pandas gives to text, where a column without any would have another one.
+        text = pandas.Series(["text"]).dtype
+        columns = {name: self._at(name) for name in self._names}
+        types = {name: values.dtype if values.dtype != object else text if self._has_text(name, values) else object for name, values in columns.items()}
+        return pandas.DataFrame({name: pandas.Series(values, dtype=types[name]) for name, values in columns.items()})
+
+    def _has_text(self, name: str, values: NDArray[Any]) -> bool:
+        """Whether a column is text, as it is declared, or as it is."""
+        declared = self._declared.get(name)
+        return is_text(declared) if declared else any(isinstance(value, str) for value in values)
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         """The table for programs that read Arrow, by pyarrow: ``polars.DataFrame(table)``, ``pyarrow.table(table)``."""
         import pyarrow
 
         columns = {name: self._at(name) for name in self._names}
-        plainly = {name: plain(list(values)) if values.dtype == object else values for name, values in columns.items()}
-        return pyarrow.table(plainly).__arrow_c_stream__(requested_schema)
+        arrays = {name: self._of_arrow(name, values) for name, values in columns.items()}
+        return pyarrow.table(arrays).__arrow_c_stream__(requested_schema)
+
+    def _of_arrow(self, name: str, values: NDArray[Any]) -> Any:
+        """A column as an array of pyarrow."""
+        import pyarrow
+
+        if values.dtype != object:
+            return pyarrow.array(values)
+        return pyarrow.array(plain(list(values)), pyarrow.string() if self._has_text(name, values) else None)
 
     def to_xarray(self, dimension: str = "row") -> xarray.Dataset:
         """The columns of numbers as an `xarray.Dataset` along one dimension."""
@@ -360,7 +402,8 @@ class TableOf(Rows, Generic[R, F, O]):
     """Rows of a class, with columns of numbers and others, whose names are known."""
 
     def __init__(self, rows: list[dict[str, Any]], names: list[str] | None = None) -> None:
-        super().__init__(rows, names if rows or names else list(self._row.__annotations__))
+        self._declared = self._row.__annotations__
+        super().__init__(rows, names if rows or names else [name for name in self._declared if not name.startswith("_")])
 
     if TYPE_CHECKING:
 

@@ -14,11 +14,15 @@ from ._errors import AsperityError, Code, checked_number, wrong_kind
 from ._html import Chart, page, shown
 from ._quantity import Floats
 from ._record import Record, Table, Values, drawn, variable
-from ._values import PathRowTable, ResultValues, SummaryValues, Uncertainty
+from ._values import PathRow, PathRowTable, ResultValues, SummaryValues, Uncertainty
 
 if TYPE_CHECKING:
     import pandas
     import xarray
+
+
+OF_OFFSETS = {name: kind for name, kind in SummaryValues.__annotations__.items() if kind.endswith(("float", "float]"))} | {"offset": "int"}
+"""Types of the columns at the offsets."""
 
 
 class Fields(Record):
@@ -166,7 +170,7 @@ class RunResult(Values, ResultValues):
     @property
     def offsets(self) -> Table:
         """Efficiency and losses at each offset of the traces; empty for a result that was read back."""
-        return Table(self._offsets)
+        return Table(self._offsets, declared=OF_OFFSETS)
 
     @property
     def positions(self) -> list[int]:
@@ -176,7 +180,7 @@ class RunResult(Values, ResultValues):
     def fields(self, position: Optional[int] = None) -> Fields:
         """Fields along the contact at a position, from 1 at A; by default where the pressure is highest."""
         if self._outcome is None:
-            raise AsperityError("a result that was read back holds no fields", Code.E402, "Run the case again.")
+            raise AsperityError("a result that was pickled or read back holds no fields", Code.E402, "Run the case again, or take what the fields are needed for before it is pickled.")
         self._of_pair("fields")
         position = checked_number("position", position, int)
         if position is None:
@@ -281,7 +285,7 @@ class Regime(Table):
     """Film and regime along the path of contact: columns ``path_fraction``, ``lambda_star``, ``film_minimum_um`` ..."""
 
     def __init__(self, meshes: list[dict[str, Any]]) -> None:
-        super().__init__(meshes[0]["rows"])
+        super().__init__(meshes[0]["rows"], declared=PathRow.__annotations__)
         self._meshes = meshes
 
     @property

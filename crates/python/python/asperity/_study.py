@@ -9,7 +9,7 @@ from os import PathLike, fspath
 from typing import Any, Optional, Protocol, TypeVar, Union
 
 from . import _asperity
-from ._errors import AsperityError, Code, checked_number, warn
+from ._errors import AsperityError, Code, checked_number, not_finite, warn
 from ._html import page
 from ._progress import Progress, Steps
 from ._record import Values
@@ -102,7 +102,7 @@ def as_json(settings: Mapping[str, Any]) -> str:
     """Settings as JSON, whose numbers are finite."""
     for name, value in settings.items():
         if isinstance(value, float) and not math.isfinite(value):
-            raise AsperityError(f"{name} = {value}: must be a finite number", Code.E209, "Give a finite number.")
+            raise not_finite(name, value)
     return json.dumps(settings)
 
 

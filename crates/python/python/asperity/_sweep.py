@@ -18,7 +18,8 @@ from ._fixed import Fixed
 from ._keys import Schema, Traces, kind_of, written
 from ._progress import Progress, Steps
 from ._quantity import BY_TEXT, OPERATING, SI_UNITS, as_keys, refuse_misspelt, si
-from ._record import Record, Table, in_names, variable
+from ._record import Record, Table, in_names, is_text, variable
+from ._values import SummaryValues
 
 if TYPE_CHECKING:
     import pandas
@@ -35,23 +36,32 @@ class _Input(NamedTuple):
 
     name: str
     read: Callable[[str], Any]
+    declared: str
 
 
 def _input(key: str, texts: Sequence[str]) -> _Input:
     """The input of a key, whose values are these texts."""
     own = next((own for own, of in OPERATING.items() if of.key == key), None)
     if own is not None:
-        return _Input(own, lambda text: OPERATING[own].number(text, key))
+        return _Input(own, lambda text: OPERATING[own].number(text, key), "float")
     quantity = _schema(key).quantity
     if quantity is None:
-        return _Input(key, _value)
+        if not texts:
+            return _Input(key, _value, "")
+        is_number = all(isinstance(_value(text), float) for text in texts)
+        return _Input(key, _value, "float") if is_number else _Input(key, _text, "Optional[str]")
     try:
         for text in texts:
             si(text, quantity)
     except AsperityError:
         # A list of quantities, as of both face widths.
-        return _Input(key, _value)
-    return _Input(f"{key}_{in_names(SI_UNITS[quantity])}", lambda text: si(text, quantity))
+        return _Input(key, _text, "Optional[str]")
+    return _Input(f"{key}_{in_names(SI_UNITS[quantity])}", lambda text: si(text, quantity), "float")
+
+
+def _text(cell: str) -> Optional[str]:
+    """A cell as text, none where it is empty."""
+    return cell or None
 
 
 def _value(text: str) -> Any:
@@ -107,6 +117,13 @@ class Sweep(Fixed, Iterator[Record]):
         inputs = [one for one, _ in self._axes] + [_input(key, ()) for key in self._raw.sampled]
         self._inputs = dict(zip(self._raw.header[2:], inputs))
         self._header = [self._inputs[name].name if name in self._inputs else name for name in self._raw.header]
+        summary = SummaryValues.__annotations__
+        of_results = {name: summary.get(name.split(".")[-1], "float") for name in self._raw.header if name not in self._inputs}
+        self._declared = {
+            **{name: declared if is_text(declared) else "float" for name, declared in of_results.items()},
+            **{one.name: one.declared for one in self._inputs.values()},
+            **{"case": "int", "id": "str", "outside": "str", "code": "Optional[str]"},
+        }
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Sweep, (self._source, self._threads, None, self._rows, self._raw.study)
@@ -154,7 +171,7 @@ class Sweep(Fixed, Iterator[Record]):
         """All rows as a table."""
         while len(self._rows) < len(self._raw):
             self._advance()
-        return Table(self._rows, self._header)
+        return Table(self._rows, self._header, self._declared)
 
     def to_dict(self) -> list[dict[str, Any]]:
         """All rows in Python's own types."""

@@ -446,7 +446,7 @@ class MapRow(Values):
     mu_equivalent: float
     mixed_share: float
     extended: bool
-    code: Any
+    code: Optional[str]
     regime: str
 
 
@@ -530,7 +530,7 @@ class SensitivityRow(Values):
     lubricated_asperity_w: float
     boundary_w: float
     rolling_w: float
-    code: Any
+    code: Optional[str]
 
 
 class SensitivityRowTable(TableOf[SensitivityRow, Literal["difference_w", "change", "sampling_p05_w", "sampling_p95_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w"], Literal["group", "what", "to", "code"]]):
@@ -685,6 +685,7 @@ class DesignPointTable(TableOf[DesignPoint, Literal["torque_nm", "speed_rpm", "t
 class DesignParameter(Values):
     key: str
     name: str
+    unit: str
     deviation: float
     prior: float
     verdict: str
@@ -695,10 +696,10 @@ class DesignParameter(Values):
     default_range_high: float
 
 
-class DesignParameterTable(TableOf[DesignParameter, Literal["deviation", "prior", "value", "band_low", "band_high", "default_range_low", "default_range_high"], Literal["key", "name", "verdict"]]):
+class DesignParameterTable(TableOf[DesignParameter, Literal["deviation", "prior", "value", "band_low", "band_high", "default_range_low", "default_range_high"], Literal["key", "name", "unit", "verdict"]]):
     _row = DesignParameter
-    key: NDArray[Any]; name: NDArray[Any]; deviation: Floats; prior: Floats; verdict: NDArray[Any]; value: Floats
-    band_low: Floats; band_high: Floats; default_range_low: Floats; default_range_high: Floats
+    key: NDArray[Any]; name: NDArray[Any]; unit: NDArray[Any]; deviation: Floats; prior: Floats; verdict: NDArray[Any]
+    value: Floats; band_low: Floats; band_high: Floats; default_range_low: Floats; default_range_high: Floats
 
 
 class DesignValues(Values):
@@ -709,7 +710,6 @@ class DesignValues(Values):
     settings: str
     limits: DesignLimits
     lambda_star: Floats
-    parameters: DesignParameterTable
     candidates: int
     warnings: ContactNoteTable
 
@@ -717,6 +717,7 @@ class DesignValues(Values):
 class CalibrationParameter(Values):
     key: str
     name: str
+    unit: str
     value: float
     band_low: float
     band_high: float
@@ -733,12 +734,12 @@ class CalibrationParameter(Values):
     verdict: str
 
 
-class CalibrationParameterTable(TableOf[CalibrationParameter, Literal["value", "band_low", "band_high", "profile_band_low", "profile_band_high", "bootstrap_low", "bootstrap_high", "default", "default_range_low", "default_range_high", "deviation"], Literal["key", "name", "is_open", "profile", "verdict"]]):
+class CalibrationParameterTable(TableOf[CalibrationParameter, Literal["value", "band_low", "band_high", "profile_band_low", "profile_band_high", "bootstrap_low", "bootstrap_high", "default", "default_range_low", "default_range_high", "deviation"], Literal["key", "name", "unit", "is_open", "profile", "verdict"]]):
     _row = CalibrationParameter
-    key: NDArray[Any]; name: NDArray[Any]; value: Floats; band_low: Floats; band_high: Floats; profile_band_low: Floats
-    profile_band_high: Floats; is_open: NDArray[Any]; profile: NDArray[Any]; bootstrap_low: Floats
-    bootstrap_high: Floats; default: Floats; default_range_low: Floats; default_range_high: Floats; deviation: Floats
-    verdict: NDArray[Any]
+    key: NDArray[Any]; name: NDArray[Any]; unit: NDArray[Any]; value: Floats; band_low: Floats; band_high: Floats
+    profile_band_low: Floats; profile_band_high: Floats; is_open: NDArray[Any]; profile: NDArray[Any]
+    bootstrap_low: Floats; bootstrap_high: Floats; default: Floats; default_range_low: Floats
+    default_range_high: Floats; deviation: Floats; verdict: NDArray[Any]
 
 
 class CalibrationPoint(Values):
@@ -957,7 +958,7 @@ class OilFitConstant(Values):
     expected: float
     posterior: float
     is_identified: bool
-    would_help: Any
+    would_help: Optional[str]
 
 
 class OilFitConstantTable(TableOf[OilFitConstant, Literal["value", "range_low", "range_high", "band_low", "band_high", "prior", "prior_range_low", "prior_range_high", "expected", "posterior"], Literal["key", "name", "unit", "is_identified", "would_help"]]):
@@ -968,10 +969,10 @@ class OilFitConstantTable(TableOf[OilFitConstant, Literal["value", "range_low", 
 
 
 class OilFitPoint(Values):
-    _absent = {"curve": None, "dropped": None}
+    _absent = {"dropped": None}
     file: str
     line: int
-    curve: Any
+    curve: int
     load_n: float
     mean_speed_m_s: float
     slide_roll_percent: float
@@ -983,7 +984,7 @@ class OilFitPoint(Values):
     has_measured_film: bool
     fitted: float
     residual_sigma: float
-    dropped: Any
+    dropped: Optional[str]
 
 
 class OilFitPointTable(TableOf[OilFitPoint, Literal["load_n", "mean_speed_m_s", "slide_roll_percent", "temperature_c", "pressure_gpa", "film_ratio", "traction", "fitted", "residual_sigma"], Literal["file", "line", "curve", "readings", "has_measured_film", "dropped"]]):

@@ -7,6 +7,7 @@ use maud::{Markup, html};
 use crate::chart::{Axis, Drawing, Interval, Tornado};
 use crate::columns;
 use crate::other_models::models;
+use crate::printed::duration;
 
 /// The measurements that narrow each component: the fold below the chart.
 pub(super) fn remedies(uncertainty: &Uncertainty) -> Markup {
@@ -39,11 +40,11 @@ pub(crate) fn evidence(rows: &[EvidenceRow], loss: &dyn Fn(f64) -> String) -> Ma
     } @else {
         (columns! { row in first.iter().chain(quickest);
             head measurement "measurement" "";
-            number hours "hours" "";
+            number hours "duration" "" = duration(60.0 * row.hours);
             number width "remaining width" "" = row.width_percent();
             number loss "loss" "W" = row.interval().map(loss).join(" to ");
         })
-        p.note { "Remaining width: expected interval of ln loss over the present one. Hours: measuring with preparation, without the making of parts. " code { "asperity evidence" } " has all measurements." }
+        p.note { "Remaining width: expected interval of ln loss over the present one. Duration: measuring with preparation, without the making of parts. " code { "asperity evidence" } " has all measurements." }
     } }
 }
 
