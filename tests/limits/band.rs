@@ -7,7 +7,7 @@ use asperity::case::{LoadedCase, load_with};
 use asperity::oil::FilmConstantName;
 use asperity::pipeline::KeptFields;
 use asperity::result::loss_band::{Trust, Uncertainty};
-use asperity::uncertainty::{PairedDifference, Verdict, difference};
+use asperity::uncertainty::{DrawnMesh, PairedDifference, Verdict, beside, difference_of_meshes};
 use asperity::{Run, RunResult};
 
 const KEPT: KeptFields = KeptFields::Highest;
@@ -39,13 +39,22 @@ fn e_drive() -> &'static (LoadedCase, Uncertainty) {
 
 /// Difference of two cases, and the uncertainty of each.
 fn between(first: &LoadedCase, other: &LoadedCase) -> (PairedDifference, [Uncertainty; 2]) {
-    let [a, b] = [first, other].map(|case| {
+    let drawn = [first, other].map(|case| {
         let (outcome, drawn) = Run::new(case).fields(&KEPT).draw().unwrap();
-        (drawn.unwrap(), outcome.result.uncertainty.unwrap())
+        (case, drawn.unwrap(), outcome.result.uncertainty.unwrap())
     });
-    let same = first.surfaces.has_flanks_of(&other.surfaces);
-    let found = difference((&a.0, &a.1), (&b.0, &b.1), same);
-    (found, [a.1, b.1])
+    let [own, theirs] = drawn.each_ref().map(|(loaded, predictive, uncertainty)| {
+        vec![DrawnMesh {
+            loaded,
+            predictive,
+            uncertainty,
+            count: 1,
+            common: 0.into(),
+        }]
+    });
+    let [own, theirs] = beside(own, theirs);
+    let found = difference_of_meshes(&own, &theirs);
+    (found, drawn.map(|(.., uncertainty)| uncertainty))
 }
 
 #[test]

@@ -24,7 +24,7 @@ use asperity_ehl_regime::{FULL_FILM, GapLaw};
 use asperity_tribo_friction::boundary::INNER_BOUNDARY_RANGE;
 use serde::{Deserialize, Serialize};
 
-use crate::draw::{DRAWS, Draw, flank_draws, shared_draws};
+use crate::draw::{Common, DRAWS, Draw, flank_draws, shared_draws};
 use crate::hypercube::StudentOfNormal;
 use crate::parameters::{AXES, Ranged, UncertainParameter};
 use crate::quantiles::{ENDS, Quantiles, sorted_quantiles};
@@ -248,37 +248,34 @@ impl Predictive {
         self.losses(0)
     }
 
-    /// The losses of all draws with model error and sampling of the flanks drawn as for flanks number `flanks`.
-    pub fn losses(&self, flanks: usize) -> Vec<f64> {
-        self.losses_by(flanks, &|_| {})
+    /// The losses of all draws of a mesh with these draws in common with others, by default of the flanks with a number.
+    pub fn losses(&self, common: impl Into<Common>) -> Vec<f64> {
+        self.losses_by(common, &|_| {})
     }
 
-    /// The losses of all draws as of flanks number `flanks`, with every draw changed by `change`.
-    pub fn losses_by(&self, flanks: usize, change: &dyn Fn(&mut Draw)) -> Vec<f64> {
+    /// The losses of all draws as of [`losses`](Self::losses), with every draw changed by `change`.
+    pub fn losses_by(&self, common: impl Into<Common>, change: &dyn Fn(&mut Draw)) -> Vec<f64> {
         cite!("Predictive-draw");
         let law = self.law();
-        let draws = shared_draws().zip(flank_draws(flanks));
-        let drawn = draws.map(|(draw, of_flanks)| {
-            let mut draw = draw;
-            draw.of_flanks = of_flanks;
+        let drawn = common.into().draws().map(|mut draw| {
             change(&mut draw);
             law.loss(&draw)
         });
         drawn.collect()
     }
 
-    /// The losses of all draws \[W\] as parts of a sum, as over a cycle: model error and sampling drawn as for flanks number
-    /// `flanks`, and the standard error of the sampling times `sampling`.
+    /// The losses of all draws \[W\] as parts of a sum, as over a cycle: as of [`losses`](Self::losses), with the
+    /// standard error of the sampling times `sampling`.
     #[must_use]
-    pub fn draws_of_sum_w(&self, flanks: usize, sampling: f64) -> Vec<f64> {
+    pub fn draws_of_sum_w(&self, common: impl Into<Common>, sampling: f64) -> Vec<f64> {
         let mut scaled = self.clone();
         scaled.sampling.standard_error *= sampling;
-        scaled.losses(flanks)
+        scaled.losses(common)
     }
 
-    /// Adds `count` times the losses of all draws, as of flanks number `flanks`, to `total` \[W\].
-    pub fn add_draws(&self, total: &mut [f64], count: f64, flanks: usize) {
-        for (total, loss) in total.iter_mut().zip(self.losses(flanks)) {
+    /// Adds `count` times the losses of all draws, as of [`losses`](Self::losses), to `total` \[W\].
+    pub fn add_draws(&self, total: &mut [f64], count: f64, common: impl Into<Common>) {
+        for (total, loss) in total.iter_mut().zip(self.losses(common)) {
             *total += count * loss;
         }
     }

@@ -19,6 +19,7 @@
 //! ```
 
 mod change;
+mod common_draws;
 mod difference;
 mod evaluations;
 mod other_models;
@@ -50,12 +51,13 @@ use asperity_uncertainty::{
 
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use asperity_uncertainty::{
-    ENDS, Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter,
+    Common, ENDS, Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter,
     median_with_ends, model_deviation, sorted_quantiles,
 };
 pub use change::{ChangeDraws, few_offsets_of, sampling_interval};
+pub use common_draws::CommonConstant;
 pub use difference::{
-    DrawnMesh, PairedDifference, Verdict, difference, difference_of_meshes, losses_of_meshes,
+    DrawnMesh, PairedDifference, Verdict, beside, difference_of_meshes, losses_of_meshes,
 };
 pub use evaluations::has_band;
 pub use recorded::predictive;

@@ -1,8 +1,8 @@
 //! Comparison of several finishes on one case.
 
+use asperity::Contacts;
 use asperity::case::LoadedCase;
 use asperity::case::train::Train;
-use asperity::flanks::Surfaces;
 use asperity::message::outside_codes;
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::Uncertainty;
@@ -290,11 +290,14 @@ pub fn compare<C: Clone + Into<Train>>(
     finishes: &[Finish<C>],
     progress: Progress<'_>,
 ) -> Result<Comparison, Error> {
-    let run = |case: &Train| train::run(case, Some(&KeptFields::Highest), true, &|_, _| {});
-    let mut runs = Vec::with_capacity(finishes.len());
+    let kept = (Some(&KeptFields::Highest), true);
+    let mut runs: Vec<(&str, Train, Outcomes)> = Vec::with_capacity(finishes.len());
+    // Contacts do not depend on the oil: the variants share them.
+    let mut contacts: Vec<Contacts> = Vec::new();
     for finish in finishes {
         let case: Train = finish.case.clone().into();
-        let outcome = run(&case)?;
+        let outcome = train::run_beside(&case, kept, &contacts, &|_, _| {})?;
+        contacts.extend(outcome.contacts.iter().cloned());
         runs.push((finish.name.as_str(), case, outcome));
         progress(runs.len(), finishes.len());
     }
@@ -304,7 +307,7 @@ pub fn compare<C: Clone + Into<Train>>(
     let title = first.title.clone();
     let mut results: Vec<FinishResult> = Vec::with_capacity(runs.len());
     for (k, (name, case, outcome)) in runs.iter().enumerate() {
-        let first = (k > 0).then(|| (&runs[0].1, &runs[0].2));
+        let first = (k > 0).then(|| &runs[0].2);
         results.push(finish_result(name, (case, outcome), first)?);
     }
     let pooled = |finish: &FinishResult| finish.roughness().len().min(finish.offsets.len());
@@ -333,31 +336,12 @@ pub(crate) fn files(case: &LoadedCase) -> Vec<[String; 2]> {
     names_and_sums.collect()
 }
 
-/// A case with its run.
-pub type CaseRun<'a> = (&'a Train, &'a Outcomes);
-
-/// The drawn meshes of two runs, whose flanks are numbered together; `None` without draws.
-#[must_use]
-pub fn drawn_together<'a>(
-    (first, of_first): CaseRun<'a>,
-    (other, of_other): CaseRun<'a>,
-) -> Option<[Vec<DrawnMesh<'a>>; 2]> {
-    let meshes = first.meshes().chain(other.meshes());
-    let surfaces: Vec<&Surfaces> = meshes.map(|mesh| &mesh.case.surfaces).collect();
-    let numbers = Surfaces::first_equal(&surfaces);
-    let (of_case, of_own) = numbers.split_at(of_first.meshes.len());
-    Some([
-        of_first.drawn_meshes(of_case)?,
-        of_other.drawn_meshes(of_own)?,
-    ])
-}
-
 fn finish_result(
     name: &str,
-    (case, outcome): CaseRun<'_>,
-    first: Option<CaseRun<'_>>,
+    (case, outcome): (&Train, &Outcomes),
+    first: Option<&Outcomes>,
 ) -> Result<FinishResult, Error> {
-    let compared = first.and_then(|first| drawn_together(first, (case, outcome)));
+    let compared = first.and_then(|first| first.drawn_beside(outcome));
     let difference = compared
         .as_ref()
         .map(|[first, own]| difference_of_meshes(first, own));
@@ -384,9 +368,11 @@ fn finish_result(
         let meshes = result.meshes.iter().zip(&outcome.meshes).enumerate();
         finish.meshes = meshes
             .map(|(k, (row, run))| {
-                let pair = compared
-                    .as_ref()
-                    .and_then(|[first, own]| Some((first.get(k)?, own.get(k)?)));
+                let pair = compared.as_ref().and_then(|[of_first, own]| {
+                    let mut names = first?.whole.meshes.iter();
+                    let same = names.position(|known| known.mesh == row.mesh)?;
+                    Some((of_first.get(same)?, own.get(k)?))
+                });
                 let summary = &run.result.summary;
                 MeshOfFinish {
                     mesh: row.mesh.clone(),
