@@ -560,6 +560,8 @@ def one(kind, name):
     """Type of a value of a setting, and the value for the compiled part."""
     if kind in QUANTITIES:
         return "Quantity", f'written({name}, "{kind}", "{name}")'
+    if kind == "LossTarget":
+        return "Quantity", f'{name} if isinstance({name}, str) else written({name}, "Power", "{name}")'
     if kind == "PathBuf":
         return TYPES[kind], f"fspath({name})"
     choices = {rust: python for python, rust, _ in _asperity.choices()}

@@ -54,6 +54,7 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
         Read,
         "case.toml --finish a=@ --finish b=wheel.csv",
     ),
+    ("compare", "variants", Read, "case.toml --variant a=@"),
     (
         "compare",
         "output",

@@ -7,7 +7,7 @@ use asperity::case::{LoadedCase, load_with};
 use asperity::oil::FilmConstantName;
 use asperity::pipeline::KeptFields;
 use asperity::result::loss_band::{Trust, Uncertainty};
-use asperity::uncertainty::{DrawnMesh, PairedDifference, Verdict, beside, difference_of_meshes};
+use asperity::uncertainty::{PairedDifference, Verdict, difference};
 use asperity::{Run, RunResult};
 
 const KEPT: KeptFields = KeptFields::Highest;
@@ -43,17 +43,10 @@ fn between(first: &LoadedCase, other: &LoadedCase) -> (PairedDifference, [Uncert
         let (outcome, drawn) = Run::new(case).fields(&KEPT).draw().unwrap();
         (case, drawn.unwrap(), outcome.result.uncertainty.unwrap())
     });
-    let [own, theirs] = drawn.each_ref().map(|(loaded, predictive, uncertainty)| {
-        vec![DrawnMesh {
-            loaded,
-            predictive,
-            uncertainty,
-            count: 1,
-            common: 0.into(),
-        }]
-    });
-    let [own, theirs] = beside(own, theirs);
-    let found = difference_of_meshes(&own, &theirs);
+    let [own, theirs] = drawn
+        .each_ref()
+        .map(|(case, drawn, uncertainty)| (*case, drawn, uncertainty));
+    let found = difference(own, theirs);
     (found, drawn.map(|(.., uncertainty)| uncertainty))
 }
 

@@ -83,7 +83,8 @@ pub struct GivenFinishes {
     /// "as is", with which a single variant is compared. Variants follow the finishes
     #[arg(
         long = "variant",
-        value_name = "NAME: KEY=VALUE, ...",
+        value_name = "NAME: KEY=VALUE,... or NAME=CASE.toml",
+        value_hint = clap::ValueHint::AnyPath,
         allow_hyphen_values = true
     )]
     variants: Vec<String>,

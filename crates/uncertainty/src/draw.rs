@@ -207,7 +207,7 @@ impl Common {
         })
     }
 
-    /// A draw of the first set, with that of the second set where things differ.
+    /// A draw of the first set, with the draw of the second set where things differ.
     fn mixed(&self, mut draw: Draw, other: &Draw) -> Draw {
         cite!("Common-draw");
         let mix = |rho: f64, of: &mut f64, other: f64| {

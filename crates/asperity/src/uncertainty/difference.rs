@@ -143,6 +143,23 @@ pub fn beside<'a>(first: Vec<DrawnMesh<'a>>, other: Vec<DrawnMesh<'a>>) -> [Vec<
     }
 }
 
+/// A mesh with its draws and its losses by every model.
+pub type MeshResult<'a> = (&'a LoadedCase, &'a Predictive, &'a Uncertainty);
+
+/// The loss of the mesh `other` minus the loss of the mesh `first`, with the draws that both have in common.
+#[must_use]
+pub fn difference(first: MeshResult<'_>, other: MeshResult<'_>) -> PairedDifference {
+    let mesh = |(loaded, predictive, uncertainty)| DrawnMesh {
+        loaded,
+        predictive,
+        uncertainty,
+        count: 1,
+        common: 0.into(),
+    };
+    let [first, other] = beside(vec![mesh(first)], vec![mesh(other)]);
+    difference_of_meshes(&first, &other)
+}
+
 /// The loss of all meshes of `other` minus the loss of all meshes of `first`, draw by draw. Cases that differ in nothing
 /// differ by exactly 0.
 ///

@@ -1,6 +1,7 @@
 //! Comparison of several finishes on one case.
 
 use asperity::Contacts;
+use asperity::case::CaseInput;
 use asperity::case::LoadedCase;
 use asperity::case::train::Train;
 use asperity::message::outside_codes;
@@ -8,7 +9,9 @@ use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::Uncertainty;
 use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Scope};
 use asperity::train::{self, MeshRow, Outcomes};
-use asperity::uncertainty::{DrawnMesh, PairedDifference, Quantiles, difference_of_meshes};
+use asperity::uncertainty::{
+    DecidingMeasurement, DrawnMesh, PairedDifference, Quantiles, deciding, difference_of_meshes,
+};
 use asperity::{Error, PositionError};
 use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys, unique};
 use asperity_report::tables::FlankTables;
@@ -17,6 +20,7 @@ use serde::Serialize;
 
 use super::statistics::rank_correlation;
 use super::windows::{self, Value, WindowRoughness};
+use crate::diff::{Change, changed_keys};
 
 /// Finish to compare: name, and case with its traces, a pair of gears or a gear train.
 #[derive(Debug, Clone)]
@@ -39,8 +43,11 @@ pub struct Comparison {
     pub scope: Scope,
     /// Power into the meshes \[W\].
     pub power_in_w: f64,
-    /// The finishes.
+    /// The finishes, or other variants.
     pub finishes: Vec<FinishResult>,
+    /// Whether the variants differ by their flanks only.
+    #[serde(skip)]
+    pub(crate) are_finishes: bool,
     /// Rank correlations of roughness with the computed loss, strongest first; empty of fewer than three finishes, of a gear
     /// train, and if a finish has fewer than 5 windows.
     pub correlations: Vec<Correlation>,
@@ -70,6 +77,12 @@ pub struct FinishResult {
     /// Loss minus the loss of the first finish with the same draws; `None` for the first, and if the model has no
     /// uncertainty.
     pub difference: Option<PairedDifference>,
+    /// Measurements that would narrow the difference, the one that leaves the narrowest interval first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub deciding: Vec<DecidingMeasurement>,
+    /// Keys of the case that differ from the first one, unless these are of the flanks only.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub changes: Vec<Change>,
     /// Mean loss of the flanks run in with every constant at its median \[W\], if the case sets `model.run_in`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub run_in_loss_w: Option<f64>,
@@ -202,7 +215,7 @@ impl Finishes {
     pub fn check_count(count: usize) -> Result<(), Fault> {
         match count < 2 {
             true => {
-                let message = "one finish cannot be compared; give at least two";
+                let message = "a single finish or variant cannot be compared; give at least two";
                 Err(Fault::new(Code::E205, message))
             }
             false => Ok(()),
@@ -255,21 +268,30 @@ impl StudySettings for CompareSettings {
     type Input = Finishes;
     type Found = Comparison;
     const COMMAND: &'static str = "compare";
-    const ABOUT: &'static str = "Compare finishes on one case, with paired differences";
-    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[&[
-        ("case", "demo/case.toml"),
-        (
-            "finishes",
-            "ground=demo/ground_pinion.csv,demo/ground_wheel.csv",
-        ),
-        (
-            "finishes",
-            "superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv",
-        ),
-    ]];
-    const METHOD: &'static str = "The first finish is the reference for the others. All have the same offsets and the same draws of what \
-        is uncertain.";
-    const STEPS: &'static str = "finishes";
+    const ABOUT: &'static str =
+        "Compare finishes, oils, gears and other variants of a case, with paired differences";
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[
+        &[
+            ("case", "demo/case.toml"),
+            (
+                "finishes",
+                "ground=demo/ground_pinion.csv,demo/ground_wheel.csv",
+            ),
+            (
+                "finishes",
+                "superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv",
+            ),
+        ],
+        &[
+            ("case", "demo/case.toml"),
+            ("variants", "pao: lubricant.oil=pao100"),
+            ("variants", "mineral: lubricant.oil=m100"),
+        ],
+    ];
+    const METHOD: &'static str = "The first is the reference for the others. Two variants have the draws of a constant in common where \
+        the thing that it belongs to is the same in both, as the Eyring stress of one oil. Where it differs each has draws of its own. \
+        A variant that names an oil leaves out all other numbers of the oil of the case, and its calibration.";
+    const STEPS: &'static str = "variants";
 
     fn work(&self, given: &Finishes) -> Result<Option<Work>, Fault> {
         let finishes = self.applied(given.clone())?;
@@ -310,6 +332,14 @@ pub fn compare<C: Clone + Into<Train>>(
         let first = (k > 0).then(|| &runs[0].2);
         results.push(finish_result(name, (case, outcome), first)?);
     }
+    let are_finishes = runs
+        .iter()
+        .all(|(_, case, _)| differs_by_flanks(&runs[0].1, case));
+    if !are_finishes {
+        for (finish, (_, case, _)) in results.iter_mut().zip(&runs).skip(1) {
+            finish.changes = changes(&runs[0].1, case)?;
+        }
+    }
     let pooled = |finish: &FinishResult| finish.roughness().len().min(finish.offsets.len());
     Ok(Comparison {
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
@@ -322,7 +352,31 @@ pub fn compare<C: Clone + Into<Train>>(
         correlations: correlations(&results),
         windows: results.iter().map(pooled).sum(),
         finishes: results,
+        are_finishes,
     })
+}
+
+/// Whether two cases differ by their flanks only.
+fn differs_by_flanks(first: &Train, other: &Train) -> bool {
+    let without_flanks = |case: &Train| -> Vec<CaseInput> {
+        let inputs = case.cases().map(|mesh| mesh.case.input.clone());
+        inputs
+            .map(|input| CaseInput {
+                title: Default::default(),
+                surface: Default::default(),
+                ..input
+            })
+            .collect()
+    };
+    without_flanks(first) == without_flanks(other)
+}
+
+/// Keys by which two cases differ.
+fn changes(first: &Train, other: &Train) -> Result<Vec<Change>, Error> {
+    let of = |case: &'_ Train| (case.input.clone(), case.defaults.clone());
+    let ((a, by_first), (b, by_other)) = (of(first), of(other));
+    let found = changed_keys((&a, &by_first), (&b, &by_other));
+    found.map_err(|error| Error::Whole(Box::new(PositionError::from(Fault::internal(error)))))
 }
 
 /// Names and SHA-256 of the files that `case` read. Folders are omitted, since they may be private; the hash identifies
@@ -355,6 +409,10 @@ fn finish_result(
         uncertainty: None,
         loss_distribution: result.loss_distribution,
         difference,
+        deciding: compared
+            .as_ref()
+            .map_or(Vec::new(), |[first, own]| deciding(first, own)),
+        changes: Vec::new(),
         run_in_loss_w: run_in_loss(outcome),
         gearbox: result.gearbox.clone(),
         mixed_share: None,

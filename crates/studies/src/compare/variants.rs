@@ -23,11 +23,11 @@ const FORMS: &str = "Write \"NAME: KEY=VALUE, KEY=VALUE\", \"NAME: FILE\" with a
 pub struct NamedVariant {
     /// Name.
     pub name: String,
-    /// What it is.
+    /// Its keys, or its case.
     pub is: WrittenVariant,
 }
 
-/// What a variant is, as written.
+/// Keys or case of a variant, as written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum WrittenVariant {
@@ -156,7 +156,7 @@ pub fn keys_in(text: &str) -> Result<Keys, Fault> {
     }
 }
 
-/// What a variant is.
+/// Keys or case of a variant.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Variant {
