@@ -204,3 +204,55 @@ fn a_loss_is_stated_as_people_state_it() {
         );
     }
 }
+
+#[test]
+fn maps_and_cycles_take_variants_with_the_same_draws_in_common() {
+    let bench = bench();
+    let oils = [
+        "--variant",
+        "pao: lubricant.oil=pao100",
+        "--variant",
+        "mineral: lubricant.oil=m100",
+    ];
+    let axes = [
+        "map",
+        "case.toml",
+        "--torque",
+        "50,145",
+        "--speed",
+        "3000,9000",
+        "-o",
+        "map",
+    ];
+    bench.run(&[&axes[..], &FEW, &oils].concat()).well();
+    let map = std::fs::read_to_string(bench.path("map/map.json")).unwrap();
+    let map: Value = serde_json::from_str(&map).unwrap();
+    let of_map = &map["finishes"][1]["difference_w"];
+    let of_map = ["low", "value", "high"].map(|key| of_map[key].as_f64().unwrap());
+    let [low, median, high] = ends(&compared(&bench, &[oils[1], oils[3]]), 1);
+    // The largest loss is at the operating point of the case; the map has the same draws there.
+    for (a, b) in of_map.into_iter().zip([low, median, high]) {
+        assert!(
+            (a - b).abs() < 0.05 * (high - low),
+            "{of_map:?} {:?}",
+            [low, median, high]
+        );
+    }
+    bench.write(
+        "cycle.csv",
+        "time_s,torque_nm,speed_rpm\n0,100,5000\n1,120,6000\n2,60,8000\n",
+    );
+    let cycle = bench
+        .run(&["cycle", "map", "cycle.csv", "--json", "--no-output"])
+        .well()
+        .json();
+    let names: Vec<&Value> = cycle["finishes"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|one| &one["name"])
+        .collect();
+    assert_eq!(names, ["pao", "mineral"]);
+    let text = cycle["finishes"][1].to_string();
+    assert!(text.contains("difference"), "{text}");
+}

@@ -120,6 +120,14 @@ pub struct GivenCaseOrFinishes {
     /// [default: the flanks of the case]
     #[arg(long = "finish", value_name = "NAME[@MESH]=PINION.csv[,WHEEL.csv]")]
     finishes: Vec<FinishArg>,
+    /// Variants of the case, as in compare; they follow the finishes
+    #[arg(
+        long = "variant",
+        value_name = "NAME: KEY=VALUE,... or NAME=CASE.toml",
+        value_hint = clap::ValueHint::AnyPath,
+        allow_hyphen_values = true
+    )]
+    variants: Vec<String>,
 }
 
 impl Given for CaseOrFinishes {
@@ -129,12 +137,12 @@ impl Given for CaseOrFinishes {
 
     fn read(args: &GivenCaseOrFinishes, set: &SetArgs) -> Result<Subject<Self>, Failure> {
         let file = &args.case;
-        let given = match args.finishes.is_empty() {
+        let given = match args.finishes.is_empty() && args.variants.is_empty() {
             true => vec![Finish {
                 name: stem(file).to_string_lossy().into_owned(),
                 case: load_train(file, set, None)?,
             }],
-            false => finishes(file, set, &args.finishes, &[])?,
+            false => finishes(file, set, &args.finishes, &args.variants)?,
         };
         Ok(Subject {
             input: Self(Finishes(given)),

@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 
 use asperity_core::cite;
 use asperity_core::numerics::standard_normal_quantile;
+use serde::{Deserialize, Serialize};
 
 use crate::hypercube::permutations;
 use crate::parameters::AXES;
@@ -147,7 +148,7 @@ pub fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
 ///
 /// z₀, z₁: standard normal draws of the first and the second set; ρ: 1 of the same thing, 0 of another, between them of two oils of
 /// one family and of the error of the model on the same flanks under other conditions.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Common {
     /// Number of the flanks, which have the error of the model.
     pub flanks: usize,

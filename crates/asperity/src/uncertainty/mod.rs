@@ -56,7 +56,7 @@ pub use asperity_uncertainty::{
     median_with_ends, model_deviation, sorted_quantiles,
 };
 pub use change::{ChangeDraws, few_offsets_of, sampling_interval};
-pub use common_draws::CommonConstant;
+pub use common_draws::{CommonConstant, DrawnCase, common_draws};
 pub use deciding::{DecidingMeasurement, deciding};
 pub use difference::{
     DrawnMesh, PairedDifference, Verdict, beside, difference, difference_of_meshes,

@@ -234,7 +234,7 @@ impl Input for Finishes {
         Self::arguments(
             "The case, whose traces are replaced by the traces of each finish; the finishes of a gear train are cases",
             "Finishes",
-            "By name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, or a case; at least two",
+            "By name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, other values of keys, or a case; at least two",
         )
     }
 

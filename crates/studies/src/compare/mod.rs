@@ -17,5 +17,7 @@ pub use comparison::{
     CompareSettings, Comparison, Correlation, Finish, FinishResult, Finishes, MeshOfFinish, compare,
 };
 pub use statistics::rank_correlation;
-pub use variants::{AS_IS, KeyOrFile, NamedVariant, Variant, WrittenVariant, keys_in, variants};
+pub use variants::{
+    AS_IS, KeyOrFile, NamedVariant, Variant, WrittenVariant, keys_in, variants, varied,
+};
 pub use words::{difference_with_interval, verdict};

@@ -14,7 +14,9 @@ use serde_json::Value;
 use super::comparison::{Comparison, FinishResult, PairOfFinish};
 use super::tables;
 use super::windows::PARAMETERS;
-use super::words::{decided_by, loss, measured, meshes, note, run_in, scope, table, warnings};
+use super::words::{
+    loss, measured, meshes, narrowed_by, note, run_in, scope, table, verdicts, warnings,
+};
 
 impl StudyResult for Comparison {
     const KIND: &'static str = "comparison";
@@ -28,12 +30,12 @@ impl StudyResult for Comparison {
             format!("{} · comparison of {}", self.program, names.join(", ")),
         )
         .section("Verdict")
-        .verdict(self.verdicts().iter().map(|verdict| format!("{verdict}.")))
+        .verdict(verdicts(self))
         .figures(|| [bars(self)])
-        .text(decided_by(self))
+        .text(narrowed_by(self))
         .on_page()
         .table(table(self))
-        .text(decided_by(self))
+        .text(narrowed_by(self))
         .in_terminal()
         .text([note(self)])
         .text(run_in(self))

@@ -192,7 +192,7 @@ pub fn variants(
             Variant::AsIs => base.clone(),
             Variant::Case(case) => *case,
             Variant::Keys(keys) => {
-                changed(base, &keys).map_err(|fault| fault.about(format!("variant {name}")))?
+                varied(base, &keys).map_err(|fault| fault.about(format!("variant {name}")))?
             }
         };
         found.push(Finish { name, case });
@@ -200,8 +200,11 @@ pub fn variants(
     Ok(found)
 }
 
-/// The case with other values of its keys.
-fn changed(base: &Train, keys: &Keys) -> Result<Train, Fault> {
+/// The case with other values of its keys. One that names an oil leaves out the oil of the case, and its calibration.
+///
+/// # Errors
+/// When a key is not known or set twice, nothing changes, or the changed case cannot be run.
+pub fn varied(base: &Train, keys: &Keys) -> Result<Train, Fault> {
     let is_within = |whole: &str, part: &str| {
         part.strip_prefix(whole)
             .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))

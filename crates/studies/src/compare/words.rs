@@ -253,9 +253,9 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
     }
 }
 
-/// The measurement that narrows the least certain difference most, and what it leaves at best, in words; one that is made once is
-/// preferred where it narrows nearly as much.
-pub(super) fn decided_by(comparison: &Comparison) -> Option<String> {
+/// The measurement that narrows the least certain difference most, and what it leaves at best, in words, with the name of its
+/// variant; one that is made once is preferred where it narrows nearly as much.
+fn decided_by(comparison: &Comparison) -> Option<(&str, String)> {
     /// Largest difference of widths that are nearly the same.
     const NEARLY: f64 = 0.03;
     let (first, others) = comparison.finishes.split_first()?;
@@ -268,15 +268,43 @@ pub(super) fn decided_by(comparison: &Comparison) -> Option<String> {
     let mut once = finish.deciding.iter().filter(is_once);
     let best = once.find(|row| row.width <= narrowest.width + NEARLY);
     let best = best.unwrap_or(narrowest);
-    let subject = match others.len() {
-        1 => "The difference".to_owned(),
-        _ => format!("The difference of {}", finish.name),
-    };
-    Some(format!(
-        "{subject} is narrowed most by {}: at best {} W.",
+    let words = format!(
+        "at best {} W after {}",
+        Digits::of_interval(difference.watts.ends()).range(best.quantiles_w),
         measured(best, [&first.name, &finish.name]),
-        Digits::of_interval(difference.watts.ends()).range(best.quantiles_w)
-    ))
+    );
+    Some((&finish.name, words))
+}
+
+/// The decision of each difference, one that is undecided with what would narrow it.
+pub(super) fn verdicts(comparison: &Comparison) -> Vec<String> {
+    let decided_by = decided_by(comparison);
+    let first = comparison.finishes.first().map_or("", |first| &first.name);
+    let of = |finish: &FinishResult| {
+        let difference = finish.difference.as_ref()?;
+        let own = verdict([first, &finish.name], difference);
+        let is_open = difference.verdict == Verdict::Undecided;
+        let narrowed = decided_by
+            .as_ref()
+            .filter(|(name, _)| is_open && *name == finish.name);
+        Some(match narrowed {
+            Some((_, words)) => format!("{own}; {words}."),
+            None => format!("{own}."),
+        })
+    };
+    comparison.finishes.iter().filter_map(of).collect()
+}
+
+/// The measurement that narrows a difference that is decided.
+pub(super) fn narrowed_by(comparison: &Comparison) -> Option<String> {
+    let (name, words) = decided_by(comparison)?;
+    let mut finishes = comparison.finishes.iter();
+    let difference = finishes
+        .find(|finish| finish.name == name)?
+        .difference
+        .as_ref()?;
+    let is_open = difference.verdict == Verdict::Undecided;
+    (!is_open).then(|| format!("The difference of {name} is {words}."))
 }
 
 /// A measurement in words, with the names of the variants that it is made for.
