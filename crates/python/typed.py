@@ -33,7 +33,8 @@ SMALL = 'case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets":
 """A case that is quickly run, for the examples."""
 EXAMPLES = {
     "compare": [SMALL, 'finishes = {"ground": "demo/ground_pinion.csv", "fine": "demo/superfinished_pinion.csv"}', "found = asperity.compare(case, finishes)",
-                ("found.names", "['ground', 'fine']"), ("bool(found.finishes.loss_w[1] < found.finishes.loss_w[0])", "True")],
+                ("found.names", "['ground', 'fine']"), ("bool(found.finishes.loss_w[1] < found.finishes.loss_w[0])", "True"),
+                'oils = {"pao": {"lubricant.oil": "pao100"}, "mineral": {"lubricant.oil": "m100"}}', ("asperity.compare(case, oils).names", "['pao', 'mineral']")],
     "map": [SMALL, 'losses = asperity.map(case, torque_nm=[50, 145], speed="1000..9000:3 1/min", band="none")', ("losses.loss_w.shape", "(1, 1, 2, 4)"),
             ("float(losses.loss_torque(torque_nm=100, speed_rpm=4000)) > 0", "True")],
     "cycle": [SMALL, 'losses = asperity.map(case, torque_nm=[-200, -60, -20, 20, 60, 200], speed_rpm=[500, 4000, 16000])',
@@ -534,8 +535,8 @@ INPUTS = {
     "Option<Case>": ("Optional[CaseLike]", "None", "None if {0} is None else as_case({0})._raw"),
     "Oil": ("OilLike", None, "raw_oil({0})"),
     "CaseOfFinishes": ("CaseLike", None, None),
-    "Finishes": ("Mapping[str, Finish]", None, "cases_of(case, {0})"),
-    "Option<Finishes>": ("Optional[Mapping[str, Finish]]", "None", "cases_of(case, {0})"),
+    "Finishes": ("Mapping[str, Variant]", None, "cases_of(case, {0})"),
+    "Option<Finishes>": ("Optional[Mapping[str, Variant]]", "None", "cases_of(case, {0})"),
     "Option<Cases>": ("Optional[Mapping[str, CaseLike]]", "None", "[(key, as_case(one)._raw) for key, one in ({0} or {{}}).items()]"),
     "Rig": ("Columns", None, 'table_of({0}, "rig", Code.E134)'),
     "Map": ("Map", None, "map_of({0})"),
@@ -550,7 +551,7 @@ BY_NAME = ("Option<Cases>", "Option<Finishes>", "Option<Vehicle>")
 HOMES = {
     "CaseLike": "_case", "Code": "_errors", "Columns": "_columns", "Finish": "_compare", "Numbers": "_quantity", "OilLike": "_oil", "Progress": "_progress",
     "Quantities": "_quantity", "Quantity": "_quantity", "Study": "_study", "as_case": "_case", "cases_of": "_compare", "map_of": "_map", "nodes": "_quantity", "number": "_quantity",
-    "Trace": "_compare", "ran": "_study", "raw_oil": "_oil", "raw_traces": "_profile_change", "table_of": "_columns", "tables_of_curves": "_oil", "vehicle_keys": "_keys", "written": "_quantity",
+    "Trace": "_compare", "Variant": "_compare", "ran": "_study", "raw_oil": "_oil", "raw_traces": "_profile_change", "table_of": "_columns", "tables_of_curves": "_oil", "vehicle_keys": "_keys", "written": "_quantity",
 }
 """Modules of the names that the functions use."""
 
@@ -564,6 +565,8 @@ def one(kind, name):
     """Type of a value of a setting, and the value for the compiled part."""
     if kind in QUANTITIES:
         return "Quantity", f'written({name}, "{kind}", "{name}")'
+    if kind == "LossTarget":
+        return "Quantity", f'{name} if isinstance({name}, str) else written({name}, "Power", "{name}")'
     if kind == "PathBuf":
         return TYPES[kind], f"fspath({name})"
     choices = {rust: python for python, rust, _ in _asperity.choices()}

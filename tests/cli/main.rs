@@ -63,3 +63,4 @@ mod surfaces;
 mod sweep;
 mod threads;
 mod transcripts;
+mod variants;

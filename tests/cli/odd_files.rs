@@ -54,6 +54,7 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
         Read,
         "case.toml --finish a=@ --finish b=wheel.csv",
     ),
+    ("compare", "variants", Read, "case.toml --variant a=@"),
     (
         "compare",
         "output",
@@ -62,6 +63,7 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
     ),
     ("map", "case", Read, "@"),
     ("map", "finishes", Read, "case.toml --finish a=@"),
+    ("map", "variants", Read, "case.toml --variant a=@"),
     ("map", "cycle", Read, "case.toml --cycle @ -o new"),
     (
         "map",

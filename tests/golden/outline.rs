@@ -263,9 +263,12 @@ fn the_difference_of_two_finishes_is_what_it_was() {
     let [ground, polished] = ["e-drive.toml", "e-drive-superfinished.toml"].map(|name| {
         let case = coarse(name, &[("model.load_share", "lambda-star")]);
         let (outcome, drawn) = Run::new(&case).fields(&KeptFields::Highest).draw().unwrap();
-        (drawn.unwrap(), outcome.result.uncertainty.unwrap())
+        (case, drawn.unwrap(), outcome.result.uncertainty.unwrap())
     });
-    let found = difference((&ground.0, &ground.1), (&polished.0, &polished.1), false);
+    let found = difference(
+        (&ground.0, &ground.1, &ground.2),
+        (&polished.0, &polished.1, &polished.2),
+    );
     let value = serde_json::json!({ "difference": found });
     hold("finishes-whole", &value);
 }

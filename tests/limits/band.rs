@@ -39,13 +39,15 @@ fn e_drive() -> &'static (LoadedCase, Uncertainty) {
 
 /// Difference of two cases, and the uncertainty of each.
 fn between(first: &LoadedCase, other: &LoadedCase) -> (PairedDifference, [Uncertainty; 2]) {
-    let [a, b] = [first, other].map(|case| {
+    let drawn = [first, other].map(|case| {
         let (outcome, drawn) = Run::new(case).fields(&KEPT).draw().unwrap();
-        (drawn.unwrap(), outcome.result.uncertainty.unwrap())
+        (case, drawn.unwrap(), outcome.result.uncertainty.unwrap())
     });
-    let same = first.surfaces.has_flanks_of(&other.surfaces);
-    let found = difference((&a.0, &a.1), (&b.0, &b.1), same);
-    (found, [a.1, b.1])
+    let [own, theirs] = drawn
+        .each_ref()
+        .map(|(case, drawn, uncertainty)| (*case, drawn, uncertainty));
+    let found = difference(own, theirs);
+    (found, drawn.map(|(.., uncertainty)| uncertainty))
 }
 
 #[test]

@@ -1,15 +1,18 @@
-//! A case on the traces of a finish.
+//! A case on the traces of a finish, and its variants.
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use asperity::case::CaseInput;
 use asperity::case::train::Train;
-use asperity_core::Code;
-use asperity_storage::regular_file;
-use asperity_studies::compare::Finish;
+use asperity_core::{Code, Fault};
+use asperity_storage::{regular_file, whole_text};
+use asperity_studies::compare::{
+    Finish, KeyOrFile, NamedVariant, Variant, WrittenVariant, keys_in, variants,
+};
+use asperity_studies::sweep::Keys;
 
-use super::{load_text, source};
+use super::{load_text, load_train, source};
 use crate::args::{FinishArg, SetArgs};
 use crate::failure::Failure;
 
@@ -29,11 +32,12 @@ fn check_names(finishes: &[FinishArg]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The case with the traces of each finish; meshes that a finish does not name keep their flanks.
+/// The case with the traces of each finish, and its variants; meshes that a finish does not name keep their flanks.
 pub fn finishes(
     case: &Path,
     set: &SetArgs,
     stated: &[FinishArg],
+    of_keys: &[String],
 ) -> Result<Vec<Finish<Train>>, Failure> {
     check_names(stated)?;
     // Read once for all finishes, since standard input can be read only once.
@@ -97,7 +101,55 @@ pub fn finishes(
         let name = (*name).to_owned();
         Ok(Finish { name, case })
     };
-    names.iter().map(finish).collect()
+    let found = names
+        .iter()
+        .map(finish)
+        .collect::<Result<Vec<_>, Failure>>()?;
+    if of_keys.is_empty() {
+        return Ok(found);
+    }
+    let base = load_text(text.clone(), folder, set, &|_| {})?;
+    let written = of_keys.iter().map(|text| variant(text, set));
+    let written = written.collect::<Result<Vec<_>, Failure>>()?;
+    Ok(variants(&base, found, written)?)
+}
+
+/// A variant from its text, with the files that it names.
+fn variant(text: &str, set: &SetArgs) -> Result<(String, Variant), Failure> {
+    let NamedVariant { name, is } = text.parse()?;
+    let is = match is {
+        WrittenVariant::Case(path) => {
+            let case = load_train(&path, set, None);
+            Variant::Case(Box::new(
+                case.map_err(|error| error.adding(&format!(" (--variant {name})")))?,
+            ))
+        }
+        WrittenVariant::Keys(entries) => {
+            let mut keys = Keys::new();
+            for entry in entries {
+                match entry {
+                    KeyOrFile::Key(key, value) => keys.push((key, value)),
+                    KeyOrFile::File(file) => keys.extend(keys_of(&file, &name)?),
+                    _ => {}
+                }
+            }
+            Variant::Keys(keys)
+        }
+        _ => Variant::AsIs,
+    };
+    Ok((name, is))
+}
+
+/// The keys in a file.
+fn keys_of(file: &Path, name: &str) -> Result<Keys, Failure> {
+    /// Bytes of the largest file of keys.
+    const LARGEST: u64 = 10_000_000;
+    let text = whole_text(file, LARGEST).map_err(|error| {
+        let fault = Fault::unopened(file.display(), error);
+        let help = "Write each key of a variant as KEY=VALUE, or name a file of keys.";
+        fault.adding(&format!(" (--variant {name})")).helping(help)
+    })?;
+    Ok(keys_in(&text).map_err(|fault| fault.about(file.display()))?)
 }
 
 /// Traces of a finish by absolute path.

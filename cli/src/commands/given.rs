@@ -66,7 +66,7 @@ impl Given for LoadedCase {
     }
 }
 
-/// A case and its finishes.
+/// A case and its variants.
 #[derive(Debug, Args)]
 pub struct GivenFinishes {
     /// Case file, whose traces are replaced by the traces of each finish; - reads standard input
@@ -75,10 +75,19 @@ pub struct GivenFinishes {
     /// flanks, mirrored for the wheel
     #[arg(
         long = "finish",
-        required = true,
+        required_unless_present = "variants",
         value_name = "NAME[@MESH]=PINION.csv[,WHEEL.csv]"
     )]
     finishes: Vec<FinishArg>,
+    /// The case with other values of its keys, or of the keys in a file; another case as NAME=CASE.toml; the case itself as
+    /// "as is", with which a single variant is compared. Variants follow the finishes
+    #[arg(
+        long = "variant",
+        value_name = "NAME: KEY=VALUE,... or NAME=CASE.toml",
+        value_hint = clap::ValueHint::AnyPath,
+        allow_hyphen_values = true
+    )]
+    variants: Vec<String>,
 }
 
 impl Given for Finishes {
@@ -87,9 +96,11 @@ impl Given for Finishes {
     const NAMED_BY: &'static str = OF_CASE;
 
     fn read(args: &GivenFinishes, set: &SetArgs) -> Result<Subject<Self>, Failure> {
-        Self::check_count(args.finishes.len())?;
+        if args.variants.is_empty() {
+            Self::check_count(args.finishes.len())?;
+        }
         Ok(Subject {
-            input: Self(finishes(&args.case, set, &args.finishes)?),
+            input: Self(finishes(&args.case, set, &args.finishes, &args.variants)?),
             name: result_name(&args.case),
             file: Some(args.case.clone()),
         })
@@ -109,6 +120,14 @@ pub struct GivenCaseOrFinishes {
     /// [default: the flanks of the case]
     #[arg(long = "finish", value_name = "NAME[@MESH]=PINION.csv[,WHEEL.csv]")]
     finishes: Vec<FinishArg>,
+    /// Variants of the case, as in compare; they follow the finishes
+    #[arg(
+        long = "variant",
+        value_name = "NAME: KEY=VALUE,... or NAME=CASE.toml",
+        value_hint = clap::ValueHint::AnyPath,
+        allow_hyphen_values = true
+    )]
+    variants: Vec<String>,
 }
 
 impl Given for CaseOrFinishes {
@@ -118,12 +137,12 @@ impl Given for CaseOrFinishes {
 
     fn read(args: &GivenCaseOrFinishes, set: &SetArgs) -> Result<Subject<Self>, Failure> {
         let file = &args.case;
-        let given = match args.finishes.is_empty() {
+        let given = match args.finishes.is_empty() && args.variants.is_empty() {
             true => vec![Finish {
                 name: stem(file).to_string_lossy().into_owned(),
                 case: load_train(file, set, None)?,
             }],
-            false => finishes(file, set, &args.finishes)?,
+            false => finishes(file, set, &args.finishes, &args.variants)?,
         };
         Ok(Subject {
             input: Self(Finishes(given)),

@@ -209,7 +209,7 @@ pub fn execute(
     band: bool,
     progress: Progress<'_>,
 ) -> Result<Outcomes, asperity::Error> {
-    let mut outcome = train::run(train, Some(kept), band, progress)?;
+    let mut outcome = train::run_beside(train, (Some(kept), band), &[], progress)?;
     // Curves without a plan, as of an oil with one viscosity, leave the other rows.
     let rows = rows_of(&outcome, &Effort::usual()).ok().flatten();
     outcome.put_evidence(rows.map(|(rows, _)| rows).unwrap_or_default());

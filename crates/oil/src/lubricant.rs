@@ -377,6 +377,12 @@ impl Lubricant {
         self.base_oil
     }
 
+    /// Whether `other` is the same oil, by its viscosity and its base oil, whatever else is stated of either.
+    #[must_use]
+    pub fn is_oil_of(&self, other: &Self) -> bool {
+        self.viscosity == other.viscosity && self.base_oil == other.base_oil
+    }
+
     /// Whether its viscosity is known over temperature, and not only at one.
     #[must_use]
     pub fn has_viscosity_law(&self) -> bool {

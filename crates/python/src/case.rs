@@ -17,6 +17,7 @@ use asperity::result::gear_report;
 use asperity::train;
 use asperity_calibration::evidence::execute;
 use asperity_report::schema_of_settings;
+use asperity_studies::compare::varied;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
@@ -240,6 +241,41 @@ impl Case {
             }
             let changed = Train::clone(&self.0).holding(&held).with_input(input)?;
             Ok(Self(changed.into()))
+        })
+    }
+
+    /// The case as its variant with these keys, called `name`.
+    fn varied(
+        &self,
+        py: Python<'_>,
+        name: &str,
+        keys: Vec<(String, Option<String>)>,
+        traces: Traces<'_>,
+    ) -> PyResult<Self> {
+        let held = profiles(&traces);
+        alone(py, || {
+            let base = Train::clone(&self.0).holding(&held);
+            let (set, unset): (Vec<_>, Vec<_>) = keys.into_iter().partition(|(_, value)| value.is_some());
+            let set: Vec<(String, String)> = set
+                .into_iter()
+                .filter_map(|(key, value)| Some((key, value?)))
+                .collect();
+            let named = |fault: Fault| fault.about(format!("variant {name}"));
+            let base = match unset.is_empty() {
+                true => base,
+                false => {
+                    let mut input = base.input.clone();
+                    for (key, _) in &unset {
+                        input.unset(key)?;
+                    }
+                    base.with_input(input)?
+                }
+            };
+            let found = match set.is_empty() && !unset.is_empty() {
+                true => base,
+                false => varied(&base, &set).map_err(|fault| Failure::from(named(fault)))?,
+            };
+            Ok(Self(found.into()))
         })
     }
 

@@ -17,6 +17,24 @@ def drive():
     return asperity.Case(CASES / "e-drive.toml", model={"positions": 4, "offsets": 2})
 
 
+def test_variants_are_keys_tables_and_cases(drive):
+    found = asperity.compare(drive, {"pao": {"lubricant.oil": "pao100"}, "mineral": {"lubricant.oil": "m100"}, "as is": drive})
+    assert found.names == ["pao", "mineral", "as is"]
+    common = {row.name: row.correlation for row in found.finishes[1].difference.common}
+    assert common["Eyring stress"] == 0 and common["lay"] == 1
+    assert {row.key for row in found.finishes[1].changes} >= {"lubricant.oil"}
+    # A single one is compared with the case itself.
+    warm = asperity.compare(drive, {"warm": {"operation.bulk_temperature": "110 °C"}})
+    assert warm.names == ["as is", "warm"] and len(warm.finishes[1].deciding)
+    assert asperity.compare(drive, {"a": drive, "b": drive}).finishes[1].difference.verdict == "equal"
+    for keys, code in (({"operation.torque": "145 N m"}, "E205"), ({"operation.torqe": "145 N m"}, "E203")):
+        with pytest.raises(asperity.AsperityError, match="variant x") as error:
+            asperity.compare(drive, {"x": keys})
+        assert error.value.code == code
+    losses = asperity.map(drive, finishes={"warm": {"operation.torque": "100 N m"}}, torque_nm=[50, 145], speed_rpm=[3000, 9000])
+    assert losses.finishes == ["as is", "warm"]
+
+
 def test_a_comparison_of_files_profiles_pairs_and_cases(drive, tmp_path):
     fine = asperity.read_profile(FINE)
     found = asperity.compare(

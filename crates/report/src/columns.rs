@@ -490,6 +490,16 @@ impl Table {
         self
     }
 
+    /// The table with `to` as the heading in place of `heading`.
+    #[must_use]
+    pub fn renamed(mut self, heading: &str, to: &str) -> Self {
+        let mut columns = self.columns.iter_mut();
+        if let Some(column) = columns.find(|column| column.heading == heading) {
+            column.heading = to.into();
+        }
+        self
+    }
+
     /// Its columns on a page.
     fn shown(&self) -> impl Iterator<Item = &Column> {
         let columns = self.columns.iter();

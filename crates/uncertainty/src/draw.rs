@@ -3,7 +3,9 @@
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
+use asperity_core::cite;
 use asperity_core::numerics::standard_normal_quantile;
+use serde::{Deserialize, Serialize};
 
 use crate::hypercube::permutations;
 use crate::parameters::AXES;
@@ -134,6 +136,112 @@ pub fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
             held_thermal: place(orders[HELD_THERMAL][j]),
             ..Draw::medians()
         }
+    })
+}
+
+/// Draws of a mesh in the comparison with another one: shared where a constant belongs to the same thing, of a second set where it
+/// belongs to another.
+///
+/// ```text
+/// z = ρ z₀ + √(1 − ρ²) z₁                                                     [Common-draw]
+/// ```
+///
+/// z₀, z₁: standard normal draws of the first and the second set; ρ: 1 of the same thing, 0 of another, between them of two oils of
+/// one family and of the error of the model on the same flanks under other conditions.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Common {
+    /// Number of the flanks, which have the error of the model.
+    pub flanks: usize,
+    /// Number of their windows, which have the sampling.
+    pub windows: usize,
+    /// ρ of each constant by its axis.
+    pub constants: [f64; AXES.len()],
+    /// ρ of the error of the model.
+    pub model: f64,
+    /// Whether the unknown tip relief belongs to the same gears.
+    pub relief: bool,
+    /// Whether the error of the film law belongs to the same traction curves.
+    pub curves: bool,
+}
+
+/// Flanks with their number, with everything else in common.
+impl From<usize> for Common {
+    fn from(flanks: usize) -> Self {
+        Self {
+            flanks,
+            windows: flanks,
+            constants: [1.0; AXES.len()],
+            model: 1.0,
+            relief: true,
+            curves: true,
+        }
+    }
+}
+
+impl Common {
+    /// All draws of a mesh.
+    pub fn draws(self) -> impl Iterator<Item = Draw> {
+        let of_windows = (self.windows != self.flanks).then(|| flank_draws(self.windows));
+        let mut of_windows = of_windows.into_iter().flatten();
+        let other = (self
+            != Self {
+                windows: self.windows,
+                ..self.flanks.into()
+            })
+        .then(second_set);
+        let all = shared_draws().zip(flank_draws(self.flanks)).enumerate();
+        all.map(move |(j, (draw, mut of_flanks))| {
+            if let Some(FlankDraw {
+                model: _,
+                sampling,
+                place,
+                form,
+            }) = of_windows.next()
+            {
+                (of_flanks.sampling, of_flanks.place, of_flanks.form) = (sampling, place, form);
+            }
+            let draw = Draw { of_flanks, ..draw };
+            match other {
+                Some(other) => self.mixed(draw, &other[j]),
+                None => draw,
+            }
+        })
+    }
+
+    /// A draw of the first set, with the draw of the second set where things differ.
+    fn mixed(&self, mut draw: Draw, other: &Draw) -> Draw {
+        cite!("Common-draw");
+        let mix = |rho: f64, of: &mut f64, other: f64| {
+            if rho < 1.0 {
+                *of = rho * *of + (1.0 - rho * rho).sqrt() * other;
+            }
+        };
+        let constants = draw.constants.iter_mut().zip(other.constants);
+        for (rho, (of, other)) in self.constants.into_iter().zip(constants) {
+            mix(rho, of, other);
+        }
+        mix(self.model, &mut draw.of_flanks.model, other.of_flanks.model);
+        if !self.relief {
+            (draw.relief, draw.length) = (other.relief, other.length);
+        }
+        if !self.curves {
+            (draw.film_law, draw.pressure_law) = (other.film_law, other.pressure_law);
+        }
+        draw
+    }
+}
+
+/// The second set of draws.
+fn second_set() -> &'static [Draw] {
+    /// Beyond the seeds of all flanks.
+    const SECOND_SEED: u64 = 1 << 32;
+    static SECOND_SET: OnceLock<Vec<Draw>> = OnceLock::new();
+    SECOND_SET.get_or_init(|| {
+        let of_flanks = flank_draws((SECOND_SEED + 1) as usize);
+        let orders = orders(SECOND_SEED);
+        let both = draws_in(&orders).zip(of_flanks);
+        both.map(|(draw, of_flanks)| Draw { of_flanks, ..draw })
+            .collect()
     })
 }
 

@@ -23,7 +23,7 @@ mod relief;
 mod sampling_error;
 mod surface;
 
-pub use draw::{Draw, FlankDraw, flank_draws};
+pub use draw::{Common, Draw, FlankDraw, flank_draws};
 pub use expected::{Expected, Measurement, MeshDraws};
 pub use hypercube::{StudentOfNormal, latin_hypercube};
 pub use parameters::{AXES, Measured, Ranged, UncertainParameter, at_temperature, parameters};

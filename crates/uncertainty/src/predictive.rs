@@ -24,7 +24,7 @@ use asperity_ehl_regime::{FULL_FILM, GapLaw};
 use asperity_tribo_friction::boundary::INNER_BOUNDARY_RANGE;
 use serde::{Deserialize, Serialize};
 
-use crate::draw::{DRAWS, Draw, flank_draws, shared_draws};
+use crate::draw::{Common, DRAWS, Draw, flank_draws, shared_draws};
 use crate::hypercube::StudentOfNormal;
 use crate::parameters::{AXES, Ranged, UncertainParameter};
 use crate::quantiles::{ENDS, Quantiles, sorted_quantiles};
@@ -234,7 +234,91 @@ pub enum Component {
     PressureLaw,
 }
 
+impl Component {
+    /// All besides the constants.
+    const FACTORS: [Self; 9] = [
+        Self::Sampling,
+        Self::Relief,
+        Self::Model,
+        Self::InnerBoundary,
+        Self::FarLay,
+        Self::HeldThermal,
+        Self::FilmLaw,
+        Self::PressureLaw,
+        Self::Rolling,
+    ];
+
+    /// The components of a case.
+    pub fn all(of: &Predictive) -> impl Iterator<Item = Self> {
+        let constants = 0..of.constants.len();
+        constants.map(Self::Constant).chain(Self::FACTORS)
+    }
+
+    /// Its name in words.
+    #[must_use]
+    pub fn name(self, of: &Predictive) -> &'static str {
+        let is_recorded = of.recorded.is_some();
+        match self {
+            Self::Constant(k) => of.constants[k].kind.name(),
+            Self::Constants => "all constants",
+            Self::Sampling => "sampling of the flanks",
+            Self::Relief => "tip relief not stated",
+            Self::Model if is_recorded => "error of the records",
+            Self::Model => "error of the fast model",
+            Self::InnerBoundary if is_recorded => "boundary friction below 20 nm",
+            Self::InnerBoundary => "boundary share of inner spots",
+            Self::FarLay => "lay beyond the records",
+            Self::HeldThermal => "thermal reduction beyond its fit",
+            Self::Rolling => "rolling loss",
+            Self::FilmLaw => "error of the film law",
+            Self::PressureLaw => "law of pressure of the film",
+        }
+    }
+
+    /// Copies what is drawn of it.
+    fn copy(self, constants: &[Ranged], from: &Draw, to: &mut Draw) {
+        match self {
+            Self::Constant(k) => {
+                let axis = constants[k].kind as usize;
+                to.constants[axis] = from.constants[axis];
+            }
+            Self::Constants => {
+                to.constants = from.constants;
+                (to.film_law, to.pressure_law) = (from.film_law, from.pressure_law);
+            }
+            Self::Sampling => {
+                to.of_flanks.sampling = from.of_flanks.sampling;
+                to.of_flanks.form = from.of_flanks.form;
+                to.of_flanks.place = from.of_flanks.place;
+            }
+            Self::Relief => {
+                (to.relief, to.length, to.power) = (from.relief, from.length, from.power);
+            }
+            Self::Model => {
+                to.weight = from.weight;
+                to.of_flanks.model = from.of_flanks.model;
+            }
+            Self::InnerBoundary => to.inner_boundary = from.inner_boundary,
+            Self::FarLay => to.far_lay = from.far_lay,
+            Self::HeldThermal => to.held_thermal = from.held_thermal,
+            Self::Rolling => to.rolling = from.rolling,
+            Self::FilmLaw => to.film_law = from.film_law,
+            Self::PressureLaw => to.pressure_law = from.pressure_law,
+        }
+    }
+}
+
 impl Predictive {
+    /// The losses of all draws as of [`losses`](Self::losses), with these components at their medians.
+    pub fn losses_holding(&self, common: impl Into<Common>, held: &[Component]) -> Vec<f64> {
+        let medians = Draw::medians();
+        self.losses_by(common, &|draw| {
+            for component in held {
+                component.copy(&self.constants, &medians, draw);
+            }
+        })
+    }
+
     /// The losses of all draws \[W\].
     ///
     /// ```text
@@ -248,37 +332,34 @@ impl Predictive {
         self.losses(0)
     }
 
-    /// The losses of all draws with model error and sampling of the flanks drawn as for flanks number `flanks`.
-    pub fn losses(&self, flanks: usize) -> Vec<f64> {
-        self.losses_by(flanks, &|_| {})
+    /// The losses of all draws of a mesh with these draws in common with others, by default of the flanks with a number.
+    pub fn losses(&self, common: impl Into<Common>) -> Vec<f64> {
+        self.losses_by(common, &|_| {})
     }
 
-    /// The losses of all draws as of flanks number `flanks`, with every draw changed by `change`.
-    pub fn losses_by(&self, flanks: usize, change: &dyn Fn(&mut Draw)) -> Vec<f64> {
+    /// The losses of all draws as of [`losses`](Self::losses), with every draw changed by `change`.
+    pub fn losses_by(&self, common: impl Into<Common>, change: &dyn Fn(&mut Draw)) -> Vec<f64> {
         cite!("Predictive-draw");
         let law = self.law();
-        let draws = shared_draws().zip(flank_draws(flanks));
-        let drawn = draws.map(|(draw, of_flanks)| {
-            let mut draw = draw;
-            draw.of_flanks = of_flanks;
+        let drawn = common.into().draws().map(|mut draw| {
             change(&mut draw);
             law.loss(&draw)
         });
         drawn.collect()
     }
 
-    /// The losses of all draws \[W\] as parts of a sum, as over a cycle: model error and sampling drawn as for flanks number
-    /// `flanks`, and the standard error of the sampling times `sampling`.
+    /// The losses of all draws \[W\] as parts of a sum, as over a cycle: as of [`losses`](Self::losses), with the
+    /// standard error of the sampling times `sampling`.
     #[must_use]
-    pub fn draws_of_sum_w(&self, flanks: usize, sampling: f64) -> Vec<f64> {
+    pub fn draws_of_sum_w(&self, common: impl Into<Common>, sampling: f64) -> Vec<f64> {
         let mut scaled = self.clone();
         scaled.sampling.standard_error *= sampling;
-        scaled.losses(flanks)
+        scaled.losses(common)
     }
 
-    /// Adds `count` times the losses of all draws, as of flanks number `flanks`, to `total` \[W\].
-    pub fn add_draws(&self, total: &mut [f64], count: f64, flanks: usize) {
-        for (total, loss) in total.iter_mut().zip(self.losses(flanks)) {
+    /// Adds `count` times the losses of all draws, as of [`losses`](Self::losses), to `total` \[W\].
+    pub fn add_draws(&self, total: &mut [f64], count: f64, common: impl Into<Common>) {
+        for (total, loss) in total.iter_mut().zip(self.losses(common)) {
             *total += count * loss;
         }
     }
@@ -523,35 +604,8 @@ impl DrawnLoss<'_> {
         let draws = shared_draws().zip(flank_draws(0));
         let drawn = draws.map(|(draw, of_flanks)| {
             let mut alone = Draw::medians();
-            match component {
-                Component::Constant(k) => {
-                    let axis = self.of.constants[k].kind as usize;
-                    alone.constants[axis] = draw.constants[axis];
-                }
-                Component::Constants => {
-                    alone.constants = draw.constants;
-                    (alone.film_law, alone.pressure_law) = (draw.film_law, draw.pressure_law);
-                }
-                Component::Sampling => {
-                    alone.of_flanks.sampling = of_flanks.sampling;
-                    alone.of_flanks.form = of_flanks.form;
-                    alone.of_flanks.place = of_flanks.place;
-                }
-                Component::Relief => {
-                    (alone.relief, alone.length, alone.power) =
-                        (draw.relief, draw.length, draw.power);
-                }
-                Component::Model => {
-                    alone.weight = draw.weight;
-                    alone.of_flanks.model = of_flanks.model;
-                }
-                Component::InnerBoundary => alone.inner_boundary = draw.inner_boundary,
-                Component::FarLay => alone.far_lay = draw.far_lay,
-                Component::HeldThermal => alone.held_thermal = draw.held_thermal,
-                Component::Rolling => alone.rolling = draw.rolling,
-                Component::FilmLaw => alone.film_law = draw.film_law,
-                Component::PressureLaw => alone.pressure_law = draw.pressure_law,
-            }
+            let draw = Draw { of_flanks, ..draw };
+            component.copy(&self.of.constants, &draw, &mut alone);
             self.loss(&alone)
         });
         let found = Quantiles::of(&drawn.collect::<Vec<_>>());

@@ -2,7 +2,7 @@
 
 use asperity::uncertainty::difference_of_meshes;
 use asperity_report::TileKind;
-use asperity_studies::compare::{difference_with_interval, drawn_together, verdict};
+use asperity_studies::compare::{difference_with_interval, verdict};
 use asperity_studies::diff::changed_keys;
 use serde::Serialize;
 use serde_json::Value;
@@ -24,15 +24,12 @@ pub struct Versus {
     pub inputs: Vec<[String; 3]>,
 }
 
-/// The results `first` (A) and `other` (B). The difference of the losses is drawn with the constants that both share.
+/// The results `first` (A) and `other` (B). The difference of the losses is taken over the draws that both have in common.
 ///
 /// # Errors
 /// When a result cannot be written as JSON.
 pub fn versus(first: &Finished, other: &Finished) -> Result<Versus, Failure> {
-    let drawn = drawn_together(
-        (&first.train, &first.outcome),
-        (&other.train, &other.outcome),
-    );
+    let drawn = first.outcome.drawn_beside(&other.outcome);
     let difference = drawn.map(|[a, b]| difference_of_meshes(&a, &b));
     let [a, b] = [first, other].map(Finished::tiles);
     let mut rows = Vec::new();

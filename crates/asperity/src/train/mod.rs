@@ -21,7 +21,7 @@ use crate::result::loss_band::{Digits, EvidenceRow};
 use crate::result::{Losses, Outcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
 use crate::uncertainty::{
-    DrawnMesh, Predictive, Quantiles, losses_of_meshes, median_with_ends, run_and_draw,
+    DrawnMesh, Predictive, Quantiles, beside, losses_of_meshes, median_with_ends, run_and_draw,
 };
 use asperity_case::balance;
 use asperity_case::case::train::{LoadedMesh, Train};
@@ -275,19 +275,28 @@ impl Outcomes {
         }
     }
 
-    /// The drawn losses of the meshes, whose flanks have the numbers `flanks`; `None` without draws.
+    /// The drawn losses of the meshes; `None` without draws.
     #[must_use]
-    pub fn drawn_meshes(&self, flanks: &[usize]) -> Option<Vec<DrawnMesh<'_>>> {
+    pub fn drawn_meshes(&self) -> Option<Vec<DrawnMesh<'_>>> {
         let drawn = self.drawn.as_ref()?;
-        let mesh = |k: usize| {
+        let flanks = self.settled.first_with_flanks();
+        let cases = self.settled.cases().zip(drawn).enumerate();
+        let drawn = cases.map(|(k, (loaded, predictive))| {
             Some(DrawnMesh {
-                predictive: drawn.get(k)?,
-                uncertainty: self.meshes[k].result.uncertainty.as_ref()?,
+                loaded,
+                predictive,
+                uncertainty: self.meshes.get(k)?.result.uncertainty.as_ref()?,
                 count: self.whole.meshes.get(k)?.count,
-                flanks: *flanks.get(k)?,
+                common: (*flanks.get(k)?).into(),
             })
-        };
-        (0..self.meshes.len()).map(mesh).collect()
+        });
+        drawn.collect()
+    }
+
+    /// The drawn meshes of this run and of another, with the draws that they have in common; `None` without draws.
+    #[must_use]
+    pub fn drawn_beside<'a>(&'a self, other: &'a Self) -> Option<[Vec<DrawnMesh<'a>>; 2]> {
+        Some(beside(self.drawn_meshes()?, other.drawn_meshes()?))
     }
 }
 
@@ -369,9 +378,22 @@ pub fn run(
     band: bool,
     progress: Progress<'_>,
 ) -> Result<Outcomes, Error> {
+    run_beside(loaded, (kept, band), &[], progress)
+}
+
+/// As [`run`], with the windows that `others` have under the same load.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_beside(
+    loaded: &Train,
+    (kept, band): (Option<&KeptFields>, bool),
+    others: &[Contacts],
+    progress: Progress<'_>,
+) -> Result<Outcomes, Error> {
     let (settled, oil) = with_oil(loaded)?;
     let loaded = &settled;
-    let mut contacts: Vec<Contacts> = Vec::new();
+    let mut contacts = others.to_vec();
     let mut meshes = Vec::new();
     let mut drawn = Vec::new();
     for mesh in loaded.meshes() {
@@ -397,12 +419,10 @@ pub fn run(
         meshes,
         drawn: drawn.into_iter().collect(),
         settled: settled.clone(),
-        contacts,
+        contacts: contacts.split_off(others.len()),
     };
     // Oil and constants are drawn once for all meshes; error of the model and sampling once for equal flanks.
-    let total = outcome
-        .drawn_meshes(&loaded.first_with_flanks())
-        .map(|drawn| losses_of_meshes(&drawn));
+    let total = outcome.drawn_meshes().map(|drawn| losses_of_meshes(&drawn));
     outcome.whole.loss_distribution = total.map(|total| Quantiles::of(&total));
     Ok(outcome)
 }

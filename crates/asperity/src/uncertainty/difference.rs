@@ -1,18 +1,20 @@
-//! Difference of two finishes by the same draws, and what it decides.
+//! Difference of two runs by the draws that they have in common, and what it decides.
 
 use serde::{Deserialize, Serialize};
 
 use crate::result::{AlternativeRow, Uncertainty};
+use asperity_case::case::LoadedCase;
 use asperity_core::{Estimate, EstimateKeys, estimate_keys};
-use asperity_uncertainty::{Predictive, Watts, median_with_ends};
+use asperity_uncertainty::{Common, Predictive, Watts, median_with_ends};
+
+use super::common_draws::{CommonConstant, DrawnCase, common_constants, common_draws};
 
 /// Probability from which the sign of a difference holds.
 const SURE: f64 = 0.95;
 
 estimate_keys! { Share: "median_share" "share_quantiles"; }
 
-/// Difference of the losses of two finishes on the same gears, draw by draw: what both have in common, as the friction of
-/// their oil, cancels.
+/// Difference of the losses of two runs, draw by draw: what both have in common, as the friction of their oil, cancels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct PairedDifference {
@@ -30,6 +32,9 @@ pub struct PairedDifference {
     pub models: Vec<AlternativeRow>,
     /// Decision by the draws and the models.
     pub verdict: Verdict,
+    /// Constants of both, and how far their draws are common.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub common: Vec<CommonConstant>,
 }
 
 /// Decision that a difference allows.
@@ -79,14 +84,28 @@ impl PairedDifference {
 /// The drawn loss of a mesh of a gear train.
 #[derive(Debug, Clone, Copy)]
 pub struct DrawnMesh<'a> {
+    /// Its case.
+    pub loaded: &'a LoadedCase,
     /// Draws.
     pub predictive: &'a Predictive,
     /// Loss by every model.
     pub uncertainty: &'a Uncertainty,
     /// Number of equal meshes.
     pub count: u32,
-    /// Number of the flanks: equal flanks have the same errors of model and sampling.
-    pub flanks: usize,
+    /// Draws in common with other meshes.
+    pub common: Common,
+}
+
+impl<'a> DrawnMesh<'a> {
+    /// Loss of all equal meshes with every constant at its median \[W\].
+    fn at_medians_w(&self) -> f64 {
+        f64::from(self.count) * self.predictive.at_medians_w
+    }
+
+    /// Its case with its draws.
+    pub(super) fn drawn(&self) -> DrawnCase<'a> {
+        (self.loaded, self.predictive)
+    }
 }
 
 /// The loss of all meshes of a gear train in every draw \[W\].
@@ -95,29 +114,50 @@ pub fn losses_of_meshes(meshes: &[DrawnMesh<'_>]) -> Vec<f64> {
     let mut total = vec![0.0; Predictive::count()];
     for mesh in meshes {
         let count = f64::from(mesh.count);
-        mesh.predictive.add_draws(&mut total, count, mesh.flanks);
+        mesh.predictive.add_draws(&mut total, count, mesh.common);
     }
     total
 }
 
-/// The loss of `other` minus the loss of `first`, draw by draw; model error and sampling are drawn separately unless the
-/// flanks are the same (`same_flanks`).
+/// Two runs, each mesh with its draws in common with the other run. The run that loses more at the medians has the first set of
+/// draws, so that the order of the two changes the sign of their difference only.
 #[must_use]
-pub fn difference(
-    (first, of_first): (&Predictive, &Uncertainty),
-    (other, of_other): (&Predictive, &Uncertainty),
-    same_flanks: bool,
-) -> PairedDifference {
-    let mesh = |predictive, uncertainty, flanks| DrawnMesh {
+pub fn beside<'a>(first: Vec<DrawnMesh<'a>>, other: Vec<DrawnMesh<'a>>) -> [Vec<DrawnMesh<'a>>; 2] {
+    let at_medians =
+        |meshes: &[DrawnMesh<'_>]| -> f64 { meshes.iter().map(DrawnMesh::at_medians_w).sum() };
+    let is_swapped = at_medians(&other) > at_medians(&first);
+    let (base, mut beside) = match is_swapped {
+        true => (other, first),
+        false => (first, other),
+    };
+    let cases =
+        |of: &[DrawnMesh<'a>]| -> Vec<DrawnCase<'a>> { of.iter().map(DrawnMesh::drawn).collect() };
+    let flanks: Vec<usize> = base.iter().map(|mesh| mesh.common.flanks).collect();
+    let common = common_draws(&cases(&base), &flanks, &cases(&beside));
+    for (mesh, common) in beside.iter_mut().zip(common) {
+        mesh.common = common;
+    }
+    match is_swapped {
+        true => [beside, base],
+        false => [base, beside],
+    }
+}
+
+/// A mesh with its draws and its losses by every model.
+pub type MeshResult<'a> = (&'a LoadedCase, &'a Predictive, &'a Uncertainty);
+
+/// The loss of the mesh `other` minus the loss of the mesh `first`, with the draws that both have in common.
+#[must_use]
+pub fn difference(first: MeshResult<'_>, other: MeshResult<'_>) -> PairedDifference {
+    let mesh = |(loaded, predictive, uncertainty)| DrawnMesh {
+        loaded,
         predictive,
         uncertainty,
         count: 1,
-        flanks,
+        common: 0.into(),
     };
-    difference_of_meshes(
-        &[mesh(first, of_first, 0)],
-        &[mesh(other, of_other, usize::from(!same_flanks))],
-    )
+    let [first, other] = beside(vec![mesh(first)], vec![mesh(other)]);
+    difference_of_meshes(&first, &other)
 }
 
 /// The loss of all meshes of `other` minus the loss of all meshes of `first`, draw by draw. Cases that differ in nothing
@@ -127,8 +167,7 @@ pub fn difference(
 /// δ_j = P_other,j − P_first,j                                                [Paired-difference]
 /// ```
 ///
-/// Constants, structure, tip relief and weights are the same in all meshes; model error and sampling are drawn by the number
-/// of the flanks.
+/// Each mesh has the draws that it has in common with the other run, see [`beside`].
 #[must_use]
 pub fn difference_of_meshes(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) -> PairedDifference {
     asperity_core::cite!("Paired-difference");
@@ -162,10 +201,12 @@ pub fn difference_of_meshes(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) ->
         .into_iter()
         .flat_map(|mesh| mesh.uncertainty.models());
     let models: Vec<AlternativeRow> = models.filter_map(of_model).collect();
-    let at_medians = |meshes: &[DrawnMesh<'_>]| -> f64 {
-        let of_mesh = |mesh: &DrawnMesh<'_>| f64::from(mesh.count) * mesh.predictive.at_medians_w;
-        meshes.iter().map(of_mesh).sum()
-    };
+    let at_medians =
+        |meshes: &[DrawnMesh<'_>]| -> f64 { meshes.iter().map(DrawnMesh::at_medians_w).sum() };
+    let pair = first.first().zip(other.first());
+    let common = pair.map_or(Vec::new(), |(a, b)| {
+        common_constants(a.drawn(), b.drawn(), [&a.common, &b.common])
+    });
     PairedDifference {
         at_medians_w: at_medians(other) - at_medians(first),
         watts,
@@ -173,5 +214,6 @@ pub fn difference_of_meshes(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) ->
         probability,
         verdict: Verdict::of(watts, probability, &models),
         models,
+        common,
     }
 }

@@ -19,6 +19,8 @@
 //! ```
 
 mod change;
+mod common_draws;
+mod deciding;
 mod difference;
 mod evaluations;
 mod other_models;
@@ -50,12 +52,15 @@ use asperity_uncertainty::{
 
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use asperity_uncertainty::{
-    ENDS, Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter,
+    Common, ENDS, Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter,
     median_with_ends, model_deviation, sorted_quantiles,
 };
 pub use change::{ChangeDraws, few_offsets_of, sampling_interval};
+pub use common_draws::{CommonConstant, DrawnCase, common_draws};
+pub use deciding::{DecidingMeasurement, deciding};
 pub use difference::{
-    DrawnMesh, PairedDifference, Verdict, difference, difference_of_meshes, losses_of_meshes,
+    DrawnMesh, PairedDifference, Verdict, beside, difference, difference_of_meshes,
+    losses_of_meshes,
 };
 pub use evaluations::has_band;
 pub use recorded::predictive;
@@ -281,70 +286,46 @@ fn measurement_of(ranged: &Ranged) -> &'static str {
     }
 }
 
-/// Factors of the loss besides the constants, each with its name and with the measurement that would narrow it.
-fn factors(
+/// The measurement that would narrow a component of the loss.
+fn remedy_of(
+    component: Component,
     loaded: &LoadedCase,
     predictive: &Predictive,
     nominal: &Nominal<'_>,
-) -> [(Component, &'static str, String); 9] {
+) -> String {
     let half_width = widest(nominal.path);
-    let windows = windows_of_traces(&loaded.surfaces, loaded.case.model.window, half_width)
-        .unwrap_or(f64::INFINITY);
-    let longer = match windows < 8.0 {
-        _ if loaded.surfaces.is_surrogate() => "traces of the flanks".to_owned(),
-        true => {
+    let windows = || {
+        windows_of_traces(&loaded.surfaces, loaded.case.model.window, half_width)
+            .unwrap_or(f64::INFINITY)
+    };
+    let remedy = match component {
+        Component::Constant(k) => measurement_of(&predictive.constants[k]),
+        Component::Sampling if loaded.surfaces.is_surrogate() => "traces of the flanks",
+        Component::Sampling if windows() < 8.0 => {
             let length = length_for(8.0, loaded.case.model.window, half_width);
-            format!(
-                "traces of {:.1} mm or more, or of more teeth",
-                1e3 * length.si()
-            )
+            let millimetres = 1e3 * length.si();
+            return format!("traces of {millimetres:.1} mm or more, or of more teeth");
         }
-        false => "traces of more teeth".to_owned(),
+        Component::Sampling => "traces of more teeth",
+        Component::Relief => "gears.pinion.tip_relief and gears.wheel.tip_relief",
+        Component::Model | Component::InnerBoundary => {
+            match recorded::would_narrow(loaded, predictive, nominal) {
+                true => RECORDS,
+                false => RIG,
+            }
+        }
+        Component::HeldThermal => "losses measured at this temperature",
+        Component::FilmLaw => match loaded.case.oil_file.as_ref() {
+            Some(file) if file.film_friction.is_far(loaded.case.temperature) => {
+                "traction curves at the temperature of the flanks"
+            }
+            _ => RIG,
+        },
+        Component::PressureLaw => "traction curves at further pressures",
+        Component::Rolling => "a spin-loss measurement",
+        Component::FarLay | Component::Constants => RIG,
     };
-    let [of_model, of_boundary] = match predictive.recorded {
-        Some(_) => ["error of the records", "boundary friction below 20 nm"],
-        None => ["error of the fast model", "boundary share of inner spots"],
-    };
-    let better = match recorded::would_narrow(loaded, predictive, nominal) {
-        true => RECORDS,
-        false => RIG,
-    };
-    [
-        (Component::Sampling, "sampling of the flanks", longer),
-        (
-            Component::Relief,
-            "tip relief not stated",
-            "gears.pinion.tip_relief and gears.wheel.tip_relief".to_owned(),
-        ),
-        (Component::Model, of_model, better.to_owned()),
-        (Component::InnerBoundary, of_boundary, better.to_owned()),
-        (Component::FarLay, "lay beyond the records", RIG.to_owned()),
-        (
-            Component::HeldThermal,
-            "thermal reduction beyond its fit",
-            "losses measured at this temperature".to_owned(),
-        ),
-        (
-            Component::FilmLaw,
-            "error of the film law",
-            match loaded.case.oil_file.as_ref() {
-                Some(file) if file.film_friction.is_far(loaded.case.temperature) => {
-                    "traction curves at the temperature of the flanks".to_owned()
-                }
-                _ => RIG.to_owned(),
-            },
-        ),
-        (
-            Component::PressureLaw,
-            "law of pressure of the film",
-            "traction curves at further pressures".to_owned(),
-        ),
-        (
-            Component::Rolling,
-            "rolling loss",
-            "a spin-loss measurement".to_owned(),
-        ),
-    ]
+    remedy.to_owned()
 }
 
 /// Every component, drawn with all others at their medians and scaled to the median of the loss, the largest first.
@@ -360,35 +341,27 @@ fn parts(
         true => median_w / at_medians,
         false => 1.0,
     };
-    let constants = predictive.constants.iter().enumerate();
-    let constants = constants.map(|(k, ranged)| {
-        let remedy = measurement_of(ranged).to_owned();
-        (Component::Constant(k), ranged.kind.name(), remedy)
+    let alone = Component::all(predictive).filter_map(|component| {
+        let found = law.alone(component)?;
+        let constant = |k: usize| predictive.constants.get(k).map(|ranged| ranged.kind);
+        let about = match component {
+            Component::Sampling => Some(Subject::Sampling),
+            Component::Relief => Some(Subject::TipRelief),
+            Component::Model if predictive.recorded.is_none() => Some(Subject::FastModel),
+            Component::FarLay => Some(Subject::Lay),
+            Component::Constant(k) => constant(k)
+                .filter(|kind| *kind == Constant::PressureViscosity)
+                .map(|_| Subject::PressureViscosity),
+            _ => None,
+        };
+        Some(UncertaintyPart {
+            name: component.name(predictive).to_owned(),
+            about,
+            sd_ln: found.sd_ln,
+            quantiles_w: found.drawn.ends().map(|loss| scale * loss),
+            remedy: remedy_of(component, loaded, predictive, nominal),
+        })
     });
-    let factors = factors(loaded, predictive, nominal);
-    let alone = constants
-        .chain(factors)
-        .filter_map(|(component, name, remedy)| {
-            let found = law.alone(component)?;
-            let constant = |k: usize| predictive.constants.get(k).map(|ranged| ranged.kind);
-            let about = match component {
-                Component::Sampling => Some(Subject::Sampling),
-                Component::Relief => Some(Subject::TipRelief),
-                Component::Model if predictive.recorded.is_none() => Some(Subject::FastModel),
-                Component::FarLay => Some(Subject::Lay),
-                Component::Constant(k) => constant(k)
-                    .filter(|kind| *kind == Constant::PressureViscosity)
-                    .map(|_| Subject::PressureViscosity),
-                _ => None,
-            };
-            Some(UncertaintyPart {
-                name: name.to_owned(),
-                about,
-                sd_ln: found.sd_ln,
-                quantiles_w: found.drawn.ends().map(|loss| scale * loss),
-                remedy,
-            })
-        });
     let mut parts: Vec<UncertaintyPart> = alone.collect();
     parts.sort_by(|a, b| b.half_range_w().total_cmp(&a.half_range_w()));
     parts

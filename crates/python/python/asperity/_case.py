@@ -269,6 +269,12 @@ class Case(Fixed):
         raw = self._raw.with_law(kind, name_of(law), exponent_of(kind, law), called.__call__)
         return Case._of(raw, {**self._laws, kind: called}, self._raw)
 
+    def _varied(self, called: str, keys: Mapping[str, Any]) -> Case:
+        """The case as its variant with other values of some keys."""
+        traces: Traces = []
+        found = changes(as_keys(keys), self._raw.gears_table, traces)
+        return Case._of(self._raw.varied(called, found, traces), self._laws, self._raw)
+
     def _on_finish(self, called: str, finish: Any) -> Case:
         """The case on the traces of a finish: one for both flanks, or those of pinion and wheel."""
         traces: Traces = []

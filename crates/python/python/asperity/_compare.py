@@ -1,4 +1,4 @@
-"""Several finishes on one case."""
+"""Several variants of a case."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from ._record import Table, drawn, variable
 from ._result import OF_OFFSETS
 from ._study import RawStudy, Study
 from ._values import ComparisonCorrelationTable, ComparisonFinishTable, ComparisonValues
+from .keys import CaseKeys, CaseTables
 
 if TYPE_CHECKING:
     import pandas
@@ -28,6 +29,9 @@ Trace = Union[Profile, str, PathLike[str]]
 Finish = Union[Trace, tuple[Trace, Trace], Case]
 """A trace for both flanks, those of pinion and wheel, or a case."""
 
+Variant = Union[Finish, CaseKeys, CaseTables]
+"""A finish, other values of keys or tables of the case, or another case."""
+
 
 def _loss(finish: Mapping[str, Any]) -> Any:
     """Median and quantiles of the loss of a finish, of a pair of gears or a gear train; None without draws."""
@@ -35,24 +39,32 @@ def _loss(finish: Mapping[str, Any]) -> Any:
     return uncertainty["loss"] if uncertainty else finish.get("loss_distribution")
 
 
-def cases_of(case: CaseLike, finishes: Optional[Mapping[str, Finish]]) -> list[tuple[str, _asperity.Case]]:
-    """The case on each finish, or on its own flanks."""
+def cases_of(case: CaseLike, finishes: Optional[Mapping[str, Variant]]) -> list[tuple[str, _asperity.Case]]:
+    """The case as each variant, or as it is. A single one with other keys comes behind the case itself, "as is"."""
     base = as_case(case)
     if finishes is not None and not isinstance(finishes, Mapping):
         raise wrong_kind("finishes", finishes, "profiles, files or cases by name")
     if not finishes:
         return [(base.title or "case", base._raw)]
-    made = {name: of if isinstance(of, Case) else base._on_finish(name, of) for name, of in finishes.items()}
-    return [(name, of._raw) for name, of in made.items()]
+
+
+    def made(name: str, of: Variant) -> Case:
+        if isinstance(of, Mapping):
+            return base._varied(name, of)
+        return of if isinstance(of, Case) else base._on_finish(name, of)
+
+    found = [(name, made(name, of)._raw) for name, of in finishes.items()]
+    is_single = len(found) == 1 and isinstance(next(iter(finishes.values())), Mapping)
+    return [("as is", base._raw), *found] if is_single else found
 
 
 class Comparison(Study, ComparisonValues):
-    """Finishes side by side; the first is the one that the others are compared with.
+    """Variants side by side; the first is the one that the others are compared with.
 
     ``finishes`` (name, loss_w, uncertainty, difference ...; of a gear train loss_distribution and meshes in place of
     uncertainty), ``correlations`` (parameter, with_loss, within_finishes). The ``difference`` of a finish is taken draw by draw: ``median_w``, ``quantiles_w`` (5 and 95 %),
-    ``probability`` of its sign, ``models``, and ``verdict``: ``"equal"``, ``"holds"``, ``"undecided"``, or ``except`` with
-    the models that have the other sign.
+    ``probability`` of its sign, ``models``, ``common`` (the components whose draws both have in common), and ``verdict``: ``"equal"``, ``"holds"``, ``"undecided"``, or ``except`` with
+    the models that have the other sign. ``deciding`` has the measurements that narrow it, and ``changes`` the keys that differ.
     """
 
     def __init__(self, raw: RawStudy, more: Optional[tuple[str, list[str]]] = None) -> None:

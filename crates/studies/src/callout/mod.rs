@@ -37,6 +37,8 @@ mod error;
 mod lots;
 mod report;
 mod study;
+mod target;
 
 pub use lots::RoughnessParameter;
 pub use study::{CallOut, CallOutSettings, CurvePoint, LimitRow, ParameterRow, TracesRow, callout};
+pub use target::LossTarget;

@@ -143,7 +143,11 @@ fn headline(study: &CallOut) -> [String; 2] {
         format!(
             "At the limit {:.0} % of the lots lose at most {}, with every constant at its median and without running-in.",
             100.0 * study.confidence,
-            Power::from_si(study.loss_w)
+            match &study.change {
+                None => Power::from_si(study.loss_w).to_string(),
+                Some(change) =>
+                    format!("{} ({change} than flanks like these)", power(study.loss_w)),
+            }
         ),
         format!(
             "At {}. The heights of a lot scatter by {:.0} %.",

@@ -8,7 +8,7 @@ use asperity::pipeline::Progress;
 use asperity::uncertainty::{ENDS, sorted_quantiles};
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
-use asperity_core::quantity::{Power, Ratio};
+use asperity_core::quantity::Ratio;
 use asperity_core::{DomainError, Fault};
 use asperity_report::{StudySettings, Watch, Work, settings};
 use rayon::prelude::*;
@@ -16,6 +16,7 @@ use serde::Serialize;
 
 use super::error;
 use super::lots::{Lot, OFFSETS, PAIRS, Process, RoughnessParameter, Values};
+use super::target::LossTarget;
 
 /// Most traces to inspect.
 const MOST_TRACES: usize = 64;
@@ -34,8 +35,9 @@ const CURVE: usize = 10;
 settings! {
     /// Settings of a call-out.
     pub struct CallOutSettings {
-        /// Loss of the mesh that a lot has to meet, the mean over 16 pairs of its flanks
-        loss: Power,
+        /// Largest loss of the mesh of a lot, the mean over 16 pairs of its flanks: a power, or a change of the loss of
+        /// flanks like these, as "-10 %" or "10 % less"
+        loss: LossTarget,
         /// Share of the lots at the limit that meet the loss
         confidence: Ratio = "90 %",
         /// Standard deviation of heights, wavelengths and peaks about the median of their lot
@@ -59,6 +61,7 @@ impl StudySettings for CallOutSettings {
         "Limit of Rpk, Rq or Rdq on the drawing, and traces to inspect, for a stated loss";
     const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[
         &[("case", "demo/case.toml"), ("loss", "560 W")],
+        &[("case", "demo/case.toml"), ("loss", "10 % less")],
         &[
             ("case", "demo/case.toml"),
             ("loss", "560 W"),
@@ -94,9 +97,12 @@ impl CallOutSettings {
     }
 
     fn checked(&self, confidence: f64, scatter: f64) -> Result<(), DomainError> {
-        let loss = self.loss.si();
-        let rule = "must be positive and finite";
-        DomainError::require(loss > 0.0 && loss.is_finite(), "loss", loss, "W", rule)?;
+        let (is_one, loss, unit, rule) = match self.loss {
+            LossTarget::Of(power) => (power.si() > 0.0, power.si(), "W", "must be positive"),
+            LossTarget::Share(share) => (share > -1.0, 100.0 * share, "%", "must be above -100 %"),
+            LossTarget::By(power) => (true, power.si(), "W", ""),
+        };
+        DomainError::require(is_one && loss.is_finite(), "loss", loss, unit, rule)?;
         let rule = "must lie between 50 and 99 %";
         let is_one = (0.5..=0.99).contains(&confidence);
         DomainError::require(is_one, "confidence", 100.0 * confidence, "%", rule)?;
@@ -125,6 +131,9 @@ pub struct CallOut {
     pub conditions: String,
     /// Stated loss \[W\].
     pub loss_w: f64,
+    /// The change of the loss of flanks like these that was stated, in words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub change: Option<String>,
     /// Share of the lots at the limit that lose at most this.
     pub confidence: f64,
     /// Standard deviation of the logarithms of heights, wavelengths and peaks.
@@ -250,7 +259,7 @@ fn of_process(
         let done = 1 + done.fetch_add(1, Ordering::Relaxed);
         progress(done.min(runs), runs);
     };
-    let curve = Curve::of(process, settings.loss.si(), &count)?;
+    let curve = Curve::of(process, settings.loss, &count)?;
     let met: Vec<MetLot> = (0..settings.lots)
         .into_par_iter()
         .map(|number| {
@@ -295,6 +304,7 @@ fn of_process(
         title: case.title.clone(),
         conditions: conditions(case),
         loss_w: curve.target,
+        change: settings.loss.change(),
         confidence: settings.confidence.value(),
         scatter: settings.scatter.value(),
         parameter,
@@ -358,7 +368,7 @@ struct Curve {
 }
 
 impl Curve {
-    fn of(process: &Process, target: f64, count: &(dyn Fn() + Sync)) -> Result<Self, Fault> {
+    fn of(process: &Process, stated: LossTarget, count: &(dyn Fn() + Sync)) -> Result<Self, Fault> {
         let lots: Vec<Lot> = (0..NOMINAL_LOTS)
             .map(|number| process.nominal(number))
             .collect::<Result<_, _>>()?;
@@ -373,13 +383,17 @@ impl Curve {
             Ok(losses?.iter().sum::<f64>() / NOMINAL_LOTS as f64)
         };
         let smooth = loss(FINISHES[0] / process.ra)?;
+        let mut found = std::collections::BTreeMap::new();
+        let target = match stated {
+            LossTarget::Of(power) => power.si(),
+            change => change.watts(*found.entry(0).or_insert(loss(1.0)?)),
+        };
         if target < smooth {
             return Err(error::below_smooth(target, smooth));
         }
         let least = (FINISHES[0] / process.ra).ln() / STEP.ln();
         // Flanks as rough as the roughest have their double as well.
         let most = (FINISHES[1] / process.ra).max(2.0).ln() / STEP.ln();
-        let mut found = std::collections::BTreeMap::new();
         let mut at = |step: i32| -> Result<f64, Fault> {
             if let Some(known) = found.get(&step) {
                 return Ok(*known);
@@ -611,6 +625,17 @@ mod tests {
 
     fn for_loss(loss: &str) -> CallOutSettings {
         CallOutSettings::of_json(serde_json::json!({ "loss": loss })).unwrap()
+    }
+
+    #[test]
+    fn a_loss_by_a_change_is_that_of_flanks_like_these_less_the_change() {
+        let of = |loss: &str| Curve::of(shared(), for_loss(loss).loss, &|| {}).unwrap();
+        let share = of("10 % less");
+        let present = share.loss_at(0.0);
+        assert!((share.target / present - 0.9).abs() < 1e-12);
+        let by_watts = of(&format!("{} W less", 0.1 * present));
+        assert!((by_watts.target / share.target - 1.0).abs() < 1e-12);
+        assert!((by_watts.height / share.height - 1.0).abs() < 1e-12);
     }
 
     #[test]

@@ -1,14 +1,17 @@
 //! Comparison of several finishes on one case.
 
+use asperity::Contacts;
+use asperity::case::CaseInput;
 use asperity::case::LoadedCase;
 use asperity::case::train::Train;
-use asperity::flanks::Surfaces;
 use asperity::message::outside_codes;
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::Uncertainty;
 use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Scope};
 use asperity::train::{self, MeshRow, Outcomes};
-use asperity::uncertainty::{DrawnMesh, PairedDifference, Quantiles, difference_of_meshes};
+use asperity::uncertainty::{
+    DecidingMeasurement, DrawnMesh, PairedDifference, Quantiles, deciding, difference_of_meshes,
+};
 use asperity::{Error, PositionError};
 use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys, unique};
 use asperity_report::tables::FlankTables;
@@ -17,6 +20,7 @@ use serde::Serialize;
 
 use super::statistics::rank_correlation;
 use super::windows::{self, Value, WindowRoughness};
+use crate::diff::{Change, changed_keys};
 
 /// Finish to compare: name, and case with its traces, a pair of gears or a gear train.
 #[derive(Debug, Clone)]
@@ -39,8 +43,11 @@ pub struct Comparison {
     pub scope: Scope,
     /// Power into the meshes \[W\].
     pub power_in_w: f64,
-    /// The finishes.
+    /// The finishes, or other variants.
     pub finishes: Vec<FinishResult>,
+    /// Whether the variants differ by their flanks only.
+    #[serde(skip)]
+    pub(crate) are_finishes: bool,
     /// Rank correlations of roughness with the computed loss, strongest first; empty of fewer than three finishes, of a gear
     /// train, and if a finish has fewer than 5 windows.
     pub correlations: Vec<Correlation>,
@@ -70,6 +77,12 @@ pub struct FinishResult {
     /// Loss minus the loss of the first finish with the same draws; `None` for the first, and if the model has no
     /// uncertainty.
     pub difference: Option<PairedDifference>,
+    /// Measurements that would narrow the difference, the one that leaves the narrowest interval first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub deciding: Vec<DecidingMeasurement>,
+    /// Keys of the case that differ from the first one, unless these are of the flanks only.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub changes: Vec<Change>,
     /// Mean loss of the flanks run in with every constant at its median \[W\], if the case sets `model.run_in`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub run_in_loss_w: Option<f64>,
@@ -202,7 +215,7 @@ impl Finishes {
     pub fn check_count(count: usize) -> Result<(), Fault> {
         match count < 2 {
             true => {
-                let message = "one finish cannot be compared; give at least two";
+                let message = "a single finish or variant cannot be compared; give at least two";
                 Err(Fault::new(Code::E205, message))
             }
             false => Ok(()),
@@ -221,7 +234,7 @@ impl Input for Finishes {
         Self::arguments(
             "The case, whose traces are replaced by the traces of each finish; the finishes of a gear train are cases",
             "Finishes",
-            "By name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, or a case; at least two",
+            "By name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, other values of keys, or a case; at least two",
         )
     }
 
@@ -255,21 +268,30 @@ impl StudySettings for CompareSettings {
     type Input = Finishes;
     type Found = Comparison;
     const COMMAND: &'static str = "compare";
-    const ABOUT: &'static str = "Compare finishes on one case, with paired differences";
-    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[&[
-        ("case", "demo/case.toml"),
-        (
-            "finishes",
-            "ground=demo/ground_pinion.csv,demo/ground_wheel.csv",
-        ),
-        (
-            "finishes",
-            "superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv",
-        ),
-    ]];
-    const METHOD: &'static str = "The first finish is the reference for the others. All have the same offsets and the same draws of what \
-        is uncertain.";
-    const STEPS: &'static str = "finishes";
+    const ABOUT: &'static str =
+        "Compare finishes, oils, gears and other variants of a case, with paired differences";
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[
+        &[
+            ("case", "demo/case.toml"),
+            (
+                "finishes",
+                "ground=demo/ground_pinion.csv,demo/ground_wheel.csv",
+            ),
+            (
+                "finishes",
+                "superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv",
+            ),
+        ],
+        &[
+            ("case", "demo/case.toml"),
+            ("variants", "pao: lubricant.oil=pao100"),
+            ("variants", "mineral: lubricant.oil=m100"),
+        ],
+    ];
+    const METHOD: &'static str = "The first is the reference for the others. Two variants have the draws of a constant in common where \
+        the thing that it belongs to is the same in both, as the Eyring stress of one oil. Where it differs each has draws of its own. \
+        A variant that names an oil leaves out all other numbers of the oil of the case, and its calibration.";
+    const STEPS: &'static str = "variants";
 
     fn work(&self, given: &Finishes) -> Result<Option<Work>, Fault> {
         let finishes = self.applied(given.clone())?;
@@ -290,11 +312,14 @@ pub fn compare<C: Clone + Into<Train>>(
     finishes: &[Finish<C>],
     progress: Progress<'_>,
 ) -> Result<Comparison, Error> {
-    let run = |case: &Train| train::run(case, Some(&KeptFields::Highest), true, &|_, _| {});
-    let mut runs = Vec::with_capacity(finishes.len());
+    let kept = (Some(&KeptFields::Highest), true);
+    let mut runs: Vec<(&str, Train, Outcomes)> = Vec::with_capacity(finishes.len());
+    // Contacts do not depend on the oil: the variants share them.
+    let mut contacts: Vec<Contacts> = Vec::new();
     for finish in finishes {
         let case: Train = finish.case.clone().into();
-        let outcome = run(&case)?;
+        let outcome = train::run_beside(&case, kept, &contacts, &|_, _| {})?;
+        contacts.extend(outcome.contacts.iter().cloned());
         runs.push((finish.name.as_str(), case, outcome));
         progress(runs.len(), finishes.len());
     }
@@ -304,8 +329,16 @@ pub fn compare<C: Clone + Into<Train>>(
     let title = first.title.clone();
     let mut results: Vec<FinishResult> = Vec::with_capacity(runs.len());
     for (k, (name, case, outcome)) in runs.iter().enumerate() {
-        let first = (k > 0).then(|| (&runs[0].1, &runs[0].2));
+        let first = (k > 0).then(|| &runs[0].2);
         results.push(finish_result(name, (case, outcome), first)?);
+    }
+    let are_finishes = runs
+        .iter()
+        .all(|(_, case, _)| differs_by_flanks(&runs[0].1, case));
+    if !are_finishes {
+        for (finish, (_, case, _)) in results.iter_mut().zip(&runs).skip(1) {
+            finish.changes = changes(&runs[0].1, case)?;
+        }
     }
     let pooled = |finish: &FinishResult| finish.roughness().len().min(finish.offsets.len());
     Ok(Comparison {
@@ -319,7 +352,31 @@ pub fn compare<C: Clone + Into<Train>>(
         correlations: correlations(&results),
         windows: results.iter().map(pooled).sum(),
         finishes: results,
+        are_finishes,
     })
+}
+
+/// Whether two cases differ by their flanks only.
+fn differs_by_flanks(first: &Train, other: &Train) -> bool {
+    let without_flanks = |case: &Train| -> Vec<CaseInput> {
+        let inputs = case.cases().map(|mesh| mesh.case.input.clone());
+        inputs
+            .map(|input| CaseInput {
+                title: Default::default(),
+                surface: Default::default(),
+                ..input
+            })
+            .collect()
+    };
+    without_flanks(first) == without_flanks(other)
+}
+
+/// Keys by which two cases differ.
+fn changes(first: &Train, other: &Train) -> Result<Vec<Change>, Error> {
+    let of = |case: &'_ Train| (case.input.clone(), case.defaults.clone());
+    let ((a, by_first), (b, by_other)) = (of(first), of(other));
+    let found = changed_keys((&a, &by_first), (&b, &by_other));
+    found.map_err(|error| Error::Whole(Box::new(PositionError::from(Fault::internal(error)))))
 }
 
 /// Names and SHA-256 of the files that `case` read. Folders are omitted, since they may be private; the hash identifies
@@ -333,31 +390,12 @@ pub(crate) fn files(case: &LoadedCase) -> Vec<[String; 2]> {
     names_and_sums.collect()
 }
 
-/// A case with its run.
-pub type CaseRun<'a> = (&'a Train, &'a Outcomes);
-
-/// The drawn meshes of two runs, whose flanks are numbered together; `None` without draws.
-#[must_use]
-pub fn drawn_together<'a>(
-    (first, of_first): CaseRun<'a>,
-    (other, of_other): CaseRun<'a>,
-) -> Option<[Vec<DrawnMesh<'a>>; 2]> {
-    let meshes = first.meshes().chain(other.meshes());
-    let surfaces: Vec<&Surfaces> = meshes.map(|mesh| &mesh.case.surfaces).collect();
-    let numbers = Surfaces::first_equal(&surfaces);
-    let (of_case, of_own) = numbers.split_at(of_first.meshes.len());
-    Some([
-        of_first.drawn_meshes(of_case)?,
-        of_other.drawn_meshes(of_own)?,
-    ])
-}
-
 fn finish_result(
     name: &str,
-    (case, outcome): CaseRun<'_>,
-    first: Option<CaseRun<'_>>,
+    (case, outcome): (&Train, &Outcomes),
+    first: Option<&Outcomes>,
 ) -> Result<FinishResult, Error> {
-    let compared = first.and_then(|first| drawn_together(first, (case, outcome)));
+    let compared = first.and_then(|first| first.drawn_beside(outcome));
     let difference = compared
         .as_ref()
         .map(|[first, own]| difference_of_meshes(first, own));
@@ -371,6 +409,10 @@ fn finish_result(
         uncertainty: None,
         loss_distribution: result.loss_distribution,
         difference,
+        deciding: compared
+            .as_ref()
+            .map_or(Vec::new(), |[first, own]| deciding(first, own)),
+        changes: Vec::new(),
         run_in_loss_w: run_in_loss(outcome),
         gearbox: result.gearbox.clone(),
         mixed_share: None,
@@ -384,9 +426,11 @@ fn finish_result(
         let meshes = result.meshes.iter().zip(&outcome.meshes).enumerate();
         finish.meshes = meshes
             .map(|(k, (row, run))| {
-                let pair = compared
-                    .as_ref()
-                    .and_then(|[first, own]| Some((first.get(k)?, own.get(k)?)));
+                let pair = compared.as_ref().and_then(|[of_first, own]| {
+                    let mut names = first?.whole.meshes.iter();
+                    let same = names.position(|known| known.mesh == row.mesh)?;
+                    Some((of_first.get(same)?, own.get(k)?))
+                });
                 let summary = &run.result.summary;
                 MeshOfFinish {
                     mesh: row.mesh.clone(),

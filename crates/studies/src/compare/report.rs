@@ -9,11 +9,14 @@ use asperity_report::html::{along, points};
 use asperity_report::tables::{BODIES, FlankTables, SpectrumRow};
 use asperity_report::units::MICRO;
 use asperity_report::{Cell, Column, Kind, Report, StudyResult, Table, columns, parts_of};
+use serde_json::Value;
 
 use super::comparison::{Comparison, FinishResult, PairOfFinish};
 use super::tables;
 use super::windows::PARAMETERS;
-use super::words::{loss, meshes, narrower, note, run_in, scope, table, warnings};
+use super::words::{
+    loss, measured, meshes, narrowed_by, note, run_in, scope, table, verdicts, warnings,
+};
 
 impl StudyResult for Comparison {
     const KIND: &'static str = "comparison";
@@ -21,17 +24,19 @@ impl StudyResult for Comparison {
 
     fn report(&self) -> Report<'_> {
         let names: Vec<&str> = self.finishes.iter().map(|finish| &*finish.name).collect();
-        let of_pair = self.pairs().next().is_some();
+        let of_pair = self.finishes.iter().all(|finish| finish.pair.is_some());
         let report = Report::new(
             &self.title,
             format!("{} · comparison of {}", self.program, names.join(", ")),
         )
         .section("Verdict")
-        .verdict(self.verdicts().iter().map(|verdict| format!("{verdict}.")))
+        .verdict(verdicts(self))
         .figures(|| [bars(self)])
-        .table(table(self))
-        .text(narrower(self))
+        .text(narrowed_by(self))
         .on_page()
+        .table(table(self))
+        .text(narrowed_by(self))
+        .in_terminal()
         .text([note(self)])
         .text(run_in(self))
         .text([scope(self)]);
@@ -43,6 +48,7 @@ impl StudyResult for Comparison {
                 .text([OF_MESHES])
                 .on_page(),
         };
+        let report = compared(report, self);
         report
             .section("Provenance")
             .warning(warnings(self))
@@ -50,6 +56,75 @@ impl StudyResult for Comparison {
             .on_page()
     }
 }
+
+/// Keys that differ between the variants, measurements that would decide, and common draws.
+fn compared<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
+    let Some((first, others)) = comparison.finishes.split_first() else {
+        return report;
+    };
+    let mut report = report;
+    let changes = others
+        .iter()
+        .flat_map(|of| of.changes.iter().map(move |row| (of, row)));
+    let changes: Vec<_> = changes.collect();
+    if !changes.is_empty() {
+        let text = |value: &Option<Value>| match value {
+            None => "-".to_owned(),
+            Some(Value::String(text)) => text.clone(),
+            Some(value) => value.to_string(),
+        };
+        let table = columns! { (of, row) in &changes;
+            head variant "variant" "" = &of.name;
+            code key "key" "" = &row.key;
+            text first "first" "" = text(&row.first);
+            text value "variant has" "" = text(&row.second);
+        };
+        report = report.section("What differs").table(table).on_page();
+    }
+    let deciding = others
+        .iter()
+        .flat_map(|of| of.deciding.iter().map(move |row| (of, row)));
+    let table = columns! { (of, row) in deciding;
+        head variant "difference of" "" = &of.name;
+        text measurement "measurement" "" = measured(row, [&first.name, &of.name]);
+        percent width "remaining width" "%" "{:.0}" = row.width;
+        range quantiles_w "difference" "W" = Cell::range(Some(row.quantiles_w), Digits::of_interval(row.quantiles_w));
+    };
+    if !table.is_empty() {
+        report = report
+            .section("What would decide")
+            .text([DECIDING])
+            .on_page();
+        report = report.table(table).on_page();
+    }
+    let common = others
+        .iter()
+        .filter_map(|of| Some((of, of.difference.as_ref()?)));
+    let common = common.flat_map(|(of, found)| found.common.iter().map(move |row| (of, row)));
+    let table = columns! { (of, row) in common;
+        head variant "beside the first" "" = &of.name;
+        text name "component" "" = &row.name;
+        text belongs_to "belongs to" "" = &row.belongs_to;
+        number correlation "correlation" "" "{:.2}" = row.correlation;
+    };
+    match table.is_empty() {
+        true => report,
+        false => report
+            .section("Draws in common")
+            .text([COMMON])
+            .on_page()
+            .table(table)
+            .on_page(),
+    }
+}
+
+/// Text above the measurements.
+const DECIDING: &str = "Each line is the interval of the difference, from 5 to 95 %, that the measurement leaves at best: as if it were \
+    exact. Without the name of a variant, one measurement serves both.";
+
+/// Text above the common draws.
+const COMMON: &str = "A component has the same draws in both where the thing that it belongs to is the same: its correlation is 1. Where \
+    each has a thing of its own it is 0.";
 
 /// Content of a comparison of a gear train.
 const OF_MESHES: &str = "Losses of one mesh of each kind. A comparison of a single mesh shows its flanks, its spectra and the \
@@ -332,7 +407,7 @@ fn bars(comparison: &Comparison) -> Drawing {
     });
     Drawing::Bars(BarChart {
         id: "losses".to_owned(),
-        title: "Loss of each finish".to_owned(),
+        title: format!("Loss of each {}", comparison.noun()),
         source: "compare.csv".to_owned(),
         axis: Axis::new("loss", "W"),
         bars: bars.collect(),

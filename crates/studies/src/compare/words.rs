@@ -5,9 +5,10 @@ use asperity_report::{Cell, Table, Value, columns, stated, stated_parts};
 
 use asperity::result::Summary;
 use asperity::result::loss_band::Digits;
-use asperity::uncertainty::{PairedDifference, Predictive, Verdict};
+use asperity::uncertainty::{DecidingMeasurement, PairedDifference, Predictive, Verdict};
+use asperity_core::unique;
 
-use super::comparison::{Comparison, FinishResult};
+use super::comparison::{Comparison, FinishResult, MeshOfFinish};
 
 /// Efficiency and loss of each finish; of a single mesh also its lubrication.
 pub(super) fn table(comparison: &Comparison) -> Table {
@@ -39,7 +40,9 @@ pub(super) fn table(comparison: &Comparison) -> Table {
         Some(_) => table.brief(&["mixed", "regime"]),
         None => table.unshown_of(&["mixed", "regime"]),
     };
-    table.in_file("compare.csv")
+    table
+        .renamed("finish", comparison.noun())
+        .in_file("compare.csv")
 }
 
 /// Lubrication regime of a single mesh in words, in the file its name.
@@ -52,23 +55,24 @@ fn regime(finish: &FinishResult) -> Cell {
 
 /// Loss of every mesh of a gear train with every finish, mesh by mesh.
 pub(super) fn meshes(comparison: &Comparison) -> Table {
-    let count = comparison
-        .finishes
-        .first()
-        .map_or(0, |first| first.meshes.len());
     let finishes = comparison.finishes.iter();
-    let rows = (0..count).flat_map(|k| {
+    let all = finishes.clone().flat_map(|finish| &finish.meshes);
+    let names = unique(all.map(|mesh| &*mesh.mesh));
+    let rows = names.into_iter().flat_map(|name| {
         finishes.clone().filter_map(move |finish| {
-            let mesh = finish.meshes.get(k)?;
+            let of_name = |of: &'_ &MeshOfFinish| of.mesh == name;
+            let mesh = finish.meshes.iter().find(of_name)?;
+            let mut of_first = comparison.finishes[0].meshes.iter();
             let times = match mesh.count {
                 1 => String::new(),
                 count => format!("{count} × "),
             };
             let losses = OfFinish {
                 loss_w: mesh.loss_w,
-                first_w: comparison
-                    .is_later(finish)
-                    .then(|| comparison.finishes[0].meshes[k].loss_w),
+                first_w: of_first
+                    .find(of_name)
+                    .filter(|_| comparison.is_later(finish))
+                    .map(|first| first.loss_w),
                 drawn: mesh.drawn_w,
                 difference: mesh.difference.as_ref(),
             };
@@ -77,7 +81,7 @@ pub(super) fn meshes(comparison: &Comparison) -> Table {
         })
     });
     let table = columns! { (finish, mesh, name, losses) in rows;
-        shown name "mesh and finish" "" = name;
+        shown name "mesh" "" = name;
         file finish = &finish.name;
         file mesh = &mesh.mesh;
         file count = mesh.count;
@@ -181,6 +185,14 @@ impl Comparison {
         self.is_later(finish).then(|| self.finishes[0].loss_w)
     }
 
+    /// Heading of the names.
+    pub(super) fn noun(&self) -> &'static str {
+        match self.are_finishes {
+            true => "finish",
+            false => "variant",
+        }
+    }
+
     /// Whether `finish` is not the first one, from which the differences are taken.
     fn is_later(&self, finish: &FinishResult) -> bool {
         self.finishes
@@ -241,6 +253,70 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
     }
 }
 
+/// The measurement that narrows the least certain difference most, and what it leaves at best, in words, with the name of its
+/// variant; one that is made once is preferred where it narrows nearly as much.
+fn decided_by(comparison: &Comparison) -> Option<(&str, String)> {
+    /// Largest difference of widths that are nearly the same.
+    const NEARLY: f64 = 0.03;
+    let (first, others) = comparison.finishes.split_first()?;
+    let differences = others.iter();
+    let differences = differences.filter_map(|of| Some((of, of.difference.as_ref()?)));
+    let least = differences.min_by(|a, b| a.1.probability.total_cmp(&b.1.probability));
+    let (finish, difference) = least?;
+    let narrowest = finish.deciding.first()?;
+    let is_once = |row: &&DecidingMeasurement| row.is_common || row.of != [true; 2];
+    let mut once = finish.deciding.iter().filter(is_once);
+    let best = once.find(|row| row.width <= narrowest.width + NEARLY);
+    let best = best.unwrap_or(narrowest);
+    let words = format!(
+        "at best {} W after {}",
+        Digits::of_interval(difference.watts.ends()).range(best.quantiles_w),
+        measured(best, [&first.name, &finish.name]),
+    );
+    Some((&finish.name, words))
+}
+
+/// The decision of each difference, one that is undecided with what would narrow it.
+pub(super) fn verdicts(comparison: &Comparison) -> Vec<String> {
+    let decided_by = decided_by(comparison);
+    let first = comparison.finishes.first().map_or("", |first| &first.name);
+    let of = |finish: &FinishResult| {
+        let difference = finish.difference.as_ref()?;
+        let own = verdict([first, &finish.name], difference);
+        let is_open = difference.verdict == Verdict::Undecided;
+        let narrowed = decided_by
+            .as_ref()
+            .filter(|(name, _)| is_open && *name == finish.name);
+        Some(match narrowed {
+            Some((_, words)) => format!("{own}; {words}."),
+            None => format!("{own}."),
+        })
+    };
+    comparison.finishes.iter().filter_map(of).collect()
+}
+
+/// The measurement that narrows a difference that is decided.
+pub(super) fn narrowed_by(comparison: &Comparison) -> Option<String> {
+    let (name, words) = decided_by(comparison)?;
+    let mut finishes = comparison.finishes.iter();
+    let difference = finishes
+        .find(|finish| finish.name == name)?
+        .difference
+        .as_ref()?;
+    let is_open = difference.verdict == Verdict::Undecided;
+    (!is_open).then(|| format!("The difference of {name} is {words}."))
+}
+
+/// A measurement in words, with the names of the variants that it is made for.
+pub(super) fn measured(row: &DecidingMeasurement, names: [&str; 2]) -> String {
+    match (row.is_common, row.of) {
+        (true, _) => row.measurement.clone(),
+        (false, [true, true]) => format!("{} with {} and {}", row.measurement, names[0], names[1]),
+        (false, [true, false]) => format!("{} with {}", row.measurement, names[0]),
+        (false, _) => format!("{} with {}", row.measurement, names[1]),
+    }
+}
+
 /// Explanation of the intervals.
 pub(super) fn note(comparison: &Comparison) -> String {
     let is_drawn = comparison
@@ -250,7 +326,7 @@ pub(super) fn note(comparison: &Comparison) -> String {
     match is_drawn.then(Predictive::count) {
         None => "Without an uncertainty of the loss.".to_owned(),
         Some(draws) => format!(
-            "Medians of {draws} draws, in brackets their 5 and 95 % quantiles. All finishes share the draws, but model error and sampling of the flanks are drawn for each."
+            "Medians of {draws} draws, in brackets their 5 and 95 % quantiles. Two variants share the draws of what is the same in both."
         ),
     }
 }
@@ -326,24 +402,6 @@ fn resolution(comparison: &Comparison) -> String {
         let s = &pair.result.summary;
         format!("; {} positions, {} offsets", s.positions, s.offsets)
     })
-}
-
-/// The largest component of the uncertainty with the measurement that narrows it; `None` without an uncertainty of pairs.
-pub(super) fn narrower(comparison: &Comparison) -> Option<String> {
-    let finishes = comparison.finishes.iter();
-    let parts = finishes.flat_map(|finish| {
-        let of = finish.uncertainty.iter();
-        of.flat_map(move |of| of.loss.parts.iter().map(move |part| (finish, of, part)))
-    });
-    let (finish, of, part) =
-        parts.max_by(|a, b| a.2.half_range_w().total_cmp(&b.2.half_range_w()))?;
-    Some(format!(
-        "The largest component of the uncertainty is {}, {} W with {}; narrower with {}.",
-        part.name,
-        of.digits().rounded(part.half_range_w()),
-        finish.name,
-        part.remedy
-    ))
 }
 
 /// Distinct warnings, with their finishes unless they apply to all.

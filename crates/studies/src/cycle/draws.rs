@@ -35,10 +35,9 @@ pub(super) struct Draws<'a> {
 }
 
 impl Draws<'_> {
-    /// Energies of all draws \[Wh\], with the errors of model and sampling of flanks number `flanks`; `None` on a map without
-    /// draws.
-    pub fn energies_wh(&self, flanks: usize) -> Option<Vec<f64>> {
-        let drawn = self.finish.drawn(flanks, OF_ENERGY)?;
+    /// Energies of all draws \[Wh\], for a difference with those in common with the first finish; `None` on a map without draws.
+    pub fn energies_wh(&self, is_beside_first: bool) -> Option<Vec<f64>> {
+        let drawn = self.finish.drawn(is_beside_first, OF_ENERGY)?;
         let mut of_places: BTreeMap<Place, f64> = BTreeMap::new();
         let weights = self
             .cycle
@@ -57,7 +56,7 @@ impl Draws<'_> {
 
     /// Median with 5 % and 95 % quantiles of the loss at each point \[W\]; `None` on a map without draws.
     pub fn losses_w(&self) -> Option<Vec<Estimate>> {
-        let drawn = self.finish.drawn(0, 1.0)?;
+        let drawn = self.finish.drawn(false, 1.0)?;
         let mut of_places: BTreeMap<Place, Estimate> = BTreeMap::new();
         let of_point = self.places(&drawn).map(|(place, loss)| {
             let ratios = of_places.entry(place);

@@ -171,13 +171,12 @@ pub fn evaluate(
             loss_w: &result.loss_w,
         };
         let drawn_w = draws.losses_w().unwrap_or_default();
-        let energies = draws.energies_wh(0);
-        // Errors of model and sampling are drawn apart unless the flanks are the same.
-        let own = match finish.has_flanks_of_first {
-            true => energies.clone(),
-            false => draws.energies_wh(1),
-        };
-        if let Some((first, own)) = drawn_of_first.as_ref().zip(own) {
+        let energies = draws.energies_wh(false);
+        let own = || draws.energies_wh(true);
+        if let Some((first, own)) = drawn_of_first
+            .as_ref()
+            .and_then(|first| Some((first, own()?)))
+        {
             let deltas: Vec<f64> = own
                 .iter()
                 .zip(first)

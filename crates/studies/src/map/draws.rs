@@ -7,7 +7,7 @@
 //! P_j is the loss of all meshes in draw j and P the loss with every constant at its median. Draws are the same at all nodes, so that
 //! the constants, the structure and the tip relief of a draw hold for the whole map.
 
-use asperity::uncertainty::{Predictive, median_with_ends};
+use asperity::uncertainty::{Common, Predictive, median_with_ends};
 use asperity_core::Estimate;
 use asperity_core::numerics::{NodeInterval, add_times, distinct};
 use rayon::prelude::*;
@@ -51,6 +51,20 @@ pub struct DrawnNodes {
     /// Number of the flanks within a gear train: equal flanks have the same errors of model and sampling.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub flanks: usize,
+    /// Draws in common with the first finish; `None` of the first itself, and in older maps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub common: Option<Common>,
+}
+
+impl DrawnNodes {
+    /// Draws in common with the first finish, which has `meshes`; with the numbers of its own flanks where they are not known.
+    fn common(&self, beside: Option<bool>, meshes: usize) -> Common {
+        match (beside, self.common) {
+            (Some(_), Some(common)) => common,
+            (Some(false), None) => (meshes + self.flanks).into(),
+            _ => self.flanks.into(),
+        }
+    }
 }
 
 fn one() -> u32 {
@@ -131,11 +145,12 @@ pub struct Drawn<'a> {
 pub(crate) type Place = [u32; 4];
 
 impl<'a> Drawn<'a> {
-    /// The draws at the nodes of each side with this number of `meshes`, see [`FinishMap::drawn`](super::FinishMap::drawn).
+    /// The draws at the nodes of each side with this number of `meshes`, see [`FinishMap::drawn`](super::FinishMap::drawn); beside
+    /// the first finish, whose flanks are the same or not, with the draws in common with it.
     pub(super) fn of(
         sides: &'a [DrawnNodes],
         meshes: usize,
-        flanks: usize,
+        beside: Option<bool>,
         sampling: f64,
     ) -> Option<Self> {
         let of_side = |of_meshes: &'a [DrawnNodes]| {
@@ -147,8 +162,8 @@ impl<'a> Drawn<'a> {
                     let predictive = mesh.predictive.get(node)?;
                     let count = f64::from(mesh.count);
                     at_medians += count * predictive.at_medians_w;
-                    let of_mesh =
-                        predictive.draws_of_sum_w(flanks * meshes + mesh.flanks, sampling);
+                    let common = mesh.common(beside, meshes);
+                    let of_mesh = predictive.draws_of_sum_w(common, sampling);
                     add_times(&mut drawn, count, &of_mesh);
                 }
                 let ln = |loss: f64| (loss / at_medians).ln();

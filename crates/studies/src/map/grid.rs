@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::balance::{self, sum};
-use asperity::case::MeshLoad;
 use asperity::case::train::{LoadedMesh, Train};
+use asperity::case::{LoadedCase, MeshLoad};
 use asperity::core::cancel::checkpoint;
 use asperity::fingerprint::Fingerprint;
 use asperity::flanks::Surfaces;
 use asperity::pipeline::Progress;
 use asperity::result::{Losses, OffsetRow};
-use asperity::uncertainty::median_with_ends;
+use asperity::uncertainty::{DrawnCase, Predictive, common_draws, median_with_ends};
 use asperity::{Error, PositionError};
 use asperity_core::numerics::{deviation, distinct};
 use asperity_core::quantity::{AngularSpeed, Power};
@@ -74,7 +74,8 @@ pub fn map<C: Clone + Into<Train>>(
         maps.push(map);
     }
     if let Some((first, others)) = maps.split_first_mut() {
-        for finish in others {
+        for (finish, own) in others.iter_mut().zip(&finishes[1..]) {
+            put_common(finish, &own.case, (first, case));
             let largest = finish.largest().map(|(at, _)| at);
             finish.difference_w = largest.and_then(|at| difference(first, finish, at));
         }
@@ -106,9 +107,38 @@ pub fn map<C: Clone + Into<Train>>(
     })
 }
 
+/// States the draws that each mesh of a finish has in common with the first finish.
+fn put_common(finish: &mut FinishMap, case: &Train, (first, of_first): (&FinishMap, &Train)) {
+    // The correlations follow from the nodes of largest torque and speed.
+    let drawn = |train: &Train, draws: &[DrawnNodes]| {
+        let cases: Vec<LoadedCase> = train.cases().cloned().collect();
+        let nodes = draws.iter().take(cases.len());
+        let last: Vec<Predictive> = nodes
+            .filter_map(|mesh| mesh.predictive.last().cloned())
+            .collect();
+        (cases, last)
+    };
+    let [first, own] = [
+        (of_first, first.draws.as_slice()),
+        (case, finish.draws.as_slice()),
+    ]
+    .map(|(train, draws)| drawn(train, draws));
+    if own.0.len() != own.1.len() || first.0.len() != first.1.len() {
+        return;
+    }
+    fn both(of: &(Vec<LoadedCase>, Vec<Predictive>)) -> Vec<DrawnCase<'_>> {
+        of.0.iter().zip(&of.1).collect()
+    }
+    let common = common_draws(&both(&first), &of_first.first_with_flanks(), &both(&own));
+    let meshes = common.len();
+    for (k, mesh) in finish.draws.iter_mut().enumerate() {
+        mesh.common = Some(common[k % meshes]);
+    }
+}
+
 /// Loss with `finish` minus the loss with `first` at point number `at`, over the draws that both share; `None` without draws.
 pub(super) fn difference(first: &FinishMap, finish: &FinishMap, at: usize) -> Option<Estimate> {
-    let drawn = |of: &FinishMap, flanks: usize| {
+    let drawn = |of: &FinishMap, is_beside_first: bool| {
         let Point {
             torque_nm,
             speed_rpm,
@@ -117,13 +147,14 @@ pub(super) fn difference(first: &FinishMap, finish: &FinishMap, at: usize) -> Op
             ..
         } = of.points.get(at)?;
         let loss = numbers.as_ref()?.loss_w;
-        let drawn = of.drawn(flanks, 1.0)?;
+        let drawn = of.drawn(is_beside_first, 1.0)?;
         let ratios = drawn.ratios(drawn.place(*torque_nm, *speed_rpm, *temperature_c));
         Some(ratios.into_iter().map(move |ratio| loss * ratio))
     };
-    // Errors of model and sampling are drawn apart unless the flanks are the same.
-    let own = drawn(finish, usize::from(!finish.has_flanks_of_first))?;
-    let differences = own.zip(drawn(first, 0)?).map(|(own, first)| own - first);
+    let own = drawn(finish, true)?;
+    let differences = own
+        .zip(drawn(first, false)?)
+        .map(|(own, first)| own - first);
     Some(median_with_ends(&differences.collect::<Vec<f64>>()))
 }
 
@@ -309,6 +340,7 @@ fn draws(
                 predictive: of_mesh(side, nodes, *mesh)?,
                 count: *count,
                 flanks: *flanks,
+                common: None,
             })
         })
     });
@@ -318,7 +350,7 @@ fn draws(
 /// Adds median and quantiles to every point.
 fn add_quantiles(map: &mut FinishMap) {
     let mut points = std::mem::take(&mut map.points);
-    if let Some(drawn) = map.drawn(0, 1.0) {
+    if let Some(drawn) = map.drawn(false, 1.0) {
         points.par_iter_mut().for_each(|point| {
             let place = drawn.place(point.torque_nm, point.speed_rpm, point.temperature_c);
             if let Some(numbers) = &mut point.numbers {

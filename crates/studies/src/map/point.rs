@@ -277,11 +277,12 @@ impl FinishMap {
         numbers.max_by(|a, b| a.1.loss_w.total_cmp(&b.1.loss_w))
     }
 
-    /// The draws, with the errors of model and sampling that flanks number `flanks` of a comparison have, and the standard
-    /// error of the sampling multiplied by `sampling`. `None` for a map without draws.
+    /// The draws, for a difference with those that it has in common with the first finish, and the standard error of the sampling
+    /// multiplied by `sampling`. `None` for a map without draws.
     #[must_use]
-    pub fn drawn(&self, flanks: usize, sampling: f64) -> Option<Drawn<'_>> {
-        Drawn::of(&self.draws, self.meshes.len().max(1), flanks, sampling)
+    pub fn drawn(&self, is_beside_first: bool, sampling: f64) -> Option<Drawn<'_>> {
+        let beside = is_beside_first.then_some(self.has_flanks_of_first);
+        Drawn::of(&self.draws, self.meshes.len().max(1), beside, sampling)
     }
 }
 

@@ -27,7 +27,8 @@ pub struct CaseOrFinishes(pub Finishes);
 
 impl Input for CaseOrFinishes {
     fn described() -> Vec<Setting> {
-        let finishes = "Finishes by name, as in `compare` [default: the traces of the case]";
+        let finishes =
+            "Finishes or other variants by name, as in `compare` [default: the case itself]";
         Finishes::arguments("The case", "Option<Finishes>", finishes)
     }
 

@@ -71,7 +71,7 @@ pub(super) fn text_of(value: f64, unit: &str) -> String {
 }
 
 /// A value in the form of a case file.
-pub(super) fn written(value: &Value) -> String {
+pub(crate) fn written(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
         other => other.to_string(),

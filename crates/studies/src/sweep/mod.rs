@@ -25,6 +25,7 @@ mod study;
 mod study_input;
 mod words;
 
+pub(crate) use amount::written;
 pub use asperity_core::numerics::standard_normal_quantile;
 pub use cases::Cases;
 pub use columns::{InputColumn, InputValues};
@@ -38,5 +39,7 @@ pub use parts::{Status, status};
 pub use plan::{Plan, plan};
 pub use refused::Refused;
 pub use run::{Event, Shard, run};
+pub use settings::Settings as Keys;
+pub(crate) use settings::set as set_key;
 pub use study::Study;
 pub use study_input::Method;

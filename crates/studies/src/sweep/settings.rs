@@ -7,11 +7,11 @@ use toml::Value;
 use super::error::SweepError;
 
 /// Keys with their values.
-pub(super) type Settings = Vec<(String, String)>;
+pub type Settings = Vec<(String, String)>;
 
 /// Sets a key of the case. A number at its end is an index in a list of the case or its defaults, as in
 /// `gears.profile_shift.0`.
-pub(super) fn set(
+pub(crate) fn set(
     input: &mut CaseInput,
     defaults: &[DefaultUsed],
     key: &str,
