@@ -100,9 +100,10 @@ impl EvidenceSettings {
             };
             let hours = hours.trim().parse().ok();
             let hours = hours.filter(|hours| (0.0..1e6).contains(hours));
-            own.hours = Some(hours.ok_or_else(|| {
-                refused("the hours must be a number from 0 to below 1e6".into())
-            })?);
+            own.hours =
+                Some(hours.ok_or_else(|| {
+                    refused("the hours must be a number from 0 to below 1e6".into())
+                })?);
         }
         Ok(efforts)
     }
@@ -273,11 +274,7 @@ fn rows(
         let left = narrowed(&expected, loss, &measurements)?;
         let planned = || of_plan.iter().find(|(key, _)| *key == effort.key);
         let hours = effort.hours.or_else(|| Some(planned()?.1))?;
-        Some(EvidenceRow::new(
-            (effort.key, words, hours),
-            loss,
-            left,
-        ))
+        Some(EvidenceRow::new((effort.key, words, hours), loss, left))
     };
     let mut rows: Vec<EvidenceRow> = efforts.iter().filter_map(row).collect();
     rows.sort_by(|a, b| a.width.total_cmp(&b.width));
