@@ -296,6 +296,9 @@ fn narrowed(
 /// A measurement: its key, its words, and what it leaves.
 type Known = (&'static str, String, Measurement);
 
+/// Measurements of the film, and hours by their keys.
+type OfFilm = (Vec<Known>, Vec<(&'static str, f64)>);
+
 /// Measurements of flanks, gears and losses.
 fn of_case(case: &LoadedCase) -> Vec<Known> {
     let teeth = case.surfaces.several_teeth().unwrap_or([1, 1]);
@@ -350,10 +353,7 @@ fn of_case(case: &LoadedCase) -> Vec<Known> {
 }
 
 /// Measurements of the film friction of `oil`.
-fn of_film(
-    case: (&LoadedCase, &Contacts),
-    oil: &OilBase,
-) -> Result<(Vec<Known>, Vec<(&'static str, f64)>), Fault> {
+fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<OfFilm, Fault> {
     let settings = OilPlanSettings::usual()?.plan()?;
     let (stages, slope) = stages_of_case(oil, case, &settings)?;
     let rows = [
