@@ -100,9 +100,10 @@ impl EvidenceSettings {
             };
             let hours = hours.trim().parse().ok();
             let hours = hours.filter(|hours| (0.0..1e6).contains(hours));
-            own.hours = Some(hours.ok_or_else(|| {
-                refused("the hours must be a number from 0 to below 1e6".into())
-            })?);
+            own.hours =
+                Some(hours.ok_or_else(|| {
+                    refused("the hours must be a number from 0 to below 1e6".into())
+                })?);
         }
         Ok(efforts)
     }
@@ -273,11 +274,7 @@ fn rows(
         let left = narrowed(&expected, loss, &measurements)?;
         let planned = || of_plan.iter().find(|(key, _)| *key == effort.key);
         let hours = effort.hours.or_else(|| Some(planned()?.1))?;
-        Some(EvidenceRow::new(
-            (effort.key, words, hours),
-            loss,
-            left,
-        ))
+        Some(EvidenceRow::new((effort.key, words, hours), loss, left))
     };
     let mut rows: Vec<EvidenceRow> = efforts.iter().filter_map(row).collect();
     rows.sort_by(|a, b| a.width.total_cmp(&b.width));
@@ -298,6 +295,9 @@ fn narrowed(
 
 /// A measurement: its key, its words, and what it leaves.
 type Known = (&'static str, String, Measurement);
+
+/// Measurements of the film, and hours by their keys.
+type OfFilm = (Vec<Known>, Vec<(&'static str, f64)>);
 
 /// Measurements of flanks, gears and losses.
 fn of_case(case: &LoadedCase) -> Vec<Known> {
@@ -353,10 +353,7 @@ fn of_case(case: &LoadedCase) -> Vec<Known> {
 }
 
 /// Measurements of the film friction of `oil`.
-fn of_film(
-    case: (&LoadedCase, &Contacts),
-    oil: &OilBase,
-) -> Result<(Vec<Known>, Vec<(&'static str, f64)>), Fault> {
+fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<OfFilm, Fault> {
     let settings = OilPlanSettings::usual()?.plan()?;
     let (stages, slope) = stages_of_case(oil, case, &settings)?;
     let rows = [

@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 
 use asperity::message::Warning;
-use asperity_core::numerics::distinct;
+use asperity_core::numerics::{self, distinct};
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Column, Kind, Report, StudyResult, Table, columns};
 
@@ -433,6 +433,10 @@ fn provenance(calibration: &Calibration) -> Vec<String> {
 fn places(design: &Design) -> Vec<Drawing> {
     let points = &design.points;
     let temperatures = distinct(points.iter().map(|point| point.temperature_c));
+    // The same axes at all temperatures, with room for the marks.
+    let [low, high] = numerics::range(points.iter().map(|point| point.speed_rpm));
+    let torques = points.iter().map(|point| 1.1 * point.torque_nm);
+    let [least, most] = numerics::range(torques.chain([0.0]));
     let at_temperature = |at: &f64| {
         let chosen = points.iter().filter(|point| point.temperature_c == *at);
         let coordinates = chosen.map(|point| [point.speed_rpm, point.torque_nm]);
@@ -440,8 +444,10 @@ fn places(design: &Design) -> Vec<Drawing> {
             &format!("design-{at:.0}"),
             &format!("Points to measure at {at:.0} °C"),
             "design.csv",
-            Axis::new("speed", "1/min").log(),
-            Axis::new("torque", "N m").from_zero(),
+            Axis::new("speed", "1/min")
+                .log()
+                .within(low / 1.5, 1.5 * high),
+            Axis::new("torque", "N m").within(least, most),
         );
         let series = Series::through("point", Line::Scatter, coordinates);
         charted(chart, vec![series])

@@ -190,14 +190,14 @@ impl Powers {
     }
 }
 
-/// A duration: up to two hours in minutes.
+/// A duration: below two hours in minutes, unless it is an hour.
 ///
 /// ```
 /// use asperity_report::duration;
-/// assert_eq!([18.6, 85.0, 120.0, 93.0 * 4.0].map(duration), ["19 min", "85 min", "2 h", "6.2 h"]);
+/// assert_eq!([18.6, 60.0, 85.0, 372.0].map(duration), ["19 min", "1 h", "85 min", "6.2 h"]);
 /// ```
 pub fn duration(minutes: f64) -> String {
-    match minutes < 120.0 {
+    match minutes < 120.0 && minutes.round() != 60.0 {
         true => format!("{minutes:.0} min"),
         false => format!("{} h", (minutes / 6.0).round() / 10.0),
     }

@@ -211,7 +211,7 @@ fn losses_by_kind(result: &Whole) -> Drawing {
         name: kind.name.to_owned(),
         value: Some(kind.watts),
         spread: None,
-        text: format!("{} W, {} %", kind.loss, kind.share),
+        text: format!("{} W, {} % of all", kind.loss, kind.share),
     });
     let mark = if result.set.is_some() {
         PLANETARY_MARK
@@ -259,6 +259,7 @@ fn linked(mesh: &str) -> Cell {
 fn meshes_section(result: &Whole) -> Markup {
     html! {
         (meshes(result))
+        p { "The first gear in the name of a mesh is the pinion on its page, the second the wheel." }
         p { "Torque and speed of the pinion, in a planetary set relative to the carrier. Here the torque is without losses; \
             the table of the shafts has it with losses." }
         @if result.loss_distribution.is_some() {
@@ -273,7 +274,7 @@ fn kinds(result: &Whole) -> Table {
     columns! { row in result.kinds_with_digits();
         head kind "kind" "" = row.name;
         number loss "loss of all meshes" "W" = &row.loss;
-        number share "share" "%" = &row.share;
+        number share "of all" "%" = &row.share;
     }
 }
 

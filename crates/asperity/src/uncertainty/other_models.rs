@@ -30,7 +30,7 @@ const DRY: [(&str, LoadShareName); 3] = [
         LoadShareName::MasjediKhonsari,
     ),
 ];
-const DRY_REFUTED: &str = "superfinishing would save 47 to 53 % of the loss of the example drive, 12 to 18 percentage points above the 15 to 35 % measured on other pairs; the default, 36 %, is 1 point above (gate T3 of VALIDATION.md)";
+const DRY_REFUTED: &str = "superfinishing would save 47 to 53 % of the loss of the example drive, 12 to 18 percentage points above the 15 to 35 % measured on other pairs; the default, 36 %, is 1 point above";
 
 /// Films of the spots, with their numbers in docs/records/ehl-friction-parts.md.
 const SPEEDS: [(&str, SpotSpeed, &str); 2] = [
@@ -160,7 +160,7 @@ pub(super) fn other_models(loaded: &LoadedCase) -> Vec<OtherModel> {
         found.push(OtherModel {
             name: "viscosity by Roelands in the film",
             case: roelands,
-            refuted_by: "losses of superfinished gears -72 % at 2000 1/min and -52 % at 8000 1/min (gate T2 of VALIDATION.md)",
+            refuted_by: "losses of superfinished gears -72 % at 2000 1/min and -52 % at 8000 1/min",
         });
     }
     found
@@ -351,7 +351,7 @@ mod tests {
         let most = savings.iter().fold(0.0, |a: f64, b| a.max(*b));
         let expected = format!(
             "superfinishing would save {least} to {most} % of the loss of the example drive, {} to {} percentage points above the \
-             15 to {MEASURED} % measured on other pairs; the default, {default} %, is {} point above (gate T3 of VALIDATION.md)",
+             15 to {MEASURED} % measured on other pairs; the default, {default} %, is {} point above",
             least - MEASURED,
             most - MEASURED,
             default - MEASURED

@@ -102,7 +102,7 @@ const NUISANCE: &str = "Errors of the machine that the fit assumes, the largest 
 /// Meaning of the numbers.
 const METHOD: &str = "5 to 95 %: the constant lies between these quantiles with a probability of 90 %. The oil file states the \
     2.5 % and 97.5 % quantiles. Remaining error: standard deviation after the points over the standard deviation of the \
-    family. Not identified: the error of the family remains.";
+    family. The family: oils of the same base. Not identified: the error of the family remains.";
 
 impl OilFit {
     /// The constants that the points determine, with their intervals, those that they do not, and the law of pressure.
@@ -132,7 +132,11 @@ impl OilFit {
         }
         let law = self.pressure_law.name();
         verdicts.push(match self.is_law_decided {
-            true => format!("The law of pressure is {law}."),
+            true => format!(
+                "The viscosity in the film rises with the pressure by the law of {}{}.",
+                law[..1].to_uppercase(),
+                &law[1..]
+            ),
             false => format!("The points do not decide the law of pressure; {law} fits best."),
         });
         verdicts

@@ -202,9 +202,8 @@ pub(crate) fn stages_of_case(
         priors,
         slopes: Some(DVector::from_row_slice(&slopes)),
     };
-    let stage = |name: &str, grid: &Grid<'_>| {
-        planner.stage(name, &grid.described(oil, &settings.machine)?)
-    };
+    let stage =
+        |name: &str, grid: &Grid<'_>| planner.stage(name, &grid.described(oil, &settings.machine)?);
     let stages = [stage(ONE, &ONE_CURVE)?, stage(WHOLE, &MINIMAL)?];
     Ok((stages, slopes[FACTOR]))
 }

@@ -211,7 +211,7 @@ fn parts(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
     let parts = printed(result).parts.into_iter();
     let tile = |part: PrintedPart| {
-        let value = format!("{}, {}", part.text, part.share);
+        let value = format!("{}, {} of the loss", part.text, part.share);
         (part.name, value, part.key)
     };
     let regime = [

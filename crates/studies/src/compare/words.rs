@@ -29,7 +29,7 @@ pub(super) fn table(comparison: &Comparison) -> Table {
         file loss_w = finish.loss_w;
         interval loss_median_w "loss" "W" = losses.loss();
         interval difference_w "minus the first" "W" = losses.difference();
-        interval change_percent "change" "%" = losses.change();
+        interval change_percent "of the first" "%" = losses.change();
         number mixed_share_percent "mixed" "%" "{:.0}" = finish.mixed_share.map(|share| 100.0 * share);
         text regime "regime" "" = regime(finish);
         file gearbox_efficiency_percent = Cell::optional(finish.gearbox.as_ref().map(|g| 100.0 * g.efficiency));
@@ -88,7 +88,7 @@ pub(super) fn meshes(comparison: &Comparison) -> Table {
         file loss_w = mesh.loss_w;
         interval loss_median_w "loss" "W" = losses.loss();
         interval difference_w "minus the first" "W" = losses.difference();
-        interval change_percent "change" "%" = losses.change();
+        interval change_percent "of the first" "%" = losses.change();
         file mixed_share_percent = 100.0 * mesh.mixed_share;
         file regime = mesh.regime.name();
     };

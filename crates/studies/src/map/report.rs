@@ -7,6 +7,10 @@ use super::point::Map;
 use super::summary::{bands, extremes, left_aside, notes, of_meshes, verdicts};
 use super::table;
 
+/// Meaning of the loss torque.
+const LOSS_TORQUE: &str =
+    "The loss torque is the loss over the speed of the pinion, in a gear train of the input shaft.";
+
 impl StudyResult for Map {
     const KIND: &'static str = "map";
     const NAME: &'static str = "map";
@@ -38,6 +42,8 @@ impl Map {
         let report = page::fields(report, self, visited)
             .text([points])
             .table(extremes(self))
+            .text([LOSS_TORQUE])
+            .on_page()
             .table(of_meshes(self))
             .warning(left_aside(self))
             .text(bands(self))

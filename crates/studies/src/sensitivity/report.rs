@@ -14,7 +14,8 @@ const TABLE: &str = "sensitivity.csv";
 
 /// Explanation of the numbers.
 const NOTE: &str = "In brackets: 5 to 95 % by the sampling of the flanks. Other cut-offs leave other lengths of the traces, hence \
-    other windows. These are answers of the model, not measurements.";
+    other windows. Tip relief takes load off the ends of the path. The contact of unrelieved tip edges, of which a run warns, is \
+    not in these losses. These are answers of the model, not measurements.";
 
 impl StudyResult for Sensitivity {
     const KIND: &'static str = "sensitivity study";
@@ -68,7 +69,7 @@ fn verdicts(study: &Sensitivity) -> impl Iterator<Item = String> {
         let what = if is_saving { "saving" } else { "rise" };
         let content = effect.sampling_quantiles_w.map_or("", |_| OF_SAMPLING);
         Some(format!(
-            "The largest {what} among these changes: {}, {} W, {} %{content}.",
+            "The largest {what} among these changes: {}, {} W, {} % of the loss{content}.",
             named(row),
             difference(effect),
             share(effect)
@@ -125,12 +126,12 @@ fn table(study: &Sensitivity) -> Table {
         text group "of" "" = row.group;
         text change "change" "" = in_words(&row.what);
         text to "to" "" = in_words(&row.to);
-        interval difference_w "loss" "W" = Cell::with_ends(
+        interval difference_w "change of the loss" "W" = Cell::with_ends(
             effect.map_or("-".to_owned(), difference),
             effect.map(|effect| effect.difference_w),
             effect.and_then(|effect| effect.sampling_quantiles_w),
         );
-        number change_percent "loss" "%" = Cell::optional(effect.map(share));
+        number change_percent "of the loss" "%" = Cell::optional(effect.map(share));
         number film_w "film" "W" = part(effect, 0);
         number lubricated_asperity_w "lubricated asperities" "W" = part(effect, 1);
         number boundary_w "boundary layer" "W" = part(effect, 2);
