@@ -35,7 +35,7 @@ TOPICS = {
     "Tables and charts": "Record Table Chart",
 }
 TYPES = {
-    _case: "CaseLike", _compare: "Finish Trace", _columns: "Columns FrameLike", _oil: "OilLike", _own_laws: "Law", _profile: "Plan", _progress: "Progress",
+    _case: "CaseLike", _compare: "Finish Trace Variant", _columns: "Columns FrameLike", _oil: "OilLike", _own_laws: "Law", _profile: "Plan", _progress: "Progress",
     _quantity: "Scalar Values Quantity Quantities Numbers Floats PintLike", asperity.keys: "CaseTables CaseKeys",
 }
 """Types of arguments and results by the module that has them."""

@@ -4,25 +4,34 @@ use std::fmt::Write as _;
 use std::sync::OnceLock;
 
 use asperity::Run;
+use asperity::case::LoadedCase;
 use asperity::result::Summary;
 use asperity::result::{SamplingPart, Uncertainty};
-use asperity::uncertainty::{Predictive, difference};
+use asperity::uncertainty::{PairedDifference, Predictive, difference};
 
 use crate::load_share::{REFERENCE, few, shipped};
 
-/// Summary, uncertainty and draws of a case.
-pub type Banded = (Summary, Uncertainty, Predictive);
+/// Summary, uncertainty and draws of a case, and the case.
+pub type Banded = (Summary, Uncertainty, Predictive, LoadedCase);
 
-fn banded(name: &str) -> Banded {
-    let (outcome, drawn) = Run::new(&shipped(name)).without_pictures().draw().unwrap();
+/// The run of a case.
+pub fn banded(case: LoadedCase) -> Banded {
+    let (outcome, drawn) = Run::new(&case).without_pictures().draw().unwrap();
     let result = outcome.result;
-    (result.summary, result.uncertainty.unwrap(), drawn.unwrap())
+    let (uncertainty, drawn) = (result.uncertainty.unwrap(), drawn.unwrap());
+    (result.summary, uncertainty, drawn, case)
+}
+
+/// Loss of `other` less the loss of `first`.
+pub fn change(first: &Banded, other: &Banded) -> PairedDifference {
+    let [first, other] = [first, other].map(|of| (&of.3, &of.2, &of.1));
+    difference(first, other)
 }
 
 /// Ground and superfinished.
 pub fn both() -> &'static [Banded; 2] {
     static BOTH: OnceLock<[Banded; 2]> = OnceLock::new();
-    BOTH.get_or_init(|| ["e-drive", "e-drive-superfinished"].map(banded))
+    BOTH.get_or_init(|| ["e-drive", "e-drive-superfinished"].map(|name| banded(shipped(name))))
 }
 
 /// The table of docs/records/uncertainty.md.
@@ -79,7 +88,7 @@ pub fn table() -> String {
         }),
         "-",
     );
-    let change = difference((&ground.2, &ground.1), (&fine.2, &fine.1), false);
+    let change = change(ground, fine);
     let percent = |share: f64| format!("{:.0}", 100.0 * share);
     let [low, high] = change.share.ends();
     row(
@@ -114,7 +123,7 @@ fn the_band_of_the_shipped_drive_holds_the_reference_computation() {
             "{reference}: {low} {high}"
         );
     }
-    let change = difference((&ground.2, &ground.1), (&fine.2, &fine.1), false);
+    let change = change(ground, fine);
     assert!(change.watts.high < 0.0, "{change:?}");
     // Measured pairs: 15 to 35 % lower. The error of the gap law `inlet` is 0.08 of ln at this roughness (`power`: 0.05).
     let [low, high] = change.share.ends();

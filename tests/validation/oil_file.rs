@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 use std::sync::OnceLock;
 
+use asperity::Contacts;
 use asperity::case::{CaseInput, LoadedCase};
 use asperity::core::quantity::Length;
 use asperity::pipeline::{contacts, losses_with};
 use asperity::uncertainty::predictive;
-use asperity::{Contacts, Run};
 use asperity_calibration::evidence::{Effort, EvidenceTable};
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::{Priors, TractionProblem, Zero};
@@ -18,7 +18,7 @@ use asperity_calibration::oil::{
 use asperity_core::numerics::standard_normal_quantile;
 use asperity_report::Settings as _;
 
-use crate::band::{Banded, both};
+use crate::band::{Banded, banded, both};
 use crate::load_share::{shipped, with};
 
 /// 120 points at 40, 80 and 120 °C, 20 and 60 N, 1 and 3 m/s, simulated with 2.5 % and 0.001 of scatter.
@@ -61,12 +61,9 @@ fn naming(case: &LoadedCase, oil_file: &str) -> LoadedCase {
 
 /// A shipped case with the constants of these oil files.
 fn runs(name: &str, files: &[String; 2]) -> [Banded; 2] {
-    files.each_ref().map(|file| {
-        let case = naming(&shipped(name), file);
-        let (outcome, drawn) = Run::new(&case).without_pictures().draw().unwrap();
-        let result = outcome.result;
-        (result.summary, result.uncertainty.unwrap(), drawn.unwrap())
-    })
+    files
+        .each_ref()
+        .map(|file| banded(naming(&shipped(name), file)))
 }
 
 /// The cases with the limits of the ratio of standard deviations, by scattered curves and by precise ones.

@@ -6,12 +6,11 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use asperity::Run;
 use asperity::case::LoadedCase;
 use asperity::result::loss_band::Digits;
-use asperity::uncertainty::{Verdict, difference};
+use asperity::uncertainty::Verdict;
 
-use crate::band::{Banded, both};
+use crate::band::{Banded, banded, both, change};
 use crate::load_share::with;
 
 /// A case with its torques \[N m\] and temperatures \[°C\]: its own and two more, scaled as those of the e-drive.
@@ -82,7 +81,7 @@ const OTHERS_BEFORE: [[&str; 9]; 2] = [
 ];
 
 /// The median with its quantiles.
-fn text((_, found, _): &Banded) -> String {
+fn text((_, found, ..): &Banded) -> String {
     rounded(found.loss.drawn().value, found.loss.drawn().ends())
 }
 
@@ -99,14 +98,12 @@ fn computed(case: &str, torque_nm: f64, celsius: f64) -> Banded {
             r#"{ law = "given", dynamic_viscosity = "97.5 mPa s", temperature = "60 °C" }"#;
         loaded = loaded.with_key("lubricant.viscosity", viscosity).unwrap();
     }
-    let (outcome, drawn) = Run::new(&loaded).without_pictures().draw().unwrap();
-    let result = outcome.result;
-    (result.summary, result.uncertainty.unwrap(), drawn.unwrap())
+    banded(loaded)
 }
 
 /// Saving of `other` in per cent of the loss of `first`, and whether its sign holds.
 fn saving(first: &Banded, other: &Banded) -> String {
-    let change = difference((&first.2, &first.1), (&other.2, &other.1), false);
+    let change = change(first, other);
     let [low, high] = change.share.ends();
     let verdict = match &change.verdict {
         Verdict::Holds => format!("holds under {} models", change.models.len()),

@@ -255,7 +255,8 @@ impl Case {
         let held = profiles(&traces);
         alone(py, || {
             let base = Train::clone(&self.0).holding(&held);
-            let (set, unset): (Vec<_>, Vec<_>) = keys.into_iter().partition(|(_, value)| value.is_some());
+            let (set, unset): (Vec<_>, Vec<_>) =
+                keys.into_iter().partition(|(_, value)| value.is_some());
             let set: Vec<(String, String)> = set
                 .into_iter()
                 .filter_map(|(key, value)| Some((key, value?)))

@@ -203,7 +203,7 @@ fn correlation(kind: UncertainParameter, a: DrawnCase<'_>, b: DrawnCase<'_>) -> 
 ///
 /// s: standard deviation of the error; r: the part of it that differs from condition to condition.
 fn of_model(a: DrawnCase<'_>, b: DrawnCase<'_>) -> f64 {
-    let operation = |of: &LoadedCase| of.case.input.operation.clone();
+    let operation = |of: &LoadedCase| of.case.input.operation;
     let teeth = has_teeth_of(a.0, b.0) && a.0.case.gears.face_width == b.0.case.gears.face_width;
     if !has_traces_of(a.0, b.0) {
         return 0.0;

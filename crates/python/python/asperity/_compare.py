@@ -17,7 +17,7 @@ from ._record import Table, drawn, variable
 from ._result import OF_OFFSETS
 from ._study import RawStudy, Study
 from ._values import ComparisonCorrelationTable, ComparisonFinishTable, ComparisonValues
-from .keys import CaseKeys, CaseTables
+from .keys import CaseKeys
 
 if TYPE_CHECKING:
     import pandas
@@ -29,7 +29,7 @@ Trace = Union[Profile, str, PathLike[str]]
 Finish = Union[Trace, tuple[Trace, Trace], Case]
 """A trace for both flanks, those of pinion and wheel, or a case."""
 
-Variant = Union[Finish, CaseKeys, CaseTables]
+Variant = Union[Finish, CaseKeys]
 """A finish, other values of keys or tables of the case, or another case."""
 
 

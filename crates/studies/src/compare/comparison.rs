@@ -17,9 +17,10 @@ use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys, unique};
 use asperity_report::tables::FlankTables;
 use asperity_report::{Input, Setting, StudySettings, Watch, Work, settings};
 use serde::Serialize;
+use serde_json::Value;
 
 use super::statistics::rank_correlation;
-use super::windows::{self, Value, WindowRoughness};
+use super::windows::{self, WindowRoughness};
 use crate::diff::{Change, changed_keys};
 
 /// Finish to compare: name, and case with its traces, a pair of gears or a gear train.
@@ -82,7 +83,7 @@ pub struct FinishResult {
     pub deciding: Vec<DecidingMeasurement>,
     /// Keys of the case that differ from the first one, unless these are of the flanks only.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub changes: Vec<Change>,
+    pub changes: Vec<ChangedKey>,
     /// Mean loss of the flanks run in with every constant at its median \[W\], if the case sets `model.run_in`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub run_in_loss_w: Option<f64>,
@@ -109,6 +110,18 @@ pub struct FinishResult {
 }
 
 estimate_keys! { OfMesh: "loss_median_w" "loss_quantiles_w"; }
+
+/// A key whose value differs from the first case; without a value where it is not stated and has no default.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
+pub struct ChangedKey {
+    /// The key.
+    pub key: String,
+    /// Value of the first case.
+    pub first: String,
+    /// Value of this one.
+    pub value: String,
+}
 
 /// A mesh of a gear train with the flanks of a finish, or one of its equal meshes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -372,11 +385,23 @@ fn differs_by_flanks(first: &Train, other: &Train) -> bool {
 }
 
 /// Keys by which two cases differ.
-fn changes(first: &Train, other: &Train) -> Result<Vec<Change>, Error> {
+fn changes(first: &Train, other: &Train) -> Result<Vec<ChangedKey>, Error> {
     let of = |case: &'_ Train| (case.input.clone(), case.defaults.clone());
     let ((a, by_first), (b, by_other)) = (of(first), of(other));
     let found = changed_keys((&a, &by_first), (&b, &by_other));
-    found.map_err(|error| Error::Whole(Box::new(PositionError::from(Fault::internal(error)))))
+    let found =
+        found.map_err(|error| Error::Whole(Box::new(PositionError::from(Fault::internal(error)))));
+    let text = |value: Option<Value>| match value {
+        None => String::new(),
+        Some(Value::String(text)) => text,
+        Some(value) => value.to_string(),
+    };
+    let row = |change: Change| ChangedKey {
+        key: change.key,
+        first: text(change.first),
+        value: text(change.second),
+    };
+    Ok(found?.into_iter().map(row).collect())
 }
 
 /// Names and SHA-256 of the files that `case` read. Folders are omitted, since they may be private; the hash identifies
@@ -517,7 +542,7 @@ fn correlations(finishes: &[FinishResult]) -> Vec<Correlation> {
     if finishes.len() < FEWEST_FINISHES || finishes.iter().any(few) {
         return Vec::new();
     }
-    let pairs = |finish: &FinishResult, of: Value| -> Vec<[f64; 2]> {
+    let pairs = |finish: &FinishResult, of: windows::Value| -> Vec<[f64; 2]> {
         let rows = finish.roughness().iter().zip(&finish.offsets);
         rows.map(|(window, row)| [of(window), row.loss_w]).collect()
     };

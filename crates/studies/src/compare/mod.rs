@@ -14,7 +14,8 @@ mod words;
 
 pub(crate) use comparison::files;
 pub use comparison::{
-    CompareSettings, Comparison, Correlation, Finish, FinishResult, Finishes, MeshOfFinish, compare,
+    ChangedKey, CompareSettings, Comparison, Correlation, Finish, FinishResult, Finishes,
+    MeshOfFinish, compare,
 };
 pub use statistics::rank_correlation;
 pub use variants::{

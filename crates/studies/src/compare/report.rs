@@ -9,7 +9,6 @@ use asperity_report::html::{along, points};
 use asperity_report::tables::{BODIES, FlankTables, SpectrumRow};
 use asperity_report::units::MICRO;
 use asperity_report::{Cell, Column, Kind, Report, StudyResult, Table, columns, parts_of};
-use serde_json::Value;
 
 use super::comparison::{Comparison, FinishResult, PairOfFinish};
 use super::tables;
@@ -68,16 +67,11 @@ fn compared<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
         .flat_map(|of| of.changes.iter().map(move |row| (of, row)));
     let changes: Vec<_> = changes.collect();
     if !changes.is_empty() {
-        let text = |value: &Option<Value>| match value {
-            None => "-".to_owned(),
-            Some(Value::String(text)) => text.clone(),
-            Some(value) => value.to_string(),
-        };
         let table = columns! { (of, row) in &changes;
             head variant "variant" "" = &of.name;
             code key "key" "" = &row.key;
-            text first "first" "" = text(&row.first);
-            text value "variant has" "" = text(&row.second);
+            text first "first" "" = &row.first;
+            text value "variant has" "" = &row.value;
         };
         report = report.section("What differs").table(table).on_page();
     }
