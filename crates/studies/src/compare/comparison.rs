@@ -49,7 +49,7 @@ pub struct Comparison {
     /// Whether the variants differ by their flanks only.
     #[serde(skip)]
     pub(crate) are_finishes: bool,
-    /// Rank correlations of roughness with the computed loss, strongest first; empty of fewer than three finishes, of a gear
+    /// Rank correlations of roughness with the computed loss, strongest first; empty of fewer than three finishes, of other variants, of a gear
     /// train, and if a finish has fewer than 5 windows.
     pub correlations: Vec<Correlation>,
     /// Number of windows in the correlations: offsets of all finishes.
@@ -362,7 +362,11 @@ pub fn compare<C: Clone + Into<Train>>(
             false => Scope::Mesh,
         },
         power_in_w: results.last().map_or(0.0, |finish| finish.power_in_w),
-        correlations: correlations(&results),
+        // Other oils or gears order the losses, too.
+        correlations: match are_finishes {
+            true => correlations(&results),
+            false => Vec::new(),
+        },
         windows: results.iter().map(pooled).sum(),
         finishes: results,
         are_finishes,

@@ -132,16 +132,12 @@ fn of_pairs<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
     let report = report
         .figures(|| [parts(comparison), along_the_path(comparison)])
         .rows("parts.csv", || tables::parts(comparison))
-        .section("Flanks")
-        .table(parameters(comparison))
-        .on_page()
-        .figures(|| flanks(comparison))
-        .text(flanks(comparison).is_empty().then_some(NO_TRACE))
-        .on_page()
         .rows("offsets.csv", || tables::offsets(comparison))
-        .rows("path.csv", || tables::path(comparison))
-        .rows("traces.csv", || tables::traces(comparison))
-        .rows("spectra.csv", || tables::spectra(comparison));
+        .rows("path.csv", || tables::path(comparison));
+    let report = match comparison.has_equal_flanks() {
+        true => report,
+        false => of_flanks(report, comparison),
+    };
     let report = match comparison.correlations.is_empty() {
         true => report,
         false => correlations(report, comparison),
@@ -162,6 +158,19 @@ fn of_pairs<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
         .on_page()
         .table(models(&drawn, first))
         .on_page()
+}
+
+/// Section on the flanks of pairs.
+fn of_flanks<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
+    report
+        .section("Flanks")
+        .table(parameters(comparison))
+        .on_page()
+        .figures(|| flanks(comparison))
+        .text(flanks(comparison).is_empty().then_some(NO_TRACE))
+        .on_page()
+        .rows("traces.csv", || tables::traces(comparison))
+        .rows("spectra.csv", || tables::spectra(comparison))
 }
 
 /// Text above the components of the uncertainty.

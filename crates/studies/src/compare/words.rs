@@ -8,7 +8,7 @@ use asperity::result::loss_band::Digits;
 use asperity::uncertainty::{DecidingMeasurement, PairedDifference, Predictive, Verdict};
 use asperity_core::unique;
 
-use super::comparison::{Comparison, FinishResult, MeshOfFinish};
+use super::comparison::{Comparison, FinishResult, MeshOfFinish, PairOfFinish};
 
 /// Efficiency and loss of each finish; of a single mesh also its lubrication.
 pub(super) fn table(comparison: &Comparison) -> Table {
@@ -191,6 +191,17 @@ impl Comparison {
             true => "finish",
             false => "variant",
         }
+    }
+
+    /// Whether variants of a pair, which are no finishes, have the flanks of the first one.
+    pub(super) fn has_equal_flanks(&self) -> bool {
+        let of = |pair: &PairOfFinish| {
+            let flanks = pair.result.flanks.each_ref();
+            flanks.map(|flank| flank.parameters.as_ref().map(|of| of.heights.rq))
+        };
+        let mut all = self.pairs().map(|(_, pair)| of(pair));
+        let first = all.next();
+        !self.are_finishes && all.all(|flanks| Some(flanks) == first)
     }
 
     /// Whether `finish` is not the first one, from which the differences are taken.
