@@ -24,6 +24,10 @@
 //! | friction of the film without asperities | [`FilmAlone`] |
 //! | film and friction of ball and disc | [`PointContact`] |
 //!
+//! Other crates have the ratio by which the inlet flattens a wave, [`Attenuation`](asperity_ehl_regime::Attenuation), the shear
+//! stress of the film and its limit, [`FilmRheology`](asperity_oil::FilmRheology), and the friction of a film,
+//! [`LoadedFilm`](asperity_tribo_friction::LoadedFilm).
+//!
 //! The table does not depend on oil, temperature or speed: changing these costs film laws only, no contact.
 //! Everything here is serial and pure, and needs no gear and no case file: two traces, a line contact and an oil.
 //!

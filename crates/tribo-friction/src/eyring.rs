@@ -15,7 +15,8 @@
 //! a naphthenic, a paraffinic mineral and a polyalphaolefin base oil of ISO VG 100 (their table
 //! 2). Compared by them with twin-disc tests at 1 GPa, 2 to 16 m/s and slip ratios up to 0.4, and
 //! with gears up to 1.4 GPa. Without sliding there is no friction; for slow sliding the law is
-//! Newton's, μ → η V_s/(h p̄).
+//! Newton's, μ → η V_s/(h p̄). [`film_friction`](crate::film_friction) takes the stress over the pressures of the contact, with the
+//! heat of the film.
 
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity, Speed};
 use asperity_core::{Checked, DomainError, FittedRange, cite};

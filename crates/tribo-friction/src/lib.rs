@@ -5,6 +5,12 @@
 //! chooses between them by the name in a case file and takes what it needs from
 //! [`FrictionConditions`].
 //!
+//! | equation | place |
+//! |---|---|
+//! | shear stress of the film, its limit | [`FilmRheology`](asperity_oil::FilmRheology) |
+//! | the same over the contact, with heat | [`film_friction`]; without heat at the mean pressure [`eyring`] |
+//! | friction where asperities carry a share | `asperity-mixed-film` |
+//!
 //! ```
 //! use asperity_tribo_friction::xu::{XuConditions, XuLaw};
 //! let position = XuConditions {
