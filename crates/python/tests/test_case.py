@@ -308,7 +308,7 @@ def test_a_gear_train_is_compared_and_swept_as_a_whole():
 
 
 def test_a_case_file_takes_its_files_from_another_folder(tmp_path):
-    demo = Path(asperity.demo())
+    demo = Path(asperity.demo(tmp_path / "demo"))
     alone = tmp_path / "alone.toml"
     alone.write_text(demo.read_text(encoding="utf-8"), encoding="utf-8")
     with pytest.raises(asperity.AsperityError, match="cannot be opened"):
@@ -320,8 +320,8 @@ def test_a_case_file_takes_its_files_from_another_folder(tmp_path):
     assert missing.value.code == "E201"
 
 
-def test_a_warning_says_what_to_do():
+def test_a_warning_says_what_to_do(tmp_path):
     with pytest.warns(asperity.AsperityWarning, match="W442") as warned:
-        asperity.Case(asperity.demo()).replace({"lubricant.oil": "n100"})
+        asperity.Case(asperity.demo(tmp_path / "demo")).replace({"lubricant.oil": "n100"})
     helps = [one.message.help for one in warned if one.message.code == "W442"]
     assert helps == [asperity.explain("W442").remedy]
