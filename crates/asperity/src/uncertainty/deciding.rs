@@ -1,9 +1,10 @@
 //! Measurements that would decide a difference: what of its interval is left if their quantity is known.
 
+use asperity_core::numerics::add_times;
 use asperity_uncertainty::{Component, Predictive, median_with_ends};
 use serde::{Deserialize, Serialize};
 
-use super::difference::{DrawnMesh, losses_of_meshes};
+use super::difference::DrawnMesh;
 
 /// A measurement with what it leaves of the interval of a difference at best: if it were exact.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -33,7 +34,16 @@ pub fn deciding(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) -> Vec<Decidin
     let (Some(own), Some(theirs)) = (first.first(), other.first()) else {
         return Vec::new();
     };
-    let drawn = sides.map(losses_of_meshes);
+    let total = |meshes: &[DrawnMesh<'_>], held: &dyn Fn(&DrawnMesh<'_>) -> Vec<Component>| {
+        let mut total: Vec<f64> = Vec::new();
+        for mesh in meshes {
+            let losses = mesh.predictive.losses_holding(mesh.common, &held(mesh));
+            total.resize(losses.len(), 0.0);
+            add_times(&mut total, f64::from(mesh.count), &losses);
+        }
+        total
+    };
+    let drawn = sides.map(|meshes| total(meshes, &|_| Vec::new()));
     let differences = |[own, theirs]: [&[f64]; 2]| -> Vec<f64> {
         own.iter().zip(theirs).map(|(a, b)| b - a).collect()
     };
@@ -73,19 +83,13 @@ pub fn deciding(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) -> Vec<Decidin
     };
     let row = |remedy: &str, of: [bool; 2]| {
         let left = [0, 1].map(|side: usize| {
-            let mut total = vec![0.0; Predictive::count()];
-            let mut is_changed = false;
-            for mesh in sides[side] {
+            let held = |mesh: &DrawnMesh<'_>| -> Vec<Component> {
                 let held = held(mesh, remedy).into_iter();
                 let held = held.filter(|(_, is_common)| of[side] || *is_common);
-                let held: Vec<Component> = held.map(|(component, _)| component).collect();
-                is_changed |= !held.is_empty();
-                let losses = mesh.predictive.losses_holding(mesh.common, &held);
-                for (total, loss) in total.iter_mut().zip(losses) {
-                    *total += f64::from(mesh.count) * loss;
-                }
-            }
-            is_changed.then_some(total)
+                held.map(|(component, _)| component).collect()
+            };
+            let is_changed = sides[side].iter().any(|mesh| !held(mesh).is_empty());
+            is_changed.then(|| total(sides[side], &held))
         });
         let left = [0, 1].map(|side: usize| left[side].as_deref().unwrap_or(&drawn[side]));
         let found = median_with_ends(&differences(left));
