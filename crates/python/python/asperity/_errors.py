@@ -96,10 +96,16 @@ class AsperityWarning(UserWarning):
         return f"{self.code} {self.text}"
 
 
+def brief(value: object) -> str:
+    """A value in a message, shortened; a quantity of pint as text."""
+    text = " ".join((str(value) if hasattr(value, "magnitude") else repr(value)).split())
+    return text if len(text) <= 80 else f"{text[:60]} ... {text[-15:]}"
+
+
 def wrong_kind(name: str, value: object, takes: str) -> AsperityError:
     """The error of an argument of a kind that a function does not take."""
     shape = getattr(value, "shape", None)
-    seen = f"an array of shape {shape}" if isinstance(shape, tuple) else f"{value!r:.80} of type {type(value).__name__}"
+    seen = f"an array of shape {shape}" if isinstance(shape, tuple) else f"{brief(value)} of type {type(value).__name__}"
     help = "asperity.Profile(heights, spacing) is the profile of an array." if shape and "profile" in takes else f"Give {name} as {takes}."
     return AsperityError(f"{name}: {takes} is expected, not {seen}", Code.E204, help)
 

@@ -11,7 +11,7 @@ import numpy as np
 from . import _asperity
 from ._choices import FilmLaw, FrictionLaw, ThermalLaw
 from ._errors import Code, warn
-from ._quantity import Floats, Values, numbers, pressed, si_array
+from ._quantity import Floats, Values, pressed, si_array
 from ._record import Record
 
 
@@ -43,7 +43,7 @@ def _noted(notes: list[str]) -> list[str]:
 def _fitted(given: dict[str, Any], known: dict[str, str]) -> dict[str, Any]:
     """Arrays in SI units, of one shape, flat."""
     return {
-        name: si_array(value, known[name]) if known[name] else numbers(value, name)
+        name: si_array(value, known[name], name)
         for name, value in given.items()
         if value is not None
     }
@@ -73,9 +73,9 @@ def hertz(load: Values, radius: Values, modulus: Values) -> Record:
         True
     """
     columns = {
-        "load": si_array(load, "LineLoad"),
-        "radius": si_array(radius, "Length"),
-        "modulus": si_array(modulus, "Pressure"),
+        "load": si_array(load, "LineLoad", "load"),
+        "radius": si_array(radius, "Length", "radius"),
+        "modulus": si_array(modulus, "Pressure", "modulus"),
     }
     return Record(_over(columns, lambda given: _asperity.hertz(given["load"], given["radius"], given["modulus"])))
 

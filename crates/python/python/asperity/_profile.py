@@ -31,7 +31,7 @@ from ._errors import AsperityError, Code, warn, wrong_kind
 from ._files import on_disk
 from ._fixed import Fixed, UnknownName, unknown
 from ._html import Chart, page, shown
-from ._quantity import Floats, Scalar, flat, numbers, si, si_or_none
+from ._quantity import Floats, Scalar, line, si, si_or_none
 from ._record import Record, Table, described
 from ._typing import Unpack
 from ._values import ParameterName, ParameterValues
@@ -132,7 +132,7 @@ class Profile(Fixed):
     """
 
     def __init__(self, heights: ArrayLike, spacing: Scalar, *, name: Optional[str] = None) -> None:
-        values = flat(numbers(heights, "heights"), "heights")
+        values = line(heights, "Length", "heights")
         self._set(_asperity.Trace.of(values, si(spacing, "Length")), name)
 
     def _set(self, raw: _asperity.Trace, name: Optional[str]) -> None:

@@ -17,7 +17,7 @@ from ._errors import AsperityError, Code, checked_number, warn, wrong_kind
 from ._fixed import Fixed
 from ._keys import Schema, Traces, kind_of, written
 from ._progress import Progress, Steps
-from ._quantity import BY_TEXT, OPERATING, SI_UNITS, as_keys, refuse_misspelt, si
+from ._quantity import BY_TEXT, OPERATING, SI_UNITS, as_keys, is_pint, refuse_misspelt, si
 from ._record import Record, Table, in_names, is_text, variable
 from ._values import SummaryValues
 
@@ -294,7 +294,9 @@ def _with_units(key: str, law: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
 def _axis(name: str, values: Any) -> dict[str, Any]:
     if isinstance(values, str) and ".." in values and name not in OPERATING:
         return {"key": OPERATING[BY_TEXT[name]].key if name in BY_TEXT else name, "values": values}
-    if not isinstance(values, (str, Mapping, Sequence)) and hasattr(values, "__array__"):
+    if is_pint(values) and np.ndim(values.magnitude) == 1:
+        values = list(values)
+    if not isinstance(values, (str, Mapping, Sequence)) and not is_pint(values) and hasattr(values, "__array__"):
         values = np.asarray(values)
     if not isinstance(values, (Mapping, Sequence, np.ndarray)) or isinstance(values, str):
         raise wrong_kind(f"axes[{name!r}]", values, "a list of values, a range or choices")
