@@ -1,6 +1,8 @@
 """Arrays in: every unit counts. Arrays out: no result changes by them."""
 
+import copy
 import inspect
+import pickle
 import warnings
 
 import numpy as np
@@ -8,6 +10,7 @@ import pytest
 
 import asperity
 from asperity import AsperityError, Profile
+from asperity._record import same
 from conftest import heights, small, trace
 
 X = (np.arange(801) - 400) * 0.5e-6
@@ -135,3 +138,97 @@ def test_a_unit_of_another_package_is_refused():
 
     with pytest.raises(AsperityError, match="unit of another package"):
         Profile((Z * 1e6).view(Astropy), 0.5e-6)
+
+
+AXES = {"torque_nm": [50, 145], "speed_rpm": [1000, 9000]}
+RESULTS = {
+    "RunResult": lambda case: case.run(),
+    "losses": lambda case: case.run("losses"),
+    "Fields": lambda case: case.run(band=False).fields(),
+    "Regime": lambda case: case.regime(),
+    "Contact": lambda case: case.contact(),
+    "solve_contact": lambda case: asperity.solve_contact(GAP, 0.5e-6, 115e9, 2e5),
+    "Stress": lambda case: asperity.subsurface_stress(P, 0.5e-6, [1e-4, 2e-4]),
+    "EhlRecord": lambda case: asperity.ehl(case, 0.25, cells=128, half_widths=2, start=0),
+    "hertz": lambda case: asperity.hertz([1e5, 2e5], 0.01, 115e9),
+    "gear": lambda case: case.gear(),
+    "film": lambda case: case.film(),
+    "Map": lambda case: asperity.map(case, **AXES, band="none"),
+    "Comparison": lambda case: asperity.compare(case, {"a": trace(), "b": trace(5990)}),
+    "Sensitivity": lambda case: asperity.sensitivity(case),
+    "Evidence": lambda case: asperity.evidence(case),
+    "Sweep": lambda case: asperity.sweep(case, {"torque_nm": [50, 100]}),
+    "Profile": lambda case: trace(),
+    "Parts": lambda case: trace().filter().roughness,
+    "psd": lambda case: trace().psd(),
+    "oils": lambda case: asperity.oils(),
+}
+
+
+def parts(value):
+    """What is reached from a value by attributes, items and exports."""
+    yield value
+    if isinstance(value, (np.ndarray, list, dict)):
+        return
+    for name in dir(value):
+        if not name.startswith("_") and name not in ("map", "meshes") and not callable(found := getattr(value, name, None)):
+            yield from parts(found) if type(found).__module__.startswith("asperity") else [found]
+    for name in ("to_xarray", "to_pandas", "to_dict"):
+        export = getattr(value, name, None)
+        if export is not None and not (name == "to_xarray" and not hasattr(type(value), "to_xarray")):
+            yield export()
+
+
+def written_to(value):
+    """Changes a value in place wherever it can be changed."""
+    if isinstance(value, np.ndarray):
+        if value.flags.writeable and value.size and value.dtype != np.bool_:
+            value[...] = 0
+    elif isinstance(value, list):
+        for one in value:
+            written_to(one)
+        value.clear()
+    elif isinstance(value, dict):
+        value.clear()
+    elif hasattr(value, "data_vars"):
+        for name in value.data_vars:
+            if value[name].dtype.kind == "f":
+                value[name] /= 1000
+                value[name].values[...] = 0
+    elif hasattr(value, "select_dtypes"):
+        for name in value.select_dtypes("number"):
+            value[name] *= 0
+            written_to(value[name].to_numpy())
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("of", RESULTS)
+def test_what_a_result_gives_does_not_change_it(case, of):
+    pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    result = RESULTS[of](case)
+    for one in (result, pickle.loads(pickle.dumps(result))):
+        before = copy.deepcopy(one.to_dict())
+        for part in parts(one):
+            written_to(part)
+        assert same(one.to_dict(), before)
+
+
+def test_arrays_of_a_result_are_read_only(case):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        losses, contact, fields = asperity.map(case, **AXES, band="none"), case.contact(), case.run(band=False).fields()
+    for result, names in ((losses, ["loss_w", "regime"]), (contact, ["gap", "pressure", "x"]), (fields, ["gap", "x"]), (asperity.hertz([1e5], 0.01, 1e11), ["half_width"])):
+        for name in names:
+            with pytest.raises(ValueError, match="read-only"):
+                getattr(result, name)[...] = 0
+
+
+def test_a_law_may_change_its_conditions_in_place(case):
+    def law(at):
+        load = at.load
+        load *= 0
+        return 0.03 + load
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        assert case.with_laws(film_friction=law).run("losses").loss_w == case.with_laws(film_friction=lambda at: 0.03).run("losses").loss_w
