@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from . import _asperity
 from ._choices import Boundary
-from ._errors import AsperityError, Code, wrong_kind
+from ._errors import AsperityError, Code, json_text, wrong_kind
 from ._html import Chart, page, shown
 from ._profile import Profile
 from ._quantity import Floats, Scalar, Values, line, si, si_array, si_or_none
@@ -142,7 +142,7 @@ class Stress(Record):
 
 def _asked(boundary: str, tolerance: float, iterations: int, cascade: bool, window: bool, **numbers: Any) -> str:
     settings = {"tolerance": tolerance, "max-iterations": iterations, "cascade": cascade, "window": window}
-    return json.dumps({"boundary": boundary, "settings": settings, **numbers})
+    return json_text({"boundary": boundary, "settings": settings, **numbers})
 
 
 def solve_contact(
@@ -276,7 +276,7 @@ def press_flanks(
         load=si(load, "LineLoad"),
         pressure_limit=si_or_none(pressure_limit, "Pressure"),
     )
-    plan = None if run_in is None else json.dumps({"passes": run_in, "first_share": first_share})
+    plan = None if run_in is None else json_text({"passes": run_in, "first_share": first_share})
     found = _asperity.press_flanks(first._raw, second._raw, si(radius, "Length"), asked, plan)
     return warned(Contact(*found))
 

@@ -102,8 +102,15 @@ def written(value: Any, schema: Schema, traces: Traces, name: str = "case") -> A
     """The value of a key called `name` as JSON has it in a case file."""
     if isinstance(value, (float, np.floating)) and not np.isfinite(value):
         raise not_finite(name, float(value))
-    if isinstance(value, (list, tuple, np.ndarray)) and schema.is_table and schema.has("file"):
-        raise wrong_kind(name, value, "a profile, the path of one, or a table")
+    is_array = hasattr(value, "__array__") and not isinstance(value, (Profile, np.generic)) and not is_pint(value)
+    if is_array or isinstance(value, (list, tuple)):
+        if schema.is_table and schema.has("file"):
+            raise wrong_kind(name, value, "a profile, the path of one, or a table")
+        if name.endswith(".file"):
+            raise wrong_kind(name, value, "a profile or the path of one")
+        if is_array and np.ndim(value) < 2:
+            # An array, or a column of a frame.
+            value = np.asarray(value).tolist()
     if isinstance(value, Profile):
         name = named(value)
         traces.append((name, value._raw))
@@ -127,7 +134,10 @@ def written(value: Any, schema: Schema, traces: Traces, name: str = "case") -> A
         return [written(item, below, traces, name) for item in value]
     if isinstance(value, PathLike):
         return fspath(value)
-    return value.item() if isinstance(value, (np.bool_, np.integer, np.floating)) else value
+    value = value.item() if isinstance(value, np.generic) else value
+    if value is not None and not isinstance(value, (str, int, float)):
+        raise wrong_kind(name, value, "a number, a text, a list or a table")
+    return value
 
 
 def _text(value: float, quantity: str) -> str:

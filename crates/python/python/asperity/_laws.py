@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from typing import Any
 
@@ -10,7 +9,7 @@ import numpy as np
 
 from . import _asperity
 from ._choices import FilmLaw, FrictionLaw, ThermalLaw
-from ._errors import Code, warn
+from ._errors import Code, json_text, warn
 from ._quantity import Floats, Values, pressed, si_array
 from ._record import Record
 
@@ -254,7 +253,7 @@ def friction_coefficient(
     notes: list[str] = []
 
     def found(columns: dict[str, Floats]) -> dict[str, Any]:
-        coefficient, outside, notes[:] = _asperity.friction_coefficient(law, columns, json.dumps(settings or {}))
+        coefficient, outside, notes[:] = _asperity.friction_coefficient(law, columns, json_text(settings or {}, "settings"))
         return {"coefficient": coefficient, "outside": outside}
 
     return Record({**_over(_fitted(given, _FRICTION), found), "notes": _noted(notes)})

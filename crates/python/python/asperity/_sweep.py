@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
-from ._errors import AsperityError, Code, checked_number, warn, wrong_kind
+from ._errors import AsperityError, Code, checked_number, json_text, warn, wrong_kind
 from ._fixed import Fixed
 from ._keys import Schema, Traces, kind_of, written
 from ._progress import Progress, Steps
@@ -266,7 +266,7 @@ def sweep(
     if sample is not None:
         vary = {key: _with_units(key, law) for key, law in sample.get("vary", {}).items()}
         text["sample"] = {**sample, "vary": vary}
-    source = (base, json.dumps(text, ensure_ascii=False), os.path.abspath(fspath(folder)))
+    source = (base, json_text(text), os.path.abspath(fspath(folder)))
     return Sweep(source, threads, progress)
 
 
@@ -280,7 +280,7 @@ def _schema(key: str) -> Schema:
 def _stated(value: Any, key: str) -> Any:
     """The value of a key as a study has it, which names files."""
     traces: Traces = []
-    stated = written(value, _schema(key), traces)
+    stated = written(value, _schema(key), traces, key)
     if traces:
         text = f"{key}: {traces[0][0]} is a profile in memory, and a sweep reads files"
         raise AsperityError(text, Code.E204, "Write the profile to a file and name that, or take compare or map, whose finishes can be profiles.")
