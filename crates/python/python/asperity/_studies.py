@@ -14,7 +14,7 @@ from ._callout import CallOut
 from ._case import CaseLike, as_case
 from ._choices import Band, CalibratedParameter, ExportFormat, RoughnessParameter, TemperatureColumn, Zero
 from ._columns import Columns, table_of
-from ._compare import Comparison, Trace, Variant, cases_of
+from ._compare import Comparison, Finish, Trace, cases_of
 from ._errors import Code
 from ._keys import vehicle_keys
 from ._map import Cycle, Map, map_of
@@ -46,28 +46,27 @@ __all__ = [
 
 def compare(
     case: CaseLike,
-    finishes: Mapping[str, Variant],
+    finishes: Mapping[str, Finish],
     *,
     offsets: Optional[int] = None,
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
 ) -> Comparison:
-    """Compare finishes, oils, gears and other variants of a case, with paired differences.
+    """Compare finishes on one case, with paired differences.
 
-    The first is the reference for the others. Two variants have the draws of a constant in common where the thing
-    that it belongs to is the same in both, as the Eyring stress of one oil. Where it differs each has draws of its
-    own. A variant that names an oil leaves out all other numbers of the oil of the case, and its calibration.
+    The first finish is the reference for the others. All have the same offsets and the same draws of what is
+    uncertain.
 
     Parameters:
         case: the case, whose traces are replaced by the traces of each finish; the finishes of a gear train are cases.
-        finishes: by name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, other
-            values of keys, or a case; at least two.
+        finishes: by name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, or a
+            case; at least two.
         offsets: number of offsets along the traces at which the flanks are paired [default: those that each finish
             needs].
         threads, progress: as in `Case.run`.
 
     Returns:
-        Comparison: Variants side by side; the first is the one that the others are compared with.
+        Comparison: Finishes side by side; the first is the one that the others are compared with.
 
     Raises:
         AsperityError: an argument that is not valid, or a case that cannot be run, by its code.
@@ -80,9 +79,6 @@ def compare(
         ['ground', 'fine']
         >>> bool(found.finishes.loss_w[1] < found.finishes.loss_w[0])
         True
-        >>> oils = {"pao": {"lubricant.oil": "pao100"}, "mineral": {"lubricant.oil": "m100"}}
-        >>> asperity.compare(case, oils).names
-        ['pao', 'mineral']
     """
     settings = {
         "offsets": offsets,
@@ -93,7 +89,7 @@ def compare(
 def map(
     case: CaseLike,
     *,
-    finishes: Optional[Mapping[str, Variant]] = None,
+    finishes: Optional[Mapping[str, Finish]] = None,
     torque_nm: Optional[Numbers] = None,
     torque: Optional[Quantities] = None,
     speed_rpm: Optional[Numbers] = None,
@@ -115,7 +111,7 @@ def map(
 
     Parameters:
         case: the case.
-        finishes: finishes or other variants by name, as in `compare` [default: the case itself].
+        finishes: finishes by name, as in `compare` [default: the traces of the case].
         torque_nm, torque: torques at the pinion, numbers or text as ``"10..100:5 N m"`` [default: 0 and 12 from 1 % of
             the largest, both signs]; 0 is added between both signs.
         speed_rpm, speed: speeds of the pinion, numbers or text as ``"10..100:5 1/min"`` [default: 0, 1 and 16 more,
@@ -282,8 +278,7 @@ def callout(
 
     Parameters:
         case: the case.
-        loss: largest loss of the mesh of a lot, the mean over 16 pairs of its flanks: a power, or a change of the loss
-            of flanks like these, as "-10 %" or "10 % less".
+        loss: loss of the mesh that a lot has to meet, the mean over 16 pairs of its flanks.
         confidence: share of the lots at the limit that meet the loss.
         scatter: standard deviation of heights, wavelengths and peaks about the median of their lot.
         parameter: roughness parameter on the drawing: rpk, rq or rdq [default: the one that predicts the loss best].
@@ -305,7 +300,7 @@ def callout(
         'Rq'
     """
     settings = {
-        "loss": loss if isinstance(loss, str) else written(loss, "Power", "loss"),
+        "loss": written(loss, "Power", "loss"),
         "confidence": confidence,
         "scatter": scatter,
         "parameter": parameter,

@@ -311,19 +311,8 @@ class ContactNumbers(Values):
     running_in: Optional[RunningInCycleTable]
 
 
-class ComparisonFinishDifferenceCommon(Values):
-    name: str
-    belongs_to: str
-    correlation: float
-
-
-class ComparisonFinishDifferenceCommonTable(TableOf[ComparisonFinishDifferenceCommon, Literal["correlation"], Literal["name", "belongs_to"]]):
-    _row = ComparisonFinishDifferenceCommon
-    name: NDArray[Any]; belongs_to: NDArray[Any]; correlation: Floats
-
-
 class ComparisonFinishDifference(Values):
-    _kinds = {"models": AlternativeRowTable, "common": ComparisonFinishDifferenceCommonTable}
+    _kinds = {"models": AlternativeRowTable}
     at_medians_w: float
     median_w: float
     quantiles_w: Floats
@@ -332,35 +321,6 @@ class ComparisonFinishDifference(Values):
     probability: float
     models: AlternativeRowTable
     verdict: str
-    common: ComparisonFinishDifferenceCommonTable
-
-
-class ComparisonFinishDeciding(Values):
-    measurement: str
-    of: list[Any]
-    is_common: bool
-    p05_w: float
-    p95_w: float
-    width: float
-
-
-class ComparisonFinishDecidingTable(TableOf[ComparisonFinishDeciding, Literal["p05_w", "p95_w", "width"], Literal["measurement", "of", "is_common"]]):
-    _row = ComparisonFinishDeciding
-    measurement: NDArray[Any]; of: NDArray[Any]; is_common: NDArray[Any]; p05_w: Floats; p95_w: Floats; width: Floats
-
-
-class ComparisonFinishChange(Values):
-    _absent = {"difference": None, "relative": None}
-    key: str
-    first: str
-    second: str
-    difference: Any
-    relative: Any
-
-
-class ComparisonFinishChangeTable(TableOf[ComparisonFinishChange, NoReturn, Literal["key", "first", "second", "difference", "relative"]]):
-    _row = ComparisonFinishChange
-    key: NDArray[Any]; first: NDArray[Any]; second: NDArray[Any]; difference: NDArray[Any]; relative: NDArray[Any]
 
 
 class ComparisonFinishMesh(Values):
@@ -384,8 +344,8 @@ class ComparisonFinishMeshTable(TableOf[ComparisonFinishMesh, Literal["loss_w", 
 
 
 class ComparisonFinish(Values):
-    _kinds = {"uncertainty": Uncertainty, "difference": ComparisonFinishDifference, "deciding": ComparisonFinishDecidingTable, "changes": ComparisonFinishChangeTable, "loss_distribution": LossDistribution, "meshes": ComparisonFinishMeshTable}
-    _absent = {"uncertainty": None, "difference": None, "mixed_share": None, "regime": None, "deciding": None, "changes": None, "loss_distribution": None, "meshes": None}
+    _kinds = {"uncertainty": Uncertainty, "difference": ComparisonFinishDifference, "loss_distribution": LossDistribution, "meshes": ComparisonFinishMeshTable}
+    _absent = {"uncertainty": None, "difference": None, "mixed_share": None, "regime": None, "loss_distribution": None, "meshes": None}
     name: str
     files: list[Any]
     efficiency: float
@@ -396,18 +356,15 @@ class ComparisonFinish(Values):
     mixed_share: Optional[float]
     regime: Optional[str]
     warnings: list[str]
-    deciding: Optional[ComparisonFinishDecidingTable]
-    changes: Optional[ComparisonFinishChangeTable]
     loss_distribution: Optional[LossDistribution]
     meshes: Optional[ComparisonFinishMeshTable]
 
 
-class ComparisonFinishTable(TableOf[ComparisonFinish, Literal["efficiency", "power_in_w", "loss_w", "mixed_share"], Literal["name", "files", "uncertainty", "difference", "regime", "warnings", "deciding", "changes", "loss_distribution", "meshes"]]):
+class ComparisonFinishTable(TableOf[ComparisonFinish, Literal["efficiency", "power_in_w", "loss_w", "mixed_share"], Literal["name", "files", "uncertainty", "difference", "regime", "warnings", "loss_distribution", "meshes"]]):
     _row = ComparisonFinish
     name: NDArray[Any]; files: NDArray[Any]; efficiency: Floats; power_in_w: Floats; loss_w: Floats
     uncertainty: NDArray[Any]; difference: NDArray[Any]; mixed_share: Floats; regime: NDArray[Any]
-    warnings: NDArray[Any]; deciding: NDArray[Any]; changes: NDArray[Any]; loss_distribution: NDArray[Any]
-    meshes: NDArray[Any]
+    warnings: NDArray[Any]; loss_distribution: NDArray[Any]; meshes: NDArray[Any]
 
 
 class ComparisonCorrelation(Values):
