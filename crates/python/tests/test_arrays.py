@@ -232,3 +232,11 @@ def test_a_law_may_change_its_conditions_in_place(case):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         assert case.with_laws(film_friction=law).run("losses").loss_w == case.with_laws(film_friction=lambda at: 0.03).run("losses").loss_w
+
+
+def test_a_key_in_pint_is_read_in_its_unit(case):
+    registry = units()
+    given = {"gears.module": (1.8, "mm", "1.8 mm"), "operation.torque": (0.145, "kN*m", "145 N m"), "operation.bulk_temperature": (90, "degC", "90 °C")}
+    for key, (value, unit, text) in given.items():
+        table, name = key.split(".")
+        assert case.replace({key: registry.Quantity(value, unit)}).to_dict()[table][name] == text

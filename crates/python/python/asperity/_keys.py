@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import json
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from os import PathLike, fspath
 from typing import Any, Optional
@@ -126,7 +127,7 @@ def written(value: Any, schema: Schema, traces: Traces, name: str = "case") -> A
         if quantity is not None:
             magnitude = np.asarray(value.magnitude)
             parts = [value] if magnitude.ndim == 0 else list(value)
-            texts = [_text(si(part, quantity), quantity) for part in parts]
+            texts = [_text(part, quantity) for part in parts]
             return texts[0] if magnitude.ndim == 0 else texts
         value = value.to("").magnitude
     if isinstance(value, (list, tuple, np.ndarray)):
@@ -140,8 +141,15 @@ def written(value: Any, schema: Schema, traces: Traces, name: str = "case") -> A
     return value
 
 
-def _text(value: float, quantity: str) -> str:
-    return f"{repr(value).removesuffix('.0')} {SI_UNITS[quantity]}"
+def _text(value: Any, quantity: str) -> str:
+    """A quantity of pint as text: in its unit where a case file has that, else in SI units."""
+    found = si(value, quantity)
+    try:
+        text = f"{float(value.magnitude)!r} {value.units:~}"
+        is_same = math.isclose(_asperity.to_si(quantity, text), found, rel_tol=1e-12)
+    except (AttributeError, TypeError, ValueError):
+        text, is_same = "", False
+    return text.replace(".0 ", " ") if is_same else f"{repr(found).removesuffix('.0')} {SI_UNITS[quantity]}"
 
 
 def is_toml(value: Any) -> bool:
