@@ -66,8 +66,8 @@ def meaning(row, column, texts):
         return plainly(alone)
     stem, end = column, ""
     for mark, words in (("_p05", "5 % quantile: "), ("_p95", "95 % quantile: "), ("_low", "lower end: "), ("_high", "upper end: "), ("_median", "median: ")):
-        if mark in column and column not in texts:
-            stem, end = column.replace(mark, ""), words
+        if mark in f"_{column}" and column not in texts:
+            stem, end = f"_{column}".replace(mark, "").strip("_"), words
             break
     stems = [stem, *(stem.replace(f"_{unit}", f"_quantiles_{unit}") for unit in ("w", "nm", "um")), f"{stem}_quantiles", "quantiles_w"]
     if text := ONLY_HERE.get(f"{row}.{stem}") or next((texts[key] for key in (stems if end else [stem]) if key in texts), ONLY_HERE.get(stem)):
