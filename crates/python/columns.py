@@ -15,6 +15,9 @@ ONLY_HERE = {
     "torque_nm": "torque at the pinion [N m]",
     "speed_rpm": "speed of the pinion [1/min]",
     "unit": "unit of the values of the row; none of a pure number",
+    "CycleFinish.lost_median_wh": "median of the energy lost, over the draws of the constants [Wh]",
+    "CycleFinish.lost_p05_wh": "5 % quantile of the same [Wh]",
+    "CycleFinish.lost_p95_wh": "95 % quantile of the same [Wh]",
     "UncertaintyPart.p05_w": "5 % quantile of the loss where only this component is drawn [W]",
     "UncertaintyPart.p95_w": "95 % quantile of the same [W]",
     "ProfileChangePair.removed_nm": "height that the test removed, mean over the overlap [nm]",
@@ -59,14 +62,15 @@ def plainly(text):
 
 def meaning(row, column, texts):
     """The text of a column of rows of a class; texts are those of its structure."""
+    if alone := ONLY_HERE.get(f"{row}.{column}"):
+        return plainly(alone)
     stem, end = column, ""
     for mark, words in (("_p05", "5 % quantile: "), ("_p95", "95 % quantile: "), ("_low", "lower end: "), ("_high", "upper end: "), ("_median", "median: ")):
-        if mark in column and column not in texts:
-            stem, end = column.replace(mark, ""), words
+        if mark in f"_{column}" and column not in texts:
+            stem, end = f"_{column}".replace(mark, "").strip("_"), words
             break
     stems = [stem, *(stem.replace(f"_{unit}", f"_quantiles_{unit}") for unit in ("w", "nm", "um")), f"{stem}_quantiles", "quantiles_w"]
-    own = ONLY_HERE.get(f"{row}.{column}") or ONLY_HERE.get(f"{row}.{stem}")
-    if text := own or next((texts[key] for key in (stems if end else [stem]) if key in texts), ONLY_HERE.get(stem)):
+    if text := ONLY_HERE.get(f"{row}.{stem}") or next((texts[key] for key in (stems if end else [stem]) if key in texts), ONLY_HERE.get(stem)):
         return end + plainly(text)
     raise ValueError(f"{row}.{column}: no text says what it is; describe its field in Rust, or add it to columns.py")
 

@@ -5,6 +5,7 @@ import json
 import math
 import subprocess
 
+import numpy as np
 import pytest
 
 import asperity
@@ -130,3 +131,14 @@ def test_points_at_one_temperature_hold_the_boundary_layer(rig, columns):
         found = asperity.calibrate(one, CASE)
     assert list(found.parameters.key) == ["boundary_friction", "limiting_shear", "eyring_stress"]
     assert found.parameters.unit.tolist() == ["", "", "Pa"]
+
+
+def test_the_table_of_a_design_is_measurements_marked_as_simulated(rig):
+    case = asperity.Case(rig[1])
+    axes = {"torque_nm": [60, 183.4], "speed": "25..4400:7:log 1/min"}
+    table = asperity.design(case, **axes, simulate=4).table
+    assert table.simulated.all() and np.isfinite(table.loss_w).all()
+    found = asperity.calibrate(table, case)
+    assert found.is_simulated and found.parameters == asperity.calibrate(rig[0], rig[1]).parameters
+    empty = asperity.design(case, **axes).table
+    assert len(empty) == len(table) and np.isnan(empty.loss_w).all() and not empty.simulated.any()

@@ -319,3 +319,45 @@ def test_an_argument_of_another_kind_is_named_with_what_it_takes(case, call, wor
     with pytest.raises(AsperityError) as refused:
         call(case)
     assert refused.value.code == "E204" and words in refused.value.message
+
+
+@pytest.mark.parametrize("key", ["surface.pinion", "surface.pinion.file", "operation.torque", "torque", "gears.teeth", "model.positions"])
+@pytest.mark.parametrize("kind", ["series", "frame", "dataarray", "array", "list", "set", "complex", "bytes", "timestamp", "object"])
+def test_a_key_takes_no_value_of_another_kind(case, key, kind):
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    value = {
+        "series": trace().to_pandas(), "frame": trace().to_pandas().to_frame(), "dataarray": xarray.DataArray(heights(6000)),
+        "array": heights(6000), "list": heights(6000).tolist(), "set": {1, 2}, "complex": 1j, "bytes": b"x",
+        "timestamp": pandas.Timestamp("2026-01-01"), "object": object(),
+    }[kind]
+    for call in (lambda: case.replace({key: value}), lambda: asperity.sweep(case, {key: [value]})):
+        with pytest.raises(AsperityError) as refused:
+            call()
+        assert refused.value.code == "E204" and len(str(refused.value)) < 700
+        if key.startswith("surface") and kind in ("array", "list"):
+            assert "surface.pinion as asperity.Profile(heights, spacing)" in refused.value.help
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda case: asperity.callout(case, "600 W", confidence={1}),
+        lambda case: asperity.callout(case, "600 W", lots=1j),
+        lambda case: asperity.ehl(case, cells=b"128"),
+        lambda case: asperity.generate(points={4000}, spacing=0.5e-6, rq="0.4 um", hurst=0.8, roll_off=50e-6, short_cut=2e-6, seed=1),
+        lambda case: asperity.solve_contact(GAP, 1e-6, 1e11, 1e5, tolerance=1j),
+        lambda case: asperity.friction_coefficient("constant", settings={"constant": 1j}),
+        lambda case: asperity.sweep(case, {"torque_nm": [20]}, sample={"method": b"sobol"}),
+        lambda case: trace().filter(robust={1}),
+        lambda case: asperity.oil_fit(asperity.oil_traction("m100"), "m100"),
+        lambda case: asperity.cycle(asperity.map(case, torque_nm=[50, 145], speed_rpm=[1000, 9000], band="none"), {"time_s": 1.0, "torque_nm": [1]}),
+    ],
+)
+def test_a_setting_of_another_kind_is_no_error_of_json(case, call):
+    with pytest.raises(AsperityError) as refused:
+        call(case)
+    assert refused.value.code == "E204" and refused.value.help
+
+
+def test_settings_take_numbers_of_numpy():
+    assert len(asperity.generate(points=np.int64(4000), spacing=np.float32(0.5e-6), rq="0.4 um", hurst=0.8, roll_off=50e-6, short_cut=2e-6, seed=np.int64(1))) == 4000

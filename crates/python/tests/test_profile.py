@@ -143,3 +143,27 @@ def test_a_parameter_that_a_profile_lacks_is_not_a_number():
     slope = asperity.Profile(np.linspace(0, 1e-6, 2000), 1e-6).parameters(prepare=False)
     assert np.isnan(slope.rsm_um) and np.isnan(slope["rsm_um"]) and slope.ra_um > 0
     assert "<td" in slope._repr_html_()
+
+
+@pytest.mark.parametrize(
+    ("make", "code", "words"),
+    [
+        (lambda z: asperity.Profile(z, 0.5e-6), "E209", "in metres: multiply heights in µm by 1e-6"),
+        (lambda z: asperity.Profile(z * 1e-3, 0.5e-6), "E209", "in metres: multiply"),
+        (lambda z: asperity.Profile(z * 1e-6, 0.5), "E116", "in metres"),
+        (lambda z: asperity.Profile(z * 1e-6, 0.5e-6)[10:50], "E106", "at least 100 points"),
+        (lambda z: asperity.Profile(z[:50] * 1e-6, 0.5e-6), "E106", "at least 100 points"),
+        (lambda z: list(asperity.Profile(z * 1e-6, 0.5e-6)), "E204", ".heights"),
+        (lambda z: asperity.Profile(z * 1e-6, 0.5e-6)[3], "E204", ".heights"),
+    ],
+)
+def test_an_error_of_points_in_memory_names_the_remedy(make, code, words):
+    with pytest.raises(asperity.AsperityError) as refused:
+        make(heights(2000))
+    assert refused.value.code == code and words in refused.value.help
+    assert "surface" not in refused.value.message and " file" not in refused.value.help
+
+
+def test_a_profile_is_an_array_of_its_heights():
+    waves = trace()
+    assert np.array_equal(np.asarray(waves), waves.heights) and np.std(waves) == waves.heights.std() and len(waves[100:500]) == 400

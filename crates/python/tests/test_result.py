@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import asperity
-from conftest import CASES, small, trace
+from asperity import AsperityError
+from conftest import CASES, SETS, small, trace
 
 
 def test_numbers_have_names_and_columns_are_arrays(result):
@@ -147,3 +148,22 @@ def test_versions_are_shown(capsys):
     asperity.show_versions()
     lines = dict(line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines())
     assert lines["asperity"] == asperity.__version__ and lines["numpy"] == np.__version__
+
+
+def test_losses_alone_say_what_they_do_not_have(case, result, tmp_path):
+    losses = case.run("losses")
+    assert losses.positions == []
+    for call in (lambda: losses.diff(losses), lambda: result.diff(losses), lambda: losses.diff(result), lambda: losses.write(tmp_path / "r"), losses.fields):
+        with pytest.raises(AsperityError, match="losses alone") as refused:
+            call()
+        assert refused.value.code == "E402" and "detail" in refused.value.help
+    contacts = case.run("contacts")
+    with pytest.raises(AsperityError, match="holds no fields") as refused:
+        contacts.fields()
+    assert refused.value.code == "E402" and "fields" in refused.value.help
+    assert not contacts.diff(contacts).summary
+    train = asperity.Case(SETS["train"]).run("contacts")
+    with pytest.raises(AsperityError, match="of several meshes has no differences") as refused:
+        train.diff(train)
+    assert train.positions == [] and not train.meshes[0].diff(train.meshes[0]).summary
+    train.write(tmp_path / "train")

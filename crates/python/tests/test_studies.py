@@ -273,3 +273,40 @@ def test_a_map_with_values_that_there_are_not_is_equal_to_itself(drive):
     assert found == found and pickle.loads(pickle.dumps(found)) == found
     other = asperity.map(drive, torque_nm=[-40, 50], speed_rpm=[500, 9000], temperature_c=[90], band="none")
     assert found != other
+
+
+def test_the_bar_of_a_sweep_is_closed(drive):
+    tqdm = pytest.importorskip("tqdm")
+    bars = []
+
+    class Bar(tqdm.tqdm):
+        def __init__(self, *given, **more):
+            super().__init__(*given, **more)
+            bars.append(self)
+
+    asperity.sweep(drive, {"torque_nm": [50, 100]}, progress=Bar).run()
+    for _ in asperity.sweep(drive, {"torque_nm": [50, 100]}, progress=Bar):
+        pass
+    assert [(bar.n, bar.disable) for bar in bars] == [(2, True), (2, True)], "a bar that is closed is disabled"
+
+
+def test_a_sample_takes_the_operating_point_as_axes_do(drive):
+    rows = {}
+    for name, law in (
+        ("torque_nm", {"uniform": [50, 150]}), ("torque", {"uniform": ["50 N m", "150 N m"]}), ("operation.torque", {"uniform": ["50 N m", "150 N m"]}),
+    ):
+        rows[name] = asperity.sweep(drive, sample={"method": "sobol", "count": 2, "seed": 1, "vary": {name: law}}).run()
+    assert rows["torque_nm"] == rows["torque"] == rows["operation.torque"] and all(50 < at < 150 for at in rows["torque"].torque_nm)
+    warm = asperity.sweep(drive, sample={"method": "random", "count": 8, "seed": 1, "vary": {"temperature_c": {"normal": [90, 2]}}}).run()
+    assert np.all(np.abs(warm.temperature_c - 90) < 10) and np.ptp(warm.temperature_c) > 0.5
+    for vary in ({"torque_nm": 50}, {"torque_nm": {"uniform": 50}}, {"torque_nm": {"uniform": ["50", "60"]}}, {"torque": {"uniform": [50, 60]}}):
+        with pytest.raises(asperity.AsperityError) as refused:
+            asperity.sweep(drive, sample={"method": "sobol", "count": 2, "vary": vary})
+        assert refused.value.code == "E204"
+
+
+def test_sweeps_are_equal_by_their_content(drive):
+    one = asperity.sweep(drive, {"torque_nm": [50, 100]})
+    assert one == asperity.sweep(drive, {"torque": ["50 N m", "100 N m"]}) and hash(one) == hash(asperity.sweep(drive, {"torque_nm": [50, 100]}))
+    assert one != asperity.sweep(drive, {"torque_nm": [50, 101]}) and one != asperity.sweep(drive, {"torque_nm": [50, 100]}, columns=["loss_w"])
+    assert one != asperity.sweep(drive.with_laws(film_friction=lambda at: 0.03), {"torque_nm": [50, 100]}) and one != 3

@@ -9,7 +9,8 @@ from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._keys import Schema
 from ._quantity import SI_UNITS
-from ._study import Study
+from ._record import Table
+from ._study import Study, files_of
 from ._values import CalibrationParameterTable, CalibrationPointTable, CalibrationValues, DesignParameterTable, DesignPointTable, DesignValues, EvidenceRowTable, EvidenceValues
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ class Calibration(Study, CalibrationValues):
 
     @property
     def parameters(self) -> CalibrationParameterTable:
-        """One row per parameter that is fitted, in its ``unit``."""
+        """One row per parameter that is fitted, in its ``unit``, an SI unit: a thickness in m, a stress in Pa."""
         return CalibrationParameterTable(with_units(self._values["parameters"]))
 
     @property
@@ -65,6 +66,22 @@ class Calibration(Study, CalibrationValues):
 
 class Design(Study, DesignValues):
     """Measurements on a rig that would narrow the calibrated constants: ``points``, ``limits``, ``parameters`` ..."""
+
+    @property
+    def table(self) -> Table:
+        """The points as measurements that `calibrate` takes: to fill in, or with ``simulate`` their simulated losses, which the column
+        ``simulated`` marks. The mark of the file ``simulated.csv`` is its first line, which a reader that leaves out comments loses."""
+        import csv
+
+        files = files_of(self._raw)
+        name = "simulated.csv" if "simulated.csv" in files else "design.csv"
+        lines = [line for line in files[name].decode().splitlines() if not line.startswith("#")]
+        texts = ("includes", "flank_state")
+        rows = [
+            {key: cell if key in texts else float(cell) if cell else None for key, cell in row.items()} | {"simulated": name == "simulated.csv"}
+            for row in csv.DictReader(lines)
+        ]
+        return Table(rows, declared={key: "str" if key in texts else "bool" if key == "simulated" else "Optional[float]" for key in rows[0]})
 
     @property
     def points(self) -> DesignPointTable:

@@ -14,7 +14,7 @@ import numpy as np
 from . import _asperity
 from ._choices import Detail, Formulation
 from ._contact import Contact
-from ._errors import AsperityError, Code, checked_number, warn, wrong_kind
+from ._errors import AsperityError, Code, checked_number, json_text, warn, wrong_kind
 from ._files import is_read, text_of
 from ._fixed import Fixed
 from ._html import page
@@ -84,7 +84,7 @@ class Case(Fixed):
                 given = tables_of({**(case or {}), **tables})
                 traces: Traces = []
                 values = written(given, Schema(kind_of(given)), traces)
-                text = json.dumps(values, ensure_ascii=False, indent=1)
+                text = json_text(values, indent=1)
                 made = Case._of(_asperity.Case.from_text("case.json", text, of, traces, formulation))
         self._raw, self._laws = made._raw, {}
 

@@ -6,8 +6,9 @@ from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from typing import IO, Any, Optional, Protocol, Union
 
-from ._errors import AsperityError, wrong_kind
+from ._errors import AsperityError, Code, brief, wrong_kind
 from ._files import is_read, text_of
+from ._quantity import is_pint
 from ._record import Rows
 
 
@@ -35,6 +36,11 @@ def table_text(columns_by_name: Any, what: str, code: str) -> str:
     import io
 
     names = columns_by_name if isinstance(columns_by_name, Mapping) else columns_by_name.columns
+    for name in names:
+        column = columns_by_name[name]
+        if is_pint(column) or isinstance(column, (str, bytes, Mapping)) or not hasattr(column, "__iter__"):
+            text = f"{what}: its column {name!r} is not a list of values but {brief(column)}"
+            raise AsperityError(text, Code.E204, "Give a table, such as .points or .rows of a result, or numbers in the units of the columns.")
     columns = {str(name): list(columns_by_name[name]) for name in names}
     if len({len(column) for column in columns.values()}) > 1:
         text = f"{what}: its columns differ in length"

@@ -9,10 +9,10 @@ from numpy.typing import ArrayLike
 
 from . import _asperity
 from ._choices import Boundary
-from ._errors import AsperityError, Code, wrong_kind
+from ._errors import AsperityError, Code, json_text, wrong_kind
 from ._html import Chart, page, shown
 from ._profile import Profile
-from ._quantity import Floats, Scalar, Values, flat, numbers, si, si_array, si_or_none
+from ._quantity import Floats, Scalar, Values, line, si, si_array, si_or_none
 from ._record import Record, Table, variable, warned
 from ._values import ContactNumbers
 
@@ -142,7 +142,7 @@ class Stress(Record):
 
 def _asked(boundary: str, tolerance: float, iterations: int, cascade: bool, window: bool, **numbers: Any) -> str:
     settings = {"tolerance": tolerance, "max-iterations": iterations, "cascade": cascade, "window": window}
-    return json.dumps({"boundary": boundary, "settings": settings, **numbers})
+    return json_text({"boundary": boundary, "settings": settings, **numbers})
 
 
 def solve_contact(
@@ -204,7 +204,7 @@ def solve_contact(
         raise AsperityError("a contact needs spacing and modulus", Code.E205, "Give the spacing of the points and E*.")
 
     def optional(values: Optional[ArrayLike], name: str) -> Optional[Floats]:
-        return None if values is None else flat(numbers(values, name), name)
+        return None if values is None else line(values, "Pressure", name)
 
     asked = _asked(
         boundary,
@@ -220,7 +220,7 @@ def solve_contact(
         pressure_limit=si_or_none(pressure_limit, "Pressure"),
     )
     prescribed = optional(prescribed_pressure, "prescribed_pressure")
-    found = _asperity.solve_contact(flat(numbers(gap, "gap"), "gap"), asked, prescribed, optional(start, "start"))
+    found = _asperity.solve_contact(line(gap, "Length", "gap"), asked, prescribed, optional(start, "start"))
     return warned(Contact(*found))
 
 
@@ -276,7 +276,7 @@ def press_flanks(
         load=si(load, "LineLoad"),
         pressure_limit=si_or_none(pressure_limit, "Pressure"),
     )
-    plan = None if run_in is None else json.dumps({"passes": run_in, "first_share": first_share})
+    plan = None if run_in is None else json_text({"passes": run_in, "first_share": first_share})
     found = _asperity.press_flanks(first._raw, second._raw, si(radius, "Length"), asked, plan)
     return warned(Contact(*found))
 
@@ -311,9 +311,9 @@ def subsurface_stress(
         >>> round(stress.von_mises_depth_m / 200e-6, 1)
         0.7
     """
-    p = flat(numbers(pressure, "pressure"), "pressure")
-    q = None if traction is None else flat(numbers(traction, "traction"), "traction")
-    below = si_array(depths, "Length").reshape(-1)
+    p = line(pressure, "Pressure", "pressure")
+    q = None if traction is None else line(traction, "Pressure", "traction")
+    below = si_array(depths, "Length", "depths").reshape(-1)
     text, arrays = _asperity.subsurface_stress(p, q, si(spacing, "Length"), below, poisson)
     shaped = {name: array if name == "depths" else array.reshape(len(below), len(p)) for name, array in arrays.items()}
     return Stress({**json.loads(text), **shaped})

@@ -96,12 +96,33 @@ class AsperityWarning(UserWarning):
         return f"{self.code} {self.text}"
 
 
+def brief(value: object) -> str:
+    """A value in a message, shortened; a quantity of pint as text."""
+    text = " ".join((str(value) if hasattr(value, "magnitude") else repr(value)).split())
+    return text if len(text) <= 80 else f"{text[:60]} ... {text[-15:]}"
+
+
 def wrong_kind(name: str, value: object, takes: str) -> AsperityError:
     """The error of an argument of a kind that a function does not take."""
     shape = getattr(value, "shape", None)
-    seen = f"an array of shape {shape}" if isinstance(shape, tuple) else f"{value!r:.80} of type {type(value).__name__}"
-    help = "asperity.Profile(heights, spacing) is the profile of an array." if shape and "profile" in takes else f"Give {name} as {takes}."
+    seen = f"an array of shape {shape}" if isinstance(shape, tuple) else f"{brief(value)} of type {type(value).__name__}"
+    has_heights = bool(shape) or isinstance(value, (list, tuple)) and value and isinstance(value[0], float)
+    flank = name.removesuffix(".file")
+    help = f"Give {flank} as asperity.Profile(heights, spacing), the profile of an array." if has_heights and "profile" in takes else f"Give {name} as {takes}."
     return AsperityError(f"{name}: {takes} is expected, not {seen}", Code.E204, help)
+
+
+def json_text(value: Any, name: str = "", indent: Optional[int] = None) -> str:
+    """The arguments of a function by name as JSON, or the error of one of another kind."""
+
+    def plain(of: Any) -> Any:
+        if getattr(of, "shape", None) == () and hasattr(of, "item") and isinstance(of.item(), (bool, int, float, str)):
+            return of.item()
+        holders = value.items() if isinstance(value, Mapping) else ()
+        names = [str(key) for key, one in holders if one is of]
+        raise wrong_kind(names[0] if names else name or "a value", of, "a number, a text, a list or a table")
+
+    return json.dumps(value, ensure_ascii=False, indent=indent, default=plain)
 
 
 def not_finite(name: str, value: float) -> AsperityError:

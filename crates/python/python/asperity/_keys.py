@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import json
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from os import PathLike, fspath
 from typing import Any, Optional
@@ -102,8 +103,15 @@ def written(value: Any, schema: Schema, traces: Traces, name: str = "case") -> A
     """The value of a key called `name` as JSON has it in a case file."""
     if isinstance(value, (float, np.floating)) and not np.isfinite(value):
         raise not_finite(name, float(value))
-    if isinstance(value, (list, tuple, np.ndarray)) and schema.is_table and schema.has("file"):
-        raise wrong_kind(name, value, "a profile, the path of one, or a table")
+    is_array = hasattr(value, "__array__") and not isinstance(value, (Profile, np.generic)) and not is_pint(value)
+    if is_array or isinstance(value, (list, tuple)):
+        if schema.is_table and schema.has("file"):
+            raise wrong_kind(name, value, "a profile, the path of one, or a table")
+        if name.endswith(".file"):
+            raise wrong_kind(name, value, "a profile or the path of one")
+        if is_array and np.ndim(value) < 2:
+            # An array, or a column of a frame.
+            value = np.asarray(value).tolist()
     if isinstance(value, Profile):
         name = named(value)
         traces.append((name, value._raw))
@@ -119,7 +127,7 @@ def written(value: Any, schema: Schema, traces: Traces, name: str = "case") -> A
         if quantity is not None:
             magnitude = np.asarray(value.magnitude)
             parts = [value] if magnitude.ndim == 0 else list(value)
-            texts = [_text(si(part, quantity), quantity) for part in parts]
+            texts = [_text(part, quantity) for part in parts]
             return texts[0] if magnitude.ndim == 0 else texts
         value = value.to("").magnitude
     if isinstance(value, (list, tuple, np.ndarray)):
@@ -127,11 +135,21 @@ def written(value: Any, schema: Schema, traces: Traces, name: str = "case") -> A
         return [written(item, below, traces, name) for item in value]
     if isinstance(value, PathLike):
         return fspath(value)
-    return value.item() if isinstance(value, (np.bool_, np.integer, np.floating)) else value
+    value = value.item() if isinstance(value, np.generic) else value
+    if value is not None and not isinstance(value, (str, int, float)):
+        raise wrong_kind(name, value, "a number, a text, a list or a table")
+    return value
 
 
-def _text(value: float, quantity: str) -> str:
-    return f"{repr(value).removesuffix('.0')} {SI_UNITS[quantity]}"
+def _text(value: Any, quantity: str) -> str:
+    """A quantity of pint as text: in its unit where a case file has that, else in SI units."""
+    found = si(value, quantity)
+    try:
+        text = f"{float(value.magnitude)!r} {value.units:~}"
+        is_same = math.isclose(_asperity.to_si(quantity, text), found, rel_tol=1e-12)
+    except (AttributeError, TypeError, ValueError):
+        text, is_same = "", False
+    return text.replace(".0 ", " ") if is_same else f"{repr(found).removesuffix('.0')} {SI_UNITS[quantity]}"
 
 
 def is_toml(value: Any) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from typing import Any
 
@@ -10,8 +9,8 @@ import numpy as np
 
 from . import _asperity
 from ._choices import FilmLaw, FrictionLaw, ThermalLaw
-from ._errors import Code, warn
-from ._quantity import Floats, Values, numbers, pressed, si_array
+from ._errors import Code, json_text, warn
+from ._quantity import Floats, Values, pressed, si_array
 from ._record import Record
 
 
@@ -43,7 +42,7 @@ def _noted(notes: list[str]) -> list[str]:
 def _fitted(given: dict[str, Any], known: dict[str, str]) -> dict[str, Any]:
     """Arrays in SI units, of one shape, flat."""
     return {
-        name: si_array(value, known[name]) if known[name] else numbers(value, name)
+        name: si_array(value, known[name], name)
         for name, value in given.items()
         if value is not None
     }
@@ -73,9 +72,9 @@ def hertz(load: Values, radius: Values, modulus: Values) -> Record:
         True
     """
     columns = {
-        "load": si_array(load, "LineLoad"),
-        "radius": si_array(radius, "Length"),
-        "modulus": si_array(modulus, "Pressure"),
+        "load": si_array(load, "LineLoad", "load"),
+        "radius": si_array(radius, "Length", "radius"),
+        "modulus": si_array(modulus, "Pressure", "modulus"),
     }
     return Record(_over(columns, lambda given: _asperity.hertz(given["load"], given["radius"], given["modulus"])))
 
@@ -254,7 +253,7 @@ def friction_coefficient(
     notes: list[str] = []
 
     def found(columns: dict[str, Floats]) -> dict[str, Any]:
-        coefficient, outside, notes[:] = _asperity.friction_coefficient(law, columns, json.dumps(settings or {}))
+        coefficient, outside, notes[:] = _asperity.friction_coefficient(law, columns, json_text(settings or {}, "settings"))
         return {"coefficient": coefficient, "outside": outside}
 
     return Record({**_over(_fitted(given, _FRICTION), found), "notes": _noted(notes)})

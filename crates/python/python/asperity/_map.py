@@ -14,7 +14,7 @@ from ._choices import ExportFormat
 from ._errors import AsperityError, Code, warn, wrong_kind
 from ._html import Chart, page, shown
 from ._quantity import Floats, Numbers, Quantities, Quantity, operating, together
-from ._record import variable
+from ._record import held, variable
 from ._study import RawStudy, Study, Unpickled, files_of
 from ._values import CycleFinishTable, CycleValues, MapArrays, MapRowTable, MapValues, MapWarningTable
 
@@ -39,7 +39,7 @@ class Map(Study, MapArrays, MapValues):
         shape = (len(self.temperature_c), len(self.torque_nm), len(self.speed_rpm))
         points = [self._map.points(number) for number in range(len(self.finishes))]
         self._points: dict[str, Any] = {
-            name: np.stack([np.asarray(of[name]).reshape(shape) for of in points]) for name in points[0]
+            name: held(np.stack([np.asarray(of[name]).reshape(shape) for of in points])) for name in points[0]
         }
 
     if not TYPE_CHECKING:

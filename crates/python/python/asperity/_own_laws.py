@@ -36,7 +36,10 @@ class Called(NamedTuple):
 
     def __call__(self, conditions: Mapping[str, Floats], count: int) -> dict[str, Floats]:
         """The checked results of the law for these conditions."""
-        found = self.law(Record(conditions))
+        given = Record({})
+        # They are made for this call alone, and a law may change them in place.
+        given._values.update(conditions)
+        found = self.law(given)
         results = _RESULTS[self.kind]
         if not isinstance(found, Mapping):
             found = dict.fromkeys((name for name, default, *_ in results if default is None), found)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from os import PathLike, fspath
 from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, TypedDict, Union, cast
 
@@ -27,11 +27,11 @@ from ._choices import (
     TraceLine,
     Uneven,
 )
-from ._errors import AsperityError, Code, warn, wrong_kind
+from ._errors import AsperityError, Code, brief, json_text, warn
 from ._files import on_disk
 from ._fixed import Fixed, UnknownName, unknown
 from ._html import Chart, page, shown
-from ._quantity import Floats, Scalar, flat, numbers, si, si_or_none
+from ._quantity import Floats, Scalar, line, si, si_or_none
 from ._record import Record, Table, described
 from ._typing import Unpack
 from ._values import ParameterName, ParameterValues
@@ -122,18 +122,54 @@ class Parts(NamedTuple):
     """Primary profile minus waviness."""
 
 
+_STEEPEST = 10.0
+"""Root mean square slope from point to point, an angle of 84 degrees, that no profile has."""
+
+
+def _refuse_implausible(heights: Floats, spacing: float) -> None:
+    """Refuses heights or a spacing in another unit than m."""
+    # Heights in µm or mm, where they are taken for m, are a million or a thousand times as steep.
+    slope = math.sqrt(float(np.mean(np.diff(heights) ** 2))) / spacing
+    if slope > _STEEPEST:
+        text = f"heights: over a range of {np.ptp(heights):.3g} m they rise by {slope:.3g} times the spacing from point to point"
+        help = "Heights and spacing are in metres: multiply heights in µm by 1e-6, or give a quantity of pint."
+        raise AsperityError(text, Code.E209, help)
+
+
+_HELP = {
+    Code.E106: "Give at least 100 points.",
+    Code.E116: "Heights and spacing are in metres: give numbers as 0.5e-6, text with a unit as \"0.5 um\", or a quantity of pint.",
+}
+"""What can be done about points in memory, which have no file."""
+
+
+def _in_memory(make: Callable[..., _asperity.Trace], *points: Any) -> _asperity.Trace:
+    """A trace of points in memory, whose errors name no file."""
+    try:
+        return make(*points)
+    except AsperityError as error:
+        text = error.message.split(" (named by ")[0]
+        raise AsperityError(text, error.code, _HELP.get(error.code, error.help)) from None
+
+
 class Profile(Fixed):
     """Heights of a surface along a line, evenly spaced.
 
+    ``len(profile)`` is the number of its points, ``profile[100:500]`` the profile of some of them, and ``numpy.asarray(profile)``
+    the array of its heights.
+
     Parameters:
-        heights: heights, shape (n,), m, out of the material; at least 100.
+        heights: heights, shape (n,), m, out of the material; at least 100. Heights steeper than 84 degrees in the mean, as of
+            a profile in µm, are refused (E209).
         spacing: distance of the points, m.
         name: name for charts and messages.
     """
 
     def __init__(self, heights: ArrayLike, spacing: Scalar, *, name: Optional[str] = None) -> None:
-        values = flat(numbers(heights, "heights"), "heights")
-        self._set(_asperity.Trace.of(values, si(spacing, "Length")), name)
+        values, distance = line(heights, "Length", "heights"), si(spacing, "Length")
+        made = _in_memory(_asperity.Trace.of, values, distance)
+        _refuse_implausible(values, distance)
+        self._set(made, name)
 
     def _set(self, raw: _asperity.Trace, name: Optional[str]) -> None:
         self._raw = raw
@@ -173,9 +209,10 @@ class Profile(Fixed):
 
     def __getitem__(self, points: slice) -> Profile:
         if not isinstance(points, slice) or points.step not in (None, 1):
-            raise wrong_kind("points", points, "a slice of points one after another")
+            text = f"points: a slice of points one after another is expected, not {brief(points)}"
+            raise AsperityError(text, Code.E204, "profile[100:500] is a profile of these points; profile.heights is the array of the heights.")
         first, end, _ = points.indices(len(self))
-        return Profile._of(self._raw.cut(first, max(first, end)), self.name)
+        return Profile._of(_in_memory(self._raw.cut, first, max(first, end)), self.name)
 
     def crop(self, start: Scalar = 0.0, end: Optional[Scalar] = None) -> Profile:
         """The part of the profile between two distances from its first point, as a slice of its points is.
@@ -296,7 +333,7 @@ class Profile(Fixed):
             "roll_length": si_or_none(roll_length, "Length"),
             "towards_root": towards_root,
         }
-        primary, waviness, roughness = self._raw.prepare(json.dumps(plan))
+        primary, waviness, roughness = self._raw.prepare(json_text(plan))
         return Parts(
             Profile._of(primary, self.name),
             None if waviness is None else Profile._of(waviness, self.name),
@@ -464,7 +501,7 @@ def read_profile(
     }
     keys = {key: value for key, value in options.items() if value is not None}
     with on_disk(path) as file:
-        raw = _asperity.read_profile(file, json.dumps(keys))
+        raw = _asperity.read_profile(file, json_text(keys))
         return Profile._of(raw, file.replace("\\", "/").rsplit("/", 1)[-1])._warned()
 
 
@@ -530,4 +567,4 @@ def generate(
         "scratches": None if scratches is None else _with_units(scratches),
         "mirrored": mirrored,
     }
-    return Profile._of(_asperity.generate(json.dumps(whole)), name or f"{surface}, synthetic")
+    return Profile._of(_asperity.generate(json_text(whole)), name or f"{surface}, synthetic")

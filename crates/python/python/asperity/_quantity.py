@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _asperity
-from ._errors import AsperityError, Code, not_finite
+from ._errors import AsperityError, Code, brief, not_finite
 from ._fixed import similar
 
 
@@ -61,12 +61,12 @@ def is_pint(value: object) -> bool:
 
 
 def _magnitude(value: Any, quantity: str, unit: Optional[str] = None) -> Any:
-    unit = unit or SI_UNITS[quantity]
+    unit = unit or SI_UNITS.get(quantity, "")
     try:
         return value.to(_PINT.get(unit, unit)).magnitude
     except Exception as error:
-        text = f"{value}: is not a {quantity}, whose unit is {unit}: {error}"
-        raise AsperityError(text, Code.E204, f"Give a quantity that has the dimension of {unit}.") from error
+        text = f"{brief(value)}: is not a {quantity or 'number'}, whose unit is {unit or '1'}: {error}"
+        raise AsperityError(text, Code.E204, f"Give a quantity that has the dimension of {unit or '1'}.") from error
 
 
 def si(value: Scalar, quantity: str) -> float:
@@ -78,7 +78,7 @@ def si(value: Scalar, quantity: str) -> float:
     try:
         return float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError) as error:
-        text = f"{value!r}: is not a {quantity}; a number in {SI_UNITS[quantity]} or text with a unit is expected"
+        text = f"{brief(value)}: is not a {quantity}; a number in {SI_UNITS[quantity]} or text with a unit is expected"
         raise AsperityError(text, Code.E204, 'Write text with a unit, e.g. "1.8 mm", or a number.') from error
 
 
@@ -127,7 +127,7 @@ OPERATING: dict[str, Operating] = {
 def _without_unit(name: str, value: object, quantity: str) -> AsperityError:
     own = next((own for own, of in OPERATING.items() if of.quantity == quantity and own.startswith(name)), None)
     number = f", or a number by {own}" if own else ""
-    text = f"{name}: {value!r} has no unit; text with a unit or a quantity of pint is expected"
+    text = f"{name}: {brief(value)} has no unit; text with a unit or a quantity of pint is expected"
     return AsperityError(text, Code.E204, f'Write text with a unit, e.g. "1 {SI_UNITS[quantity]}"{number}.')
 
 
@@ -155,12 +155,12 @@ def operating(own: str, given: Optional[Numbers], text: Optional[Quantities]) ->
         raise AsperityError(f"{name} and {own}: both are given", Code.E205, "Give one of both.")
     if given is not None:
         if isinstance(given, (str, bool)) or is_pint(given):
-            raise AsperityError(f"{own}: {given!r}: must be a number in {of.unit}", Code.E204, f"Give it by {name}.")
+            raise AsperityError(f"{own}: {brief(given)}: must be a number in {of.unit}", Code.E204, f"Give it by {name}.")
         return np.atleast_1d(numbers(given, own))
     if isinstance(text, str) and ".." in text:
         unit = next((unit for unit in of.spellings if text.strip().endswith(f" {unit}")), None)
         if unit is None:
-            message = f"{name}: {text!r}: a range must end with its unit {of.unit}"
+            message = f"{name}: {brief(text)}: a range must end with its unit {of.unit}"
             raise AsperityError(message, Code.E204, f'Write e.g. "10..100:5 {of.unit}".')
         return np.array(_asperity.axis(text.strip().removesuffix(unit).strip()))
     if text is None:
@@ -189,7 +189,7 @@ def nodes(own: str, given: Optional[Numbers], text: Optional[Quantities], defaul
 def _single(name: str, found: Optional[Floats]) -> float:
     """The only number of an operating quantity."""
     if found is None or found.shape != (1,):
-        text = f"{name}: {found}: one number is expected"
+        text = f"{name}: {brief(found)}: one number is expected"
         raise AsperityError(text, Code.E204, f"Give a number in {OPERATING[name].unit}.")
     return float(found[0])
 
@@ -245,23 +245,49 @@ def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
     return keys
 
 
-def si_array(value: Values, quantity: str) -> Floats:
-    """The values in SI units, of any shape."""
+def _in_si(value: Any, quantity: str, name: str) -> Any:
+    """The value without a unit: in SI units where it, or what it consists of, carries one."""
+    # Frames of pint-pandas and arrays of pint-xarray hold a quantity.
+    for holder, member in (("array", "quantity"), ("variable", "data")):
+        held = getattr(getattr(value, holder, None), member, None)
+        value = held if is_pint(held) else value
     if is_pint(value):
-        value = _magnitude(value, quantity)
-    if isinstance(value, str):
+        return _magnitude(value, quantity)
+    if hasattr(value, "to") and (hasattr(value, "unit") or hasattr(value, "units")):
+        text = f"{name}: {brief(value)} has a unit of another package than pint"
+        raise AsperityError(text, Code.E204, "Give a quantity of pint, or numbers in SI units.")
+    if isinstance(value, np.ndarray) and value.dtype == object and not isinstance(value, np.ma.MaskedArray):
+        value = value.tolist()
+    if isinstance(value, (list, tuple)) and any(is_pint(item) for item in value):
+        return [_magnitude(item, quantity) if is_pint(item) else item for item in value]
+    return value
+
+
+def si_array(value: Values, quantity: str, name: str = "") -> Floats:
+    """The values in SI units, of any shape."""
+    if isinstance(value, str) and quantity:
         return np.asarray(si(value, quantity))
-    if isinstance(value, (list, tuple)) and any(isinstance(item, str) or is_pint(item) for item in value):
-        value = [si(item, quantity) for item in value]
-    return numbers(value, quantity)
+    value = _in_si(value, quantity, name or quantity)
+    if quantity and isinstance(value, (list, tuple)) and any(isinstance(item, str) for item in value):
+        value = [si(item, quantity) if isinstance(item, str) else item for item in value]
+    return numbers(value, name or quantity)
+
+
+def line(value: object, quantity: str, name: str) -> Floats:
+    """The values in SI units along one line, of numbers or a quantity of pint, as the compiled part takes them."""
+    return flat(numbers(_in_si(value, quantity, name), name), name)
 
 
 def numbers(value: object, name: str) -> Floats:
-    """An array of numbers."""
+    """An array of numbers, which have no unit."""
+    value = _in_si(value, "", name)
     if isinstance(value, np.ma.MaskedArray):
         value = np.ma.filled(value.astype(np.float64), np.nan)
     try:
-        return np.asarray(value, dtype=np.float64)
+        array = np.asarray(value)
+        if array.dtype.kind not in "biufO" or array.dtype == object and any(isinstance(item, str) for item in array.flat):
+            raise TypeError(f"{brief(value)} holds {array.dtype}")
+        return np.asarray(array, dtype=np.float64)
     except (TypeError, ValueError) as error:
         text = f"{name}: an array of numbers is expected: {error}"
         raise AsperityError(text, Code.E204, "Give an array of numbers in SI units.") from error

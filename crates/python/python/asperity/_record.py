@@ -34,7 +34,7 @@ def plain(value: Any) -> Any:
 
 
 def wrapped(value: Any) -> Any:
-    """The value of a JSON text with named attributes: objects as records, their lists as tables, numbers as arrays."""
+    """The value of a JSON text with named attributes: objects as records, their lists as tables, numbers as arrays; lists are copies."""
     if isinstance(value, dict):
         return Record(value)
     if isinstance(value, list) and value:
@@ -42,6 +42,14 @@ def wrapped(value: Any) -> Any:
             return Table(value)
         if all(isinstance(item, (int, float)) and not isinstance(item, bool) for item in value):
             return np.array(value, dtype=np.float64)
+    return plain(value) if isinstance(value, list) else value
+
+
+def held(value: Any) -> Any:
+    """The value as a result holds it: an array cannot be written through it."""
+    if isinstance(value, np.ndarray):
+        value = value.view()
+        value.flags.writeable = False
     return value
 
 
@@ -63,7 +71,11 @@ class Values(Fixed, Mapping[str, Any]):
     """Values that are left out where they are these."""
 
     def __init__(self, values: Mapping[str, Any]) -> None:
-        self._values = dict(values)
+        self._values = {name: held(value) for name, value in values.items()}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        # The arrays of a pickle can be written.
+        self.__dict__.update(state, _values={name: held(value) for name, value in state["_values"].items()})
 
     if not TYPE_CHECKING:  # Attributes that a subclass declares are the only ones that it has.
 
@@ -169,9 +181,9 @@ def described(name: str, unit: str | None = None) -> dict[str, str]:
 
 
 def variable(dimensions: Any, name: str, values: Any, unit: str | None = None) -> tuple[Any, Any, dict[str, str]]:
-    """A variable of xarray, with unit and name if it holds numbers."""
-    array = np.asarray(values)
-    return dimensions, values, described(name, unit) if array.dtype.kind in "fi" else {"long_name": name.replace("_", " ")}
+    """A variable of xarray of a copy of the values, with unit and name if it holds numbers."""
+    array = np.array(values)
+    return dimensions, array, described(name, unit) if array.dtype.kind in "fi" else {"long_name": name.replace("_", " ")}
 
 
 def drawn(uncertainty: Mapping[str, Any]) -> str:
@@ -202,7 +214,7 @@ def column(values: list[Any], declared: str = "") -> Any:
     if not declared and kinds and kinds <= {int, float}:
         return np.array([np.nan if value is None else value for value in values], dtype=np.int64 if kinds == {int} and is_whole else np.float64)
     array = np.empty(len(values), dtype=object)
-    array[:] = [wrapped(value) if isinstance(value, dict) else value for value in values]
+    array[:] = [wrapped(value) if isinstance(value, dict) else plain(value) if isinstance(value, list) else value for value in values]
     return array
 
 

@@ -162,6 +162,11 @@ class RunResult(Values, ResultValues):
         if self._is_train:
             raise AsperityError(f"a result of several meshes has no {what}", Code.E402, f"Take the {what} of one of them: .meshes[0].")
 
+    def _beyond_losses(self, what: str, detail: str) -> None:
+        """Refuses what a run of losses alone does not have."""
+        if "schema_version" not in self._values and not self._is_train:
+            raise AsperityError(f"a result of losses alone has no {what}", Code.E402, f'Run the case with detail = "{detail}".')
+
     @property
     def warnings(self) -> Table:
         """Warnings: code and text."""
@@ -175,13 +180,19 @@ class RunResult(Values, ResultValues):
     @property
     def positions(self) -> list[int]:
         """Numbers of the positions whose fields are held, from 1 at A."""
-        return [] if self._outcome is None else self._outcome.positions()
+        return [] if self._outcome is None or "schema_version" not in self._values else self._outcome.positions()
 
     def fields(self, position: Optional[int] = None) -> Fields:
-        """Fields along the contact at a position, from 1 at A; by default where the pressure is highest."""
+        """Fields along the contact at a position, from 1 at A; by default where the pressure is highest.
+
+        Only a run with ``detail="fields"`` has them; of another run, or one that was read back, they are refused (E402).
+        """
         if self._outcome is None:
             raise AsperityError("a result that was pickled or read back holds no fields", Code.E402, "Run the case again, or take what the fields are needed for before it is pickled.")
         self._of_pair("fields")
+        self._beyond_losses("fields", "fields")
+        if not self._outcome.positions():
+            raise AsperityError("this result holds no fields", Code.E402, 'Run the case with detail = "fields".')
         position = checked_number("position", position, int)
         if position is None:
             highest = self.path["p_max_mpa"]
@@ -196,15 +207,26 @@ class RunResult(Values, ResultValues):
         return [] if self._outcome is None else [RunResult._of(mesh) for mesh in self._outcome.meshes()]
 
     def write(self, folder: Union[str, PathLike[str]], *, fields: bool = False) -> None:
-        """Writes the result folder of ``asperity run`` with its page ``report.html``, whole or not at all."""
+        """Writes the result folder of ``asperity run`` with its page ``report.html``, whole or not at all.
+
+        A run of losses alone, or one that was read back, has none (E402).
+        """
         if self._outcome is None:
             raise AsperityError("a result that was read back is in its folder", Code.E402, "Run the case again.")
+        self._beyond_losses("result folder", "contacts")
         self._outcome.write(fspath(folder), fields)
 
     def diff(self, other: RunResult) -> Record:
-        """Differences from this result to another: ``inputs``, ``summary``, ``path``, ``warnings``, ``equations``."""
+        """Differences from this result to another: ``inputs``, ``summary``, ``path``, ``warnings``, ``equations``.
+
+        Both are whole results, of ``run("contacts")``, ``run()`` or `read_result`; one of losses alone, or of several meshes,
+        is refused (E402).
+        """
         if not isinstance(other, RunResult):
             raise wrong_kind("other", other, "a RunResult")
+        for one in (self, other):
+            one._of_pair("differences")
+            one._beyond_losses("inputs and equations to compare", "contacts")
         return Record(json.loads(_asperity.diff(self._json, other._json)))
 
     def to_json(self) -> str:

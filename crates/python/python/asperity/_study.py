@@ -9,7 +9,7 @@ from os import PathLike, fspath
 from typing import Any, Optional, Protocol, TypeVar, Union
 
 from . import _asperity
-from ._errors import AsperityError, Code, checked_number, not_finite, warn
+from ._errors import AsperityError, Code, checked_number, json_text, not_finite, warn
 from ._html import page
 from ._progress import Progress, Steps
 from ._record import Values
@@ -103,7 +103,7 @@ def as_json(settings: Mapping[str, Any]) -> str:
     for name, value in settings.items():
         if isinstance(value, float) and not math.isfinite(value):
             raise not_finite(name, value)
-    return json.dumps(settings)
+    return json_text(settings)
 
 
 def _cases(given: Any) -> Iterator[_asperity.Case]:

@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Optional, Union
 import numpy as np
 
 from . import _asperity
-from ._case import Case, CaseLike, as_case
-from ._errors import AsperityError, Code, checked_number, warn, wrong_kind
+from ._case import Case, CaseLike, Laws, as_case
+from ._errors import AsperityError, Code, checked_number, json_text, warn, wrong_kind
 from ._fixed import Fixed
 from ._keys import Schema, Traces, kind_of, written
 from ._progress import Progress, Steps
-from ._quantity import BY_TEXT, OPERATING, SI_UNITS, as_keys, refuse_misspelt, si
+from ._quantity import BY_TEXT, OPERATING, SI_UNITS, as_keys, is_pint, refuse_misspelt, si
 from ._record import Record, Table, in_names, is_text, variable
 from ._values import SummaryValues
 
@@ -142,7 +142,6 @@ class Sweep(Fixed, Iterator[Record]):
 
     def __next__(self) -> Record:
         if self._given == len(self._raw):
-            self._steps.__exit__()
             raise StopIteration
         if self._given == len(self._rows):
             self._advance()
@@ -160,6 +159,8 @@ class Sweep(Fixed, Iterator[Record]):
             self._rows.append(dict(zip(self._header, values)))
         if self._steps.call is not None:
             self._steps.call(len(self._rows), len(self._raw))
+        if len(self._rows) == len(self._raw):
+            self._steps.__exit__()
         firsts = {code: row["case"] for row in reversed(self._rows[first:]) for code in row["outside"].split()}
         warn(
             f"{code} {_title(code)}, first in case {case}; the column outside shows which cases have it"
@@ -201,6 +202,19 @@ class Sweep(Fixed, Iterator[Record]):
         """All rows for programs that read Arrow, as those of a `Table`."""
         return self.run().__arrow_c_stream__(requested_schema)
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Sweep):
+            return NotImplemented
+        return self._raw.study == other._raw.study and self._header == other._header and self._laws == other._laws
+
+    def __hash__(self) -> int:
+        return hash(self._raw.study)
+
+    @property
+    def _laws(self) -> Laws:
+        """Laws in Python, of which the compiled part knows the names alone."""
+        return {} if isinstance(self._source, str) else self._source[0]._laws
+
     def __repr__(self) -> str:
         return f"<Sweep: {len(self._rows)} of {len(self)} cases run>"
 
@@ -226,7 +240,7 @@ def sweep(
             ``{"from": .., "to": .., "count": .., "spacing": "log"}``; by any other name choices of several keys,
             ``{"finish": {"ground": {"surface.pinion.file": "g.csv"}}}``. Values and choices stay in the order in which they are given.
         sample: ``method`` (``"sobol"``, ``"latin-hypercube"``, ``"random"``, ``"list"``), ``count``, ``seed``,
-            ``vary`` (by key ``{"uniform": [a, b]}``, ``"normal"``, ``"log-uniform"``, ``"triangular"``), ``indices``.
+            ``vary`` (by key, or as in axes by the operating point, ``{"uniform": [a, b]}``, ``"normal"``, ``"log-uniform"``, ``"triangular"``), ``indices``.
         columns: results of the summary, of a mesh of a gear train ``mesh.NAME.loss_w``; default efficiency, losses,
             equivalent friction, mixed share. ``loss_median_w``, ``loss_p05_w`` and ``loss_p95_w`` draw the interval.
         detail: ``"losses"`` or ``"contacts"``.
@@ -264,9 +278,9 @@ def sweep(
     if columns is not None:
         text["columns"] = list(columns)
     if sample is not None:
-        vary = {key: _with_units(key, law) for key, law in sample.get("vary", {}).items()}
+        vary = dict(_varied(name, law) for name, law in sample.get("vary", {}).items())
         text["sample"] = {**sample, "vary": vary}
-    source = (base, json.dumps(text, ensure_ascii=False), os.path.abspath(fspath(folder)))
+    source = (base, json_text(text), os.path.abspath(fspath(folder)))
     return Sweep(source, threads, progress)
 
 
@@ -280,28 +294,46 @@ def _schema(key: str) -> Schema:
 def _stated(value: Any, key: str) -> Any:
     """The value of a key as a study has it, which names files."""
     traces: Traces = []
-    stated = written(value, _schema(key), traces)
+    stated = written(value, _schema(key), traces, key)
     if traces:
         text = f"{key}: {traces[0][0]} is a profile in memory, and a sweep reads files"
         raise AsperityError(text, Code.E204, "Write the profile to a file and name that, or take compare or map, whose finishes can be profiles.")
     return stated
 
 
-def _with_units(key: str, law: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
-    return {name: [_stated(value, key) for value in values] for name, values in law.items()}
+def _stated_as(name: str, value: Any) -> Any:
+    """The value of a key, or of the operating point by a name of it, as a study has it."""
+    own = name in OPERATING or name in BY_TEXT
+    return _stated(as_keys({name: value})[_key(name)] if own else value, _key(name))
+
+
+def _key(name: str) -> str:
+    """The key that a name means."""
+    own = OPERATING.get(BY_TEXT.get(name, name))
+    return own.key if own else name
+
+
+def _varied(name: str, law: Any) -> tuple[str, dict[str, Any]]:
+    """Key and distribution of a sampled value."""
+    if not isinstance(law, Mapping) or not all(isinstance(values, (list, tuple, np.ndarray)) for values in law.values()):
+        raise wrong_kind(f"sample['vary'][{name!r}]", law, 'a distribution as {"uniform": [a, b]}')
+    refuse_misspelt(_key(name))
+    return _key(name), {of: [_stated_as(name, value) for value in values] for of, values in law.items()}
 
 
 def _axis(name: str, values: Any) -> dict[str, Any]:
     if isinstance(values, str) and ".." in values and name not in OPERATING:
-        return {"key": OPERATING[BY_TEXT[name]].key if name in BY_TEXT else name, "values": values}
-    if not isinstance(values, (str, Mapping, Sequence)) and hasattr(values, "__array__"):
+        return {"key": _key(name), "values": values}
+    if is_pint(values) and np.ndim(values.magnitude) == 1:
+        values = list(values)
+    if not isinstance(values, (str, Mapping, Sequence)) and not is_pint(values) and hasattr(values, "__array__"):
         values = np.asarray(values)
     if not isinstance(values, (Mapping, Sequence, np.ndarray)) or isinstance(values, str):
         raise wrong_kind(f"axes[{name!r}]", values, "a list of values, a range or choices")
     if name in OPERATING or name in BY_TEXT:
-        key = OPERATING[BY_TEXT.get(name, name)].key
+        key = _key(name)
         every = values if not isinstance(values, Mapping) else [values["from"], values["to"]]
-        texts = [_stated(as_keys({name: value})[key], key) for value in every]
+        texts = [_stated_as(name, value) for value in every]
         if isinstance(values, Mapping):
             return {"key": key, **values, "from": texts[0], "to": texts[1]}
         return {"key": key, "values": texts}

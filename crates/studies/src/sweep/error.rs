@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use asperity::PositionError;
 use asperity::case::did_you_mean;
+use asperity_core::remedy::Remedy;
 use asperity_core::{Code, Fault};
 use asperity_storage::StorageError;
 
@@ -157,6 +158,10 @@ impl From<SweepError> for Fault {
         match error {
             SweepError::Case(error) => (*error).into(),
             SweepError::Fault(fault) => fault,
+            error @ SweepError::Changed { .. } => {
+                let code = error.code();
+                Self::of(code, error).with(Remedy::act("run the study again"))
+            }
             error => Self::of(error.code(), error),
         }
     }
