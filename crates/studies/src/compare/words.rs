@@ -280,7 +280,7 @@ fn decided_by(comparison: &Comparison) -> Option<(&str, String)> {
     let best = once.find(|row| row.width <= narrowest.width + NEARLY);
     let best = best.unwrap_or(narrowest);
     let words = format!(
-        "at best {} W after {}",
+        "would narrow to {} W at best by {}",
         Digits::of_interval(difference.watts.ends()).range(best.quantiles_w),
         measured(best, [&first.name, &finish.name]),
     );
@@ -299,7 +299,7 @@ pub(super) fn verdicts(comparison: &Comparison) -> Vec<String> {
             .as_ref()
             .filter(|(name, _)| is_open && *name == finish.name);
         Some(match narrowed {
-            Some((_, words)) => format!("{own}; {words}."),
+            Some((_, words)) => format!("{own}; it {words}."),
             None => format!("{own}."),
         })
     };
@@ -315,7 +315,7 @@ pub(super) fn narrowed_by(comparison: &Comparison) -> Option<String> {
         .difference
         .as_ref()?;
     let is_open = difference.verdict == Verdict::Undecided;
-    (!is_open).then(|| format!("The difference of {name} is {words}."))
+    (!is_open).then(|| format!("The difference of {name} {words}."))
 }
 
 /// A measurement in words, with the names of the variants that it is made for.

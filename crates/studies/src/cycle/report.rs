@@ -10,7 +10,10 @@ use serde::Serialize;
 
 use super::energy::{CycleFinish, CycleResult};
 use super::trace::CyclePoint;
-use crate::map::{HELPFUL, against, banded, in_words, loses, loss_fields, marks, round_step};
+use crate::map::{
+    FinishMap, HELPFUL, against, banded, in_words, is_extrapolated, loses, loss_fields, marks,
+    round_step,
+};
 
 /// Approximate number of torque bins.
 const BINS: f64 = 30.0;
@@ -32,6 +35,7 @@ impl StudyResult for CycleResult {
         .verdict(verdicts(self))
         .figures(|| [over_time(self)])
         .text([conditions(self)])
+        .text(extrapolated(self))
         .text([HELPFUL])
         .on_page()
         .table(table(self))
@@ -125,13 +129,41 @@ fn outside(result: &CycleResult) -> String {
     )
 }
 
+/// Share of the energy lost with each finish where the model is extrapolated; none where it is not.
+fn extrapolated(result: &CycleResult) -> Vec<String> {
+    let temperature = temperature(result);
+    let of_finish = |(own, finish): (&CycleFinish, &FinishMap)| {
+        let points = result.points.iter().zip(&own.loss_w);
+        let [mut all, mut beyond] = [0.0; 2];
+        for (point, loss_w) in points {
+            let energy = loss_w * point.weight_s;
+            let at = point.forwards();
+            all += energy;
+            if is_extrapolated(&result.map, finish, temperature, [at[0], at[1].abs()]) {
+                beyond += energy;
+            }
+        }
+        let share = decimals(100.0 * beyond / all, 0);
+        let of = in_words(&own.name);
+        (beyond > 0.0).then(|| {
+            format!("Of the energy lost with {of}, {share} % is where the model is extrapolated further than at the operating point of the case.")
+        })
+    };
+    let finishes = result.finishes.iter().zip(&result.map.finishes);
+    finishes.filter_map(of_finish).collect()
+}
+
+/// Number of the temperature of the map.
+fn temperature(result: &CycleResult) -> usize {
+    let mut temperatures = result.map.axes.temperature_c.iter();
+    let nearest = temperatures.position(|temperature| *temperature == result.temperature_c);
+    nearest.unwrap_or_default()
+}
+
 /// The map with the points of the cycle.
 fn operating_points(result: &CycleResult) -> Vec<Drawing> {
-    let map = &result.map;
     let visited: Vec<[f64; 2]> = result.points.iter().map(CyclePoint::forwards).collect();
-    let mut temperatures = map.axes.temperature_c.iter();
-    let nearest = temperatures.position(|temperature| *temperature == result.temperature_c);
-    loss_fields(map, nearest.unwrap_or_default(), &visited)
+    loss_fields(&result.map, temperature(result), &visited)
 }
 
 /// Energy lost with each finish by torque, in steps of a round width.

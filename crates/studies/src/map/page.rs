@@ -228,7 +228,8 @@ pub(crate) fn marks(map: &Map, has_dots: bool) -> Vec<String> {
     if !extrapolated.is_empty() {
         extrapolated.push(OF_GRID.to_owned());
     }
-    let dots = "Dots: operating points of the cycle. The colours have small steps around them and large steps beyond.";
+    let dots = "Dots: operating points of the cycle. Where they cover a small part of the range, the colours have small steps around \
+        them and large steps beyond.";
     let dots = has_dots.then(|| dots.to_owned());
     extrapolated.into_iter().chain(dots).collect()
 }
@@ -248,6 +249,31 @@ fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
         100.0 * share,
         in_words(&finish.name)
     ))
+}
+
+/// Whether the model is extrapolated further than at the operating point of the case at a node about this torque \[N m\] and speed
+/// \[1/min\] on the map of `finish`.
+pub(crate) fn is_extrapolated(
+    map: &Map,
+    finish: &FinishMap,
+    temperature: usize,
+    [torque, speed]: [f64; 2],
+) -> bool {
+    let usual = usual(map, finish);
+    let cell = |nodes: &[f64], at: f64| {
+        let above = nodes.partition_point(|node| *node < at);
+        let last = nodes.len().saturating_sub(1);
+        [above.saturating_sub(1).min(last), above.min(last)]
+    };
+    let axes = &map.axes;
+    let torques = cell(&axes.torque_nm, torque);
+    let mut nodes = cell(&axes.speed_rpm, speed)
+        .into_iter()
+        .flat_map(|speed| torques.map(|torque| axes.index(temperature, torque, speed)));
+    nodes.any(|node| {
+        let mut marks = finish.points[node].outside.iter();
+        marks.any(|mark| !usual.contains(&mark.as_str()))
+    })
 }
 
 /// Temperatures that are drawn: the lowest, the middle and the highest.
@@ -470,9 +496,15 @@ fn differences(map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Markup {
     if fields.is_empty() {
         return html! {};
     }
+    let fields = with_common_levels(fields, levels_about_zero);
+    let levels = fields.first().and_then(|field| field.levels.as_ref());
+    let positive = levels.and_then(|levels| levels.iter().find(|level| **level > 0.0));
+    let white = positive.map_or("equal losses".to_owned(), |half| {
+        format!("less than {half} W apart, however small the loss")
+    });
     html! {
-        p { "Blue: the loss is lower than with " (first.name) "; red: higher; white: nearly equal losses." }
-        div.charts { @for field in with_common_levels(fields, levels_about_zero) { (figure(&Drawing::Contour(field))) } }
+        p { "Blue: the loss is lower than with " (first.name) "; red: higher; white: " (white) "." }
+        div.charts { @for field in fields { (figure(&Drawing::Contour(field))) } }
     }
 }
 

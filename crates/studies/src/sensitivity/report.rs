@@ -41,6 +41,9 @@ impl StudyResult for Sensitivity {
 /// Content of the interval of a change.
 const OF_SAMPLING: &str = ". The interval is of the sampling of the flanks only";
 
+/// Sentence on the change of an oil.
+const OF_OIL: &str = " The constants of another oil are as uncertain as the constants of this one: asperity compare has the interval with them.";
+
 /// A change with its effect.
 type Changed<'a> = (&'a SensitivityRow, &'a Effect);
 
@@ -68,8 +71,9 @@ fn verdicts(study: &Sensitivity) -> impl Iterator<Item = String> {
         let (row, effect) = changes.find(is_of)?;
         let what = if is_saving { "saving" } else { "rise" };
         let content = effect.sampling_quantiles_w.map_or("", |_| OF_SAMPLING);
+        let of_oil = if row.group == "oil" { OF_OIL } else { "" };
         Some(format!(
-            "The largest {what} among these changes: {}, {} W, {} % of the loss{content}.",
+            "The largest {what} among these changes: {}, {} W, {} % of the loss{content}.{of_oil}",
             named(row),
             difference(effect),
             share(effect)

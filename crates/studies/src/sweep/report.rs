@@ -255,10 +255,13 @@ fn largest(merged: &Merged) -> Option<String> {
     ))
 }
 
+/// Sentence on two intervals that overlap.
+const OVERLAP: &str = " Their intervals overlap, and do not tell whether these two differ: asperity compare has the difference with its interval.";
+
 /// The lowest and the highest of the first result with their axes, in words; `None` if all are equal.
 fn extremes(merged: &Merged) -> Option<String> {
-    let (name, values) = merged.outputs.first()?;
-    let output = Output::of(name);
+    let (name_of, values) = merged.outputs.first()?;
+    let output = Output::of(name_of);
     let cases = || (0..values.len()).filter(|k| values[*k].is_finite());
     let by_value = |a: &usize, b: &usize| values[*a].total_cmp(&values[*b]);
     let (low, high) = (cases().min_by(by_value)?, cases().max_by(by_value)?);
@@ -275,7 +278,7 @@ fn extremes(merged: &Merged) -> Option<String> {
             let text = format!("{} {} {unit}", input_name(&axis.name), axis.cells()[k]);
             text.trim_end().to_owned()
         });
-        let value = match merged.ends(name) {
+        let value = match merged.ends(name_of) {
             Some(ends) => output.interval(Estimate::new(values[k], ends.map(|end| end[k]))),
             None => output.text(values[k]),
         };
@@ -283,7 +286,16 @@ fn extremes(merged: &Merged) -> Option<String> {
     };
     (values[low] < values[high]).then(|| {
         let name = &output.name;
-        format!("Lowest {name}: {}. Highest {name}: {}.", at(low), at(high))
+        // The intervals have constants in common, which the difference is free of.
+        let overlap = merged
+            .ends(name_of)
+            .filter(|[from, to]| from[high] <= to[low]);
+        let overlap = overlap.map_or("", |_| OVERLAP);
+        format!(
+            "Lowest {name}: {}. Highest {name}: {}.{overlap}",
+            at(low),
+            at(high)
+        )
     })
 }
 
