@@ -165,7 +165,7 @@ fn deviations(design: &Design) -> String {
         Some(format!("{} {percent:.0} %", one.name))
     });
     format!(
-        "Standard deviations that they leave: {}.",
+        "Standard deviations by these points alone, without the range known before: {}.",
         left.collect::<Vec<_>>().join(", ")
     )
 }

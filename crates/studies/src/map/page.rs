@@ -17,9 +17,10 @@ const BANDS: usize = 10;
 const TEMPERATURES: usize = 3;
 
 /// Meaning of the shares of extrapolated points.
-const OF_GRID: &str = "Each share is of the points of this grid, not of the operating time.";
+const OF_GRID: &str = "Each share is of the points of this grid, which lie close together at low torque and speed, not of the operating time.";
 /// Point of the verdicts of a map.
-const TYPICAL: &str = "The losses above the charts are at the point of the map next to the operating point of the case.";
+const TYPICAL: &str =
+    "These losses are at the point of the map next to the operating point of the case.";
 /// What a page about losses at many operating points leaves to studies of one.
 pub(crate) const HELPFUL: &str = "The command asperity sensitivity lists changes that lower the loss; asperity evidence lists \
     measurements that narrow its interval.";
@@ -143,13 +144,13 @@ pub(super) fn fields<'a>(report: Report<'a>, map: &'a Map, visited: &'a [[f64; 2
         map.scope
     );
     report
+        .text(map.operating_point.map(|_| TYPICAL))
+        .on_page()
         .figures(move || loss_and_efficiency(map, visited))
         .text([
             axes.as_str(),
-            "Each colour of the efficiency covers about a tenth of the points.",
+            "Each colour of the efficiency covers about a tenth of the points of the grid.",
         ])
-        .on_page()
-        .text(map.operating_point.map(|_| TYPICAL))
         .on_page()
         .text(marks(map, !visited.is_empty()))
         .on_page()
