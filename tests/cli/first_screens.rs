@@ -12,7 +12,7 @@ use crate::bench::{Bench, E_DRIVE, root};
 /// Most lines of a first screen.
 const MOST_LINES: usize = 10;
 
-/// Checks the first screen that a command printed, in words and in lines.
+/// Checks the number of lines that a command printed, unless it prints a list or was told to print everything.
 pub fn is_first_screen(arguments: &[&str], screen: &str) {
     let is_list = LISTS.iter().any(|name| {
         let words: Vec<&str> = name.split(' ').collect();

@@ -66,6 +66,21 @@ impl Given for LoadedCase {
     }
 }
 
+/// Variants of a case.
+#[derive(Debug, Args)]
+pub struct VariantArgs {
+    /// The case with other values of its keys, or of the keys in a file; another case as NAME=CASE.toml; the case itself as
+    /// "as is", with which a single variant is compared. Variants follow the finishes
+    #[arg(
+        id = "variants",
+        long = "variant",
+        value_name = "NAME: KEY=VALUE,... or NAME=CASE.toml",
+        value_hint = clap::ValueHint::AnyPath,
+        allow_hyphen_values = true
+    )]
+    texts: Vec<String>,
+}
+
 /// A case and its variants.
 #[derive(Debug, Args)]
 pub struct GivenFinishes {
@@ -79,15 +94,8 @@ pub struct GivenFinishes {
         value_name = "NAME[@MESH]=PINION.csv[,WHEEL.csv]"
     )]
     finishes: Vec<FinishArg>,
-    /// The case with other values of its keys, or of the keys in a file; another case as NAME=CASE.toml; the case itself as
-    /// "as is", with which a single variant is compared. Variants follow the finishes
-    #[arg(
-        long = "variant",
-        value_name = "NAME: KEY=VALUE,... or NAME=CASE.toml",
-        value_hint = clap::ValueHint::AnyPath,
-        allow_hyphen_values = true
-    )]
-    variants: Vec<String>,
+    #[command(flatten)]
+    variants: VariantArgs,
 }
 
 impl Given for Finishes {
@@ -96,11 +104,16 @@ impl Given for Finishes {
     const NAMED_BY: &'static str = OF_CASE;
 
     fn read(args: &GivenFinishes, set: &SetArgs) -> Result<Subject<Self>, Failure> {
-        if args.variants.is_empty() {
+        if args.variants.texts.is_empty() {
             Self::check_count(args.finishes.len())?;
         }
         Ok(Subject {
-            input: Self(finishes(&args.case, set, &args.finishes, &args.variants)?),
+            input: Self(finishes(
+                &args.case,
+                set,
+                &args.finishes,
+                &args.variants.texts,
+            )?),
             name: result_name(&args.case),
             file: Some(args.case.clone()),
         })
@@ -120,14 +133,8 @@ pub struct GivenCaseOrFinishes {
     /// [default: the flanks of the case]
     #[arg(long = "finish", value_name = "NAME[@MESH]=PINION.csv[,WHEEL.csv]")]
     finishes: Vec<FinishArg>,
-    /// Variants of the case, as in compare; they follow the finishes
-    #[arg(
-        long = "variant",
-        value_name = "NAME: KEY=VALUE,... or NAME=CASE.toml",
-        value_hint = clap::ValueHint::AnyPath,
-        allow_hyphen_values = true
-    )]
-    variants: Vec<String>,
+    #[command(flatten)]
+    variants: VariantArgs,
 }
 
 impl Given for CaseOrFinishes {
@@ -137,12 +144,12 @@ impl Given for CaseOrFinishes {
 
     fn read(args: &GivenCaseOrFinishes, set: &SetArgs) -> Result<Subject<Self>, Failure> {
         let file = &args.case;
-        let given = match args.finishes.is_empty() && args.variants.is_empty() {
+        let given = match args.finishes.is_empty() && args.variants.texts.is_empty() {
             true => vec![Finish {
                 name: stem(file).to_string_lossy().into_owned(),
                 case: load_train(file, set, None)?,
             }],
-            false => finishes(file, set, &args.finishes, &args.variants)?,
+            false => finishes(file, set, &args.finishes, &args.variants.texts)?,
         };
         Ok(Subject {
             input: Self(Finishes(given)),

@@ -167,7 +167,7 @@ pub fn difference(first: MeshResult<'_>, other: MeshResult<'_>) -> PairedDiffere
 /// δ_j = P_other,j − P_first,j                                                [Paired-difference]
 /// ```
 ///
-/// Each mesh has the draws that it has in common with the other run, see [`beside`].
+/// The meshes come from [`beside`], which puts their draws in common.
 #[must_use]
 pub fn difference_of_meshes(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) -> PairedDifference {
     asperity_core::cite!("Paired-difference");

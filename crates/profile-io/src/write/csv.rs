@@ -10,7 +10,8 @@ use crate::read::metadata::Metadata;
 /// Micrometres of a metre.
 const MICROMETRES: f64 = 1e6;
 
-/// Writes x and height in micrometres, or heights in metres if no number of micrometres is read as one of them, with the spacing of even points and the filters in the header.
+/// Writes x and heights in micrometres, with the spacing of even points and the filters in the header. The heights are in metres
+/// where a number of micrometres would not read back to the last bit.
 pub(super) fn write(
     places: Places<'_>,
     heights: &[f64],

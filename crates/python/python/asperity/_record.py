@@ -163,7 +163,7 @@ _UNITS = {
     "_pa": "Pa", "_nm": "nm", "_um": "um", "_mm": "mm", "_km": "km", "_m": "m", "_wh": "W h", "_w": "W", "_k": "K", "_c": "degC",
     "_s": "s", "_n": "N", "_percent": "percent", "_deg": "degree", "_hours": "h", "_minutes": "min",
 }
-"""Units by the ends of names, of which one that ends another one follows it."""
+"""Units by the ends of names; a longer end stands before an end that it contains."""
 
 
 def in_names(unit: str) -> str:

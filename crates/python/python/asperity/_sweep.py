@@ -60,7 +60,7 @@ def _input(key: str, texts: Sequence[str]) -> _Input:
 
 
 def _text(cell: str) -> Optional[str]:
-    """A cell as text, none where it is empty."""
+    """The text of a cell; `None` of an empty one."""
     return cell or None
 
 

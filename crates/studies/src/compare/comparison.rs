@@ -49,8 +49,8 @@ pub struct Comparison {
     /// Whether the variants differ by their flanks only.
     #[serde(skip)]
     pub(crate) are_finishes: bool,
-    /// Rank correlations of roughness with the computed loss, strongest first; empty of fewer than three finishes, of other variants, of a gear
-    /// train, and if a finish has fewer than 5 windows.
+    /// Rank correlations of roughness with the computed loss, strongest first; empty of fewer than three finishes, of variants that
+    /// differ by more than their flanks, of a gear train, and if a finish has fewer than 5 windows.
     pub correlations: Vec<Correlation>,
     /// Number of windows in the correlations: offsets of all finishes.
     pub windows: usize,

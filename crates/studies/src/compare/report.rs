@@ -79,7 +79,7 @@ fn compared<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
         .iter()
         .flat_map(|of| of.deciding.iter().map(move |row| (of, row)));
     let table = columns! { (of, row) in deciding;
-        head variant "difference of" "" = &of.name;
+        head variant "variant" "" = &of.name;
         text measurement "measurement" "" = measured(row, [&first.name, &of.name]);
         percent width "remaining width" "%" "{:.0}" = row.width;
         range quantiles_w "difference" "W" = Cell::range(Some(row.quantiles_w), Digits::of_interval(row.quantiles_w));
@@ -96,7 +96,7 @@ fn compared<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
         .filter_map(|of| Some((of, of.difference.as_ref()?)));
     let common = common.flat_map(|(of, found)| found.common.iter().map(move |row| (of, row)));
     let table = columns! { (of, row) in common;
-        head variant "beside the first" "" = &of.name;
+        head variant "variant" "" = &of.name;
         text name "component" "" = &row.name;
         text belongs_to "belongs to" "" = &row.belongs_to;
         number correlation "correlation" "" "{:.2}" = row.correlation;

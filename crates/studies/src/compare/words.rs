@@ -193,7 +193,7 @@ impl Comparison {
         }
     }
 
-    /// Whether variants of a pair, which are no finishes, have the flanks of the first one.
+    /// Whether the variants have equal flanks and differ by other keys.
     pub(super) fn has_equal_flanks(&self) -> bool {
         let of = |pair: &PairOfFinish| {
             let flanks = pair.result.flanks.each_ref();

@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::energy::{CycleFinish, CycleResult};
 use super::trace::CyclePoint;
 use crate::map::{
-    FinishMap, HELPFUL, against, banded, in_words, is_extrapolated, loses, loss_fields, marks,
+    FinishMap, HELPFUL, against, are_extrapolated, banded, in_words, loses, loss_fields, marks,
     round_step,
 };
 
@@ -129,24 +129,25 @@ fn outside(result: &CycleResult) -> String {
     )
 }
 
-/// Share of the energy lost with each finish where the model is extrapolated; none where it is not.
+/// Sentence on the share of the lost energy where the model is extrapolated, for each finish with such a share.
 fn extrapolated(result: &CycleResult) -> Vec<String> {
-    let temperature = temperature(result);
     let of_finish = |(own, finish): (&CycleFinish, &FinishMap)| {
-        let points = result.points.iter().zip(&own.loss_w);
-        let [mut all, mut beyond] = [0.0; 2];
-        for (point, loss_w) in points {
-            let energy = loss_w * point.weight_s;
-            let at = point.forwards();
-            all += energy;
-            if is_extrapolated(&result.map, finish, temperature, [at[0], at[1].abs()]) {
-                beyond += energy;
-            }
-        }
-        let share = decimals(100.0 * beyond / all, 0);
-        let of = in_words(&own.name);
+        let places = result.points.iter().map(|point| {
+            let [torque, speed] = point.forwards();
+            [torque, speed.abs()]
+        });
+        let beyond = are_extrapolated(&result.map, finish, temperature(result), places);
+        let energies = result.points.iter().zip(&own.loss_w);
+        let energies = energies.map(|(point, loss_w)| loss_w * point.weight_s);
+        let all: f64 = energies.clone().sum();
+        let beyond = energies.zip(beyond).filter(|(_, is_beyond)| *is_beyond);
+        let beyond: f64 = beyond.map(|(energy, _)| energy).sum();
         (beyond > 0.0).then(|| {
-            format!("Of the energy lost with {of}, {share} % is where the model is extrapolated further than at the operating point of the case.")
+            format!(
+                "Of the energy lost with {}, {} % is where the model is extrapolated further than at the operating point of the case.",
+                in_words(&own.name),
+                decimals(100.0 * beyond / all, 0)
+            )
         })
     };
     let finishes = result.finishes.iter().zip(&result.map.finishes);

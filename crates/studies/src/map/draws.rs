@@ -145,8 +145,8 @@ pub struct Drawn<'a> {
 pub(crate) type Place = [u32; 4];
 
 impl<'a> Drawn<'a> {
-    /// The draws at the nodes of each side with this number of `meshes`, see [`FinishMap::drawn`](super::FinishMap::drawn); beside
-    /// the first finish, whose flanks are the same or not, with the draws in common with it.
+    /// The draws at the nodes of each side with this number of `meshes`, see [`FinishMap::drawn`](super::FinishMap::drawn).
+    /// For a difference from the first finish, `beside` states whether both have equal flanks, and the draws are put in common.
     pub(super) fn of(
         sides: &'a [DrawnNodes],
         meshes: usize,

@@ -51,7 +51,7 @@ pub use draws::{Drawn, DrawnNodes, MapBand};
 pub(crate) use efficiency::efficiency;
 pub use grid::map;
 pub use page::loss_fields;
-pub(crate) use page::{HELPFUL, is_extrapolated, marks, round_step};
+pub(crate) use page::{HELPFUL, are_extrapolated, marks, round_step};
 pub use point::{
     EXTENDED, FinishMap, Map, MapGearbox, MapWarning, MeshPart, Numbers, Point, ranges,
 };

@@ -237,10 +237,9 @@ pub(crate) fn marks(map: &Map, has_dots: bool) -> Vec<String> {
 
 /// The extrapolations of `finish` beyond those at the operating point of the case, in words; `None` if there are none.
 fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
-    let usual = usual(map, finish);
-    let unusual = |mark: &String| !usual.contains(&mark.as_str());
-    let points = finish.points.iter();
-    let hatched = points.filter(|point| point.outside.iter().any(unusual));
+    let hatched = extrapolations(map, finish)
+        .into_iter()
+        .filter(|is_one| *is_one);
     let share = hatched.count() as f64 / finish.points.len().max(1) as f64;
     if share == 0.0 {
         return None;
@@ -252,29 +251,39 @@ fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
     ))
 }
 
-/// Whether the model is extrapolated further than at the operating point of the case at a node about this torque \[N m\] and speed
-/// \[1/min\] on the map of `finish`.
-pub(crate) fn is_extrapolated(
+/// Whether the model is extrapolated at each point of the map of `finish`, in their order, further than at the operating point of
+/// the case.
+fn extrapolations(map: &Map, finish: &FinishMap) -> Vec<bool> {
+    let usual = usual(map, finish);
+    let unusual = |mark: &String| !usual.contains(&mark.as_str());
+    let points = finish.points.iter();
+    points
+        .map(|point| point.outside.iter().any(unusual))
+        .collect()
+}
+
+/// Whether a node around each of these torques \[N m\] and speeds \[1/min\] is extrapolated on the map of `finish`, as hatched.
+pub(crate) fn are_extrapolated(
     map: &Map,
     finish: &FinishMap,
     temperature: usize,
-    [torque, speed]: [f64; 2],
-) -> bool {
-    let usual = usual(map, finish);
-    let cell = |nodes: &[f64], at: f64| {
-        let above = nodes.partition_point(|node| *node < at);
-        let last = nodes.len().saturating_sub(1);
-        [above.saturating_sub(1).min(last), above.min(last)]
-    };
+    places: impl Iterator<Item = [f64; 2]>,
+) -> Vec<bool> {
+    let extrapolated = extrapolations(map, finish);
     let axes = &map.axes;
-    let torques = cell(&axes.torque_nm, torque);
-    let mut nodes = cell(&axes.speed_rpm, speed)
-        .into_iter()
-        .flat_map(|speed| torques.map(|torque| axes.index(temperature, torque, speed)));
-    nodes.any(|node| {
-        let mut marks = finish.points[node].outside.iter();
-        marks.any(|mark| !usual.contains(&mark.as_str()))
-    })
+    let around = |nodes: &[f64], at: f64| {
+        let last = nodes.len().saturating_sub(1);
+        let above = nodes.partition_point(|node| *node < at).min(last);
+        [above.saturating_sub(1), above]
+    };
+    let is_extrapolated = |[torque, speed]: [f64; 2]| {
+        let torques = around(&axes.torque_nm, torque);
+        let mut nodes = around(&axes.speed_rpm, speed)
+            .into_iter()
+            .flat_map(|speed| torques.map(|torque| axes.index(temperature, torque, speed)));
+        nodes.any(|node| extrapolated[node])
+    };
+    places.map(is_extrapolated).collect()
 }
 
 /// Temperatures that are drawn: the lowest, the middle and the highest.
@@ -292,16 +301,10 @@ fn field(map: &Map, finish: &FinishMap, temperature: usize, of: &dyn Fn(&Point) 
     let (torques, speeds) = (axes.torque_nm.len(), axes.speed_rpm.len());
     let nodes =
         || (0..speeds).flat_map(move |speed| (0..torques).map(move |torque| (torque, speed)));
-    let at =
-        |(torque, speed): (usize, usize)| &finish.points[axes.index(temperature, torque, speed)];
-    let usual = usual(map, finish);
-    let is_hatched = |point: &Point| {
-        point
-            .outside
-            .iter()
-            .any(|mark| !usual.contains(&mark.as_str()))
-    };
-    let hatched = nodes().map(|node| is_hatched(at(node))).collect();
+    let index = |(torque, speed): (usize, usize)| axes.index(temperature, torque, speed);
+    let at = |node| &finish.points[index(node)];
+    let extrapolated = extrapolations(map, finish);
+    let hatched = nodes().map(|node| extrapolated[index(node)]).collect();
     Contour {
         source: "map.csv".to_owned(),
         x: Axis::new("torque", "N m"),
