@@ -34,8 +34,7 @@ use crate::viscosity_pressure::{ROELANDS_LOG, ROELANDS_PER_PASCAL, roelands_grow
 use crate::viscosity_table::ViscosityTable;
 use crate::{
     BaseOil, CarreauConstants, LARGEST_BARUS_EXPONENT, LIMIT_POWER, Lubricant, LubricantError,
-    PressureLaw, ShearLawName, TractionConstants, gold_pressure_viscosity, limited_stress,
-    limited_stress_by,
+    PressureLaw, ShearLawName, TractionConstants, gold_pressure_viscosity, limited_stress_by,
 };
 
 /// Temperature at which Gold's formula gives α, 80 °C.
@@ -585,7 +584,7 @@ impl FilmRheology {
     }
 
     /// [`heated_stress`](Self::heated_stress) of up to [`LANES`] points with their starts, and the slopes: in lanes of one vector where
-    /// the laws are Eyring's with the usual limit, otherwise each by itself.
+    /// the law is Eyring's, otherwise each by itself.
     ///
     /// # Errors
     /// As [`heated_stress`](Self::heated_stress).
@@ -601,12 +600,10 @@ impl FilmRheology {
             *place = point;
             count += 1;
         }
-        let is_usual =
-            self.shear == ShearLawName::Eyring && self.constants.limit_power == LIMIT_POWER;
         let is_sheared = |(point, _): &(FilmPoint, Option<f64>)| {
             point.log_rate > f64::NEG_INFINITY && point.heating > 0.0
         };
-        if is_usual && count > 0 && each[..count].iter().all(is_sheared) {
+        if self.shear == ShearLawName::Eyring && count > 0 && each[..count].iter().all(is_sheared) {
             cite!("Film-heat");
             for k in 0..LANES {
                 // The first point fills the lanes that are left.
@@ -726,7 +723,7 @@ impl FilmRheology {
         None
     }
 
-    /// τ and dτ/dT of all lanes, of Eyring's law below the usual limit. Only the table of η₀ is read lane by lane.
+    /// τ and dτ/dT of all lanes, of Eyring's law. Only the table of η₀ is read lane by lane.
     #[inline(always)]
     fn stresses(
         &self,
@@ -738,15 +735,23 @@ impl FilmRheology {
         for k in 0..LANES {
             [log[k], slope[k]] = self.viscosity.at(temperature[k]);
         }
-        let (mut stress, mut by_temperature) = ([0.0; LANES], [0.0; LANES]);
+        let (mut free, mut limit) = ([[0.0; 2]; LANES], [[0.0; 2]; LANES]);
         for k in 0..LANES {
             let at_ambient = [log[k], slope[k]];
             let [log, slope] = log_viscosity(at_ambient, lanes.pressure[k], lanes.growth[k]);
-            let free = self.eyring(log + lanes.log_rate[k], slope);
-            let limit = self.limit(lanes.pressure[k], temperature[k]);
-            let [value, falls] = limited_stress(free, limit);
-            stress[k] = value;
-            by_temperature[k] = falls;
+            free[k] = self.eyring(log + lanes.log_rate[k], slope);
+            limit[k] = self.limit(lanes.pressure[k], temperature[k]);
+        }
+        let (mut stress, mut by_temperature) = ([0.0; LANES], [0.0; LANES]);
+        let mut limited = |power: f64| {
+            for k in 0..LANES {
+                [stress[k], by_temperature[k]] = limited_stress_by(power, free[k], limit[k]);
+            }
+        };
+        match self.constants.limit_power {
+            // A constant power is compiled without a logarithm.
+            LIMIT_POWER => limited(LIMIT_POWER),
+            power => limited(power),
         }
         (stress, by_temperature)
     }

@@ -9,6 +9,7 @@
 //! | φ | fluidity η₀/η | - |
 //! | y | shear rate of the sliding, Δu·η₀/(h·τ₀) or Δu·η₀/(h·G) | - |
 
+use asperity_core::numerics::elementary::{exp, ln, ln_1p};
 use asperity_core::quantity::Pressure;
 use asperity_core::{DomainError, cite};
 use serde::{Deserialize, Serialize};
@@ -254,8 +255,8 @@ fn raised(ratio: f64, power: f64) -> (f64, f64) {
         let raised = (ratio * ratio) * (ratio * ratio);
         return (raised, (1.0 + raised).sqrt().sqrt());
     }
-    let raised = ratio.powf(power);
-    (raised, (1.0 + raised).powf(1.0 / power))
+    let raised = exp(power * ln(ratio.max(f64::MIN_POSITIVE)));
+    (raised, exp(ln_1p(raised) / power))
 }
 
 #[cfg(test)]
