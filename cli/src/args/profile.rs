@@ -156,6 +156,22 @@ pub struct ProfileGenerateArgs {
     /// pieces, or spectrum where heights, slopes and curvatures are Gaussian]
     #[arg(long, value_name = "METHOD", value_parser = choice::<Method>, requires = "like")]
     pub method: Option<Method>,
+    /// Trace of the place of each --like after a test, in the same order; flanks are made of pieces of both
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "like",
+        conflicts_with = "method"
+    )]
+    pub after: Vec<PathBuf>,
+    /// State of the flank from before the test, 0, to after it, 1
+    #[arg(
+        long,
+        default_value_t = 1.0,
+        requires = "after",
+        allow_hyphen_values = true
+    )]
+    pub state: f64,
     /// File to write; its extension (csv, x3p, smd) chooses the format
     #[arg(long, short)]
     pub output: PathBuf,

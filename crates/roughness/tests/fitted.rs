@@ -5,7 +5,8 @@ use asperity_core::Profile;
 use asperity_core::numerics::mean;
 use asperity_core::quantity::Length;
 use asperity_roughness::Warning;
-use asperity_roughness::generate::{Ground, Like, Method, SelfAffine, lower_envelope};
+use asperity_roughness::generate::{Ground, Like, Method, SelfAffine, lower_envelope, truncated};
+use asperity_roughness::relocation::{Bounds, relocate};
 
 use crate::common::compared::{NAMES, different, parameters};
 use crate::common::finishes::{self, FINISHES, made_like, seed_of};
@@ -154,4 +155,36 @@ fn parameters_of_generated_flanks() {
             names.join("; ")
         );
     }
+}
+
+/// A trace and what is left of it without the peaks above a fifth of its length, measured from another place on.
+fn worn(before: &Profile) -> [Profile; 2] {
+    let after = truncated(before, 0.2).unwrap().0;
+    [before.clone(), after.slice(200..before.len()).unwrap()]
+}
+
+/// Pairs left out are relocated as well, which takes the shortest waves off all.
+#[test]
+fn flanks_between_two_states_are_those_of_pairs_left_out() {
+    let [given, left_out] = traces(&honed());
+    let pairs: Vec<[Profile; 2]> = given.iter().map(worn).collect();
+    let left_out = left_out.iter().map(|before| {
+        let [before, after] = worn(before);
+        relocate(&before, &after, Bounds::default()).unwrap()
+    });
+    let left_out: Vec<_> = left_out.collect();
+    for state in [0.0, 0.5, 1.0] {
+        let like = Like::of_pairs(&pairs[0], &pairs[1..], state).unwrap();
+        let made = (1..=8).map(|seed| parameters(&like.generate(seed).unwrap().generated.profile));
+        let kept = left_out.iter().map(|pair| {
+            let both = pair.before.heights().iter().zip(pair.after.heights());
+            let heights = both.map(|(before, after)| before - state * (before - after));
+            parameters(&Profile::new(DX, heights.collect()).unwrap())
+        });
+        let off = different(&made.collect::<Vec<_>>(), &kept.collect::<Vec<_>>());
+        let off: Vec<_> = off.into_iter().map(|k| NAMES[k]).collect();
+        assert!(off.is_empty(), "{state}: {off:?}");
+    }
+    let error = Like::of_pairs(&pairs[0], &[], 1.5).unwrap_err();
+    assert!(error.to_string().contains("from 0 to 1"), "{error}");
 }

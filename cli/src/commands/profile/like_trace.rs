@@ -32,13 +32,30 @@ pub(super) fn generate(
     let trace = read(first)?;
     let others = others.iter().map(|file| read(file));
     let others: Vec<Profile> = others.collect::<Result<_, _>>()?;
+    let after = args.after.iter().map(|file| read(file));
+    let after: Vec<Profile> = after.collect::<Result<_, _>>()?;
     let refused =
         |error: RoughnessError| Failure::new(Code::E120, format!("{}: {error}", first.display()));
-    let like = Like::to(&trace, &others, args.method).map_err(refused)?;
+    let like = match after.split_first() {
+        None => Like::to(&trace, &others, args.method).map_err(refused)?,
+        Some((_, more)) if more.len() != others.len() => {
+            let text = "--after: each --like needs its trace after the test, in the same order";
+            return Err(Failure::new(Code::E205, text));
+        }
+        Some((second, more)) => {
+            let pairs = others.iter().zip(more);
+            let pairs = pairs.map(|(before, after)| [before.clone(), after.clone()]);
+            let first = [trace.clone(), second.clone()];
+            Like::of_pairs(&first, &pairs.collect::<Vec<_>>(), args.state)?
+        }
+    };
     let notes = like.warnings.iter().map(Note::Evaluated);
     warnings.extend(notes.map(|note| (note.code(), note.to_string())));
     let made = like.generate(args.seed).map_err(refused)?;
-    let source = source(&made, args.like.len());
+    let mut source = source(&made, args.like.len());
+    if !args.after.is_empty() {
+        source += &format!(" in state {} from before to after a test", args.state);
+    }
     let metadata = synthetic(args.seed);
     let metadata = match made.method {
         Method::Pieces => Metadata {

@@ -10,7 +10,7 @@
 
 use asperity_core::numerics::range;
 use asperity_core::quantity::Length;
-use asperity_core::{Profile, cite};
+use asperity_core::{DomainError, Fault, Profile, cite};
 use serde::{Deserialize, Serialize};
 
 use super::achieved::Generated;
@@ -43,6 +43,8 @@ pub enum Method {
 #[derive(Debug, Clone)]
 pub struct Like {
     maker: Maker,
+    /// State from before a test, 0, to after it, 1.
+    state: f64,
     /// Doubts about the traces.
     pub warnings: Vec<Warning>,
 }
@@ -105,7 +107,50 @@ impl Like {
             Method::Pieces => Maker::Pieces(Pieces::to(first, others)?),
             Method::Spectrum => Maker::Spectrum(Fitted::to(first, others, 0)?),
         };
-        Ok(Self { maker, warnings })
+        Ok(Self {
+            maker,
+            state: 0.0,
+            warnings,
+        })
+    }
+
+    /// Prepares `first` and `others`, pairs of traces before and after a test, for flanks in a `state` from before it, 0, to after
+    /// it, 1. They are made of pieces.
+    ///
+    /// # Errors
+    /// As [`to`](Self::to), when a pair is not of one place, or the state is outside its domain.
+    ///
+    /// ```
+    /// use asperity_core::quantity::Length;
+    /// use asperity_roughness::generate::{Like, SelfAffine, truncated};
+    /// let before = SelfAffine {
+    ///     points: 4096, spacing: Length::from_si(0.5e-6), rq: Length::from_si(0.3e-6), hurst: 0.8,
+    ///     roll_off: Length::from_si(50e-6), short_cut: Length::from_si(5e-6), seed: 7,
+    /// }.generate()?;
+    /// let pair = [before.clone(), truncated(&before, 0.2)?.0];
+    /// let rq = |state| -> Result<f64, asperity_core::Fault> {
+    ///     Ok(Like::of_pairs(&pair, &[], state)?.generate(1)?.generated.achieved.rq.si())
+    /// };
+    /// assert!(rq(0.0)? > rq(0.5)? && rq(0.5)? > rq(1.0)?);
+    /// # Ok::<(), asperity_core::Fault>(())
+    /// ```
+    pub fn of_pairs(
+        first: &[Profile; 2],
+        others: &[[Profile; 2]],
+        state: f64,
+    ) -> Result<Self, Fault> {
+        let rule = "must be from 0 to 1";
+        DomainError::require((0.0..=1.0).contains(&state), "state", state, "-", rule)?;
+        let before: Vec<Profile> = others.iter().map(|pair| pair[0].clone()).collect();
+        let traces = levelled(&first[0], &before)?;
+        let one = others.is_empty().then(|| Warning::OneTrace {
+            length: first[0].length(),
+        });
+        Ok(Self {
+            maker: Maker::Pieces(Pieces::of_pairs(first, others)?),
+            state,
+            warnings: one.into_iter().chain(different(&traces)).collect(),
+        })
     }
 
     /// The method of its traces.
@@ -125,7 +170,7 @@ impl Like {
         let method = self.method();
         Ok(match &self.maker {
             Maker::Pieces(pieces) => {
-                let made = pieces.generate(pieces.points(), seed)?;
+                let made = pieces.generate(pieces.points(), seed, self.state)?;
                 MadeLike {
                     generated: made.generated,
                     method,

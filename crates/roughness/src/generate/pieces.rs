@@ -1,21 +1,25 @@
 //! Traces made of pieces of measured ones, which keep ridges, dales and marks as they were measured.
 //!
-//! Source: Efros and Freeman 2001 (image quilting), in one dimension and with blended seams.
+//! Source: Efros and Freeman 2001 (image quilting), in one dimension and with blended seams at the least difference.
 //!
 //! A straight line and the waves longer than two pieces are removed from every trace. Pieces of what is left follow each other,
 //! each the best of 256 drawn ones at the end of the last. No place is drawn twice before all were. The long waves are a
 //! Gaussian profile with the spectrum that was removed. The traces given therefore decide all shorter waves and rare dales.
+//!
+//! Of pairs of traces before and after a test, the second relocated on the first, flanks are made in any state between: pieces are drawn
+//! as pairs, and a part of the heights that were lost is taken off. Relocation leaves no waves shorter than 2.5 µm.
 //!
 //! A trace of n points costs 256 m sums over an overlap for its m pieces, whatever the length of the traces given.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | z, z_c | last heights of the trace, heights before a drawn place | m |
-//! | o | points of the overlap | - |
+//! | z_b, z_a | heights before and after a test | m |
+//! | s | state | - |
 
 use asperity_core::numerics::good_fft_length;
 use asperity_core::quantity::Length;
-use asperity_core::{DomainError, Profile, cite};
+use asperity_core::{DomainError, Fault, Profile, cite};
 use serde::{Deserialize, Serialize};
 
 use super::achieved::Generated;
@@ -24,12 +28,16 @@ use super::random::Random;
 use super::scaling::check_points;
 use crate::error::RoughnessError;
 use crate::gaussian_filter::{Ends, mean_line, transmission};
+use crate::relocation::{Bounds, relocate};
+use crate::resampling::respaced;
 use crate::spectral::power_spectrum;
 
 /// Shortest and longest piece \[m\].
 const PIECE: [f64; 2] = [150e-6, 300e-6];
-/// Length over which two pieces are blended \[m\].
+/// Length over which two pieces are fitted \[m\].
 const OVERLAP: f64 = 20e-6;
+/// Length over which two pieces are blended within the overlap \[m\].
+const SEAM: f64 = 5e-6;
 /// Waves longer than this are not in the pieces.
 pub const LONG_WAVES: Length = Length::from_si(600e-6);
 /// Places of which the best follows a piece.
@@ -43,6 +51,8 @@ pub struct Pieces {
     points: usize,
     /// Heights without long waves \[m\] of each trace.
     traces: Vec<Vec<f64>>,
+    /// Heights \[m\] that each trace lost in a test; none without traces after it.
+    lost: Vec<Vec<f64>>,
     /// Spectrum of the long waves, as [`Fitted::spectrum`](super::Fitted::spectrum).
     spectrum: Vec<[f64; 2]>,
     /// Points of the longest trace.
@@ -96,7 +106,7 @@ impl Pieces {
     ///     roll_off: Length::from_si(50e-6), short_cut: Length::from_si(5e-6), seed: 7,
     /// }.generate()?;
     /// let plateaus = truncated(&measured, 0.3)?.0;
-    /// let made = Pieces::to(&plateaus, &[])?.generate(4096, 1)?;
+    /// let made = Pieces::to(&plateaus, &[])?.generate(4096, 1, 0.0)?;
     /// assert!(made.pieces.len() >= 7 && made.generated.achieved.rsk.unwrap() < -0.5);
     /// # Ok::<(), asperity_roughness::RoughnessError>(())
     /// ```
@@ -136,7 +146,31 @@ impl Pieces {
             longest: traces.iter().map(Vec::len).max().unwrap_or_default(),
             square: square / traces.len() as f64,
             traces,
+            lost: Vec::new(),
             spectrum,
+        })
+    }
+
+    /// Prepares `first` and `others`, pairs of traces before and after a test, of one finish; each second trace is relocated on its
+    /// first.
+    ///
+    /// # Errors
+    /// As [`to`](Self::to), and when a pair is not of one place.
+    pub fn of_pairs(first: &[Profile; 2], others: &[[Profile; 2]]) -> Result<Self, Fault> {
+        let spacing = first[0].spacing();
+        let (mut traces, mut lost) = (Vec::new(), Vec::new());
+        for [before, after] in std::iter::once(first).chain(others) {
+            let found = relocate(before, after, Bounds::default())?;
+            let before = respaced(&found.before, spacing)?;
+            let after = respaced(&found.after, spacing)?;
+            let both = before.heights().iter().zip(after.heights());
+            lost.push(both.map(|(before, after)| before - after).collect());
+            traces.push(before);
+        }
+        Ok(Self {
+            points: first[0].len(),
+            lost,
+            ..Self::to(&traces[0], &traces[1..])?
         })
     }
 
@@ -146,16 +180,28 @@ impl Pieces {
         self.points
     }
 
-    /// A trace of `points` points.
+    /// A trace of `points` points in a `state` from before a test, 0, to after it, 1; other than 0 only of pairs.
     ///
     /// # Errors
-    /// When the number of points is outside its domain.
-    pub fn generate(&self, points: usize, seed: u64) -> Result<Pieced, DomainError> {
+    /// When the number of points or the state is outside its domain.
+    ///
+    /// ```text
+    /// z = z_b − s (z_b − z_a)                                                                   [Pieces-2]
+    /// ```
+    pub fn generate(&self, points: usize, seed: u64, state: f64) -> Result<Pieced, DomainError> {
+        cite!("Pieces-2");
+        let last = if self.lost.is_empty() { 0.0 } else { 1.0 };
+        let rule = "must be from 0 to 1, and 0 without traces after a test";
+        DomainError::require((0.0..=last).contains(&state), "state", state, "-", rule)?;
         let n = check_points(points)?;
         let mut random = Random::new(seed);
         let pieces = self.drawn(n, &mut random);
-        let mut heights = self.joined(&pieces);
+        let mut heights = self.joined(&pieces, &self.traces);
         heights.truncate(n);
+        if state > 0.0 {
+            let lost = self.joined(&pieces, &self.lost);
+            (heights.iter_mut().zip(lost)).for_each(|(z, lost)| *z -= state * lost);
+        }
         // A flat profile has no long waves.
         if self.square > f64::EPSILON * mean_square(&heights) {
             let parent = good_fft_length(parent_of(n.max(self.longest))?);
@@ -278,22 +324,45 @@ impl Pieces {
         }
     }
 
-    /// The heights of pieces, blended over the end of each.
-    fn joined(&self, pieces: &[Piece]) -> Vec<f64> {
-        let overlap = self.count(OVERLAP);
+    /// The heights of pieces of `traces`: each is joined where it differs least from the end of the last one, blended over a short
+    /// seam, since a wide one would smooth what does not fit.
+    fn joined(&self, pieces: &[Piece], traces: &[Vec<f64>]) -> Vec<f64> {
+        let [overlap, seam] = [OVERLAP, SEAM].map(|length| self.count(length).max(1));
+        let around = |piece: &Piece, trace: &[Vec<f64>]| -> Vec<f64> {
+            let end = piece.first + piece.points;
+            trace[piece.trace][piece.first - overlap..end].to_vec()
+        };
         let mut heights: Vec<f64> = Vec::new();
+        let mut last: Option<&Piece> = None;
         for piece in pieces {
-            let z = &self.traces[piece.trace];
-            let head = &z[piece.first - overlap..piece.first];
-            let tail = heights.len().saturating_sub(overlap);
-            for (i, (z, head)) in heights[tail..].iter_mut().zip(head).enumerate() {
-                let share = (i as f64 + 1.0) / (overlap as f64 + 1.0);
-                *z += share * (head - *z);
+            let next = around(piece, traces);
+            let (head, rest) = next.split_at(overlap);
+            if let Some(last) = last {
+                let tail = &around(last, &self.traces)[last.points..];
+                let from = least_seam(tail, &around(piece, &self.traces)[..overlap], seam);
+                let first = heights.len() - overlap;
+                for (i, (z, head)) in heights[first..].iter_mut().zip(head).enumerate() {
+                    let share = (i as f64 + 1.0 - from as f64) / (seam as f64 + 1.0);
+                    *z += share.clamp(0.0, 1.0) * (head - *z);
+                }
             }
-            heights.extend(&z[piece.first..piece.first + piece.points]);
+            heights.extend(rest);
+            last = Some(piece);
         }
         heights
     }
+}
+
+/// First of `seam` points at which `tail` and `head` differ least.
+fn least_seam(tail: &[f64], head: &[f64], seam: usize) -> usize {
+    let squares: Vec<f64> = tail
+        .iter()
+        .zip(head)
+        .map(|(a, b)| (a - b).powi(2))
+        .collect();
+    let sums = squares.windows(seam).map(|part| part.iter().sum::<f64>());
+    let least = sums.enumerate().min_by(|(_, a), (_, b)| a.total_cmp(b));
+    least.map_or(0, |(first, _)| first)
 }
 
 #[cfg(test)]
@@ -318,10 +387,10 @@ mod tests {
         let source = Pieces::to(&trace(1), &[trace(2)]).unwrap();
         let overlap = source.count(OVERLAP);
         let all: usize = source.traces.iter().map(|z| z.len() - overlap).sum();
-        let made = source.generate(3 * all, 1).unwrap();
-        assert_eq!(made, source.generate(3 * all, 1).unwrap());
-        assert_ne!(made, source.generate(3 * all, 2).unwrap());
-        let heights = source.joined(&made.pieces);
+        let made = source.generate(3 * all, 1, 0.0).unwrap();
+        assert_eq!(made, source.generate(3 * all, 1, 0.0).unwrap());
+        assert_ne!(made, source.generate(3 * all, 2, 0.0).unwrap());
+        let heights = source.joined(&made.pieces, &source.traces);
         let mut used = source.traces.iter().map(|z| vec![0; z.len()]);
         let mut used = [used.next().unwrap(), used.next().unwrap()];
         let mut at = 0;
