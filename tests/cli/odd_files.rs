@@ -187,6 +187,12 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
     ("profile filter", "output", Written, "pinion.csv @"),
     ("profile generate", "recipe", Read, "--recipe @ -o new.csv"),
     ("profile generate", "like", Read, "--like @ -o new.csv"),
+    (
+        "profile generate",
+        "after",
+        Read,
+        "--like pinion.csv --after @ -o new.csv",
+    ),
     ("profile generate", "output", Written, "-o @"),
     ("demo", "folder", Written, "@"),
     ("new", "output", Written, "@"),

@@ -505,6 +505,15 @@ fn a_trace_is_generated_like_measured_ones() {
         .well();
     let bytes = |name: &str| std::fs::read(bench.path(name)).unwrap();
     assert_eq!(bytes("three.csv"), bytes("again.csv"));
+    let pieces =
+        "profile generate --like flank1.csv --like flank2.csv --method pieces --json -o pieces.csv";
+    let pieces: Vec<&str> = pieces.split(' ').collect();
+    let made = bench.run(&pieces).well().json();
+    let first = &made["pieces"][0];
+    assert!((150.0..=300.0).contains(&first["length_um"].as_f64().unwrap()));
+    assert!(first["file"].as_str().unwrap().starts_with("flank"));
+    let text = std::fs::read_to_string(bench.path("pieces.csv")).unwrap();
+    assert!(text.contains("pieces of 2 traces"), "{text:.200}");
     bench
         .run(&[
             "profile",

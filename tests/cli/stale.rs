@@ -79,6 +79,12 @@ fn choice(key: &str) -> String {
         "surface.coast.wheel.traces" => {
             coast("pinion = { file = \"pinion.csv\" }, wheel = { traces = [{ file = \"own\" }] }")
         }
+        "surface.pinion.like" => "\"surface.pinion\" = { like = [\"own\"] }".to_owned(),
+        "surface.wheel.like" => "\"surface.wheel\" = { like = \"ow*\" }".to_owned(),
+        "surface.coast.pinion.like" => coast(&format!("pinion = {{ like = [\"own\"] }}, {wheel}")),
+        "surface.coast.wheel.like" => {
+            coast("pinion = { file = \"pinion.csv\" }, wheel = { like = [{ file = \"own\" }] }")
+        }
         key => panic!("{key}: a key that names files needs an entry here and in `contents`"),
     }
 }
@@ -237,7 +243,7 @@ fn no_key_that_names_a_file_is_missing_in_the_list() {
     let ends = FILE_KEYS.iter().filter_map(|key| key.rsplit('.').next());
     // Lists of traces are files and patterns of them.
     let listed: BTreeSet<String> = ends
-        .filter(|end| *end != "traces")
+        .filter(|end| !["traces", "like"].contains(end))
         .map(str::to_owned)
         .collect();
     assert_eq!(fields, listed);

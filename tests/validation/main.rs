@@ -17,6 +17,7 @@ mod full_film_losses;
 mod gate;
 mod gates;
 mod gear_tool;
+mod generated_flanks;
 mod load_share;
 mod measured;
 mod measured_cases;

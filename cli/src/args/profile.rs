@@ -8,6 +8,7 @@ use asperity_profile_io::read::{
     Uneven,
 };
 use asperity_roughness::gaussian_filter::Ends;
+use asperity_roughness::generate::Method;
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::study::{Group, StudyCommand};
@@ -33,7 +34,7 @@ pub enum ProfileCommand {
     /// Generate a synthetic profile from a recipe, and report the parameters achieved
     #[command(
         after_help = "Examples:\n  asperity profile generate -o rough.csv --rq \"0.4 um\" --seed 2\n  \
-        asperity profile generate --like flank.csv --seed 3 -o another.csv\n  \
+        asperity profile generate --like tooth1.csv --like tooth2.csv --seed 3 -o another.csv\n  \
         asperity profile generate --like flank.sur --seed 3 -o another.x3p\n  \
         asperity profile generate --recipe porous.json -o porous.csv\n\n\
         A recipe is a surface (self-affine, non-gaussian, plateau-honed, ground) and what is done to it (pits,\n\
@@ -148,9 +149,29 @@ pub struct ProfileGenerateArgs {
     /// Recipe in JSON [default: a self-affine profile from the options below]
     #[arg(long, conflicts_with = "like")]
     pub recipe: Option<PathBuf>,
-    /// Trace or surface to which the recipe is fitted (spectrum, heights, lay); may be repeated for several of one kind
+    /// Trace or surface to make another like; may be repeated for several of one finish
     #[arg(long, value_name = "FILE", conflicts_with_all = ["points", "spacing", "rq", "hurst", "roll_off", "short_cut"])]
     pub like: Vec<PathBuf>,
+    /// Method of --like: pieces of the traces, or spectrum, their spectrum and heights with random phases [default:
+    /// pieces, or spectrum where heights, slopes and curvatures are Gaussian]
+    #[arg(long, value_name = "METHOD", value_parser = choice::<Method>, requires = "like")]
+    pub method: Option<Method>,
+    /// Trace of the place of each --like after a test, in the same order; flanks are made of pieces of both
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "like",
+        conflicts_with = "method"
+    )]
+    pub after: Vec<PathBuf>,
+    /// State of the flank from before the test, 0, to after it, 1
+    #[arg(
+        long,
+        default_value_t = 1.0,
+        requires = "after",
+        allow_hyphen_values = true
+    )]
+    pub state: f64,
     /// File to write; its extension (csv, x3p, smd) chooses the format
     #[arg(long, short)]
     pub output: PathBuf,

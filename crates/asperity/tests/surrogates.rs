@@ -256,3 +256,52 @@ fn surrogates_lose_what_the_traces_of_their_ra_lose() {
         assert!(deviation < 0.105, "{name}: {deviation}");
     }
 }
+
+/// Flanks like measured ones are named as generated, with the sums of the traces; pinion and wheel differ, and so do seeds.
+#[test]
+fn generated_flanks_are_teeth_of_their_own_and_never_called_measured() {
+    let like = |seed: &str| {
+        let flank = format!(
+            "{{ like = [\"../profiles/ground_pinion.csv\", \"../profiles/ground_wheel.csv\"], seed = {seed} }}"
+        );
+        case(
+            "e-drive",
+            &[("surface.pinion", &flank), ("surface.wheel", &flank)],
+        )
+    };
+    let first = like("1");
+    assert_eq!(first.surfaces.each().count(), 4);
+    let made = traces(&first);
+    assert_eq!(made, traces(&like("1")));
+    let again = traces(&like("2"));
+    assert!(made.iter().all(|trace| !again.contains(trace)));
+    assert_ne!(made[0], made[1]);
+    for flank in first.all_traces() {
+        let record = flank.generated.as_ref().unwrap();
+        assert_eq!(record.like.len(), 2);
+        assert!(record.like.iter().all(|trace| trace.sha256.len() == 64));
+        let file = flank.file.as_deref().unwrap();
+        assert!(file.starts_with("generated from 2 traces"), "{file}");
+        assert!(flank.reading.is_none() && flank.sha256.is_none());
+    }
+    let codes = first
+        .warnings
+        .iter()
+        .map(|warning| warning.code.to_string());
+    assert_eq!(codes.filter(|code| code == "W463").count(), 2);
+    for (keys, rule) in [
+        (
+            "like = [\"../profiles/ground_pinion.csv\"], rq = \"0.3 um\"",
+            "in place of",
+        ),
+        ("rq = \"0.3 um\", seed = 2", "needs like"),
+        (
+            "like = [{ file = \"../profiles/ground_pinion.csv\", tooth = 1 }]",
+            "without a tooth",
+        ),
+    ] {
+        let refused = try_case("e-drive", &[("surface.pinion", &format!("{{ {keys} }}"))]);
+        let error = refused.unwrap_err().to_string();
+        assert!(error.contains(rule), "{error}");
+    }
+}

@@ -16,6 +16,7 @@
 pub mod error;
 pub mod flank_form;
 pub mod flank_lay;
+pub mod generated_record;
 pub mod local_roughness;
 pub mod meeting;
 pub mod mesh_position;

@@ -13,6 +13,7 @@ use serde::Serialize;
 
 use crate::error::PositionError;
 use crate::flank_form::FlankForm;
+use crate::generated_record::GeneratedRecord;
 use crate::local_roughness::{Roughness, peaks};
 use crate::mesh_position::MeshPosition;
 use crate::placement::Placement;
@@ -547,6 +548,9 @@ pub struct FlankReport {
     /// The surrogates of a flank without a trace.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub surrogates: Option<SurrogateRecord>,
+    /// Generation of the trace, if it was generated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub generated: Option<GeneratedRecord>,
     /// Roll lengths of the first and the last point of the prepared trace, where its place on the flank is known.
     #[serde(skip)]
     pub roll_lengths: Option<[Length; 2]>,

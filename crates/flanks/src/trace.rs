@@ -26,6 +26,8 @@ pub enum TraceContent<'a> {
     Heights(&'a Profile),
     /// The bytes of a file, and the bytes of its measuring conditions.
     Bytes(&'a [u8], Option<&'a [u8]>),
+    /// Generated heights, and what the file of a measured trace of theirs states.
+    Generated(&'a Profile, Option<&'a Reading>),
 }
 
 /// A trace, and everything that its preparation follows from, except the gears.
@@ -121,6 +123,24 @@ struct ReadTrace {
     outliers: Option<OutlierRecord>,
 }
 
+/// A trace of a flank of `gear` as measured, normal to the flank, with what its file states.
+///
+/// # Errors
+/// When the trace cannot be read or placed.
+pub fn measured(
+    inputs: TraceInputs<'_>,
+    (gears, gear): (&GearPair, Gear),
+) -> Result<(Profile, Option<Reading>), TraceError> {
+    let mut read = read_trace(inputs, inputs.options, own_radius((gears, gear)))?;
+    place_of(inputs, &mut read, (gears, gear))?;
+    Ok((read.profile, read.reading))
+}
+
+/// Base radius of `gear`, also of a ring.
+fn own_radius((gears, gear): (&GearPair, Gear)) -> Length {
+    Length::from_si(gears.base_radius[gear as usize].si().abs())
+}
+
 /// Reads and prepares a trace of a flank of `gear`.
 ///
 /// # Errors
@@ -129,7 +149,7 @@ pub fn prepared_trace(
     inputs: TraceInputs<'_>,
     (gears, gear): (&GearPair, Gear),
 ) -> Result<PreparedTrace, TraceError> {
-    let own_radius = Length::from_si(gears.base_radius[gear as usize].si().abs());
+    let own_radius = own_radius((gears, gear));
     let mut read = read_trace(inputs, inputs.options, own_radius)?;
     let place = place_of(inputs, &mut read, (gears, gear))?;
     let mirrored = match &place {
@@ -141,7 +161,11 @@ pub fn prepared_trace(
     } else {
         read.profile.clone()
     };
-    let mut filters = Filters::of(inputs.filters, read.reading.as_ref());
+    let of_others = match inputs.content {
+        TraceContent::Generated(_, reading) => reading,
+        _ => None,
+    };
+    let mut filters = Filters::of(inputs.filters, read.reading.as_ref().or(of_others));
     if place.is_some_and(|place| place.reference.is_some()) {
         filters.keep_ends(inputs.filters);
     }
@@ -204,6 +228,7 @@ pub fn prepared_trace(
         parameters: Some(parameters),
         reading: read.reading,
         surrogates: None,
+        generated: None,
         roll_lengths: placed.map(|placed| placed.roll_lengths(&prepared.profile)),
     };
     Ok(PreparedTrace {
@@ -248,7 +273,7 @@ fn check_mean(
         Some(parameters.heights.rq.si().powi(2))
     };
     let across = match inputs.content {
-        TraceContent::Heights(_) => 1,
+        TraceContent::Heights(_) | TraceContent::Generated(..) => 1,
         TraceContent::Bytes(bytes, _) => {
             let surface = read_surface_bytes(inputs.name, bytes, inputs.options)?;
             lines_across(&surface, single)
@@ -305,7 +330,7 @@ fn read_trace(
     };
     let (bytes, conditions) = match inputs.content {
         TraceContent::Bytes(bytes, conditions) => (bytes, conditions),
-        TraceContent::Heights(profile) => {
+        TraceContent::Heights(profile) | TraceContent::Generated(profile, _) => {
             let cut = options
                 .range
                 .map(|range| TraceCut::of_profile(name, profile, range));

@@ -10,8 +10,8 @@ use crate::wrap::{COLUMNS, wrapped_within};
 use asperity::message::{Subject, Warning};
 use asperity::result::loss_band::{Digits, Trust, Uncertainty, UncertaintyPart, rounded};
 use asperity::result::{
-    BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, Regime, RunResult,
-    Summary,
+    BulkReport, FlankRecord, GearboxReport, MicropittingReport, PairSampling, PositionRow, Regime,
+    RunResult, Summary,
 };
 use asperity_core::Code;
 use asperity_storage::one_line;
@@ -244,7 +244,7 @@ fn details(result: &RunResult, columns: usize) -> String {
     lines.extend(result.uncertainty.as_ref().and_then(other_models::outside));
     let pairs = result.pairs.as_ref();
     let sampling = pairs.and_then(|pairs| pairs.sampling.as_ref());
-    lines.extend(sampling.map(pairs_text));
+    lines.extend(sampling.map(|pairs| pairs_text(pairs, &result.flanks)));
     lines.extend(result.micropitting.as_ref().map(micropitting_text));
     lines.extend(relief_text(result));
     lines.push(convergence(result));
@@ -267,13 +267,15 @@ fn factors(s: &Summary) -> String {
 }
 
 /// The traced teeth, the mean over their pairs and the contributions to its error.
-fn pairs_text(pairs: &PairSampling) -> String {
-    let [pinion, wheel] = pairs.traces;
+fn pairs_text(pairs: &PairSampling, flanks: &[FlankRecord; 2]) -> String {
+    let [pinion, _] = pairs.traces;
+    let teeth = flanks[0].teeth();
+    let wheel = counted_of_wheel(pairs, flanks);
     let own = |power: f64| rounded(power, pairs.half_width_w);
     let bound = pairs.bound();
     let [s1, s2] = pairs.between_w;
     format!(
-        "pairs  {pinion} traced teeth of the pinion on {wheel} of the wheel, mean {} W, standard error {} W{bound}; \
+        "pairs  {pinion} {teeth} of the pinion on {wheel} of the wheel, mean {} W, standard error {} W{bound}; \
         s_1 {} between teeth of the pinion, s_2 {} of the wheel, s_12 {} W from pair to pair",
         own(pairs.mean_w),
         two_digits(pairs.standard_error_w),
@@ -281,6 +283,15 @@ fn pairs_text(pairs: &PairSampling) -> String {
         two_digits(s2),
         two_digits(pairs.interaction_w),
     )
+}
+
+/// Number of flanks of the wheel, which are named if those of the pinion have another name.
+pub(crate) fn counted_of_wheel(pairs: &PairSampling, flanks: &[FlankRecord; 2]) -> String {
+    let (count, [pinion, wheel]) = (pairs.traces[1], flanks.each_ref().map(FlankRecord::teeth));
+    match pinion == wheel {
+        true => count.to_string(),
+        false => format!("{count} {wheel}"),
+    }
 }
 
 /// Relief derived from the traces.

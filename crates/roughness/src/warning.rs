@@ -1,8 +1,8 @@
 //! Warnings of the preparation and evaluation of a profile.
 
-use asperity_core::Code;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
+use asperity_core::{Code, number};
 use serde::{Deserialize, Serialize};
 
 /// A warning with a stable code.
@@ -53,6 +53,35 @@ pub enum Warning {
         lambda_c: Length,
         /// Evaluation length.
         length: Length,
+    },
+    /// Traces are made of pieces of a single one.
+    #[error(
+        "all pieces are of one trace of {length:.4}: how flanks differ from each other is not in them"
+    )]
+    OneTrace {
+        /// Length of the trace.
+        length: Length,
+    },
+    /// Heights differ as between finishes.
+    #[error(
+        "Rq of the traces is {from:.4} to {to:.4}, as of several finishes; what is made is a mixture"
+    )]
+    HeightsDiffer {
+        /// Least Rq.
+        from: Length,
+        /// Greatest Rq.
+        to: Length,
+    },
+    /// Slopes differ as between finishes.
+    #[error(
+        "the root mean square slope of the traces is {from} to {to}, as of several finishes; what is made is a mixture",
+        from = number(*from), to = number(*to)
+    )]
+    SlopesDiffer {
+        /// Least slope.
+        from: f64,
+        /// Greatest slope.
+        to: f64,
     },
     /// Outliers were replaced.
     #[error(
@@ -143,6 +172,10 @@ impl Warning {
                 Remedy::set(Setting::Range, Value::This(range.into()))
                     .or_do("keep it if the whole flank has such features")
             }
+            Self::OneTrace { .. } => Remedy::act("give several traces, each of another tooth"),
+            Self::HeightsDiffer { .. } | Self::SlopesDiffer { .. } => {
+                Remedy::act("give traces of one finish")
+            }
             _ => Remedy::none(),
         }
     }
@@ -180,6 +213,8 @@ impl Warning {
             Self::InvoluteLeft { .. } => Code::W128,
             Self::OutliersReplaced { .. } => Code::W130,
             Self::SectionsDominate { .. } => Code::W132,
+            Self::OneTrace { .. } => Code::W461,
+            Self::HeightsDiffer { .. } | Self::SlopesDiffer { .. } => Code::W462,
         }
     }
 }

@@ -11,7 +11,7 @@ use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::lay::lay_of_rows;
 use asperity_roughness::preparation::{Preparation, RoughnessFilter, prepare};
 
-use crate::fitted::rank_sum;
+use crate::common::compared::rank_sum;
 use crate::lay::smoothed;
 
 const COLUMNS: usize = 512;

@@ -13,7 +13,9 @@ use asperity_profile_io::read::{
     read_trace,
 };
 use asperity_profile_io::write::{WriteError, WrittenFormat, write_filtered, write_trace};
+use asperity_report::profile_json::um;
 use asperity_roughness::ambiguity::Sections;
+use asperity_roughness::generate::{Achieved, Generated};
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
 use asperity_roughness::outliers::{OutlierRecord, Outliers, replace};
 use asperity_roughness::preparation::{Profiles, profiles};
@@ -311,4 +313,23 @@ pub(super) fn synthetic(seed: u64) -> Metadata {
         instrument: Some("asperity profile generate".to_owned()),
         ..Metadata::default()
     }
+}
+
+/// The first line of the report on a generated profile.
+pub(super) fn made_points(output: &str, made: &Generated) -> String {
+    format!("{output}: {} points", made.profile.len())
+}
+
+/// The parameters of a generated profile.
+pub(super) fn achieved(a: &Achieved) -> String {
+    let number = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
+    format!(
+        "achieved Ra {:.4} Rq {:.4} Rt {:.4} um Rsk {} Rku {} Rdq {}",
+        um(a.ra),
+        um(a.rq),
+        um(a.rt),
+        number(a.rsk),
+        number(a.rku),
+        number(a.rdq)
+    )
 }

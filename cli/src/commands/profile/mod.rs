@@ -9,6 +9,7 @@ mod info;
 mod json;
 mod levels;
 mod like_surface;
+mod like_trace;
 mod plan;
 mod plot;
 mod surface_facts;

@@ -1,24 +1,22 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
-use std::path::{Path, PathBuf};
-
-use asperity_core::{Code, Profile};
+use asperity_core::Code;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{FilterState, Metadata, Positions, Trace};
 use asperity_report::Report;
 use asperity_report::profile_json::um;
 use asperity_roughness::composite::resampled;
-use asperity_roughness::generate::{Fitted, Recipe, SelfAffine, Surface};
+use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
 use asperity_roughness::preparation::profiles;
 use asperity_storage::whole_file;
 use serde_json::json;
 
 use super::evaluated::{
-    Note, opened, opened_trace, refusal, refused, save, save_trace, synthetic, to_digits,
-    without_outliers,
+    Note, achieved, made_points, opened, opened_trace, refusal, refused, save, save_trace,
+    synthetic, to_digits, without_outliers,
 };
-use super::like_surface;
 use super::plan::Plan;
+use super::{like_surface, like_trace};
 use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
 };
@@ -198,16 +196,16 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
 /// `asperity profile generate`
 pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failure> {
     let common = &besides_file(&args.output, common)?;
-    let (recipe, fit_warnings) = match args.like.split_first() {
-        Some((first, others)) => match fitted(first, others, args) {
+    if let Some((first, others)) = args.like.split_first() {
+        return match like_trace::generate((first, others), args, common) {
             // A file of several traces of which none is chosen is a surface.
             Err(failure) if failure.is_of_several() && args.reading.row.is_none() => {
-                return like_surface::generate(args, common);
+                like_surface::generate(args, common)
             }
-            fitted => fitted?,
-        },
-        None => (stated_recipe(args)?, Vec::new()),
-    };
+            done => done,
+        };
+    }
+    let recipe = stated_recipe(args)?;
     let made = recipe
         .generate()
         .map_err(|error| Failure::new(Code::E209, error.to_string()))?;
@@ -218,26 +216,10 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
         FilterState::Primary,
     )?;
     let output = args.output.display().to_string();
-    let a = made.achieved;
-    let number = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
-    let head = format!("{output}: {} points", made.profile.len());
-    let achieved = format!(
-        "achieved Ra {:.4} Rq {:.4} Rt {:.4} um Rsk {} Rku {} Rdq {}",
-        um(a.ra),
-        um(a.rq),
-        um(a.rt),
-        number(a.rsk),
-        number(a.rku),
-        number(a.rdq)
-    );
     print_report(
         common,
-        || json!({ "recipe": recipe, "achieved": a, "output": output }),
-        || {
-            Report::new(&head, "")
-                .text([achieved])
-                .warning(notes(&fit_warnings))
-        },
+        || json!({ "recipe": recipe, "achieved": made.achieved, "output": output }),
+        || Report::new(&made_points(&output, &made), "").text([achieved(&made.achieved)]),
         None,
     )
 }
@@ -260,28 +242,6 @@ fn stated_recipe(args: &ProfileGenerateArgs) -> Result<Recipe, Failure> {
         .map_err(|error| Failure::new(Code::E103, format!("{name}: cannot be read: {error}")))?;
     serde_json::from_slice(&text)
         .map_err(|error| Failure::new(Code::E204, format!("{name}: not a recipe: {error}")))
-}
-
-/// The recipe fitted to traces of one surface, and the warnings of their reader.
-fn fitted(
-    first: &Path,
-    others: &[PathBuf],
-    args: &ProfileGenerateArgs,
-) -> Result<(Recipe, Vec<Warning>), Failure> {
-    let mut warnings = Vec::new();
-    let mut profile = |file: &Path| {
-        let reading = opened(file, &args.reading, None)?;
-        warnings.extend(reading.record.warnings);
-        Ok::<_, Failure>(reading.profile)
-    };
-    let trace = profile(first)?;
-    let others: Vec<Profile> = others
-        .iter()
-        .map(|file| profile(file))
-        .collect::<Result<_, _>>()?;
-    let fitted = Fitted::to(&trace, &others, args.seed)
-        .map_err(|error| Failure::new(Code::E120, format!("{}: {error}", first.display())))?;
-    Ok((Recipe::of(Surface::Fitted(fitted)), warnings))
 }
 
 fn seed(recipe: &Recipe) -> u64 {

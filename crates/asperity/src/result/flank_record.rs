@@ -8,6 +8,7 @@ use asperity_roughness::preparation::PreparationRecord;
 use serde::{Deserialize, Serialize};
 
 use asperity_case::flanks::flank_form::FlankForm;
+use asperity_case::flanks::generated_record::GeneratedRecord;
 use asperity_case::flanks::surfaces::FlankReport;
 use asperity_case::flanks::surrogate_record::SurrogateRecord;
 
@@ -32,6 +33,9 @@ pub struct FlankRecord {
     /// The surrogates of a flank without a trace.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surrogates: Option<SurrogateRecord>,
+    /// Generation of the trace from measured ones, if it was generated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub generated: Option<GeneratedRecord>,
     /// Roll lengths of the first and the last point of the prepared trace \[mm\], where its place on the flank is
     /// known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -72,6 +76,17 @@ impl From<&FlankForm> for FormRecord {
     }
 }
 
+impl FlankRecord {
+    /// Words for several traces of the flank: of measured or of generated ones.
+    #[must_use]
+    pub fn teeth(&self) -> &'static str {
+        match self.generated {
+            Some(_) => "generated flanks",
+            None => "traced teeth",
+        }
+    }
+}
+
 impl From<&FlankReport> for FlankRecord {
     fn from(flank: &FlankReport) -> Self {
         Self {
@@ -83,6 +98,7 @@ impl From<&FlankReport> for FlankRecord {
             preparation: flank.preparation.clone(),
             parameters: flank.parameters.clone(),
             surrogates: flank.surrogates.clone(),
+            generated: flank.generated.clone(),
             roll_lengths_mm: flank
                 .roll_lengths
                 .map(|ends| ends.map(|end| end.si() * 1e3)),

@@ -23,7 +23,7 @@ pub(crate) const OIL_FILE: &str = "lubricant.oil_file";
 pub(crate) const XU_COEFFICIENTS: &str = "model.xu_coefficients";
 
 /// Every key of a pair of gears that names a file, or several.
-pub const FILE_KEYS: [&str; 11] = [
+pub const FILE_KEYS: [&str; 15] = [
     "surface.pinion.file",
     "surface.wheel.file",
     "surface.coast.pinion.file",
@@ -32,6 +32,10 @@ pub const FILE_KEYS: [&str; 11] = [
     "surface.wheel.traces",
     "surface.coast.pinion.traces",
     "surface.coast.wheel.traces",
+    "surface.pinion.like",
+    "surface.wheel.like",
+    "surface.coast.pinion.like",
+    "surface.coast.wheel.like",
     OIL_FILE,
     LOSS_TABLE,
     XU_COEFFICIENTS,
@@ -113,16 +117,18 @@ pub(crate) fn named(input: &CaseInput) -> Vec<Named> {
         let Some(flank) = flank else { continue };
         let file = flank.file.iter();
         named.extend(file.map(|name| Named::file(format!("{table}.file"), name)));
-        let key = format!("{table}.traces");
-        let listed = flank.traces.iter().flat_map(TraceList::entries);
-        named.extend(listed.map(|entry| match entry {
-            TraceEntry::Table(trace) => Named::file(key.clone(), &trace.file),
-            TraceEntry::Pattern(text) => Named {
-                key: key.clone().into(),
-                is_pattern: is_pattern(&text),
-                name: text.into(),
-            },
-        }));
+        for (name, list) in [("traces", &flank.traces), ("like", &flank.like)] {
+            let key = format!("{table}.{name}");
+            let listed = list.iter().flat_map(TraceList::entries);
+            named.extend(listed.map(|entry| match entry {
+                TraceEntry::Table(trace) => Named::file(key.clone(), &trace.file),
+                TraceEntry::Pattern(text) => Named {
+                    key: key.clone().into(),
+                    is_pattern: is_pattern(&text),
+                    name: text.into(),
+                },
+            }));
+        }
     }
     let oil = input.lubricant.oil_file.iter();
     named.extend(oil.map(|name| Named::file(OIL_FILE, name)));

@@ -394,6 +394,13 @@ table! {
     /// of their own. All pairs of teeth are computed, and the loss is their mean.
     #[serde(skip_serializing_if = "Option::is_none")]
     traces: Option<TraceList> => table;
+    /// Measured traces of one finish in place of `file`, as a list or pattern: as many flanks are generated like them as there are
+    /// traces, each of a tooth of its own, so that the loss has the scatter of flanks of the finish.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    like: Option<TraceList> => table;
+    /// Seed of the flanks that are generated like others; default 1. Pinion and wheel differ with equal seeds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    seed: Option<u32> = "" usual [0.0, 1e6] possible [0.0, 4.3e9];
     /// Read the trace from its other end (flanks face each other); not with `from` or `at`, which tell it.
     mirrored: Option<bool>;
     /// End of the flank at which the trace begins: `root` (default where the trace is placed) or `tip`.
@@ -491,6 +498,8 @@ impl FlankInput {
         Self {
             file: Some(file.to_owned()),
             traces: None,
+            like: None,
+            seed: None,
             finish: None,
             rq: None,
             ra: None,

@@ -1,9 +1,12 @@
 //! Several traces of a flank: the files that a list names, and their teeth.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use asperity_core::DomainError;
+use asperity_core::{DomainError, Profile};
+use asperity_flanks::generated_record::GeneratedRecord;
 use asperity_flanks::trace_sites::TraceSite;
+use asperity_profile_io::read::Reading;
 
 use crate::input::case_input::FlankInput;
 use crate::input::files::Reader;
@@ -22,6 +25,17 @@ pub(crate) struct Listed {
     pub has_own_place: bool,
     /// Its tooth, and its place across the face.
     pub site: TraceSite,
+    /// The trace, if it was generated.
+    pub generated: Option<Generated>,
+}
+
+/// A generated trace.
+#[derive(Debug, Clone)]
+pub(crate) struct Generated {
+    pub heights: Arc<Profile>,
+    /// What the first of the measured traces states of itself.
+    pub reading: Option<Arc<Reading>>,
+    pub record: GeneratedRecord,
 }
 
 impl Listed {
@@ -32,24 +46,25 @@ impl Listed {
             is_of_a_list: false,
             has_own_place: false,
             site: TraceSite::default(),
+            generated: None,
         }
     }
 }
 
-/// The traces that the list of a flank names, which is the key `traces` of its table.
+/// The traces that the list of a flank names, which is at `key` of its table.
 pub(crate) fn listed(
     flank: &FlankInput,
-    list: &TraceList,
+    (key, list): (&str, &TraceList),
     section: Section<'_>,
     files: &Reader<'_>,
 ) -> Result<Vec<Listed>, CaseError> {
-    let conflict = |rule| section.conflict("traces", rule);
+    let conflict = |rule| section.conflict(key, rule);
     let mut named: Vec<TraceInput> = Vec::new();
     for entry in list.entries() {
         match entry {
             TraceEntry::Table(table) => named.push(table),
             TraceEntry::Pattern(text) => {
-                let files = matching(&text, section, files)?.into_iter();
+                let files = matching(&text, (key, section), files)?.into_iter();
                 named.extend(files.map(|file| TraceInput {
                     file,
                     ..TraceInput::default()
@@ -71,7 +86,7 @@ pub(crate) fn listed(
             teeth.len() - 1
         });
         if let Some(y) = trace.y {
-            DomainError::non_negative("y", y).map_err(section.domain("traces"))?;
+            DomainError::non_negative("y", y).map_err(section.domain(key))?;
         }
         let is_again = |other: &Listed| {
             other.site.tooth != tooth
@@ -98,6 +113,7 @@ pub(crate) fn listed(
             input: FlankInput {
                 file: Some(trace.file),
                 traces: None,
+                like: None,
                 from: trace.from.or(flank.from),
                 at: trace.at.or(flank.at),
                 row: trace.row.or(flank.row),
@@ -111,6 +127,7 @@ pub(crate) fn listed(
                 number: trace.tooth,
                 y: trace.y,
             },
+            generated: None,
         });
     }
     Ok(traces)
@@ -146,14 +163,14 @@ pub(crate) fn rows(
 /// Files whose names match `text`, sorted.
 fn matching(
     text: &str,
-    section: Section<'_>,
+    (key, section): (&str, Section<'_>),
     reader: &Reader<'_>,
 ) -> Result<Vec<PathBuf>, CaseError> {
     if !is_pattern(text) {
         return Ok(vec![text.into()]);
     }
     let refused = |folder: Option<String>| {
-        CaseError::no_traces(section.place("traces"), section.key("traces"), text, folder)
+        CaseError::no_traces(section.place(key), section.key(key), text, folder)
     };
     let path = Path::new(text);
     let parent = path.parent().unwrap_or(Path::new(""));

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::path::Path;
+use std::sync::Arc;
 
 use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
@@ -16,7 +17,7 @@ use asperity_flanks::trace::{
 use asperity_flanks::trace_filters::{Filters, StatedFilters};
 use asperity_gear::Gear;
 use asperity_profile_io::Warning as ReadWarning;
-use asperity_profile_io::read::{ReadOptions, TraceLine, read_surface_bytes};
+use asperity_profile_io::read::{ReadOptions, Reading, TraceLine, read_surface_bytes};
 
 use super::flank_inputs::FlankInputs;
 use super::flank_sample::{self, Listed};
@@ -99,7 +100,7 @@ pub(crate) fn traces_of(
         let rule = "stands in place of file and of rq, ra and rz; give one of them";
         return Err(section.conflict("traces", rule));
     }
-    flank_sample::listed(input, list, section, context.files)
+    flank_sample::listed(input, ("traces", list), section, context.files)
 }
 
 /// Reads and prepares a trace, or takes the roughness values of a flank without one.
@@ -112,6 +113,10 @@ pub(crate) fn flank(
     let section = Section::of(context.source, keys.table);
     let input = &listed.input;
     let value = input.rq.or(input.ra).or(input.rz);
+    if let Some(generated) = &listed.generated {
+        let name = generated.record.to_string();
+        return trace(listed, (&name, &name), keys, context, warnings);
+    }
     match (&input.file, value) {
         (Some(_), Some(_)) if input.rq.is_some() => {
             Err(section.conflict("", "give either file or rq, not both"))
@@ -133,7 +138,13 @@ pub(crate) fn flank(
             if listed.has_own_place {
                 keys.at = keys.traces();
             }
-            trace(input, file, &keys, context, warnings)
+            // The name in the case, which errors repeat; warnings, which are listed on pages, shorten a full path.
+            let name = file.display().to_string();
+            let short = match file.file_name().filter(|_| file.is_absolute()) {
+                Some(last) => last.to_string_lossy().into_owned(),
+                None => name.clone(),
+            };
+            trace(listed, (&name, &short), &keys, context, warnings)
         }
     }
 }
@@ -191,33 +202,18 @@ fn values(input: &FlankInput, section: Section<'_>) -> Result<Known, CaseError> 
 }
 
 fn trace(
-    input: &FlankInput,
-    file: &Path,
+    listed: &Listed,
+    (name, short): (&str, &str),
     keys: &Keys,
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Known, CaseError> {
-    let inputs = context.inputs;
+    let (inputs, input) = (context.inputs, &listed.input);
     let gear = gear_of(keys.table);
-    // The name in the case, which errors repeat; warnings, which are listed on pages, shorten a full path.
-    let name = file.display().to_string();
-    let short = match file.file_name().filter(|_| file.is_absolute()) {
-        Some(last) => last.to_string_lossy().into_owned(),
-        None => name.clone(),
-    };
-    let (content, sum) = context
-        .files
-        .open(file, context.source, keys.file.clone())?;
-    let conditions = match &content {
-        Content::Bytes(_) => context.files.conditions(file),
-        Content::Heights(_) => None,
-    };
+    let source = Opened::of(listed, keys, context)?;
     let of_trace = TraceInputs {
-        name: &name,
-        content: match &content {
-            Content::Bytes(bytes) => TraceContent::Bytes(bytes, conditions.as_deref()),
-            Content::Heights(profile) => TraceContent::Heights(profile),
-        },
+        name,
+        content: source.content(),
         options: &read_options(input),
         is_line_stated: input.line.is_some(),
         outliers: inputs.surface.outliers,
@@ -227,21 +223,20 @@ fn trace(
             false => None,
             true => {
                 let shortest = inputs.shortest_form.clone();
-                shortest.map_err(|error| no_form(error, &name, keys, context))?
+                shortest.map_err(|error| no_form(error, name, keys, context))?
             }
         },
     };
     let prepared = prepared_trace(of_trace, (&inputs.gears, gear));
-    let prepared = prepared.map_err(|error| placed(error, (&name, &short), keys, context))?;
+    let prepared = prepared.map_err(|error| placed(error, (name, short), keys, context))?;
     let PreparedTrace {
         mut flank,
         filters,
         assumed_from,
         warnings: doubts,
     } = prepared;
-    if matches!(content, Content::Bytes(_)) {
-        flank.report.sha256 = Some(sum);
-    }
+    flank.report.sha256 = source.sum;
+    flank.report.generated = listed.generated.as_ref().map(|made| made.record.clone());
     // A wheel without a trace has the keys of the pinion.
     let table = keys
         .file
@@ -260,9 +255,54 @@ fn trace(
     for warning in &doubts {
         warn(warning.code(), warning, warning.remedy());
     }
-    warnings.extend(overridden(&filters, inputs.filters(), &short));
+    warnings.extend(overridden(&filters, inputs.filters(), short));
     warnings.extend(parted(&filters, gear));
-    Ok((flank, stated(&filters, assumed_from, &short, keys)))
+    Ok((flank, stated(&filters, assumed_from, short, keys)))
+}
+
+/// The heights of a trace, in a file or in memory.
+struct Opened {
+    content: Content,
+    conditions: Option<Arc<[u8]>>,
+    /// Sum of a file.
+    sum: Option<String>,
+    /// Statements of a measured trace, which these were generated like.
+    of_others: Option<Option<Arc<Reading>>>,
+}
+
+impl Opened {
+    fn of(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Self, CaseError> {
+        if let Some(generated) = &listed.generated {
+            return Ok(Self {
+                content: Content::Heights(generated.heights.clone()),
+                conditions: None,
+                sum: None,
+                of_others: Some(generated.reading.clone()),
+            });
+        }
+        let file = listed.input.file.as_deref().unwrap_or(Path::new(""));
+        let (content, sum) = context
+            .files
+            .open(file, context.source, keys.file.clone())?;
+        let is_file = matches!(content, Content::Bytes(_));
+        let conditions = || context.files.conditions(file);
+        Ok(Self {
+            conditions: is_file.then(conditions).flatten(),
+            sum: is_file.then_some(sum),
+            content,
+            of_others: None,
+        })
+    }
+
+    fn content(&self) -> TraceContent<'_> {
+        match (&self.content, &self.of_others) {
+            (Content::Bytes(bytes), _) => TraceContent::Bytes(bytes, self.conditions.as_deref()),
+            (Content::Heights(profile), Some(reading)) => {
+                TraceContent::Generated(profile, reading.as_deref())
+            }
+            (Content::Heights(profile), None) => TraceContent::Heights(profile),
+        }
+    }
 }
 
 /// Values of the filters that a file states, or that follow from the place of its trace.
@@ -332,7 +372,7 @@ fn parted(filters: &Filters, gear: Gear) -> Option<Warning> {
 }
 
 /// An error of the trace `name` at the key that is to blame.
-fn placed(
+pub(crate) fn placed(
     error: TraceError,
     (name, short): (&str, &str),
     keys: &Keys,
@@ -398,7 +438,7 @@ fn no_form(error: FormError, file: &str, keys: &Keys, context: Context<'_>) -> C
 }
 
 /// The gear of a table of the flanks.
-fn gear_of(key: &str) -> Gear {
+pub(crate) fn gear_of(key: &str) -> Gear {
     match key {
         "surface.wheel" | "surface.coast.wheel" => Gear::Wheel,
         _ => Gear::Pinion,
@@ -444,6 +484,8 @@ pub(crate) fn read_options(input: &FlankInput) -> ReadOptions {
         invert,
         file: _,
         traces: _,
+        like: _,
+        seed: _,
         mirrored: _,
         from: _,
         at: _,

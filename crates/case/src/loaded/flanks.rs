@@ -10,13 +10,14 @@ use asperity_gear::MeasuredForm;
 use super::flank_inputs::FlankInputs;
 use super::flank_sample::Listed;
 use super::flank_trace::{Context, Keys, flank, keys_of, traces_of};
+use super::generated::generated;
 use super::lay::{Lays, lays};
 use super::surrogates::surrogates_of;
 use crate::input::case_input::FlankInput;
 use crate::input::files::{FileSums, Files, Reader};
 use crate::source::case_error::CaseError;
 use crate::source::defaults::DefaultUsed;
-use crate::source::section::domain;
+use crate::source::section::{Section, domain};
 use crate::source::source_text::Source;
 use asperity_core::message::Warning;
 use asperity_flanks::meeting::{Meeting, Refined, longer_than_active, on_common_spacing};
@@ -141,6 +142,23 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     })
 }
 
+/// The traces that the keys of a flank name, or traces generated like them.
+fn named(
+    input: &FlankInput,
+    keys: &Keys,
+    context: Context<'_>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Vec<Listed>, CaseError> {
+    match &input.like {
+        Some(list) => generated(input, list, keys, context, warnings),
+        None if input.seed.is_some() => {
+            let section = Section::of(context.source, keys.table);
+            Err(section.conflict("seed", "needs like, the traces to generate others like"))
+        }
+        None => traces_of(input, keys, context),
+    }
+}
+
 /// The traces that the keys of both flanks name.
 struct NamedTraces {
     keys: [Keys; 2],
@@ -171,8 +189,8 @@ impl NamedTraces {
             });
         }
         let mut lists = [
-            traces_of(pinion_input, &keys[0], context)?,
-            traces_of(&wheel_input, &keys[1], context)?,
+            named(pinion_input, &keys[0], context, warnings)?,
+            named(&wheel_input, &keys[1], context, warnings)?,
         ];
         let named = [0, 1].map(|body: usize| teeth_of(&sites_of(&lists[body])));
         let teeth = paired(named);

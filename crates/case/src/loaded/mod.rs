@@ -5,6 +5,7 @@ pub mod flank_inputs;
 pub mod flank_sample;
 pub mod flank_trace;
 pub mod flanks;
+mod generated;
 pub mod lay;
 pub mod loaded_case;
 pub mod surrogates;

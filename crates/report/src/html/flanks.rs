@@ -71,7 +71,10 @@ fn profile(trace: &[TraceRow], result: &RunResult, index: usize, source: &str) -
     let of = |name: &str, value: fn(&TraceRow) -> f64| {
         Series::new(name, Line::Solid, &x, &column(trace, value))
     };
-    let title = format!("Trace of the {body}");
+    let (title, made) = match flank.generated {
+        Some(_) => (format!("Generated trace of the {body}"), "as generated"),
+        None => (format!("Trace of the {body}"), "as measured"),
+    };
     let chart = Chart::new(
         &format!("trace-{body}"),
         &title,
@@ -80,7 +83,7 @@ fn profile(trace: &[TraceRow], result: &RunResult, index: usize, source: &str) -
         Axis::new("height", "µm"),
     )
     .marked(&places(trace, result, flank, index))
-    .with(of("as measured", |row| row.measured_um))
+    .with(of(made, |row| row.measured_um))
     .with(of("form removed", |row| row.form_removed_um))
     // The filter drops the ends of the trace: no line there.
     .with(of("roughness, filtered", |row| {

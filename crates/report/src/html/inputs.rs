@@ -111,10 +111,19 @@ fn files(result: &RunResult) -> Markup {
             .collect(),
         None => result.flanks.iter().collect(),
     };
-    let flanks = records.into_iter().filter_map(|flank| {
+    let flanks = records.iter().filter_map(|flank| {
         let sum = flank.sha256.as_deref().unwrap_or("–");
         Some((flank.file.as_deref()?, sum))
     });
+    let mut measured: Vec<(&str, &str)> = Vec::new();
+    let like = records.iter().filter_map(|flank| flank.generated.as_ref());
+    for trace in like.flat_map(|generated| &generated.like) {
+        let row = (trace.file.as_str(), trace.sha256.as_str());
+        if !measured.contains(&row) {
+            measured.push(row);
+        }
+    }
+    let flanks = flanks.chain(measured);
     html! {
         h3 { "Provenance" }
         p { "Made by " (result.program) ", schema version " (result.schema_version) "." }

@@ -42,7 +42,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
         (warnings(&result.warnings))
         @if let Some(gearbox) = &result.gearbox { (super::gearbox::section(gearbox, result.uncertainty.is_some())) }
         @if let Some(pairs) = &result.pairs { @if let Some(sampling) = &pairs.sampling {
-            (super::pairs::section(pairs, sampling))
+            (super::pairs::section(pairs, sampling, &result.flanks))
         } }
         @if let Some(run_in) = &result.run_in { (as_measured_and_run_in(result, run_in)) }
         @if let Some(report) = &result.micropitting { (super::micropitting::section(report)) }

@@ -1,24 +1,29 @@
 //! Several traces of a flank: loss of every pair of teeth, and contributions to the error of their mean.
 
 use asperity::result::loss_band::{PairSampling, rounded};
-use asperity::result::{ToothTrace, TracePairs};
+use asperity::result::{FlankRecord, ToothTrace, TracePairs};
 use asperity::roughness::Parameters;
 use asperity_core::quantity::Length;
 use maud::{Markup, html};
 
-use crate::summary::two_digits;
+use crate::summary::{counted_of_wheel, two_digits};
 use crate::tables::BODIES;
 use crate::units::MICRO;
 use crate::{Cell, Column, Kind, Table, columns};
 
-pub(super) fn section(pairs: &TracePairs, sampling: &PairSampling) -> Markup {
+pub(super) fn section(
+    pairs: &TracePairs,
+    sampling: &PairSampling,
+    flanks: &[FlankRecord; 2],
+) -> Markup {
     let watts = |power: f64| rounded(power, sampling.half_width_w);
     let [pinion, wheel] = sampling.traces;
+    let of_wheel = counted_of_wheel(sampling, flanks);
     let [s1, s2] = sampling.between_w;
     html! {
-        h3 { "The traced teeth, pair by pair" }
+        h3 { "The " (flanks[0].teeth()) ", pair by pair" }
         p {
-            (pinion) " traced teeth of the pinion run on " (wheel) " of the wheel. The mean loss is " (watts(sampling.mean_w)) " W, its standard error "
+            (pinion) " " (flanks[0].teeth()) " of the pinion run on " (of_wheel) " of the wheel. The mean loss is " (watts(sampling.mean_w)) " W, its standard error "
             (two_digits(sampling.standard_error_w)) " W with " (format!("{:.1}", sampling.freedom)) " degrees of freedom" (sampling.bound()) "."
             " Between the teeth of the pinion the loss scatters by " (two_digits(s1)) " W (s₁), between those of the wheel by "
             (two_digits(s2)) " W (s₂), and from pair to pair by further " (two_digits(sampling.interaction_w)) " W (s₁₂)."

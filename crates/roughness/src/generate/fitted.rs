@@ -38,7 +38,7 @@ const INNER: usize = 512;
 /// Number of heights at each end of the distribution that are stored singly.
 const TAIL: usize = 64;
 /// Micrometres in a metre.
-const MICRO: f64 = 1e6;
+pub(super) const MICRO: f64 = 1e6;
 
 /// Recipe of a trace with the spectrum and the heights of measured ones.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -79,17 +79,8 @@ impl Fitted {
     /// # Ok::<(), asperity_roughness::RoughnessError>(())
     /// ```
     pub fn to(first: &Profile, others: &[Profile], seed: u64) -> Result<Self, RoughnessError> {
-        const SAME: f64 = 1e-5;
         let (mut spectra, mut roughness, mut waviness) = (Vec::new(), Vec::new(), Vec::new());
-        for trace in std::iter::once(first).chain(others) {
-            let [own, common] = [trace.spacing(), first.spacing()];
-            if (own / common - 1.0).abs() > SAME {
-                return Err(RoughnessError::SpacingDiffers {
-                    first: common,
-                    second: own,
-                });
-            }
-            let level = form::remove(trace, Form::Level)?;
+        for level in levelled(first, others)? {
             spectra.push(power_spectrum(&level)?);
             let line = mean_line(&level, LAMBDA_C, Ends::Reg1)?;
             roughness.extend(level.heights().iter().zip(&line).map(|(z, w)| z - w));
@@ -147,13 +138,18 @@ impl Fitted {
         let n = check_points(self.points)?;
         DomainError::positive("spacing", self.spacing)?;
         check_list("spectrum", &self.spectrum)?;
-        let times = (PARENT_POINTS / n).clamp(PARENT_LEAST, PARENT);
-        let parent = check_points(n.saturating_mul(times))?;
+        let parent = parent_of(n)?;
         let [roughness, waviness] = [
             heights("roughness", &self.roughness, parent)?,
             heights("waviness", &self.waviness, parent)?,
         ];
-        let start = self.gaussian(mean_square(&roughness) + mean_square(&waviness), parent)?;
+        let start = gaussian(
+            &self.spectrum,
+            (self.spacing, n),
+            mean_square(&roughness) + mean_square(&waviness),
+            parent,
+            &mut Random::new(self.seed),
+        )?;
         let length = self.spacing * parent as f64;
         let transmitted: Vec<f64> = (0..=parent / 2)
             .map(|k| match k {
@@ -171,35 +167,39 @@ impl Fitted {
             &[band(rest, &roughness), band(transmitted, &waviness)],
         ))
     }
+}
 
-    /// Gaussian profile of `n` points with the spectrum and this mean square height \[m²\].
-    fn gaussian(&self, square: f64, n: usize) -> Result<Vec<f64>, DomainError> {
-        let (_, plan) = real_transforms(n);
-        let mut lines = plan.make_input_vec();
-        let mut random = Random::new(self.seed);
-        let micrometres = self.spacing.si() * MICRO;
-        let step = 1.0 / (n as f64 * micrometres);
-        let longest = 1.0 / (self.points as f64 * micrometres);
-        let logarithms: Vec<[f64; 2]> = self
-            .spectrum
-            .iter()
-            .map(|[f, density]| [f.ln(), density.max(f64::MIN_POSITIVE).ln()])
-            .collect();
-        for (k, line) in lines.iter_mut().enumerate() {
-            let phase = TAU * random.uniform();
-            let f = k as f64 * step;
-            // Waves longer than the trace went with its straight line; the last line has no phase of its own.
-            if f >= longest && 2 * k < n {
-                let density = interpolate(&logarithms, f.ln()).exp();
-                *line = Complex::from_polar(density.sqrt(), phase);
-            }
+/// Gaussian heights at `n` points with a spectrum and this mean square height \[m²\], without waves longer than `points`.
+pub(super) fn gaussian(
+    spectrum: &[[f64; 2]],
+    (spacing, points): (Length, usize),
+    square: f64,
+    n: usize,
+    random: &mut Random,
+) -> Result<Vec<f64>, DomainError> {
+    let (_, plan) = real_transforms(n);
+    let mut lines = plan.make_input_vec();
+    let micrometres = spacing.si() * MICRO;
+    let step = 1.0 / (n as f64 * micrometres);
+    let longest = 1.0 / (points as f64 * micrometres);
+    let logarithms: Vec<[f64; 2]> = spectrum
+        .iter()
+        .map(|[f, density]| [f.ln(), density.max(f64::MIN_POSITIVE).ln()])
+        .collect();
+    for (k, line) in lines.iter_mut().enumerate() {
+        let phase = TAU * random.uniform();
+        let f = k as f64 * step;
+        // Waves longer than the trace went with its straight line; the last line has no phase of its own.
+        if f >= longest && 2 * k < n {
+            let density = interpolate(&logarithms, f.ln()).exp();
+            *line = Complex::from_polar(density.sqrt(), phase);
         }
-        let mut heights = plan.make_output_vec();
-        let done = plan.process(&mut lines, &mut heights);
-        debug_assert!(done.is_ok(), "buffers are made by the plan");
-        let rq = Length::from_si(square.sqrt());
-        Ok(scaled(self.spacing, heights, rq)?.into_heights())
     }
+    let mut heights = plan.make_output_vec();
+    let done = plan.process(&mut lines, &mut heights);
+    debug_assert!(done.is_ok(), "buffers are made by the plan");
+    let rq = Length::from_si(square.sqrt());
+    Ok(scaled(spacing, heights, rq)?.into_heights())
 }
 
 /// The `n` heights \[m\] of a distribution in ascending order.
@@ -213,8 +213,33 @@ pub(super) fn heights(
     Ok((0..n).map(|k| at(k) / MICRO).collect())
 }
 
+/// Points of the periodic profile of which `n` are cut out.
+pub(super) fn parent_of(n: usize) -> Result<usize, DomainError> {
+    let times = (PARENT_POINTS / n).clamp(PARENT_LEAST, PARENT);
+    check_points(n.saturating_mul(times))
+}
+
+/// Traces of equal spacings without their straight lines.
+pub(super) fn levelled(
+    first: &Profile,
+    others: &[Profile],
+) -> Result<Vec<Profile>, RoughnessError> {
+    const SAME: f64 = 1e-5;
+    let level = |trace: &Profile| {
+        let [own, common] = [trace.spacing(), first.spacing()];
+        match (own / common - 1.0).abs() > SAME {
+            true => Err(RoughnessError::SpacingDiffers {
+                first: common,
+                second: own,
+            }),
+            false => form::remove(trace, Form::Level),
+        }
+    };
+    std::iter::once(first).chain(others).map(level).collect()
+}
+
 /// Mean square about the mean.
-fn mean_square(heights: &[f64]) -> f64 {
+pub(super) fn mean_square(heights: &[f64]) -> f64 {
     let n = heights.len() as f64;
     let mean = heights.iter().sum::<f64>() / n;
     heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / n
@@ -238,7 +263,7 @@ fn check_list(name: &'static str, list: &[[f64; 2]]) -> Result<(), DomainError> 
 }
 
 /// Mean densities of the spectra over bands of the lines of the first one.
-fn bands(spectra: &[PowerSpectrum]) -> Vec<[f64; 2]> {
+pub(super) fn bands(spectra: &[PowerSpectrum]) -> Vec<[f64; 2]> {
     let Some(first) = spectra.first() else {
         return Vec::new();
     };

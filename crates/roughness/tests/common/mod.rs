@@ -5,6 +5,9 @@
     reason = "helpers of tests may unwrap as tests do"
 )]
 
+pub mod compared;
+pub mod finishes;
+
 use std::f64::consts::TAU;
 
 use asperity_core::Profile;

@@ -1,0 +1,122 @@
+//! `asperity profile generate --like` with traces: a trace of their finish.
+
+use std::path::{Path, PathBuf};
+
+use asperity_core::{Code, Profile};
+use asperity_profile_io::read::{FilterState, Metadata};
+use asperity_report::Report;
+use asperity_report::profile_json::um;
+use asperity_roughness::RoughnessError;
+use asperity_roughness::generate::{LONG_WAVES, Like, MadeLike, Method, Recipe, Surface};
+use serde_json::json;
+
+use super::evaluated::{Note, achieved, made_points, opened, save, synthetic, to_digits};
+use crate::args::{Common, ProfileGenerateArgs};
+use crate::failure::Failure;
+use crate::output::print_report;
+
+/// Writes a trace like those in `files`.
+pub(super) fn generate(
+    files: (&PathBuf, &[PathBuf]),
+    args: &ProfileGenerateArgs,
+    common: &Common,
+) -> Result<(), Failure> {
+    let (first, others) = files;
+    let mut warnings = Vec::new();
+    let mut read = |file: &Path| -> Result<Profile, Failure> {
+        let reading = opened(file, &args.reading, None)?;
+        let notes = reading.record.warnings.iter().map(Note::Read);
+        warnings.extend(notes.map(|note| (note.code(), note.to_string())));
+        Ok(reading.profile)
+    };
+    let trace = read(first)?;
+    let others = others.iter().map(|file| read(file));
+    let others: Vec<Profile> = others.collect::<Result<_, _>>()?;
+    let after = args.after.iter().map(|file| read(file));
+    let after: Vec<Profile> = after.collect::<Result<_, _>>()?;
+    let refused =
+        |error: RoughnessError| Failure::new(Code::E120, format!("{}: {error}", first.display()));
+    let like = match after.split_first() {
+        None => Like::to(&trace, &others, args.method).map_err(refused)?,
+        Some((_, more)) if more.len() != others.len() => {
+            let text = "--after: each --like needs its trace after the test, in the same order";
+            return Err(Failure::new(Code::E205, text));
+        }
+        Some((second, more)) => {
+            let pairs = others.iter().zip(more);
+            let pairs = pairs.map(|(before, after)| [before.clone(), after.clone()]);
+            let first = [trace.clone(), second.clone()];
+            Like::of_pairs(&first, &pairs.collect::<Vec<_>>(), args.state)?
+        }
+    };
+    let notes = like.warnings.iter().map(Note::Evaluated);
+    warnings.extend(notes.map(|note| (note.code(), note.to_string())));
+    let made = like.generate(args.seed).map_err(refused)?;
+    let mut source = source(&made, args.like.len());
+    if !args.after.is_empty() {
+        source += &format!(" in state {} from before to after a test", args.state);
+    }
+    let metadata = synthetic(args.seed);
+    let metadata = match made.method {
+        Method::Pieces => Metadata {
+            title: metadata.title.map(|title| format!("{title}, {source}")),
+            ..metadata
+        },
+        // As its recipe makes it.
+        Method::Spectrum => metadata,
+    };
+    let profile = to_digits(&made.generated.profile)?;
+    save(&args.output, &profile, &metadata, FilterState::Primary)?;
+    let output = args.output.display().to_string();
+    let a = made.generated.achieved;
+    let meaning = (made.method == Method::Pieces).then(|| {
+        format!(
+            "{source}: waves up to {LONG_WAVES:.1} and rare dales are those of the traces given; longer waves are random, with their spectrum"
+        )
+    });
+    let json = || {
+        let warnings = warnings
+            .iter()
+            .map(|(code, text)| json!({ "code": code, "text": text }));
+        let recipe = made.recipe.clone().map(Surface::Fitted).map(Recipe::of);
+        json!({
+            "recipe": recipe, "method": made.method, "pieces": pieces(&made, args, trace.spacing().si()),
+            "achieved": a, "output": output,
+            "warnings": warnings.collect::<Vec<_>>(),
+        })
+    };
+    let report = || {
+        Report::new(&made_points(&output, &made.generated), "")
+            .text([achieved(&a)])
+            .text(meaning.clone())
+            .warning(warnings.iter().map(|(code, text)| format!("{code} {text}")))
+    };
+    print_report(common, json, report, None)
+}
+
+/// The method of a generated trace, and the number of traces given.
+fn source(made: &MadeLike, traces: usize) -> String {
+    let traces = match traces {
+        1 => "one trace".to_owned(),
+        several => format!("{several} traces"),
+    };
+    match made.method {
+        Method::Pieces => format!("{} pieces of {traces}", made.pieces.len()),
+        Method::Spectrum => format!("spectrum and heights of {traces}"),
+    }
+}
+
+/// The pieces, with their files.
+fn pieces(made: &MadeLike, args: &ProfileGenerateArgs, spacing: f64) -> serde_json::Value {
+    let um = |points: usize| {
+        um(asperity_core::quantity::Length::from_si(
+            points as f64 * spacing,
+        ))
+    };
+    let piece = |piece: &asperity_roughness::generate::Piece| {
+        json!({
+            "file": args.like.get(piece.trace), "from_um": um(piece.first), "length_um": um(piece.points),
+        })
+    };
+    made.pieces.iter().map(piece).collect()
+}

@@ -1,0 +1,64 @@
+//! Record of a flank that was generated like measured traces.
+
+use asperity_roughness::generate::{Method, Piece};
+use serde::{Deserialize, Serialize};
+
+/// Generation of a flank.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct GeneratedRecord {
+    /// The measured traces.
+    pub like: Vec<MeasuredTrace>,
+    /// Pieces of them, or their spectrum and heights.
+    pub method: Method,
+    /// The pieces in order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pieces: Vec<Piece>,
+    /// Seed of all flanks.
+    pub seed: u32,
+    /// Number of the flank, from 1, and number of all.
+    pub number: [usize; 2],
+}
+
+/// A measured trace that others were generated like.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct MeasuredTrace {
+    /// Its file, as the case names it.
+    pub file: String,
+    /// SHA-256 of the file.
+    pub sha256: String,
+}
+
+impl GeneratedRecord {
+    /// The record of flank `number`, from 1, of all.
+    #[must_use]
+    pub fn new(
+        like: Vec<MeasuredTrace>,
+        (method, pieces): (Method, Vec<Piece>),
+        seed: u32,
+        number: [usize; 2],
+    ) -> Self {
+        Self {
+            like,
+            method,
+            pieces,
+            seed,
+            number,
+        }
+    }
+}
+
+impl std::fmt::Display for GeneratedRecord {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [number, all] = self.number;
+        let traces = match self.like.len() {
+            1 => "one trace".to_owned(),
+            several => format!("{several} traces"),
+        };
+        write!(
+            f,
+            "generated from {traces}, flank {number} of {all}, seed {}",
+            self.seed
+        )
+    }
+}

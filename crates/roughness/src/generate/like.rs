@@ -1,0 +1,267 @@
+//! Traces like measured ones: of pieces where heights, slopes or curvatures are not Gaussian, of spectrum and heights elsewhere.
+//!
+//! Source: Lobato and Velasco 2004, the scatter of skewness and kurtosis of correlated Gaussian numbers.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | Rsk, Rku | skewness and kurtosis of heights, slopes or curvatures, means over m traces | - |
+//! | ρ_k | autocorrelation at a distance of k points | - |
+//! | n | points of a trace | - |
+
+use asperity_core::numerics::range;
+use asperity_core::quantity::Length;
+use asperity_core::{DomainError, Fault, Profile, cite};
+use serde::{Deserialize, Serialize};
+
+use super::achieved::Generated;
+use super::fitted::{Fitted, levelled};
+use super::pieces::{Piece, Pieces};
+use crate::Warning;
+use crate::autocorrelation::autocorrelation;
+use crate::error::RoughnessError;
+
+/// Standard errors by which a Gaussian texture may miss skewness 0 and kurtosis 3.
+const ERRORS: f64 = 3.0;
+/// Distance of the heights whose differences are slopes and curvatures \[m\].
+const LAG: f64 = 2.5e-6;
+/// Part of a trace over which its autocorrelation is summed.
+const SUMMED: f64 = 0.25;
+/// Ratio of the greatest to the least Rq or root mean square slope from which traces count as several finishes.
+const DIFFERENT: f64 = 2.0;
+
+/// A way to make traces like measured ones.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Method {
+    /// Pieces of the traces.
+    Pieces,
+    /// Spectrum and heights of the traces, with random phases.
+    Spectrum,
+}
+
+/// Maker of traces like measured ones.
+#[derive(Debug, Clone)]
+pub struct Like {
+    maker: Maker,
+    /// State from before a test, 0, to after it, 1.
+    state: f64,
+    /// Doubts about the traces.
+    pub warnings: Vec<Warning>,
+}
+
+#[derive(Debug, Clone)]
+enum Maker {
+    Pieces(Pieces),
+    Spectrum(Fitted),
+}
+
+/// A trace like measured ones.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct MadeLike {
+    /// The trace.
+    #[serde(flatten)]
+    pub generated: Generated,
+    /// Its method.
+    pub method: Method,
+    /// Its pieces in order; none of a spectrum.
+    pub pieces: Vec<Piece>,
+    /// Its recipe, where it has one.
+    pub recipe: Option<Fitted>,
+}
+
+impl Like {
+    /// Prepares `first` and `others`, traces of one finish with equal spacings.
+    ///
+    /// Without a `method`, traces are made of pieces unless heights, slopes and curvatures are Gaussian.
+    ///
+    /// # Errors
+    /// When the spacings differ, or a trace is too short for the method.
+    ///
+    /// ```
+    /// use asperity_core::quantity::Length;
+    /// use asperity_roughness::generate::{Like, Method, SelfAffine, truncated};
+    /// let measured = SelfAffine {
+    ///     points: 6000, spacing: Length::from_si(0.5e-6), rq: Length::from_si(0.3e-6), hurst: 0.8,
+    ///     roll_off: Length::from_si(50e-6), short_cut: Length::from_si(5e-6), seed: 7,
+    /// }.generate()?;
+    /// assert_eq!(Like::to(&measured, &[], None)?.method(), Method::Spectrum);
+    /// let plateaus = truncated(&measured, 0.3)?.0;
+    /// assert_eq!(Like::to(&plateaus, &[], None)?.method(), Method::Pieces);
+    /// # Ok::<(), asperity_roughness::RoughnessError>(())
+    /// ```
+    pub fn to(
+        first: &Profile,
+        others: &[Profile],
+        method: Option<Method>,
+    ) -> Result<Self, RoughnessError> {
+        let traces = levelled(first, others)?;
+        let chosen = method.map_or_else(|| chosen(&traces), Ok)?;
+        let mut warnings = Vec::new();
+        if others.is_empty() && chosen == Method::Pieces {
+            let length = first.length();
+            warnings.push(Warning::OneTrace { length });
+        }
+        warnings.extend(different(&traces));
+        let maker = match chosen {
+            Method::Pieces => Maker::Pieces(Pieces::to(first, others)?),
+            Method::Spectrum => Maker::Spectrum(Fitted::to(first, others, 0)?),
+        };
+        Ok(Self {
+            maker,
+            state: 0.0,
+            warnings,
+        })
+    }
+
+    /// Prepares `first` and `others`, pairs of traces before and after a test, for flanks in a `state` from before it, 0, to after
+    /// it, 1. They are made of pieces.
+    ///
+    /// # Errors
+    /// As [`to`](Self::to), when a pair is not of one place, or the state is outside its domain.
+    ///
+    /// ```
+    /// use asperity_core::quantity::Length;
+    /// use asperity_roughness::generate::{Like, SelfAffine, truncated};
+    /// let before = SelfAffine {
+    ///     points: 4096, spacing: Length::from_si(0.5e-6), rq: Length::from_si(0.3e-6), hurst: 0.8,
+    ///     roll_off: Length::from_si(50e-6), short_cut: Length::from_si(5e-6), seed: 7,
+    /// }.generate()?;
+    /// let pair = [before.clone(), truncated(&before, 0.2)?.0];
+    /// let rq = |state| -> Result<f64, asperity_core::Fault> {
+    ///     Ok(Like::of_pairs(&pair, &[], state)?.generate(1)?.generated.achieved.rq.si())
+    /// };
+    /// assert!(rq(0.0)? > rq(0.5)? && rq(0.5)? > rq(1.0)?);
+    /// # Ok::<(), asperity_core::Fault>(())
+    /// ```
+    pub fn of_pairs(
+        first: &[Profile; 2],
+        others: &[[Profile; 2]],
+        state: f64,
+    ) -> Result<Self, Fault> {
+        let rule = "must be from 0 to 1";
+        DomainError::require((0.0..=1.0).contains(&state), "state", state, "-", rule)?;
+        let before: Vec<Profile> = others.iter().map(|pair| pair[0].clone()).collect();
+        let traces = levelled(&first[0], &before)?;
+        let one = others.is_empty().then(|| Warning::OneTrace {
+            length: first[0].length(),
+        });
+        Ok(Self {
+            maker: Maker::Pieces(Pieces::of_pairs(first, others)?),
+            state,
+            warnings: one.into_iter().chain(different(&traces)).collect(),
+        })
+    }
+
+    /// The method of its traces.
+    #[must_use]
+    pub fn method(&self) -> Method {
+        match self.maker {
+            Maker::Pieces(_) => Method::Pieces,
+            Maker::Spectrum(_) => Method::Spectrum,
+        }
+    }
+
+    /// A trace with as many points as the first of the measured ones.
+    ///
+    /// # Errors
+    /// When it would have too many points.
+    pub fn generate(&self, seed: u64) -> Result<MadeLike, RoughnessError> {
+        let method = self.method();
+        Ok(match &self.maker {
+            Maker::Pieces(pieces) => {
+                let made = pieces.generate(pieces.points(), seed, self.state)?;
+                MadeLike {
+                    generated: made.generated,
+                    method,
+                    pieces: made.pieces,
+                    recipe: None,
+                }
+            }
+            Maker::Spectrum(fitted) => {
+                let recipe = Fitted {
+                    seed,
+                    ..fitted.clone()
+                };
+                MadeLike {
+                    generated: recipe.generate()?,
+                    method,
+                    pieces: Vec::new(),
+                    recipe: Some(recipe),
+                }
+            }
+        })
+    }
+}
+
+/// Pieces, unless skewness and kurtosis of heights, slopes and curvatures are within three standard errors of 0 and 3.
+///
+/// Slopes and curvatures are differences over 2.5 µm, which noise and digits do not decide.
+///
+/// ```text
+/// |Rsk| ≤ 3 √(6/(m n) Σ (1 − |k|/n) ρ_k³),  |Rku − 3| ≤ 3 √(24/(m n) Σ (1 − |k|/n) ρ_k⁴)      [Like-1]
+/// ```
+fn chosen(traces: &[Profile]) -> Result<Method, RoughnessError> {
+    cite!("Like-1");
+    let mut is_all = true;
+    for order in 0..3 {
+        let of = |trace: &Profile| {
+            let lag = (LAG / trace.spacing().si()).round().max(1.0) as usize;
+            (0..order).fold(trace.heights().to_vec(), |z, _| {
+                let pairs = z.iter().zip(z.iter().skip(lag));
+                pairs.map(|(a, b)| b - a).collect()
+            })
+        };
+        is_all &= is_gaussian(&traces.iter().map(of).collect::<Vec<_>>())?;
+    }
+    Ok(match is_all {
+        true => Method::Spectrum,
+        false => Method::Pieces,
+    })
+}
+
+fn is_gaussian(traces: &[Vec<f64>]) -> Result<bool, RoughnessError> {
+    // Sums over the traces of skewness, of kurtosis less 3, and of their variances.
+    let mut sums = [[0.0; 2]; 2];
+    for z in traces {
+        let n = z.len() as f64;
+        let mean = z.iter().sum::<f64>() / n;
+        let moment = |power| z.iter().map(|z| (z - mean).powi(power)).sum::<f64>() / n;
+        let square = moment(2);
+        let departures = [
+            moment(3) / square.powf(1.5),
+            moment(4) / square.powi(2) - 3.0,
+        ];
+        let correlation = autocorrelation(z)?;
+        let correlation = &correlation[1..((SUMMED * n) as usize).max(1)];
+        for (k, [departure, variance]) in sums.iter_mut().enumerate() {
+            let power = k as i32 + 3;
+            let both =
+                |(i, rho): (usize, &f64)| 2.0 * (1.0 - (i as f64 + 1.0) / n) * rho.powi(power);
+            let others: f64 = correlation.iter().enumerate().map(both).sum();
+            *departure += departures[k];
+            // Of independent points at least: a wave has correlations of both signs.
+            *variance += [6.0, 24.0][k] / n * (1.0 + others.max(0.0));
+        }
+    }
+    Ok(sums
+        .iter()
+        .all(|[departure, variance]| departure.abs() <= ERRORS * variance.sqrt()))
+}
+
+/// The warning that traces differ as several finishes do.
+fn different(traces: &[Profile]) -> Option<Warning> {
+    let measures = traces.iter().map(super::Achieved::of);
+    let measures: Vec<_> = measures.collect();
+    let of = |values: Vec<f64>| {
+        let [low, high] = range(values);
+        (high > DIFFERENT * low).then_some([low, high])
+    };
+    let rq = of(measures.iter().map(|a| a.rq.si()).collect()).map(|ends| ends.map(Length::from_si));
+    let rdq = || of(measures.iter().filter_map(|a| a.rdq).collect());
+    match (rq, rdq()) {
+        (Some([from, to]), _) => Some(Warning::HeightsDiffer { from, to }),
+        (None, Some([from, to])) => Some(Warning::SlopesDiffer { from, to }),
+        (None, None) => None,
+    }
+}
