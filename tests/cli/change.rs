@@ -1,6 +1,6 @@
 //! `asperity profile change`: traces before and after a test, and pairs that are refused.
 
-use crate::bench::Bench;
+use crate::bench::{Bench, E_DRIVE};
 
 #[test]
 fn a_worn_trace_is_placed_and_its_loss_is_the_height_that_was_cut() {
@@ -54,6 +54,7 @@ fn a_trace_on_itself_lost_nothing() {
 fn pairs_that_cannot_be_compared_are_refused() {
     let bench = Bench::new();
     bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
     let refused = |more: &[&str], code: &str, says: &str| {
         let line = [
             "profile",
@@ -82,8 +83,106 @@ fn pairs_that_cannot_be_compared_are_refused() {
         "--set and --mesh change a case",
     );
     refused(
+        &["--engagements", "1e6"],
+        "E205",
+        "engagements: load, sliding and loss follow",
+    );
+    refused(
+        &["--flank", "wheel"],
+        "E205",
+        "flank: load, sliding and loss follow",
+    );
+    refused(
+        &["--case", "case.toml", "--engagements", "-3"],
+        "E209",
+        "engagements = -3: must be above 0",
+    );
+    refused(
+        &["--leave-out"],
+        "E143",
+        "no pair of traces is of one place",
+    );
+    refused(
         &["--max-stretch", "20 %"],
         "E209",
         "--max-stretch = 0.2: must be from 0 to 0.05",
+    );
+}
+
+#[test]
+fn with_a_case_the_loss_of_height_has_a_wear_coefficient_and_a_paired_difference() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    let expected = bench.write_worn("pinion.csv", "worn.csv");
+    bench.write("case.toml", E_DRIVE);
+    let traces = [
+        "profile",
+        "change",
+        "pinion.csv",
+        "worn.csv",
+        "pinion.csv",
+        "wheel.csv",
+    ];
+    let case = [
+        "--leave-out",
+        "--case",
+        "case.toml",
+        "--set",
+        "model.offsets=4",
+        "--engagements",
+        "1e6",
+        "--no-output",
+    ];
+    let line = [&traces[..], &case].concat();
+    let said = bench.run(&line).well();
+    let text = said.unwrapped();
+    assert!(
+        text.contains("W455 pinion.csv, wheel.csv is left out: not the same place"),
+        "{text}"
+    );
+    assert!(
+        text.contains("The pinion changed: at an unknown place of it a point slides "),
+        "{text}"
+    );
+    assert!(
+        text.contains("m in 1.000e6 engagements. Archard's wear coefficient k is "),
+        "{text}"
+    );
+    assert!(
+        text.contains("after loses ")
+            && text.contains("Run in by model.run_in, the flanks before have "),
+        "{text}"
+    );
+    let json = bench.run(&[&line[..], &["--json"]].concat()).json();
+    let (flank, difference) = (
+        &json["in_case"]["flanks"][0],
+        &json["in_case"]["difference"],
+    );
+    let number = |of: &serde_json::Value| of.as_f64().unwrap();
+    // Archard: the height over engagements, mean pressure and sliding distance, within the interval of an unknown place.
+    let k = number(&flank["k_mm3_per_n_m"]);
+    let low = number(&flank["k_quantiles_mm3_per_n_m"][0]);
+    assert!(low < k && low > 0.0, "{flank}");
+    let pressure = 1e-9 * expected / (1e6 * 1e-6 * number(&flank["sliding_um"]) * 1e-9 * k);
+    assert!((0.2e9..2e9).contains(&pressure), "{pressure}");
+    // Both runs share what they have in common.
+    let rho = |name: &str| {
+        let rows = difference["common"].as_array().unwrap();
+        number(&rows.iter().find(|row| row["name"] == name).unwrap()["correlation"])
+    };
+    assert!(
+        (0.5..1.0).contains(&rho("error of the fast model")),
+        "{difference}"
+    );
+    assert!(
+        rho("sampling of the flanks") > 0.2 && rho("boundary friction") == 1.0,
+        "{difference}"
+    );
+    // A trace on itself: no loss, no difference.
+    let same = ["profile", "change", "pinion.csv", "pinion.csv"];
+    let text = bench.run(&[&same[..], &case].concat()).well().unwrapped();
+    assert!(
+        text.contains("k is at most ") && text.contains("after loses exactly as much as before"),
+        "{text}"
     );
 }

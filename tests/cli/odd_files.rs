@@ -165,6 +165,12 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
         "curves.csv --oil m100 --rubbing 2~h -o @",
     ),
     ("profile change", "before", Read, "@ pinion.csv -o new"),
+    (
+        "profile change",
+        "case",
+        Read,
+        "pinion.csv pinion.csv --case @ -o new",
+    ),
     ("profile change", "after", Read, "pinion.csv @ -o new"),
     (
         "profile change",

@@ -240,6 +240,25 @@ fn curves_of_an_oil_give_its_constants_back() {
     let named = "[lubricant]\noil_file = \"found/oil.toml\"\n";
     bench.write("case.toml", E_DRIVE.replacen("[lubricant]\n", named, 1));
     bench.run(&["check", "case.toml"]).well();
+    // The oil of the curves against another oil: no constant of the curves belongs to the other one.
+    let other = [
+        "compare",
+        "case.toml",
+        "--variant",
+        "pao: lubricant.oil=pao100",
+    ];
+    let json = bench
+        .run(&[&other[..], &["--no-output", "--json"]].concat())
+        .json();
+    let difference = &json["finishes"][1]["difference"];
+    let rows = difference["common"].as_array().unwrap().iter();
+    let own =
+        rows.filter(|row| row["name"] == "limiting shear stress" || row["name"] == "Eyring stress");
+    let own: Vec<_> = own.map(|row| row["correlation"].as_f64()).collect();
+    assert!(
+        !own.is_empty() && own.iter().all(|rho| *rho == Some(0.0)),
+        "{difference}"
+    );
 }
 
 #[test]

@@ -69,6 +69,9 @@ pub struct GivenTracePairs {
     /// Further pairs, each a trace before and a trace after
     #[arg(value_name = "BEFORE AFTER")]
     pub more: Vec<PathBuf>,
+    /// Case of the gears, whose loss before and after the test is then compared
+    #[arg(long, value_name = "CASE.toml")]
+    pub case: Option<PathBuf>,
     /// Base radius of the gear, for files against roll length, e.g. "50 mm"
     #[arg(long, value_name = "R_B", allow_hyphen_values = true)]
     pub base_radius: Option<Length>,

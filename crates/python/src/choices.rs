@@ -20,6 +20,7 @@ use asperity::tribo_friction::friction_law::FrictionLaw;
 use asperity_calibration::oil::Probe;
 use asperity_calibration::oil::problem::Zero;
 use asperity_studies::callout::RoughnessParameter;
+use asperity_studies::change::WornFlank;
 use asperity_studies::export::Format;
 use asperity_studies::map::MapBand;
 use pyo3::prelude::*;
@@ -171,6 +172,7 @@ pub fn choices() -> Vec<Listed> {
         listed::<Probe>("TemperatureColumn"),
         listed::<CalibratedName>("CalibratedParameter"),
         listed::<RoughnessParameter>("RoughnessParameter"),
+        listed::<WornFlank>("WornFlank"),
         listed::<Surface>("SurfaceKind"),
         listed::<Amplitudes>("Amplitudes"),
         listed::<LengthUnit>("LengthUnit"),

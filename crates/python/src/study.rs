@@ -69,7 +69,8 @@ type NamedTraces<'py> = Vec<(String, PyRef<'py, Trace>)>;
 
 impl Given for TracePairs {
     fn read(given: &Bound<'_, PyTuple>) -> PyResult<Self> {
-        let (before, after): (NamedTraces<'_>, NamedTraces<'_>) = given.extract()?;
+        type Arguments<'py> = (NamedTraces<'py>, NamedTraces<'py>, Option<PyRef<'py, Case>>);
+        let (before, after, case): Arguments<'_> = given.extract()?;
         if before.len() != after.len() || before.is_empty() {
             let [before, after] = [before.len(), after.len()];
             let text =
@@ -85,7 +86,11 @@ impl Given for TracePairs {
                 [before.profile.clone(), after.profile.clone()],
             )
         };
-        Ok(Self(before.into_iter().zip(after).map(pair).collect()))
+        let given = Self::new(before.into_iter().zip(after).map(pair).collect());
+        Ok(match case {
+            Some(case) => given.on(case.only()?.clone()),
+            None => given,
+        })
     }
 }
 

@@ -67,8 +67,8 @@ STUDIES = {
         lambda at: asperity.calibrate("design/simulated.csv", at / "rig.toml", hold=["limiting_shear"]),
     ),
     "profile_change": (
-        [PROFILES / "ground_pinion.csv", "worn.csv"],
-        lambda _: asperity.profile_change(PROFILES / "ground_pinion.csv", "worn.csv"),
+        [PROFILES / "ground_pinion.csv", "worn.csv", "--case", E_DRIVE, *KEYS, "--engagements", "1e6"],
+        lambda _: asperity.profile_change(PROFILES / "ground_pinion.csv", "worn.csv", few(), engagements=1e6),
     ),
     "oil_traction": (["m100", "--load", "20 N"], lambda at: asperity.oil_traction("m100", load="20 N")),
     "oil_plan": (["--oil", "m100", "--simulate", "1"], lambda at: asperity.oil_plan("m100", simulate=1)),

@@ -8,7 +8,7 @@ use asperity_studies::change::{TracePair, TracePairs};
 
 use super::evaluated::{Note, opened};
 use crate::args::{Given, GivenTracePairs, NoLimits, SetArgs, Subject};
-use crate::commands::result_name;
+use crate::commands::{load_case, result_name};
 use crate::failure::Failure;
 
 impl Given for TracePairs {
@@ -17,8 +17,8 @@ impl Given for TracePairs {
     const NAMED_BY: &'static str = "<name of the first trace after>";
 
     fn read(args: &GivenTracePairs, set: &SetArgs) -> Result<Subject<Self>, Failure> {
-        if !set.keys.is_empty() || set.mesh.is_some() {
-            let text = "--set and --mesh change a case, and a change of traces has none";
+        if args.case.is_none() && (!set.keys.is_empty() || set.mesh.is_some()) {
+            let text = "--set and --mesh change a case, and none is named with --case";
             return Err(Failure::new(Code::E205, text));
         }
         let files: Vec<&PathBuf> = [&args.before, &args.after]
@@ -36,8 +36,13 @@ impl Given for TracePairs {
         let pairs = pairs
             .iter()
             .map(|files| pair(files.map(PathBuf::as_path), args));
+        let given = Self::new(pairs.collect::<Result<_, Failure>>()?);
+        let case = args.case.as_ref().map(|case| load_case(case, set, None));
         Ok(Subject {
-            input: Self(pairs.collect::<Result<Vec<TracePair>, Failure>>()?),
+            input: match case.transpose()? {
+                Some(case) => given.on(case),
+                None => given,
+            },
             name: result_name(&args.after),
             file: None,
         })

@@ -9,8 +9,8 @@
 //! | lay | surfaces that show it; an assumed one to all flanks | 0 |
 //! | error of the temperature | its stated deviation | 0 |
 //! | tip relief that is not stated | teeth | 0 |
-//! | sampling of the flanks | traces on the same teeth | 0 |
-//! | error of the model | traces | 0; 1 − 0.02²/s² of the same traces under other conditions |
+//! | sampling of the flanks | traces on the same teeth | 0; of one place before and after a test as their windows lose alike |
+//! | error of the model | traces | 0; 1 − 0.02²/s² of the same traces under other conditions; of one place before and after a test as their heights correlate |
 //! | inner spots, rolling loss, other rules of the model | the model | - |
 
 use asperity_case::case::LoadedCase;
@@ -60,6 +60,7 @@ pub fn common_draws(
         let common = Common {
             flanks: number(&same_traces, |common| common.flanks),
             windows: number(&on_teeth, |common| common.windows),
+            sampling: 1.0,
             constants: AXES.map(|kind| most(&|known| correlation(kind, *known, *own))),
             model: match is_any(&same_traces) {
                 true => most(&|known| of_model(*known, *own)),
@@ -128,7 +129,10 @@ pub fn common_constants(
             both(&|of| of.sampling.standard_error > 0.0),
             "sampling of the flanks",
             "the traces on their teeth",
-            one(theirs.windows == own.windows),
+            match theirs.windows == own.windows {
+                true => least(&|of| of.sampling),
+                false => 0.0,
+            },
         ),
         (
             both(&|of| of.inner_boundary.is_some() || of.recorded.is_some()),
@@ -242,7 +246,7 @@ mod tests {
     use asperity_core::numerics::standard_normal_quantile;
     use asperity_uncertainty::{Draw, latin_hypercube};
 
-    use super::super::{PairedDifference, Uncertainty, difference};
+    use super::super::{Likeness, PairedDifference, Uncertainty, difference, difference_of_places};
     use super::*;
     use crate::Run;
     use crate::pipeline::KeptFields;
@@ -291,16 +295,15 @@ mod tests {
     const OWN: f64 = 0.0;
 
     /// Share of truths of a difference within its interval. `oil` is the shared variance of the constants of two oils, `layer` of the
-    /// boundary layer; the windows are the same or not, and so are the traces.
+    /// boundary layer, `windows` of the sampling and `traces` of the error of the model.
     fn coverage(
         [first, other]: [&Drawn; 2],
-        [oil, layer]: [f64; 2],
-        (same_windows, same_traces): (bool, bool),
+        interval: asperity_core::Estimate,
+        [oil, layer, windows, traces]: [f64; 4],
     ) -> f64 {
         use UncertainParameter as P;
         const TRUTHS: usize = 400;
         const AXES_OF_ONE: usize = 40;
-        let interval = other.against(first).watts;
         let [laws, errors] = [[first, other], [first, other]];
         let errors = errors.map(|of| of.predictive.model_error());
         let laws = laws.map(|of| of.predictive.law());
@@ -321,13 +324,13 @@ mod tests {
                     };
                 }
                 (draw.inner_boundary, draw.rolling, draw.power) = (u[30], z(31), z(32));
-                draw.of_flanks.sampling = if same_windows { z(33) } else { z(34 + side) };
-                // What belongs to the traces, and what to the condition.
-                let condition = OF_CONDITION / errors[side];
-                draw.of_flanks.model = match same_traces {
-                    true => (1.0 - condition * condition).sqrt() * z(36) + condition * z(37 + side),
-                    false => z(37 + side),
+                let of_flanks = |share: f64, k: usize| {
+                    share.sqrt() * z(k) + (1.0 - share).sqrt() * z(k + 1 + side)
                 };
+                // The error on the same traces has a part of the condition.
+                let condition = OF_CONDITION / errors[side];
+                draw.of_flanks.sampling = of_flanks(windows, 33);
+                draw.of_flanks.model = of_flanks(traces.min(1.0 - condition * condition), 36);
                 draw
             };
             let [a, b] = [0, 1].map(|side| laws[side].loss(&draw(side)));
@@ -351,19 +354,48 @@ mod tests {
         });
         let gears = with(&[("gears.teeth", "[30, 89]"), ("gears.module", "1.4 mm")]);
         let finish = Drawn::of("../../fixtures/cases/e-drive-superfinished.toml", &|_| {});
-        for (name, other, constants, flanks) in [
-            ("another temperature", &warm, [SAME, SAME], (true, true)),
-            ("an oil of the family", &viscous, [HALF, OWN], (true, true)),
+        let beside = |other: &Drawn| other.against(&as_is).watts;
+        let worn = Likeness {
+            heights: 0.9,
+            windows: 0.8,
+        };
+        let [before, after] =
+            [&as_is, &finish].map(|of| (&of.loaded, &of.predictive, &of.uncertainty));
+        let worn = difference_of_places(before, after, worn).watts;
+        for (name, other, interval, shares) in [
+            (
+                "another temperature",
+                &warm,
+                beside(&warm),
+                [SAME, SAME, SAME, SAME],
+            ),
+            (
+                "an oil of the family",
+                &viscous,
+                beside(&viscous),
+                [HALF, OWN, SAME, SAME],
+            ),
             (
                 "an oil of another family",
                 &mineral,
-                [OWN, OWN],
-                (true, true),
+                beside(&mineral),
+                [OWN, OWN, SAME, SAME],
             ),
-            ("other gears", &gears, [SAME, SAME], (false, true)),
-            ("another finish", &finish, [SAME, SAME], (false, false)),
+            (
+                "other gears",
+                &gears,
+                beside(&gears),
+                [SAME, SAME, OWN, SAME],
+            ),
+            (
+                "another finish",
+                &finish,
+                beside(&finish),
+                [SAME, SAME, OWN, OWN],
+            ),
+            ("flanks after a test", &finish, worn, [SAME, SAME, 0.8, 0.9]),
         ] {
-            let share = coverage([&as_is, other], constants, flanks);
+            let share = coverage([&as_is, other], interval, shares);
             println!("{name}: {share}");
             assert!((0.85..=0.95).contains(&share), "{name}: {share}");
         }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::result::{AlternativeRow, Uncertainty};
 use asperity_case::case::LoadedCase;
 use asperity_core::{Estimate, EstimateKeys, estimate_keys};
-use asperity_uncertainty::{Common, Predictive, Watts, median_with_ends};
+use asperity_uncertainty::{Common, Predictive, UncertainParameter, Watts, median_with_ends};
 
 use super::common_draws::{CommonConstant, DrawnCase, common_constants, common_draws};
 
@@ -149,14 +149,50 @@ pub type MeshResult<'a> = (&'a LoadedCase, &'a Predictive, &'a Uncertainty);
 /// The loss of the mesh `other` minus the loss of the mesh `first`, with the draws that both have in common.
 #[must_use]
 pub fn difference(first: MeshResult<'_>, other: MeshResult<'_>) -> PairedDifference {
-    let mesh = |(loaded, predictive, uncertainty)| DrawnMesh {
+    let [first, other] = beside(vec![single(first)], vec![single(other)]);
+    difference_of_meshes(&first, &other)
+}
+
+fn single<'a>((loaded, predictive, uncertainty): MeshResult<'a>) -> DrawnMesh<'a> {
+    DrawnMesh {
         loaded,
         predictive,
         uncertainty,
         count: 1,
         common: 0.into(),
-    };
-    let [first, other] = beside(vec![mesh(first)], vec![mesh(other)]);
+    }
+}
+
+/// How far traces of one place before and after a test are alike.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Likeness {
+    /// Correlation of the heights, which the error of the model has.
+    pub heights: f64,
+    /// Correlation of the losses of the windows, which the sampling has: the standard error of the difference is then the one of the
+    /// differences of the windows.
+    pub windows: f64,
+}
+
+/// The loss of a mesh minus the loss of the mesh `first`, whose traces are of the same places, at the same windows.
+#[must_use]
+pub fn difference_of_places(
+    first: MeshResult<'_>,
+    other: MeshResult<'_>,
+    alike: Likeness,
+) -> PairedDifference {
+    let [mut first, mut other] = beside(vec![single(first)], vec![single(other)]);
+    // Equal traces have the draws of the first set throughout.
+    let both = first.iter_mut().chain(&mut other);
+    for mesh in both.filter(|mesh| mesh.common.flanks != 0) {
+        mesh.common.constants[UncertainParameter::Lay as usize] = 1.0;
+        mesh.common = Common {
+            flanks: 0,
+            windows: 0,
+            sampling: alike.windows.max(0.0),
+            model: alike.heights.max(0.0),
+            ..mesh.common
+        };
+    }
     difference_of_meshes(&first, &other)
 }
 

@@ -59,8 +59,8 @@ pub use change::{ChangeDraws, few_offsets_of, sampling_interval};
 pub use common_draws::{CommonConstant, DrawnCase, common_draws};
 pub use deciding::{DecidingMeasurement, deciding};
 pub use difference::{
-    DrawnMesh, PairedDifference, Verdict, beside, difference, difference_of_meshes,
-    losses_of_meshes,
+    DrawnMesh, Likeness, PairedDifference, Verdict, beside, difference, difference_of_meshes,
+    difference_of_places, losses_of_meshes,
 };
 pub use evaluations::has_band;
 pub use recorded::predictive;

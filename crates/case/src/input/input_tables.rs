@@ -7,7 +7,7 @@ use asperity_core::quantity::{
     Angle, AngularSpeed, Area, Density, Length, Mass, Pressure, Ratio, SpecificHeat, Temperature,
     ThermalConductivity, Torque,
 };
-use asperity_gear::{AmountDirection, Plane};
+use asperity_gear::{AmountDirection, Gear, Plane};
 use asperity_profile_io::read::{
     Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, TraceRange,
     Uneven,
@@ -21,7 +21,7 @@ use super::flank_place::{FlankPlaceInput, TraceStart};
 use super::gear_input::{EndReliefInput, GearFlankInput};
 use super::one_or_two::OneOrTwo;
 use super::rows::{OPEN, ratio, table};
-use super::trace_list::TraceList;
+use super::trace_list::{TraceEntry, TraceInput, TraceList};
 
 /// Whether no key of a table is stated.
 pub(crate) fn is_unstated<T: Default + PartialEq>(table: &T) -> bool {
@@ -512,6 +512,34 @@ impl FlankInput {
     }
 }
 
+impl FlankInput {
+    /// The keys of a flank of traces in memory, which no reader has to read.
+    fn on_traces(&self, mut traces: Vec<TraceInput>) -> Self {
+        let is_placed = traces.iter().all(|trace| trace.at.is_some());
+        let of_flank = Self {
+            mirrored: self.mirrored.filter(|_| !is_placed),
+            from: self.from.filter(|_| !is_placed),
+            ..Self::default()
+        };
+        match (traces.pop(), traces.is_empty()) {
+            (Some(only), true) => Self {
+                file: Some(only.file),
+                from: only.from.or(of_flank.from),
+                at: only.at,
+                ..of_flank
+            },
+            (last, _) => {
+                traces.extend(last);
+                let entries = traces.into_iter().map(TraceEntry::Table);
+                Self {
+                    traces: Some(TraceList::List(entries.collect())),
+                    ..of_flank
+                }
+            }
+        }
+    }
+}
+
 impl SurfaceInput {
     /// Replaces the traces by those of another finish; a single trace is used for both flanks, mirrored for the wheel.
     pub fn put_traces(&mut self, pinion: &Path, wheel: Option<&Path>) {
@@ -519,5 +547,21 @@ impl SurfaceInput {
         let of_wheel = of_wheel.unwrap_or_else(|| self.pinion.for_wheel());
         self.pinion = self.pinion.on_file(pinion);
         self.wheel = wheel.map(|file| of_wheel.on_file(file));
+    }
+
+    /// Replaces the flank of `gear` on the side that carries `torque` by `traces` in memory, with their places; the other flank keeps
+    /// its trace. A trace without a place has the direction of the flank.
+    pub fn put_measured(&mut self, gear: Gear, torque: Torque, traces: Vec<TraceInput>) {
+        let side = self.loaded_side(torque);
+        let (pinion, wheel) = match (&mut self.coast, side) {
+            (Some(coast), Side::Coast) => (&mut coast.pinion, &mut coast.wheel),
+            _ => (&mut self.pinion, &mut self.wheel),
+        };
+        let of_wheel = wheel.get_or_insert_with(|| pinion.for_wheel());
+        let flank = match gear {
+            Gear::Pinion => pinion,
+            Gear::Wheel => of_wheel,
+        };
+        *flank = flank.on_traces(traces);
     }
 }

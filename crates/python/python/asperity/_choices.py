@@ -88,6 +88,11 @@ RoughnessParameter = Literal[
 ]
 
 
+WornFlank = Literal[
+    "pinion", "wheel",
+]
+
+
 SurfaceKind = Literal[
     "self-affine", "non-gaussian", "plateau-honed", "ground", "fitted",
 ]

@@ -12,7 +12,7 @@ from typing import Any, Optional, Union
 from ._calibration import Calibration, Design, Evidence
 from ._callout import CallOut
 from ._case import CaseLike, as_case
-from ._choices import Band, CalibratedParameter, ExportFormat, RoughnessParameter, TemperatureColumn, Zero
+from ._choices import Band, CalibratedParameter, ExportFormat, RoughnessParameter, TemperatureColumn, WornFlank, Zero
 from ._columns import Columns, table_of
 from ._compare import Comparison, Trace, Variant, cases_of
 from ._errors import Code
@@ -319,9 +319,13 @@ def callout(
 def profile_change(
     before: Union[Trace, Sequence[Trace]],
     after: Union[Trace, Sequence[Trace]],
+    case: Optional[CaseLike] = None,
     *,
     max_shift: Quantity = "0.5 mm",
     max_stretch: Union[float, str] = "0.3 %",
+    engagements: Optional[float] = None,
+    flank: Optional[WornFlank] = None,
+    leave_out: bool = False,
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
 ) -> ProfileChange:
@@ -360,8 +364,12 @@ def profile_change(
     settings = {
         "max_shift": written(max_shift, "Length", "max_shift"),
         "max_stretch": max_stretch,
+        "engagements": engagements,
+        "flank": flank,
+        "leave_out": leave_out,
     }
-    return ran(ProfileChange, "profile_change", (raw_traces(before), raw_traces(after)), settings, threads, progress)
+    given = (raw_traces(before), raw_traces(after), None if case is None else as_case(case)._raw)
+    return ran(ProfileChange, "profile_change", given, settings, threads, progress)
 
 
 def evidence(

@@ -11,7 +11,7 @@ use crate::generate::Random;
 use super::fit::Fit;
 use super::noise::Noise;
 use super::search::search;
-use super::traces::{Trace, noise_cutoff};
+use super::traces::{Trace, height_at, noise_cutoff};
 
 /// Least correlation of the dales.
 const LEAST_CORRELATION: f64 = 0.7;
@@ -21,6 +21,8 @@ const CLEARLY: f64 = 0.7;
 const RISEN: f64 = 1.0;
 /// Waves longer than this are compared to see where the trace is higher: material moves by about a grain \[m\].
 const MOVED: f64 = 20e-6;
+/// Height below which traces on each other differ by the rounding of their match \[m\].
+const LEAST_CHANGE: f64 = 1e-11;
 /// Sets of made noise that show the gain of noise.
 pub(super) const SETS: usize = 40;
 
@@ -94,6 +96,42 @@ pub struct Relocation {
     pub(super) differences: Noise,
 }
 
+impl Relocation {
+    /// Both traces as they were measured, at the points of the first over the overlap, the second in the frame of the first. They are
+    /// the traces that [`relocate`] had.
+    ///
+    /// # Errors
+    /// When no point of the first trace lies in the overlap.
+    pub fn as_measured(
+        &self,
+        before: &Profile,
+        after: &Profile,
+    ) -> Result<[Profile; 2], DomainError> {
+        let [dx, spacing] = [before, after].map(|trace| trace.spacing().si());
+        let half = 0.5 * after.length().si();
+        let start = self.start.si();
+        let first = (start / dx).ceil() as usize;
+        let last = ((start + self.before.length().si()) / dx).floor() as usize;
+        let points = first..(last + 1).min(before.len());
+        let on_first = |i: usize| {
+            let from_middle =
+                (i as f64 * dx - half - self.shift.value.si()) / (1.0 + self.stretch.value);
+            let z = height_at(after.heights(), (from_middle + half) / spacing);
+            z + self.height.value.si() + self.tilt.value * from_middle
+        };
+        let after: Vec<f64> = points.clone().map(on_first).collect();
+        let before = before.heights().get(points).unwrap_or_default().to_vec();
+        let mut pairs = before.iter().zip(&after);
+        let after = match pairs.all(|(a, b)| (a - b).abs() < LEAST_CHANGE) {
+            true => before.clone(),
+            false => after,
+        };
+        let both = [before, after].map(|heights| Profile::new(Length::from_si(dx), heights));
+        let [before, after] = both;
+        Ok([before?, after?])
+    }
+}
+
 /// Relocates the trace `after` on the trace `before`.
 ///
 /// # Errors
@@ -112,6 +150,9 @@ pub struct Relocation {
 /// let found = relocate(&before, &after, Bounds::default())?;
 /// assert!((found.shift.value.si() - 100e-6).abs() < 0.1e-6);
 /// assert!(found.removed.low.si() > 0.0);
+/// let [first, second] = found.as_measured(&before, &after)?;
+/// let higher = first.heights().iter().zip(second.heights()).map(|(a, b)| (b - a).max(0.0));
+/// assert!(higher.fold(0.0, f64::max) < 2e-9);
 /// # Ok::<(), asperity_core::Fault>(())
 /// ```
 pub fn relocate(before: &Profile, after: &Profile, bounds: Bounds) -> Result<Relocation, Fault> {

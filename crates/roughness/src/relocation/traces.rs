@@ -18,6 +18,24 @@ pub(super) fn noise_cutoff(before: &Profile, after: &Profile) -> Length {
     Length::from_si(usual.max(CUTOFF_SPACINGS * coarser))
 }
 
+/// Weights of four points in the cubic through them, `u` spacings behind the second.
+fn cubic(u: f64) -> [f64; 4] {
+    [
+        -u * (u - 1.0) * (u - 2.0) / 6.0,
+        (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0,
+        -(u + 1.0) * u * (u - 2.0) / 2.0,
+        (u + 1.0) * u * (u - 1.0) / 6.0,
+    ]
+}
+
+/// Height of `heights` at `place` in spacings, by the cubic through four points; at the ends of the trace by its first or last four.
+pub(super) fn height_at(heights: &[f64], place: f64) -> f64 {
+    let first = (place.floor() - 1.0).clamp(0.0, heights.len() as f64 - 4.0);
+    let weights = cubic(place - first - 1.0);
+    let four = heights.iter().skip(first as usize).zip(weights);
+    four.map(|(z, weight)| weight * z).sum()
+}
+
 /// A trace without noise.
 pub(super) struct Trace {
     /// Distance of the points \[m\].
@@ -58,13 +76,7 @@ impl Trace {
         let z = self.heights.get(first..first + 4)?;
         let rough = self.rough.get(first..first + 4)?;
         let u = place - whole;
-        // The cubic through four points, and its slope.
-        let value = [
-            -u * (u - 1.0) * (u - 2.0) / 6.0,
-            (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0,
-            -(u + 1.0) * u * (u - 2.0) / 2.0,
-            (u + 1.0) * u * (u - 1.0) / 6.0,
-        ];
+        let value = cubic(u);
         let slope = [
             -(3.0 * u * u - 6.0 * u + 2.0) / 6.0,
             (3.0 * u * u - 4.0 * u - 1.0) / 2.0,

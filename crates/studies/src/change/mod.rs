@@ -11,14 +11,18 @@
 //! }.generate()?;
 //! let after = truncated(&before, 0.1)?.0;
 //! let pair = TracePair::new(["before.csv", "after.csv"], [before, after]);
-//! let found = ChangeSettings::usual()?.run(TracePairs(vec![pair]), &Watch::SILENT)?;
+//! let found = ChangeSettings::usual()?.run(TracePairs::new(vec![pair]), &Watch::SILENT)?;
 //! assert!(found.mean.removed_nm.low > 5.0);
 //! # Ok::<(), asperity::message::Fault>(())
 //! ```
 
+mod in_case;
+mod pairs;
 mod report;
 mod study;
+mod wear;
+mod worth;
 
-pub use study::{
-    ChangeSettings, CurveRow, Heights, PairRow, ParameterRow, TraceChange, TracePair, TracePairs,
-};
+pub use in_case::{ChangeInCase, FlankChange, StateLoss, WornFlank};
+pub use pairs::{TracePair, TracePairs};
+pub use study::{ChangeSettings, CurveRow, Heights, PairRow, ParameterRow, TraceChange};

@@ -6,6 +6,7 @@ use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Cell, Report, StudyResult, StudySettings as _, Table, columns, thin};
 
 use super::study::{ChangeSettings, Heights, PairRow, ParameterRow, PointRow, TraceChange};
+use super::worth;
 
 const PAIRS: &str = "pairs.csv";
 const PARAMETERS: &str = "parameters.csv";
@@ -24,14 +25,21 @@ impl StudyResult for TraceChange {
     const NAME: &'static str = "change";
 
     fn report(&self) -> Report<'_> {
-        let mut report = Report::new(&self.title, "change of traces")
+        let report = Report::new(&self.title, "change of traces")
             .section("What changed")
             .verdict(verdict(&self.mean))
             .verdict(scatter(self))
             .verdict(moved(&self.mean))
             .verdict([parameters_line(self)])
+            .verdict(self.in_case.iter().flat_map(worth::lines))
             .figures(|| charts(self))
             .warning(&self.warnings)
+            .warning(self.in_case.iter().flat_map(|of| &of.warnings));
+        let report = match &self.in_case {
+            Some(of) => worth::sections(report, of),
+            None => report,
+        };
+        let mut report = report
             .section("Roughness parameters")
             .table(parameters(self))
             .section("Material ratio curve")

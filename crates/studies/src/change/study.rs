@@ -3,68 +3,23 @@
 use asperity::message::Warning;
 use asperity_core::numerics::{deviation, mean};
 use asperity_core::quantity::{Length, Ratio};
-use asperity_core::{Estimate, EstimateKeys, Fault, Profile, estimate_keys};
-use asperity_report::{Input, Setting, StudySettings, Watch, Work, settings};
+use asperity_core::{Code, DomainError, Estimate, EstimateKeys, Fault, estimate_keys};
+use asperity_report::{Input as _, StudySettings, Watch, Work, settings};
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 use asperity_roughness::preparation::LAMBDA_C;
 use asperity_roughness::relocation::{Bounds, Change, Relocation, relocate};
 use serde::Serialize;
 
+use super::in_case::{ChangeInCase, Matched, WornFlank, in_case};
+use super::pairs::{TracePair, TracePairs};
+
 /// Material ratios of the table \[%\].
 const RATIOS: [f64; 9] = [1.0, 5.0, 10.0, 25.0, 50.0, 75.0, 90.0, 95.0, 99.0];
+/// Steps of the progress that a case adds.
+const RUNS: usize = 2;
 /// Micrometres and nanometres in a metre.
 const MICRO: f64 = 1e6;
 const NANO: f64 = 1e9;
-
-/// Traces of one place before and after a test.
-#[derive(Debug, Clone)]
-pub struct TracePair {
-    /// Names of both.
-    pub names: [String; 2],
-    /// Both traces.
-    pub traces: [Profile; 2],
-    /// Warnings of their readers.
-    pub warnings: Vec<Warning>,
-}
-
-impl TracePair {
-    /// A pair of traces with their names, read without a warning.
-    pub fn new(names: [&str; 2], traces: [Profile; 2]) -> Self {
-        Self {
-            names: names.map(str::to_owned),
-            traces,
-            warnings: Vec::new(),
-        }
-    }
-}
-
-/// Pairs of traces, each of one place.
-#[derive(Debug, Clone)]
-pub struct TracePairs(pub Vec<TracePair>);
-
-impl Input for TracePairs {
-    fn described() -> Vec<Setting> {
-        let traces = |name, about| Setting::new(name, "Vec<Trace>", about, None);
-        vec![
-            traces("before", "One or several traces before the test"),
-            traces("after", "The traces of the same places after it"),
-        ]
-    }
-
-    fn title(&self) -> String {
-        match &self.0[..] {
-            [pair] => format!("{} after {}", pair.names[1], pair.names[0]),
-            [first, rest @ ..] => format!(
-                "{} after {}, and {} more pair{}",
-                first.names[1],
-                first.names[0],
-                rest.len(),
-                if rest.len() == 1 { "" } else { "s" }
-            ),
-            [] => String::new(),
-        }
-    }
-}
 
 settings! {
     /// Settings of a change of traces.
@@ -73,6 +28,12 @@ settings! {
         max_shift: Length = "0.5 mm",
         /// Largest stretch of the second trace, to either side
         max_stretch: Ratio = "0.3 %",
+        /// Engagements of a tooth of the pinion in the test, for Archard's wear coefficient
+        [value_name = "N"] engagements: Option<f64>,
+        /// Flank that changed, pinion or wheel, where the case does not have the traces before the test
+        flank: Option<WornFlank>,
+        /// Leave out pairs that are not of one place, and name them
+        leave_out: bool,
     }
 }
 
@@ -195,7 +156,10 @@ pub struct TraceChange {
     pub parameters: Vec<ParameterRow>,
     /// Material ratio curve.
     pub material_ratio: Vec<CurveRow>,
-    /// Warnings of the readers.
+    /// Worth of the change in the case.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub in_case: Option<ChangeInCase>,
+    /// Warnings of the readers, and pairs that are left out.
     pub warnings: Vec<Warning>,
     /// Points of each pair.
     #[serde(skip)]
@@ -209,13 +173,25 @@ impl StudySettings for ChangeSettings {
     const FUNCTION: &'static str = "profile_change";
     const FOLDER: &'static str = "change";
     const ABOUT: &'static str = "Height that a test removed from traces of the same places, and the change of their parameters";
-    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] =
-        &[&[("before", "before.csv"), ("after", "after.csv")]];
+    const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[
+        &[("before", "before.csv"), ("after", "after.csv")],
+        &[
+            ("before", "before.csv"),
+            ("after", "after.csv"),
+            ("case", "demo/case.toml"),
+            ("engagements", "1e6"),
+            ("flank", "pinion"),
+        ],
+    ];
     const METHOD: &'static str = "The second trace is placed on the first by the dales, which wear spares: shift, stretch, height and tilt. \
         Heights are relative to the dales, so that a loss of dales and peaks alike does not show. Intervals are from 5 to 95 %. They \
         contain the noise of the match and the choice of the dales. Where parts of the trace rose, other dales may have risen as well: the \
         height gained is then also a standard deviation of the height removed. Parameters follow ISO 4287 with sections of 0.25 mm over the \
-        common length. A noise floor is the change that noise makes in one of twenty comparisons.";
+        common length. A noise floor is the change that noise makes in one of twenty comparisons. With a case, its flanks have the traces over \
+        the common length before and after the test. Both runs share all draws but those of what differs: the sampling as the losses of \
+        the windows correlate, the error of the model as the heights do. A trace whose place on the flank is not stated lies at any \
+        place of it, and the interval of the wear coefficient contains this. model.run_in presses the flanks before into each other and \
+        removes nothing by wear.";
     const STEPS: &'static str = "pairs";
 
     fn work(&self, _: &TracePairs) -> Result<Option<Work>, Fault> {
@@ -228,22 +204,42 @@ impl StudySettings for ChangeSettings {
             stretch: self.max_stretch.value(),
         };
         bounds.check()?;
+        self.check_case(given.case.is_some())?;
         let title = given.title();
-        let count = given.0.len();
-        let (mut pairs, mut points, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut parameters, mut levels) = (Vec::new(), Vec::new());
-        for (k, pair) in given.0.into_iter().enumerate() {
+        let runs = if given.case.is_some() { RUNS } else { 0 };
+        let count = given.pairs.len();
+        let (mut matched, mut warnings) = (Vec::<Matched>::new(), Vec::new());
+        for (k, mut pair) in given.pairs.into_iter().enumerate() {
+            warnings.append(&mut pair.warnings);
             let [before, after] = &pair.traces;
-            let about = |fault: Fault| fault.about(format!("{}, {}", pair.names[0], pair.names[1]));
-            let found = relocate(before, after, bounds).map_err(about)?;
-            let of_trace = |error| about(Fault::from(error));
+            match relocate(before, after, bounds) {
+                Ok(found) => matched.push((pair, found)),
+                Err(fault) if self.leave_out && fault.code() == Code::E143 => {
+                    let text = format!("{} is left out: {}", both(&pair), fault.message());
+                    warnings.push(Warning::new(Code::W455, text));
+                }
+                Err(fault) => return Err(fault.about(both(&pair))),
+            }
+            (watch.progress)(k + 1, count + runs);
+        }
+        if matched.is_empty() {
+            let message = "no pair of traces is of one place";
+            return Err(Fault::new(Code::E143, message));
+        }
+        let (mut pairs, mut points) = (Vec::new(), Vec::new());
+        let (mut parameters, mut levels) = (Vec::new(), Vec::new());
+        for (pair, found) in &matched {
+            let of_trace = |error| Fault::from(error).about(both(pair));
             parameters.push(found.parameters().map_err(of_trace)?.to_vec());
             levels.push(found.material_ratio(&RATIOS).map_err(of_trace)?);
-            points.push(along(&found).map_err(of_trace)?);
-            pairs.push(row(&pair.names, &found));
-            warnings.extend(pair.warnings);
-            (watch.progress)(k + 1, count);
+            points.push(along(found).map_err(of_trace)?);
+            pairs.push(row(&pair.names, found));
         }
+        let in_case = given.case.map(|case| {
+            let step = |k: usize| (watch.progress)(count + k, count + runs);
+            in_case(&case, (self.flank, self.engagements), &matched, &step)
+        });
+        let in_case = in_case.transpose()?;
         let of = |value: fn(&Heights) -> Estimate| {
             mean_of(
                 &pairs
@@ -265,9 +261,41 @@ impl StudySettings for ChangeSettings {
             parameters: means(&parameters).map(ParameterRow::of).collect(),
             material_ratio: means(&levels).map(CurveRow::of).collect(),
             pairs,
+            in_case,
             warnings,
             points,
         })
+    }
+}
+
+/// Names of both traces of a pair.
+fn both(pair: &TracePair) -> String {
+    pair.names.join(", ")
+}
+
+impl ChangeSettings {
+    /// Refuses engagements that cannot be, and settings that need a case.
+    fn check_case(&self, has_case: bool) -> Result<(), Fault> {
+        let needs = [
+            ("engagements", self.engagements.is_some()),
+            ("flank", self.flank.is_some()),
+        ];
+        if let Some((name, _)) = needs
+            .into_iter()
+            .find(|(_, is_stated)| *is_stated && !has_case)
+        {
+            let message = format!(
+                "{name}: load, sliding and loss follow from the gears of a case, and none is given"
+            );
+            let help = "Name the case of the gears, or leave the setting out.";
+            return Err(Fault::new(Code::E205, message).helping(help));
+        }
+        if let Some(engagements) = self.engagements {
+            let rule = "must be above 0";
+            let is_possible = engagements > 0.0 && engagements.is_finite();
+            DomainError::require(is_possible, "engagements", engagements, "-", rule)?;
+        }
+        Ok(())
     }
 }
 

@@ -1,0 +1,554 @@
+//! Worth of the change of traces in a case: wear coefficient, loss before and after, and the prediction of `model.run_in`.
+
+use std::path::PathBuf;
+
+use asperity::Error;
+use asperity::Run;
+use asperity::case::{FlankPlaceInput, LoadedCase, TraceInput, TraceStart};
+use asperity::flanks::Surfaces;
+use asperity::flanks::surfaces::FlankReport;
+use asperity::gear::Gear;
+use asperity::mesh::Mesh;
+use asperity::message::Warning;
+use asperity::pipeline::KeptFields;
+use asperity::result::Outcome;
+use asperity::uncertainty::{Likeness, PairedDifference, Predictive, difference_of_places};
+use asperity_core::numerics::mean;
+use asperity_core::quantity::Length;
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, Profile, estimate_keys};
+use asperity_roughness::material_ratio::rk_parameters;
+use asperity_roughness::relocation::Relocation;
+use asperity_roughness::section_heights::section_heights;
+use schemars::JsonSchema;
+use serde::de::IntoDeserializer;
+use serde::{Deserialize, Serialize};
+
+use super::pairs::TracePair;
+use super::wear::{AtPlace, Coefficient, Severity, coefficient};
+
+/// Cubic millimetres per newton metre in 1/Pa.
+const MM3_PER_N_M: f64 = 1e9;
+const MICRO: f64 = 1e6;
+
+/// Flank that a test changed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum WornFlank {
+    /// Flank of the pinion.
+    Pinion,
+    /// Flank of the wheel.
+    Wheel,
+}
+
+impl std::str::FromStr for WornFlank {
+    type Err = serde::de::value::Error;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        Self::deserialize(name.into_deserializer())
+    }
+}
+
+impl WornFlank {
+    const BOTH: [Self; 2] = [Self::Pinion, Self::Wheel];
+
+    pub(super) const fn gear(self) -> Gear {
+        match self {
+            Self::Pinion => Gear::Pinion,
+            Self::Wheel => Gear::Wheel,
+        }
+    }
+
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Pinion => "pinion",
+            Self::Wheel => "wheel",
+        }
+    }
+}
+
+estimate_keys! {
+    SlidingKeys: "sliding_um" "sliding_quantiles_um";
+    WearKeys: "k_mm3_per_n_m" "k_quantiles_mm3_per_n_m";
+    RemovedKeys: "removed_nm" "removed_quantiles_nm";
+    LossKeys: "loss_median_w" "loss_quantiles_w";
+}
+
+/// A flank of the case, changed by the test.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct FlankChange {
+    /// The flank.
+    pub flank: WornFlank,
+    /// Pairs of traces on it.
+    pub pairs: usize,
+    /// Whether the case states the place of every trace.
+    pub is_placed: bool,
+    /// Mean height removed, the scatter from pair to pair not in its interval.
+    #[serde(flatten, with = "RemovedKeys")]
+    pub removed_nm: Estimate,
+    /// Sliding distance of a point in an engagement, as mean over the traces, with the places at which they may lie.
+    #[serde(flatten, with = "SlidingKeys")]
+    pub sliding_um: Estimate,
+    /// Engagements of a tooth of this gear; `None` if the engagements are not stated.
+    pub engagements: Option<f64>,
+    /// Sliding distance of a point in all engagements.
+    pub sliding_m: Option<f64>,
+    /// Archard's wear coefficient; `None` if it is not asked for, or noise explains the removal.
+    #[serde(flatten, serialize_with = "WearKeys::serialize")]
+    pub k_mm3_per_n_m: Option<Estimate>,
+    /// Its largest value where noise explains the removal.
+    pub k_at_most_mm3_per_n_m: Option<f64>,
+    /// The coefficient times the indentation hardness: without a dimension.
+    pub k_times_hardness: Option<f64>,
+    /// Rq as prepared for the case, before the test.
+    pub before_rq_um: f64,
+    /// Rq after it.
+    pub after_rq_um: f64,
+    /// Rq of the flank before that `model.run_in` predicts.
+    pub run_in_rq_um: Option<f64>,
+    /// Rpk before the test.
+    pub before_rpk_um: f64,
+    /// Rpk after it.
+    pub after_rpk_um: f64,
+    /// Rpk that `model.run_in` predicts.
+    pub run_in_rpk_um: Option<f64>,
+}
+
+/// Loss of the mesh with the flanks of one state.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct StateLoss {
+    /// State.
+    pub flanks: &'static str,
+    /// With every constant at its median.
+    pub loss_w: f64,
+    /// Median with 5 and 95 % quantiles; `None` if the model has no uncertainty.
+    #[serde(flatten, serialize_with = "LossKeys::serialize")]
+    pub drawn_w: Option<Estimate>,
+}
+
+/// Worth of the change in a case.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct ChangeInCase {
+    /// Title of the case.
+    pub case: String,
+    /// Operating point.
+    pub conditions: String,
+    /// Flanks that changed.
+    pub flanks: Vec<FlankChange>,
+    /// Losses before and after the test, and as `model.run_in` predicts it.
+    pub losses: Vec<StateLoss>,
+    /// Loss after minus loss before, draw by draw; `None` if the model has no uncertainty.
+    pub difference: Option<PairedDifference>,
+    /// Reason why there is no prediction of `model.run_in`.
+    pub no_run_in: Option<String>,
+    /// Warnings of the case.
+    pub warnings: Vec<Warning>,
+}
+
+impl ChangeInCase {
+    /// The loss of flanks of this state.
+    pub(super) fn loss(&self, flanks: &str) -> Option<&StateLoss> {
+        self.losses.iter().find(|loss| loss.flanks == flanks)
+    }
+}
+
+/// Names of the states.
+pub(super) const BEFORE: &str = "before";
+pub(super) const AFTER: &str = "after";
+pub(super) const RUN_IN: &str = "run in by the model";
+
+/// A pair of traces with its match.
+pub(super) type Matched = (TracePair, Relocation);
+
+/// A pair of traces on its flank.
+struct OnFlank<'a> {
+    flank: WornFlank,
+    pair: &'a TracePair,
+    found: &'a Relocation,
+    /// Arc of the first point of the trace before \[m\], and its growth along the trace; `None` where the place is not known.
+    place: Option<[f64; 2]>,
+}
+
+/// The worth of the changes of all pairs in `case`; `stated` is the flank of pairs that the case does not show, `engagements` are
+/// of a tooth of the pinion.
+pub(super) fn in_case(
+    case: &LoadedCase,
+    (stated, engagements): (Option<WornFlank>, Option<f64>),
+    matched: &[Matched],
+    step: &dyn Fn(usize),
+) -> Result<ChangeInCase, Fault> {
+    let placed = matched
+        .iter()
+        .map(|(pair, found)| on_flank(case, (pair, found), stated));
+    let mut pairs = placed.collect::<Result<Vec<_>, Fault>>()?;
+    for flank in WornFlank::BOTH {
+        let of_flank = |pair: &&mut OnFlank<'_>| pair.flank == flank;
+        if pairs
+            .iter()
+            .any(|pair| pair.flank == flank && pair.place.is_none())
+        {
+            pairs
+                .iter_mut()
+                .filter(of_flank)
+                .for_each(|pair| pair.place = None);
+        }
+    }
+    let measured = pairs.iter().map(|on| {
+        let [before, after] = &on.pair.traces;
+        Ok(on.found.as_measured(before, after)?)
+    });
+    let measured = measured.collect::<Result<Vec<[Profile; 2]>, Fault>>()?;
+    let state = |after: usize| with_traces(case, &pairs, &measured, after);
+    let (before, after) = (state(0)?, state(1)?);
+    let (first, first_draws) = drawn(&before)?;
+    step(1);
+    let offsets = first.result.summary.offsets;
+    let after = after.with(|input| input.model.offsets = Some(offsets))?;
+    let (second, second_draws) = drawn(&after)?;
+    step(2);
+    let (run_in, no_run_in) = run_in(&before);
+    let uncertainties = [&first, &second].map(|of| of.result.uncertainty.as_ref());
+    let difference = match (first_draws, second_draws, uncertainties) {
+        (Some(own), Some(other), [Some(of_first), Some(of_second)]) => Some(difference_of_places(
+            (&before, &own, of_first),
+            (&after, &other, of_second),
+            likeness([&before, &after], [&first, &second]),
+        )),
+        _ => None,
+    };
+    let mesh = Mesh::of(&before.case)?;
+    let flanks = WornFlank::BOTH.into_iter().map(|flank| {
+        let states = ([&before, &after], run_in.as_ref());
+        flank_change(&mesh, (flank, engagements), &pairs, states)
+    });
+    let flanks = flanks
+        .filter_map(Result::transpose)
+        .collect::<Result<_, _>>()?;
+    let mut losses = vec![of_state(BEFORE, &first), of_state(AFTER, &second)];
+    losses.extend(run_in.as_ref().and_then(|run| {
+        let found = run.result.run_in.as_ref()?;
+        Some(StateLoss {
+            flanks: RUN_IN,
+            loss_w: found.summary.loss_w,
+            drawn_w: None,
+        })
+    }));
+    Ok(ChangeInCase {
+        case: case.case.title.clone(),
+        conditions: case.case.conditions(),
+        flanks,
+        losses,
+        difference,
+        no_run_in,
+        warnings: warnings([&first, &second]),
+    })
+}
+
+/// Warnings of both runs, each code once.
+fn warnings(runs: [&Outcome; 2]) -> Vec<Warning> {
+    let mut found: Vec<Warning> = Vec::new();
+    for warning in runs.into_iter().flat_map(|run| &run.result.warnings) {
+        if found.iter().all(|known| known.code != warning.code) {
+            found.push(warning.clone());
+        }
+    }
+    found
+}
+
+fn drawn(case: &LoadedCase) -> Result<(Outcome, Option<Predictive>), Error> {
+    Run::new(case).fields(&KeptFields::Highest).draw()
+}
+
+/// The flanks before run in by the model, or why they cannot be.
+fn run_in(before: &LoadedCase) -> (Option<Outcome>, Option<String>) {
+    let predicted = before
+        .with_key("model.run_in", "true")
+        .and_then(|case| Run::new(&case).without_pictures().execute());
+    match predicted {
+        Ok(outcome) => (Some(outcome), None),
+        Err(error) => (None, Some(error.to_string())),
+    }
+}
+
+fn of_state(flanks: &'static str, outcome: &Outcome) -> StateLoss {
+    let uncertainty = outcome.result.uncertainty.as_ref();
+    StateLoss {
+        flanks,
+        loss_w: outcome.result.summary.loss_w,
+        drawn_w: uncertainty.map(|found| found.loss.drawn()),
+    }
+}
+
+/// Reports on the traces of a flank.
+fn reports(case: &LoadedCase, flank: WornFlank) -> Vec<&FlankReport> {
+    let body = flank as usize;
+    match &case.sampled {
+        Some(sampled) => sampled.traces[body].iter().map(|of| &of.report).collect(),
+        None => vec![&case.flanks[body]],
+    }
+}
+
+/// Whether this is the trace of a flank, of which spikes may have been replaced.
+fn is_trace_of(report: &FlankReport, trace: &Profile) -> bool {
+    report.trace.as_ref().is_some_and(|own| {
+        let both = own.heights().iter().zip(trace.heights());
+        let equal = both.filter(|(a, b)| a == b).count();
+        own.len() == trace.len() && own.spacing() == trace.spacing() && 2 * equal > own.len()
+    })
+}
+
+/// The flank that has the trace before the test, with its place there.
+fn on_flank<'a>(
+    case: &LoadedCase,
+    (pair, found): (&'a TracePair, &'a Relocation),
+    stated: Option<WornFlank>,
+) -> Result<OnFlank<'a>, Fault> {
+    let [name, before] = [&pair.names[0], &pair.names[1]];
+    let trace = &pair.traces[0];
+    let of = |flank| {
+        let mut known = reports(case, flank).into_iter();
+        known.find(|report| is_trace_of(report, trace))
+    };
+    let known = WornFlank::BOTH.map(of);
+    let refused = |why: &str, help: &'static str| {
+        let message = format!("{name}, {before}: {why}");
+        Err(Fault::new(Code::E205, message).helping(help))
+    };
+    let flank = match (stated, known) {
+        (Some(flank), [None, None]) => flank,
+        (Some(flank), known) if known[flank as usize].is_some() => flank,
+        (Some(_), _) => {
+            return refused(
+                "the case has the first trace on the other flank",
+                "Leave flank out, or correct the case.",
+            );
+        }
+        (None, [Some(_), None]) => WornFlank::Pinion,
+        (None, [None, Some(_)]) => WornFlank::Wheel,
+        (None, [Some(_), Some(_)]) => {
+            return refused(
+                "the case has the first trace on both flanks",
+                "State flank, pinion or wheel: the one that the test changed.",
+            );
+        }
+        (None, [None, None]) => {
+            return refused(
+                "the case has the first trace on neither flank",
+                "Name the traces before the test in the case, or state flank, pinion or wheel.",
+            );
+        }
+    };
+    let place = known[flank as usize].and_then(|report| place_of(case, flank, report));
+    Ok(OnFlank {
+        flank,
+        pair,
+        found,
+        place,
+    })
+}
+
+/// Arc of the first point of a trace as it was measured \[m\], and its growth along the trace.
+fn place_of(case: &LoadedCase, flank: WornFlank, report: &FlankReport) -> Option<[f64; 2]> {
+    let gears = &case.case.gears;
+    let trace = report.trace.as_ref()?;
+    let [first, _] = report.roll_lengths?;
+    let base = gears.base_radius[flank as usize].si().abs();
+    let direction = gears.arc_direction(flank.gear());
+    let growth = if report.mirrored {
+        -direction
+    } else {
+        direction
+    };
+    let dropped = report.preparation.as_ref()?.dropped_each_end;
+    let index = match report.mirrored {
+        true => trace.len() - 1 - dropped,
+        false => dropped,
+    };
+    let arc = first.si() * first.si() / (2.0 * base);
+    Some([arc - growth * trace.spacing().si() * index as f64, growth])
+}
+
+impl OnFlank<'_> {
+    /// Arcs of the ends of the common length \[m\].
+    fn arcs(&self) -> Option<[f64; 2]> {
+        let [first, growth] = self.place?;
+        let start = self.found.start.si();
+        let ends = [start, start + self.found.before.length().si()].map(|x| first + growth * x);
+        Some([ends[0].min(ends[1]), ends[0].max(ends[1])])
+    }
+
+    /// The trace over the common length under its name in memory.
+    fn input(&self, name: PathBuf, case: &LoadedCase, dx: Length) -> TraceInput {
+        let gears = &case.case.gears;
+        let base = gears.base_radius[self.flank as usize].si().abs();
+        let first = (self.found.start.si() / dx.si()).ceil() * dx.si();
+        let at = self.place.map(|[arc, growth]| FlankPlaceInput {
+            roll_length: Some(Length::from_si(
+                (2.0 * base * (arc + growth * first).max(0.0)).sqrt(),
+            )),
+            ..FlankPlaceInput::default()
+        });
+        let from = self.place.map(|[_, growth]| {
+            match growth == gears.arc_towards_tip(self.flank.gear()) {
+                true => TraceStart::Root,
+                false => TraceStart::Tip,
+            }
+        });
+        TraceInput {
+            file: name,
+            from,
+            at,
+            ..TraceInput::default()
+        }
+    }
+}
+
+/// The case with the traces of the pairs over their common lengths, before the test or after it.
+fn with_traces(
+    case: &LoadedCase,
+    pairs: &[OnFlank<'_>],
+    measured: &[[Profile; 2]],
+    after: usize,
+) -> Result<LoadedCase, Error> {
+    let mut held: Vec<(PathBuf, Profile)> = Vec::new();
+    let mut traces: [Vec<TraceInput>; 2] = Default::default();
+    for (k, (on, both)) in pairs.iter().zip(measured).enumerate() {
+        let name = format!("{} (pair {}, common length)", on.pair.names[after], k + 1);
+        let trace = &both[after];
+        let input = on.input(name.clone().into(), case, trace.spacing());
+        traces[on.flank as usize].push(input);
+        held.push((name.into(), trace.clone()));
+    }
+    let torque = case.case.torque;
+    case.holding(&held).with(|input| {
+        for (flank, traces) in WornFlank::BOTH.into_iter().zip(traces) {
+            if !traces.is_empty() {
+                input.surface.put_measured(flank.gear(), torque, traces);
+            }
+        }
+    })
+}
+
+/// How far the flanks before and after are alike.
+fn likeness(cases: [&LoadedCase; 2], runs: [&Outcome; 2]) -> Likeness {
+    let traces = |case: &LoadedCase| -> Vec<f64> {
+        let each = case.surfaces.each().filter_map(|met| met.traces().ok());
+        let heights = each.flatten().flat_map(|trace| {
+            let middle = mean(trace.heights().iter().copied());
+            trace
+                .heights()
+                .iter()
+                .map(move |z| z - middle)
+                .collect::<Vec<_>>()
+        });
+        heights.collect()
+    };
+    let losses = |run: &Outcome| -> Vec<f64> { run.offsets.iter().map(|row| row.loss_w).collect() };
+    Likeness {
+        heights: correlation(&cases.map(traces)),
+        windows: correlation(&runs.map(losses)),
+    }
+}
+
+/// Pearson's correlation; 0 of lists that have not the same number of values, 1 if both are constant.
+fn correlation([a, b]: &[Vec<f64>; 2]) -> f64 {
+    if a.len() != b.len() || a.is_empty() {
+        return 0.0;
+    }
+    let [of_a, of_b] = [a, b].map(|values| mean(values.iter().copied()));
+    let sum = |x: &[f64], y: &[f64], (of_x, of_y): (f64, f64)| -> f64 {
+        x.iter().zip(y).map(|(x, y)| (x - of_x) * (y - of_y)).sum()
+    };
+    let both = sum(a, a, (of_a, of_a)) * sum(b, b, (of_b, of_b));
+    match both > 0.0 {
+        true => sum(a, b, (of_a, of_b)) / both.sqrt(),
+        false => 1.0,
+    }
+}
+
+/// Rq and Rpk of the prepared traces of a flank, as running-in has them \[µm\].
+fn heights_of(case: &LoadedCase, flank: WornFlank) -> Result<[f64; 2], Fault> {
+    let of = |met: &Surfaces| -> Result<[f64; 2], Fault> {
+        let heights = met.traces().map_err(Fault::from)?[flank as usize].heights();
+        let rq = section_heights(heights)?.rq;
+        let rpk = rk_parameters(heights)?.rpk;
+        Ok([rq, rpk].map(|length| MICRO * length.si()))
+    };
+    let each = case
+        .surfaces
+        .each()
+        .map(of)
+        .collect::<Result<Vec<_>, Fault>>()?;
+    Ok([0, 1].map(|k| mean(each.iter().map(|one| one[k]))))
+}
+
+/// Change of a flank by the test; `None` without pairs on it.
+fn flank_change(
+    mesh: &Mesh,
+    (flank, engagements): (WornFlank, Option<f64>),
+    pairs: &[OnFlank<'_>],
+    (states, run_in): ([&LoadedCase; 2], Option<&Outcome>),
+) -> Result<Option<FlankChange>, Fault> {
+    let own: Vec<&OnFlank<'_>> = pairs.iter().filter(|on| on.flank == flank).collect();
+    if own.is_empty() {
+        return Ok(None);
+    }
+    let case = &states[0].case;
+    let gears = &case.gears;
+    let severity = Severity::of(mesh, gears, flank.gear());
+    let places: Vec<Vec<AtPlace>> = own
+        .iter()
+        .map(|on| severity.at_places(on.arcs(), on.found.before.length().si()))
+        .collect();
+    let sliding = |k: usize| MICRO * mean(places.iter().map(|of_pair| of_pair[k].sliding));
+    let sliding: Vec<f64> = (0..places[0].len()).map(sliding).collect();
+    let sliding_um = asperity::uncertainty::median_with_ends(&sliding);
+    let removed: Vec<Estimate> = own
+        .iter()
+        .map(|on| on.found.removed.map(Length::si))
+        .collect();
+    let of_gear = engagements.map(|count| {
+        let teeth = gears.teeth.map(f64::from);
+        count * teeth[0] / teeth[flank as usize]
+    });
+    let wear = of_gear.map(|count| coefficient(&removed, &places, count));
+    let wear = wear.transpose()?;
+    let (found, most) = match wear {
+        Some(Coefficient::Found(k)) => (Some(k.map(|k| MM3_PER_N_M * k)), None),
+        Some(Coefficient::AtMost(k)) => (None, Some(MM3_PER_N_M * k)),
+        None => (None, None),
+    };
+    let hardness = case.flow_pressure[flank as usize].si();
+    let times_hardness = |k: f64| k / MM3_PER_N_M * hardness;
+    let [before, after] = states.map(|case| heights_of(case, flank));
+    let (before, after) = (before?, after?);
+    let predicted = run_in.and_then(|run| {
+        let run_in = &run.result.run_in.as_ref()?.run_in;
+        Some([run_in.rq_um, run_in.rpk_um].map(|both| both[flank as usize]))
+    });
+    let of = |end: fn(&Estimate) -> f64| MICRO * 1e3 * mean(removed.iter().map(end));
+    Ok(Some(FlankChange {
+        flank,
+        pairs: own.len(),
+        is_placed: own.iter().all(|on| on.place.is_some()),
+        removed_nm: Estimate::new(of(|one| one.value), [of(|one| one.low), of(|one| one.high)]),
+        sliding_um,
+        engagements: of_gear,
+        sliding_m: of_gear.map(|count| count * sliding_um.value / MICRO),
+        k_mm3_per_n_m: found,
+        k_at_most_mm3_per_n_m: most,
+        k_times_hardness: found
+            .map(|k| times_hardness(k.value))
+            .or(most.map(times_hardness)),
+        before_rq_um: before[0],
+        after_rq_um: after[0],
+        run_in_rq_um: predicted.map(|of| of[0]),
+        before_rpk_um: before[1],
+        after_rpk_um: after[1],
+        run_in_rpk_um: predicted.map(|of| of[1]),
+    }))
+}

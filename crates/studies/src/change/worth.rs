@@ -1,0 +1,149 @@
+//! Words and tables of the worth of a change in a case.
+
+use asperity::result::loss_band::Digits;
+use asperity_core::Estimate;
+use asperity_report::{Cell, Report, Table, columns};
+
+use super::in_case::{AFTER, BEFORE, ChangeInCase, FlankChange, RUN_IN, StateLoss};
+use crate::compare::verdict;
+
+/// Unit of a printed wear coefficient, in mm³/(N m).
+const NANO: f64 = 1e-9;
+const UNIT: &str = "1e-9 mm³/(N m)";
+
+/// Sliding, wear coefficient, and losses.
+pub(super) fn lines(of: &ChangeInCase) -> Vec<String> {
+    let mut lines: Vec<String> = of.flanks.iter().map(wear).collect();
+    let names = [BEFORE, AFTER];
+    lines.push(match &of.difference {
+        Some(difference) => format!("Of the mesh, {}.", verdict(names, difference)),
+        None => format!(
+            "Of the mesh, {}.",
+            names.map(|name| loss(of, name)).join(", ")
+        ),
+    });
+    lines.extend(run_in(of));
+    lines
+}
+
+fn loss(of: &ChangeInCase, name: &str) -> String {
+    let found = of.loss(name).map_or(0.0, |loss| loss.loss_w);
+    format!("{name} {} W", Digits::of_power(found).rounded(found))
+}
+
+/// Sliding distance and wear coefficient of a flank.
+fn wear(of: &FlankChange) -> String {
+    let flank = of.flank.name();
+    let place = match of.is_placed {
+        true => "at this place",
+        false => "at an unknown place of it",
+    };
+    let sliding = Digits::of_interval(of.sliding_um.ends()).interval_with(" µm", of.sliding_um);
+    let slid = format!("The {flank} changed: {place} a point slides {sliding} per engagement");
+    let Some((count, metres)) = of.engagements.zip(of.sliding_m) else {
+        return format!("{slid}.");
+    };
+    let metres = Digits::of_power(metres).rounded(metres);
+    let of_hardness = |k: f64| format!("K = k H is {k:.1e}");
+    let coefficient = match (
+        of.k_mm3_per_n_m,
+        of.k_at_most_mm3_per_n_m,
+        of.k_times_hardness,
+    ) {
+        (Some(k), _, Some(times)) => {
+            let k = k.map(|k| k / NANO);
+            let digits = Digits::of_interval(k.ends());
+            format!(
+                "is {} times {UNIT}, {}",
+                digits.interval(k),
+                of_hardness(times)
+            )
+        }
+        (None, Some(most), Some(times)) => {
+            let most = most / NANO;
+            let text = Digits::of_power(most).rounded(most);
+            format!(
+                "is at most {text} times {UNIT}, {} at most",
+                of_hardness(times)
+            )
+        }
+        _ => return format!("{slid}."),
+    };
+    format!(
+        "{slid}, {metres} m in {count:.3e} engagements. Archard's wear coefficient k {coefficient}."
+    )
+}
+
+/// Prediction of `model.run_in` next to what was measured.
+fn run_in(of: &ChangeInCase) -> Option<String> {
+    if let Some(why) = &of.no_run_in {
+        return Some(format!("There is no prediction by model.run_in: {why}"));
+    }
+    let [before, predicted, after] = [BEFORE, RUN_IN, AFTER].map(|name| of.loss(name));
+    let losses = [before?, predicted?, after?];
+    let change = losses[2].loss_w - losses[0].loss_w;
+    let digits = Digits::of_power(change.abs().max(1e-3 * losses[0].loss_w));
+    let [before, predicted, after] = losses.map(|loss| digits.rounded(loss.loss_w));
+    let heights = of.flanks.iter().filter_map(|flank| {
+        let predicted = flank.run_in_rq_um?;
+        Some(format!(
+            "Rq of the {} {:.3} µm, measured {:.3} µm",
+            flank.flank.name(),
+            predicted,
+            flank.after_rq_um
+        ))
+    });
+    let heights: Vec<String> = heights.collect();
+    Some(format!(
+        "Run in by model.run_in, the flanks before have {predicted} W in place of {before} W; those measured after have {after} W, all with \
+         constants at their medians. It predicts {}.",
+        heights.join("; ")
+    ))
+}
+
+/// Tables of the flanks and of the losses.
+pub(super) fn sections<'a>(report: Report<'a>, of: &'a ChangeInCase) -> Report<'a> {
+    report
+        .section("In the case")
+        .text([format!("{}: {}", of.case, of.conditions)])
+        .on_page()
+        .table(losses(of))
+        .table(flanks(of))
+}
+
+/// A number with its interval, or that there is none.
+fn interval(of: Option<Estimate>) -> Cell {
+    match of {
+        Some(of) => Cell::interval(of),
+        None => Cell::estimate("-", None),
+    }
+}
+
+fn losses(of: &ChangeInCase) -> Table {
+    let shown = |loss: &StateLoss| interval(loss.drawn_w);
+    let table = columns! { loss in &of.losses;
+        head flanks "flanks" "" = loss.flanks;
+        interval loss_median_w "loss" "W" = shown(loss);
+        number loss_w "at medians" "W" = Cell::number(loss.loss_w, |w| Digits::of_power(w).rounded(w));
+    };
+    table.in_file("losses.csv")
+}
+
+fn flanks(of: &ChangeInCase) -> Table {
+    let table = columns! { flank in &of.flanks;
+        head flank "flank" "" = flank.flank.name();
+        interval removed_nm "removed" "nm" = Cell::interval(flank.removed_nm);
+        interval sliding_um "sliding per engagement" "µm" = Cell::interval(flank.sliding_um);
+        number engagements "engagements" "" "{:.3e}" = flank.engagements;
+        interval k "k" "1e-9 mm³/(N m)" = interval(flank.k_mm3_per_n_m.map(|k| k.map(|k| k / NANO)));
+        number k_at_most "k at most" "1e-9 mm³/(N m)" "{:.3}" = flank.k_at_most_mm3_per_n_m.map(|k| k / NANO);
+        number k_times_hardness "k H" "" "{:.1e}" = flank.k_times_hardness;
+        number before_rq_um "Rq before" "µm" "{:.3}";
+        number after_rq_um "after" "µm" "{:.3}";
+        number run_in_rq_um "run in" "µm" "{:.3}" = flank.run_in_rq_um;
+        number before_rpk_um "Rpk before" "µm" "{:.3}";
+        number after_rpk_um "after" "µm" "{:.3}";
+        number run_in_rpk_um "run in" "µm" "{:.3}" = flank.run_in_rpk_um;
+    };
+    table.in_file("flanks.csv")
+}
