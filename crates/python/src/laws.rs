@@ -4,6 +4,7 @@
 use asperity::contact::hertz_line::HertzLine;
 use asperity::core::OutOfRange;
 use asperity::ehl_regime::{FilmConditions, FilmLaw, thermal_reduction::ThermalLaw};
+use asperity::Remedy;
 use asperity::message::Code;
 use asperity::quantity::*;
 use asperity::tribo_friction::conditions::{FrictionConditions, MeshConditions};
@@ -174,8 +175,16 @@ pub fn friction_coefficient<'py>(
     let given = Columns::of(given)?;
     let found = alone(py, || {
         let (mut values, mut marks, mut outside) = (Vec::new(), Vec::new(), Outside::new());
+        let missing = missing(law, &settings, &given);
+        if !missing.is_empty() {
+            let message = format!("{}: the law requires {}", law.name(), missing.join(", "));
+            return Err(
+                Failure::new(Code::E205, message).advising(Remedy::act("give each by its keyword"))
+            );
+        }
         for i in 0..given.1 {
-            let friction = law.coefficient(&settings, &conditions(&given, i))?;
+            let at = |name: &str| given.at(name, i);
+            let friction = law.coefficient(&settings, &conditions(&at))?;
             values.push(friction.value);
             marks.push(note(&friction.outside, &mut outside));
         }
@@ -184,8 +193,55 @@ pub fn friction_coefficient<'py>(
     Ok(checked(py, found))
 }
 
-fn conditions(columns: &Columns, index: usize) -> FrictionConditions {
-    let at = |name| columns.at(name, index);
+/// The inputs of a friction law.
+const INPUTS: [&str; 21] = [
+    "load",
+    "radius",
+    "entrainment",
+    "sliding",
+    "max_pressure",
+    "viscosity",
+    "contact_viscosity",
+    "kinematic_viscosity",
+    "pressure_viscosity",
+    "central_film",
+    "minimum_film",
+    "combined_roughness",
+    "mean_ra",
+    "sum_rz",
+    "boundary_coefficient",
+    "base_line_load",
+    "sum_speed",
+    "reduced_radius",
+    "lubricant_factor",
+    "load_intensity",
+    "pitch_line_speed",
+];
+
+/// The inputs that are not given and without which the law has no coefficient.
+fn missing(law: FrictionLaw, settings: &FrictionSettings, given: &Columns) -> Vec<&'static str> {
+    if given.1 == 0 {
+        return Vec::new();
+    }
+    let is_given = |name: &str| given.0.contains_key(name);
+    // Any other value in place of the inputs that are not given.
+    let has_value_without = |left_out: &str| {
+        let at = |name: &str| match is_given(name) {
+            true => given.at(name, 0),
+            false if name == left_out => f64::NAN,
+            false => 1.0,
+        };
+        let found = law.coefficient(settings, &conditions(&at));
+        found.is_ok_and(|found| found.value.is_finite())
+    };
+    if !has_value_without("") {
+        return Vec::new();
+    }
+    let needed = |name: &&str| !is_given(name) && !has_value_without(name);
+    INPUTS.into_iter().filter(needed).collect()
+}
+
+fn conditions(at: &dyn Fn(&str) -> f64) -> FrictionConditions {
     let length = |name| Length::from_si(at(name));
     let speed = |name| Speed::from_si(at(name));
     FrictionConditions {

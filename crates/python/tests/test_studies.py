@@ -108,6 +108,16 @@ def test_maps_are_exported(drive, tmp_path):
     assert np.array_equal(frame.to_numpy(), found.loss_torque_nm[0, 0]) and frame.index.tolist() == found.torque_nm.tolist()
 
 
+def test_columns_of_arrow_and_of_xarray_are_taken(drive):
+    pyarrow, xarray = pytest.importorskip("pyarrow"), pytest.importorskip("xarray")
+    losses = asperity.map(drive, torque_nm=[50, 145], speed_rpm=[1000, 9000], band="none")
+    columns = {"time_s": np.array([0.0, 1.0]), "torque_nm": np.array([50.0, 60.0]), "speed_rpm": np.array([2000.0, 3000.0])}
+    expected = asperity.cycle(losses, columns).finishes.lost_wh
+    dataset = xarray.Dataset({name: ("row", values) for name, values in columns.items()})
+    for given in (pyarrow.table(columns), dataset):
+        assert asperity.cycle(losses, given).finishes.lost_wh == expected
+
+
 def test_a_map_is_one_tidy_table(drive, tmp_path):
     parquet = pytest.importorskip("pyarrow.parquet")
     pyarrow = pytest.importorskip("pyarrow")
