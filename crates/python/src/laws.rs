@@ -1,10 +1,10 @@
 //! Laws of Hertz contact, film and friction over arrays: flat arrays of one length in, in SI units; broadcasting is
 //! Python's.
 
+use asperity::Remedy;
 use asperity::contact::hertz_line::HertzLine;
 use asperity::core::OutOfRange;
 use asperity::ehl_regime::{FilmConditions, FilmLaw, thermal_reduction::ThermalLaw};
-use asperity::Remedy;
 use asperity::message::Code;
 use asperity::quantity::*;
 use asperity::tribo_friction::conditions::{FrictionConditions, MeshConditions};
@@ -193,29 +193,29 @@ pub fn friction_coefficient<'py>(
     Ok(checked(py, found))
 }
 
-/// The inputs of a friction law.
-const INPUTS: [&str; 21] = [
-    "load",
-    "radius",
-    "entrainment",
-    "sliding",
-    "max_pressure",
-    "viscosity",
-    "contact_viscosity",
-    "kinematic_viscosity",
-    "pressure_viscosity",
-    "central_film",
-    "minimum_film",
-    "combined_roughness",
-    "mean_ra",
-    "sum_rz",
-    "boundary_coefficient",
-    "base_line_load",
-    "sum_speed",
-    "reduced_radius",
-    "lubricant_factor",
-    "load_intensity",
-    "pitch_line_speed",
+/// The inputs of a friction law, each with a usual value in SI units.
+const INPUTS: [(&str, f64); 21] = [
+    ("load", 1e5),
+    ("radius", 0.01),
+    ("entrainment", 10.0),
+    ("sliding", 1.0),
+    ("max_pressure", 1e9),
+    ("viscosity", 0.01),
+    ("contact_viscosity", 0.01),
+    ("kinematic_viscosity", 1e-5),
+    ("pressure_viscosity", 2e-8),
+    ("central_film", 2e-7),
+    ("minimum_film", 1e-7),
+    ("combined_roughness", 4e-7),
+    ("mean_ra", 4e-7),
+    ("sum_rz", 4e-6),
+    ("boundary_coefficient", 0.1),
+    ("base_line_load", 1e5),
+    ("sum_speed", 10.0),
+    ("reduced_radius", 0.01),
+    ("lubricant_factor", 1.0),
+    ("load_intensity", 1e6),
+    ("pitch_line_speed", 10.0),
 ];
 
 /// The inputs that are not given and without which the law has no coefficient.
@@ -224,12 +224,18 @@ fn missing(law: FrictionLaw, settings: &FrictionSettings, given: &Columns) -> Ve
         return Vec::new();
     }
     let is_given = |name: &str| given.0.contains_key(name);
-    // Any other value in place of the inputs that are not given.
+    // Usual values in place of the other inputs that are not given.
+    let usual = |name: &str| {
+        let mut inputs = INPUTS.iter();
+        inputs
+            .find(|input| input.0 == name)
+            .map_or(f64::NAN, |input| input.1)
+    };
     let has_value_without = |left_out: &str| {
         let at = |name: &str| match is_given(name) {
             true => given.at(name, 0),
             false if name == left_out => f64::NAN,
-            false => 1.0,
+            false => usual(name),
         };
         let found = law.coefficient(settings, &conditions(&at));
         found.is_ok_and(|found| found.value.is_finite())
@@ -237,8 +243,10 @@ fn missing(law: FrictionLaw, settings: &FrictionSettings, given: &Columns) -> Ve
     if !has_value_without("") {
         return Vec::new();
     }
-    let needed = |name: &&str| !is_given(name) && !has_value_without(name);
-    INPUTS.into_iter().filter(needed).collect()
+    let names = INPUTS.iter().map(|input| input.0);
+    names
+        .filter(|name| !is_given(name) && !has_value_without(name))
+        .collect()
 }
 
 fn conditions(at: &dyn Fn(&str) -> f64) -> FrictionConditions {

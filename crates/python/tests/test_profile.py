@@ -62,7 +62,7 @@ def test_a_prepared_profile_says_so_in_a_case_and_in_its_file(tmp_path):
         case = asperity.Case(small()).replace({"surface.pinion.file": rough})
     assert case.run("losses").loss_w > 0
     rough.write(tmp_path / "rough.csv")
-    assert "# filter: roughness, lambda_c 0.25 mm" in (tmp_path / "rough.csv").read_text()
+    assert "# filter: roughness, lambda_c 250 um" in (tmp_path / "rough.csv").read_text()
     with pytest.warns(asperity.AsperityWarning, match="W118"):
         again = asperity.read_profile(tmp_path / "rough.csv")
     assert again == rough and again.about.filter_state == "roughness"

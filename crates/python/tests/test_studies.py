@@ -50,7 +50,7 @@ def test_a_comparison_of_files_profiles_pairs_and_cases(drive, tmp_path):
     difference = others[0].difference
     assert difference.quantiles_w[0] < difference.median_w < difference.quantiles_w[1]
     assert 0.5 <= difference.probability <= 1 and len(difference.models) and difference.verdict
-    assert found.verdicts[0].startswith("profile ") and others[-1].uncertainty.loss.median_w > 0
+    assert found.verdicts[0].startswith("With profile ") and others[-1].uncertainty.loss.median_w > 0
     assert str(found).startswith("e-drive") and "ground" in repr(found) and "<table" in found._repr_html_()
     found.write(tmp_path / "out")
     assert asperity.read_result(tmp_path / "out").title == found.title

@@ -97,7 +97,10 @@ class Values(Fixed, Mapping[str, Any]):
     def _made(self, name: str, value: Any) -> Any:
         """A value in the class of its name."""
         kind = self._kinds.get(name)
-        return held(wrapped(value)) if kind is None or value is None else kind(value)
+        if kind is not None and value is not None:
+            return kind(value)
+        # An array of a list is new at each access: what is written into it would be lost.
+        return held(wrapped(value)) if isinstance(value, list) else wrapped(value)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._values)

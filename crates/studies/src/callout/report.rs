@@ -234,7 +234,7 @@ fn table(study: &CallOut) -> Table {
     let error = |row: &ParameterRow| row.deviation / (study.lots as f64).sqrt();
     let table = columns! { row in &study.parameters;
         head parameter "parameter" "";
-        number traces "traces to inspect" "";
+        number traces "traces" "";
         number limit_over_recipe "limit over these flanks" "" = Cell::from(rounded(row.limit_over_recipe, 1.4 * error(row)));
         percent deviation "standard deviation of the limit" "%" "{:.0}";
         percent of_traces "standard deviation of single traces" "%" "{:.0}";
