@@ -84,4 +84,7 @@ def tables():
             # A structure that flattens another one, or has its columns written by another one, shares them with it.
             first, second, *_ = sorted(every, key=lambda one: (len({*every[one]} & {*columns}), one[1] == row), reverse=True)
             found[name] = {column: meaning(row, column, {**every[second], **every[first]}) for column in columns}
+    summary = next(texts for (_, name), texts in every.items() if name == "Summary" and "loss_factor_local" in texts)
+    names = [key for key in _values.SummaryValues.__annotations__ if key in summary]
+    found["SummaryValues"] = {name: meaning("Summary", name, summary) for name in names}
     return found

@@ -162,6 +162,10 @@ def of_function(name, function):
     return f"### {name}\n\n```python\n{signature(name, function)}\n```\n\n{prose(function.__doc__)}"
 
 
+OF_RUNS = {"SummaryValues": "Summary", "PathRowTable": "Path"}
+"""Values of runs whose members are listed with the tables, by the names that signatures have for them."""
+
+
 def types():
     """The types that the signatures above name: unions and classes by their definitions, tables by their columns."""
     rows, named = [], set()
@@ -184,8 +188,8 @@ def types():
     meanings = columns.tables()
     values = "".join(f"| `{name}` | {', '.join(f'`{key}`' for key in getattr(_values, name).__annotations__)} |\n" for name in listed if name not in meanings)
     tables = "".join(
-        f"### {name}\n\n| column | what it is |\n|---|---|\n{''.join(f'| `{key}` | {text} |' + chr(10) for key, text in meanings[name].items())}\n"
-        for name in listed if name in meanings
+        f"### {OF_RUNS.get(name, name)}\n\n| column | what it is |\n|---|---|\n{''.join(f'| `{key}` | {text} |' + chr(10) for key, text in meanings[name].items())}\n"
+        for name in [*OF_RUNS, *(name for name in listed if name not in OF_RUNS)] if name in meanings
     )
     return (
         f"## Types\n\nTypes of arguments and results that the signatures name.\n\n| type | in Python | is |\n|---|---|---|\n{''.join(rows)}\n"

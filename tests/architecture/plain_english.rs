@@ -208,6 +208,17 @@ fn every_name_of_the_glossary_is_in_the_sources() {
 }
 
 #[test]
+fn the_terms_of_pages_have_the_meanings_of_the_glossary() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let glossary = fs::read_to_string(root.join("docs/GLOSSARY.md")).unwrap();
+    let glossary = glossary.replace('\\', "");
+    for term in asperity_report::TERMS {
+        let row = format!("| {} | {}", term.name, term.meaning);
+        assert!(glossary.contains(&row), "no row begins with {row}");
+    }
+}
+
+#[test]
 fn a_phrase_is_found_in_prose_and_not_in_code() {
     let seen = |source: &str| -> Vec<Vec<&str>> {
         let blocks = blocks(source);

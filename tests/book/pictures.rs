@@ -184,6 +184,7 @@ fn uncertainty() -> String {
     let interval = |name: &str, [low, high]: [f64; 2]| Interval {
         name: name.to_owned(),
         ends: [low, high],
+        middle: None,
         text: format!("{:.0} to {:.0}", tens(low), tens(high)),
     };
     let mut intervals = vec![interval("all together", loss.drawn().ends())];

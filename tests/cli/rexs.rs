@@ -115,7 +115,7 @@ fn what_cannot_be_used_is_refused() {
     );
     bench
         .run(&["case", "from-rexs", "none.rexs"])
-        .refused(2, "E101", &["none.rexs"]);
+        .refused(2, "E103", &["none.rexs"]);
     for stage in ["3", "4"] {
         let arguments = ["case", "from-rexs", "chain.rexs", "--stage", stage];
         bench.run(&arguments).refused(2, "E133", &["stage"]);

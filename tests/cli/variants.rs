@@ -49,6 +49,23 @@ fn two_oils_differ_by_the_draws_of_each_and_their_order_changes_the_sign_only() 
     assert_eq!(of("boundary friction"), Some(0.0));
     assert_eq!(of("lay"), Some(1.0));
     assert_eq!(of("sampling of the flanks"), Some(1.0));
+    // Each oil with its viscosity at 90 °C.
+    let oil = |number: usize| {
+        let finish = &there["finishes"][number];
+        (
+            finish["base_oil"].as_str().unwrap(),
+            finish["viscosity_mm2_per_s"].as_f64().unwrap(),
+        )
+    };
+    assert_eq!([oil(0).0, oil(1).0], ["pao", "mineral"]);
+    let few = ["--no-output", "--variant", oils[0], "--variant", oils[1]];
+    let said = bench.run(&[&["compare", "case.toml", "--notes"][..], &FEW, &few].concat());
+    let due = format!(
+        "pao: pao, {:.2} mm²/s; mineral: mineral, {:.2} mm²/s.",
+        oil(0).1,
+        oil(1).1
+    );
+    assert!(said.well().unwrapped().contains(&due), "{due}");
     // The keys of the oil of the case are left out.
     let changes = &there["finishes"][1]["changes"];
     let keys: Vec<&Value> = changes

@@ -158,7 +158,7 @@ const SIMULATED: [usize; 2] = [10, 3];
 /// Strata of each other measurement behind a mean.
 const STRATA: usize = 4;
 
-/// Oil files of simulated machines that measure the minimal plan on the oil of a case.
+/// Oil files of simulated machines that measure the standard plan on the oil of a case.
 fn simulated_oil_files(case: &LoadedCase) -> Vec<String> {
     let oil = OilBase::of_case(&case.case, ConstantsOf::Family).unwrap();
     let settings = OilPlanSettings::usual().unwrap().plan().unwrap();
@@ -266,7 +266,7 @@ fn expected_intervals_are_those_of_simulated_measurements() {
     let few = [("model.positions", "6"), ("model.offsets", "4")];
     let files = simulated_oil_files(&shipped("e-drive"));
     let places = || (0..STRATA).map(|k| (k as f64 + 0.5) / STRATA as f64);
-    // Part of the constants after the minimal plan. The aims are .75 and .25. The first is missed by .21: on ground flanks the film
+    // Part of the constants after the standard plan. The aims are .75 and .25. The first is missed by .21: on ground flanks the film
     // makes a quarter of the loss, and no traction curve states the boundary layer.
     let [many, few_curves] = SIMULATED;
     for (name, aim, count) in [

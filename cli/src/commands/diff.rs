@@ -72,7 +72,7 @@ fn loss(differences: &ResultDiff) -> Option<String> {
     // Three digits of the larger.
     let power = |watts: f64| rounded(watts, 0.01 * first.max(second));
     Some(format!(
-        "the second result loses {} W, the first {} W: {percent:+.1} %",
+        "the loss of the second result is {} W, of the first {} W: {percent:+.1} %",
         power(second),
         power(first)
     ))

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use asperity::LoadedCase;
-use asperity::case::{OilFile, open_source};
+use asperity::case::open_source;
 use asperity_calibration::oil::{ConstantsOf, Curves, MeasuredOil, OfOil, OilBase, OilOfCase};
 use asperity_core::{Code, Fault};
 use asperity_report::library::oil_named;
@@ -43,19 +43,9 @@ fn base(oil: &str, set: &SetArgs, constants: ConstantsOf) -> Result<NamedOil, Fa
     if is_file {
         let name = result_name(path);
         let source = open_source(path).map_err(|error| Failure::of(&error))?;
-        if OilFile::is_one(&source) {
-            let file = OilFile::of_source(&source);
-            let file = file.map_err(|error| Failure::of(&error.into()))?;
+        if let Some(oil) = OilBase::of_source(&name.to_string_lossy(), &source, constants)? {
             return Ok(NamedOil {
-                oil: OilBase::of_file(&name.to_string_lossy(), &file, constants)?,
-                name,
-                case: None,
-            });
-        }
-        let sheet = OilFile::data_sheet(&source).map_err(|error| Failure::of(&error.into()))?;
-        if let Some(sheet) = sheet {
-            return Ok(NamedOil {
-                oil: OilBase::of_lubricant(&name.to_string_lossy(), sheet)?,
+                oil,
                 name,
                 case: None,
             });

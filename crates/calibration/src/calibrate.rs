@@ -24,6 +24,7 @@ use crate::result::{
     SCHEMA_VERSION, Verdict,
 };
 use crate::rig::{Rig, RigCase};
+use crate::rig_model::PointLosses;
 use crate::rig_table::{RigTable, SIMULATED, Scope};
 use crate::summary::{BOOTSTRAPPED, before_the_fit};
 
@@ -123,6 +124,7 @@ fn report(
         scatter.ratio()
     );
     let warnings = warnings(rig, fit, &residuals);
+    let calibrated = calibrated(rig, fit, &parameters)?;
     Ok(Calibration {
         schema_version: SCHEMA_VERSION,
         program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
@@ -148,7 +150,7 @@ fn report(
             largest_surface_error_sigma: in_sigma,
             bootstrap_samples: samples.len(),
         },
-        points: points(rig, &problem, fit, &residuals),
+        points: points(rig, &problem, fit, (&residuals, &calibrated)),
         warnings,
     })
 }
@@ -291,6 +293,23 @@ fn surface_error(rig: &Rig, fit: &Fit) -> Result<(f64, f64), Fault> {
     Ok((largest, in_sigma))
 }
 
+/// Loss of the mesh at every operating point with the constants of the block \[W\].
+fn calibrated(rig: &Rig, fit: &Fit, parameters: &[FittedParameter]) -> Result<Vec<f64>, Fault> {
+    let of_block = |(one, x): (&FittedParameter, &f64)| match one.verdict {
+        Verdict::NotIdentified => 0.0,
+        _ => *x,
+    };
+    let mut setting: Vec<f64> = parameters
+        .iter()
+        .zip(fit.minimum.x.iter())
+        .map(of_block)
+        .collect();
+    setting.push(0.0);
+    let losses = rig.model.evaluate(&[setting], &|_| {})?;
+    let of_mesh = |of: &Vec<PointLosses>| of[0].sliding_w + of[0].rolling_w;
+    Ok(losses.iter().map(of_mesh).collect())
+}
+
 fn nuisance(rig: &Rig, fit: &Fit) -> Vec<NuisanceRow> {
     let problem = fit.problem();
     let n = rig.parameters.len();
@@ -347,7 +366,12 @@ fn nuisance(rig: &Rig, fit: &Fit) -> Vec<NuisanceRow> {
     rows
 }
 
-fn points(rig: &Rig, problem: &Problem<'_>, fit: &Fit, residuals: &[f64]) -> Vec<FittedPoint> {
+fn points(
+    rig: &Rig,
+    problem: &Problem<'_>,
+    fit: &Fit,
+    (residuals, calibrated): (&[f64], &[f64]),
+) -> Vec<FittedPoint> {
     let rows = rig
         .table
         .rows
@@ -366,6 +390,8 @@ fn points(rig: &Rig, problem: &Problem<'_>, fit: &Fit, residuals: &[f64]) -> Vec
                 measured_w: row.loss_w,
                 sigma_w: row.sigma_w,
                 fitted_w: problem.predicted(&fit.minimum.x, observation).0.exp(),
+                default_w: nominal.sliding_w + nominal.rolling_w,
+                calibrated_w: calibrated[observation.point],
                 residual_sigma: *residual,
                 lambda_star: nominal.lambda_star,
                 boundary_share: nominal.boundary_share,

@@ -5,6 +5,7 @@ use std::convert::Infallible;
 use std::str::FromStr;
 
 use asperity::case::train::Train;
+use asperity::case::{did_you_mean, nearest_name};
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::EvidenceRow;
 use asperity::result::with_interval;
@@ -93,8 +94,10 @@ impl EvidenceSettings {
             let name = name.trim();
             let own = efforts.iter_mut().find(|effort| effort.key == name);
             let Some(own) = own else {
-                let names = Effort::usual().map(|effort| effort.key).join(", ");
-                let why = format!("no measurement is called \"{name}\"");
+                let names = Effort::usual().map(|effort| effort.key.to_owned());
+                let meant = did_you_mean(nearest_name(name, &names).as_deref());
+                let why = format!("no measurement is called \"{name}\"{meant}");
+                let names = names.join(", ");
                 let help = format!("Give NAME=HOURS with one of the names {names}.");
                 return Err(refused(why).helping(help));
             };
@@ -360,7 +363,7 @@ fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<OfFilm, Faul
         ("traction-curve", "one traction curve of the oil"),
         (
             "traction-plan",
-            "traction curves of the oil, the minimal plan",
+            "traction curves of the oil, the standard plan",
         ),
     ];
     let hours = rows.iter().zip(&stages);
@@ -428,11 +431,13 @@ impl EvidenceTable {
         let now = Interval {
             name: "as known".to_owned(),
             ends: self.loss.drawn.ends(),
+            middle: None,
             text: self.loss_text(self.loss.drawn.ends(), " W"),
         };
         let left = self.rows.iter().map(|row| Interval {
             name: row.measurement.clone(),
             ends: row.interval(),
+            middle: None,
             text: duration(60.0 * row.hours),
         });
         (!self.rows.is_empty()).then(|| {
@@ -461,6 +466,8 @@ impl EvidenceTable {
 
 /// Meaning of the numbers.
 const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median. In brackets: the 5 and 95 % quantiles of the loss. Remaining width: width of this interval of ln loss over the present one. The result of a measurement also moves the median. A second set has the same gears with other flanks.";
+/// Commands that plan a measurement.
+const PLANS: &str = "These measurements narrow the loss of this case. Constants for other points and gears need more points: asperity design plans them on a rig, asperity oil plan on a traction machine.";
 /// Meaning of the hours.
 const HOURS: &str = "Measured first: the quickest of those that leave at most 3 % of the present width more than the narrowest. Durations are usual ones, of measuring and its preparation on existing parts; of traction curves they are computed, as by asperity oil plan. Making a second set of gears is not included.";
 /// A quantity without a line.
@@ -476,7 +483,7 @@ impl StudyResult for EvidenceTable {
             .section("Measurements that narrow the interval")
             .verdict([format!("Loss {loss}.")])
             .verdict(self.best())
-            .text([HOURS])
+            .text([PLANS, HOURS])
             .at(&self.conditions)
             .figures(|| self.chart())
             .table(self.table().of_file(TABLE))

@@ -12,7 +12,7 @@ use crate::birge::Scatter;
 use crate::design::Design;
 use crate::oil::is_simulated_source;
 use crate::result::{Calibration, FittedParameter, FittedPoint, Verdict};
-use crate::rig_table::SIMULATED;
+use crate::rig_table::{SIMULATED, SIMULATED_COLUMN};
 use crate::summary::{
     BOOTSTRAPPED, HELD_OUT, before_and_after, design_bands, design_points, fitted, held_out, range,
     scatter, shown, unit_of,
@@ -40,6 +40,7 @@ impl StudyResult for Calibration {
         .section("Parameters")
         .verdict(self.is_simulated.then_some(REHEARSAL))
         .verdict(verdicts(self))
+        .verdict(effect(self))
         .figures(|| [measured(self)])
         .table(fitted(self))
         .text([format!("Fit: {}.", scatter(self))])
@@ -105,6 +106,7 @@ impl StudyResult for Design {
             self.candidates
         )])
         .verdict([deviations(self)])
+        .text([WHEN])
         .figures(|| places(self))
         .table(design_points(self))
         .text([LOSSES])
@@ -136,6 +138,9 @@ const KIND: &str = "calibration";
 /// Next step where no point helps.
 const NO_NEXT: &str =
     "No further point within the limits of this rig narrows a parameter by a tenth.";
+/// Use of a design, next to the command that compares measurements of one loss.
+const WHEN: &str = "These points determine constants for other operating points and gears, by asperity calibrate. For the loss of one \
+    case only, asperity evidence lists quicker measurements.";
 /// Meaning of the losses of a design.
 const LOSSES: &str = "Losses by the model with the constants of the case, to choose the range of the torque meter. They have no interval; \
     asperity map computes it.";
@@ -213,6 +218,21 @@ fn verdicts(calibration: &Calibration) -> Vec<String> {
     });
     verdicts.push(next.unwrap_or_else(|| NO_NEXT.to_owned()));
     verdicts
+}
+
+/// Change of the loss at the points by the constants of the block, in words; `None` of a block without constants.
+fn effect(calibration: &Calibration) -> Option<String> {
+    let is_written = |one: &FittedParameter| one.verdict != Verdict::NotIdentified;
+    let points = calibration.points.iter();
+    let changes = points.map(|point| 100.0 * (point.calibrated_w / point.default_w - 1.0));
+    let changes: Vec<f64> = changes.collect();
+    let [low, high] = numerics::range(changes.iter().copied());
+    let mean = numerics::mean(changes);
+    calibration.parameters.iter().any(is_written).then(|| {
+        format!(
+            "The constants for the case change the loss of the mesh at these points by {mean:+.0} % in the mean ({low:+.0} to {high:+.0} %)."
+        )
+    })
 }
 
 /// Note on simulated sources of curves; `None` without them.
@@ -464,8 +484,13 @@ fn rig_table(design: &Design, simulated: Option<&[f64]>) -> String {
             design.program
         ));
     }
-    text.push_str(
-        "torque_nm,speed_rpm,temperature_c,loss_w,sigma_w,assembly,order,includes,flank_state\n",
+    let [heading, mark] = match simulated {
+        Some(_) => [format!(",{SIMULATED_COLUMN}"), ",true".to_owned()],
+        None => Default::default(),
+    };
+    let _ = writeln!(
+        text,
+        "torque_nm,speed_rpm,temperature_c,loss_w,sigma_w,assembly,order,includes,flank_state{heading}"
     );
     for (k, (number, assembly)) in design.rows().enumerate() {
         let point = &design.points[number];
@@ -476,7 +501,7 @@ fn rig_table(design: &Design, simulated: Option<&[f64]>) -> String {
         // Writing into a string cannot fail.
         let _ = writeln!(
             text,
-            "{},{},{},{measured},{},{},mesh,",
+            "{},{},{},{measured},{},{},mesh,{mark}",
             point.torque_nm,
             point.speed_rpm,
             point.temperature_c,

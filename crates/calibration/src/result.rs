@@ -253,6 +253,10 @@ pub struct FittedPoint {
     pub sigma_w: f64,
     /// Fitted loss \[W\], nuisance terms included.
     pub fitted_w: f64,
+    /// Loss of the mesh by the model with the constants before \[W\].
+    pub default_w: f64,
+    /// Loss of the mesh by the model with the constants of the block \[W\].
+    pub calibrated_w: f64,
     /// ln(measured/fitted) in standard deviations.
     pub residual_sigma: f64,
     /// Λ* at the default parameters, median over the path.

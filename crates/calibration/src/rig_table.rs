@@ -128,7 +128,7 @@ pub struct RigTable {
     pub name: String,
     /// Rows.
     pub rows: Vec<RigRow>,
-    /// Whether a comment declares the losses as simulated.
+    /// Whether a comment or a column declares the losses as simulated.
     pub is_simulated: bool,
     /// Doubts about its columns.
     pub warnings: Vec<Warning>,
@@ -137,7 +137,7 @@ pub struct RigTable {
 }
 
 /// Known columns.
-const KNOWN: [&str; 12] = [
+const KNOWN: [&str; 13] = [
     "torque_nm",
     "speed_rpm",
     "temperature_c",
@@ -150,6 +150,7 @@ const KNOWN: [&str; 12] = [
     "includes",
     "flank_state",
     "case",
+    SIMULATED_COLUMN,
 ];
 /// Prefixes of column names, with the known column of the quantity.
 const STEMS: [(&str, &str); 6] = [
@@ -162,10 +163,19 @@ const STEMS: [(&str, &str); 6] = [
 ];
 pub use asperity::case::SIMULATED;
 
-/// Whether a comment of a table declares its values as simulated.
+/// Column of simulated values, `true`: the mark that programs retain which leave out comments.
+pub(crate) const SIMULATED_COLUMN: &str = "simulated";
+
+/// Whether a comment or a column of a table declares its values as simulated.
 pub(crate) fn is_simulated(text: &str) -> bool {
     let mut lines = text.lines();
+    let is_true = |cell: &str| cell.eq_ignore_ascii_case("true") || cell == "1";
     lines.any(|line| line.starts_with('#') && line.contains(SIMULATED))
+        || number_table::read("", text).is_ok_and(|table| {
+            let marked = |row: Row<'_>| Ok(row.text(SIMULATED_COLUMN).is_some_and(is_true));
+            let rows = number_table::all(("", &table), marked);
+            rows.is_ok_and(|rows| rows.contains(&true))
+        })
 }
 
 impl RigTable {
@@ -254,13 +264,17 @@ fn check_columns(file: &str, table: &Table) -> Result<(), Fault> {
             )));
         }
     }
-    for needed in [
+    const NEEDED: [&str; 5] = [
         "torque_nm",
         "speed_rpm",
         "temperature_c",
         "sigma_w",
         "includes",
-    ] {
+    ];
+    if let [first, ..] = &number_table::misspelt(table, &NEEDED, &KNOWN)[..] {
+        return Err(refuse(first.clone()));
+    }
+    for needed in NEEDED {
         if !table.has(needed) {
             return Err(refuse(format!("column {needed} is missing")));
         }
@@ -277,6 +291,8 @@ fn check_columns(file: &str, table: &Table) -> Result<(), Fault> {
 }
 
 fn row(cells: Row<'_>) -> Result<RigRow, RowFault> {
+    // Of the table as a whole, not of a row.
+    let _ = cells.text(SIMULATED_COLUMN);
     let includes = cells.text("includes").ok_or_else(|| {
         let rule = "is missing; write mesh or mesh+bearings, the scope of the loss";
         cells.fault("includes", rule)

@@ -43,6 +43,39 @@ fn a_table_is_read_without_regard_to_case_and_order_of_its_columns() {
 }
 
 #[test]
+fn a_column_marks_simulated_losses_where_comments_are_left_out() {
+    let of = |mark: &str| {
+        read(&format!(
+            "{HEAD},simulated\n183.4,2166,90,310,9,mesh,{mark}\n"
+        ))
+        .unwrap()
+    };
+    for (mark, is_simulated) in [
+        ("true", true),
+        ("True", true),
+        ("false", false),
+        ("", false),
+    ] {
+        let table = of(mark);
+        assert_eq!(table.is_simulated, is_simulated, "{mark}");
+        assert!(table.warnings.is_empty());
+    }
+}
+
+#[test]
+fn a_misspelt_column_is_named_with_the_one_that_is_missing() {
+    let text = format!(
+        "{}\n183.4,2166,90,310,9,mesh\n",
+        HEAD.replace("includes", "inculdes")
+    );
+    let said = read(&text).unwrap_err().to_string();
+    assert!(
+        said.contains("column inculdes is not known; write includes"),
+        "{said}"
+    );
+}
+
+#[test]
 fn a_loss_torque_is_a_power_and_semicolons_bring_decimal_commas() {
     let text = "torque_nm;speed_rpm;temperature_c;torque_loss_nm;sigma_w;includes\n183,4;3000;90;1,5;12;mesh\n";
     let row = read(text).unwrap().rows.remove(0);

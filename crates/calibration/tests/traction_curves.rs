@@ -509,6 +509,15 @@ fn columns_state_machine_groups_temperatures_and_errors() {
             "{refused}"
         );
     }
+    let misspelt =
+        "load_n,mean_speed_m_s,slide_roll_percent,temperature_c,tracton\n30,2,10,81,0.02\n";
+    let refused = read_table("curves.csv", misspelt, &machine())
+        .unwrap_err()
+        .to_string();
+    assert!(
+        refused.contains("column tracton is not known; write traction"),
+        "{refused}"
+    );
     let barrel = read(",radius_rolling_mm,radius_across_mm", ",10,100").unwrap();
     assert_eq!(barrel[0].machine.radii.map(Length::si), [0.01, 0.1]);
     let one = read(",radius_rolling_mm", ",10").unwrap_err().to_string();

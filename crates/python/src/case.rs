@@ -371,15 +371,17 @@ impl Case {
         let band = band.unwrap_or(detail == Detail::Fields);
         in_parallel(py, threads, progress.as_ref(), |told| {
             let shown = |done, total| told.tell(done, total);
-            let found = match detail {
-                Detail::Losses => {
-                    let loaded = self.only()?;
+            let found = match (detail, self.only()) {
+                (Detail::Losses, Ok(loaded)) => {
                     let program = concat!("asperity ", env!("CARGO_PKG_VERSION"));
                     let losses = Run::new(loaded).progress(&shown).losses()?;
                     Found::Losses(program, loaded.case.title.clone(), losses.into())
                 }
-                Detail::Contacts => Found::Run(train::run(&self.0, None, band, &shown)?.into()),
-                Detail::Fields => {
+                // The losses of several meshes are of their contacts.
+                (Detail::Losses | Detail::Contacts, _) => {
+                    Found::Run(train::run(&self.0, None, band, &shown)?.into())
+                }
+                (Detail::Fields, _) => {
                     Found::Run(execute(&self.0, &KeptFields::All, band, &shown)?.into())
                 }
             };

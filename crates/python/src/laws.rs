@@ -1,6 +1,7 @@
 //! Laws of Hertz contact, film and friction over arrays: flat arrays of one length in, in SI units; broadcasting is
 //! Python's.
 
+use asperity::Remedy;
 use asperity::contact::hertz_line::HertzLine;
 use asperity::core::OutOfRange;
 use asperity::ehl_regime::{FilmConditions, FilmLaw, thermal_reduction::ThermalLaw};
@@ -174,8 +175,16 @@ pub fn friction_coefficient<'py>(
     let given = Columns::of(given)?;
     let found = alone(py, || {
         let (mut values, mut marks, mut outside) = (Vec::new(), Vec::new(), Outside::new());
+        let missing = missing(law, &settings, &given);
+        if !missing.is_empty() {
+            let message = format!("{}: the law requires {}", law.name(), missing.join(", "));
+            return Err(
+                Failure::new(Code::E205, message).advising(Remedy::act("give each by its keyword"))
+            );
+        }
         for i in 0..given.1 {
-            let friction = law.coefficient(&settings, &conditions(&given, i))?;
+            let at = |name: &str| given.at(name, i);
+            let friction = law.coefficient(&settings, &conditions(&at))?;
             values.push(friction.value);
             marks.push(note(&friction.outside, &mut outside));
         }
@@ -184,8 +193,63 @@ pub fn friction_coefficient<'py>(
     Ok(checked(py, found))
 }
 
-fn conditions(columns: &Columns, index: usize) -> FrictionConditions {
-    let at = |name| columns.at(name, index);
+/// The inputs of a friction law, each with a usual value in SI units.
+const INPUTS: [(&str, f64); 21] = [
+    ("load", 1e5),
+    ("radius", 0.01),
+    ("entrainment", 10.0),
+    ("sliding", 1.0),
+    ("max_pressure", 1e9),
+    ("viscosity", 0.01),
+    ("contact_viscosity", 0.01),
+    ("kinematic_viscosity", 1e-5),
+    ("pressure_viscosity", 2e-8),
+    ("central_film", 2e-7),
+    ("minimum_film", 1e-7),
+    ("combined_roughness", 4e-7),
+    ("mean_ra", 4e-7),
+    ("sum_rz", 4e-6),
+    ("boundary_coefficient", 0.1),
+    ("base_line_load", 1e5),
+    ("sum_speed", 10.0),
+    ("reduced_radius", 0.01),
+    ("lubricant_factor", 1.0),
+    ("load_intensity", 1e6),
+    ("pitch_line_speed", 10.0),
+];
+
+/// The inputs that are not given and without which the law has no coefficient.
+fn missing(law: FrictionLaw, settings: &FrictionSettings, given: &Columns) -> Vec<&'static str> {
+    if given.1 == 0 {
+        return Vec::new();
+    }
+    let is_given = |name: &str| given.0.contains_key(name);
+    // Usual values in place of the other inputs that are not given.
+    let usual = |name: &str| {
+        let mut inputs = INPUTS.iter();
+        inputs
+            .find(|input| input.0 == name)
+            .map_or(f64::NAN, |input| input.1)
+    };
+    let has_value_without = |left_out: &str| {
+        let at = |name: &str| match is_given(name) {
+            true => given.at(name, 0),
+            false if name == left_out => f64::NAN,
+            false => usual(name),
+        };
+        let found = law.coefficient(settings, &conditions(&at));
+        found.is_ok_and(|found| found.value.is_finite())
+    };
+    if !has_value_without("") {
+        return Vec::new();
+    }
+    let names = INPUTS.iter().map(|input| input.0);
+    names
+        .filter(|name| !is_given(name) && !has_value_without(name))
+        .collect()
+}
+
+fn conditions(at: &dyn Fn(&str) -> f64) -> FrictionConditions {
     let length = |name| Length::from_si(at(name));
     let speed = |name| Speed::from_si(at(name));
     FrictionConditions {

@@ -45,6 +45,8 @@ mod _asperity {
     #[pymodule_export]
     use super::maps::{Map, axis, read_map};
     #[pymodule_export]
+    use super::oil::is_oil;
+    #[pymodule_export]
     use super::outcome::Outcome;
     #[pymodule_export]
     use super::quantity::{si_units, to_si};

@@ -94,7 +94,7 @@ fn of_gearbox_file<T: Send>(
     let shown = file.display().to_string();
     alone(py, || {
         let bytes = whole_file(file, LARGEST)
-            .map_err(|error| Failure::new(Code::E101, error.to_string()).about(&shown))?;
+            .map_err(|error| Failure::new(Code::E103, error.to_string()).about(&shown))?;
         let found = Model::read(&bytes).and_then(|model| read(&model));
         found.map_err(|error| Failure::from(error).about(&shown))
     })

@@ -6,7 +6,7 @@ use asperity::case::Trace as CaseTrace;
 use asperity::core::Profile;
 use asperity::message::{Code, Fault};
 use asperity::profile_io::read::{FilterState, Metadata, ReadOptions, Reading, read};
-use asperity::profile_io::write::{WrittenFormat, write};
+use asperity::profile_io::write::{WrittenFormat, write_filtered};
 use asperity::quantity::Length;
 use asperity::roughness::autocorrelation::autocorrelation;
 use asperity::roughness::form::Form;
@@ -84,6 +84,18 @@ impl Trace {
             profile: reading.profile,
             about,
         })
+    }
+
+    /// The filters that the heights have been through.
+    fn filter_state(&self) -> FilterState {
+        match (self.about.get("preparation"), self.cutoff) {
+            (Some(_), Some(_)) => FilterState::Roughness,
+            _ => {
+                let of_file = self.about.get("filter_state").cloned();
+                let state = of_file.and_then(|state| serde_json::from_value(state).ok());
+                state.unwrap_or(FilterState::Unknown)
+            }
+        }
     }
 
     fn prepared(&self, found: &Prepared, cutoff: Option<Length>, more: &[Warning]) -> Self {
@@ -401,7 +413,11 @@ impl Trace {
         alone(py, || {
             let format = WrittenFormat::of_name(&name);
             let format = format.ok_or_else(|| refused("name it .csv, .x3p or .smd"))?;
-            let bytes = write(&self.profile, &self.metadata, format);
+            let metadata = Metadata {
+                lambda_c: self.cutoff.or(self.metadata.lambda_c),
+                ..self.metadata.clone()
+            };
+            let bytes = write_filtered(&self.profile, &metadata, self.filter_state(), format);
             let bytes = bytes.map_err(|error| refused(&error.to_string()))?;
             asperity_storage::save(&path, &bytes)
                 .map_err(|error| Failure::new(Code::E401, error.to_string()))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import asperity
-from conftest import PROFILES, heights, trace
+from conftest import PROFILES, heights, small, trace
 
 
 def test_heights_are_in_metres_and_owned():
@@ -54,6 +54,18 @@ def test_what_is_written_reads_back(tmp_path, ending):
     # Micrometres of a table round the last bit of metres.
     rounding = 4e-16 if ending == "csv" else 0.0
     np.testing.assert_allclose(asperity.read_profile(file).heights, trace().heights, rtol=rounding, atol=0.0)
+
+
+def test_a_prepared_profile_says_so_in_a_case_and_in_its_file(tmp_path):
+    rough = trace().prepare()
+    with pytest.warns(asperity.AsperityWarning, match="W118 .*filter it again"):
+        case = asperity.Case(small()).replace({"surface.pinion.file": rough})
+    assert case.run("losses").loss_w > 0
+    rough.write(tmp_path / "rough.csv")
+    assert "# filter: roughness, lambda_c 250 um" in (tmp_path / "rough.csv").read_text()
+    with pytest.warns(asperity.AsperityWarning, match="W118"):
+        again = asperity.read_profile(tmp_path / "rough.csv")
+    assert again == rough and again.about.filter_state == "roughness"
 
 
 def test_options_of_the_reader(tmp_path):

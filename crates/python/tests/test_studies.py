@@ -50,7 +50,7 @@ def test_a_comparison_of_files_profiles_pairs_and_cases(drive, tmp_path):
     difference = others[0].difference
     assert difference.quantiles_w[0] < difference.median_w < difference.quantiles_w[1]
     assert 0.5 <= difference.probability <= 1 and len(difference.models) and difference.verdict
-    assert found.verdicts[0].startswith("profile ") and others[-1].uncertainty.loss.median_w > 0
+    assert found.verdicts[0].startswith("With profile ") and others[-1].uncertainty.loss.median_w > 0
     assert str(found).startswith("e-drive") and "ground" in repr(found) and "<table" in found._repr_html_()
     found.write(tmp_path / "out")
     assert asperity.read_result(tmp_path / "out").title == found.title
@@ -106,6 +106,16 @@ def test_maps_are_exported(drive, tmp_path):
     assert refused.value.code == "E205"
     frame = pytest.importorskip("pandas").read_csv(found.export("wide", tmp_path)[0], index_col=0)
     assert np.array_equal(frame.to_numpy(), found.loss_torque_nm[0, 0]) and frame.index.tolist() == found.torque_nm.tolist()
+
+
+def test_columns_of_arrow_and_of_xarray_are_taken(drive):
+    pyarrow, xarray = pytest.importorskip("pyarrow"), pytest.importorskip("xarray")
+    losses = asperity.map(drive, torque_nm=[50, 145], speed_rpm=[1000, 9000], band="none")
+    columns = {"time_s": np.array([0.0, 1.0]), "torque_nm": np.array([50.0, 60.0]), "speed_rpm": np.array([2000.0, 3000.0])}
+    expected = asperity.cycle(losses, columns).finishes.lost_wh
+    dataset = xarray.Dataset({name: ("row", values) for name, values in columns.items()})
+    for given in (pyarrow.table(columns), dataset):
+        assert asperity.cycle(losses, given).finishes.lost_wh == expected
 
 
 def test_a_map_is_one_tidy_table(drive, tmp_path):

@@ -169,7 +169,7 @@ def test_the_contents_of_a_gearbox_file_are_those_of_the_command(command, tmp_pa
     assert list(made.case.inputs.gears.teeth) == list(stages[1].teeth)
     with pytest.raises(AsperityError) as refused:
         asperity.rexs_contents(tmp_path / "absent.rexs")
-    assert refused.value.code == "E101"
+    assert refused.value.code == "E103"
 
 
 def test_the_oil_of_a_fit_goes_into_a_case(tmp_path):

@@ -86,6 +86,17 @@ def test_columns_without_an_error_are_text():
     assert Table([{"seen": None}]).seen.dtype == object, "nothing says that it is a number"
 
 
+def test_frames_of_nested_rows_are_written_to_parquet(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    pytest.importorskip("pyarrow")
+    case = asperity.Case(CASES / "e-drive.toml", model={"positions": 2, "offsets": 2})
+    finishes = asperity.compare(case, {"a": case, "b": case.replace(temperature="60 °C")}).finishes
+    finishes.to_pandas().to_parquet(tmp_path / "finishes.parquet")
+    again = pandas.read_parquet(tmp_path / "finishes.parquet")
+    assert list(again.columns) == finishes.columns
+    assert again.difference[1]["median_w"] == finishes[1].difference.median_w
+
+
 def test_a_case_with_a_profile_is_written_with_its_file(tmp_path):
     case = asperity.Case(small())
     with pytest.raises(asperity.AsperityError, match="waves .* no file has them") as refused:

@@ -46,6 +46,20 @@ def test_text_ranges_and_pint_mean_the_same(drive, a_map):
     assert np.allclose(at, a_map.loss_torque(torque_nm=50, speed_rpm=[1000, 9000], temperature_c=90), rtol=1e-12)
 
 
+def test_a_speed_of_pint_without_an_angle_counts_turns_as_text_does(drive, a_map):
+    pint = pytest.importorskip("pint")
+    unit = pint.UnitRegistry()
+    speeds = [9000 / unit.minute, 150 / unit.s, 150 * unit.Hz, unit.Quantity(9000, "rpm"), 300 * np.pi * unit.rad / unit.s, 54000 * unit.degree / unit.s]
+    for speed in speeds:
+        case = drive.replace(speed=speed)
+        assert abs(asperity.sweep(drive, {"speed": [speed]}).run()["speed_rpm"][0] - 9000) < 1e-9, speed
+        assert case.run("losses").loss_w == pytest.approx(drive.replace(speed="9000 1/min").run("losses").loss_w, rel=1e-12), speed
+    at = a_map.loss_torque(torque=50 * unit.N * unit.m, speed=3000 / unit.minute)
+    assert at.shape == () and at == pytest.approx(a_map.loss_torque(torque_nm=50, speed_rpm=3000), rel=1e-12)
+    jet = {"flow": 2.5 * unit.liter / unit.minute, "speed": "20 m/s"}
+    assert drive.replace({"gearbox.jet": jet}).inputs.gearbox.jet.speed == "20 m/s"
+
+
 @pytest.mark.parametrize(
     ("given", "code"),
     [

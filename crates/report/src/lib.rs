@@ -35,6 +35,7 @@ mod settings;
 mod study;
 mod summary;
 pub mod tables;
+mod terms;
 mod thin;
 mod tiles;
 pub mod units;
@@ -57,6 +58,7 @@ pub use study::StudyResult;
 pub use summary::{
     besides_the_mesh, brief, headline, models, published_laws, summary, summary_within,
 };
+pub use terms::{TERMS, Term};
 pub use thin::thin;
 pub use tiles::{Tile, TileKind, tiles};
 pub use wrap::{COLUMNS, wrapped, wrapped_within};

@@ -8,7 +8,7 @@ use crate::ridges;
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped_within};
 use asperity::message::{Subject, Warning};
-use asperity::result::loss_band::{Digits, Trust, Uncertainty, UncertaintyPart, rounded};
+use asperity::result::loss_band::{Trust, Uncertainty, UncertaintyPart, rounded};
 use asperity::result::{
     BulkReport, FlankRecord, GearboxReport, MicropittingReport, PairSampling, PositionRow, Regime,
     RunResult, Summary,
@@ -120,29 +120,32 @@ const SUBJECTS: &[(Code, Subject)] = &[
 /// Beginning of the worth of a warning.
 const WORTH: &str = " (worth ";
 
+/// A warning with its worth in words, if that is known and not printed as 0.
+pub(crate) fn priced(warning: &Warning, result: &RunResult) -> Warning {
+    let digits = result.uncertainty.as_ref().map(Uncertainty::digits);
+    let known = worth(warning, result).zip(digits);
+    let known = known.filter(|(watts, digits)| digits.steps(*watts) > 0.0);
+    known.map_or_else(
+        || warning.clone(),
+        |(watts, digits)| warning.with(&format!("{WORTH}{} W)", digits.rounded(watts))),
+    )
+}
+
 /// The warning of the first screen, with its worth in words.
 pub(crate) fn weightiest(result: &RunResult) -> Option<Warning> {
     let doubt = |warning: &&Warning| warning.code.doubt();
     let doubtful = result.warnings.iter().filter(|w| doubt(w).is_some());
     let digits = result.uncertainty.as_ref().map(Uncertainty::digits);
-    let with_worth = |warning: &Warning, watts: f64, digits: Digits| {
-        warning.with(&format!("{WORTH}{} W)", digits.rounded(watts)))
-    };
     if let Some(warning) = doubtful.min_by_key(doubt) {
-        let known = worth(warning, result).zip(digits);
-        let known = known.filter(|(watts, digits)| digits.steps(*watts) > 0.0);
-        return Some(known.map_or_else(
-            || warning.clone(),
-            |(watts, digits)| with_worth(warning, watts, digits),
-        ));
+        return Some(priced(warning, result));
     }
     let digits = digits?;
     let worth = result.warnings.iter().filter_map(|warning| {
         let watts = worth(warning, result)?;
         (digits.steps(watts) > 0.0).then_some((warning, watts))
     });
-    let (warning, watts) = worth.max_by(|(_, a), (_, b)| a.total_cmp(b))?;
-    Some(with_worth(warning, watts, digits))
+    let (warning, _) = worth.max_by(|(_, a), (_, b)| a.total_cmp(b))?;
+    Some(priced(warning, result))
 }
 
 /// Change of the loss \[W\] that `warning` is about: half the range of its component of the uncertainty, or the contact of

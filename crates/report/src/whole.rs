@@ -259,7 +259,6 @@ fn linked(mesh: &str) -> Cell {
 fn meshes_section(result: &Whole) -> Markup {
     html! {
         (meshes(result))
-        p { "The first gear in the name of a mesh is the pinion on its page, the second the wheel." }
         p { "Torque and speed of the pinion, in a planetary set relative to the carrier. Here the torque is without losses; \
             the table of the shafts has it with losses." }
         @if result.loss_distribution.is_some() {

@@ -103,7 +103,7 @@ fn map() -> Map {
 }
 
 #[test]
-fn the_verdict_of_a_map_is_next_to_the_operating_point() {
+fn the_verdict_of_a_map_is_interpolated_to_the_operating_point() {
     let mut map = map();
     let verdict = |map: &Map| {
         let text = asperity_report::StudyResult::report(map).terminal();
@@ -111,7 +111,25 @@ fn the_verdict_of_a_map_is_next_to_the_operating_point() {
     };
     assert!(verdict(&map).contains("at -160 N m and 16000 1/min."));
     map.operating_point = Some([41.0, 3400.0]);
-    assert!(verdict(&map).contains("at 40 N m and 3000 1/min."));
+    let surface = map.finishes[0].surface(&map.axes, 0).unwrap();
+    let loss = surface.loss_torque(41.0, 3400.0).value * 3400.0 * std::f64::consts::PI / 30.0;
+    let said = verdict(&map);
+    let due = format!("With ground the loss is {loss:.1} W and the efficiency");
+    assert!(
+        said.contains(&due) && said.contains("at 41 N m and 3400 1/min."),
+        "{due}: {said}"
+    );
+    assert!(
+        said.contains("interpolated between the points of the map."),
+        "{said}"
+    );
+    // Outside of the map it is at the next point.
+    map.operating_point = Some([41.0, 34_000.0]);
+    let said = verdict(&map);
+    assert!(
+        said.contains("at 40 N m and 16000 1/min.") && said.contains("next to the operating point"),
+        "{said}"
+    );
 }
 
 /// Places of all quadrants, off the nodes: torque \[N m\], speed \[1/min\].
@@ -287,7 +305,7 @@ fn mat_files_hold_every_temperature_in_one_array_without_nan() {
     let files = export(&map, Format::Matlab, With::default()).unwrap();
     let found = matrices(&files[0].bytes);
     assert_eq!(said_in(&found, "scope"), "mesh only, input shaft");
-    assert!(said_in(&found, "head").contains("finish ground, 60, 90 °C"));
+    assert!(said_in(&found, "head").contains("finish ground, 60, 90 degC"));
     assert_eq!(matrix(&found, "temperature_c").values, [60.0, 90.0]);
     assert_eq!(matrix(&found, "torque_nm").sizes, [17, 1]);
     assert_eq!(matrix(&found, "omega_rad_s").sizes, [1, 17]);

@@ -152,7 +152,7 @@ fn the_headline_adds_up_and_two_results_differ_by_the_torque_that_was_changed() 
 
     let both = versus(&a, &b).unwrap();
     assert!(
-        both.verdict.starts_with("B loses ") && both.verdict.contains("less than A"),
+        both.verdict.starts_with("With B the loss is ") && both.verdict.contains("lower than with A"),
         "{}",
         both.verdict
     );
@@ -161,7 +161,7 @@ fn the_headline_adds_up_and_two_results_differ_by_the_torque_that_was_changed() 
     assert_eq!(both.inputs, [torque]);
     // Against itself nothing differs.
     let same = versus(&a, &a).unwrap();
-    assert_eq!(same.verdict, "B loses exactly as much as A");
+    assert_eq!(same.verdict, "With B the loss is exactly as with A");
     assert!(same.inputs.is_empty());
 }
 
@@ -257,7 +257,7 @@ fn a_gear_train_runs_on_files_in_memory_as_on_disk() {
     )
     .unwrap();
     let both = versus(&found, &other).unwrap();
-    assert!(both.verdict.starts_with("B loses "), "{}", both.verdict);
+    assert!(both.verdict.starts_with("With B the loss is "), "{}", both.verdict);
     let loss = both
         .rows
         .iter()

@@ -358,7 +358,7 @@ def test_a_gear_train_runs_as_the_command_runs_it_and_has_a_report_of_each_mesh(
     page.fill("#text", TRAIN.replace("60 N m", "30 N m"))
     page.wait_for_selector("#stale:visible")
     assert run(page) == "done"
-    assert "less than A" in page.inner_text("#verdict")
+    assert "lower than with A" in page.inner_text("#verdict")
 
 
 def test_texts_that_are_no_case_are_refused(page):
@@ -446,7 +446,7 @@ def test_two_dropped_finishes_are_compared_when_asked(page):
     assert "A, ground_pinion.csv and ground_wheel.csv; B, superfinished.csv and superfinished_wheel.csv" in page.inner_text("#two")
     page.click("#compare")
     page.wait_for_selector("#versus:visible", timeout=120_000)
-    assert page.inner_text("#verdict").startswith("B loses ") and "less" in page.inner_text("#verdict")
+    assert page.inner_text("#verdict").startswith("With B the loss is ") and "lower" in page.inner_text("#verdict")
     assert page.is_hidden("#two")
     # On a phone the button leads to the result.
     page.set_viewport_size({"width": 400, "height": 800})
@@ -467,7 +467,7 @@ def test_two_results_stand_side_by_side_and_their_difference_is_the_loss_that_is
     assert row[:2] == [a, b] and row[2].startswith("-")
     watts = lambda text: float(re.match(r"-?[\d.]+", text)[0])
     assert abs(watts(row[2]) - (watts(b) - watts(a))) <= 20
-    assert page.inner_text("#verdict").startswith("B loses ")
+    assert page.inner_text("#verdict").startswith("With B the loss is ")
     torque = page.locator("#both tr:has(th:text-is('Torque of the pinion')) td").all_inner_texts()
     assert torque[:2] == ["145 N m", "50 N m"]
     # A stays where it is kept.

@@ -48,8 +48,8 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
     let about = |error| Fault::from(error).about(path.display());
     let contact = ReferenceContact::of(&loaded, position, &settings).map_err(about)?;
     let title = format!(
-        "{} at {:.1} % of the path",
-        path.display(),
+        "{}, at {:.1} % of the path",
+        loaded.case.title,
         100.0 * position
     );
     if args.smooth {
@@ -117,7 +117,7 @@ fn record_settings(args: &EhlArgs) -> RecordSettings {
         length: args.half_widths,
         solid_film: args.solid_film,
         contact_film: args.contact_film,
-        history: args.report.is_some(),
+        history: true,
         frame_interval: frame_interval(args),
         ..RecordSettings::default()
     }

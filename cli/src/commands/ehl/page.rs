@@ -8,7 +8,7 @@ use asperity_report::html::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };
 
-use super::rough::{Recorded, with_error};
+use super::rough::Recorded;
 use super::smooth::Smooth;
 use crate::failure::Failure;
 
@@ -133,7 +133,7 @@ const AT_PITCH_POINT: &str = "Here the flanks roll with almost no sliding. The f
     sliding speed, so that the coefficient is not 0. Almost no loss follows from it.";
 
 impl Recorded {
-    /// Friction without sliding, a pressure at its ceiling and a mean that still changes, in words.
+    /// Friction without sliding, and a pressure at its ceiling, in words.
     fn beyond(&self) -> Vec<String> {
         /// Slide-to-roll ratio that is printed as 0.
         const PRINTED_AS_ZERO: f64 = 0.0005;
@@ -142,19 +142,10 @@ impl Recorded {
         let rubs = is_pitch_point && record.friction.is_some();
         let ceiling = self.ceiling.map(|ceiling| ceiling.pressure);
         let reached = ceiling.filter(|ceiling| record.max_pressure >= *ceiling);
-        let mean = |half: &[Moment]| {
-            half.iter().map(|moment| moment.solid_share).sum::<f64>() / half.len().max(1) as f64
-        };
-        let (first, second) = record.history.split_at(record.history.len() / 2);
-        let change = mean(second) - mean(first);
-        let drifts = change.abs() > 2.0 * record.solid_share.standard_error;
         [
             rubs.then(|| AT_PITCH_POINT.to_owned()),
             reached.map(|ceiling| {
                 format!("The largest pressure is at most the flow pressure of the softer flank, {ceiling:.1}, at which the flanks yield.")
-            }),
-            drifts.then(|| {
-                format!("The share of the second half of the travel differs by {change:+.3} from the first: a longer travel is needed.")
             }),
         ]
         .into_iter()
@@ -182,19 +173,20 @@ impl Recorded {
         page.verdict = format!(
             "Share of the load on films below {:.0} nm: {}.",
             self.solid_film.si() * 1e9,
-            with_error(share.mean, share.standard_error)
+            self.shown(share.mean, share.standard_error)
         );
         page.numbers = vec![
             number(
                 "share of the load on these films",
-                with_error(share.mean, share.standard_error),
+                self.shown(share.mean, share.standard_error),
             ),
             number(
                 "mean film",
-                with_error(
+                self.shown(
                     record.mean_film.mean * 1e6,
                     record.mean_film.standard_error * 1e6,
-                ) + " µm",
+                )
+                .replacen(" (", " µm (", 1),
             ),
             number(
                 "smooth film from the same inlet",
@@ -207,11 +199,16 @@ impl Recorded {
             number("travel", format!("{:.1} half-widths", record.travel)),
         ];
         if let Some(friction) = &record.friction {
-            let text = with_error(friction.shifted.mean, friction.shifted.standard_error);
+            let text = self.shown(friction.shifted.mean, friction.shifted.standard_error);
             page.numbers.push(number("friction", text));
         }
         let notes = self.beyond().into_iter();
-        page.notes = [self.travel()].into_iter().chain(notes).collect();
+        page.notes = self
+            .doubt()
+            .into_iter()
+            .chain([self.travel()])
+            .chain(notes)
+            .collect();
         page.notes.extend([inlet_of(self.window), NEXT.to_owned()]);
         page.mean = Some(curve(
             scales,

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use asperity::ehl::several_records::{mean_of, record_several};
-use asperity::ehl::transient::MeanFriction;
+use asperity::ehl::transient::{MeanFriction, Moment};
 use asperity::ehl::{
     NodeState, PlasticCeiling, Record, RecordMean, RecordSettings, RoughContact, Solved, Window,
 };
@@ -110,6 +110,41 @@ impl Recorded {
         }
     }
 
+    /// Share of the load on thin films in both halves of the travel, if they differ by more than the standard error explains.
+    fn unsteady(&self) -> Option<[f64; 2]> {
+        let record = &self.solved.value;
+        let mean = |half: &[Moment]| {
+            half.iter().map(|moment| moment.solid_share).sum::<f64>() / half.len().max(1) as f64
+        };
+        let (first, second) = record.history.split_at(record.history.len() / 2);
+        let halves = [first, second].map(mean);
+        let change = (halves[1] - halves[0]).abs();
+        (change > 2.0 * record.solid_share.standard_error).then_some(halves)
+    }
+
+    /// A mean over the travel with its standard error, which says nothing if the halves of the travel differ.
+    pub fn shown(&self, mean: f64, standard_error: f64) -> String {
+        match self.unsteady() {
+            None => with_error(mean, standard_error),
+            Some(_) => {
+                let digits = Digits::of_uncertainty(2.0 * standard_error);
+                format!("{} (not steady)", digits.rounded(mean))
+            }
+        }
+    }
+
+    /// How far the means of a travel whose halves differ can be believed, in words.
+    pub fn doubt(&self) -> Option<String> {
+        /// Ratio of the next travel to this one.
+        const LONGER: f64 = 4.0;
+        let [first, second] = self.unsteady()?;
+        Some(format!(
+            "Not steady: the share of the load on thin films is {first:.2} in the first half of the travel and {second:.2} in the second. \
+            The means of this travel are known no better than that: repeat with --half-widths {:.0}.",
+            LONGER * self.solved.value.travel
+        ))
+    }
+
     /// Warnings with their codes.
     pub fn warnings(&self) -> Vec<(Code, String)> {
         let unread = self.unread.iter().cloned();
@@ -158,7 +193,7 @@ impl Recorded {
         let share = format!(
             "solid share (below {:.0} nm) {} over {:.1} half-widths{}",
             nanometres(self.solid_film),
-            with_error(record.solid_share.mean, record.solid_share.standard_error),
+            self.shown(record.solid_share.mean, record.solid_share.standard_error),
             record.travel,
             match self.shares.len() {
                 1 => String::new(),
@@ -168,7 +203,7 @@ impl Recorded {
         let film = format!(
             "smooth central film {:.4} um   mean film {} um, spread {:.4} um",
             record.smooth_film.si() * 1e6,
-            with_error(
+            self.shown(
                 record.mean_film.mean * 1e6,
                 record.mean_film.standard_error * 1e6
             ),
@@ -176,7 +211,7 @@ impl Recorded {
         );
         let below = columns! { below in &record.load_below;
             number film "films up to" "nm" "{:.0}" = nanometres(below.film);
-            number share "share of the load" "" = with_error(below.share.mean, below.share.standard_error);
+            number share "share of the load" "" = self.shown(below.share.mean, below.share.standard_error);
         };
         let pressure = format!(
             "largest pressure {:.3} GPa on average, {:.3} GPa at most; {:.4} of the load at the flow pressure",
@@ -200,6 +235,7 @@ impl Recorded {
         let warnings = self.warnings().into_iter();
         let report = Report::new(&self.title, "")
             .verdict([share])
+            .verdict(self.doubt())
             .verdict(self.friction())
             .table(below)
             .text([
@@ -223,7 +259,7 @@ impl Recorded {
         let friction = |name: &str, friction: &MeanFriction| {
             format!(
                 "{name} {} (boundary below the solid film {:.5}, film alone {:.5})",
-                with_error(friction.shifted.mean, friction.shifted.standard_error),
+                self.shown(friction.shifted.mean, friction.shifted.standard_error),
                 friction.stepped.mean,
                 friction.film.mean
             )
@@ -272,7 +308,7 @@ impl Recorded {
 }
 
 /// Mean with its standard error, which a record of few blocks does not have.
-pub(super) fn with_error(mean: f64, standard_error: f64) -> String {
+fn with_error(mean: f64, standard_error: f64) -> String {
     match standard_error.is_finite() {
         true => {
             let digits = Digits::of_uncertainty(standard_error);

@@ -103,6 +103,7 @@ impl Solved<'_> {
             program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
             title: case.title.clone(),
             case_file: self.loaded.file_name(),
+            mesh: None,
             formulation: case.formulation,
             published_laws: published_laws(&self)?,
             load,

@@ -56,6 +56,9 @@ pub struct RunResult {
     /// Name of the case file, without its folder; absent from older results.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub case_file: Option<String>,
+    /// Name of the mesh, of a gear train.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<String>,
     /// The formulation of the model.
     pub formulation: FormulationChoice,
     /// Efficiency and losses.

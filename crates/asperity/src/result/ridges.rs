@@ -57,7 +57,7 @@ pub struct Ridges {
 pub struct RidgeRow {
     /// Flank: pinion or wheel.
     pub flank: String,
-    /// Place of its highest point from the first point of the prepared trace \[mm\].
+    /// Place of its highest point from the first point of the prepared trace, as it is in the mesh: mirrored where the case says so \[mm\].
     pub place_mm: f64,
     /// Width at the mean line \[µm\].
     pub width_um: f64,
@@ -76,7 +76,7 @@ pub struct RidgeRow {
     pub low_w: Option<f64>,
     /// 95 % quantile of it by the same \[W\].
     pub high_w: Option<f64>,
-    /// First of its points in the prepared trace, counted from 0.
+    /// First of its points in the prepared trace, counted from 0; of a mirrored trace from its last point.
     pub first_point: usize,
     /// Last of its points.
     pub last_point: usize,

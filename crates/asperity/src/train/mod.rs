@@ -397,8 +397,9 @@ pub fn run_beside(
     let mut meshes = Vec::new();
     let mut drawn = Vec::new();
     for mesh in loaded.meshes() {
-        let (outcome, predictive) =
+        let (mut outcome, predictive) =
             run_and_draw(&mesh.case, (kept, band), &mut contacts, progress)?;
+        outcome.result.mesh = Some(mesh.name.clone()).filter(|name| !name.is_empty());
         meshes.push(outcome);
         drawn.push(predictive);
     }

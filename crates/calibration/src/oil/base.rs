@@ -1,7 +1,7 @@
 //! Oil whose traction is predicted or fitted, with the distribution of its constants in the family.
 
 use super::error as oil_error;
-use asperity::case::{Case, FittedName, OilFile};
+use asperity::case::{Case, FittedName, OilFile, Source};
 use asperity::oil::{
     FilmRheology, GOLD_TEMPERATURE, LIMITING_SHEAR_BAND, LubricantInput, PRESSURE_VISCOSITY_BAND,
     TractionConstants, eyring_stress_band,
@@ -68,6 +68,25 @@ impl OilBase {
             oil.deviations = fitted_deviations(file);
         }
         Ok(oil)
+    }
+
+    /// The oil of `source`, an oil file or a data sheet, called `name`; `None` of a case.
+    ///
+    /// # Errors
+    /// As [`of_file`](Self::of_file), and when the source cannot be read.
+    pub fn of_source(
+        name: &str,
+        source: &Source,
+        constants: ConstantsOf,
+    ) -> Result<Option<Self>, Fault> {
+        if OilFile::is_one(source) {
+            let file = OilFile::of_source(source).map_err(asperity::Error::from)?;
+            return Self::of_file(name, &file, constants).map(Some);
+        }
+        let sheet = OilFile::data_sheet(source).map_err(asperity::Error::from)?;
+        sheet
+            .map(|sheet| Self::of_lubricant(name, sheet))
+            .transpose()
     }
 
     /// The oil of a data sheet.

@@ -1,7 +1,7 @@
 //! Plan of traction measurements: curves to measure, the error of each constant that they would leave, and the points that
 //! narrow the loss of a case most.
 //!
-//! The minimal plan has three temperatures, two loads, two speeds and ten slide-to-roll ratios, both signs of each.
+//! The standard plan has three temperatures, two loads, two speeds and ten slide-to-roll ratios, both signs of each.
 
 use asperity::{Contacts, LoadedCase};
 use asperity_core::Fault;
@@ -38,7 +38,7 @@ const THREE_CURVES: Grid<'static> = Grid {
     temperatures: TEMPERATURES,
     ..ONE_CURVE
 };
-const MINIMAL: Grid<'static> = Grid {
+const STANDARD: Grid<'static> = Grid {
     loads: &[20.0, 60.0],
     speeds: &[1.0, 3.0],
     slides: SLIDES,
@@ -53,8 +53,8 @@ const SMALL_BALL: Grid<'static> = Grid {
 };
 /// Stage of one curve.
 const ONE: &str = "one curve";
-/// Stage of the minimal plan.
-pub const WHOLE: &str = "minimal plan";
+/// Stage of the standard plan.
+pub const WHOLE: &str = "standard plan";
 /// Radius of the small ball.
 const SMALL_RADIUS: Length = Length::from_si(4.75e-3);
 /// Minutes of a curve with both signs, and of heating to a temperature.
@@ -73,7 +73,7 @@ pub struct PlanSettings {
     pub zero: Zero,
     /// Errors of the points.
     pub errors: PointErrors,
-    /// Seed of simulated readings of the minimal plan.
+    /// Seed of simulated readings of the standard plan.
     pub simulate: Option<u64>,
 }
 
@@ -167,9 +167,9 @@ pub struct OilPlan {
     pub radius_mm: f64,
     /// Amounts of measurement with the errors that they would leave.
     pub stages: Vec<Stage>,
-    /// Curves of the minimal plan.
+    /// Curves of the standard plan.
     pub curves: Vec<PlannedCurve>,
-    /// Points of the minimal plan.
+    /// Points of the standard plan.
     pub points: Vec<PlannedPoint>,
     /// The few points that narrow the loss of the case most; without a case, all constants together.
     pub chosen: Vec<PlannedPoint>,
@@ -184,7 +184,7 @@ struct Planner<'a> {
     slopes: Option<DVector<f64>>,
 }
 
-/// One curve and the minimal plan for the loss of `case`, and the derivative of ln loss by a standard deviation of the
+/// One curve and the standard plan for the loss of `case`, and the derivative of ln loss by a standard deviation of the
 /// pressure-viscosity coefficient in the friction only.
 ///
 /// # Errors
@@ -204,7 +204,7 @@ pub(crate) fn stages_of_case(
     };
     let stage =
         |name: &str, grid: &Grid<'_>| planner.stage(name, &grid.described(oil, &settings.machine)?);
-    let stages = [stage(ONE, &ONE_CURVE)?, stage(WHOLE, &MINIMAL)?];
+    let stages = [stage(ONE, &ONE_CURVE)?, stage(WHOLE, &STANDARD)?];
     Ok((stages, slopes[FACTOR]))
 }
 
@@ -250,10 +250,10 @@ impl OilPlan {
             ..settings.machine
         };
         let described = |grid: &Grid<'_>| grid.described(oil, &settings.machine);
-        let minimal = described(&MINIMAL)?;
+        let standard = described(&STANDARD)?;
         let mut further = SMALL_BALL.described(oil, &small)?;
         for point in &mut further {
-            point.curve += minimal.len();
+            point.curve += standard.len();
         }
         let chosen = planner.chosen(&described(&helpful::GRID)?)?;
         let chosen_points = format!("{CHOSEN} chosen points");
@@ -261,8 +261,8 @@ impl OilPlan {
             ("before any test", Vec::new()),
             (ONE, described(&ONE_CURVE)?),
             ("three curves", described(&THREE_CURVES)?),
-            (WHOLE, minimal.clone()),
-            ("with a small ball", [&minimal[..], &further].concat()),
+            (WHOLE, standard.clone()),
+            ("with a small ball", [&standard[..], &further].concat()),
             (&chosen_points, chosen.clone()),
         ];
         let stages = stages
@@ -278,7 +278,7 @@ impl OilPlan {
             radius_mm: 1e3 * settings.machine.radii[0].si(),
             stages: stages.collect::<Result<Vec<Stage>, Fault>>()?,
             curves: planner.curves()?,
-            points: planner.points(&minimal, settings.simulate)?,
+            points: planner.points(&standard, settings.simulate)?,
             chosen: planner.points(&chosen, None)?,
         })
     }
@@ -336,7 +336,7 @@ impl Planner<'_> {
     }
 
     fn curves(&self) -> Result<Vec<PlannedCurve>, Fault> {
-        let all = MINIMAL.points(&self.settings.machine);
+        let all = STANDARD.points(&self.settings.machine);
         let curve = |points: &[SetPoint]| {
             let judged = points.iter().map(|point| judge(self.oil, point));
             let judged = judged.collect::<Result<Vec<Judged>, Fault>>()?;

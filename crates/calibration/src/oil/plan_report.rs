@@ -29,6 +29,9 @@ struct Row {
     set_temperature_c: f64,
     expected_traction: f64,
     film_ratio: f64,
+    /// Mark of a simulated reading.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    simulated: Option<bool>,
 }
 
 /// Row of the table of expected errors.
@@ -47,18 +50,19 @@ impl StudyResult for OilPlan {
 
     fn report(&self) -> Report<'_> {
         let simulated =
-            format!("{SIMULATED_TABLE} holds {SIMULATED} readings of the minimal plan.");
+            format!("{SIMULATED_TABLE} holds {SIMULATED} readings of the standard plan.");
         let choice = choice(self);
         let report = Report::new(&self.title, format!("{} · traction plan", self.program))
             .section("Expected errors")
             .verdict(verdict(self))
             .verdict(self.case.as_ref().map(|_| REMAINS))
             .verdict([format!("{choice}.")])
-            .text(more_of_minimal(self))
+            .text(more_of_standard(self))
+            .text([WHEN])
             .figures(|| [errors(self)])
             .table(stages(self))
             .text(notes(self))
-            .section("Minimal plan")
+            .section("Standard plan")
             .heading(WHOLE)
             .in_terminal()
             .table(curves(self))
@@ -81,6 +85,9 @@ impl StudyResult for OilPlan {
 /// What a plan does not narrow.
 const REMAINS: &str =
     "The error of the law and all other components of the interval of the loss remain.";
+/// Use of a plan, next to the command that compares all measurements.
+const WHEN: &str = "Traction curves serve all gears with this oil. For the loss of one case, asperity evidence says first whether \
+    another measurement narrows it more.";
 /// Purpose of the table to fill in.
 const TO_FILL_IN_TEXT: &str =
     "plan.csv is the table to fill in, with the friction expected before any test.";
@@ -92,7 +99,7 @@ impl OilPlan {
         points.any(|point| point.simulated_traction.is_some())
     }
 
-    /// Writes simulated readings of the minimal plan.
+    /// Writes simulated readings of the standard plan.
     fn write_simulated(&self, file: &Path) -> Result<(), Fault> {
         let mut bytes = format!("# {SIMULATED} by {}: not measured\n", self.program).into_bytes();
         bytes.extend(tables::text(
@@ -102,7 +109,7 @@ impl OilPlan {
         write_bytes(file, &bytes)
     }
 
-    /// Rows of the minimal plan, both signs of each point, with friction.
+    /// Rows of the standard plan, both signs of each point, with friction.
     fn rows(&self, traction: fn(&PlannedPoint) -> Option<f64>) -> impl Iterator<Item = Row> {
         let signs = move |point: &PlannedPoint| {
             let point = *point;
@@ -115,6 +122,7 @@ impl OilPlan {
                 set_temperature_c: point.temperature_c,
                 expected_traction: sign * point.expected_traction,
                 film_ratio: point.film_ratio,
+                simulated: traction(&point).map(|_| true),
             })
         };
         self.points.iter().flat_map(signs)
@@ -185,7 +193,7 @@ fn joined(percents: &[f64]) -> String {
     texts.collect::<Vec<String>>().join(" ")
 }
 
-/// What the minimal plan leaves of the error of the Eyring stress and of the loss; `None` if it is not among the stages.
+/// What the standard plan leaves of the error of the Eyring stress and of the loss; `None` if it is not among the stages.
 fn verdict(plan: &OilPlan) -> Option<String> {
     let before = plan.stages.first()?;
     let of_plan = plan.stages.iter().find(|stage| stage.name == WHOLE)?;
@@ -199,19 +207,19 @@ fn verdict(plan: &OilPlan) -> Option<String> {
     };
     let (name, [from, to]) = of_loss.or_else(of_constant)?;
     Some(format!(
-        "The minimal plan takes {}. It narrows the standard deviation of the {name} from {from:.1} to {to:.1} %.",
+        "The standard plan takes {}. It narrows the standard deviation of the {name} from {from:.1} to {to:.1} %.",
         duration(of_plan.minutes)
     ))
 }
 
-/// What the minimal plan leaves of the error of the Eyring stress against the chosen points, in words; `None` if not less.
-fn more_of_minimal(plan: &OilPlan) -> Option<String> {
+/// What the standard plan leaves of the error of the Eyring stress against the chosen points, in words; `None` if not less.
+fn more_of_standard(plan: &OilPlan) -> Option<String> {
     let whole = plan.stages.iter().find(|stage| stage.name == WHOLE)?;
     let of = |stage: &Stage| Some(100.0 * stage.constants.first()?.deviation);
-    let [minimal, chosen] = [of(whole)?, of(plan.stages.last()?)?];
-    (minimal < chosen).then(|| {
+    let [standard, chosen] = [of(whole)?, of(plan.stages.last()?)?];
+    (standard < chosen).then(|| {
         format!(
-            "The minimal plan determines the constants better for other cases: {} to {minimal:.1} %, by the chosen points to {chosen:.1} %.",
+            "The standard plan determines the constants better for other cases: {} to {standard:.1} %, by the chosen points to {chosen:.1} %.",
             STATED_CONSTANTS[0].1
         )
     })
@@ -284,7 +292,7 @@ fn errors(plan: &OilPlan) -> Drawing {
     Drawing::Curves(chart)
 }
 
-/// Curves of the minimal plan.
+/// Curves of the standard plan.
 fn curves(plan: &OilPlan) -> Table {
     let table = columns! { curve in &plan.curves;
         number temperature_c "temperature" "°C" "{:.0}";

@@ -281,7 +281,7 @@ impl StudySettings for OilFitSettings {
 settings! {
     /// Settings of a plan of measurements.
     pub struct OilPlanSettings {
-        /// Write simulated.csv with simulated friction of the minimal plan, with this seed
+        /// Write simulated.csv with simulated friction of the standard plan, with this seed
         [value_name = "SEED"] simulate: Option<u64>,
         ..specimens: Specimens,
         ..priors: PriorSettings,

@@ -24,6 +24,7 @@ use super::reading::Reading;
 use asperity_table::{Row, RowFault};
 
 use crate::number_table;
+use crate::rig_table::SIMULATED_COLUMN;
 
 /// Known columns.
 const KNOWN: [&str; 16] = [
@@ -48,8 +49,8 @@ const KNOWN: [&str; 16] = [
 const PRESSURE: &str = "max_pressure_gpa";
 /// Column of a measured film.
 const FILM: &str = "film_nm";
-/// Columns of a plan that hold no measurement; they are left out without a warning.
-const OF_A_PLAN: [&str; 2] = ["expected_traction", "film_ratio"];
+/// Columns of a plan that hold no measurement, and the mark of simulated ones; they are left out without a warning.
+const OF_A_PLAN: [&str; 3] = ["expected_traction", "film_ratio", SIMULATED_COLUMN];
 /// Columns that a table needs.
 const NEEDED: usize = 5;
 /// Prefixes of column names, with the known column of the quantity.
@@ -126,12 +127,16 @@ pub fn read_table(
             renamed.push(format!("column {column} is not known; write {known}"));
         }
     }
+    let mut missing: Vec<&str> = KNOWN[..NEEDED].to_vec();
+    missing.retain(|needed| !(table.has(needed) || *needed == "load_n" && table.has(PRESSURE)));
+    if renamed.is_empty() {
+        let known = [&KNOWN[..], &OF_A_PLAN, &[FILM]].concat();
+        renamed = number_table::misspelt(&table, &missing, &known);
+    }
     if !renamed.is_empty() {
         let unit = "names end in the unit of their numbers";
         return Err(refuse(format!("{} ({unit})", renamed.join(", "))));
     }
-    let mut missing: Vec<&str> = KNOWN[..NEEDED].to_vec();
-    missing.retain(|needed| !(table.has(needed) || *needed == "load_n" && table.has(PRESSURE)));
     match missing.as_slice() {
         [] => {}
         [one] => return Err(refuse(format!("column {one} is missing"))),

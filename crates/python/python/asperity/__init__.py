@@ -165,12 +165,16 @@ def schema(kind: Literal["gears", "mesh", "settings"] = "gears") -> dict[str, An
         The schema as a dictionary.
 
     Raises:
-        AsperityError: the schema cannot be written, which is a fault of the program (E501).
+        AsperityError: another kind (E204), or the schema cannot be written, which is a fault of the program (E501).
 
     Example:
         >>> "gears" in asperity.schema()["properties"]
         True
     """
+    if kind not in ("gears", "mesh", "settings"):
+        from ._errors import AsperityError, Code
+
+        raise AsperityError(f'kind: {kind!r} is not one of "gears", "mesh", "settings"', Code.E204, "Give one of these names.")
     # At its first need: it is not part of a run.
     import json
 

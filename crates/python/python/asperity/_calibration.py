@@ -70,7 +70,7 @@ class Design(Study, DesignValues):
     @property
     def table(self) -> Table:
         """The points as measurements that `calibrate` takes: to fill in, or with ``simulate`` their simulated losses, which the column
-        ``simulated`` marks. The mark of the file ``simulated.csv`` is its first line, which a reader that leaves out comments loses."""
+        ``simulated`` marks, as in the file ``simulated.csv``."""
         import csv
 
         files = files_of(self._raw)
@@ -78,7 +78,8 @@ class Design(Study, DesignValues):
         lines = [line for line in files[name].decode().splitlines() if not line.startswith("#")]
         texts = ("includes", "flank_state")
         rows = [
-            {key: cell if key in texts else float(cell) if cell else None for key, cell in row.items()} | {"simulated": name == "simulated.csv"}
+            {key: cell if key in texts else float(cell) if cell else None for key, cell in row.items() if key != "simulated"}
+            | {"simulated": name == "simulated.csv"}
             for row in csv.DictReader(lines)
         ]
         return Table(rows, declared={key: "str" if key in texts else "bool" if key == "simulated" else "Optional[float]" for key in rows[0]})

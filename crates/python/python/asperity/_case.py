@@ -236,7 +236,7 @@ class Case(Fixed):
                 ``lubricated_coefficient``. Conditions: those of film friction, lambda_star (NaN if unknown), film_ratio,
                 reduced_peak, flow_pressure.
             load_distribution: the load per length of contact line, N/m, of ``s`` (place on the line of action, m),
-                path_fraction (0 at A, 1 at E), torque, ``uniform`` (the load if all lines of contact share equally).
+                path_fraction (0 at A, 1 at E), torque, ``uniform`` (the load if all lines of contact share equally, as ``"mean-length"`` of a case).
 
         An exception of a law ends the run and is raised with its traceback.
 
@@ -339,7 +339,7 @@ class Case(Fixed):
         """Computes losses, and with more detail contacts and fields; the losses are the same to the last digit.
 
         Parameters:
-            detail: ``"losses"`` (a fraction of the time), ``"contacts"`` (the rough contacts at every offset), or
+            detail: ``"losses"`` (a fraction of the time; of several meshes as ``"contacts"``), ``"contacts"`` (the rough contacts at every offset), or
                 ``"fields"`` (as the command: fields and stress below the surface, too).
             band: whether the uncertainty of the loss is computed; default with ``"fields"`` only. Not with ``"losses"``.
             threads: number of threads; default, and -1, all cores.
@@ -370,7 +370,7 @@ class Case(Fixed):
         return Regime(meshes)
 
     def contact(self, position: Optional[float] = None) -> Contact:
-        """The flanks pressed dry against each other at a place of the path, 0 at A and 1 at E."""
+        """The flanks pressed dry against each other at a place of the path, 0 at A and 1 at E; default the pitch point."""
         return warned(Contact(*self._raw.contact(checked_number("position", position, float))))
 
     def film(self, position: Optional[float] = None) -> Record:
@@ -378,7 +378,10 @@ class Case(Fixed):
         return Record(json.loads(self._raw.film(checked_number("position", position, float))))
 
     def gear(self) -> Record:
-        """Geometry, contact ratios, stiffness, transmission error, loss factors of every load distribution."""
+        """Geometry, contact ratios, stiffness, transmission error, loss factors of every load distribution.
+
+        ``loss_factor`` is H_V of the load over the teeth, ``summary.loss_factor_local`` of a run; ``ohlendorf`` is its ``summary.loss_factor``.
+        """
         return Record(json.loads(self._raw.gear()))
 
     def to_dict(self) -> dict[str, Any]:

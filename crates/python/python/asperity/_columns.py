@@ -6,6 +6,9 @@ from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from typing import IO, Any, Optional, Protocol, Union
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ._errors import AsperityError, Code, brief, wrong_kind
 from ._files import is_read, text_of
 from ._quantity import is_pint
@@ -21,7 +24,7 @@ class FrameLike(Protocol):
     def __getitem__(self, name: Any, /) -> Any: ...
 
 
-Columns = Union[str, PathLike[str], IO[str], IO[bytes], FrameLike, Mapping[str, Sequence[Any]], Rows]
+Columns = Union[str, PathLike[str], IO[str], IO[bytes], FrameLike, Mapping[str, Union[Sequence[Any], NDArray[Any]]], Rows]
 """A file, an object that is read like one, a table, a frame or columns by their names."""
 
 
@@ -29,6 +32,10 @@ def table_text(columns_by_name: Any, what: str, code: str) -> str:
     """The table as text, or the error ``code`` about ``what``."""
     if is_read(columns_by_name):
         return text_of(columns_by_name)
+    # pyarrow has the arrays themselves as columns.
+    of_arrow = getattr(columns_by_name, "column_names", None)
+    if isinstance(of_arrow, list) and hasattr(columns_by_name, "to_pydict"):
+        columns_by_name = columns_by_name.to_pydict()
     if not isinstance(columns_by_name, Mapping) and not hasattr(columns_by_name, "columns"):
         raise wrong_kind(what, columns_by_name, "a file, a table, a frame or columns by name")
     # At their first need: they take time to import.
@@ -41,7 +48,7 @@ def table_text(columns_by_name: Any, what: str, code: str) -> str:
         if is_pint(column) or isinstance(column, (str, bytes, Mapping)) or not hasattr(column, "__iter__"):
             text = f"{what}: its column {name!r} is not a list of values but {brief(column)}"
             raise AsperityError(text, Code.E204, "Give a table, such as .points or .rows of a result, or numbers in the units of the columns.")
-    columns = {str(name): list(columns_by_name[name]) for name in names}
+    columns = {str(name): _values(columns_by_name[name]) for name in names}
     if len({len(column) for column in columns.values()}) > 1:
         text = f"{what}: its columns differ in length"
         raise AsperityError(text, code, "Give every column one value per measurement.")
@@ -60,6 +67,11 @@ def table_of(table: Columns, name: str, code: str) -> tuple[str, Optional[str]]:
     if isinstance(table, (str, PathLike)):
         return fspath(table), None
     return name, table_text(table, name, code)
+
+
+def _values(column: Any) -> list[Any]:
+    """The values of a column in Python's own types, also of a variable of xarray."""
+    return np.asarray(column).tolist() if hasattr(column, "dims") else list(column)
 
 
 def _cell(value: Any) -> str:

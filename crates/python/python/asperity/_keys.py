@@ -12,7 +12,7 @@ from typing import Any, Optional
 import numpy as np
 
 from . import _asperity
-from ._errors import not_finite, wrong_kind
+from ._errors import not_finite, warn, wrong_kind
 from ._profile import Profile
 from ._quantity import SI_UNITS, is_pint, si
 
@@ -114,6 +114,9 @@ def written(value: Any, schema: Schema, traces: Traces, name: str = "case") -> A
             value = np.asarray(value).tolist()
     if isinstance(value, Profile):
         name = named(value)
+        if "preparation" in value._about:
+            text = f"{name}: the profile was prepared, and the filters of the case filter it again"
+            warn([{"code": _asperity.Code.W118, "text": text}])
         traces.append((name, value._raw))
         return {"file": name}
     if isinstance(value, Mapping):

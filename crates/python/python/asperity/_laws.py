@@ -58,7 +58,7 @@ def hertz(load: Values, radius: Values, modulus: Values) -> Record:
         radius: relative radius R, m.
         modulus: reduced modulus E*, Pa.
 
-    The arguments are broadcast; the arrays have their common shape, with NaN where an argument is NaN or masked.
+    The arguments are broadcast; arrays have their common shape, with NaN where an array is NaN or masked. A single NaN is refused (E209).
 
     Returns:
         A `Record` with ``half_width`` (m), ``max_pressure`` and ``mean_pressure`` (Pa).
@@ -121,7 +121,7 @@ def film_thickness(
         AsperityError: a value that is not positive (E209), of another unit (E204), or arrays that do not fit each other (E209).
 
     Example:
-        >>> film = asperity.film_thickness(entrainment=[5.0, 10.0], radius="10 mm", load="200 N/mm", modulus=230e9,
+        >>> film = asperity.film_thickness(entrainment=[5.0, 10.0], radius="10 mm", load="200 N/mm", modulus=115e9,
         ...                                viscosity=0.01, pressure_viscosity=2e-8)
         >>> bool(film.central[1] > film.central[0] > film.minimum[0])
         True
@@ -163,7 +163,7 @@ def thermal_reduction(
         AsperityError: a value that is not positive (E209), of another unit (E204), or arrays that do not fit each other (E209).
 
     Example:
-        >>> found = asperity.thermal_reduction(max_pressure=1e9, modulus=230e9, loading=[0.1, 1.0], slide_to_roll=0.2)
+        >>> found = asperity.thermal_reduction(max_pressure=1e9, modulus=115e9, loading=[0.1, 1.0], slide_to_roll=0.2)
         >>> bool(found.factor[1] < found.factor[0] < 1)
         True
     """

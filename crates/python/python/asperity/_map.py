@@ -244,7 +244,7 @@ def _places(own: str, given: Optional[Numbers], text: Optional[Quantities]) -> F
     if found is None:
         name = own.rsplit("_", 1)[0]
         raise AsperityError(f"{own} or {name} is required", Code.E205, f"Give {own} or {name}.")
-    is_single = given is not None and np.ndim(given) == 0 or isinstance(text, str)
+    is_single = given is not None and np.ndim(given) == 0 or isinstance(text, str) or np.ndim(getattr(text, "magnitude", [0.0])) == 0
     return found.reshape(np.shape(given)) if given is not None else found[0] if is_single else found
 
 

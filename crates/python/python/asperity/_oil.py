@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from os import PathLike
+from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _asperity
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 OilLike = Union[str, CaseLike]
-"""Name of an oil of the library, or a case whose oil is taken."""
+"""Name of an oil of the library, path of an oil file or of a file with the table ``[lubricant]`` only, or a case whose oil is taken."""
 
 
 class Traction(Study, TractionValues):
@@ -110,7 +110,7 @@ class OilPlan(Study, OilPlanValues):
         )
 
     def to_pandas(self) -> pandas.DataFrame:
-        """One row per point of the minimal plan."""
+        """One row per point of the standard plan."""
         return self.points.to_pandas()
 
     def _rows(self) -> list[tuple[str, str]]:
@@ -141,6 +141,8 @@ def raw_oil(oil: OilLike) -> Union[str, _asperity.Case]:
     """The oil as the compiled part takes it: a text that does not name a file is the name of an oil."""
     if isinstance(oil, str) and not os.path.splitext(oil)[1] and not os.path.exists(oil):
         return oil.lower()
+    if isinstance(oil, (str, PathLike)) and _asperity.is_oil(fspath(oil)):
+        return fspath(oil)
     return as_case(oil)._raw
 
 

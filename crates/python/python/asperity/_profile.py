@@ -391,7 +391,8 @@ class Profile(Fixed):
         return Profile._of(self._raw.mirrored(), self.name)
 
     def write(self, path: Union[str, PathLike[str]]) -> None:
-        """Writes the profile as ``.csv``, ``.x3p`` or ``.smd``; reading it back gives the same to the last bit. In ``.csv`` some heights differ in their last bit."""
+        """Writes the profile as ``.csv``, ``.x3p`` or ``.smd``; reading it back gives the same to the last bit. In ``.csv`` some heights
+        differ in their last bit. Only ``.csv`` states that a profile was filtered, of which reading it warns (W118)."""
         self._raw.write(fspath(path))
 
     def plot(self, ax: Any = None) -> Any:
@@ -469,7 +470,7 @@ def read_profile(
         The `Profile`, with what was found and assumed in ``about``.
 
     Raises:
-        AsperityError: the file cannot be read (E103), its format or units are not known (E102, E110, E114), or its values are
+        AsperityError: the file cannot be read (E103), its format or units are not known (E102, E104, E110, E114), or its values are
             not a profile (E105, E106, E107), among others.
 
     Example:

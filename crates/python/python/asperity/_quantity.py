@@ -50,9 +50,21 @@ _PINT = {
     "Pa s": "Pa*s",
     "m2/s": "m**2/s",
     "kg/m3": "kg/m**3",
+    "m3/s": "m**3/s",
     "W/(m K)": "W/(m*K)",
     "J/(kg K)": "J/(kg*K)",
 }
+
+
+_ANGLES = ("rad", "deg", "°", "rev", "turn", "cycle", "rpm", "rps", "gon", "arc")
+"""Parts of the names of units with an angle."""
+
+
+def _angle(value: Any, quantity: str) -> float:
+    """The angle of a turn for a rotational speed whose unit has none: 1/min and Hz count turns, as in text."""
+    unit = str(getattr(value, "units", _ANGLES[0])).lower()
+    is_count = quantity == "AngularSpeed" and not any(angle in unit for angle in _ANGLES)
+    return 2.0 * np.pi if is_count else 1.0
 
 
 def is_pint(value: object) -> bool:
@@ -63,7 +75,8 @@ def is_pint(value: object) -> bool:
 def _magnitude(value: Any, quantity: str, unit: Optional[str] = None) -> Any:
     unit = unit or SI_UNITS.get(quantity, "")
     try:
-        return value.to(_PINT.get(unit, unit)).magnitude
+        magnitude, angle = value.to(_PINT.get(unit, unit)).magnitude, _angle(value, quantity)
+        return magnitude if angle == 1.0 else angle * magnitude
     except Exception as error:
         text = f"{brief(value)}: is not a {quantity or 'number'}, whose unit is {unit or '1'}: {error}"
         raise AsperityError(text, Code.E204, f"Give a quantity that has the dimension of {unit or '1'}.") from error

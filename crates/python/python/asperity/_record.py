@@ -97,7 +97,10 @@ class Values(Fixed, Mapping[str, Any]):
     def _made(self, name: str, value: Any) -> Any:
         """A value in the class of its name."""
         kind = self._kinds.get(name)
-        return wrapped(value) if kind is None or value is None else kind(value)
+        if kind is not None and value is not None:
+            return kind(value)
+        # An array of a list is new at each access: what is written into it would be lost.
+        return held(wrapped(value)) if isinstance(value, list) else wrapped(value)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._values)
@@ -283,13 +286,18 @@ class Rows(Fixed):
         if isinstance(key, str):
             if key not in self._names:
                 raise UnknownName(unknown(type(self).__name__, key, self._names))
-            missing = self._missing.get(key)
-            return column([row.get(key, missing) for row in self._rows], self._declared.get(key, ""))
+            return held(self._column(key))
         if isinstance(key, slice):
             return self._part(self._rows[key], self._names)
         if isinstance(key, (list, tuple, np.ndarray)) or hasattr(key, "__array__") and np.ndim(key) == 1:
             return self._several(key)
         return self._row(self._rows[key])
+
+    def _column(self, name: str) -> NDArray[Any]:
+        """A column as an array of its own."""
+        missing = self._missing.get(name)
+        found: NDArray[Any] = column([row.get(name, missing) for row in self._rows], self._declared.get(name, ""))
+        return found
 
     def _part(self, rows: list[dict[str, Any]], names: list[str]) -> Table:
         """A table of some of the rows or columns."""
@@ -343,9 +351,11 @@ class Rows(Fixed):
 
         # The type that this pandas gives to text, where a column without any would have another one.
         text = pandas.Series(["text"]).dtype
-        columns = {name: self._at(name) for name in self._names}
+        columns = {name: self._column(name) for name in self._names}
         types = {name: values.dtype if values.dtype != object else text if self._has_text(name, values) else object for name, values in columns.items()}
-        return pandas.DataFrame({name: pandas.Series(values, dtype=types[name]) for name, values in columns.items()})
+        # Cells that are no numbers in Python's own types, as to_parquet and to_json of a frame take them.
+        cells = {name: values if values.dtype != object else plain(list(values)) for name, values in columns.items()}
+        return pandas.DataFrame({name: pandas.Series(values, dtype=types[name]) for name, values in cells.items()})
 
     def _has_text(self, name: str, values: NDArray[Any]) -> bool:
         """Whether a column is text, as it is declared, or as it is."""

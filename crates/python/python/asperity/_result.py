@@ -130,7 +130,8 @@ class RunResult(Values, ResultValues):
     @property
     def uncertainty(self) -> Optional[Uncertainty]:
         """Draws of the loss: ``loss`` with ``median_w``, ``quantiles_w`` (5 and 95 %) and ``parts`` by component,
-        ``structures``, ``other_models``; None where nothing was drawn, as by ``run("losses")`` or ``band=False``."""
+        ``structures``, ``other_models``; None where nothing was drawn, as by ``run("losses")`` or ``band=False``, and of a gear train, whose
+        interval is ``summary.loss_distribution``."""
         found = self._values.get("uncertainty")
         return Uncertainty(found) if found else None
 
@@ -271,14 +272,21 @@ class RunResult(Values, ResultValues):
         return repr(self)
 
     def __repr__(self) -> str:
-        uncertainty = self._values.get("uncertainty")
-        loss = drawn(uncertainty) if uncertainty else f"{self.loss_w:.6g} W (one run, no interval drawn)"
+        found = self._drawn()
+        loss = drawn({"loss": found}) if found else f"{self.loss_w:.6g} W (one run, no interval drawn)"
         return f"<RunResult {self.title!r}: loss {loss}, efficiency {self._printed_efficiency()}>"
+
+    def _drawn(self) -> Optional[Mapping[str, Any]]:
+        """Median and quantiles of the loss of a pair of gears or of a gear train, if they were drawn."""
+        found: Optional[Mapping[str, Any]] = (self._values.get("uncertainty") or {}).get("loss") or self._summary().get("loss_distribution")
+        return found
 
     def _printed_efficiency(self) -> str:
         """The median of the draws, or the efficiency of a run without them."""
-        uncertainty = self._values.get("uncertainty")
-        return f"{100 * (uncertainty['efficiency_median'] if uncertainty else self.efficiency):.4f} %"
+        found = self._drawn()
+        # The loss is in proportion to what the efficiency lacks.
+        lacking = (1 - self.efficiency) * (found["median_w"] / self.loss_w if found and self.loss_w else 1.0)
+        return f"{100 * (1 - lacking):.4f} %"
 
     def _repr_html_(self) -> str:
         of = self._summary()
@@ -292,8 +300,8 @@ class RunResult(Values, ResultValues):
             ("mixed_share", "share of the path in mixed or boundary lubrication", ""),
         )
         rows = [("efficiency", self._printed_efficiency())]
-        if uncertainty := self._values.get("uncertainty"):
-            rows.append(("loss, median and 5 to 95 %", drawn(uncertainty)))
+        if found := self._drawn():
+            rows.append(("loss, median and 5 to 95 %", drawn({"loss": found})))
         else:
             rows.append(("loss", f"{self.loss_w:.4g} W"))
         rows += [(name, f"{of[key]:.4g} {unit}".strip()) for key, name, unit in names if key in of]

@@ -16,7 +16,7 @@ def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Reco
     """The result in a folder: of ``asperity run`` (or its ``result.json``), ``map``, ``compare``, ``sensitivity``, ``sweep``
     or ``calibrate``.
 
-    The fields of single positions are not read.
+    The fields of single positions are not read. Of a gear train the folders of its meshes are read.
 
     Parameters:
         folder: the folder, or the file ``result.json`` in it.

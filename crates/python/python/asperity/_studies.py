@@ -61,7 +61,7 @@ def compare(
     Parameters:
         case: the case, whose traces are replaced by the traces of each finish; the finishes of a gear train are cases.
         finishes: by name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, other
-            values of keys, or a case; at least two.
+            values of keys, or a case; a single one that is no trace is compared with the case, as is.
         offsets: number of offsets along the traces at which the flanks are paired [default: those that each finish
             needs].
         threads, progress: as in `Case.run`.
@@ -680,7 +680,7 @@ def oil_plan(
     Parameters:
         oil: the oil.
         case: the case whose loss is to be narrowed [default: the case of the oil if it is of one].
-        simulate: write simulated.csv with simulated friction of the minimal plan, with this seed.
+        simulate: write simulated.csv with simulated friction of the standard plan, with this seed.
         rq: root mean square roughness of both specimens together.
         ball_radius: radius of the ball, unless a row states it.
         second_radius: radius of the second body, unless a row states it [default: a flat disc].

@@ -238,7 +238,7 @@ def sweep(
         axes: crossed axes: by key the values, ``{"operation.torque": ["20 N m", "150 N m"]}``, for the operating point
             also by number, ``{"torque_nm": [20, 150]}``; or as text as in `map`, ``"10..100:5 N m"``; or
             ``{"from": .., "to": .., "count": .., "spacing": "log"}``; by any other name choices of several keys,
-            ``{"finish": {"ground": {"surface.pinion.file": "g.csv"}}}``. Values and choices stay in the order in which they are given.
+            ``{"finish": {"ground": {"surface.pinion.file": "g.csv"}}}``. Values and choices stay in the order in which they are given; one that is given twice counts once.
         sample: ``method`` (``"sobol"``, ``"latin-hypercube"``, ``"random"``, ``"list"``), ``count``, ``seed``,
             ``vary`` (by key, or as in axes by the operating point, ``{"uniform": [a, b]}``, ``"normal"``, ``"log-uniform"``, ``"triangular"``), ``indices``.
         columns: results of the summary, of a mesh of a gear train ``mesh.NAME.loss_w``; default efficiency, losses,

@@ -392,6 +392,8 @@ class ComparisonFinish(Values):
     difference: Optional[ComparisonFinishDifference]
     mixed_share: Optional[float]
     regime: Optional[str]
+    base_oil: str
+    viscosity_mm2_per_s: float
     warnings: list[str]
     deciding: Optional[ComparisonFinishDecidingTable]
     changes: Optional[ComparisonFinishChangeTable]
@@ -399,12 +401,12 @@ class ComparisonFinish(Values):
     meshes: Optional[ComparisonFinishMeshTable]
 
 
-class ComparisonFinishTable(TableOf[ComparisonFinish, Literal["efficiency", "power_in_w", "loss_w", "mixed_share"], Literal["name", "files", "uncertainty", "difference", "regime", "warnings", "deciding", "changes", "loss_distribution", "meshes"]]):
+class ComparisonFinishTable(TableOf[ComparisonFinish, Literal["efficiency", "power_in_w", "loss_w", "mixed_share", "viscosity_mm2_per_s"], Literal["name", "files", "uncertainty", "difference", "regime", "base_oil", "warnings", "deciding", "changes", "loss_distribution", "meshes"]]):
     _row = ComparisonFinish
     name: NDArray[Any]; files: NDArray[Any]; efficiency: Floats; power_in_w: Floats; loss_w: Floats
     uncertainty: NDArray[Any]; difference: NDArray[Any]; mixed_share: Floats; regime: NDArray[Any]
-    warnings: NDArray[Any]; deciding: NDArray[Any]; changes: NDArray[Any]; loss_distribution: NDArray[Any]
-    meshes: NDArray[Any]
+    base_oil: NDArray[Any]; viscosity_mm2_per_s: Floats; warnings: NDArray[Any]; deciding: NDArray[Any]
+    changes: NDArray[Any]; loss_distribution: NDArray[Any]; meshes: NDArray[Any]
 
 
 class ComparisonCorrelation(Values):
@@ -791,16 +793,18 @@ class CalibrationPoint(Values):
     measured_w: float
     sigma_w: float
     fitted_w: float
+    default_w: float
+    calibrated_w: float
     residual_sigma: float
     lambda_star: float
     boundary_share: float
 
 
-class CalibrationPointTable(TableOf[CalibrationPoint, Literal["torque_nm", "speed_rpm", "temperature_c", "measured_w", "sigma_w", "fitted_w", "residual_sigma", "lambda_star", "boundary_share"], Literal["line", "assembly"]]):
+class CalibrationPointTable(TableOf[CalibrationPoint, Literal["torque_nm", "speed_rpm", "temperature_c", "measured_w", "sigma_w", "fitted_w", "default_w", "calibrated_w", "residual_sigma", "lambda_star", "boundary_share"], Literal["line", "assembly"]]):
     _row = CalibrationPoint
     line: NDArray[Any]; assembly: NDArray[Any]; torque_nm: Floats; speed_rpm: Floats; temperature_c: Floats
-    measured_w: Floats; sigma_w: Floats; fitted_w: Floats; residual_sigma: Floats; lambda_star: Floats
-    boundary_share: Floats
+    measured_w: Floats; sigma_w: Floats; fitted_w: Floats; default_w: Floats; calibrated_w: Floats
+    residual_sigma: Floats; lambda_star: Floats; boundary_share: Floats
 
 
 class CalibrationValues(Values):
@@ -1142,6 +1146,7 @@ class ResultValues:
     schema_version: Any
     program: Any
     case_file: Any
+    mesh: Any
     formulation: Any
     published_laws: Any
     load: Any

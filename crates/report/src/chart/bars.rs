@@ -42,6 +42,8 @@ pub struct Interval {
     pub name: String,
     /// Ends.
     pub ends: [f64; 2],
+    /// Value within the ends that is marked; `None` if all have the common middle.
+    pub middle: Option<f64>,
     /// Formatted ends.
     pub text: String,
 }
@@ -104,6 +106,8 @@ struct Row<'a> {
     in_group: usize,
     bar: Option<[f64; 2]>,
     whisker: Option<[f64; 2]>,
+    /// Value that is marked in the bar.
+    mark: Option<f64>,
     text: &'a str,
 }
 
@@ -134,6 +138,7 @@ impl BarChart {
                 in_group,
                 bar: value.map(|value| [value.min(0.0), value.max(0.0)]),
                 whisker: spread.filter(|_| value.is_some()),
+                mark: None,
                 text,
             }
         };
@@ -160,12 +165,18 @@ impl Tornado {
     /// The chart as SVG.
     pub fn svg(&self, dress: Dress) -> String {
         let row = |interval| {
-            let Interval { name, ends, text }: &Interval = interval;
+            let Interval {
+                name,
+                ends,
+                middle,
+                text,
+            }: &Interval = interval;
             Row {
                 name,
                 in_group: 0,
                 bar: Some(*ends),
                 whisker: None,
+                mark: *middle,
                 text,
             }
         };
@@ -233,6 +244,9 @@ fn drawn(
                 k => format!("bar c{}", k % COLOURS),
             };
             canvas.rect(&class, [px(low), y], [px(high) - px(low), THICK]);
+        }
+        if let Some(mark) = row.mark {
+            canvas.line("axis", [px(mark), y - 3.0], [px(mark), y + THICK + 3.0]);
         }
         if let Some(ends) = row.whisker {
             whisker(&mut canvas, ends.map(px), [y + 4.0, y + THICK - 4.0]);
@@ -382,6 +396,7 @@ mod tests {
             intervals: vec![Interval {
                 name: "all".to_owned(),
                 ends: [520.0, 870.0],
+                middle: Some(640.0),
                 text: "520..870 W".to_owned(),
             }],
         };
@@ -390,5 +405,7 @@ mod tests {
             panic!("one interval")
         };
         assert!(high - low > 200.0 && !svg.contains(">0</text>"), "{svg}");
+        let mark = number(svg.split("class=\"axis\" x1=\"").nth(1).unwrap());
+        assert!(low < mark && mark < high, "{low} {mark} {high}");
     }
 }

@@ -126,6 +126,7 @@ pub(super) fn tornado(uncertainty: &Uncertainty) -> Drawing {
     let interval = |name: &str, ends: [f64; 2]| Interval {
         name: name.to_owned(),
         ends,
+        middle: None,
         text: ends.map(|loss| digits.rounded(loss)).join("..") + " W",
     };
     let all = interval("all together", uncertainty.loss.drawn().ends());

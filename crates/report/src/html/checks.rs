@@ -110,7 +110,11 @@ fn contact(result: &RunResult) -> Vec<Row> {
     let place = |row: &PositionRow| format!("{:.0} % of the path", 100.0 * row.path_fraction);
     if let Some(row) = largest(result, |row| row.hertz_pressure_mpa) {
         let value = format!("{:.0} MPa at {}", row.hertz_pressure_mpa, place(row));
-        rows.push(("largest Hertz pressure, of smooth flanks", value, ""));
+        rows.push((
+            "largest Hertz pressure p₀ of the positions, each at its load",
+            value,
+            "",
+        ));
         let value = format!("{:.0} µm", row.half_width_um);
         rows.push(("half-width of the contact there", value, ""));
     }

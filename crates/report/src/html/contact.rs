@@ -27,8 +27,8 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
     Ok(html! {
         p {
             "Position " (contact.position) " of " (count) ", at " (format!("{:.0} %", 100.0 * row.path_fraction))
-            " of the path from A to E. The charts show the first offset of the traces. Asperities and film together reach "
-            (format!("{:.0}", largest.fold(0.0, f64::max))) " MPa; smooth flanks would have "
+            " of the path from A to E. The charts show the first offset of the traces. On single asperities the pressure reaches "
+            (format!("{:.0}", largest.fold(0.0, f64::max))) " MPa. Smooth flanks under the same load would have at most p₀ = "
             (format!("{:.0}", row.hertz_pressure_mpa)) " MPa (Hertz)."
             @if let Some(mean) = row.p_max_mpa.filter(|_| count > 1) {
                 " The mean of this maximum over all offsets is " (format!("{mean:.0}"))

@@ -8,6 +8,7 @@ use maud::{Markup, html};
 
 use super::page::{figure, source};
 use crate::printed::{PrintedLoss, PrintedPart, of_mesh};
+use crate::summary::priced;
 use crate::{columns, other_models};
 
 /// The first screen: headline, parts, band, losses along the path, and the pair in mesh; then what the case requests.
@@ -25,6 +26,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
                 }
             }
         }
+        @if let Some(gears) = result.mesh.as_deref().and_then(gears_of) { p.sub { (gears) } }
         p.sub { (own_finish(result)) }
         (trust(&result.warnings, result.uncertainty.as_ref().map(Uncertainty::trust_text)))
         @if let Some(outside) = result.uncertainty.as_ref().and_then(other_models::outside) {
@@ -39,7 +41,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
             }
             @if let Some(mesh) = super::facing::in_mesh(result) { (mesh) }
         }
-        (warnings(&result.warnings))
+        (warnings(&result.warnings.iter().map(|warning| priced(warning, result)).collect::<Vec<_>>()))
         @if let Some(gearbox) = &result.gearbox { (super::gearbox::section(gearbox, result.uncertainty.is_some())) }
         @if let Some(pairs) = &result.pairs { @if let Some(sampling) = &pairs.sampling {
             (super::pairs::section(pairs, sampling, &result.flanks))
@@ -47,6 +49,15 @@ pub(super) fn section(result: &RunResult) -> Markup {
         @if let Some(run_in) = &result.run_in { (as_measured_and_run_in(result, run_in)) }
         @if let Some(report) = &result.micropitting { (super::micropitting::section(report)) }
     }
+}
+
+/// The gears of the `mesh` of a train by the names that its page has for them.
+fn gears_of(mesh: &str) -> Option<String> {
+    let gears = mesh.rsplit(", ").next()?;
+    let (first, second) = gears.split_once(" and ")?;
+    Some(format!(
+        "On this page, and in its keys, the {first} is the pinion and the {second} the wheel."
+    ))
 }
 
 /// The scope of the loss as to the finish: the power that these flanks lose on their asperities, and where another finish
@@ -67,13 +78,15 @@ fn own_finish(result: &RunResult) -> Markup {
 /// Mark of a warning that makes the result doubtful.
 pub(crate) const DOUBTFUL: &str = "Result doubtful:";
 
-/// The gravest warning that makes a result doubtful, to stand before its loss.
+/// The gravest warning that makes a result doubtful with its remedy, before the loss.
 pub(crate) fn doubt(warnings: &[Warning]) -> Markup {
     let doubtful = warnings
         .iter()
         .filter(|warning| warning.code.doubt().is_some());
     html! { @if let Some(warning) = doubtful.min_by_key(|warning| warning.code.doubt()) {
-        p.grave { strong { (DOUBTFUL) } " " code { (warning.code.as_str()) } " " (warning.text) }
+        p.grave {
+            strong { (DOUBTFUL) } " " code { (warning.code.as_str()) } " " (warning.text) ". " b { "First: " } (advice(warning.code))
+        }
     } }
 }
 

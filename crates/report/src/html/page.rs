@@ -4,6 +4,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::policy::{CHARTS, policy, style};
 use crate::chart::{Drawing, Dress};
+use crate::terms;
 
 /// Section of a page.
 pub(crate) struct Section<'a> {
@@ -36,14 +37,29 @@ pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String 
     page_of(title, subtitle, None, &open.collect::<Vec<_>>())
 }
 
-/// Renders a page of sections that may be folded, with a `class` of the style.
+/// Name of the section with the terms of a page.
+const TERMS: &str = "Terms";
+
+/// Renders a page of sections that may be folded, with a `class` of the style. The terms that they use follow the first one.
 pub(crate) fn page_of(
     title: &str,
     subtitle: &str,
     class: Option<&str>,
     sections: &[Section<'_>],
 ) -> String {
-    let shown = || sections.iter().filter(|section| !section.body.0.is_empty());
+    let text: String = sections.iter().map(|of| text_of(&of.body.0)).collect();
+    let mut used = terms::used(&(text + subtitle)).peekable();
+    let mut terms = Section::new(TERMS, true);
+    if used.peek().is_some() {
+        terms.body = terms::list(used);
+    }
+    let is_filled = |section: &&Section<'_>| !section.body.0.is_empty();
+    let shown = || {
+        let mut filled = sections.iter().filter(is_filled);
+        let first = filled.next();
+        let terms = Some(&terms).filter(is_filled);
+        first.into_iter().chain(terms).chain(filled)
+    };
     let anchor = |name: &str| name.to_lowercase().replace(' ', "-");
     let markup = html! {
         (DOCTYPE)
@@ -86,23 +102,60 @@ const VERBATIM: [&str; 4] = ["script", "style", "pre", "code"];
 /// Units in plain letters, as inputs and the terminal have them, and as they are printed.
 const UNITS: [(&str, &str); 2] = [(" um", " µm"), (" mm2/s", " mm²/s")];
 
+/// The text of `markup` without tags, scripts and styles.
+fn text_of(markup: &str) -> String {
+    let mut text = String::new();
+    for part in parts_of(markup) {
+        match part {
+            Part::Text(part) => text += part,
+            // Words of neighbouring elements stay apart.
+            Part::Tag(_) => text.push(' '),
+        }
+    }
+    text
+}
+
 /// Prints the units in the text of a page with their own letters; code stays as it is.
 fn typeset(page: &str) -> String {
     let mut written = String::with_capacity(page.len());
+    for part in parts_of(page) {
+        match part {
+            Part::Text(text) => written += &with_units(text),
+            Part::Tag(tag) => written += tag,
+        }
+    }
+    written
+}
+
+/// Part of a page.
+enum Part<'a> {
+    /// Text between tags.
+    Text(&'a str),
+    /// A tag, with its content if that is verbatim.
+    Tag(&'a str),
+}
+
+/// The parts of a page in turn.
+fn parts_of(page: &str) -> impl Iterator<Item = Part<'_>> {
     let mut rest = page;
-    while let Some(at) = rest.find('<') {
-        written += &with_units(&rest[..at]);
-        rest = &rest[at..];
+    std::iter::from_fn(move || {
+        if rest.is_empty() {
+            return None;
+        }
+        if !rest.starts_with('<') {
+            let (text, after) = rest.split_at(rest.find('<').unwrap_or(rest.len()));
+            rest = after;
+            return Some(Part::Text(text));
+        }
         let name = rest[1..].split(|letter: char| !letter.is_ascii_alphanumeric());
         let end = match name.into_iter().next() {
             Some(name) if VERBATIM.contains(&name) => rest.find(&format!("</{name}>")),
             _ => rest.find('>').map(|last| last + 1),
         };
         let (tag, after) = rest.split_at(end.filter(|end| *end > 0).unwrap_or(rest.len()));
-        written += tag;
         rest = after;
-    }
-    written + &with_units(rest)
+        Some(Part::Tag(tag))
+    })
 }
 
 fn with_units(text: &str) -> String {

@@ -80,7 +80,7 @@ const CHARTS: &[Along] = &[
     },
     Along {
         id: "pressure-path",
-        title: "Hertz pressure of smooth flanks",
+        title: "Hertz pressure p₀ of smooth flanks, at the load of each position",
         axis: ["p₀", "MPa"],
         curves: &[("p₀", |row| Some(row.hertz_pressure_mpa))],
     },

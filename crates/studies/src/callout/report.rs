@@ -29,10 +29,11 @@ impl StudyResult for CallOut {
         Report::new(&self.title, "call-out")
             .section("Limit")
             .verdict(self.limits.iter().map(limit_line))
+            .text([inspection(self)])
             .text(headline(self))
             .figures(|| self.limits.iter().map(|row| symbol(self, row)))
             .figures(|| [curve_chart(self)])
-            .text([inspection(self), losses(self)])
+            .text([losses(self)])
             .table(table(self))
             .section("By the number of traces")
             .figures(|| [traces_chart(self)])
@@ -189,13 +190,16 @@ fn flank_of(row: &LimitRow) -> &'static str {
     }
 }
 
-/// Traces and wavelengths.
+/// Flanks to inspect, and the wavelengths of their traces.
 fn inspection(study: &CallOut) -> String {
-    let of_each = match study.limits.len() {
-        1 => "",
-        _ => " of each gear",
+    let of = match study.limits.len() {
+        1 => "of a lot, of pinions or wheels",
+        _ => "of each gear of a lot",
     };
-    let plural = if study.traces == 1 { "" } else { "s" };
+    let [plural, decisive] = match study.traces {
+        1 => ["", "Its value"],
+        _ => ["s", "The mean of the traces"],
+    };
     let um = |value: f64| format!("{} µm", number(value));
     let band = match study.wavelengths_um {
         [Some(short), Some(long)] => format!("wavelengths {} to {}", um(short), um(long)),
@@ -204,7 +208,7 @@ fn inspection(study: &CallOut) -> String {
         [None, None] => "all wavelengths of the traces".to_owned(),
     };
     format!(
-        "Inspect {} trace{plural}{of_each}, each on another flank; {band}.",
+        "Inspect {} flank{plural} {of}, with one trace on each, {band}. {decisive} decides.",
         study.traces
     )
 }

@@ -5,6 +5,7 @@ use asperity::case::CaseInput;
 use asperity::case::LoadedCase;
 use asperity::case::train::Train;
 use asperity::message::outside_codes;
+use asperity::oil::{BaseOil, Lubricant};
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::Uncertainty;
 use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Scope};
@@ -96,6 +97,11 @@ pub struct FinishResult {
     /// Lubrication regime of a pair of gears.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub regime: Option<Regime>,
+    /// Base oil, if the case has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub base_oil: Option<&'static str>,
+    /// Kinematic viscosity at the bulk temperature, of a gear train of its first mesh \[mm²/s\].
+    pub viscosity_mm2_per_s: f64,
     /// Meshes of a gear train.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub meshes: Vec<MeshOfFinish>,
@@ -247,7 +253,7 @@ impl Input for Finishes {
         Self::arguments(
             "The case, whose traces are replaced by the traces of each finish; the finishes of a gear train are cases",
             "Finishes",
-            "By name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, other values of keys, or a case; at least two",
+            "By name a profile or file for both flanks (mirrored for the wheel), a pair of pinion and wheel, other values of keys, or a case; a single one that is no trace is compared with the case, as is",
         )
     }
 
@@ -429,6 +435,7 @@ fn finish_result(
         .as_ref()
         .map(|[first, own]| difference_of_meshes(first, own));
     let result = &outcome.whole;
+    let oil = case.meshes().next().map(|mesh| &mesh.case.case.lubricant);
     let mut finish = FinishResult {
         name: name.to_owned(),
         files: unique(case.meshes().flat_map(|mesh| files(&mesh.case))),
@@ -446,6 +453,10 @@ fn finish_result(
         gearbox: result.gearbox.clone(),
         mixed_share: None,
         regime: None,
+        base_oil: oil.and_then(Lubricant::base_oil).map(BaseOil::name),
+        viscosity_mm2_per_s: outcome.meshes.first().map_or(0.0, |run| {
+            1e6 * run.result.lubricant.kinematic_viscosity.si()
+        }),
         meshes: Vec::new(),
         warnings: warnings(outcome),
         offsets: Vec::new(),

@@ -14,7 +14,7 @@ use super::comparison::{Comparison, FinishResult, PairOfFinish};
 use super::tables;
 use super::windows::PARAMETERS;
 use super::words::{
-    loss, measured, meshes, narrowed_by, note, run_in, scope, table, verdicts, warnings,
+    loss, measured, meshes, narrowed_by, note, oils, run_in, scope, table, verdicts, warnings,
 };
 
 impl StudyResult for Comparison {
@@ -34,6 +34,8 @@ impl StudyResult for Comparison {
         .text(narrowed_by(self))
         .on_page()
         .table(table(self))
+        .text(oils(self))
+        .in_terminal()
         .text(narrowed_by(self))
         .in_terminal()
         .text([note(self)])

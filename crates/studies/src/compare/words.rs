@@ -4,7 +4,7 @@ use asperity_core::Estimate;
 use asperity_report::{Cell, Table, Value, columns, stated, stated_parts};
 
 use asperity::result::Summary;
-use asperity::result::loss_band::Digits;
+use asperity::result::loss_band::{Digits, rounded};
 use asperity::uncertainty::{DecidingMeasurement, PairedDifference, Predictive, Verdict};
 use asperity_core::unique;
 
@@ -32,6 +32,8 @@ pub(super) fn table(comparison: &Comparison) -> Table {
         interval change_percent "of the first" "%" = losses.change();
         number mixed_share_percent "mixed" "%" "{:.0}" = finish.mixed_share.map(|share| 100.0 * share);
         text regime "regime" "" = regime(finish);
+        text base_oil "base oil" "" = finish.base_oil.unwrap_or("-");
+        number viscosity_mm2_per_s "viscosity at bulk temperature" "mm²/s" = Cell::number(finish.viscosity_mm2_per_s, viscosity);
         file gearbox_efficiency_percent = Cell::optional(finish.gearbox.as_ref().map(|g| 100.0 * g.efficiency));
         file gearbox_loss_w = Cell::optional(finish.gearbox.as_ref().map(|g| g.loss_w));
         file outside = finish.outside();
@@ -40,9 +42,42 @@ pub(super) fn table(comparison: &Comparison) -> Table {
         Some(_) => table.brief(&["mixed", "regime"]),
         None => table.unshown_of(&["mixed", "regime"]),
     };
+    let table = match comparison.has_equal_oils() {
+        true => table.unshown_of(&OIL),
+        false => table.brief(&OIL),
+    };
     table
         .renamed("finish", comparison.noun())
         .in_file("compare.csv")
+}
+
+/// Columns of variants with other oils.
+const OIL: [&str; 2] = ["base oil", "viscosity at bulk temperature"];
+
+/// A kinematic viscosity with three digits.
+fn viscosity(mm2_per_s: f64) -> String {
+    rounded(mm2_per_s, 0.01 * mm2_per_s)
+}
+
+/// The oils of the variants in words, if they differ.
+pub(super) fn oils(comparison: &Comparison) -> Option<String> {
+    let of = |finish: &FinishResult| {
+        let base = finish
+            .base_oil
+            .map_or(String::new(), |base| format!("{base}, "));
+        format!(
+            "{}: {base}{} mm²/s",
+            finish.name,
+            viscosity(finish.viscosity_mm2_per_s)
+        )
+    };
+    let oils: Vec<String> = comparison.finishes.iter().map(of).collect();
+    (!comparison.has_equal_oils()).then(|| {
+        format!(
+            "Base oil, and viscosity at the bulk temperature: {}.",
+            oils.join("; ")
+        )
+    })
 }
 
 /// Lubrication regime of a single mesh in words, in the file its name.
@@ -204,6 +239,14 @@ impl Comparison {
         !self.are_finishes && all.all(|flanks| Some(flanks) == first)
     }
 
+    /// Whether all variants have one oil of one viscosity at their bulk temperatures.
+    pub(super) fn has_equal_oils(&self) -> bool {
+        let of = |finish: &FinishResult| (finish.base_oil, finish.viscosity_mm2_per_s);
+        let mut all = self.finishes.iter().map(of);
+        let first = all.next();
+        all.all(|oil| Some(oil) == first)
+    }
+
     /// Whether `finish` is not the first one, from which the differences are taken.
     fn is_later(&self, finish: &FinishResult) -> bool {
         self.finishes
@@ -234,8 +277,8 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
     };
     let saved = |of: Estimate| interval(of.map(|value| sign * value), false);
     let [watts, share] = [difference.watts, in_percent(difference)].map(saved);
-    let less = if sign < 0.0 { "less" } else { "more" };
-    let by = format!("{other} loses {share} % {less} than {first}, {watts} W");
+    let lower = if sign < 0.0 { "lower" } else { "higher" };
+    let by = format!("With {other} the loss is {share} % {lower} than with {first}, by {watts} W");
     let digits = Digits::of_interval(difference.watts.ends());
     let count = difference.models.len();
     let all = match count {
@@ -250,7 +293,7 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
         format!(" ({} W)", digits.range(turned))
     });
     match &difference.verdict {
-        Verdict::Equal => format!("{other} loses exactly as much as {first}"),
+        Verdict::Equal => format!("With {other} the loss is exactly as with {first}"),
         Verdict::Holds if count == 0 => format!("{by}; the sign holds"),
         Verdict::Holds => format!("{by}; the sign holds under {all}{range}"),
         Verdict::Except(models) => format!(
@@ -348,7 +391,7 @@ pub(super) fn run_in(comparison: &Comparison) -> Vec<String> {
         let after = finish.run_in_loss_w?;
         let digits = Digits::of_drawn(finish.drawn_w(), Digits::of_decimals(1));
         Some(format!(
-            "{} run in: {} W in place of {} W, both with every constant at its median.",
+            "With {} run in: {} W in place of {} W, both with every constant at its median.",
             finish.name,
             digits.rounded(after),
             digits.rounded(finish.loss_w)

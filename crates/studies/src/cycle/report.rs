@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::energy::{CycleFinish, CycleResult};
 use super::trace::CyclePoint;
 use crate::map::{
-    FinishMap, HELPFUL, against, are_extrapolated, banded, in_words, loses, loss_fields, marks,
+    FinishMap, HELPFUL, against, are_extrapolated, banded, in_words, loss_fields, loss_with, marks,
     round_step,
 };
 
@@ -282,16 +282,19 @@ fn verdicts(result: &CycleResult) -> Vec<String> {
     let verdict = |finish: &CycleFinish| {
         let [whole, ..] = lost(finish);
         let share = share_of_drive(finish).map(|share| format!(", {share} % of the drive energy"));
-        let against = finish.difference_wh.and_then(|_| {
+        let against = finish.difference_wh.and_then(|value| {
             let first = &result.finishes.first()?.name;
-            let drawn = finish.difference_drawn_wh;
-            let of_draws = drawn.map(|drawn| against(drawn, "Wh", first));
-            let in_words =
-                of_draws.unwrap_or_else(|| format!("{} Wh against {first}", difference(finish)));
+            let in_words = match finish.difference_drawn_wh {
+                Some(drawn) => against(drawn, "Wh", first),
+                None => {
+                    let way = if value < 0.0 { "lower" } else { "higher" };
+                    format!("{:.2} Wh {way} than with {}", value.abs(), in_words(first))
+                }
+            };
             Some(format!("; {in_words}"))
         });
         let [share, against] = [share, against].map(Option::unwrap_or_default);
-        format!("{} {whole} Wh{share}{against}.", loses(&finish.name))
+        format!("{} {whole} Wh{share}{against}.", loss_with(&finish.name))
     };
     result.finishes.iter().map(verdict).collect()
 }

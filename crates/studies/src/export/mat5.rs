@@ -138,7 +138,8 @@ pub(super) fn of_fields(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
         let total = field.total_nm().into_iter().enumerate();
         total.map(|(k, nm)| nm * omega[k % speeds]).collect()
     };
-    let head = Field::head_of(fields);
+    // Programs read the text of such a file as ASCII.
+    let head = Field::head_of(fields).replace("°C", "degC");
     let mut file = Mat5::new(&head)
         .with_text("scope", &first.scope)
         .with_text(

@@ -77,7 +77,10 @@ pub fn map<C: Clone + Into<Train>>(
         for (finish, own) in others.iter_mut().zip(&finishes[1..]) {
             put_common(finish, &own.case, (first, case));
             let largest = finish.largest().map(|(at, _)| at);
-            finish.difference_w = largest.and_then(|at| difference(first, finish, at));
+            finish.difference_w = largest.and_then(|at| {
+                let of_first = first.points.get(at)?;
+                difference((first, of_first), (finish, finish.points.get(at)?))
+            });
         }
     }
     if let (Some(first), true) = (maps.first(), case.shafting.passes_losses) {
@@ -136,16 +139,19 @@ fn put_common(finish: &mut FinishMap, case: &Train, (first, of_first): (&FinishM
     }
 }
 
-/// Loss with `finish` minus the loss with `first` at point number `at`, over the draws that both share; `None` without draws.
-pub(super) fn difference(first: &FinishMap, finish: &FinishMap, at: usize) -> Option<Estimate> {
-    let drawn = |of: &FinishMap, is_beside_first: bool| {
+/// Loss with a finish minus the loss with the first, each at its point, over the draws that both share; `None` without draws.
+pub(super) fn difference(
+    first: (&FinishMap, &Point),
+    finish: (&FinishMap, &Point),
+) -> Option<Estimate> {
+    let drawn = |(of, point): (&FinishMap, &Point), is_beside_first: bool| {
         let Point {
             torque_nm,
             speed_rpm,
             temperature_c,
             numbers,
             ..
-        } = of.points.get(at)?;
+        } = point;
         let loss = numbers.as_ref()?.loss_w;
         let drawn = of.drawn(is_beside_first, 1.0)?;
         let ratios = drawn.ratios(drawn.place(*torque_nm, *speed_rpm, *temperature_c));

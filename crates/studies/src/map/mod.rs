@@ -57,5 +57,5 @@ pub use point::{
 };
 pub use read::read;
 pub use study::{CaseOrFinishes, MapSettings, MapStudy};
-pub(crate) use summary::{against, banded, in_words, loses};
+pub(crate) use summary::{against, banded, in_words, loss_with};
 pub use surface::{Interpolated, Surface, forwards};

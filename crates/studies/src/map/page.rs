@@ -18,9 +18,11 @@ const TEMPERATURES: usize = 3;
 
 /// Meaning of the shares of extrapolated points.
 const OF_GRID: &str = "Each share is of the points of this grid, which lie close together at low torque and speed, not of the operating time.";
-/// Point of the verdicts of a map.
-const TYPICAL: &str =
-    "These losses are at the point of the map next to the operating point of the case.";
+/// Place of the verdicts of a map that has the operating point of the case, and of another one.
+const TYPICAL: [&str; 2] = [
+    "These losses are at the operating point of the case, interpolated between the points of the map.",
+    "These losses are at the point of the map next to the operating point of the case.",
+];
 /// What a page about losses at many operating points leaves to studies of one.
 pub(crate) const HELPFUL: &str = "The command asperity sensitivity lists changes that lower the loss; asperity evidence lists \
     measurements that narrow its interval.";
@@ -144,8 +146,10 @@ pub(super) fn fields<'a>(report: Report<'a>, map: &'a Map, visited: &'a [[f64; 2
         map.scope
     );
     report
-        .text(map.operating_point.map(|_| TYPICAL))
-        .on_page()
+        .text(
+            map.operating_point
+                .map(|_| TYPICAL[usize::from(!map.has_typical())]),
+        )
         .figures(move || loss_and_efficiency(map, visited))
         .text([
             axes.as_str(),

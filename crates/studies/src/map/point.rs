@@ -3,6 +3,7 @@
 use asperity::case::{CaseInput, DefaultUsed};
 use asperity::result::Regime;
 use asperity_core::message::Warning;
+use asperity_core::numerics::NodeInterval;
 use asperity_core::{Code, Estimate};
 use serde::{Deserialize, Serialize};
 
@@ -220,9 +221,26 @@ impl Map {
         loaded.all(|point| point.code.is_some()).then_some(first)
     }
 
+    /// The operating point of the case with the losses of `finish`, interpolated between points of the map; if it is outside of them,
+    /// the next point. Without an operating point the point of the largest loss with the first finish.
+    pub(super) fn typical(&self, finish: &FinishMap) -> Option<Point> {
+        let between = self
+            .operating_point
+            .and_then(|at| finish.between(&self.axes, at));
+        between.or_else(|| finish.points.get(self.next_to_typical()?).cloned())
+    }
+
+    /// Whether the operating point of the case is between points of the map, where all finishes have losses.
+    pub(super) fn has_typical(&self) -> bool {
+        self.operating_point.is_some_and(|at| {
+            let mut finishes = self.finishes.iter();
+            finishes.all(|finish| finish.between(&self.axes, at).is_some())
+        })
+    }
+
     /// Index of the point next to the operating point of the case, in parts of the largest torque and speed, that has a loss with
     /// the first finish. Without an operating point the point of its largest loss.
-    pub(super) fn typical(&self) -> Option<usize> {
+    fn next_to_typical(&self) -> Option<usize> {
         let first = self.finishes.first()?;
         let Some([torque, speed]) = self.operating_point else {
             return first.largest().map(|(at, _)| at);
@@ -267,6 +285,37 @@ impl FinishMap {
             torque_nm: axes.torque_nm.clone(),
             speed_rpm: axes.speed_rpm.clone(),
             loss_torque_nm: value(&|numbers| numbers.loss_torque_nm)?,
+        })
+    }
+
+    /// Losses at a torque \[N m\] and a speed \[1/min\] within the points of the first temperature, with their quantiles; `None` if a
+    /// point around has no losses.
+    fn between(&self, axes: &Axes, [torque_nm, speed_rpm]: [f64; 2]) -> Option<Point> {
+        let interval = |nodes: &[f64], at: f64| {
+            let is_within = nodes.first()? <= &at && &at <= nodes.last()?;
+            is_within.then(|| NodeInterval::of(nodes, |node| *node, at).held())
+        };
+        let torque = interval(&axes.torque_nm, torque_nm)?;
+        let speed = interval(&axes.speed_rpm, speed_rpm)?;
+        let at = |i: usize| {
+            let of = |j: usize| self.points.get(axes.index(0, i, j))?.numbers;
+            Some(of(speed.low)?.towards(&of(speed.high)?, speed.part))
+        };
+        let mut numbers = at(torque.low)?.towards(&at(torque.high)?, torque.part);
+        // As in a cycle, the loss torque is linear between the points.
+        numbers.loss_w = numbers.loss_torque_nm * speed_rpm * std::f64::consts::PI / 30.0;
+        let temperature_c = *axes.temperature_c.first()?;
+        numbers.drawn_w = self.drawn(false, 1.0).map(|drawn| {
+            let place = drawn.place(torque_nm, speed_rpm, temperature_c);
+            drawn.quantiles(place).map(|ratio| ratio * numbers.loss_w)
+        });
+        Some(Point {
+            torque_nm,
+            speed_rpm,
+            temperature_c,
+            numbers: Some(numbers),
+            outside: Vec::new(),
+            code: None,
         })
     }
 

@@ -34,41 +34,42 @@ pub(super) fn extremes(map: &Map) -> Table {
     table.in_file("extremes.csv")
 }
 
-/// The difference of each finish from the first, then the loss and the efficiency of each, next to the operating point of the case,
-/// in words.
+/// The difference of each finish from the first, then the loss and the efficiency of each, at the operating point of the case, in
+/// words.
 pub(super) fn verdicts(map: &Map) -> impl Iterator<Item = String> {
-    let typical = map.typical();
-    let at =
-        move |finish: &FinishMap| typical.and_then(|at| Some((at, finish.points[at].numbers?)));
-    let place = move |finish: &FinishMap, at: usize| place(&map.axes, &finish.points[at]);
     let compared = map.finishes.iter().skip(1).filter_map(move |finish| {
         let first = map.finishes.first()?;
-        let (at, _) = at(finish)?;
+        let [of_first, own] = [first, finish].map(|of| map.typical(of));
+        let (of_first, own) = (of_first?, own?);
         Some(format!(
             "{} {}, {}.",
-            loses(&finish.name),
-            against(difference_of(first, finish, at)?, "W", &first.name),
-            place(finish, at)
+            loss_with(&finish.name),
+            against(
+                difference_of((first, &of_first), (finish, &own))?,
+                "W",
+                &first.name
+            ),
+            place(&map.axes, &own)
         ))
     });
     let each = map.finishes.iter().filter_map(move |finish| {
-        let (at, numbers) = at(finish)?;
-        let point = &finish.points[at];
+        let point = &map.typical(finish)?;
+        let numbers = point.numbers?;
         let power = power_w(point);
         let loss = numbers.drawn_w.map_or(numbers.loss_w, |drawn| drawn.value);
         let efficiency = match power > 0.0 && loss < power {
             true => {
                 let digits = percent_digits(&numbers, power);
                 let efficiency = digits.rounded(100.0 * (1.0 - loss / power));
-                format!(", an efficiency of {efficiency} %")
+                format!(" and the efficiency {efficiency} %")
             }
             false => String::new(),
         };
         Some(format!(
             "{} {} W{efficiency}, {}.",
-            loses(&finish.name),
+            loss_with(&finish.name),
             banded(numbers.loss_w, numbers.drawn_w),
-            place(finish, at)
+            place(&map.axes, point)
         ))
     });
     compared.chain(each)
@@ -227,28 +228,31 @@ pub(crate) fn in_words(finish: &str) -> &str {
     }
 }
 
-/// Subject and verb of a sentence about the loss with a finish.
-pub(crate) fn loses(finish: &str) -> String {
-    match finish {
-        UNNAMED => "These flanks lose".to_owned(),
-        name => format!("{name} loses"),
-    }
+/// Subject and verb of a sentence about the loss with a finish, whose name may be a plural.
+pub(crate) fn loss_with(finish: &str) -> String {
+    format!("With {} the loss is", in_words(finish))
 }
 
-/// A difference from the finish `first` in words, as the object of a sentence with [`loses`].
+/// A difference from the finish `first` in words, as the object of a sentence with [`loss_with`].
 pub(crate) fn against(difference: Estimate, unit: &str, first: &str) -> String {
     let Estimate { value, low, high } = difference;
     let first = in_words(first);
     match (high < 0.0, low > 0.0) {
         (true, _) => {
             let less = Estimate::new(-value, [-high, -low]);
-            format!("{} {unit} less than {first}", banded(-value, Some(less)))
+            format!(
+                "{} {unit} lower than with {first}",
+                banded(-value, Some(less))
+            )
         }
         (_, true) => format!(
-            "{} {unit} more than {first}",
+            "{} {unit} higher than with {first}",
             banded(value, Some(difference))
         ),
-        _ => format!("{} {unit} against {first}", banded(value, Some(difference))),
+        _ => format!(
+            "lower or higher than with {first}, by {} {unit}",
+            banded(value, Some(difference))
+        ),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The crossed axes of a study.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 
 use asperity::case::train::Train;
 use asperity::case::{FILE_KEYS, FileSums};
@@ -202,7 +202,20 @@ fn axis(input: &AxisInput) -> Result<CrossedAxis, SweepError> {
     some(name, values.into_iter().map(node).collect())
 }
 
+/// The axis of these nodes; a value that is stated twice counts once, as in a map.
 fn some(name: String, nodes: Vec<(String, Settings)>) -> Result<CrossedAxis, SweepError> {
+    let plain = |text: &str| match Amount::read(&name, &toml::Value::from(text)) {
+        Ok(amount) => text_of(amount.value, &amount.unit),
+        Err(_) => text.to_owned(),
+    };
+    let mut seen = HashSet::new();
+    let is_new = |(text, settings): &(String, Settings)| {
+        let values = settings
+            .iter()
+            .map(|(key, value)| (key.clone(), plain(value)));
+        seen.insert((plain(text), values.collect::<Vec<_>>()))
+    };
+    let nodes: Vec<(String, Settings)> = nodes.into_iter().filter(is_new).collect();
     match nodes.is_empty() {
         true => Err(SweepError::key(&name, "has no values")),
         false => Ok(CrossedAxis { name, nodes }),
@@ -211,7 +224,19 @@ fn some(name: String, nodes: Vec<(String, Settings)>) -> Result<CrossedAxis, Swe
 
 #[cfg(test)]
 mod tests {
-    use super::key_of_pair;
+    use super::{key_of_pair, some};
+
+    #[test]
+    fn a_value_that_is_stated_twice_counts_once() {
+        let node = |text: &str| {
+            let setting = ("operation.bulk_temperature".to_owned(), text.to_owned());
+            (text.to_owned(), vec![setting])
+        };
+        let texts = ["90 °C", "100 °C", "90.0 °C", "100 °C"];
+        let axis = some("temperature".to_owned(), texts.map(node).to_vec()).unwrap();
+        let left: Vec<&str> = axis.nodes.iter().map(|(text, _)| text.as_str()).collect();
+        assert_eq!(left, ["90 °C", "100 °C"]);
+    }
 
     #[test]
     fn keys_of_meshes_are_read_as_keys_of_a_pair() {

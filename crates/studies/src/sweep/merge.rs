@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use asperity::case::MeshLoad;
 use asperity::fingerprint::sha256;
+use asperity_core::decimals;
 
 use super::case_list::CaseList;
 use super::columns::InputColumn;
@@ -46,9 +48,32 @@ pub fn merge(study: &Study, folder: &Path) -> Result<Merged, SweepError> {
         outputs: values_of(study, &rows, first_output(&list)),
         axes: list.columns().len() - list.sampled().len(),
         constant: study.axes.constant(),
+        conditions: conditions(study, &list),
         inputs,
         table,
     })
+}
+
+/// Operating point of the case in words, without what an axis or the sample varies.
+fn conditions(study: &Study, list: &CaseList) -> String {
+    let sampled = list.sampled();
+    let axes = study.axes.keys().flatten();
+    let varied: Vec<&str> = axes.chain(sampled.iter().map(String::as_str)).collect();
+    let is_of_point = |key: &&str| ["operation.torque", "operation.speed"].contains(key);
+    let is_constant = |key: &str| !varied.contains(&key);
+    let is_heat = |key: &&str| key.starts_with("operation") && !is_of_point(key);
+    let MeshLoad { torque, speed } = study.case.shafting.operation();
+    let temperature = study.case.input.operation.stated_temperature();
+    let temperature = temperature.filter(|_| !varied.iter().any(is_heat));
+    let parts = [
+        is_constant("operation.torque").then(|| format!("{} N m", decimals(torque.si(), 1))),
+        is_constant("operation.speed").then(|| {
+            let rpm = speed.si() * 30.0 / std::f64::consts::PI;
+            format!("{} 1/min", decimals(rpm, 0))
+        }),
+        temperature.map(|of| format!("flanks at {} °C", decimals(of.celsius(), 0))),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
 /// Number of cases by the codes in the column before that of the error codes.

@@ -36,6 +36,9 @@ pub struct Merged {
     /// Keys that the axes set to one value in all cases.
     #[serde(skip)]
     pub constant: Vec<(String, String)>,
+    /// Operating point in words, without what an axis or the sample varies; empty if they vary all of it.
+    #[serde(skip)]
+    pub conditions: String,
     /// Columns of the results, each with its value in every case; NaN where a case has no result.
     #[serde(skip)]
     pub outputs: Vec<(String, Vec<f64>)>,

@@ -38,6 +38,9 @@ const OVER_AXES: &str = "Mean of the cases at each value of an axis, and the ran
 /// Content of the charts of a loss with its interval.
 const OVER_AXES_DRAWN: &str = "Median of the loss with its 5 and 95 % quantiles, each the mean of the cases at a value of an axis.";
 
+/// Mark of a bar.
+const IN_BARS: &str = "The line in a bar is at the first number of its text.";
+
 impl StudyResult for Merged {
     const KIND: &'static str = "sweep";
     const NAME: &'static str = "sweep";
@@ -62,6 +65,8 @@ impl StudyResult for Merged {
             false => OVER_AXES,
         };
         let over_axes = (!charts.is_empty()).then_some(over_axes);
+        let mut bars = charts.iter();
+        let in_bars = bars.any(|chart| matches!(chart, Drawing::Tornado(_)));
         let mut report = Report::new(&self.title, format!("sweep {}", self.name))
             .section("Results over the axes")
             .verdict(largest(self).or_else(|| extremes(self)))
@@ -70,10 +75,13 @@ impl StudyResult for Merged {
                 "{} cases, {} without a result.",
                 self.cases, self.failed
             )])
+            .text((!self.conditions.is_empty()).then(|| format!("At {}.", self.conditions)))
             .text(settings(self))
             .text(outside)
             .figures(move || charts.clone())
             .text(over_axes)
+            .on_page()
+            .text(in_bars.then_some(IN_BARS))
             .on_page()
             .text((has_losses || is_drawn).then_some(OF_MESHES))
             .on_page()
@@ -209,6 +217,7 @@ fn over(
                 Some(Interval {
                     name: (*choice).clone(),
                     ends: [low, high],
+                    middle: Some(mean),
                     text,
                 })
             };

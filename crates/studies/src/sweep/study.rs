@@ -66,9 +66,13 @@ impl Study {
     /// # Errors
     /// When the text is not a valid study, or a file cannot be read.
     pub fn of_case(case: impl Into<Train>, text: &str, folder: &Path) -> Result<Self, SweepError> {
-        let input = serde_json::from_str(text).map_err(|error| SweepError::Study {
-            path: IN_MEMORY.into(),
-            message: error.to_string(),
+        let input = serde_json::from_str(text).map_err(|error| {
+            let message = error.to_string();
+            // Nobody wrote the lines of this text.
+            SweepError::key(
+                IN_MEMORY,
+                message.split(" at line ").next().unwrap_or_default(),
+            )
         })?;
         let name = (IN_MEMORY.to_owned(), folder.to_owned());
         Self::of(input, text, case.into(), name)
