@@ -399,7 +399,7 @@ fn titles_and_names_of_files_begin_no_line_of_their_own() {
         );
     }
     let case = format!("case\n{forged}.toml");
-    bench.write(&case, E_DRIVE);
+    bench.write(&case, E_DRIVE.replace("title = \"small case\"", &title));
     let gearbox =
         fs::read_to_string(root().join("crates/rexs/tests/gearboxes/chain.rexs")).unwrap();
     let program = format!("applicationId=\"by&#10;{forged}\"");
