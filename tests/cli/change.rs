@@ -149,7 +149,7 @@ fn with_a_case_the_loss_of_height_has_a_wear_coefficient_and_a_paired_difference
         "{text}"
     );
     assert!(
-        text.contains("after loses ")
+        text.contains("Of the mesh, after ")
             && text.contains("Run in by model.run_in, the flanks before have "),
         "{text}"
     );

@@ -147,17 +147,13 @@ pub fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
 /// ```
 ///
 /// z₀, z₁: standard normal draws of the first and the second set; ρ: 1 of the same thing, 0 of another, between them of two oils of
-/// one family, of the error of the model on the same flanks under other conditions, and of traces of one place before and after a
-/// test.
+/// one family and of the error of the model on the same flanks under other conditions.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Common {
     /// Number of the flanks, which have the error of the model.
     pub flanks: usize,
     /// Number of their windows, which have the sampling.
     pub windows: usize,
-    /// ρ of the sampling of these windows.
-    #[serde(default = "in_common", skip_serializing_if = "is_in_common")]
-    pub sampling: f64,
     /// ρ of each constant by its axis.
     pub constants: [f64; AXES.len()],
     /// ρ of the error of the model.
@@ -168,22 +164,12 @@ pub struct Common {
     pub curves: bool,
 }
 
-fn in_common() -> f64 {
-    1.0
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "called by serde")]
-fn is_in_common(rho: &f64) -> bool {
-    *rho == 1.0
-}
-
 /// Flanks with their number, with everything else in common.
 impl From<usize> for Common {
     fn from(flanks: usize) -> Self {
         Self {
             flanks,
             windows: flanks,
-            sampling: 1.0,
             constants: [1.0; AXES.len()],
             model: 1.0,
             relief: true,
@@ -235,11 +221,6 @@ impl Common {
             mix(rho, of, other);
         }
         mix(self.model, &mut draw.of_flanks.model, other.of_flanks.model);
-        mix(
-            self.sampling,
-            &mut draw.of_flanks.sampling,
-            other.of_flanks.sampling,
-        );
         if !self.relief {
             (draw.relief, draw.length) = (other.relief, other.length);
         }

@@ -14,7 +14,7 @@ use super::evaluations::{OFFSETS, widest};
 use super::recorded::predictive;
 use crate::contacts::Contacts;
 use crate::pipeline::losses_with;
-use crate::result::Losses;
+use crate::result::{Losses, PositionRow};
 use crate::sampling::{means_of_pairs, pair_sampling, windows_of_traces};
 use asperity_case::case::LoadedCase;
 use asperity_case::error::Error;
@@ -106,7 +106,7 @@ impl ChangeDraws {
     ) -> [f64; 2] {
         cite!("Ridge-draw");
         let mean = mean(by_window.iter().copied());
-        let error = sampling_error_of_changes(loaded, base, by_window);
+        let error = sampling_error_of_changes(loaded, &base.path, by_window);
         let [error, freedom] = error.unwrap_or([0.0, SamplingError::NONE.freedom]);
         let table = StudentOfNormal::new(freedom);
         let [low, high] = by_lay;
@@ -134,7 +134,7 @@ pub fn sampling_interval(
 ) -> Option<[f64; 2]> {
     const CONFIDENCE: f64 = 0.90;
     let mean = mean(differences.iter().copied());
-    let [error, freedom] = sampling_error_of_changes(loaded, base, differences)?;
+    let [error, freedom] = sampling_error_of_changes(loaded, &base.path, differences)?;
     let half = match error > 0.0 {
         true => error * student_t_quantile(CONFIDENCE, freedom),
         false => 0.0,
@@ -142,10 +142,12 @@ pub fn sampling_interval(
     Some([mean - half, mean + half])
 }
 
-/// Standard error of the mean of `differences` by the sampling of the flanks, and its degrees of freedom.
-fn sampling_error_of_changes(
+/// Standard error of the mean of `differences` by the sampling of the flanks, and its degrees of freedom; none without traces or with
+/// a single offset. They are one at each offset of a case with this `path`.
+#[must_use]
+pub fn sampling_error_of_changes(
     loaded: &LoadedCase,
-    base: &Losses,
+    path: &[PositionRow],
     differences: &[f64],
 ) -> Option<[f64; 2]> {
     let surfaces = &loaded.surfaces;
@@ -153,11 +155,7 @@ fn sampling_error_of_changes(
         let found = pair_sampling(&means_of_pairs(differences, surfaces.pairs()), teeth)?;
         return Some([found.standard_error_w, found.freedom]);
     }
-    let windows = windows_of_traces(
-        &loaded.surfaces,
-        loaded.case.model.window,
-        widest(&base.path),
-    )?;
+    let windows = windows_of_traces(&loaded.surfaces, loaded.case.model.window, widest(path))?;
     let effective = windows.min(differences.len() as f64).max(2.0);
     Some([deviation(differences)? / effective.sqrt(), effective - 1.0])
 }

@@ -24,6 +24,9 @@ const OF_FAMILY: f64 = 0.5;
 /// 85 records on 27 pairs of traces it is 0.005, at most 0.023 (95 %); 0.039 belongs to the traces.
 pub(super) const OF_CONDITION: f64 = 0.02;
 
+/// Name of the component of the sampling.
+pub(super) const SAMPLING: &str = "sampling of the flanks";
+
 /// A mesh of a run with its draws.
 pub type DrawnCase<'a> = (&'a LoadedCase, &'a Predictive);
 
@@ -60,7 +63,6 @@ pub fn common_draws(
         let common = Common {
             flanks: number(&same_traces, |common| common.flanks),
             windows: number(&on_teeth, |common| common.windows),
-            sampling: 1.0,
             constants: AXES.map(|kind| most(&|known| correlation(kind, *known, *own))),
             model: match is_any(&same_traces) {
                 true => most(&|known| of_model(*known, *own)),
@@ -127,12 +129,9 @@ pub fn common_constants(
         ),
         (
             both(&|of| of.sampling.standard_error > 0.0),
-            "sampling of the flanks",
+            SAMPLING,
             "the traces on their teeth",
-            match theirs.windows == own.windows {
-                true => least(&|of| of.sampling),
-                false => 0.0,
-            },
+            one(theirs.windows == own.windows),
         ),
         (
             both(&|of| of.inner_boundary.is_some() || of.recorded.is_some()),
@@ -295,11 +294,12 @@ mod tests {
     const OWN: f64 = 0.0;
 
     /// Share of truths of a difference within its interval. `oil` is the shared variance of the constants of two oils, `layer` of the
-    /// boundary layer, `windows` of the sampling and `traces` of the error of the model.
+    /// boundary layer, `windows` of the sampling and `traces` of the error of the model. `of_difference` is the standard error of a
+    /// difference whose windows are paired \[W\].
     fn coverage(
         [first, other]: [&Drawn; 2],
         interval: asperity_core::Estimate,
-        [oil, layer, windows, traces]: [f64; 4],
+        ([oil, layer, windows, traces], of_difference): ([f64; 4], f64),
     ) -> f64 {
         use UncertainParameter as P;
         const TRUTHS: usize = 400;
@@ -329,12 +329,15 @@ mod tests {
                 };
                 // The error on the same traces has a part of the condition.
                 let condition = OF_CONDITION / errors[side];
-                draw.of_flanks.sampling = of_flanks(windows, 33);
+                draw.of_flanks.sampling = match of_difference > 0.0 {
+                    true => 0.0,
+                    false => of_flanks(windows, 33),
+                };
                 draw.of_flanks.model = of_flanks(traces.min(1.0 - condition * condition), 36);
                 draw
             };
             let [a, b] = [0, 1].map(|side| laws[side].loss(&draw(side)));
-            (interval.low..=interval.high).contains(&(b - a))
+            (interval.low..=interval.high).contains(&(b - a + of_difference * z(39)))
         });
         within.count() as f64 / TRUTHS as f64
     }
@@ -355,9 +358,12 @@ mod tests {
         let gears = with(&[("gears.teeth", "[30, 89]"), ("gears.module", "1.4 mm")]);
         let finish = Drawn::of("../../fixtures/cases/e-drive-superfinished.toml", &|_| {});
         let beside = |other: &Drawn| other.against(&as_is).watts;
+        const OF_DIFFERENCE: f64 = 15.0;
         let worn = Likeness {
             heights: 0.9,
             windows: 0.8,
+            standard_error_w: OF_DIFFERENCE,
+            freedom: 1e6,
         };
         let [before, after] =
             [&as_is, &finish].map(|of| (&of.loaded, &of.predictive, &of.uncertainty));
@@ -393,9 +399,15 @@ mod tests {
                 beside(&finish),
                 [SAME, SAME, OWN, OWN],
             ),
-            ("flanks after a test", &finish, worn, [SAME, SAME, 0.8, 0.9]),
+            (
+                "flanks after a test",
+                &finish,
+                worn,
+                [SAME, SAME, SAME, 0.9],
+            ),
         ] {
-            let share = coverage([&as_is, other], interval, shares);
+            let paired = if interval == worn { OF_DIFFERENCE } else { 0.0 };
+            let share = coverage([&as_is, other], interval, (shares, paired));
             println!("{name}: {share}");
             assert!((0.85..=0.95).contains(&share), "{name}: {share}");
         }

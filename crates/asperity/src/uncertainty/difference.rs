@@ -5,9 +5,12 @@ use serde::{Deserialize, Serialize};
 use crate::result::{AlternativeRow, Uncertainty};
 use asperity_case::case::LoadedCase;
 use asperity_core::{Estimate, EstimateKeys, estimate_keys};
-use asperity_uncertainty::{Common, Predictive, UncertainParameter, Watts, median_with_ends};
+use asperity_uncertainty::{
+    Common, Predictive, SamplingError, StudentOfNormal, UncertainParameter, Watts, flank_draws,
+    median_with_ends,
+};
 
-use super::common_draws::{CommonConstant, DrawnCase, common_constants, common_draws};
+use super::common_draws::{CommonConstant, DrawnCase, SAMPLING, common_constants, common_draws};
 
 /// Probability from which the sign of a difference holds.
 const SURE: f64 = 0.95;
@@ -168,32 +171,61 @@ fn single<'a>((loaded, predictive, uncertainty): MeshResult<'a>) -> DrawnMesh<'a
 pub struct Likeness {
     /// Correlation of the heights, which the error of the model has.
     pub heights: f64,
-    /// Correlation of the losses of the windows, which the sampling has: the standard error of the difference is then the one of the
-    /// differences of the windows.
+    /// Correlation of the losses of the windows.
     pub windows: f64,
+    /// Standard error of the mean difference of the windows \[W\].
+    pub standard_error_w: f64,
+    /// Its degrees of freedom.
+    pub freedom: f64,
 }
 
 /// The loss of a mesh minus the loss of the mesh `first`, whose traces are of the same places, at the same windows.
+///
+/// ```text
+/// δ_j = P_other,j − P_first,j + SE t_ν,j                                              [Place-difference]
+/// ```
+///
+/// SE is the standard error of the mean difference of the windows, ν its degrees of freedom; P are losses without sampling.
 #[must_use]
 pub fn difference_of_places(
     first: MeshResult<'_>,
     other: MeshResult<'_>,
     alike: Likeness,
 ) -> PairedDifference {
-    let [mut first, mut other] = beside(vec![single(first)], vec![single(other)]);
+    asperity_core::cite!("Place-difference");
+    let without_sampling = |(_, predictive, _): MeshResult<'_>| Predictive {
+        sampling: SamplingError::NONE,
+        ..predictive.clone()
+    };
+    let drawn = [first, other].map(without_sampling);
+    let [mut own, mut theirs] = beside(
+        vec![single((first.0, &drawn[0], first.2))],
+        vec![single((other.0, &drawn[1], other.2))],
+    );
     // Equal traces have the draws of the first set throughout.
-    let both = first.iter_mut().chain(&mut other);
+    let both = own.iter_mut().chain(&mut theirs);
     for mesh in both.filter(|mesh| mesh.common.flanks != 0) {
         mesh.common.constants[UncertainParameter::Lay as usize] = 1.0;
         mesh.common = Common {
             flanks: 0,
             windows: 0,
-            sampling: alike.windows.max(0.0),
             model: alike.heights.max(0.0),
             ..mesh.common
         };
     }
-    difference_of_meshes(&first, &other)
+    let table = StudentOfNormal::new(alike.freedom);
+    let sampling = flank_draws(0).map(|draw| match alike.standard_error_w > 0.0 {
+        true => alike.standard_error_w * table.at(draw.sampling),
+        false => 0.0,
+    });
+    let mut found = paired(&own, &theirs, sampling);
+    let common = [&own[0].common, &theirs[0].common];
+    found.common = common_constants((first.0, first.1), (other.0, other.1), common);
+    let rows = found.common.iter_mut();
+    for row in rows.filter(|row| row.name == SAMPLING) {
+        row.correlation = alike.windows;
+    }
+    found
 }
 
 /// The loss of all meshes of `other` minus the loss of all meshes of `first`, draw by draw. Cases that differ in nothing
@@ -207,8 +239,18 @@ pub fn difference_of_places(
 #[must_use]
 pub fn difference_of_meshes(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) -> PairedDifference {
     asperity_core::cite!("Paired-difference");
+    paired(first, other, std::iter::repeat(0.0))
+}
+
+/// A paired difference with an error in each draw \[W\].
+fn paired(
+    first: &[DrawnMesh<'_>],
+    other: &[DrawnMesh<'_>],
+    errors: impl Iterator<Item = f64>,
+) -> PairedDifference {
     let [own, theirs] = [first, other].map(losses_of_meshes);
-    let deltas: Vec<f64> = own.iter().zip(&theirs).map(|(a, b)| b - a).collect();
+    let deltas = own.iter().zip(&theirs).zip(errors);
+    let deltas: Vec<f64> = deltas.map(|((a, b), error)| b - a + error).collect();
     let shares: Vec<f64> = deltas.iter().zip(&own).map(|(d, a)| d / a).collect();
     let watts = median_with_ends(&deltas);
     let agreeing = deltas.iter().filter(|d| **d * watts.value > 0.0).count();

@@ -55,7 +55,7 @@ pub use asperity_uncertainty::{
     Common, ENDS, Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter,
     median_with_ends, model_deviation, sorted_quantiles,
 };
-pub use change::{ChangeDraws, few_offsets_of, sampling_interval};
+pub use change::{ChangeDraws, few_offsets_of, sampling_error_of_changes, sampling_interval};
 pub use common_draws::{CommonConstant, DrawnCase, common_draws};
 pub use deciding::{DecidingMeasurement, deciding};
 pub use difference::{

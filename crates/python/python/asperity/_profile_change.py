@@ -32,7 +32,7 @@ def raw_traces(traces: Union[Trace, Sequence[Trace]]) -> list[tuple[str, _asperi
 class ProfileChange(Study, ProfileChangeValues):
     """Traces after a test on the traces before it: ``mean`` (removed_nm, lost_nm, gained_nm, each with quantiles of 5 and
     95 %), ``scatter_nm`` from pair to pair; ``in_case``, with a case, has the flanks (sliding, Archard's coefficient), the losses
-    before and after the test, and their difference."""
+    of their states before and after the test, and the difference."""
 
     @property
     def pairs(self) -> ProfileChangePairTable:
@@ -58,5 +58,5 @@ class ProfileChange(Study, ProfileChangeValues):
         low, high = mean["removed_quantiles_nm"]
         rows = [("removed", f"{mean['removed_nm']:.1f} nm ({low:.1f}..{high:.1f})")]
         if of := self._values.get("in_case"):
-            rows += [(f"loss {loss['flanks']}", f"{loss['loss_w']:.1f} W") for loss in of["losses"]]
+            rows += [(f"loss {state['state']}", f"{state['loss_w']:.1f} W") for state in of["states"]]
         return rows

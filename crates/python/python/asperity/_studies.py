@@ -336,13 +336,21 @@ def profile_change(
     They contain the noise of the match and the choice of the dales. Where parts of the trace rose, other dales may
     have risen as well: the height gained is then also a standard deviation of the height removed. Parameters follow
     ISO 4287 with sections of 0.25 mm over the common length. A noise floor is the change that noise makes in one of
-    twenty comparisons.
+    twenty comparisons. With a case, its flanks have the traces over the common length before and after the test. Both
+    runs share all draws but the error of the model, which is common as their heights correlate; the sampling is the
+    one of the differences of the windows. A trace whose place on the flank is not stated lies at any place of it, and
+    the interval of the wear coefficient contains this. model.run_in presses the flanks before into each other and
+    removes nothing by wear.
 
     Parameters:
         before: one or several traces before the test.
         after: the traces of the same places after it.
+        case: case of the gears, whose loss before and after the test is then compared.
         max_shift: largest shift of the second trace, to either side.
         max_stretch: largest stretch of the second trace, to either side.
+        engagements: engagements of a tooth of the pinion in the test, for Archard's wear coefficient.
+        flank: flank that changed, pinion or wheel, where the case does not have the traces before the test.
+        leave_out: leave out pairs that are not of one place, and name them.
         threads, progress: as in `Case.run`.
 
     Returns:
@@ -368,8 +376,7 @@ def profile_change(
         "flank": flank,
         "leave_out": leave_out,
     }
-    given = (raw_traces(before), raw_traces(after), None if case is None else as_case(case)._raw)
-    return ran(ProfileChange, "profile_change", given, settings, threads, progress)
+    return ran(ProfileChange, "profile_change", (raw_traces(before), raw_traces(after), None if case is None else as_case(case)._raw), settings, threads, progress)
 
 
 def evidence(

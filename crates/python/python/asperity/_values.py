@@ -945,13 +945,87 @@ class ProfileChangeMaterialRatioTable(TableOf[ProfileChangeMaterialRatio, Litera
     material_ratio_percent: Floats; before_um: Floats; after_um: Floats; change_um: Floats; floor_um: Floats
 
 
+class ProfileChangeInCaseFlank(Values):
+    _absent = {"engagements": None, "sliding_m": None, "k_mm3_per_n_m": None, "k_p05_mm3_per_n_m": None, "k_p95_mm3_per_n_m": None, "k_at_most_mm3_per_n_m": None, "k_times_hardness": None, "run_in_rq_um": None, "run_in_rpk_um": None}
+    flank: str
+    pairs: int
+    is_placed: bool
+    removed_nm: float
+    removed_p05_nm: float
+    removed_p95_nm: float
+    sliding_um: float
+    sliding_p05_um: float
+    sliding_p95_um: float
+    engagements: Optional[float]
+    sliding_m: Optional[float]
+    k_mm3_per_n_m: Optional[float]
+    k_p05_mm3_per_n_m: Optional[float]
+    k_p95_mm3_per_n_m: Optional[float]
+    k_at_most_mm3_per_n_m: Optional[float]
+    k_times_hardness: Optional[float]
+    before_rq_um: float
+    after_rq_um: float
+    run_in_rq_um: Optional[float]
+    before_rpk_um: float
+    after_rpk_um: float
+    run_in_rpk_um: Optional[float]
+
+
+class ProfileChangeInCaseFlankTable(TableOf[ProfileChangeInCaseFlank, Literal["removed_nm", "removed_p05_nm", "removed_p95_nm", "sliding_um", "sliding_p05_um", "sliding_p95_um", "engagements", "sliding_m", "k_mm3_per_n_m", "k_p05_mm3_per_n_m", "k_p95_mm3_per_n_m", "k_at_most_mm3_per_n_m", "k_times_hardness", "before_rq_um", "after_rq_um", "run_in_rq_um", "before_rpk_um", "after_rpk_um", "run_in_rpk_um"], Literal["flank", "pairs", "is_placed"]]):
+    _row = ProfileChangeInCaseFlank
+    flank: NDArray[Any]; pairs: NDArray[Any]; is_placed: NDArray[Any]; removed_nm: Floats; removed_p05_nm: Floats
+    removed_p95_nm: Floats; sliding_um: Floats; sliding_p05_um: Floats; sliding_p95_um: Floats; engagements: Floats
+    sliding_m: Floats; k_mm3_per_n_m: Floats; k_p05_mm3_per_n_m: Floats; k_p95_mm3_per_n_m: Floats
+    k_at_most_mm3_per_n_m: Floats; k_times_hardness: Floats; before_rq_um: Floats; after_rq_um: Floats
+    run_in_rq_um: Floats; before_rpk_um: Floats; after_rpk_um: Floats; run_in_rpk_um: Floats
+
+
+class ProfileChangeInCaseState(Values):
+    _absent = {"loss_median_w": None, "loss_p05_w": None, "loss_p95_w": None}
+    state: str
+    loss_w: float
+    loss_median_w: Optional[float]
+    loss_p05_w: Optional[float]
+    loss_p95_w: Optional[float]
+
+
+class ProfileChangeInCaseStateTable(TableOf[ProfileChangeInCaseState, Literal["loss_w", "loss_median_w", "loss_p05_w", "loss_p95_w"], Literal["state"]]):
+    _row = ProfileChangeInCaseState
+    state: NDArray[Any]; loss_w: Floats; loss_median_w: Floats; loss_p05_w: Floats; loss_p95_w: Floats
+
+
+class ProfileChangeInCaseWarning(Values):
+    _absent = {"code": None, "about": None}
+    code: Optional[str]
+    text: str
+    about: Optional[str]
+
+
+class ProfileChangeInCaseWarningTable(TableOf[ProfileChangeInCaseWarning, NoReturn, Literal["code", "text", "about"]]):
+    _row = ProfileChangeInCaseWarning
+    code: NDArray[Any]; text: NDArray[Any]; about: NDArray[Any]
+
+
+class ProfileChangeInCase(Values):
+    _kinds = {"flanks": ProfileChangeInCaseFlankTable, "states": ProfileChangeInCaseStateTable, "difference": ComparisonFinishDifference, "warnings": ProfileChangeInCaseWarningTable}
+    _absent = {"difference": None, "no_run_in": None}
+    case: str
+    conditions: str
+    flanks: ProfileChangeInCaseFlankTable
+    states: ProfileChangeInCaseStateTable
+    difference: Optional[ComparisonFinishDifference]
+    no_run_in: Optional[str]
+    warnings: ProfileChangeInCaseWarningTable
+
+
 class ProfileChangeValues(Values):
-    _kinds = {"mean": ProfileChangeMean, "pairs": ProfileChangePairTable, "parameters": ProfileChangeParameterTable, "material_ratio": ProfileChangeMaterialRatioTable}
-    _absent = {"scatter_nm": None}
+    _kinds = {"mean": ProfileChangeMean, "pairs": ProfileChangePairTable, "parameters": ProfileChangeParameterTable, "material_ratio": ProfileChangeMaterialRatioTable, "in_case": ProfileChangeInCase}
+    _absent = {"scatter_nm": None, "in_case": None}
     title: str
     mean: ProfileChangeMean
     scatter_nm: Optional[float]
     warnings: list[Any]
+    in_case: Optional[ProfileChangeInCase]
 
 
 class OilPlanPoint(Values):

@@ -12,7 +12,9 @@ use asperity::mesh::Mesh;
 use asperity::message::Warning;
 use asperity::pipeline::KeptFields;
 use asperity::result::Outcome;
-use asperity::uncertainty::{Likeness, PairedDifference, Predictive, difference_of_places};
+use asperity::uncertainty::{
+    Likeness, PairedDifference, Predictive, difference_of_places, sampling_error_of_changes,
+};
 use asperity_core::numerics::mean;
 use asperity_core::quantity::Length;
 use asperity_core::{Code, Estimate, EstimateKeys, Fault, Profile, estimate_keys};
@@ -95,7 +97,7 @@ pub struct FlankChange {
     pub engagements: Option<f64>,
     /// Sliding distance of a point in all engagements.
     pub sliding_m: Option<f64>,
-    /// Archard's wear coefficient; `None` if it is not asked for, or noise explains the removal.
+    /// Archard's wear coefficient; `None` without engagements, or if noise explains the removal.
     #[serde(flatten, serialize_with = "WearKeys::serialize")]
     pub k_mm3_per_n_m: Option<Estimate>,
     /// Its largest value where noise explains the removal.
@@ -120,8 +122,8 @@ pub struct FlankChange {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct StateLoss {
-    /// State.
-    pub flanks: &'static str,
+    /// State of the flanks.
+    pub state: &'static str,
     /// With every constant at its median.
     pub loss_w: f64,
     /// Median with 5 and 95 % quantiles; `None` if the model has no uncertainty.
@@ -140,19 +142,19 @@ pub struct ChangeInCase {
     /// Flanks that changed.
     pub flanks: Vec<FlankChange>,
     /// Losses before and after the test, and as `model.run_in` predicts it.
-    pub losses: Vec<StateLoss>,
+    pub states: Vec<StateLoss>,
     /// Loss after minus loss before, draw by draw; `None` if the model has no uncertainty.
     pub difference: Option<PairedDifference>,
-    /// Reason why there is no prediction of `model.run_in`.
+    /// Reason for a missing prediction of `model.run_in`.
     pub no_run_in: Option<String>,
     /// Warnings of the case.
     pub warnings: Vec<Warning>,
 }
 
 impl ChangeInCase {
-    /// The loss of flanks of this state.
-    pub(super) fn loss(&self, flanks: &str) -> Option<&StateLoss> {
-        self.losses.iter().find(|loss| loss.flanks == flanks)
+    /// The loss in a state of the flanks.
+    pub(super) fn loss(&self, state: &str) -> Option<&StateLoss> {
+        self.states.iter().find(|loss| loss.state == state)
     }
 }
 
@@ -228,11 +230,11 @@ pub(super) fn in_case(
     let flanks = flanks
         .filter_map(Result::transpose)
         .collect::<Result<_, _>>()?;
-    let mut losses = vec![of_state(BEFORE, &first), of_state(AFTER, &second)];
-    losses.extend(run_in.as_ref().and_then(|run| {
+    let mut states = vec![of_state(BEFORE, &first), of_state(AFTER, &second)];
+    states.extend(run_in.as_ref().and_then(|run| {
         let found = run.result.run_in.as_ref()?;
         Some(StateLoss {
-            flanks: RUN_IN,
+            state: RUN_IN,
             loss_w: found.summary.loss_w,
             drawn_w: None,
         })
@@ -241,7 +243,7 @@ pub(super) fn in_case(
         case: case.case.title.clone(),
         conditions: case.case.conditions(),
         flanks,
-        losses,
+        states,
         difference,
         no_run_in,
         warnings: warnings([&first, &second]),
@@ -274,10 +276,10 @@ fn run_in(before: &LoadedCase) -> (Option<Outcome>, Option<String>) {
     }
 }
 
-fn of_state(flanks: &'static str, outcome: &Outcome) -> StateLoss {
+fn of_state(state: &'static str, outcome: &Outcome) -> StateLoss {
     let uncertainty = outcome.result.uncertainty.as_ref();
     StateLoss {
-        flanks,
+        state,
         loss_w: outcome.result.summary.loss_w,
         drawn_w: uncertainty.map(|found| found.loss.drawn()),
     }
@@ -448,9 +450,16 @@ fn likeness(cases: [&LoadedCase; 2], runs: [&Outcome; 2]) -> Likeness {
         heights.collect()
     };
     let losses = |run: &Outcome| -> Vec<f64> { run.offsets.iter().map(|row| row.loss_w).collect() };
+    let windows = runs.map(losses);
+    let both = windows[0].iter().zip(&windows[1]);
+    let differences: Vec<f64> = both.map(|(before, after)| after - before).collect();
+    let error = sampling_error_of_changes(cases[0], &runs[0].result.path, &differences);
+    let [standard_error_w, freedom] = error.unwrap_or([0.0, 1.0]);
     Likeness {
         heights: correlation(&cases.map(traces)),
-        windows: correlation(&runs.map(losses)),
+        windows: correlation(&windows),
+        standard_error_w,
+        freedom,
     }
 }
 

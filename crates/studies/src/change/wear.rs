@@ -1,6 +1,6 @@
 //! Archard's wear coefficient of a flank from the height that a test removed.
 //!
-//! A point of a flank meets the contact once per engagement. Pressure times sliding distance, summed over an engagement, is the load of
+//! The contact passes over a point of a flank once per engagement. Pressure times sliding distance, summed over an engagement, is the load of
 //! the contact line times the slip: the width of the contact cancels.
 //!
 //! | symbol | meaning | unit |

@@ -38,7 +38,11 @@ fn wear(of: &FlankChange) -> String {
         true => "at this place",
         false => "at an unknown place of it",
     };
-    let sliding = Digits::of_interval(of.sliding_um.ends()).interval_with(" µm", of.sliding_um);
+    let [low, high] = of.sliding_um.ends();
+    let sliding = match high - low > 1e-6 * high {
+        true => Digits::of_interval([low, high]).interval_with(" µm", of.sliding_um),
+        false => format!("{} µm", Digits::of_power(high).rounded(high)),
+    };
     let slid = format!("The {flank} changed: {place} a point slides {sliding} per engagement");
     let Some((count, metres)) = of.engagements.zip(of.sliding_m) else {
         return format!("{slid}.");
@@ -81,8 +85,7 @@ fn run_in(of: &ChangeInCase) -> Option<String> {
     }
     let [before, predicted, after] = [BEFORE, RUN_IN, AFTER].map(|name| of.loss(name));
     let losses = [before?, predicted?, after?];
-    let change = losses[2].loss_w - losses[0].loss_w;
-    let digits = Digits::of_power(change.abs().max(1e-3 * losses[0].loss_w));
+    let digits = Digits::of_decimals(1);
     let [before, predicted, after] = losses.map(|loss| digits.rounded(loss.loss_w));
     let heights = of.flanks.iter().filter_map(|flank| {
         let predicted = flank.run_in_rq_um?;
@@ -121,8 +124,8 @@ fn interval(of: Option<Estimate>) -> Cell {
 
 fn losses(of: &ChangeInCase) -> Table {
     let shown = |loss: &StateLoss| interval(loss.drawn_w);
-    let table = columns! { loss in &of.losses;
-        head flanks "flanks" "" = loss.flanks;
+    let table = columns! { loss in &of.states;
+        head state "flanks" "" = loss.state;
         interval loss_median_w "loss" "W" = shown(loss);
         number loss_w "at medians" "W" = Cell::number(loss.loss_w, |w| Digits::of_power(w).rounded(w));
     };
