@@ -38,6 +38,18 @@ fn trace(name: &str) -> String {
     rows.join("\n")
 }
 
+/// The trace without its heights above 1 um.
+fn worn(trace: &str) -> String {
+    let lower = |row: &str| match row.split_once(',') {
+        Some((x, z)) => match z.parse::<f64>() {
+            Ok(z) => format!("{x},{}", z.min(1.0)),
+            Err(_) => row.to_owned(),
+        },
+        None => row.to_owned(),
+    };
+    trace.lines().map(lower).collect::<Vec<_>>().join("\n")
+}
+
 fn coefficients(b1: f64) -> String {
     format!(
         r#"{{ "source": "own tests", "oil": "pao", "coefficients": {{ "b1": {b1}, "b2": 1.0, "b3": 1.0,
@@ -48,6 +60,9 @@ fn coefficients(b1: f64) -> String {
 fn oil_file(stress: &str) -> String {
     OIL_FILE.replace("value = \"4.8 MPa\"", &format!("value = \"{stress} MPa\""))
 }
+
+/// A pair of traces before and after a test.
+const PAIR: &str = "like = [\"pinion.csv\"], after = [\"own\"]";
 
 /// What makes a case read `own` by `key`.
 fn choice(key: &str) -> String {
@@ -85,6 +100,12 @@ fn choice(key: &str) -> String {
         "surface.coast.wheel.like" => {
             coast("pinion = { file = \"pinion.csv\" }, wheel = { like = [{ file = \"own\" }] }")
         }
+        "surface.pinion.after" => format!("\"surface.pinion\" = {{ {PAIR} }}"),
+        "surface.wheel.after" => format!("\"surface.wheel\" = {{ {PAIR} }}"),
+        "surface.coast.pinion.after" => coast(&format!("pinion = {{ {PAIR} }}, {wheel}")),
+        "surface.coast.wheel.after" => coast(&format!(
+            "pinion = {{ file = \"pinion.csv\" }}, wheel = {{ {PAIR} }}"
+        )),
         key => panic!("{key}: a key that names files needs an entry here and in `contents`"),
     }
 }
@@ -94,6 +115,10 @@ fn contents(key: &str) -> [String; 2] {
     match key {
         "gearbox.loss_table" => [table(0.4), table(0.9)],
         "lubricant.oil_file" => [oil_file("4.8"), oil_file("5.0")],
+        key if key.ends_with("after") => {
+            let before = trace("ground_pinion");
+            [before.clone(), worn(&before)]
+        }
         "model.xu_coefficients" => [coefficients(-8.9), coefficients(-8.0)],
         _ => [trace("ground_pinion"), trace("ground_fine_pinion")],
     }
@@ -243,7 +268,7 @@ fn no_key_that_names_a_file_is_missing_in_the_list() {
     let ends = FILE_KEYS.iter().filter_map(|key| key.rsplit('.').next());
     // Lists of traces are files and patterns of them.
     let listed: BTreeSet<String> = ends
-        .filter(|end| !["traces", "like"].contains(end))
+        .filter(|end| !["traces", "like", "after"].contains(end))
         .map(str::to_owned)
         .collect();
     assert_eq!(fields, listed);

@@ -296,6 +296,10 @@ fn generated_flanks_are_teeth_of_their_own_and_never_called_measured() {
         ),
         ("rq = \"0.3 um\", seed = 2", "needs like"),
         (
+            "like = [\"../profiles/ground_pinion.csv\"], state = 0.5",
+            "needs after",
+        ),
+        (
             "like = [{ file = \"../profiles/ground_pinion.csv\", tooth = 1 }]",
             "without a tooth",
         ),

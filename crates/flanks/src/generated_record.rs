@@ -4,11 +4,16 @@ use asperity_roughness::generate::{Method, Piece};
 use serde::{Deserialize, Serialize};
 
 /// Generation of a flank.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[non_exhaustive]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GeneratedRecord {
     /// The measured traces.
     pub like: Vec<MeasuredTrace>,
+    /// The traces of their places after a test.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub after: Vec<MeasuredTrace>,
+    /// State from before the test, 0, to after it, 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub state: Option<f64>,
     /// Pieces of them, or their spectrum and heights.
     pub method: Method,
     /// The pieces in order.
@@ -29,25 +34,6 @@ pub struct MeasuredTrace {
     pub sha256: String,
 }
 
-impl GeneratedRecord {
-    /// The record of flank `number`, from 1, of all.
-    #[must_use]
-    pub fn new(
-        like: Vec<MeasuredTrace>,
-        (method, pieces): (Method, Vec<Piece>),
-        seed: u32,
-        number: [usize; 2],
-    ) -> Self {
-        Self {
-            like,
-            method,
-            pieces,
-            seed,
-            number,
-        }
-    }
-}
-
 impl std::fmt::Display for GeneratedRecord {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let [number, all] = self.number;
@@ -55,10 +41,10 @@ impl std::fmt::Display for GeneratedRecord {
             1 => "one trace".to_owned(),
             several => format!("{several} traces"),
         };
-        write!(
-            f,
-            "generated from {traces}, flank {number} of {all}, seed {}",
-            self.seed
-        )
+        write!(f, "generated from {traces}")?;
+        if let Some(state) = self.state {
+            write!(f, " in state {state} from before to after a test")?;
+        }
+        write!(f, ", flank {number} of {all}, seed {}", self.seed)
     }
 }

@@ -121,7 +121,7 @@ fn traces_of_other_finishes_spacings_and_lengths_are_named() {
 #[ignore = "a minute; docs/records/generated-profiles.md has its table"]
 fn parameters_of_generated_flanks() {
     println!(
-        "| finish | method | generated against left out | given against left out | parameters that differ |"
+        "| finish | method | generated against left out | given against left out | parameters that differ, over those left out (of the given ones) |"
     );
     println!("|---|---|---|---|---|");
     for finish in FINISHES {
@@ -138,8 +138,10 @@ fn parameters_of_generated_flanks() {
             of_made.push((NAMES.len() - off.len()).to_string());
             of_given.push((NAMES.len() - different(&given, &left_out).len()).to_string());
             let ratio = |k: usize| {
-                let of = |rows: &[[f64; 20]]| mean(rows.iter().map(|row| row[k]));
-                format!("{} {:.2}", NAMES[k], of(&made) / of(&left_out))
+                let of = |rows: &[[f64; 20]]| {
+                    mean(rows.iter().map(|row| row[k])) / mean(left_out.iter().map(|row| row[k]))
+                };
+                format!("{} {:.2} ({:.2})", NAMES[k], of(&made), of(&given))
             };
             names.push(off.into_iter().map(ratio).collect::<Vec<_>>().join(", "));
         }

@@ -23,7 +23,7 @@ pub(crate) const OIL_FILE: &str = "lubricant.oil_file";
 pub(crate) const XU_COEFFICIENTS: &str = "model.xu_coefficients";
 
 /// Every key of a pair of gears that names a file, or several.
-pub const FILE_KEYS: [&str; 15] = [
+pub const FILE_KEYS: [&str; 19] = [
     "surface.pinion.file",
     "surface.wheel.file",
     "surface.coast.pinion.file",
@@ -36,6 +36,10 @@ pub const FILE_KEYS: [&str; 15] = [
     "surface.wheel.like",
     "surface.coast.pinion.like",
     "surface.coast.wheel.like",
+    "surface.pinion.after",
+    "surface.wheel.after",
+    "surface.coast.pinion.after",
+    "surface.coast.wheel.after",
     OIL_FILE,
     LOSS_TABLE,
     XU_COEFFICIENTS,
@@ -117,7 +121,12 @@ pub(crate) fn named(input: &CaseInput) -> Vec<Named> {
         let Some(flank) = flank else { continue };
         let file = flank.file.iter();
         named.extend(file.map(|name| Named::file(format!("{table}.file"), name)));
-        for (name, list) in [("traces", &flank.traces), ("like", &flank.like)] {
+        let lists = [
+            ("traces", &flank.traces),
+            ("like", &flank.like),
+            ("after", &flank.after),
+        ];
+        for (name, list) in lists {
             let key = format!("{table}.{name}");
             let listed = list.iter().flat_map(TraceList::entries);
             named.extend(listed.map(|entry| match entry {

@@ -398,6 +398,12 @@ table! {
     /// traces, each of a tooth of its own, so that the loss has the scatter of flanks of the finish.
     #[serde(skip_serializing_if = "Option::is_none")]
     like: Option<TraceList> => table;
+    /// Traces of the places of `like` after a test, in the same order; flanks are then made of pieces of both.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    after: Option<TraceList> => table;
+    /// State of the generated flanks from before the test, 0, to `after` it, 1, which is the default; heights are lost in proportion.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    state: Option<f64> = "" usual [0.0, 1.0] possible [0.0, 1.0];
     /// Seed of the flanks that are generated like others; default 1. Pinion and wheel differ with equal seeds.
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u32> = "" usual [0.0, 1e6] possible [0.0, 4.3e9];
@@ -499,6 +505,8 @@ impl FlankInput {
             file: Some(file.to_owned()),
             traces: None,
             like: None,
+            after: None,
+            state: None,
             seed: None,
             finish: None,
             rq: None,

@@ -185,7 +185,7 @@ impl CaseBuilder {
 
     fn flank(&mut self, flank: Flank, body: &str) -> FlankInput {
         let trace: Trace = match flank {
-            Flank::Keys(keys) => return keys,
+            Flank::Keys(keys) => return *keys,
             Flank::Trace(trace) => trace,
         };
         let mut name = trace.name.clone().unwrap_or_else(|| PathBuf::from(body));

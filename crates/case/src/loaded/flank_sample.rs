@@ -114,6 +114,7 @@ pub(crate) fn listed(
                 file: Some(trace.file),
                 traces: None,
                 like: None,
+                after: None,
                 from: trace.from.or(flank.from),
                 at: trace.at.or(flank.at),
                 row: trace.row.or(flank.row),

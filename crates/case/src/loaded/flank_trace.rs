@@ -485,6 +485,8 @@ pub(crate) fn read_options(input: &FlankInput) -> ReadOptions {
         file: _,
         traces: _,
         like: _,
+        after: _,
+        state: _,
         seed: _,
         mirrored: _,
         from: _,

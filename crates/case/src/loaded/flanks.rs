@@ -151,11 +151,20 @@ fn named(
 ) -> Result<Vec<Listed>, CaseError> {
     match &input.like {
         Some(list) => generated(input, list, keys, context, warnings),
-        None if input.seed.is_some() => {
-            let section = Section::of(context.source, keys.table);
-            Err(section.conflict("seed", "needs like, the traces to generate others like"))
+        None => {
+            let stated = [
+                ("seed", input.seed.is_some()),
+                ("after", input.after.is_some()),
+                ("state", input.state.is_some()),
+            ];
+            match stated.into_iter().find(|(_, is_stated)| *is_stated) {
+                Some((key, _)) => {
+                    let section = Section::of(context.source, keys.table);
+                    Err(section.conflict(key, "needs like, the traces to generate others like"))
+                }
+                None => traces_of(input, keys, context),
+            }
         }
-        None => traces_of(input, keys, context),
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use asperity_core::message::Warning;
-use asperity_core::{Code, Profile};
+use asperity_core::{Code, Fault, Profile};
 use asperity_flanks::generated_record::{GeneratedRecord, MeasuredTrace};
 use asperity_flanks::trace::{TraceContent, TraceInputs, measured};
 use asperity_flanks::trace_sites::TraceSite;
@@ -24,8 +24,18 @@ use crate::source::section::Section;
 
 /// Seed that is not stated.
 const SEED: u32 = 1;
+/// State that is not stated: after the test.
+const AFTER: f64 = 1.0;
 
-/// As many flanks as `list` names traces, each of a tooth of its own.
+/// A measured trace as it is read.
+struct Measured {
+    profile: Profile,
+    trace: MeasuredTrace,
+    /// Statements of its file.
+    reading: Option<Reading>,
+}
+
+/// As many flanks as the list names traces, each of a tooth of its own.
 pub(crate) fn generated(
     input: &FlankInput,
     list: &TraceList,
@@ -39,50 +49,20 @@ pub(crate) fn generated(
         let rule = "stands in place of file, traces, rows, rq, ra and rz; give one of them";
         return Err(section.conflict("like", rule));
     }
-    let traces = listed(input, ("like", list), section, context.files)?;
-    let is_placed = |trace: &Listed| trace.input.at.is_some() || trace.input.from.is_some();
-    let is_sited = |trace: &Listed| trace.site.number.is_some() || trace.site.y.is_some();
-    if traces
-        .iter()
-        .any(|trace| is_placed(trace) || is_sited(trace))
-    {
-        let rule = "makes flanks without a tooth or place; leave tooth, y, at and from out";
-        return Err(section.conflict("like", rule));
-    }
-    let keys = Keys {
-        file: section.key("like"),
-        ..keys.clone()
+    let before = measured_traces(input, ("like", list), keys, context)?;
+    let after = match &input.after {
+        Some(list) => measured_traces(input, ("after", list), keys, context)?,
+        None => Vec::new(),
     };
-    let mut profiles = Vec::with_capacity(traces.len());
-    let mut sources = Vec::with_capacity(traces.len());
-    let mut reading = None;
-    for trace in &traces {
-        let (profile, sum, of_file) = read(&trace.input, &keys, context)?;
-        let file = trace
-            .input
-            .file
-            .iter()
-            .map(|file| file.display().to_string());
-        sources.push(MeasuredTrace {
-            file: file.collect(),
-            sha256: sum,
-        });
-        profiles.push(profile);
-        reading = reading.or(of_file.map(Arc::new));
-    }
-    let name = sources.first().map_or("", |source| &source.file);
-    let refused = |error| CaseError::preparation(name, error);
-    let (first, others) = profiles
-        .split_first()
-        .ok_or_else(|| section.conflict("like", "names no trace; give at least one"))?;
-    let like = Like::to(first, others, None).map_err(refused)?;
+    let refused =
+        |fault: &Fault| CaseError::not_generated(section.place("like"), section.key("like"), fault);
+    let like = maker(input, &before, &after, section)?;
     for warning in &like.warnings {
         let message = format!("{}: {warning}", section.key("like"));
         let message = with_keys(&message, &warning.remedy(), keys.table);
         warnings.push(Warning::new(warning.code(), message));
     }
-    let seed = input.seed.unwrap_or(SEED);
-    let count = traces.len();
+    let (seed, count) = (input.seed.unwrap_or(SEED), before.len());
     let of_what = match like.method() {
         Method::Pieces => "pieces of them",
         Method::Spectrum => "their spectrum and heights",
@@ -92,14 +72,28 @@ pub(crate) fn generated(
         section.key("like")
     );
     warnings.push(Warning::new(Code::W463, text));
+    let record = GeneratedRecord {
+        like: before
+            .iter()
+            .map(|measured| measured.trace.clone())
+            .collect(),
+        after: after
+            .iter()
+            .map(|measured| measured.trace.clone())
+            .collect(),
+        state: (!after.is_empty()).then(|| input.state.unwrap_or(AFTER)),
+        method: like.method(),
+        pieces: Vec::new(),
+        seed,
+        number: [0, count],
+    };
+    let reading = before.into_iter().find_map(|measured| measured.reading);
+    let reading = reading.map(Arc::new);
     let flank = |k: usize| -> Result<Listed, CaseError> {
-        let made = like
-            .generate(seed_of(seed, gear_of(keys.table), k))
-            .map_err(refused)?;
-        let method = (made.method, made.pieces);
+        let made = like.generate(seed_of(seed, gear_of(keys.table), k));
+        let made = made.map_err(|error| refused(&error.into()))?;
         Ok(Listed {
             input: FlankInput {
-                like: None,
                 mirrored: input.mirrored,
                 ..FlankInput::default()
             },
@@ -112,11 +106,70 @@ pub(crate) fn generated(
             generated: Some(Generated {
                 heights: Arc::new(made.generated.profile),
                 reading: reading.clone(),
-                record: GeneratedRecord::new(sources.clone(), method, seed, [k + 1, count]),
+                record: GeneratedRecord {
+                    pieces: made.pieces,
+                    number: [k + 1, count],
+                    ..record.clone()
+                },
             }),
         })
     };
     (0..count).map(flank).collect()
+}
+
+/// The maker of flanks like traces, or like pairs of traces before and after a test.
+fn maker(
+    input: &FlankInput,
+    before: &[Measured],
+    after: &[Measured],
+    section: Section<'_>,
+) -> Result<Like, CaseError> {
+    let refused =
+        |fault: Fault| CaseError::not_generated(section.place("like"), section.key("like"), &fault);
+    let Some((first, others)) = before.split_first() else {
+        return Err(section.conflict("like", "names no trace; give at least one"));
+    };
+    if input.after.is_none() {
+        if input.state.is_some() {
+            return Err(section.conflict("state", "needs after, the traces after the test"));
+        }
+        let others = others.iter().map(|trace| trace.profile.clone());
+        let like = Like::to(&first.profile, &others.collect::<Vec<_>>(), None);
+        return like.map_err(|error| refused(error.into()));
+    }
+    if after.len() != before.len() {
+        let rule = "needs a trace for each of like, in the same order";
+        return Err(section.conflict("after", rule));
+    }
+    let pairs = before.iter().zip(after);
+    let pairs = pairs.map(|(before, after)| [before.profile.clone(), after.profile.clone()]);
+    let pairs: Vec<[Profile; 2]> = pairs.collect();
+    Like::of_pairs(&pairs[0], &pairs[1..], input.state.unwrap_or(AFTER)).map_err(refused)
+}
+
+/// The traces that the list at a key names.
+fn measured_traces(
+    input: &FlankInput,
+    (key, list): (&str, &TraceList),
+    keys: &Keys,
+    context: Context<'_>,
+) -> Result<Vec<Measured>, CaseError> {
+    let section = Section::of(context.source, keys.table);
+    let traces = listed(input, (key, list), section, context.files)?;
+    let is_placed = |trace: &Listed| trace.input.at.is_some() || trace.input.from.is_some();
+    let is_sited = |trace: &Listed| trace.site.number.is_some() || trace.site.y.is_some();
+    let mut all = traces.iter();
+    if all.any(|trace| is_placed(trace) || is_sited(trace)) {
+        let rule = "makes flanks without a tooth or place; leave tooth, y, at and from out";
+        return Err(section.conflict(key, rule));
+    }
+    let keys = Keys {
+        file: section.key(key),
+        ..keys.clone()
+    };
+    let each = traces.iter();
+    each.map(|trace| read(&trace.input, &keys, context))
+        .collect()
 }
 
 /// Seed of flank `k` of a gear: no two are equal.
@@ -124,12 +177,8 @@ fn seed_of(seed: u32, gear: Gear, k: usize) -> u64 {
     (u64::from(seed) << 32) + ((gear as u64) << 31) + k as u64
 }
 
-/// A measured trace as it is read, its sum, and what its file states.
-fn read(
-    input: &FlankInput,
-    keys: &Keys,
-    context: Context<'_>,
-) -> Result<(Profile, String, Option<Reading>), CaseError> {
+/// Reads a measured trace.
+fn read(input: &FlankInput, keys: &Keys, context: Context<'_>) -> Result<Measured, CaseError> {
     let file = input.file.as_deref().unwrap_or(Path::new(""));
     let name = file.display().to_string();
     let (content, sum) = context
@@ -152,5 +201,12 @@ fn read(
     let gears = (&context.inputs.gears, gear_of(keys.table));
     let (profile, reading) =
         measured(inputs, gears).map_err(|error| placed(error, (&name, &name), keys, context))?;
-    Ok((profile, sum, reading))
+    Ok(Measured {
+        profile,
+        trace: MeasuredTrace {
+            file: name,
+            sha256: sum,
+        },
+        reading,
+    })
 }

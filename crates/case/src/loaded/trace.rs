@@ -146,7 +146,7 @@ pub enum Flank {
     /// A trace.
     Trace(Trace),
     /// Keys of a flank, as `rq` and `rpk`.
-    Keys(FlankInput),
+    Keys(Box<FlankInput>),
 }
 
 impl From<Trace> for Flank {
@@ -157,6 +157,6 @@ impl From<Trace> for Flank {
 
 impl From<FlankInput> for Flank {
     fn from(keys: FlankInput) -> Self {
-        Self::Keys(keys)
+        Self::Keys(Box::new(keys))
     }
 }

@@ -246,6 +246,11 @@ impl CaseError {
         )
     }
 
+    /// Traces that no others can be generated like.
+    pub(crate) fn not_generated(place: Place, key: impl Display, fault: &Fault) -> Self {
+        Self::at(fault.code(), format!("{place}: {key}: {fault}"), place)
+    }
+
     /// A finish of which no surrogates can be generated.
     pub(crate) fn no_recipe(place: Place, key: impl Display, finish: &'static str) -> Self {
         Self::at(

@@ -117,7 +117,7 @@ fn files(result: &RunResult) -> Markup {
     });
     let mut measured: Vec<(&str, &str)> = Vec::new();
     let like = records.iter().filter_map(|flank| flank.generated.as_ref());
-    for trace in like.flat_map(|generated| &generated.like) {
+    for trace in like.flat_map(|made| made.like.iter().chain(&made.after)) {
         let row = (trace.file.as_str(), trace.sha256.as_str());
         if !measured.contains(&row) {
             measured.push(row);

@@ -114,5 +114,5 @@ pub fn made_like(given: &[Profile], count: usize) -> (Like, Vec<Profile>) {
 
 /// Seed of the surface of a repetition; `ASPERITY_SEED` takes other surfaces.
 pub fn seed_of(repetition: u64) -> u64 {
-    std::env::var("ASPERITY_SEED").map_or(500, |seed| seed.parse().unwrap()) + 10 * repetition
+    std::env::var("ASPERITY_SEED").map_or(7000, |seed| seed.parse().unwrap()) + 10 * repetition
 }
