@@ -514,6 +514,13 @@ fn a_trace_is_generated_like_measured_ones() {
     assert!(first["file"].as_str().unwrap().starts_with("flank"));
     let text = std::fs::read_to_string(bench.path("pieces.csv")).unwrap();
     assert!(text.contains("pieces of 2 traces"), "{text:.200}");
+    let rough = "profile generate --points 8001 --rq 1um -o rough.csv";
+    bench.run(&rough.split(' ').collect::<Vec<_>>()).well();
+    for (more, code) in [("--method pieces", "W461"), ("--like rough.csv", "W462")] {
+        let one = format!("profile generate --like flank1.csv {more} --json -o other.csv");
+        let made = bench.run(&one.split(' ').collect::<Vec<_>>()).well().json();
+        assert_eq!(made["warnings"][0]["code"], code);
+    }
     bench
         .run(&[
             "profile",
