@@ -59,7 +59,7 @@ fn two_oils_differ_by_the_draws_of_each_and_their_order_changes_the_sign_only() 
     };
     assert_eq!([oil(0).0, oil(1).0], ["pao", "mineral"]);
     let few = ["--no-output", "--variant", oils[0], "--variant", oils[1]];
-    let said = bench.run(&[&["compare", "case.toml", "--notes"][..], &FEW, &few].concat());
+    let said = bench.run(&[&["compare", "case.toml"][..], &FEW, &few].concat());
     let due = format!(
         "pao: pao, {:.2} mm²/s; mineral: mineral, {:.2} mm²/s.",
         oil(0).1,

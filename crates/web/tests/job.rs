@@ -152,7 +152,8 @@ fn the_headline_adds_up_and_two_results_differ_by_the_torque_that_was_changed() 
 
     let both = versus(&a, &b).unwrap();
     assert!(
-        both.verdict.starts_with("With B the loss is ") && both.verdict.contains("lower than with A"),
+        both.verdict.starts_with("With B the loss is ")
+            && both.verdict.contains("lower than with A"),
         "{}",
         both.verdict
     );
@@ -257,7 +258,11 @@ fn a_gear_train_runs_on_files_in_memory_as_on_disk() {
     )
     .unwrap();
     let both = versus(&found, &other).unwrap();
-    assert!(both.verdict.starts_with("With B the loss is "), "{}", both.verdict);
+    assert!(
+        both.verdict.starts_with("With B the loss is "),
+        "{}",
+        both.verdict
+    );
     let loss = both
         .rows
         .iter()
