@@ -127,6 +127,8 @@ fn usual_cases() -> Vec<Value> {
         flank(json!({ "position": "6 mm" })),
         json!({ "surface": { "pinion": { "traces": [{ "file": "../profiles/ground_pinion.csv", "y": "12 mm", "from": "root",
             "range": "0.2 mm .. 2.9 mm", "at": { "diameter": "44 mm" } }], "file": null } } }),
+        json!({ "surface": { "pinion": { "file": null, "like": ["../profiles/ground_pinion.csv"],
+            "after": ["../profiles/ground_pinion.csv"], "state": 0.5 } } }),
         json!({ "model": { "load_share": "lambda-star" }, "surface": {
             "pinion": { "file": null, "rq": "0.4 um", "ra": "0.32 um", "rz": "2.4 um", "rpk": "0.3 um", "asperity_radius": "20 um" },
             "wheel": { "file": null, "mirrored": null, "rq": "0.4 um" }
@@ -173,6 +175,7 @@ fn is_count(key: &str) -> bool {
         "records",
         "cells",
         "per_planet",
+        "seed",
     ];
     let name = key.rsplit('.').next();
     name.is_some_and(|name| counts.contains(&name)) && !key.ends_with("at.x")
@@ -185,6 +188,8 @@ fn of_first(key: &str) -> String {
         .replace("surface.coast.", "surface.");
     of_pinion
         .replace(".traces.", ".")
+        .replace(".like.", ".")
+        .replace(".after.", ".")
         .replace(".root_relief.", ".tip_relief.")
 }
 

@@ -1,7 +1,7 @@
 //! Words and tables of the worth of a change in a case.
 
 use asperity::result::loss_band::Digits;
-use asperity_core::Estimate;
+use asperity_core::{Estimate, capitalised};
 use asperity_report::{Cell, Report, Table, columns};
 
 use super::in_case::{AFTER, BEFORE, ChangeInCase, FlankChange, RUN_IN, StateLoss};
@@ -14,13 +14,15 @@ const UNIT: &str = "1e-9 mm³/(N m)";
 /// Sliding, wear coefficient, and losses.
 pub(super) fn lines(of: &ChangeInCase) -> Vec<String> {
     let mut lines: Vec<String> = of.flanks.iter().map(wear).collect();
-    let names = [BEFORE, AFTER];
     lines.push(match &of.difference {
-        Some(difference) => format!("Of the mesh, {}.", verdict(names, difference)),
-        None => format!(
-            "Of the mesh, {}.",
-            names.map(|name| loss(of, name)).join(", ")
-        ),
+        Some(difference) => {
+            let names = ["the flanks before it", "the flanks after the test"];
+            format!("{}.", capitalised(&verdict(names, difference)))
+        }
+        None => {
+            let losses = [BEFORE, AFTER].map(|name| loss(of, name)).join(", ");
+            format!("The loss is {losses} the test.")
+        }
     });
     lines.extend(run_in(of));
     lines
@@ -28,7 +30,7 @@ pub(super) fn lines(of: &ChangeInCase) -> Vec<String> {
 
 fn loss(of: &ChangeInCase, name: &str) -> String {
     let found = of.loss(name).map_or(0.0, |loss| loss.loss_w);
-    format!("{name} {} W", Digits::of_power(found).rounded(found))
+    format!("{} W {name}", Digits::of_power(found).rounded(found))
 }
 
 /// Sliding distance and wear coefficient of a flank.
