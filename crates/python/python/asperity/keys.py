@@ -394,6 +394,22 @@ FlankInput = TypedDict(
 """One flank: a file with its trace, or only roughness values."""
 
 
+TraceInput = TypedDict(
+    "TraceInput",
+    {
+        "at": "Optional[FlankPlaceInput]",
+        "file": "Optional[Union[str, PathLike[str], Profile]]",
+        "from": 'Optional[Literal["root", "tip"]]',
+        "range": "Optional[str]",
+        "row": "Optional[int]",
+        "tooth": "Optional[int]",
+        "y": "Optional[Quantity]",
+    },
+    total=False,
+)
+"""One of several traces of a flank; all other keys are those of the flank."""
+
+
 class FlankPlaceInput(TypedDict, total=False):
     """A point of a trace whose place on the flank is known, by one of five coordinates."""
 
@@ -410,22 +426,6 @@ class Columns(TypedDict, total=False):
 
     x: Optional[int]
     z: Optional[int]
-
-
-TraceInput = TypedDict(
-    "TraceInput",
-    {
-        "at": "Optional[FlankPlaceInput]",
-        "file": "Optional[Union[str, PathLike[str], Profile]]",
-        "from": 'Optional[Literal["root", "tip"]]',
-        "range": "Optional[str]",
-        "row": "Optional[int]",
-        "tooth": "Optional[int]",
-        "y": "Optional[Quantity]",
-    },
-    total=False,
-)
-"""One of several traces of a flank; all other keys are those of the flank."""
 
 
 class VehicleInput(TypedDict, total=False):
