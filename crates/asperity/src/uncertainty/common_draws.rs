@@ -10,7 +10,7 @@
 //! | error of the temperature | its stated deviation | 0 |
 //! | tip relief that is not stated | teeth | 0 |
 //! | sampling of the flanks | traces on the same teeth | 0; of one place before and after a test as their windows lose alike |
-//! | error of the model | traces | 0; 1 − 0.02²/s² of the same traces under other conditions; of one place before and after a test as their heights correlate |
+//! | error of the model | traces | 0; 1 − 0.02²/s² of the same traces under other conditions; of one place before and after a test the concordance of their heights |
 //! | inner spots, rolling loss, other rules of the model | the model | - |
 
 use asperity_case::case::LoadedCase;

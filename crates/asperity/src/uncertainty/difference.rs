@@ -169,7 +169,7 @@ fn single<'a>((loaded, predictive, uncertainty): MeshResult<'a>) -> DrawnMesh<'a
 /// How far traces of one place before and after a test are alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Likeness {
-    /// Correlation of the heights, which the error of the model has.
+    /// Concordance of the heights, which is the correlation of the error of the model.
     pub heights: f64,
     /// Correlation of the losses of the windows.
     pub windows: f64,

@@ -395,7 +395,7 @@ table! {
     #[serde(skip_serializing_if = "Option::is_none")]
     traces: Option<TraceList> => table;
     /// Measured traces of one finish in place of `file`, as a list or pattern: as many flanks are generated like them as there are
-    /// traces, each of a tooth of its own, so that the loss has the scatter of flanks of the finish.
+    /// traces, each of a tooth of its own, so that the loss has the scatter of generated flanks.
     #[serde(skip_serializing_if = "Option::is_none")]
     like: Option<TraceList> => table;
     /// Traces of the places of `like` after a test, in the same order; flanks are then made of pieces of both.
@@ -404,7 +404,8 @@ table! {
     /// State of the generated flanks from before the test, 0, to `after` it, 1, which is the default; heights are lost in proportion.
     #[serde(skip_serializing_if = "Option::is_none")]
     state: Option<f64> = "" usual [0.0, 1.0] possible [0.0, 1.0];
-    /// Seed of the flanks that are generated like others; default 1. Pinion and wheel differ with equal seeds.
+    /// Seed of the flanks that are generated like others; default 1. Pinion and wheel differ with equal seeds, meshes of a train
+    /// do not.
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u32> = "" usual [0.0, 1e6] possible [0.0, 4.3e9];
     /// Read the trace from its other end (flanks face each other); not with `from` or `at`, which tell it.

@@ -8,7 +8,6 @@ use asperity_core::{Code, Fault, Profile};
 use asperity_flanks::generated_record::{GeneratedRecord, MeasuredTrace};
 use asperity_flanks::trace::{TraceContent, TraceInputs, measured};
 use asperity_flanks::trace_sites::TraceSite;
-use asperity_gear::Gear;
 use asperity_profile_io::read::Reading;
 use asperity_roughness::generate::{Like, Method};
 
@@ -90,7 +89,7 @@ pub(crate) fn generated(
     let reading = before.into_iter().find_map(|measured| measured.reading);
     let reading = reading.map(Arc::new);
     let flank = |k: usize| -> Result<Listed, CaseError> {
-        let made = like.generate(seed_of(seed, gear_of(keys.table), k));
+        let made = like.generate(seed_of(seed, keys.table, k));
         let made = made.map_err(|error| refused(&error.into()))?;
         Ok(Listed {
             input: FlankInput {
@@ -172,9 +171,11 @@ fn measured_traces(
         .collect()
 }
 
-/// Seed of flank `k` of a gear: no two are equal.
-fn seed_of(seed: u32, gear: Gear, k: usize) -> u64 {
-    (u64::from(seed) << 32) + ((gear as u64) << 31) + k as u64
+/// Seed of flank `k` of a table of a mesh: pinion and wheel differ, and so do drive and coast flanks.
+fn seed_of(seed: u32, table: &str, k: usize) -> u64 {
+    let is_coast = table.starts_with("surface.coast");
+    let flank = 2 * u64::from(is_coast) + gear_of(table) as u64;
+    (u64::from(seed) << 32) + (flank << 30) + k as u64
 }
 
 /// Reads a measured trace.

@@ -67,7 +67,7 @@ pub struct Pieces {
 pub struct Piece {
     /// Index of the measured trace.
     pub trace: usize,
-    /// Its first point on the measured trace.
+    /// Its first point on the measured trace; of a pair on the common length of both.
     pub first: usize,
     /// Number of its points.
     pub points: usize,

@@ -143,7 +143,7 @@ pub struct ChangeInCase {
     pub flanks: Vec<FlankChange>,
     /// Losses before and after the test, and as `model.run_in` predicts it.
     pub states: Vec<StateLoss>,
-    /// Loss after minus loss before, draw by draw; `None` if the model has no uncertainty.
+    /// Loss after minus loss before, draw by draw; `None` if the model has no uncertainty, or the windows have no scatter.
     pub difference: Option<PairedDifference>,
     /// Reason for a missing prediction of `model.run_in`.
     pub no_run_in: Option<String>,
@@ -215,11 +215,18 @@ pub(super) fn in_case(
     let (run_in, no_run_in) = run_in(&before);
     let uncertainties = [&first, &second].map(|of| of.result.uncertainty.as_ref());
     let difference = match (first_draws, second_draws, uncertainties) {
-        (Some(own), Some(other), [Some(of_first), Some(of_second)]) => Some(difference_of_places(
-            (&before, &own, of_first),
-            (&after, &other, of_second),
-            likeness([&before, &after], [&first, &second]),
-        )),
+        (Some(own), Some(other), [Some(of_first), Some(of_second)]) => {
+            let changed = |flank: &WornFlank| pairs.iter().any(|pair| pair.flank == *flank);
+            let changed = WornFlank::BOTH.into_iter().filter(changed);
+            let alike = likeness([&before, &after], [&first, &second], changed)?;
+            alike.map(|alike| {
+                difference_of_places(
+                    (&before, &own, of_first),
+                    (&after, &other, of_second),
+                    alike,
+                )
+            })
+        }
         _ => None,
     };
     let mesh = Mesh::of(&before.case)?;
@@ -309,7 +316,7 @@ fn on_flank<'a>(
     (pair, found): (&'a TracePair, &'a Relocation),
     stated: Option<WornFlank>,
 ) -> Result<OnFlank<'a>, Fault> {
-    let [name, before] = [&pair.names[0], &pair.names[1]];
+    let [name, after] = &pair.names;
     let trace = &pair.traces[0];
     let of = |flank| {
         let mut known = reports(case, flank).into_iter();
@@ -317,7 +324,7 @@ fn on_flank<'a>(
     };
     let known = WornFlank::BOTH.map(of);
     let refused = |why: &str, help: &'static str| {
-        let message = format!("{name}, {before}: {why}");
+        let message = format!("{name}, {after}: {why}");
         Err(Fault::new(Code::E205, message).helping(help))
     };
     let flank = match (stated, known) {
@@ -435,39 +442,59 @@ fn with_traces(
     })
 }
 
-/// How far the flanks before and after are alike.
-fn likeness(cases: [&LoadedCase; 2], runs: [&Outcome; 2]) -> Likeness {
-    let traces = |case: &LoadedCase| -> Vec<f64> {
-        let each = case.surfaces.each().filter_map(|met| met.traces().ok());
-        let heights = each.flatten().flat_map(|trace| {
-            let middle = mean(trace.heights().iter().copied());
-            trace
-                .heights()
-                .iter()
-                .map(move |z| z - middle)
-                .collect::<Vec<_>>()
-        });
-        heights.collect()
-    };
-    let losses = |run: &Outcome| -> Vec<f64> { run.offsets.iter().map(|row| row.loss_w).collect() };
-    let windows = runs.map(losses);
+/// How far the flanks before and after are alike; `None` if the windows leave no standard error.
+fn likeness(
+    cases: [&LoadedCase; 2],
+    runs: [&Outcome; 2],
+    changed: impl Iterator<Item = WornFlank>,
+) -> Result<Option<Likeness>, Fault> {
+    let mut least = 1.0_f64;
+    for flank in changed {
+        let [before, after] = cases.map(|case| heights_about_means(case, flank));
+        least = least.min(concordance(&before?, &after?));
+    }
+    let windows = runs.map(|run| {
+        run.offsets
+            .iter()
+            .map(|row| row.loss_w)
+            .collect::<Vec<f64>>()
+    });
     let both = windows[0].iter().zip(&windows[1]);
     let differences: Vec<f64> = both.map(|(before, after)| after - before).collect();
     let error = sampling_error_of_changes(cases[0], &runs[0].result.path, &differences);
-    let [standard_error_w, freedom] = error.unwrap_or([0.0, 1.0]);
-    Likeness {
-        heights: correlation(&cases.map(traces)),
+    Ok(error.map(|[standard_error_w, freedom]| Likeness {
+        heights: least,
         windows: correlation(&windows),
         standard_error_w,
         freedom,
+    }))
+}
+
+/// Heights of the prepared traces of a flank, each about its mean \[m\].
+fn heights_about_means(case: &LoadedCase, flank: WornFlank) -> Result<Vec<f64>, Fault> {
+    let mut all = Vec::new();
+    for met in case.surfaces.each() {
+        let heights = met.traces().map_err(Fault::from)?[flank as usize].heights();
+        let middle = mean(heights.iter().copied());
+        all.extend(heights.iter().map(|z| z - middle));
+    }
+    Ok(all)
+}
+
+/// 1 less the mean square of the change over the sum of both mean squares, of values about their means: 1 of equal heights, and less
+/// where heights are in proportion, which a correlation does not see (Lin 1989).
+fn concordance(before: &[f64], after: &[f64]) -> f64 {
+    let square = |values: &[f64]| values.iter().map(|z| z * z).sum::<f64>();
+    let change: Vec<f64> = before.iter().zip(after).map(|(a, b)| a - b).collect();
+    match square(before) + square(after) {
+        both if both > 0.0 && before.len() == after.len() => 1.0 - square(&change) / both,
+        both if both > 0.0 => 0.0,
+        _ => 1.0,
     }
 }
 
-/// Pearson's correlation; 0 of lists that have not the same number of values, 1 if both are constant.
+/// Pearson's correlation of lists of equal length; 1 if one of them is constant.
 fn correlation([a, b]: &[Vec<f64>; 2]) -> f64 {
-    if a.len() != b.len() || a.is_empty() {
-        return 0.0;
-    }
     let [of_a, of_b] = [a, b].map(|values| mean(values.iter().copied()));
     let sum = |x: &[f64], y: &[f64], (of_x, of_y): (f64, f64)| -> f64 {
         x.iter().zip(y).map(|(x, y)| (x - of_x) * (y - of_y)).sum()

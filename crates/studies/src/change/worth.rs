@@ -100,8 +100,8 @@ fn run_in(of: &ChangeInCase) -> Option<String> {
     });
     let heights: Vec<String> = heights.collect();
     Some(format!(
-        "Run in by model.run_in, the flanks before have {predicted} W in place of {before} W; those measured after have {after} W, all with \
-         constants at their medians. It predicts {}.",
+        "Run in by model.run_in, both flanks before the test lose {predicted} W in place of {before} W; those measured after it lose \
+         {after} W, all with constants at their medians. It predicts {}.",
         heights.join("; ")
     ))
 }

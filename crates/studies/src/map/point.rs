@@ -221,13 +221,13 @@ impl Map {
         loaded.all(|point| point.code.is_some()).then_some(first)
     }
 
-    /// The operating point of the case with the losses of `finish`, interpolated between points of the map; if it is outside of them,
-    /// the next point. Without an operating point the point of the largest loss with the first finish.
+    /// The operating point of the case with the losses of `finish`, interpolated between points of the map; if one finish has no loss
+    /// around it, the next point for all. Without an operating point the point of the largest loss with the first finish.
     pub(super) fn typical(&self, finish: &FinishMap) -> Option<Point> {
-        let between = self
-            .operating_point
-            .and_then(|at| finish.between(&self.axes, at));
-        between.or_else(|| finish.points.get(self.next_to_typical()?).cloned())
+        match self.operating_point.filter(|_| self.has_typical()) {
+            Some(at) => finish.between(&self.axes, at),
+            None => finish.points.get(self.next_to_typical()?).cloned(),
+        }
     }
 
     /// Whether the operating point of the case is between points of the map, where all finishes have losses.
