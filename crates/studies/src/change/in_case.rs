@@ -17,7 +17,7 @@ use asperity::uncertainty::{
 };
 use asperity_core::numerics::mean;
 use asperity_core::quantity::Length;
-use asperity_core::{Code, Estimate, EstimateKeys, Fault, Profile, estimate_keys};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, Profile, cite, estimate_keys};
 use asperity_roughness::material_ratio::rk_parameters;
 use asperity_roughness::relocation::Relocation;
 use asperity_roughness::section_heights::section_heights;
@@ -481,9 +481,16 @@ fn heights_about_means(case: &LoadedCase, flank: WornFlank) -> Result<Vec<f64>, 
     Ok(all)
 }
 
-/// 1 less the mean square of the change over the sum of both mean squares, of values about their means: 1 of equal heights, and less
-/// where heights are in proportion, which a correlation does not see (Lin 1989).
+/// Concordance of heights before and after a test, each about its mean: 1 of equal heights, and less where they are in proportion,
+/// which a correlation does not see. Source: Lin 1989.
+///
+/// ```text
+/// ρ_c = 1 − Σ (b_i − a_i)²/(Σ b_i² + Σ a_i²)                                          [Concordance-1]
+/// ```
+///
+/// b, a: heights before and after \[m\]. 0 of traces of other lengths.
 fn concordance(before: &[f64], after: &[f64]) -> f64 {
+    cite!("Concordance-1");
     let square = |values: &[f64]| values.iter().map(|z| z * z).sum::<f64>();
     let change: Vec<f64> = before.iter().zip(after).map(|(a, b)| a - b).collect();
     match square(before) + square(after) {
@@ -587,4 +594,19 @@ fn flank_change(
         after_rpk_um: after[1],
         run_in_rpk_um: predicted.map(|of| of[1]),
     }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heights_in_proportion_are_less_than_concordant() {
+        let before = [0.3, -0.1, -0.4, 0.2];
+        let of = |scale: f64| concordance(&before, &before.map(|z| scale * z));
+        for (scale, expected) in [(1.0, 1.0), (0.1, 0.2 / 1.01), (0.0, 0.0), (-1.0, -1.0)] {
+            assert!((of(scale) - expected).abs() < 1e-15, "{scale}");
+        }
+        assert!(concordance(&before, &before[1..]) == 0.0);
+    }
 }

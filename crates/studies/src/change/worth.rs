@@ -38,7 +38,7 @@ fn wear(of: &FlankChange) -> String {
     let flank = of.flank.name();
     let place = match of.is_placed {
         true => "at this place",
-        false => "at an unknown place of it",
+        false => "wherever the trace lies on it,",
     };
     let [low, high] = of.sliding_um.ends();
     let sliding = match high - low > 1e-6 * high {
