@@ -50,6 +50,16 @@ pub struct Polynomial {
 }
 
 impl Polynomial {
+    /// One polynomial of the basis, times `coefficient` `[m]`.
+    pub(crate) fn of_power(power: usize, coefficient: f64, points: usize) -> Self {
+        let mut coefficients = [0.0; 3];
+        coefficients[power] = coefficient;
+        Self {
+            coefficients,
+            points,
+        }
+    }
+
     /// Height at point `i` `[m]`.
     pub fn at(&self, i: usize) -> f64 {
         let [c0, c1, c2] = self.coefficients;

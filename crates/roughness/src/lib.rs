@@ -43,6 +43,7 @@ pub mod robust_filter;
 pub mod section_heights;
 pub mod spectral;
 pub mod summits;
+pub mod surface_preparation;
 mod warning;
 
 pub use error::RoughnessError;

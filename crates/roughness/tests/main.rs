@@ -11,4 +11,5 @@ mod properties;
 mod provenance;
 mod relocation;
 mod surface;
+mod surface_preparation;
 mod validation;
