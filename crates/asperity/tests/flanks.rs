@@ -9,11 +9,14 @@ use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::core::Profile;
 use asperity::core::numerics::Z_975;
 use asperity::ehl_regime::Lay;
+use asperity::flanks::Sheets;
 use asperity::flanks::flank_lay::{FlankLay, mean_at, two_digits, with_mean};
 use asperity::flanks::placement::PlacedTrace;
 use asperity::flanks::window_places as places;
 use asperity::losses;
 use asperity::quantity::Length;
+use asperity::roughness::preparation::Preparation;
+use asperity::roughness::surface_preparation::prepare_surface;
 
 #[test]
 fn a_contact_finds_its_window_by_the_arc() {
@@ -147,4 +150,65 @@ fn a_lognormal_lay_has_its_quantiles_and_stays_below_one() {
 fn numbers_are_rounded_to_two_digits() {
     let digits = [0.09324, 0.0008765, 1.0, 0.0, 0.4449].map(two_digits);
     assert_eq!(digits, [0.093, 0.00088, 1.0, 0.0, 0.44]);
+}
+
+#[test]
+fn sheets_repeat_along_the_lead_and_keep_their_variance() {
+    let [columns, rows] = [600, 90];
+    // Numbers without order, from the middle bits of products.
+    let random = |k: usize| {
+        let bits = (k as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        let bits = (bits ^ (bits >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        ((bits >> 40) as f64 / (1_u64 << 24) as f64 - 0.5) * 1e-7
+    };
+    let surface = |height: &dyn Fn(usize, usize) -> f64| {
+        let z: Vec<f64> = (0..columns * rows)
+            .map(|k| height(k % columns, k / columns))
+            .collect();
+        let recipe = Preparation {
+            lambda_s: None,
+            lambda_c: None,
+            ..Preparation::default()
+        };
+        let spacings = [1e-6, 2e-6].map(Length::from_si);
+        prepare_surface(&z, columns, spacings, &recipe).unwrap()
+    };
+    let rough = surface(&|x, y| random(x + columns * y));
+    let ridges = surface(&|x, _| random(x));
+    let sheets = Sheets::of([&rough, &ridges], Length::from_si(1e-6)).unwrap();
+    assert_eq!(sheets.spacings(), [1e-6, 2e-6].map(Length::from_si));
+    assert_eq!(sheets.rows(), rows - rows / 8);
+    let [(rough, _), (ridges, _)] = [0, 1].map(|body| sheets.of_body(body));
+    // Ridges run on; unrelated ends keep their mean square where they overlap.
+    let first = &ridges[..columns];
+    let off = |z: &[f64]| {
+        let both = z.iter().zip(first);
+        both.fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()))
+    };
+    assert!(ridges.chunks(columns).all(|row| off(row) < 1e-20));
+    let square = |z: &[f64]| z.iter().map(|z| z * z).sum::<f64>() / z.len() as f64;
+    let (overlap, rest) = rough.split_at(rows / 8 * columns);
+    assert!((square(overlap) / square(rest) - 1.0).abs() < 0.03);
+    // A window is the sum of both, mirrored beyond its ends, the wheel's rows moved.
+    let window = sheets.composite([-1, 500], 5, 7);
+    let at = |x: usize, y: usize| rough[y * columns + x];
+    assert_eq!(window[0], at(1, 0) + ridges[7 * columns + 500]);
+    assert_eq!(window[1], at(0, 0) + ridges[7 * columns + 501]);
+    assert_eq!(window[5 * 77 + 4], at(3, 77) + ridges[5 * columns + 504]);
+    // At the spacing of a coarser patch both surfaces have fewer points and rows.
+    let coarse = Sheets::of(
+        [
+            &surface(&|x, y| 1e-7 * ((x as f64) / 9.0).sin() * ((y as f64) / 4.0).cos()),
+            &surface(&|x, _| 1e-7 * ((x as f64) / 9.0).sin()),
+        ],
+        Length::from_si(3e-6),
+    );
+    let coarse = coarse.unwrap();
+    assert_eq!(coarse.of_body(0).1, 200);
+    assert_eq!(coarse.rows(), 60 - 60 / 8);
+    let few = Sheets::of(
+        [&surface(&|_, _| 0.0), &surface(&|_, _| 0.0)],
+        Length::from_si(20e-6),
+    );
+    assert!(few.unwrap_err().to_string().contains("wider part"));
 }

@@ -5,6 +5,7 @@
 //! | [`trace`] | one trace: read, turned, placed, filtered ([`trace_filters`], [`read_place`], [`flank_form`]) |
 //! | [`meeting`] | the traces of both flanks: common spacing, pairs of teeth ([`trace_sites`]) |
 //! | [`surrogates`] | generated flanks where only roughness values are known |
+//! | [`sheets`] | both flanks as surfaces, from which patches are cut |
 //! | [`surface_lay`], [`flank_lay`] | lay of a surface, and what is known of the lay of a flank |
 //! | [`surfaces`] | both flanks as a run uses them, and as a result reports them |
 //! | [`placement`] | where traces lie on their flanks |
@@ -22,6 +23,8 @@ pub mod meeting;
 pub mod mesh_position;
 pub mod placement;
 pub mod read_place;
+pub mod sheets;
+
 pub mod surface_lay;
 pub mod surfaces;
 pub mod surrogate_record;
@@ -33,6 +36,7 @@ pub mod trace_sites;
 mod window_pair;
 
 pub use local_roughness::Roughness;
+pub use sheets::Sheets;
 pub use surfaces::{Surfaces, Texture};
 pub use window_pair::{
     AVERAGING_WIDTH, LEAST_POINTS_PER_HALF_WIDTH, Window, WindowPair, is_substituted, window_places,
