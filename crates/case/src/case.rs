@@ -23,6 +23,7 @@ pub use crate::input::case_input::{
     OperationInput, SurfaceInput, VehicleInput,
 };
 pub use crate::input::files::{Content, FILE_KEYS, FileContents, FileSums};
+pub use crate::input::contact_name::ContactName;
 pub use crate::input::finish::FinishName;
 pub use crate::input::flank_place::{FlankPlaceInput, TraceStart};
 pub use crate::input::gear_input::{

@@ -66,6 +66,16 @@ impl Sheets {
         })
     }
 
+    /// The surfaces with all heights multiplied by `factor`.
+    #[must_use]
+    pub fn times(&self, factor: f64) -> Self {
+        let times = |heights: &Vec<f64>| heights.iter().map(|z| factor * z).collect();
+        Self {
+            heights: self.heights.each_ref().map(times),
+            ..self.clone()
+        }
+    }
+
     /// Rows of both sheets.
     #[must_use]
     pub fn rows(&self) -> usize {

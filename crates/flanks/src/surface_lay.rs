@@ -23,7 +23,7 @@ pub fn lay_of_surface(
     Some(match line {
         TraceLine::Column => {
             let spacings = [Some(along), surface.dx];
-            of_lines(&turned(surface), surface.rows, spacings, preparation)
+            of_lines(&surface.by_columns(), surface.rows, spacings, preparation)
         }
         _ => {
             let spacings = [Some(along), surface.dy];
@@ -49,12 +49,4 @@ fn of_lines(
         Ok(Err(unknown)) => Err(unknown.to_string()),
         Err(error) => Err(error.to_string()),
     }
-}
-
-/// Heights column by column.
-fn turned(surface: &Surface) -> Vec<f64> {
-    (0..surface.columns)
-        .filter_map(|column| surface.column(column))
-        .flatten()
-        .collect()
 }

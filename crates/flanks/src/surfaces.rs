@@ -17,6 +17,7 @@ use crate::generated_record::GeneratedRecord;
 use crate::local_roughness::{Roughness, peaks};
 use crate::mesh_position::MeshPosition;
 use crate::placement::Placement;
+use crate::sheets::Sheets;
 use crate::surrogate_record::SurrogateRecord;
 use asperity_ehl_regime::{Lay, PairSpectrum, TraceSpectrum};
 use asperity_mixed_film::TraceSpectra;
@@ -53,6 +54,7 @@ impl PartialEq for Surfaces {
             && self.placement == other.placement
             && self.same_trace == other.same_trace
             && self.sample == other.sample
+            && self.sheets == other.sheets
     }
 }
 
@@ -81,6 +83,8 @@ pub struct Surfaces {
     placement: Option<Placement>,
     /// Several pairs, of which this is the first; none of one trace for each flank.
     sample: Option<Arc<PairsOfTeeth>>,
+    /// Both flanks as surfaces, where the contact is that of patches; the traces are then rows of them.
+    sheets: Option<Arc<Sheets>>,
     /// Both flanks come from the same trace.
     pub same_trace: bool,
 }
@@ -97,6 +101,7 @@ impl Surfaces {
             rz: [None; 2],
             placement: None,
             sample: None,
+            sheets: None,
             same_trace,
         }
     }
@@ -116,6 +121,18 @@ impl Surfaces {
     #[must_use]
     pub fn placed(self, placement: Option<Placement>) -> Self {
         Self { placement, ..self }
+    }
+
+    /// Sets the surfaces of both flanks.
+    #[must_use]
+    pub fn with_sheets(self, sheets: Option<Arc<Sheets>>) -> Self {
+        Self { sheets, ..self }
+    }
+
+    /// Both flanks as surfaces; `None` where the contact is that of traces.
+    #[must_use]
+    pub fn sheets(&self) -> Option<&Arc<Sheets>> {
+        self.sheets.as_ref()
     }
 
     /// All pairs of several teeth; functions of a single pair use the first.
@@ -307,9 +324,11 @@ impl Surfaces {
         };
         let [pinion, wheel] = self.textures();
         let textures = [times(pinion)?, times(wheel)?];
+        let sheets = self.sheets.as_ref().map(|sheets| sheets.times(factor).into());
         Ok(Self::new(textures, self.noise_cutoff, self.same_trace)
             .with_rz(self.rz.map(|rz| rz.map(|rz| rz * factor)))
-            .placed(self.placement))
+            .placed(self.placement)
+            .with_sheets(sheets))
     }
 
     /// Changes the heights of the traces; Rz of a trace scales with its Rq.
@@ -405,7 +424,8 @@ impl Surfaces {
 
     /// Whether both flanks have the textures of `other`.
     pub fn has_textures_of(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.textures, &other.textures) || self.textures == other.textures
+        let same = Arc::ptr_eq(&self.textures, &other.textures) || self.textures == other.textures;
+        same && self.sheets == other.sheets
     }
 
     /// Whether both flanks have traces, measured or of surrogates.

@@ -233,6 +233,8 @@ pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
         "model.film_friction"
     } else if model.include_running_in {
         "model.include_running_in"
+    } else if surfaces.sheets().is_some() {
+        "surface.contact = \"patch\""
     } else {
         return Ok(());
     };

@@ -16,6 +16,7 @@ use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 
 use super::bulk_input::BulkInput;
+use super::contact_name::ContactName;
 use super::finish::FinishName;
 use super::flank_place::{FlankPlaceInput, TraceStart};
 use super::gear_input::{EndReliefInput, GearFlankInput};
@@ -326,6 +327,10 @@ table! {
     /// `superfinished` below 0.08 um, half of the surrogates each between.
     #[serde(skip_serializing_if = "Option::is_none")]
     finish: Option<FinishName>;
+    /// Contact of the flanks: `lines` (default), each trace as ridges without an end along the lead; or `patch`, two scans with all of
+    /// their rows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    contact: Option<ContactName>;
     /// Form removed from each trace; default `level` (a straight line).
     form: Option<Form>;
     /// Cut-off λc that separates waviness from roughness; default as the file states, else 0.25 mm, usual on

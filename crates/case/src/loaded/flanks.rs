@@ -12,6 +12,7 @@ use super::flank_sample::Listed;
 use super::flank_trace::{Context, Keys, flank, keys_of, traces_of};
 use super::generated::generated;
 use super::lay::{Lays, lays};
+use super::sheets::sheets_of;
 use super::surrogates::surrogates_of;
 use crate::input::case_input::FlankInput;
 use crate::input::files::{FileSums, Files, Reader};
@@ -118,7 +119,9 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         warnings.retain(|warning| seen.insert(warning.to_string()));
     }
     let lays = lays(context, &named.lists, &flanks, &named.keys, &mut warnings);
+    let sheets = sheets_of(context, &named.lists, &flanks, &named.keys)?;
     let (surfaces, zones) = named.met(context, &flanks, surrogates, &mut warnings)?;
+    let surfaces = surfaces.with_sheets(sheets);
     let forms = flanks.each_ref().map(|flanks| {
         let forms = flanks.iter().filter_map(|flank| flank.report.form.as_ref());
         MeasuredForm::mean(&forms.map(|flank| flank.form.clone()).collect::<Vec<_>>())

@@ -459,6 +459,7 @@ fn preparation(
         planet: _,
         ring: _,
         finish: _,
+        contact: _,
         coast: _,
     } = &input.surface;
     let section = Section::of(source, "surface");

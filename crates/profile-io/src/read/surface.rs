@@ -96,6 +96,13 @@ impl Surface {
         })
     }
 
+    /// Heights `[m]` column by column.
+    #[must_use]
+    pub fn by_columns(&self) -> Vec<f64> {
+        let columns = (0..self.columns).filter_map(|column| self.column(column));
+        columns.flatten().collect()
+    }
+
     /// Number of points with a height.
     pub fn measured(&self) -> usize {
         self.mask.iter().filter(|known| **known).count()
