@@ -9,10 +9,10 @@ use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::core::Profile;
 use asperity::core::numerics::Z_975;
 use asperity::ehl_regime::Lay;
-use asperity::flanks::Sheets;
 use asperity::flanks::flank_lay::{FlankLay, mean_at, two_digits, with_mean};
 use asperity::flanks::placement::PlacedTrace;
 use asperity::flanks::window_places as places;
+use asperity::flanks::{Sheets, Window, row_place};
 use asperity::losses;
 use asperity::quantity::Length;
 use asperity::roughness::preparation::Preparation;
@@ -189,12 +189,30 @@ fn sheets_repeat_along_the_lead_and_keep_their_variance() {
     let square = |z: &[f64]| z.iter().map(|z| z * z).sum::<f64>() / z.len() as f64;
     let (overlap, rest) = rough.split_at(rows / 8 * columns);
     assert!((square(overlap) / square(rest) - 1.0).abs() < 0.03);
-    // A window is the sum of both, mirrored beyond its ends, the wheel's rows moved.
-    let window = sheets.composite([-1, 500], 5, 7);
+    // A patch is the sum of both, mirrored beyond its ends, the wheel's rows moved.
+    let window = Window {
+        starts: [-1, 500],
+        points: 5,
+    };
+    let at_own_spacing = sheets.patch(&window, Length::from_si(1e-6), 7.5 / sheets.rows() as f64);
+    assert_eq!(
+        (at_own_spacing.starts, at_own_spacing.shift),
+        ([-1, 500], 7)
+    );
+    let patch = sheets.composite(at_own_spacing);
     let at = |x: usize, y: usize| rough[y * columns + x];
-    assert_eq!(window[0], at(1, 0) + ridges[7 * columns + 500]);
-    assert_eq!(window[1], at(0, 0) + ridges[7 * columns + 501]);
-    assert_eq!(window[5 * 77 + 4], at(3, 77) + ridges[5 * columns + 504]);
+    assert_eq!(patch[0], at(1, 0) + ridges[7 * columns + 500]);
+    assert_eq!(patch[1], at(0, 0) + ridges[7 * columns + 501]);
+    assert_eq!(patch[5 * 77 + 4], at(3, 77) + ridges[5 * columns + 504]);
+    let finer = sheets.patch(
+        &Window {
+            starts: [9, 40],
+            points: 8 * 5 + 1,
+        },
+        Length::from_si(0.25e-6),
+        0.0,
+    );
+    assert_eq!((finer.starts, finer.points), ([2, 10], 11));
     // At the spacing of a coarser patch both surfaces have fewer points and rows.
     let coarse = Sheets::of(
         [

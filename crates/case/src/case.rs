@@ -22,8 +22,8 @@ pub use crate::input::case_input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
     OperationInput, SurfaceInput, VehicleInput,
 };
-pub use crate::input::files::{Content, FILE_KEYS, FileContents, FileSums};
 pub use crate::input::contact_name::ContactName;
+pub use crate::input::files::{Content, FILE_KEYS, FileContents, FileSums};
 pub use crate::input::finish::FinishName;
 pub use crate::input::flank_place::{FlankPlaceInput, TraceStart};
 pub use crate::input::gear_input::{

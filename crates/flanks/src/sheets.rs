@@ -12,6 +12,8 @@ use asperity_core::{DomainError, Profile, cite};
 use asperity_roughness::resampling::respaced;
 use asperity_roughness::surface_preparation::PreparedSurface;
 
+use crate::window_pair::Window;
+
 /// Most rows of a sheet: of a wider surface the middle. A patch of more costs in proportion, and its load scatters by less than a
 /// hundredth.
 const MOST_ROWS: usize = 256;
@@ -94,10 +96,29 @@ impl Sheets {
         (&self.heights[body], self.columns[body])
     }
 
-    /// Sums z₁ + z₂ \[m\] of two windows of `points` heights in every row, which begin at `starts` and are mirrored beyond the ends
-    /// of the rows; the wheel's rows begin at row `shift`.
+    /// The patch around the middles of a window of traces with points `spacing` apart, at least as long as the window; the wheel's
+    /// rows begin at the part `place` of all rows.
     #[must_use]
-    pub fn composite(&self, starts: [isize; 2], points: usize, shift: usize) -> Vec<f64> {
+    pub fn patch(&self, window: &Window, spacing: Length, place: f64) -> PatchPlace {
+        let ratio = spacing / self.spacings[0];
+        let half = (window.points / 2) as isize;
+        let reach = (half as f64 * ratio).ceil() as isize;
+        let start = |start: isize| ((start + half) as f64 * ratio).round() as isize - reach;
+        PatchPlace {
+            starts: window.starts.map(start),
+            points: (2 * reach + 1) as usize,
+            shift: (place * self.rows as f64) as usize % self.rows,
+        }
+    }
+
+    /// Sums z₁ + z₂ \[m\] of both flanks in a patch, row by row; the flanks are mirrored beyond the ends of their rows.
+    #[must_use]
+    pub fn composite(&self, place: PatchPlace) -> Vec<f64> {
+        let PatchPlace {
+            starts,
+            points,
+            shift,
+        } = place;
         let places = [0, 1].map(|body: usize| -> Vec<usize> {
             mirrored_indices(self.columns[body], starts[body], points).collect()
         });
@@ -111,6 +132,17 @@ impl Sheets {
         }
         sums
     }
+}
+
+/// Place of a patch on both sheets.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PatchPlace {
+    /// First points of the patch in the rows of pinion and wheel; negative beyond the ends of the rows.
+    pub starts: [isize; 2],
+    /// Points of the patch in a row, an odd number.
+    pub points: usize,
+    /// Row of the wheel that meets the first row of the pinion.
+    pub shift: usize,
 }
 
 /// Heights row by row.

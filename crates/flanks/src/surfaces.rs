@@ -324,7 +324,10 @@ impl Surfaces {
         };
         let [pinion, wheel] = self.textures();
         let textures = [times(pinion)?, times(wheel)?];
-        let sheets = self.sheets.as_ref().map(|sheets| sheets.times(factor).into());
+        let sheets = self
+            .sheets
+            .as_ref()
+            .map(|sheets| sheets.times(factor).into());
         Ok(Self::new(textures, self.noise_cutoff, self.same_trace)
             .with_rz(self.rz.map(|rz| rz.map(|rz| rz * factor)))
             .placed(self.placement)

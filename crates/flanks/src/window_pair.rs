@@ -44,6 +44,21 @@ pub fn window_places(k: usize, count: usize, cell: usize) -> [f64; 2] {
     [0, 1].map(|body| (first[body] + cell as f64 * SHIFTS[body]).fract())
 }
 
+/// Place along the lead, 0 to 1, of the wheel's rows against the pinion's at offset `k` in a cell of the path; both nest as
+/// [`window_places`] do.
+///
+/// ```text
+/// frac(y_k + i/g),  g = (1 + √5)/2                                       [Row-place]
+/// ```
+///
+/// y_k is the radical inverse of k + 1 in base 5.
+#[must_use]
+pub fn row_place(k: usize, cell: usize) -> f64 {
+    asperity_core::cite!("Row-place");
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    (radical_inverse(k + 1, 5) + cell as f64 * GOLDEN).fract()
+}
+
 /// The digits of `n` in `base` mirrored behind the point (van der Corput).
 fn radical_inverse(n: usize, base: usize) -> f64 {
     let (mut left, mut place, mut found) = (n, 1.0, 0.0);

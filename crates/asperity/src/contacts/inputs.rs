@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use asperity_contact::SolverSettings;
+use asperity_contact::{Lead, SolverSettings};
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use asperity_mixed_film::{RoughContact, RoughWindow};
 
@@ -16,6 +16,8 @@ use asperity_case::flanks::Surfaces;
 const LOOSEST_TOLERANCE: f64 = 1e-8;
 /// Offsets of each pair of surrogates of a case that states none: the pairs are many, and each is a sample of its own.
 const OFFSETS_OF_SURROGATES: usize = 4;
+/// Offsets of two scans of a case that states none: a patch holds as many windows as it has independent rows.
+const OFFSETS_OF_PATCHES: usize = 2;
 
 /// Inputs of the contacts of a mesh; two equal ones have the same contacts. Neither oil nor speed nor temperature is among them.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,6 +59,9 @@ impl Offsets {
         }
         if surfaces.is_surrogate() {
             return Self::Fixed(default.min(OFFSETS_OF_SURROGATES));
+        }
+        if surfaces.sheets().is_some() {
+            return Self::Fixed(default.min(OFFSETS_OF_PATCHES));
         }
         let follows_from_windows = case.load_share().supply().is_some()
             && surfaces.are_measured()
@@ -106,12 +111,13 @@ impl WindowInputs {
         &self,
         (load, radius): (LineLoad, Length),
         composite: &[f64],
-        spacing: Length,
+        (spacing, lead): (Length, Option<Lead>),
     ) -> Result<RoughContact, PositionError> {
         let [pinion, wheel] = self.flow_pressure.map(Pressure::si);
         Ok(RoughContact::new(&RoughWindow {
             composite,
             spacing,
+            lead,
             load,
             radius,
             modulus: self.modulus,

@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
+use asperity_contact::Lead;
 use asperity_core::cancel::checkpoint;
 use asperity_core::quantity::{Length, LineLoad};
 use asperity_mixed_film::{ContactTable, Flattening, RoughContact, WindowRoughness};
@@ -10,7 +11,7 @@ use super::inputs::WindowInputs;
 use crate::mesh::MeshPosition;
 use asperity_case::case::LoadedCase;
 use asperity_case::error::PositionError;
-use asperity_case::flanks::{Roughness, Window, WindowPair};
+use asperity_case::flanks::{Roughness, Window, WindowPair, row_place};
 
 /// The rough contact of one window, and its roughness.
 #[derive(Debug, Clone)]
@@ -33,6 +34,8 @@ struct WindowPlace {
     load: LineLoad,
     radius: Length,
     zone: usize,
+    /// Cell of the path.
+    cell: usize,
     /// Offset and number of offsets of all pairs.
     offset: (usize, usize),
 }
@@ -69,6 +72,7 @@ impl WindowContact {
                 load: position.load,
                 radius: position.motion.radius,
                 zone: position.zone,
+                cell: position.cell,
                 offset: (k, count),
             },
             window: Window::at(surfaces, position, inputs.reach, k, count)?,
@@ -87,14 +91,26 @@ impl WindowContact {
             load,
             radius,
             zone,
+            cell,
             offset,
         } = self.place;
         let window = self.window.ok_or_else(PositionError::no_profile)?;
+        let (of_pair, k, _) = self.inputs.surfaces.met(zone, offset.0, offset.1);
+        if let Some(sheets) = of_pair.sheets() {
+            let place = sheets.patch(&window, of_pair.traces()?[0].spacing(), row_place(k, cell));
+            let [spacing, of_rows] = sheets.spacings();
+            let lead = Lead {
+                rows: sheets.rows(),
+                spacing: of_rows,
+            };
+            let composite = sheets.composite(place);
+            return (self.inputs).rough_contact((load, radius), &composite, (spacing, Some(lead)));
+        }
         let [first, second] = window.cut(&self.inputs.surfaces, zone, offset)?;
         let pairs = first.heights().iter().zip(second.heights());
         let composite: Vec<f64> = pairs.map(|(a, b)| a + b).collect();
         self.inputs
-            .rough_contact((load, radius), &composite, first.spacing())
+            .rough_contact((load, radius), &composite, (first.spacing(), None))
     }
 
     /// The table of the contact, with the window if it was made for it.

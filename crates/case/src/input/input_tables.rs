@@ -327,8 +327,8 @@ table! {
     /// `superfinished` below 0.08 um, half of the surrogates each between.
     #[serde(skip_serializing_if = "Option::is_none")]
     finish: Option<FinishName>;
-    /// Contact of the flanks: `lines` (default), each trace as ridges without an end along the lead; or `patch`, two scans with all of
-    /// their rows.
+    /// Contact of the flanks: `lines`, each trace as ridges without an end along the lead; or `patch`, two scans with all of their
+    /// rows. Default `lines`; of two scans without `row` or `line` `patch`, if the lay of one is above 1/6.
     #[serde(skip_serializing_if = "Option::is_none")]
     contact: Option<ContactName>;
     /// Form removed from each trace; default `level` (a straight line).

@@ -3,8 +3,8 @@
 pub mod bulk_input;
 pub mod calibration;
 pub mod case_input;
-pub mod files;
 pub mod contact_name;
+pub mod files;
 pub mod finish;
 pub mod flank_place;
 pub mod formulation;

@@ -39,6 +39,16 @@ pub(crate) struct Generated {
 }
 
 impl Listed {
+    /// Whether it is the file of a flank of which no line is named.
+    pub(crate) fn is_without_line(&self) -> bool {
+        let input = &self.input;
+        !self.is_of_a_list
+            && self.generated.is_none()
+            && input.file.is_some()
+            && input.row.is_none()
+            && input.line.is_none()
+    }
+
     /// The one trace of a flank without a list.
     pub(crate) fn alone(input: &FlankInput) -> Self {
         Self {

@@ -463,6 +463,11 @@ fn surface_rows(
     Ok(lines_across(&surface.map_err(refused)?, TraceLine::Row))
 }
 
+/// Number of rows of the scan of a flank; `None` of a file that is no surface.
+pub(crate) fn rows_of_scan(input: &FlankInput, keys: &Keys, context: Context<'_>) -> Option<usize> {
+    surface_rows(input, input.file.as_ref()?, keys, context).ok()
+}
+
 /// Options of the reader from the keys of a flank.
 pub(crate) fn read_options(input: &FlankInput) -> ReadOptions {
     // The other keys name the trace, its place, or roughness values.

@@ -5,16 +5,19 @@ use std::sync::Arc;
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Length;
 use asperity_core::{Code, DomainError};
+use asperity_ehl_regime::Lay;
 use asperity_gear::MeasuredForm;
 
 use super::flank_inputs::FlankInputs;
+use super::flank_sample;
 use super::flank_sample::Listed;
-use super::flank_trace::{Context, Keys, flank, keys_of, traces_of};
+use super::flank_trace::{Context, Keys, Known, flank, keys_of, rows_of_scan, traces_of};
 use super::generated::generated;
-use super::lay::{Lays, lays};
+use super::lay::{Lays, lays, median_lay};
 use super::sheets::sheets_of;
 use super::surrogates::surrogates_of;
 use crate::input::case_input::FlankInput;
+use crate::input::contact_name::ContactName;
 use crate::input::files::{FileSums, Files, Reader};
 use crate::source::case_error::CaseError;
 use crate::source::defaults::DefaultUsed;
@@ -51,6 +54,9 @@ pub(crate) struct Flanks {
     pub sums: Arc<FileSums>,
 }
 
+/// Rows that stand for a scan with ridges across the face.
+const ROWS_OF_SCAN: usize = 4;
+
 /// Reads and prepares the flanks of a case.
 pub(crate) fn flanks(
     inputs: &FlankInputs,
@@ -75,16 +81,26 @@ pub(crate) fn flanks(
 fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     let inputs = context.inputs;
     let mut warnings = Vec::new();
-    let named = NamedTraces::of(context, &mut warnings)?;
+    let mut named = NamedTraces::of(context, &mut warnings)?;
+    let mut known: [Vec<Known>; 2] = Default::default();
+    let mut rows_of_scans: [Option<usize>; 2] = [None; 2];
+    for (body, known) in known.iter_mut().enumerate() {
+        (*known, rows_of_scans[body]) = named.known(body, context, &mut warnings)?;
+    }
+    let is_patch = takes_patch(context, &named, &known, rows_of_scans);
+    if !is_patch {
+        for (body, known) in known.iter_mut().enumerate() {
+            if let Some(rows) = rows_of_scans[body] {
+                named.take_rows(body, rows, context.source)?;
+                (*known, _) = named.known(body, context, &mut warnings)?;
+            }
+        }
+    }
     let is_several = named.lists.iter().any(|list| list.len() > 1);
     let mut flanks: [Vec<Flank>; 2] = Default::default();
     let mut follow: [Vec<Vec<DefaultUsed>>; 2] = Default::default();
-    for (body, list) in named.lists.iter().enumerate() {
-        for trace in list {
-            let (flank, follows) = flank(trace, &named.keys[body], context, &mut warnings)?;
-            flanks[body].push(flank);
-            follow[body].push(follows);
-        }
+    for (body, known) in known.into_iter().enumerate() {
+        (flanks[body], follow[body]) = known.into_iter().unzip();
     }
     let refined = on_common_spacing(inputs.largest_spacing, &mut flanks);
     let refined = refined.map_err(|(file, error)| CaseError::preparation(file, error))?;
@@ -119,7 +135,10 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         warnings.retain(|warning| seen.insert(warning.to_string()));
     }
     let lays = lays(context, &named.lists, &flanks, &named.keys, &mut warnings);
-    let sheets = sheets_of(context, &named.lists, &flanks, &named.keys)?;
+    let sheets = match is_patch {
+        true => Some(sheets_of(context, &named.lists, &flanks, &named.keys)?),
+        false => None,
+    };
     let (surfaces, zones) = named.met(context, &flanks, surrogates, &mut warnings)?;
     let surfaces = surfaces.with_sheets(sheets);
     let forms = flanks.each_ref().map(|flanks| {
@@ -235,6 +254,52 @@ impl NamedTraces {
         })
     }
 
+    /// The traces of a flank, read and prepared, and the number of its rows if it is a scan of which the case names no line: its
+    /// middle row is read then.
+    fn known(
+        &mut self,
+        body: usize,
+        context: Context<'_>,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<(Vec<Known>, Option<usize>), CaseError> {
+        let (list, keys) = (&mut self.lists[body], &self.keys[body]);
+        if let [alone] = list.as_mut_slice()
+            && alone.is_without_line()
+        {
+            let found = flank(alone, keys, context, warnings);
+            let found = match found {
+                Err(error) if error.code() == Code::E119 => Err(error),
+                other => return Ok((vec![other?], None)),
+            };
+            let rows = rows_of_scan(&alone.input, keys, context);
+            let rows = rows.filter(|rows| *rows > 1);
+            let Some(rows) = rows else {
+                return found.map(|known| (vec![known], None));
+            };
+            alone.input.row = Some(rows / 2 + 1);
+            return Ok((vec![flank(alone, keys, context, warnings)?], Some(rows)));
+        }
+        let each = list
+            .iter()
+            .map(|trace| flank(trace, keys, context, warnings));
+        Ok((each.collect::<Result<_, _>>()?, None))
+    }
+
+    /// Names rows of the scan of a flank, as `rows` does, in place of its middle row.
+    fn take_rows(&mut self, body: usize, has: usize, source: &Source) -> Result<(), CaseError> {
+        let section = Section::of(source, self.keys[body].table);
+        let whole = FlankInput {
+            row: None,
+            ..self.lists[body][0].input.clone()
+        };
+        let list = flank_sample::rows(&whole, has.min(ROWS_OF_SCAN), has, section)?;
+        self.sites[body] = sites_of(&list);
+        self.teeth[body] = teeth_of(&self.sites[body]);
+        self.named[body] = self.teeth[body];
+        self.lists[body] = list;
+        Ok(())
+    }
+
     /// The flanks in contact, and the places y/b between the zones of the face.
     fn met(
         &self,
@@ -276,6 +341,28 @@ impl NamedTraces {
         };
         SampledFlanks::new([of(0), of(1)], self.named)
     }
+}
+
+/// Whether the contact is that of patches: as stated, or where both flanks are scans and the ridges of one run less across the face
+/// than those with which the contact of lines is confirmed.
+fn takes_patch(
+    context: Context<'_>,
+    named: &NamedTraces,
+    known: &[Vec<Known>; 2],
+    rows_of_scans: [Option<usize>; 2],
+) -> bool {
+    if let Some(stated) = context.inputs.surface.contact {
+        return stated == ContactName::Patch;
+    }
+    if rows_of_scans.contains(&None) || !context.inputs.solves_contact {
+        return false;
+    }
+    let lay_of = |body: usize| {
+        let (listed, (flank, _)) = (named.lists[body].first()?, known[body].first()?);
+        median_lay(listed, flank, &named.keys[body], context)
+    };
+    let lays = [0, 1].map(lay_of);
+    lays.iter().all(Option::is_some) && lays.into_iter().flatten().any(|lay| lay > Lay::CONFIRMED)
 }
 
 /// W447: traces of a list that are lines of one surface, which is of one tooth.

@@ -51,6 +51,17 @@ impl Lays {
     }
 }
 
+/// Median lay of the surface that a trace was taken from, if it shows it.
+pub(crate) fn median_lay(
+    listed: &Listed,
+    flank: &Flank,
+    keys: &Keys,
+    context: Context<'_>,
+) -> Option<Lay> {
+    let found = of_surface(listed, flank, keys, context)?.finding.ok()?;
+    Lay::new(FlankLay::of(&found)?.at(0.0)).ok()
+}
+
 /// Lays of pinion and wheel, each from the surface of its first trace.
 pub(crate) fn lays(
     context: Context<'_>,

@@ -7,7 +7,7 @@ pub mod flank_trace;
 pub mod flanks;
 mod generated;
 pub mod lay;
-pub mod sheets;
 pub mod loaded_case;
+pub mod sheets;
 pub mod surrogates;
 pub mod trace;
