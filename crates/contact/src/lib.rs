@@ -18,17 +18,20 @@
 
 pub mod array_file;
 pub mod boundary;
+mod cells;
 pub mod certificate;
 mod convolution;
 pub mod dense_reference;
 pub mod error;
 pub mod flat_punch;
+mod grid;
 pub mod half_plane;
 pub mod hertz_line;
 pub mod hertz_point;
 pub mod path;
 pub mod plasticity;
 pub mod problem;
+mod rectangle_kernel;
 pub mod running_in;
 pub mod shakedown;
 pub mod solver;
@@ -38,6 +41,7 @@ pub mod two_flanks;
 pub mod westergaard;
 
 pub use boundary::{Boundary, PeriodicKernel};
+pub use cells::Lead;
 pub use certificate::Certificate;
 pub use error::{ContactError, SolverShape};
 pub use path::Path;

@@ -145,7 +145,7 @@ impl SmoothContact {
             *p *= scale;
         }
         let mut displacement = vec![0.0; n];
-        let cell = (window.spacing, window.modulus);
+        let cell = (window.spacing, None, window.modulus);
         solver.displacement(cell, &hertz, &mut displacement)?;
         let within = |limit: f64| {
             let first = (0..n).find(|&i| place(i).abs() < limit).unwrap_or(0);
@@ -413,7 +413,7 @@ impl RoughContact {
         }
         let by_approach: f64 = -apart.iter().sum::<f64>();
         let mut by_pressure = vec![0.0; pressure.len()];
-        let cell = (self.spacing, self.modulus);
+        let cell = (self.spacing, None, self.modulus);
         self.solver.displacement(cell, &apart, &mut by_pressure)?;
         let mut by_spots = by_spots.iter();
         for cells in runs(pressure) {

@@ -51,6 +51,7 @@ pub fn hertz_problem(gap: &[f64], spacing: Length) -> ContactProblem<'_> {
         modulus: CYLINDER.modulus,
         boundary: Boundary::FreeEnds,
         control: Control::Load(CYLINDER.load),
+        lead: None,
         prescribed_pressure: None,
         pressure_limit: None,
         start: None,
