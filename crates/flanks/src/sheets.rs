@@ -6,12 +6,17 @@
 //! | w | weight of the beginning of the surface | - |
 //! | ρ | correlation of both ends | - |
 
+use std::sync::OnceLock;
+
 use asperity_core::profile::mirrored_indices;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile, cite};
+use asperity_ehl_regime::{Patch, PatchPair, PatchSpectrum, RegimeError};
+use asperity_mixed_film::{Flattening, WindowRoughness};
 use asperity_roughness::resampling::respaced;
 use asperity_roughness::surface_preparation::PreparedSurface;
 
+use crate::error::PositionError;
 use crate::window_pair::Window;
 
 /// Most rows of a sheet: of a wider surface the middle. A patch of more costs in proportion, and its load scatters by less than a
@@ -19,13 +24,46 @@ use crate::window_pair::Window;
 const MOST_ROWS: usize = 256;
 /// Part of its rows by which the ends of a surface overlap.
 const OVERLAP: usize = 8;
+/// Most points of a row whose flow is computed: a thousand of the waves that are left.
+const MOST_COLUMNS: usize = 1024;
+/// Places of one sheet against the other whose flow is computed.
+const FLOW_PLACES: usize = 2;
 /// Least rows that a sheet is made of.
 const LEAST_ROWS: usize = 16;
 
 /// Prepared surfaces of pinion and wheel with the same distances of points and rows, and the same number of rows.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Sheets {
     heights: [Vec<f64>; 2],
+    columns: [usize; 2],
+    rows: usize,
+    spacings: [Length; 2],
+    /// Waves of both sheets, made at first need.
+    waves: OnceLock<SheetWaves>,
+}
+
+/// The waves of both sheets, each mirrored at the ends of its rows, so that it repeats without a jump.
+#[derive(Debug)]
+struct SheetWaves {
+    whole: [PatchSpectrum; 2],
+    /// The middles of both, with equal sizes: the flow through them as they pass each other.
+    pair: PatchPair,
+}
+
+impl PartialEq for Sheets {
+    fn eq(&self, other: &Self) -> bool {
+        self.heights == other.heights
+            && self.columns == other.columns
+            && self.spacings == other.spacings
+    }
+}
+
+/// Both sheets as the inlet of a contact leaves them.
+#[derive(Debug)]
+pub struct FlattenedSheets {
+    heights: [Vec<f64>; 2],
+    /// Pressures that flatten the heights \[Pa\], if the film needs them.
+    pressures: Option<[Vec<f64>; 2]>,
     columns: [usize; 2],
     rows: usize,
     spacings: [Length; 2],
@@ -65,6 +103,7 @@ impl Sheets {
             heights: repeated,
             columns: made.each_ref().map(|grid| grid.columns),
             spacings: [along, across],
+            waves: OnceLock::new(),
         })
     }
 
@@ -74,7 +113,10 @@ impl Sheets {
         let times = |heights: &Vec<f64>| heights.iter().map(|z| factor * z).collect();
         Self {
             heights: self.heights.each_ref().map(times),
-            ..self.clone()
+            columns: self.columns,
+            rows: self.rows,
+            spacings: self.spacings,
+            waves: OnceLock::new(),
         }
     }
 
@@ -114,24 +156,106 @@ impl Sheets {
     /// Sums z₁ + z₂ \[m\] of both flanks in a patch, row by row; the flanks are mirrored beyond the ends of their rows.
     #[must_use]
     pub fn composite(&self, place: PatchPlace) -> Vec<f64> {
-        let PatchPlace {
-            starts,
-            points,
-            shift,
-        } = place;
-        let places = [0, 1].map(|body: usize| -> Vec<usize> {
-            mirrored_indices(self.columns[body], starts[body], points).collect()
-        });
-        let mut sums = Vec::with_capacity(self.rows * points);
-        for row in 0..self.rows {
-            let [first, second] = [row, (row + shift) % self.rows];
-            let first = &self.heights[0][first * self.columns[0]..][..self.columns[0]];
-            let second = &self.heights[1][second * self.columns[1]..][..self.columns[1]];
-            let both = places[0].iter().zip(&places[1]);
-            sums.extend(both.map(|(i, j)| first[*i] + second[*j]));
-        }
-        sums
+        sums(&self.heights, (self.columns, self.columns), self.rows, place)
     }
+
+    /// Waves of both sheets.
+    ///
+    /// # Errors
+    /// When a sheet refuses its numbers.
+    fn waves(&self) -> Result<&SheetWaves, PositionError> {
+        if let Some(known) = self.waves.get() {
+            return Ok(known);
+        }
+        let least = self.columns[0].min(self.columns[1]).min(MOST_COLUMNS);
+        let spectrum = |body: usize, columns: std::ops::Range<usize>| {
+            let mut mirrored = Vec::with_capacity(2 * columns.len() * self.rows);
+            for row in self.heights[body].chunks_exact(self.columns[body]) {
+                let row = &row[columns.clone()];
+                mirrored.extend(row.iter().chain(row.iter().rev()));
+            }
+            let size = [2 * columns.len(), self.rows];
+            let patch = Patch::new(mirrored, size, self.spacings)?;
+            Ok::<_, RegimeError>(PatchSpectrum::new(&patch))
+        };
+        let middle = |body: usize| {
+            let first = (self.columns[body] - least) / 2;
+            spectrum(body, first..first + least)
+        };
+        let made = SheetWaves {
+            whole: [spectrum(0, 0..self.columns[0])?, spectrum(1, 0..self.columns[1])?],
+            pair: PatchPair::new([middle(0)?, middle(1)?], FLOW_PLACES)?,
+        };
+        Ok(self.waves.get_or_init(|| made))
+    }
+
+    /// The sheets as they pass each other in the inlet of a contact.
+    ///
+    /// # Errors
+    /// When a sheet refuses its numbers.
+    pub fn pair(&self) -> Result<&PatchPair, PositionError> {
+        Ok(&self.waves()?.pair)
+    }
+
+    /// Both sheets as `flattening` leaves them.
+    ///
+    /// # Errors
+    /// When a sheet refuses its numbers.
+    pub fn flattened(&self, flattening: &Flattening) -> Result<FlattenedSheets, PositionError> {
+        let whole = &self.waves()?.whole;
+        let attenuation = &flattening.attenuation;
+        let pressures = flattening
+            .ripple_modulus
+            .map(|modulus| whole.each_ref().map(|waves| waves.ripple(attenuation, modulus)));
+        let heights = whole.each_ref().map(|waves| waves.attenuated(attenuation).heights().to_vec());
+        Ok(FlattenedSheets {
+            heights,
+            pressures,
+            columns: self.columns,
+            rows: self.rows,
+            spacings: self.spacings,
+        })
+    }
+}
+
+impl FlattenedSheets {
+    /// Roughness of both flanks in a patch.
+    ///
+    /// # Errors
+    /// When the patch refuses its numbers.
+    pub fn patch(&self, place: PatchPlace) -> Result<WindowRoughness, PositionError> {
+        let strides = self.columns.map(|columns| 2 * columns);
+        let cut = |of| sums(of, (self.columns, strides), self.rows, place);
+        let size = [place.points, self.rows];
+        let patch = Patch::new(cut(&self.heights), size, self.spacings)?;
+        let pressures = self.pressures.as_ref().map(cut);
+        Ok(WindowRoughness::of_patch(&patch, pressures.as_deref())?)
+    }
+}
+
+/// Sums of both flanks in a patch, row by row, from rows that are `strides` values long and begin with the `columns` of a flank.
+fn sums(
+    of: &[Vec<f64>; 2],
+    (columns, strides): ([usize; 2], [usize; 2]),
+    rows: usize,
+    place: PatchPlace,
+) -> Vec<f64> {
+    let PatchPlace {
+        starts,
+        points,
+        shift,
+    } = place;
+    let places = [0, 1].map(|body: usize| -> Vec<usize> {
+        mirrored_indices(columns[body], starts[body], points).collect()
+    });
+    let mut sums = Vec::with_capacity(rows * points);
+    for row in 0..rows {
+        let first = &of[0][row * strides[0]..][..columns[0]];
+        let second = &of[1][(row + shift) % rows * strides[1]..][..columns[1]];
+        let both = places[0].iter().zip(&places[1]);
+        sums.extend(both.map(|(i, j)| first[*i] + second[*j]));
+    }
+    sums
 }
 
 /// Place of a patch on both sheets.

@@ -3,9 +3,9 @@
 
 use std::sync::Arc;
 
-use asperity_contact::{Lead, SolverSettings};
+use asperity_contact::SolverSettings;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
-use asperity_mixed_film::{RoughContact, RoughWindow};
+use asperity_mixed_film::{PatchWindow, RoughContact};
 
 use crate::mesh::MeshInputs;
 use asperity_case::case::{Case, LEAST_OFFSETS, LoadedCase};
@@ -103,7 +103,8 @@ impl WindowInputs {
         }
     }
 
-    /// The rough contact of heights `composite`, points `spacing` apart, under a load with a radius.
+    /// The rough contact of heights `composite` in so many rows, points and rows `spacings` apart, under a load with a radius; a line is
+    /// one row.
     ///
     /// # Errors
     /// When the contact refuses the numbers.
@@ -111,13 +112,14 @@ impl WindowInputs {
         &self,
         (load, radius): (LineLoad, Length),
         composite: &[f64],
-        (spacing, lead): (Length, Option<Lead>),
+        (rows, spacings): (usize, [Length; 2]),
     ) -> Result<RoughContact, PositionError> {
         let [pinion, wheel] = self.flow_pressure.map(Pressure::si);
-        Ok(RoughContact::new(&RoughWindow {
+        Ok(RoughContact::of_patch(&PatchWindow {
             composite,
-            spacing,
-            lead,
+            columns: composite.len() / rows.max(1),
+            rows,
+            spacings,
             load,
             radius,
             modulus: self.modulus,

@@ -2,7 +2,6 @@
 
 use std::sync::{Arc, OnceLock};
 
-use asperity_contact::Lead;
 use asperity_core::cancel::checkpoint;
 use asperity_core::quantity::{Length, LineLoad};
 use asperity_mixed_film::{ContactTable, Flattening, RoughContact, WindowRoughness};
@@ -11,7 +10,7 @@ use super::inputs::WindowInputs;
 use crate::mesh::MeshPosition;
 use asperity_case::case::LoadedCase;
 use asperity_case::error::PositionError;
-use asperity_case::flanks::{Roughness, Window, WindowPair, row_place};
+use asperity_case::flanks::{PatchPlace, Roughness, Sheets, Window, WindowPair, row_place};
 
 /// The rough contact of one window, and its roughness.
 #[derive(Debug, Clone)]
@@ -91,26 +90,42 @@ impl WindowContact {
             load,
             radius,
             zone,
-            cell,
             offset,
+            ..
         } = self.place;
         let window = self.window.ok_or_else(PositionError::no_profile)?;
-        let (of_pair, k, _) = self.inputs.surfaces.met(zone, offset.0, offset.1);
-        if let Some(sheets) = of_pair.sheets() {
-            let place = sheets.patch(&window, of_pair.traces()?[0].spacing(), row_place(k, cell));
-            let [spacing, of_rows] = sheets.spacings();
-            let lead = Lead {
-                rows: sheets.rows(),
-                spacing: of_rows,
-            };
+        if let Some((sheets, place)) = self.patch(window)? {
             let composite = sheets.composite(place);
-            return (self.inputs).rough_contact((load, radius), &composite, (spacing, Some(lead)));
+            let rows = (sheets.rows(), sheets.spacings());
+            return self.inputs.rough_contact((load, radius), &composite, rows);
         }
         let [first, second] = window.cut(&self.inputs.surfaces, zone, offset)?;
         let pairs = first.heights().iter().zip(second.heights());
         let composite: Vec<f64> = pairs.map(|(a, b)| a + b).collect();
         self.inputs
-            .rough_contact((load, radius), &composite, (first.spacing(), None))
+            .rough_contact((load, radius), &composite, (1, [first.spacing(); 2]))
+    }
+
+    /// Both surfaces with the place of the patch around a window; `None` of traces.
+    ///
+    /// # Errors
+    /// When a flank has no trace.
+    pub(crate) fn patch(
+        &self,
+        window: Window,
+    ) -> Result<Option<(&Sheets, PatchPlace)>, PositionError> {
+        let WindowPlace {
+            zone,
+            cell,
+            offset: (k, count),
+            ..
+        } = self.place;
+        let (of_pair, k, _) = self.inputs.surfaces.met(zone, k, count);
+        let Some(sheets) = of_pair.sheets() else {
+            return Ok(None);
+        };
+        let spacing = of_pair.traces()?[0].spacing();
+        Ok(Some((sheets, sheets.patch(&window, spacing, row_place(k, cell)))))
     }
 
     /// The table of the contact, with the window if it was made for it.

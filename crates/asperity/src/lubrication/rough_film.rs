@@ -10,7 +10,7 @@ use crate::contacts::WindowContact;
 use crate::mesh::MeshPosition;
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
-use asperity_case::flanks::{Surfaces, Window};
+use asperity_case::flanks::{FlattenedSheets, Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
 use asperity_mixed_film::{
     AttenuatedTraces, FilmPressure, FlattenedGradient, Flattening, Kinks, LoadShareSettings,
@@ -26,6 +26,8 @@ pub(crate) struct RoughFilm<'a> {
     flattening: Option<Flattening>,
     /// Both whole traces, once a window was cut from them.
     traces: Option<AttenuatedTraces>,
+    /// Both whole surfaces, once a patch was cut from them.
+    sheets: Option<FlattenedSheets>,
 }
 
 impl<'a> RoughFilm<'a> {
@@ -77,6 +79,7 @@ impl<'a> RoughFilm<'a> {
             surfaces: surfaces.clone(),
             flattening: None,
             traces: None,
+            sheets: None,
         }))
     }
 
@@ -84,7 +87,10 @@ impl<'a> RoughFilm<'a> {
     fn flattening(&mut self) -> Result<Flattening, PositionError> {
         let flattening = match self.flattening {
             Some(known) => known,
-            None => self.film.flattening(self.surfaces.pair_spectrum()?)?,
+            None => match self.surfaces.sheets() {
+                Some(sheets) => self.film.patch_flattening(sheets.pair()?)?,
+                None => self.film.flattening(self.surfaces.pair_spectrum()?)?,
+            },
         };
         Ok(*self.flattening.insert(flattening))
     }
@@ -102,8 +108,19 @@ impl<'a> RoughFilm<'a> {
             known.cite_known();
             return Ok(Cow::Borrowed(known));
         }
-        let window = (window.starts, window.points);
-        let made = (self.surfaces).window(window, &flattening, &mut self.traces)?;
+        let made = match contact.patch(window)? {
+            Some((sheets, place)) => {
+                let flattened = match self.sheets.take() {
+                    Some(known) => known,
+                    None => sheets.flattened(&flattening)?,
+                };
+                self.sheets.insert(flattened).patch(place)?
+            }
+            None => {
+                let window = (window.starts, window.points);
+                (self.surfaces).window(window, &flattening, &mut self.traces)?
+            }
+        };
         let _ = contact.flattened.set((flattening, made.clone()));
         Ok(Cow::Owned(made))
     }
