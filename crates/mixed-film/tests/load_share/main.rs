@@ -8,6 +8,7 @@
 )]
 
 mod gradient;
+mod patch;
 mod point_contact;
 mod properties;
 
