@@ -24,8 +24,8 @@ use crate::window_pair::Window;
 const MOST_ROWS: usize = 256;
 /// Part of its rows by which the ends of a surface overlap.
 const OVERLAP: usize = 8;
-/// Most points of a row whose flow is computed: a thousand of the waves that are left.
-const MOST_COLUMNS: usize = 1024;
+/// Most points of a row whose flow is computed: the inlet leaves waves of some tens of them.
+const MOST_COLUMNS: usize = 256;
 /// Places of one sheet against the other whose flow is computed.
 const FLOW_PLACES: usize = 2;
 /// Least rows that a sheet is made of.
@@ -156,7 +156,12 @@ impl Sheets {
     /// Sums z₁ + z₂ \[m\] of both flanks in a patch, row by row; the flanks are mirrored beyond the ends of their rows.
     #[must_use]
     pub fn composite(&self, place: PatchPlace) -> Vec<f64> {
-        sums(&self.heights, (self.columns, self.columns), self.rows, place)
+        sums(
+            &self.heights,
+            (self.columns, self.columns),
+            self.rows,
+            place,
+        )
     }
 
     /// Waves of both sheets.
@@ -183,7 +188,10 @@ impl Sheets {
             spectrum(body, first..first + least)
         };
         let made = SheetWaves {
-            whole: [spectrum(0, 0..self.columns[0])?, spectrum(1, 0..self.columns[1])?],
+            whole: [
+                spectrum(0, 0..self.columns[0])?,
+                spectrum(1, 0..self.columns[1])?,
+            ],
             pair: PatchPair::new([middle(0)?, middle(1)?], FLOW_PLACES)?,
         };
         Ok(self.waves.get_or_init(|| made))
@@ -204,10 +212,14 @@ impl Sheets {
     pub fn flattened(&self, flattening: &Flattening) -> Result<FlattenedSheets, PositionError> {
         let whole = &self.waves()?.whole;
         let attenuation = &flattening.attenuation;
-        let pressures = flattening
-            .ripple_modulus
-            .map(|modulus| whole.each_ref().map(|waves| waves.ripple(attenuation, modulus)));
-        let heights = whole.each_ref().map(|waves| waves.attenuated(attenuation).heights().to_vec());
+        let pressures = flattening.ripple_modulus.map(|modulus| {
+            whole
+                .each_ref()
+                .map(|waves| waves.ripple(attenuation, modulus))
+        });
+        let heights = whole
+            .each_ref()
+            .map(|waves| waves.attenuated(attenuation).heights().to_vec());
         Ok(FlattenedSheets {
             heights,
             pressures,

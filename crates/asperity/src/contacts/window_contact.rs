@@ -125,7 +125,10 @@ impl WindowContact {
             return Ok(None);
         };
         let spacing = of_pair.traces()?[0].spacing();
-        Ok(Some((sheets, sheets.patch(&window, spacing, row_place(k, cell)))))
+        Ok(Some((
+            sheets,
+            sheets.patch(&window, spacing, row_place(k, cell)),
+        )))
     }
 
     /// The table of the contact, with the window if it was made for it.
