@@ -10,6 +10,7 @@ use crate::generate::Random;
 
 use super::fit::Fit;
 use super::noise::Noise;
+use super::rise::{self, MOVED};
 use super::search::search;
 use super::traces::{Trace, height_at, noise_cutoff};
 
@@ -19,8 +20,6 @@ const LEAST_CORRELATION: f64 = 0.7;
 const CLEARLY: f64 = 0.7;
 /// Standard deviation of the height over the gain of the dales: where some rose, others that were matched may have risen as well.
 const RISEN: f64 = 1.0;
-/// Waves longer than this are compared to see where the trace is higher: material moves by about a grain \[m\].
-const MOVED: f64 = 20e-6;
 /// Height below which traces on each other differ by the rounding of their match \[m\].
 const LEAST_CHANGE: f64 = 1e-11;
 /// Sets of made noise that show the gain of noise.
@@ -197,7 +196,11 @@ fn relocation(
     let part = 1.0 / n as f64;
     let (gain, of_gain) = gained(&fit.lost, &fit.noise, spacing)?;
     let of_choice = fit.choice().hypot(fit.uneven);
-    let of_dales = (RISEN * gain.max(0.0)).hypot(of_choice);
+    // The higher of two measures of one rise.
+    let risen = rise::square(fit, spacing)?
+        .sqrt()
+        .max(RISEN * gain.max(0.0));
+    let of_dales = risen.hypot(of_choice);
     let of_height = fit.deviation_of_place([0.0, 0.0, 1.0, 0.0]).hypot(of_dales);
     let removed = fit.lost.iter().sum::<f64>() * part;
     let of_removed = fit.noise.variance(&fit.influence(&vec![part; n])).sqrt();
