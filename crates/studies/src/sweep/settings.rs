@@ -9,9 +9,28 @@ use super::error::SweepError;
 /// Keys with their values.
 pub type Settings = Vec<(String, String)>;
 
+/// Keys that name an oil, and so replace the whole oil of the case.
+pub(super) const OILS: [&str; 2] = ["lubricant.oil", "lubricant.oil_file"];
+
+/// Sets keys of `input`. Another oil is not the oil of the case with some of its numbers, nor the oil of its calibration: where a key
+/// names an oil, both are left out.
+pub(crate) fn set_all(
+    input: &mut CaseInput,
+    defaults: &[DefaultUsed],
+    settings: &[(String, String)],
+) -> Result<(), SweepError> {
+    if settings.iter().any(|(key, _)| OILS.contains(&&**key)) {
+        input.lubricant = Default::default();
+        input.calibration = None;
+    }
+    settings
+        .iter()
+        .try_for_each(|(key, value)| set(input, defaults, key, value))
+}
+
 /// Sets a key of the case. A number at its end is an index in a list of the case or its defaults, as in
 /// `gears.profile_shift.0`.
-pub(crate) fn set(
+pub(super) fn set(
     input: &mut CaseInput,
     defaults: &[DefaultUsed],
     key: &str,
