@@ -748,21 +748,26 @@ impl Whole {
         Digits::of_drawn(drawn, Digits::of_power(self.loss_w))
     }
 
-    /// The kinds of loss that occur, scaled to the median, to which they add up as printed.
+    /// The kinds of loss that occur, scaled to the median. Each has the digits that its part of the interval leaves, so that the
+    /// printed kinds need not add up.
     #[must_use]
     pub fn kinds_with_digits(&self) -> Vec<PrintedKind> {
         let (median, digits) = (self.median_w(), self.digits());
         let kinds = self.kinds.rows();
         let scaled = kinds.map(|(_, loss)| loss * median / self.loss_w);
-        let steps = digits.parts(digits.steps(median), &scaled);
+        let steps = scaled.map(|watts| watts / digits.step());
         let shares = digits.shares(&steps, &scaled);
-        let texts = digits.texts_of_parts(median, &scaled).into_iter();
-        let rows = kinds.into_iter().zip(scaled).zip(texts.zip(shares));
+        let text = |watts: f64| {
+            let own = self.loss_distribution.map(|found| found.drawn);
+            let own = own.map(|drawn| drawn.map(|loss| watts / median * loss));
+            Digits::of_drawn(own, Digits::of_power(watts)).rounded(watts)
+        };
+        let rows = kinds.into_iter().zip(scaled).zip(shares);
         let rows = rows.filter(|((_, watts), _)| *watts > 0.0);
-        let row = |(((name, _), watts), (loss, share))| PrintedKind {
+        let row = |(((name, _), watts), share)| PrintedKind {
             name,
             watts,
-            loss,
+            loss: text(watts),
             share,
         };
         rows.map(row).collect()
