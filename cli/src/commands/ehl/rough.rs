@@ -127,7 +127,7 @@ impl Recorded {
         self.shown_with("", mean, standard_error)
     }
 
-    /// The same with a unit behind the mean.
+    /// A mean with its unit, and its standard error.
     pub fn shown_with(&self, unit: &str, mean: f64, standard_error: f64) -> String {
         match self.unsteady() {
             None => with_error(unit, mean, standard_error),

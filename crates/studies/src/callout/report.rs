@@ -226,7 +226,7 @@ fn losses(study: &CallOut) -> String {
     )
 }
 
-/// What the upper end of the band at the limit is, where it is above the permitted loss.
+/// Upper end of the band at the limit, if it is above the permitted loss.
 fn above(study: &CallOut) -> Option<String> {
     let row = study.limits.first()?;
     let height = row.limit / row.recipe;

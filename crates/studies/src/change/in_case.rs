@@ -258,7 +258,7 @@ pub(super) fn in_case(
     })
 }
 
-/// Warnings of both runs, those of one run with its state.
+/// Warnings of both runs; a warning of one run has its state.
 fn warnings(runs: [&Outcome; 2]) -> Vec<Warning> {
     let [before, after] = runs.map(|run| run.result.warnings.as_slice());
     let of_state = |own: &[Warning], other: &[Warning], state: &str| {

@@ -5,6 +5,7 @@ use asperity_core::Estimate;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Cell, Report, StudyResult, StudySettings as _, Table, columns, thin};
 
+use super::digits::{LEAST_NM, digits, height, shown};
 use super::study::{ChangeSettings, Heights, PairRow, ParameterRow, PointRow, TraceChange};
 use super::worth;
 
@@ -17,8 +18,7 @@ const DRAWN: usize = 4;
 const BINS: usize = 350;
 /// Width of the close-up \[mm\].
 const CLOSE: f64 = 0.2;
-/// Last places that a measured trace leaves of a height in nm and in µm, of a shift \[µm\], of a stretch \[%\] and of a tilt \[µm/mm\].
-const LEAST_NM: f64 = 0.01;
+/// Last places that a measured trace leaves of a height in µm, of a shift \[µm\], of a stretch \[%\] and of a tilt \[µm/mm\].
 const LEAST_UM: f64 = 1e-4;
 const LEAST_SHIFT: f64 = 1e-3;
 const LEAST_STRETCH: f64 = 1e-4;
@@ -66,24 +66,8 @@ fn trace_file(pair: usize) -> String {
     format!("traces_{}.csv", pair + 1)
 }
 
-/// Digits of an interval, which traces without noise narrow to less than `least`, the last place that a measured trace leaves.
-fn digits(estimate: Estimate, least: f64) -> Digits {
-    let half = 5.0 * least;
-    let [low, high] = [estimate.value - half, estimate.value + half];
-    Digits::of_difference([estimate.low.min(low), estimate.high.max(high)])
-}
-
 fn nanometres(estimate: Estimate) -> String {
     digits(estimate, LEAST_NM).interval_with(" nm", estimate)
-}
-
-/// A height in nm with its interval.
-pub(super) fn height(nm: Estimate) -> Cell {
-    shown(nm, LEAST_NM)
-}
-
-fn shown(estimate: Estimate, least: f64) -> Cell {
-    Cell::estimate(digits(estimate, least).interval(estimate), Some(estimate))
 }
 
 /// The height removed, or that there is none.

@@ -281,6 +281,8 @@ mod tests {
             panic!("noise explains it");
         };
         assert!((most / 4e-19 - 1.0).abs() < 1e-12);
+        let gained = [Estimate::new(-2e-9, [-3e-9, -1e-9])];
+        assert!(matches!(of(&gained, &[1e4]), Coefficient::Gained));
         assert!(coefficient(&removed, &[places(&[0.0])], 1e6).is_err());
     }
 }

@@ -4,8 +4,8 @@ use asperity::result::loss_band::Digits;
 use asperity_core::{Estimate, capitalised};
 use asperity_report::{Cell, Report, Table, columns};
 
+use super::digits::height;
 use super::in_case::{AFTER, BEFORE, ChangeInCase, FlankChange, RUN_IN, StateLoss};
-use super::report::height;
 use crate::compare::verdict;
 
 /// Unit of a printed wear coefficient, in mm³/(N m).

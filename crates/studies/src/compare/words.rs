@@ -335,7 +335,7 @@ fn decided_by(comparison: &Comparison) -> Option<(&str, String)> {
     Some((&finish.name, words))
 }
 
-/// The decision of the surest difference, of equally sure ones of the largest, and those of the others.
+/// The decision of the surest difference, and the other decisions. Of equally sure differences the largest counts.
 pub(super) fn surest(comparison: &Comparison) -> (Vec<String>, Vec<String>) {
     let mut others = verdicts(comparison);
     let differences = comparison.finishes.iter();

@@ -134,8 +134,8 @@ fn outside(result: &CycleResult) -> String {
 /// Share of the lost energy from which its extrapolation is part of the verdict.
 const MOST: f64 = 0.5;
 
-/// Sentences on the share of the lost energy where the model is extrapolated, for each finish with such a share: those of most of the
-/// energy, and others.
+/// Sentences on the share of the lost energy where the model is extrapolated, for each finish with such a share: of at least half of
+/// the energy, and of less.
 fn extrapolated(result: &CycleResult) -> [Vec<String>; 2] {
     let of_finish = |(own, finish): (&CycleFinish, &FinishMap)| {
         let places = result.points.iter().map(|point| {

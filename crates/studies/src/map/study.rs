@@ -176,7 +176,7 @@ impl StudyResult for MapStudy {
 fn differs_by_point(first: &CaseInput, other: &CaseInput) -> bool {
     let operation = OperationInput {
         temperature_deviation: other.operation.temperature_deviation,
-        ..first.operation.clone()
+        ..first.operation
     };
     let at_point = CaseInput {
         title: first.title.clone(),

@@ -31,7 +31,7 @@ const AT_MEDIANS: &str = "The column loss_w has the constants at their stated or
 /// How a study computes intervals.
 const NO_INTERVAL: &str = "The study computes no interval of the loss. It draws one for each case if its columns list loss_median_w, \
     loss_p05_w and loss_p95_w.";
-/// What an oil of an axis replaces.
+/// Numbers that an oil of an axis replaces.
 const OTHER_OILS: &str = "A case that names an oil leaves out all other numbers of the oil of the case file, and its calibration.";
 /// Next step.
 const NEXT: &str = "The command asperity run shows where a single case loses its power; asperity sensitivity lists \

@@ -71,3 +71,22 @@ pub(super) fn set(
     };
     Ok(input.set(list, &Value::Array(values).to_string())?)
 }
+
+#[cfg(test)]
+mod tests {
+    use asperity::case::load;
+
+    use super::*;
+
+    #[test]
+    fn an_oil_leaves_out_the_numbers_of_the_oil_of_the_case() {
+        let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+        let mut input = load(file, None).unwrap().case.input;
+        let setting = |key: &str, value: &str| (key.to_owned(), value.to_owned());
+        let own = [setting("lubricant.pressure_viscosity_factor", "0.94")];
+        set_all(&mut input, &[], &own).unwrap();
+        assert!(input.lubricant.pressure_viscosity_factor.is_some());
+        set_all(&mut input, &[], &[setting("lubricant.oil", "m100")]).unwrap();
+        assert!(input.lubricant.pressure_viscosity_factor.is_none());
+    }
+}
