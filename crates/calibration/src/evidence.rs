@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use std::str::FromStr;
 
 use asperity::case::train::Train;
-use asperity::case::{did_you_mean, nearest_name};
+use asperity::core::{did_you_mean, nearest_name};
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::EvidenceRow;
 use asperity::result::with_interval;

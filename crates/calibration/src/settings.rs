@@ -187,9 +187,7 @@ impl StudySettings for DesignSettings {
 
     fn run(&self, case: LoadedCase, watch: &Watch<'_>) -> Result<Design, Fault> {
         let limits = self.limits(&case.case)?;
-        let mut found = plan(&case, &limits, &self.rig.hold, &|done| {
-            (watch.progress)(done, 0);
-        })?;
+        let mut found = plan(&case, &limits, &self.rig.hold, watch.progress)?;
         let losses = self.simulate.map(|seed| simulated(&case, &found, seed));
         found.simulated_w = losses.transpose()?;
         Ok(found)

@@ -223,7 +223,7 @@ pub struct MeshRow {
     /// Efficiency of the mesh.
     pub efficiency: f64,
     /// Loss factor of its load.
-    pub loss_factor: f64,
+    pub loss_factor_local: f64,
     /// Friction coefficient that explains its loss.
     pub mu_equivalent: f64,
     /// Highest Hertz pressure of its cells at the mean load \[MPa\].
@@ -687,7 +687,7 @@ fn row(mesh: &LoadedMesh, kind: &StageKind, run: &MeshLosses<'_>) -> MeshRow {
         sliding_w: summary.sliding_w,
         rolling_w: summary.rolling_w,
         efficiency: summary.efficiency,
-        loss_factor: summary.loss_factor_local,
+        loss_factor_local: summary.loss_factor_local,
         mu_equivalent: summary.mu_equivalent,
         hertz_pressure_mpa: highest,
         hertz_pressure_most_loaded_mpa: highest * kind.load_share_factor().sqrt(),

@@ -1,5 +1,6 @@
 //! Shift, stretch, height and tilt of the second trace by robust least squares over the dales.
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::Cholesky;
 use asperity_core::{Code, Fault, cite};
 
@@ -118,6 +119,7 @@ impl Fit {
     ) -> Result<Self, RoughnessError> {
         let (mut chosen, mut change) = (None, f64::INFINITY);
         for step in 0..MAX_STEPS {
+            checkpoint()?;
             let mut points = Points::at(before, after, place)?;
             // Dales and a scale that follow every change of the place would change it in turn.
             if step < FREE_STEPS {

@@ -1,5 +1,6 @@
 //! The trace on the trace before it, with what was removed and what moved.
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::{Z_95, deviation, mean};
 use asperity_core::quantity::Length;
 use asperity_core::{Code, DomainError, Estimate, Fault, Profile, cite};
@@ -158,7 +159,7 @@ pub fn relocate(before: &Profile, after: &Profile, bounds: Bounds) -> Result<Rel
     let shift = bounds.check()?;
     let cutoff = noise_cutoff(before, after);
     let [first, second] = [Trace::new(before, cutoff)?, Trace::new(after, cutoff)?];
-    let found = search(&first, &second, (shift, bounds.stretch));
+    let found = search(&first, &second, (shift, bounds.stretch)).map_err(RoughnessError::from)?;
     let is_unclear = 1.0 - found.correlation > CLEARLY * (1.0 - found.elsewhere);
     if found.correlation < LEAST_CORRELATION || is_unclear {
         let message = format!(
@@ -244,6 +245,7 @@ fn gained(lost: &[f64], noise: &Noise, spacing: Length) -> Result<(f64, f64), Ro
     let cutoff = Length::from_si(MOVED.max(2.0 * spacing.si()));
     // Mean gain, and share of the points that are higher.
     let higher = |lost: &[f64]| -> Result<[f64; 2], RoughnessError> {
+        checkpoint()?;
         let smooth = mean_line(&Profile::new(spacing, lost.to_vec())?, cutoff, Ends::Reg0)?;
         let negative = smooth.iter().filter(|w| **w < 0.0);
         let sums = negative.fold([0.0; 2], |[sum, count], w| [sum - w, count + 1.0]);

@@ -190,7 +190,7 @@ pub fn variants(
             Variant::AsIs => base.clone(),
             Variant::Case(case) => *case,
             Variant::Keys(keys) => {
-                varied(base, &keys).map_err(|fault| fault.about(format!("variant {name}")))?
+                varied(base, &keys, &[]).map_err(|fault| fault.about(format!("variant {name}")))?
             }
         };
         found.push(Finish { name, case });
@@ -202,7 +202,7 @@ pub fn variants(
 ///
 /// # Errors
 /// When a key is not known or set twice, nothing changes, or the changed case cannot be run.
-pub fn varied(base: &Train, keys: &Keys) -> Result<Train, Fault> {
+pub fn varied(base: &Train, keys: &Keys, unset: &[String]) -> Result<Train, Fault> {
     let is_within = |whole: &str, part: &str| {
         part.strip_prefix(whole)
             .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
@@ -220,10 +220,16 @@ pub fn varied(base: &Train, keys: &Keys) -> Result<Train, Fault> {
         }
     }
     let mut input = base.input.clone();
+    for key in unset {
+        input.unset(key)?;
+    }
     set_keys(&mut input, &base.defaults, keys)?;
     if is_same(&input, &base.input) {
-        let (key, value) = &keys[0];
-        let message = format!("it changes nothing: the case has {key} = {value} already");
+        let stated = keys.first();
+        let stated = stated.map_or(String::new(), |(key, value)| {
+            format!(": the case has {key} = {value} already")
+        });
+        let message = format!("it changes nothing{stated}");
         let help = "Give it another value, or name the case itself \"as is\".";
         return Err(Fault::new(Code::E205, message).helping(help));
     }

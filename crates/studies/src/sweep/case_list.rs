@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use asperity::case::nearest_name;
 use asperity::case::train::Train;
+use asperity::core::nearest_name;
 use asperity::oil::library_oil;
 use asperity::profile_io::read::table_text;
 use asperity_core::numerics::standard_normal_quantile;
