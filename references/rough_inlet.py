@@ -14,6 +14,7 @@ Two minutes: the amplitudes are on 600 cells.
 import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq
+from scipy.special import k0
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import splu
 
@@ -21,6 +22,7 @@ from held import agree, held, report
 
 INLET = "crates/ehl-regime/src/inlet_flow.rs"
 LAW = "crates/ehl-regime/src/gap_law.rs"
+PATCH = "crates/ehl-regime/src/patch.rs"
 
 
 def spectral_mean(gamma):
@@ -115,8 +117,21 @@ class Smooth:
                 self.wedge[i, i - 1 : i + 1] = np.array([-1, 1]) / self.dx
         self.solve()
 
-    def linear(self, p, h0):
-        """Residual of Reynolds' equation with its derivatives, and what a change of the film alone does."""
+    def lead_kernel(self, k):
+        """Displacement by a pressure that varies as cos(k y) along the lead: K0 in place of the logarithm."""
+        d = np.arange(len(self.x)) * self.dx
+        nodes, weights = np.polynomial.legendre.leggauss(8)
+        primitive = lambda s: np.where(s == 0, 0, s * (np.log(np.abs(np.where(s == 0, 1, s))) - 1))
+        logarithm = -(primitive(d + self.dx / 2) - primitive(d - self.dx / 2))
+        places = np.abs(d[:, None] + nodes[None, :] * self.dx / 2)
+        column = (logarithm + (k0(k * places) + np.log(places)) @ (weights * self.dx / 2)) / np.pi
+        index = np.arange(len(d))
+        return column[np.abs(index[:, None] - index[None, :])]
+
+    def linear(self, p, h0, kernel=None, lead=0.0):
+        """Residual of Reynolds' equation with its derivatives, and what a change of the film alone does; of changes with the wavenumber
+        `lead` along the lead, whose displacement is by `kernel`."""
+        kernel = self.kernel if kernel is None else kernel
         film = np.maximum(h0 + self.x**2 / 2 + self.kernel @ p, 1e-9)
         real = p * self.pressure
         rho = 1 + 0.6e-9 * real / (1 + 1.7e-9 * real)
@@ -132,15 +147,15 @@ class Smooth:
         by_film = lambda change: half * (eps_h[1:] * change[1:] + eps_h[:-1] * change[:-1])
         divergence = lambda flux: np.concatenate([np.zeros((1,) + flux.shape[1:]), flux[1:] - flux[:-1], np.zeros((1,) + flux.shape[1:])]) / self.dx
         rows = np.arange(n - 1)
-        whole = np.diag(eps_p) + eps_h[:, None] * self.kernel
+        whole = np.diag(eps_p) + eps_h[:, None] * kernel
         flux = half[:, None] * (whole[1:] + whole[:-1])
         flux[rows, rows] -= face / self.dx
         flux[rows, rows + 1] += face / self.dx
-        mass = np.diag(rho_p * film) + rho[:, None] * self.kernel
+        mass = np.diag(rho_p * film) + rho[:, None] * kernel
         inner = np.zeros(n)
         inner[1:-1] = 1
         residual = divergence(2 * half * face) - inner * (self.wedge @ (rho * film))
-        jacobian = divergence(flux) - inner[:, None] * (self.wedge @ mass)
+        jacobian = divergence(flux) - inner[:, None] * (self.wedge @ mass) - np.diag(inner * lead**2 * eps)
         return residual, jacobian, mass, rho, lambda change: divergence(by_film(change)) - inner * (self.wedge @ (rho * change)), inner
 
     def solve(self):
@@ -183,6 +198,18 @@ class Smooth:
         film = found[n] + self.kernel @ found[:n] + shape
         return abs(np.interp(0, self.x, film.real) + 1j * np.interp(0, self.x, film.imag))
 
+    def amplitude_on_patch(self, along, lead):
+        """The same of a wave with these lengths along rolling and along the lead; the contact does not move as a whole."""
+        omega, k = 2 * np.pi / along, 2 * np.pi / lead
+        kernel = self.lead_kernel(k)
+        _, jacobian, mass, rho, by_film, inner = self.linear(self.p, self.h0, kernel, k)
+        shape = np.exp(-1j * omega * self.x)
+        of_pressure = jacobian - 1j * omega * inner[:, None] * mass
+        matrix = np.where(self.free[:, None], of_pressure, np.eye(len(self.x)))
+        right = np.where(self.free, -(by_film(shape) - 1j * omega * inner * rho * shape), 0)
+        film = kernel @ np.linalg.solve(matrix, right) + shape
+        return abs(np.interp(0, self.x, film.real) + 1j * np.interp(0, self.x, film.imag))
+
     def nabla(self, wave):
         return wave * self.load**0.75 / np.sqrt(self.material)
 
@@ -209,10 +236,35 @@ def amplitudes():
             agree("equation 5 in other contacts", law, found, 0.35)
 
 
+def equivalent(amplitude):
+    """n of equation 5 for an amplitude."""
+    return (np.sqrt(0.17**2 + 4 * 0.03 * (1 / amplitude - 1)) - 0.17) / 0.06
+
+
+def patches():
+    held(PATCH, "longest over the wave along the motion", 2.0, 0.0)
+    ratios = (0.25, 0.5, 1.0, 2.0, 4.0, 16.0)
+    seen = {ratio: [] for ratio in ratios}
+    for load, material in ((100, 11), (26, 10.7), (40, 7), (200, 7)):
+        contact = Smooth(load, material)
+        for wave in (0.25, 0.5, 1.0, 2.0):
+            across = contact.amplitude(wave)
+            if across > 0.52:
+                continue
+            for ratio in ratios:
+                lengths = (wave, wave / ratio) if ratio <= 1 else (wave * ratio, wave)
+                seen[ratio].append(equivalent(contact.amplitude_on_patch(*lengths)) / equivalent(across))
+    for ratio, found in seen.items():
+        law = 1.0 if ratio <= 1 else 2 ** (1 - 1 / ratio)
+        print(f"ratio {ratio}: effective length {min(found):.2f} to {max(found):.2f}, mean {np.mean(found):.2f}, rule {law:.2f}")
+        agree("effective length of a wave", law, float(np.mean(found)), 0.12)
+
+
 def main():
     lay()
     slope()
     amplitudes()
+    patches()
     report()
 
 

@@ -196,7 +196,7 @@ pub fn inlet_factor(
 /// ```
 ///
 /// # Errors
-/// When the film is not positive, Ψ below 1 or the share not within 0..1.
+/// When film or Ψ is not positive or the share not within 0..1.
 ///
 /// ```
 /// use asperity_core::quantity::Length;
@@ -213,8 +213,8 @@ pub fn supplied_gap(
 ) -> Result<Length, RegimeError> {
     cite!("Supply");
     let h = DomainError::positive("smooth film", smooth_film)?;
-    let fits = inlet_factor.is_finite() && inlet_factor >= 1.0;
-    let rule = "must be finite and not below 1";
+    let fits = inlet_factor.is_finite() && inlet_factor > 0.0;
+    let rule = "must be finite and positive";
     DomainError::require(fits, "inlet factor", inlet_factor, "-", rule)?;
     let fits = (0.0..=1.0).contains(&asperity_share);
     let rule = "must lie between 0 and 1";

@@ -23,6 +23,7 @@ use crate::attenuation::{Attenuation, TraceSpectrum};
 use crate::error::RegimeError;
 use crate::gap_law::GapLaw;
 use crate::inlet_flow::{Lay, inlet_factor};
+use crate::patch::PatchSpectrum;
 
 /// Power of Ψ in the length of the inlet: that of √(h_g · h_g Ψ) to the power 2/3.
 const LENGTH_POWER: f64 = 1.0 / 3.0;
@@ -46,7 +47,16 @@ impl PairSpectrum {
     /// The waves of both traces, which pass each other and are unrelated.
     #[must_use]
     pub fn of(traces: [&TraceSpectrum; 2]) -> Self {
-        let mut waves: Vec<[f64; 2]> = traces.into_iter().flat_map(TraceSpectrum::waves).collect();
+        Self::of_waves(traces.into_iter().flat_map(TraceSpectrum::waves).collect())
+    }
+
+    /// The waves of two patches, each by the wavelength across the motion of the wave that the inlet flattens as much.
+    #[must_use]
+    pub fn of_patches(patches: [&PatchSpectrum; 2]) -> Self {
+        Self::of_waves(patches.into_iter().flat_map(PatchSpectrum::waves).collect())
+    }
+
+    fn of_waves(mut waves: Vec<[f64; 2]>) -> Self {
         waves.retain(|[_, variance]| *variance > 0.0);
         waves.sort_by(|a, b| b[0].total_cmp(&a[0]));
         let (mut bands, mut starts) = (Vec::new(), Vec::new());
@@ -149,11 +159,23 @@ impl RoughInlet {
         lay: Lay,
     ) -> Result<Self, RegimeError> {
         cite!("Rough-inlet");
-        let gap = Length::from_si(DomainError::positive("smooth gap", smooth_gap)?);
+        let factor = |sigma, _: &Attenuation| inlet_factor(sigma, smooth_gap, lay);
+        Self::by(waves, nabla_per_length, smooth_gap, TOLERANCE, factor)
+    }
+
+    /// The inlet whose Ψ is `factor` of σ_d and of the flattening.
+    pub(crate) fn by(
+        waves: &PairSpectrum,
+        nabla_per_length: f64,
+        smooth_gap: Length,
+        tolerance: f64,
+        factor: impl Fn(Length, &Attenuation) -> Result<f64, RegimeError>,
+    ) -> Result<Self, RegimeError> {
+        DomainError::positive("smooth gap", smooth_gap)?;
         let mut attenuation = Attenuation::new(GapLaw::Inlet, nabla_per_length)?;
         let (mut log, mut change, mut iterations) = (0.0_f64, f64::INFINITY, 0);
-        while change > TOLERANCE && iterations < MAX_ITERATIONS {
-            let next = inlet_factor(waves.roughness(&attenuation), gap, lay)?.ln();
+        while change > tolerance && iterations < MAX_ITERATIONS {
+            let next = factor(waves.roughness(&attenuation), &attenuation)?.ln();
             (change, log) = ((next - log).abs(), next);
             let scale = nabla_per_length * (-LENGTH_POWER * log).exp();
             attenuation = Attenuation::new(GapLaw::Inlet, scale)?;

@@ -4,6 +4,7 @@ mod examples;
 mod light_load;
 mod limits;
 mod micropitting;
+mod patches;
 mod properties;
 mod reference_case;
 mod rough_inlet;

@@ -49,6 +49,12 @@ impl LoadShareError {
         Fault::new(Code::E209, text).into()
     }
 
+    /// Patches with a gap law that has no inlet for their flow.
+    pub(crate) fn flow_without_inlet() -> Self {
+        let text = "patches need the gap law `inlet`: `power` has no flow".to_owned();
+        Fault::new(Code::E205, text).into()
+    }
+
     /// A scalar equation for `quantity` without root.
     pub(crate) fn no_root(quantity: &'static str, source: RootError) -> Self {
         let text = format!("the {quantity} has no solution: {source}");

@@ -12,8 +12,8 @@ use asperity_ehl_regime::inlet_flow::{
 };
 use asperity_ehl_regime::light_load::LightLoad;
 use asperity_ehl_regime::{
-    Attenuation, FilmConditions, FilmLaw, GapLaw, MoesNumbers, PairSpectrum, RoughInlet,
-    ThermalLaw, thermal_loading,
+    Attenuation, FilmConditions, FilmLaw, FlowTable, GapLaw, MoesNumbers, PairSpectrum, PatchPair,
+    RoughInlet, ThermalLaw, thermal_loading,
 };
 use asperity_oil::{FilmRheology, ShearedPoint};
 use asperity_tribo_friction::boundary::{
@@ -177,6 +177,8 @@ pub struct PositionFilm<'a> {
     thermal_factor: f64,
     nabla: f64,
     gap_law: GapLaw,
+    /// Computed flow through the patches of both flanks, in place of the second order in σ_d over the gap.
+    flow: Option<FlowTable>,
     /// σ_d of both whole traces by the smooth inlet, over the smooth mass-flow film.
     roughness_over_film: Option<f64>,
     hertz: HertzLine,
@@ -302,6 +304,7 @@ impl<'a> PositionFilm<'a> {
             thermal_factor: smooth.thermal_factor,
             nabla: numbers.nabla_per_length(hertz.half_width)?,
             gap_law,
+            flow: None,
             roughness_over_film: None,
             hertz,
             film,
@@ -328,6 +331,7 @@ impl<'a> PositionFilm<'a> {
     /// # Errors
     /// When the film is not positive.
     pub fn flattening(&mut self, traces: &PairSpectrum) -> Result<Flattening, LoadShareError> {
+        self.flow = None;
         let smooth = Attenuation::new(self.gap_law, self.nabla)?;
         let attenuation = match self.gap_law {
             GapLaw::Power => smooth,
@@ -336,9 +340,32 @@ impl<'a> PositionFilm<'a> {
                 self.inlet(traces)?.attenuation
             }
         };
+        Ok(self.flattening_by(attenuation))
+    }
+
+    /// Flattening of the patches of both flanks in the inlet of this contact. From here on the gap supplied is by their
+    /// computed flow, with the standard deviation of all heights: the flow knows which heights are in its way.
+    ///
+    /// # Errors
+    /// When the film is not positive, the gap law is `power` or a flow has no solution.
+    pub fn patch_flattening(&mut self, patches: &PatchPair) -> Result<Flattening, LoadShareError> {
+        if self.gap_law == GapLaw::Power {
+            return Err(LoadShareError::flow_without_inlet());
+        }
+        let smooth = Attenuation::new(self.gap_law, self.nabla)?;
+        self.roughness_over_film = Some(patches.waves().roughness(&smooth) / self.mass_flow);
+        let inlet = patches.inlet(self.nabla, self.supplied)?;
+        self.flow = Some(patches.flow(&inlet.attenuation)?);
+        Ok(Flattening {
+            peak_weight: 0.0,
+            ..self.flattening_by(inlet.attenuation)
+        })
+    }
+
+    fn flattening_by(&self, attenuation: Attenuation) -> Flattening {
         let [of_all, of_peaks] = PEAK_LAYS;
         let lay = (self.settings.lay.factor() - of_all) / (of_peaks - of_all);
-        Ok(Flattening {
+        Flattening {
             attenuation,
             peak_weight: match self.settings.gap_roughness {
                 GapRoughness::Peaks => lay.clamp(0.0, 1.0),
@@ -346,7 +373,7 @@ impl<'a> PositionFilm<'a> {
             },
             ripple_modulus: (self.settings.film_pressure == FilmPressure::Rippled)
                 .then_some(self.contact.modulus),
-        })
+        }
     }
 
     fn inlet(&self, traces: &PairSpectrum) -> Result<RoughInlet, LoadShareError> {
@@ -449,14 +476,27 @@ impl<'a> PositionFilm<'a> {
     }
 
     fn inlet_factor(&self, attenuated_rms: Length) -> Result<f64, LoadShareError> {
-        match self.settings.supply {
-            InletSupply::Rough => Ok(inlet_factor(
-                attenuated_rms,
-                self.supplied,
-                self.settings.lay,
-            )?),
-            InletSupply::Smooth => Ok(1.0),
+        Ok(match (self.settings.supply, &self.flow) {
+            (InletSupply::Smooth, _) => 1.0,
+            (InletSupply::Rough, Some(flow)) => flow.inlet_factor(attenuated_rms, self.supplied)?,
+            (InletSupply::Rough, None) => {
+                inlet_factor(attenuated_rms, self.supplied, self.settings.lay)?
+            }
+        })
+    }
+
+    /// Slope of ln Ψ over σ_d \[1/m\].
+    fn inlet_slope(&self, attenuated_rms: Length, psi: f64) -> Result<f64, LoadShareError> {
+        let sigma = attenuated_rms.si();
+        if sigma == 0.0 {
+            return Ok(0.0);
         }
+        if self.flow.is_none() {
+            return Ok((1.0 - 1.0 / (psi * psi)) / sigma);
+        }
+        let at = |part: f64| self.inlet_factor(attenuated_rms * part);
+        let step = 1e-4;
+        Ok((at(1.0 + step)? / at(1.0 - step)?).ln() / (2.0 * step * sigma))
     }
 
     /// h̄(φ) \[m\] with its inputs checked once.

@@ -1,10 +1,12 @@
 //! Roughness of a window as the inlet of its contact leaves it: how high it is, and where the film's pressure ripples.
 
-use asperity_core::cite;
 use asperity_core::numerics::{Lanes, add_times, vectorised};
 use asperity_core::quantity::{Length, Pressure};
-use asperity_ehl_regime::Attenuation;
+use asperity_core::{DomainError, cite};
+use asperity_ehl_regime::{Attenuation, Patch};
 use serde::{Deserialize, Serialize};
+
+use crate::error::LoadShareError;
 
 /// Parts into which a window is divided by the pressure that flattens it.
 const PARTS: usize = 24;
@@ -114,6 +116,23 @@ impl WindowRoughness {
             cite!("Ripple-pressure");
             cite!("Ripple-parts");
         }
+    }
+
+    /// A flattened patch of both flanks, with the pressures \[Pa\] that flatten its heights if its film ripples.
+    ///
+    /// # Errors
+    /// When the numbers of pressures and heights differ.
+    pub fn of_patch(patch: &Patch, pressures: Option<&[f64]>) -> Result<Self, LoadShareError> {
+        if let Some(number) = pressures.map(<[f64]>::len) {
+            let rule = "must be as many as the heights of the patch";
+            let fits = number == patch.heights().len();
+            DomainError::require(fits, "pressures of a patch", number as f64, "-", rule)?;
+        }
+        Ok(Self::of(
+            [patch.heights()],
+            pressures.map(|pressures| [pressures]),
+            0.0,
+        ))
     }
 
     /// Whether pressure flattens it anywhere.

@@ -255,10 +255,7 @@ impl PositionFilm<'_> {
         let psi = self.inlet_factor(attenuated_rms)?;
         let supply = self.supply_of(psi)?;
         // Relative slope of the gap supplied over σ_d.
-        let by_deviation = match attenuated_rms.si() > 0.0 {
-            true => (1.0 - 1.0 / (psi * psi)) / attenuated_rms.si(),
-            false => 0.0,
-        };
+        let by_deviation = self.inlet_slope(attenuated_rms, psi)?;
         let at = table.at_supply(&supply)?;
         let coefficient = self.share(table, window)?.value.coefficient;
         let c = match self.film.heat() == FilmHeat::Isothermal {

@@ -25,7 +25,8 @@ use asperity_core::quantity::{
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::light_load::LightLoad;
 use asperity_ehl_regime::{
-    Attenuation, FilmConditions, GapLaw, MoesNumbers, PairSpectrum, ThermalLaw, TraceSpectrum,
+    Attenuation, FilmConditions, GapLaw, MoesNumbers, PairSpectrum, Patch, PatchPair,
+    PatchSpectrum, ThermalLaw, TraceSpectrum,
 };
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, FilmPressure, GapRoughness, InletSupply, Kinks, LoadShareError,
@@ -623,6 +624,80 @@ fn friction_does_not_depend_on_the_windows_before() {
     }
     println!("{largest:.1e}");
     assert!(largest < 1e-7, "{largest:.1e}");
+}
+
+#[test]
+fn patches_are_fed_by_their_computed_flow_and_lines_as_before() {
+    let (contact, rheology) = (e_drive(), oil("e-fluid"));
+    let settings = LoadShareSettings {
+        gap_roughness: GapRoughness::Rms,
+        ..LoadShareSettings::default()
+    };
+    let fresh = |settings| PositionFilm::new(&rheology, &contact, celsius(90.0), settings).unwrap();
+    let [first, second] = &ground().spectra;
+    let lines = PairSpectrum::of([first, second]);
+    let of_lines = fresh(&settings).flattening(&lines).unwrap();
+    // Patches that are constant along the lead.
+    let untouched = Attenuation::new(GapLaw::Inlet, 0.0).unwrap();
+    let spectra = [first, second].map(|trace| {
+        let row = trace.attenuated(&untouched);
+        let (size, heights) = ([row.len(), 2], row.repeat(2));
+        PatchSpectrum::new(&Patch::new(heights, size, [SPACING; 2]).unwrap())
+    });
+    let patches = PatchPair::new(spectra, 1).unwrap();
+    let same =
+        patches.waves().roughness(&of_lines.attenuation) / lines.roughness(&of_lines.attenuation);
+    assert!((same - 1.0).abs() < 1e-9);
+
+    let mut film = fresh(&settings);
+    let flattening = film.patch_flattening(&patches).unwrap();
+    assert_eq!(flattening.peak_weight, 0.0);
+    assert_eq!(flattening.ripple_modulus, of_lines.ripple_modulus);
+    let traces = AttenuatedTraces::new([first, second], &flattening);
+    let window = traces.window(STARTS, points(&contact)).unwrap();
+    let found = film.share(ground_table(), &window).unwrap().value;
+    let flow = patches.flow(&flattening.attenuation).unwrap();
+    let factor = flow
+        .inlet_factor(window.deviation, film.supply_film())
+        .unwrap();
+    assert_eq!(found.inlet_factor, factor);
+    // The highest ridge of the whole length closes the gap that the second order keeps open.
+    let by_lines = of_window(&mut fresh(&settings), &lines);
+    assert!(found.inlet_factor > 1.05 * by_lines.inlet_factor);
+    assert!(found.asperity_share < by_lines.asperity_share);
+    // The film of lines that had patches before is the one of lines.
+    let again = of_window(&mut film, &lines);
+    assert_eq!(again.inlet_factor, by_lines.inlet_factor);
+    assert_eq!(again.asperity_share, by_lines.asperity_share);
+
+    // A window of a patch is the window of its trace.
+    let offset = [STARTS[1] - STARTS[0], 0];
+    let attenuation = &flattening.attenuation;
+    let left = patches.attenuated(attenuation, offset);
+    let pressures = patches.ripple(attenuation, contact.modulus, offset);
+    let cut = |of: &[f64]| of[STARTS[0]..STARTS[0] + points(&contact)].repeat(2);
+    let size = [points(&contact), 2];
+    let piece = Patch::new(cut(left.heights()), size, [SPACING; 2]).unwrap();
+    let of_piece = WindowRoughness::of_patch(&piece, Some(&cut(&pressures))).unwrap();
+    assert!((of_piece.deviation / window.deviation - 1.0).abs() < 1e-9);
+    assert_eq!(of_piece.ripple.len(), window.ripple.len());
+    assert!(WindowRoughness::of_patch(&piece, Some(&[0.0])).is_err());
+
+    let power = LoadShareSettings {
+        gap_law: GapLaw::Power,
+        ..settings
+    };
+    let refused = fresh(&power).patch_flattening(&patches).unwrap_err();
+    assert!(refused.to_string().contains("gap law"), "{refused}");
+}
+
+/// The share of the ground pair's window after the flattening of lines.
+fn of_window(film: &mut PositionFilm<'_>, lines: &PairSpectrum) -> LoadShareSolution {
+    let flattening = film.flattening(lines).unwrap();
+    let spectra = &ground().spectra;
+    let traces = AttenuatedTraces::new(spectra.each_ref(), &flattening);
+    let window = traces.window(STARTS, points(&e_drive())).unwrap();
+    film.share(ground_table(), &window).unwrap().value
 }
 
 #[test]

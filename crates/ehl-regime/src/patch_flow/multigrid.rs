@@ -1,0 +1,291 @@
+//! Conductances between the cells of a periodic grid, and a solver for the pressures in them.
+//!
+//! Conjugate gradients with one cycle over halved grids as preconditioner. A cell of a halved grid is two or four cells, and the
+//! conductance between two of them is the sum over their common faces, halved where the faces lie twice as far apart as before.
+
+use asperity_core::numerics::{add_times, dot};
+
+/// Cells of a grid that is small enough to be relaxed only.
+const FEWEST: usize = 16;
+/// Relaxations of the smallest grid.
+const ON_SMALLEST: usize = 12;
+/// Ratio of the conductances of both directions from which only the better conducting one is halved.
+const LOPSIDED: f64 = 2.0;
+
+/// A grid of cells, each connected with four neighbours, the first with the last.
+pub(super) struct Grid {
+    /// Number of cells in a row, and of rows.
+    pub size: [usize; 2],
+    /// Conductance to the next cell of the row.
+    pub along: Vec<f64>,
+    /// Conductance to the cell in the next row.
+    pub across: Vec<f64>,
+    /// One over the sum of the four conductances of a cell, zero without any.
+    inverse: Vec<f64>,
+}
+
+impl Grid {
+    /// The grid with the given conductances to the next cells.
+    pub fn new(size: [usize; 2], along: Vec<f64>, across: Vec<f64>) -> Self {
+        let [columns, rows] = size;
+        let mut inverse = vec![0.0; columns * rows];
+        for j in 0..rows {
+            let before = (j + rows - 1) % rows;
+            for i in 0..columns {
+                let left = (i + columns - 1) % columns;
+                let cell = j * columns + i;
+                let in_row = along[cell] + along[j * columns + left];
+                let in_column = across[cell] + across[before * columns + i];
+                let sum = in_row + in_column;
+                inverse[cell] = if sum > 0.0 { 1.0 / sum } else { 0.0 };
+            }
+        }
+        Self {
+            size,
+            along,
+            across,
+            inverse,
+        }
+    }
+
+    pub fn cells(&self) -> usize {
+        self.inverse.len()
+    }
+
+    /// Sum of the inflows from the four neighbours by their pressures, for each cell of row `j` in turn.
+    #[inline(always)]
+    fn visit(
+        &self,
+        j: usize,
+        is_reversed: bool,
+        mut cell: impl FnMut(usize, [usize; 4], [f64; 4]),
+    ) {
+        let [columns, rows] = self.size;
+        let row = j * columns;
+        let (next, before) = ((j + 1) % rows * columns, (j + rows - 1) % rows * columns);
+        let last = columns - 1;
+        let mut at = |i: usize, left: usize, right: usize| {
+            let c = row + i;
+            cell(
+                c,
+                [row + left, row + right, before + i, next + i],
+                [
+                    self.along[row + left],
+                    self.along[c],
+                    self.across[before + i],
+                    self.across[c],
+                ],
+            );
+        };
+        if is_reversed {
+            at(last, last.saturating_sub(1), 0);
+            (1..last).rev().for_each(|i| at(i, i - 1, i + 1));
+            if last > 0 {
+                at(0, last, 1);
+            }
+        } else {
+            if last > 0 {
+                at(0, last, 1);
+            }
+            (1..last).for_each(|i| at(i, i - 1, i + 1));
+            at(last, last.saturating_sub(1), 0);
+        }
+    }
+
+    /// Outflow of each cell at the pressures `p`, subtracted from `sources`.
+    pub fn residual(&self, sources: &[f64], p: &[f64], residual: &mut [f64]) {
+        for j in 0..self.size[1] {
+            self.visit(j, false, |c, cells, faces| {
+                let mut value = sources[c];
+                for (n, face) in cells.into_iter().zip(faces) {
+                    value += face * (p[n] - p[c]);
+                }
+                residual[c] = value;
+            });
+        }
+    }
+
+    /// One Gauss-Seidel pass.
+    fn relax(&self, sources: &[f64], p: &mut [f64], is_reversed: bool) {
+        let rows = self.size[1];
+        for k in 0..rows {
+            let j = if is_reversed { rows - 1 - k } else { k };
+            self.visit(j, is_reversed, |c, cells, faces| {
+                let mut value = sources[c];
+                for (n, face) in cells.into_iter().zip(faces) {
+                    value += face * p[n];
+                }
+                p[c] = value * self.inverse[c];
+            });
+        }
+    }
+}
+
+/// A grid with its work arrays, and the directions in which the next one is halved.
+struct Level {
+    grid: Grid,
+    halved: [bool; 2],
+    sources: Vec<f64>,
+    pressures: Vec<f64>,
+    residual: Vec<f64>,
+}
+
+impl Level {
+    fn new(grid: Grid) -> Self {
+        let zero = || vec![0.0; grid.cells()];
+        let (sources, pressures, residual) = (zero(), zero(), zero());
+        let sum = |of: &[f64]| of.iter().sum::<f64>();
+        let [along, across] = [sum(&grid.along), sum(&grid.across)];
+        let [columns, rows] = grid.size;
+        let large = grid.cells() > FEWEST;
+        let halved = [
+            large && columns > 1 && (across < LOPSIDED * along || rows == 1),
+            large && rows > 1 && (along < LOPSIDED * across || columns == 1),
+        ];
+        Self {
+            grid,
+            halved,
+            sources,
+            pressures,
+            residual,
+        }
+    }
+
+    /// Number of cells in a row and of rows of the halved grid.
+    fn next_size(&self) -> [usize; 2] {
+        [0, 1].map(|d: usize| match self.halved[d] {
+            true => self.grid.size[d].div_ceil(2),
+            false => self.grid.size[d],
+        })
+    }
+
+    /// Cell of the halved grid for every cell of this one.
+    fn visit_next(&self, mut pair: impl FnMut(usize, usize)) {
+        let [columns, rows] = self.grid.size;
+        let [next_columns, _] = self.next_size();
+        let shift = self.halved.map(usize::from);
+        for j in 0..rows {
+            let next_row = (j >> shift[1]) * next_columns;
+            for i in 0..columns {
+                pair(j * columns + i, next_row + (i >> shift[0]));
+            }
+        }
+    }
+
+    fn next_grid(&self) -> Grid {
+        let size = self.next_size();
+        let cells = size[0] * size[1];
+        let (mut along, mut across) = (vec![0.0; cells], vec![0.0; cells]);
+        let [columns, rows] = self.grid.size;
+        let scale = self.halved.map(|halved| if halved { 0.5 } else { 1.0 });
+        self.visit_next(|cell, next| {
+            let [i, j] = [cell % columns, cell / columns];
+            // A face within a halved cell conducts inside of it.
+            if !self.halved[0] || i % 2 == 1 || i + 1 == columns {
+                along[next] += scale[0] * self.grid.along[cell];
+            }
+            if !self.halved[1] || j % 2 == 1 || j + 1 == rows {
+                across[next] += scale[1] * self.grid.across[cell];
+            }
+        });
+        Grid::new(size, along, across)
+    }
+}
+
+/// Grids from the finest to the smallest.
+pub(super) struct Grids {
+    levels: Vec<Level>,
+}
+
+/// Pressures with what is known about them.
+pub(super) struct Pressures {
+    pub values: Vec<f64>,
+    pub iterations: usize,
+}
+
+impl Grids {
+    pub fn new(finest: Grid) -> Self {
+        let mut levels = vec![Level::new(finest)];
+        while let Some(last) = levels.last() {
+            if last.halved == [false, false] {
+                break;
+            }
+            levels.push(Level::new(last.next_grid()));
+        }
+        Self { levels }
+    }
+
+    pub fn finest(&self) -> &Grid {
+        &self.levels[0].grid
+    }
+
+    /// Pressures of which every cell's outflow is its source, by conjugate gradients until `is_done` of the iterate and its
+    /// residual.
+    pub fn solve(
+        &mut self,
+        sources: &[f64],
+        mut is_done: impl FnMut(&Grid, &[f64]) -> bool,
+        most: usize,
+    ) -> Pressures {
+        let cells = sources.len();
+        let mut p = vec![0.0; cells];
+        let mut residual = sources.to_vec();
+        let mut direction = vec![0.0; cells];
+        let mut outflow = vec![0.0; cells];
+        let zero = vec![0.0; cells];
+        let (mut before, mut iterations) = (0.0, 0);
+        while iterations < most && !is_done(self.finest(), &p) {
+            self.levels[0].sources.copy_from_slice(&residual);
+            self.cycle(0);
+            let corrected = &self.levels[0].pressures;
+            let product = dot(&residual, corrected);
+            if product <= 0.0 {
+                break;
+            }
+            let part = if before > 0.0 { product / before } else { 0.0 };
+            for (d, z) in direction.iter_mut().zip(corrected) {
+                *d = z + part * *d;
+            }
+            self.finest().residual(&zero, &direction, &mut outflow);
+            let length = -product / dot(&direction, &outflow);
+            add_times(&mut p, length, &direction);
+            add_times(&mut residual, length, &outflow);
+            before = product;
+            iterations += 1;
+        }
+        Pressures {
+            values: p,
+            iterations,
+        }
+    }
+
+    /// One cycle from zero pressures: symmetric, as the relaxations before and behind run in opposite order.
+    fn cycle(&mut self, k: usize) {
+        let (finer, coarser) = self.levels.split_at_mut(k + 1);
+        let level = &mut finer[k];
+        level.pressures.fill(0.0);
+        let Some(next) = coarser.first_mut() else {
+            for _ in 0..ON_SMALLEST {
+                level
+                    .grid
+                    .relax(&level.sources, &mut level.pressures, false);
+                level.grid.relax(&level.sources, &mut level.pressures, true);
+            }
+            return;
+        };
+        level
+            .grid
+            .relax(&level.sources, &mut level.pressures, false);
+        let (grid, sources) = (&level.grid, &level.sources);
+        grid.residual(sources, &level.pressures, &mut level.residual);
+        next.sources.fill(0.0);
+        level.visit_next(|cell, of| next.sources[of] += level.residual[cell]);
+        self.cycle(k + 1);
+        let (finer, coarser) = self.levels.split_at_mut(k + 1);
+        let (level, next) = (&mut finer[k], &coarser[0].pressures);
+        let mut pressures = std::mem::take(&mut level.pressures);
+        level.visit_next(|cell, of| pressures[cell] += next[of]);
+        level.grid.relax(&level.sources, &mut pressures, true);
+        level.pressures = pressures;
+    }
+}
