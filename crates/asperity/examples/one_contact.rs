@@ -21,6 +21,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
         modulus: "115.4 GPa".parse()?,
         boundary: Boundary::FreeEnds,
         control: Control::Load("300 N/mm".parse()?),
+        lead: None,
         prescribed_pressure: None,
         pressure_limit: Some("4 GPa".parse()?),
         start: None,

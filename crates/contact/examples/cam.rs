@@ -27,6 +27,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             modulus: "115.4 GPa".parse()?,
             boundary: Boundary::FreeEnds,
             control: Control::Load(load),
+            lead: None,
             prescribed_pressure: None,
             pressure_limit: None,
             start: None,

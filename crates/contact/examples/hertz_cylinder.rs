@@ -26,6 +26,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         modulus,
         boundary: Boundary::FreeEnds,
         control: Control::Load(load),
+        lead: None,
         prescribed_pressure: None,
         pressure_limit: None,
         start: None,

@@ -22,6 +22,7 @@ use serde::Serialize;
 
 use crate::boundary::{Boundary, PeriodicKernel};
 use crate::error::ContactError;
+use crate::grid::plane_kernel;
 use crate::half_plane::cell_compliance;
 use crate::problem::{ContactProblem, Control};
 use crate::strip_kernel::{column_of_period, spectral_symbol, strip, strip_column};
@@ -54,8 +55,7 @@ enum State {
 
 /// The problem in the units of the matrix.
 struct DenseProblem {
-    /// First column of A.
-    column: Vec<f64>,
+    matrix: Matrix,
     /// h plus the displacement by the prescribed pressure, minus a controlled approach, in m.
     gap: Vec<f64>,
     /// Σy if the load is controlled.
@@ -74,7 +74,7 @@ struct DenseProblem {
 /// let problem = ContactProblem {
 ///     gap: &[1e-6, 0.0, 1e-6], spacing: "1 um".parse()?, modulus: "100 GPa".parse()?,
 ///     boundary: Boundary::FreeEnds, control: Control::Load("1 N/mm".parse()?),
-///     prescribed_pressure: None, pressure_limit: None, start: None,
+///     lead: None, prescribed_pressure: None, pressure_limit: None, start: None,
 /// };
 /// let pressure = solve_dense(&problem)?.pressure;
 /// assert!(pressure[0] == 0.0 && (pressure[1] - 1e9).abs() < 1.0);
@@ -83,7 +83,7 @@ struct DenseProblem {
 pub fn solve_dense(problem: &ContactProblem) -> Result<DenseSolution, ContactError> {
     problem.validate()?;
     let compliance = cell_compliance(problem.spacing, problem.modulus)?;
-    let dense = DenseProblem::new(problem, compliance);
+    let dense = DenseProblem::new(problem, compliance)?;
     let mut states = dense.first_states(problem);
     let mut changes = states.len();
     for steps in 1..=MAX_SET_UPDATES {
@@ -107,19 +107,10 @@ pub fn solve_dense(problem: &ContactProblem) -> Result<DenseSolution, ContactErr
 }
 
 impl DenseProblem {
-    fn new(problem: &ContactProblem, compliance: f64) -> Self {
-        let points = problem.gap.len();
-        let datum = datum_term(problem);
-        let column: Vec<f64> = match problem.boundary {
-            Boundary::FreeEnds => strip_column(points),
-            Boundary::Periodic(PeriodicKernel::Strip) => column_of_period(points),
-            Boundary::Periodic(PeriodicKernel::Spectral) => spectral_column(points),
-        }
-        .iter()
-        .map(|c| c + datum)
-        .collect();
+    fn new(problem: &ContactProblem, compliance: f64) -> Result<Self, ContactError> {
+        let rows = problem.cells()?.rows as f64;
         let mut dense = Self {
-            column,
+            matrix: Matrix::of(problem)?,
             gap: problem.gap.to_vec(),
             sum: None,
             limit: limit_of(problem) * compliance,
@@ -132,14 +123,16 @@ impl DenseProblem {
             }
         }
         match problem.control {
-            Control::Load(load) => dense.sum = Some(load.si() / problem.spacing.si() * compliance),
+            Control::Load(load) => {
+                dense.sum = Some(load.si() / problem.spacing.si() * compliance * rows);
+            }
             Control::Approach { approach, .. } => {
                 for h in &mut dense.gap {
                     *h -= approach.si();
                 }
             }
         }
-        dense
+        Ok(dense)
     }
 
     /// First sets: the sets of a start; without one all points touching under a load, or the points that overlap before
@@ -184,7 +177,7 @@ impl DenseProblem {
     fn displacement(&self, y: &[f64]) -> Vec<f64> {
         let pressed: Vec<usize> = (0..y.len()).filter(|&j| y[j] != 0.0).collect();
         let row = |i: usize| {
-            let terms = pressed.iter().map(|&j| self.column[i.abs_diff(j)] * y[j]);
+            let terms = pressed.iter().map(|&j| self.matrix.element(i, j) * y[j]);
             terms.sum()
         };
         (0..y.len()).map(row).collect()
@@ -210,7 +203,7 @@ impl DenseProblem {
             return self.sum.is_none().then_some((y, 0.0));
         }
         let flowing = self.displacement(&y);
-        let factor = factor(&self.column, touching)?;
+        let factor = self.matrix.factor(touching)?;
         // The pressures are those at zero approach plus α times those of a unit approach.
         let closed = touching.iter().map(|&i| -self.gap[i] - flowing[i]);
         let mut closed: Vec<f64> = closed.collect();
@@ -234,8 +227,9 @@ impl DenseProblem {
             (Control::Load(_), Boundary::FreeEnds) => Length::from_si(alpha),
             (Control::Load(_), Boundary::Periodic(_)) => {
                 let prescribed: f64 = problem.prescribed_pressure.unwrap_or(&[]).iter().sum();
+                let rows = self.matrix.rows as f64;
                 let total = self.sum.unwrap_or(0.0) + prescribed * compliance;
-                Length::from_si(alpha - datum_term(problem) * total)
+                Length::from_si(alpha - datum_term(problem) / rows * total)
             }
         }
     }
@@ -271,10 +265,47 @@ fn touching(states: &[State]) -> Vec<usize> {
     (0..states.len()).filter(is_touching).collect()
 }
 
-/// Factor of the rows and columns `touching` of the matrix with this first column.
-fn factor(column: &[f64], touching: &[usize]) -> Option<Cholesky> {
-    let element = |i: usize, j: usize| column[touching[i].abs_diff(touching[j])];
-    Cholesky::new(touching.len(), element, 0.0)
+/// A, from the displacement by one cell.
+struct Matrix {
+    /// Displacement at the lags along rolling and along the lead, row after row.
+    kernel: Vec<f64>,
+    columns: usize,
+    rows: usize,
+}
+
+impl Matrix {
+    fn of(problem: &ContactProblem) -> Result<Self, ContactError> {
+        let cells = problem.cells()?;
+        let datum = datum_term(problem) / cells.rows as f64;
+        let mut kernel = match problem.boundary {
+            boundary if cells.rows > 1 => plane_kernel(cells, boundary),
+            Boundary::FreeEnds => strip_column(cells.columns),
+            Boundary::Periodic(PeriodicKernel::Strip) => column_of_period(cells.columns),
+            Boundary::Periodic(PeriodicKernel::Spectral) => spectral_column(cells.columns),
+        };
+        kernel.iter_mut().for_each(|c| *c += datum);
+        Ok(Self {
+            kernel,
+            columns: cells.columns,
+            rows: cells.rows,
+        })
+    }
+
+    fn element(&self, i: usize, j: usize) -> f64 {
+        if self.rows == 1 {
+            return self.kernel[i.abs_diff(j)];
+        }
+        let [[row, column], [other_row, other]] =
+            [i, j].map(|k| [k / self.columns, k % self.columns]);
+        let rows = row.abs_diff(other_row);
+        self.kernel[rows * self.columns + column.abs_diff(other)]
+    }
+
+    /// Factor of the rows and columns `touching`.
+    fn factor(&self, touching: &[usize]) -> Option<Cholesky> {
+        let element = |i: usize, j: usize| self.element(touching[i], touching[j]);
+        Cholesky::new(touching.len(), element, 0.0)
+    }
 }
 
 /// A solved contact under a load whose sets are held: its derivatives over the undeformed gap.
@@ -299,16 +330,11 @@ impl FixedSets {
         if touching.len() > MAX_POINTS {
             return Err(ContactError::too_many_points(touching.len(), MAX_POINTS));
         }
-        let datum = datum_term(problem);
-        let column: Vec<f64> = strip_column(states.len())
-            .iter()
-            .map(|c| c + datum)
-            .collect();
         let is_load = matches!(
             (problem.boundary, problem.control),
             (Boundary::FreeEnds, Control::Load(_))
         );
-        match factor(&column, &touching) {
+        match Matrix::of(problem)?.factor(&touching) {
             Some(factor) if is_load && !touching.is_empty() => Ok(Self {
                 points: states.len(),
                 touching,

@@ -146,12 +146,14 @@ impl ContactError {
     }
 }
 
-/// Number of points and boundary of a [`Solver`](crate::Solver).
+/// Number of points and of rows, and boundary of a [`Solver`](crate::Solver).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct SolverShape {
     /// Number of points.
     pub points: usize,
+    /// Rows along the lead; one of a line.
+    pub rows: usize,
     /// Boundary of the window.
     pub boundary: Boundary,
 }
@@ -170,7 +172,15 @@ impl ContactError {
 
 impl std::fmt::Display for SolverShape {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} points with {}", self.points, self.boundary)
+        let Self {
+            points,
+            rows,
+            boundary,
+        } = self;
+        match rows {
+            1 => write!(f, "{points} points with {boundary}"),
+            _ => write!(f, "{points} points in {rows} rows with {boundary}"),
+        }
     }
 }
 

@@ -23,7 +23,7 @@ use asperity_core::{DomainError, cite};
 use rustfft::FftPlanner;
 
 use crate::boundary::{Boundary, PeriodicKernel};
-use crate::convolution::{Buffers, EvenFilter, fast_length};
+use crate::convolution::{Buffers, Convolution, EvenFilter, fast_length};
 use crate::error::ContactError;
 use crate::problem::LEAST_POINTS;
 use crate::strip_kernel::{column_of_period, spectral_symbol, strip_column};
@@ -103,8 +103,19 @@ pub(crate) fn displace(
     pressure: &[f64],
     displacement: &mut [f64],
 ) -> Result<(), ContactError> {
+    check_lengths(filter.points(), pressure, displacement)?;
+    filter.filter(buffers, compliance, pressure);
+    displacement.copy_from_slice(buffers.signal(filter.points()));
+    Ok(())
+}
+
+/// Checks that pressure and displacement have `need` values.
+pub(crate) fn check_lengths(
+    need: usize,
+    pressure: &[f64],
+    displacement: &[f64],
+) -> Result<(), ContactError> {
     cite!("P1");
-    let need = filter.points();
     for (name, got) in [
         ("pressure", pressure.len()),
         ("displacement", displacement.len()),
@@ -113,8 +124,6 @@ pub(crate) fn displace(
             return Err(ContactError::WrongLength { name, need, got });
         }
     }
-    filter.filter(buffers, compliance, pressure);
-    displacement.copy_from_slice(buffers.signal(need));
     Ok(())
 }
 

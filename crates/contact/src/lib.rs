@@ -7,6 +7,7 @@
 //! | for | see |
 //! |---|---|
 //! | two measured profiles | [`two_flanks`] |
+//! | a patch: a window with an extent along the lead | [`Lead`] |
 //! | plastic flow of the surface, running-in | [`plasticity`], [`running_in`] |
 //! | stress below the surface | [`subsurface`] |
 //! | closed forms | [`hertz_line`], [`hertz_point`], [`westergaard`], [`flat_punch`] |
@@ -18,17 +19,20 @@
 
 pub mod array_file;
 pub mod boundary;
+mod cells;
 pub mod certificate;
 mod convolution;
 pub mod dense_reference;
 pub mod error;
 pub mod flat_punch;
+mod grid;
 pub mod half_plane;
 pub mod hertz_line;
 pub mod hertz_point;
 pub mod path;
 pub mod plasticity;
 pub mod problem;
+mod rectangle_kernel;
 pub mod running_in;
 pub mod shakedown;
 pub mod solver;
@@ -38,6 +42,7 @@ pub mod two_flanks;
 pub mod westergaard;
 
 pub use boundary::{Boundary, PeriodicKernel};
+pub use cells::Lead;
 pub use certificate::Certificate;
 pub use error::{ContactError, SolverShape};
 pub use path::Path;

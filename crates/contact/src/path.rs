@@ -24,7 +24,7 @@ use crate::solver::Solver;
 ///     let solution = path.step(&ContactProblem {
 ///         gap: &gap, spacing: "0.6 um".parse()?, modulus: "115.4 GPa".parse()?,
 ///         boundary: Boundary::FreeEnds, control: Control::Load(LineLoad::from_si(load)),
-///         prescribed_pressure: None, pressure_limit: None, start: None,
+///         lead: None, prescribed_pressure: None, pressure_limit: None, start: None,
 ///     })?;
 ///     assert!(solution.approach.si() > approach);
 ///     approach = solution.approach.si();

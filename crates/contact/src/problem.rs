@@ -6,6 +6,7 @@ use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
 use serde::{Deserialize, Serialize};
 
 use crate::boundary::Boundary;
+use crate::cells::{Cells, Lead};
 use crate::certificate::Certificate;
 use crate::error::ContactError;
 
@@ -38,13 +39,16 @@ pub enum Control {
 /// Two elastic half-planes with a gap between them, pressed together.
 #[derive(Debug, Clone, Copy)]
 pub struct ContactProblem<'a> {
-    /// Undeformed gap h in m at the cell centres, from any datum; may be negative.
+    /// Undeformed gap h in m at the cell centres, from any datum; may be negative. Of a patch row after row, each along
+    /// rolling.
     pub gap: &'a [f64],
-    /// Distance of the cell centres.
+    /// Distance of the cell centres along rolling.
     pub spacing: Length,
+    /// Rows along the lead; `None` for a line, which is the same at every place along the lead.
+    pub lead: Option<Lead>,
     /// Reduced modulus E*.
     pub modulus: Pressure,
-    /// Ends of the window.
+    /// Ends of the window along rolling.
     pub boundary: Boundary,
     /// Load or approach.
     pub control: Control,
@@ -95,7 +99,7 @@ pub struct ContactSolution {
     pub displacement: Vec<f64>,
     /// Gap in m after elastic and plastic displacement, not negative except within the tolerance.
     pub gap: Vec<f64>,
-    /// Load Σ p·dx, without the prescribed pressure.
+    /// Load Σ p·dx, of a patch the mean over the lead, without the prescribed pressure.
     pub load: LineLoad,
     /// δ in g = h + u − δ.
     pub approach: Length,
@@ -108,7 +112,7 @@ pub struct ContactSolution {
     pub max_pressure: Pressure,
     /// Plastic displacement w in m of both bodies together, where the pressure is at its limit.
     pub plastic_displacement: Vec<f64>,
-    /// Energy dissipated by the plastic displacement.
+    /// Energy dissipated by the plastic displacement, as all energies and loads per metre of the lead.
     pub dissipated: LineEnergy,
     /// Elastic energy ½ ∫ (p + prescribed)·u dx with u from `displacement`; depends on its datum.
     pub elastic_energy: LineEnergy,
@@ -219,6 +223,7 @@ impl<'a> ContactProblem<'a> {
             modulus,
             boundary: Boundary::FreeEnds,
             control: Control::Load(load),
+            lead: None,
             prescribed_pressure: None,
             pressure_limit: None,
             start: None,
@@ -227,9 +232,15 @@ impl<'a> ContactProblem<'a> {
 }
 
 impl ContactProblem<'_> {
-    /// Length of the window, including half a cell beyond the first and the last point.
+    /// Length of the window along rolling, including half a cell beyond the first and the last point.
     pub fn window_length(&self) -> Length {
-        self.spacing * self.gap.len() as f64
+        let rows = self.lead.map_or(1, |lead| lead.rows.max(1));
+        self.spacing * (self.gap.len() / rows) as f64
+    }
+
+    /// Cells of the window of a valid problem; a line is one row.
+    pub(crate) fn cells(&self) -> Result<Cells, ContactError> {
+        Cells::of(self.gap.len(), self.spacing, self.lead)
     }
 
     /// Datum distance of the solution: the one of a controlled approach, or twice the window.
@@ -244,10 +255,10 @@ impl ContactProblem<'_> {
     /// Checks the problem.
     pub(crate) fn validate(&self) -> Result<(), ContactError> {
         let points = self.gap.len();
-        if points < LEAST_POINTS {
-            return Err(ContactError::too_few_points(points, LEAST_POINTS));
+        let columns = self.cells()?.columns;
+        if columns < LEAST_POINTS {
+            return Err(ContactError::too_few_points(columns, LEAST_POINTS));
         }
-        DomainError::positive("spacing", self.spacing)?;
         DomainError::positive("reduced modulus", self.modulus)?;
         check_elements(
             "gap",

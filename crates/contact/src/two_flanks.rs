@@ -106,6 +106,7 @@ impl TwoFlanks<'_> {
             modulus: self.modulus,
             boundary: Boundary::FreeEnds,
             control: Control::Load(self.load),
+            lead: None,
             prescribed_pressure: None,
             pressure_limit: self.pressure_limit,
             start: None,

@@ -2,6 +2,7 @@
 
 mod common;
 mod flow;
+mod lead;
 mod limits;
 mod orders;
 mod patches;

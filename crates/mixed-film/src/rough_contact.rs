@@ -9,14 +9,14 @@ use std::sync::Arc;
 use asperity_contact::dense_reference::FixedSets;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::{
-    Boundary, ContactError, ContactProblem, ContactSolution, Solver, SolverSettings,
+    Boundary, ContactError, ContactProblem, ContactSolution, Lead, Solver, SolverSettings,
 };
 use asperity_core::numerics::Lanes;
 use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
 use asperity_core::{DomainError, cite};
 
 use crate::error::LoadShareError;
-use crate::spot_tree::{BySpot, Spot, pressure_gradient, push_spots};
+use crate::spot_tree::{BySpot, Spot, SpotGrid, pressure_gradient, spots_of};
 
 /// Share of the Hertz half width over which the gap is averaged.
 const CORE: f64 = 0.8;
@@ -44,6 +44,45 @@ pub struct RoughWindow<'a> {
     pub settings: SolverSettings,
 }
 
+/// Inputs of the rough contact of a patch: a window with an extent along the lead, over which it is periodic.
+#[derive(Debug, Clone, Copy)]
+pub struct PatchWindow<'a> {
+    /// Heights z₁ + z₂ of the composite window \[m\], row after row, the contact in the middle of each; not attenuated.
+    pub composite: &'a [f64],
+    /// Points along rolling.
+    pub columns: usize,
+    /// Points along the lead; a window with one row is a line.
+    pub rows: usize,
+    /// Distances of the columns and of the rows.
+    pub spacings: [Length; 2],
+    /// Mean load per length of contact line w.
+    pub load: LineLoad,
+    /// Relative radius of curvature R.
+    pub radius: Length,
+    /// Reduced modulus E*.
+    pub modulus: Pressure,
+    /// Pressure at which the softer flank flows.
+    pub flow_pressure: Pressure,
+    /// Settings of the contact solver.
+    pub settings: SolverSettings,
+}
+
+impl<'a> From<&RoughWindow<'a>> for PatchWindow<'a> {
+    fn from(line: &RoughWindow<'a>) -> Self {
+        Self {
+            composite: line.composite,
+            columns: line.composite.len(),
+            rows: 1,
+            spacings: [line.spacing; 2],
+            load: line.load,
+            radius: line.radius,
+            modulus: line.modulus,
+            flow_pressure: line.flow_pressure,
+            settings: line.settings,
+        }
+    }
+}
+
 /// The contact at one asperity share.
 #[derive(Debug, Clone)]
 pub struct ContactState {
@@ -51,7 +90,7 @@ pub struct ContactState {
     pub asperity_share: f64,
     /// Mean gap over the middle 0.8 of the Hertz contact.
     pub mean_gap: Length,
-    /// Touching spots, from one end of the window to the other.
+    /// Touching spots, from one end of the window to the other, of a patch row after row.
     pub spots: Vec<Spot>,
     /// Share of the points within the Hertz contact that touch.
     pub area: f64,
@@ -87,7 +126,7 @@ impl SparsePressure {
     }
 }
 
-/// A window of two rough flanks, to be solved at any asperity share.
+/// A window of two rough flanks along a line or over a patch, to be solved at any asperity share.
 ///
 /// Keeps the last pressure as the start of the next share.
 pub struct RoughContact {
@@ -97,7 +136,7 @@ pub struct RoughContact {
     gap: Vec<f64>,
     last: Option<(f64, Vec<f64>)>,
     solver: Solver,
-    spacing: Length,
+    grid: SpotGrid,
     load: f64,
     modulus: Pressure,
     flow_pressure: f64,
@@ -105,7 +144,7 @@ pub struct RoughContact {
     is_exact: bool,
 }
 
-/// The contact of smooth flanks on the cells of a window, which all windows of a position share.
+/// The contact of smooth flanks on the columns of a window, which all windows of a position share.
 struct SmoothContact {
     /// Number of cells, and bits of spacing, load, radius and modulus.
     of: (usize, [u64; 4]),
@@ -113,7 +152,7 @@ struct SmoothContact {
     hertz: Vec<f64>,
     /// Displacement by it \[m\].
     displacement: Vec<f64>,
-    /// Cells over which the gap is averaged, and cells of the Hertz contact.
+    /// Columns over which the gap is averaged, and columns of the Hertz contact.
     core: std::ops::Range<usize>,
     inside: std::ops::Range<usize>,
     max_hertz: f64,
@@ -126,9 +165,13 @@ thread_local! {
 
 impl SmoothContact {
     /// The contact in the middle of `window`, whose numbers are valid; made by the thread before, if it was the last one.
-    fn of(window: &RoughWindow<'_>, solver: &mut Solver) -> Result<Arc<Self>, LoadShareError> {
-        let n = window.composite.len();
-        let (dx, w, r) = (window.spacing.si(), window.load.si(), window.radius.si());
+    fn of(window: &PatchWindow<'_>, solver: &mut Solver) -> Result<Arc<Self>, LoadShareError> {
+        let n = window.columns;
+        let (dx, w, r) = (
+            window.spacings[0].si(),
+            window.load.si(),
+            window.radius.si(),
+        );
         let of = (n, [dx, w, r, window.modulus.si()].map(f64::to_bits));
         if let Some(last) = LAST.with_borrow(|last| last.clone().filter(|last| last.of == of)) {
             return Ok(last);
@@ -145,8 +188,14 @@ impl SmoothContact {
             *p *= scale;
         }
         let mut displacement = vec![0.0; n];
-        let cell = (window.spacing, window.modulus);
-        solver.displacement(cell, &hertz, &mut displacement)?;
+        let cell = (window.spacings[0], None, window.modulus);
+        match window.rows {
+            1 => solver.displacement(cell, &hertz, &mut displacement)?,
+            _ => {
+                let mut line = Solver::new(n, Boundary::FreeEnds)?;
+                line.displacement(cell, &hertz, &mut displacement)?;
+            }
+        }
         let within = |limit: f64| {
             let first = (0..n).find(|&i| place(i).abs() < limit).unwrap_or(0);
             let count = (first..n).take_while(|&i| place(i).abs() < limit).count();
@@ -177,12 +226,25 @@ impl RoughContact {
     /// When a height is not finite, load, radius, modulus or spacing not positive, the window does not hold
     /// the Hertz contact, or the flow pressure is below one and a half times the Hertz pressure.
     pub fn new(window: &RoughWindow<'_>) -> Result<Self, LoadShareError> {
+        Self::of_patch(&window.into())
+    }
+
+    /// The contact of a patch, pressed together by the mean load.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), and when the heights are not rows of columns.
+    pub fn of_patch(window: &PatchWindow<'_>) -> Result<Self, LoadShareError> {
         let w = DomainError::positive("line load", window.load)?;
         let r = DomainError::positive("radius", window.radius)?;
-        let dx = DomainError::positive("spacing", window.spacing)?;
+        let dx = DomainError::positive("spacing", window.spacings[0])?;
+        DomainError::positive("spacing along the lead", window.spacings[1])?;
         let flow = DomainError::positive("flow pressure", window.flow_pressure)?;
         let line = HertzLine::new(window.load, window.radius, window.modulus)?;
-        let n = window.composite.len();
+        let (n, rows) = (window.columns, window.rows);
+        let points = window.composite.len();
+        let rule = "must be the number of rows times the number of columns";
+        let is_patch = rows > 0 && points == n * rows;
+        DomainError::require(is_patch, "number of heights", points as f64, "-", rule)?;
         let reach = 0.5 * (n as f64 - 1.0) * dx;
         let rule = "must be longer than the Hertz contact is wide";
         let fits = reach > line.half_width.si();
@@ -190,7 +252,7 @@ impl RoughContact {
         for &z in window.composite {
             DomainError::finite("height", Length::from_si(z))?;
         }
-        let mut solver = Solver::new(n, Boundary::FreeEnds)?;
+        let mut solver = Solver::of_patch([n, rows], Boundary::FreeEnds)?;
         let smooth = SmoothContact::of(window, &mut solver)?;
         let least = LEAST_FLOW_PRESSURE * smooth.max_hertz;
         if flow < least {
@@ -202,13 +264,17 @@ impl RoughContact {
         let heights = window.composite.iter().enumerate();
         Ok(Self {
             undeformed: heights
-                .map(|(i, z)| place(i, n, dx).powi(2) / (2.0 * r) - z)
+                .map(|(i, z)| place(i % n, n, dx).powi(2) / (2.0 * r) - z)
                 .collect(),
             smooth,
-            gap: vec![0.0; n],
+            gap: vec![0.0; points],
             last: None,
             solver,
-            spacing: window.spacing,
+            grid: SpotGrid {
+                columns: n,
+                rows,
+                spacings: window.spacings,
+            },
             load: w,
             modulus: window.modulus,
             flow_pressure: flow,
@@ -239,12 +305,29 @@ impl RoughContact {
     /// Mean gap where the flanks, deformed by the whole film pressure, first touch anywhere in the window.
     #[must_use]
     pub fn first_touch_gap(&self) -> Length {
-        let gap = |i: usize| self.undeformed[i] + self.smooth.displacement[i];
+        let gap = |i: usize| self.smooth_gap(i);
         let least = (0..self.undeformed.len())
             .map(gap)
             .fold(f64::INFINITY, f64::min);
-        let sum: f64 = self.smooth.core.clone().map(|i| gap(i) - least).sum();
-        Length::from_si(sum / self.smooth.core.len() as f64)
+        let sum: f64 = self.within(&self.smooth.core).map(|i| gap(i) - least).sum();
+        Length::from_si(sum / self.core_points())
+    }
+
+    /// Gap at a point under the whole film pressure \[m\].
+    fn smooth_gap(&self, point: usize) -> f64 {
+        self.undeformed[point] + self.smooth.displacement[point % self.grid.columns]
+    }
+
+    /// Points of some columns, row after row.
+    fn within(&self, columns: &std::ops::Range<usize>) -> impl Iterator<Item = usize> + use<> {
+        let (all, columns) = (self.grid.columns, columns.clone());
+        let rows = (0..self.grid.rows).map(move |row| row * all);
+        rows.flat_map(move |first| first + columns.start..first + columns.end)
+    }
+
+    /// Number of points over which the gap is averaged.
+    fn core_points(&self) -> f64 {
+        (self.smooth.core.len() * self.grid.rows) as f64
     }
 
     /// The contact at one asperity share.
@@ -318,15 +401,20 @@ impl RoughContact {
     ) -> Result<ContactSolution, LoadShareError> {
         let fluid = 1.0 - phi;
         let limit = self.limit(phi);
-        let parts = self.undeformed.iter().zip(&self.smooth.displacement);
-        for (gap, (h, u)) in self.gap.iter_mut().zip(parts) {
-            *gap = h + fluid * u;
+        let columns = self.grid.columns;
+        let rows = self.undeformed.chunks_exact(columns);
+        for (gap, undeformed) in self.gap.chunks_exact_mut(columns).zip(rows) {
+            let parts = undeformed.iter().zip(&self.smooth.displacement);
+            for (gap, (h, u)) in gap.iter_mut().zip(parts) {
+                *gap = h + fluid * u;
+            }
         }
         let problem = ContactProblem {
+            lead: self.lead(),
             pressure_limit: Some(limit),
             ..ContactProblem::new(
                 &self.gap,
-                self.spacing,
+                self.grid.spacings[0],
                 self.modulus,
                 LineLoad::from_si(phi * self.load),
             )
@@ -334,34 +422,35 @@ impl RoughContact {
         Ok(solve(&mut self.solver, &problem, &self.settings)?)
     }
 
+    /// Rows of a patch.
+    fn lead(&self) -> Option<Lead> {
+        let SpotGrid { rows, spacings, .. } = self.grid;
+        (rows > 1).then_some(Lead {
+            rows,
+            spacing: spacings[1],
+        })
+    }
+
     fn state(&self, phi: f64, solution: ContactSolution) -> ContactState {
-        let core: f64 = solution.gap[self.smooth.core.clone()]
-            .iter()
-            .map(|g| g.max(0.0))
-            .sum();
-        let touching = self
-            .smooth
-            .inside
-            .clone()
-            .filter(|&i| solution.pressure[i] > 0.0);
+        let core = self
+            .within(&self.smooth.core)
+            .map(|i| solution.gap[i].max(0.0));
+        let core: f64 = core.sum();
+        let inside = &self.smooth.inside;
+        let touching = self.within(inside).filter(|&i| solution.pressure[i] > 0.0);
         let mut highest = Lanes::new([0.0]);
-        highest.fold(
-            [&solution.pressure, &self.smooth.hertz],
-            |[most], [p, h]| {
+        for row in solution.pressure.chunks_exact(self.grid.columns) {
+            highest.fold([row, &self.smooth.hertz], |[most], [p, h]| {
                 let both = p + (1.0 - phi) * h;
                 [if both > most { both } else { most }]
-            },
-        );
-        let [highest] = highest.reduce(|a, b| [a[0].max(b[0])]);
-        let mut spots = Vec::new();
-        for cells in runs(&solution.pressure) {
-            push_spots(&solution.pressure[cells], self.spacing, &mut spots);
+            });
         }
+        let [highest] = highest.reduce(|a, b| [a[0].max(b[0])]);
         ContactState {
             asperity_share: phi,
-            mean_gap: Length::from_si(core / self.smooth.core.len() as f64),
-            spots,
-            area: touching.count() as f64 / self.smooth.inside.len() as f64,
+            mean_gap: Length::from_si(core / self.core_points()),
+            spots: spots_of(&solution.pressure, &self.grid),
+            area: touching.count() as f64 / (inside.len() * self.grid.rows) as f64,
             max_pressure: Pressure::from_si(highest),
             dissipated: solution.dissipated,
             solution,
@@ -385,7 +474,7 @@ impl RoughContact {
     /// j are the points of the middle 0.8 of the Hertz contact that stay apart, N is the number of all its points.
     ///
     /// # Errors
-    /// When the contact has too many touching points.
+    /// When the contact has too many touching points, or is one of a patch.
     pub(crate) fn height_gradient(
         &mut self,
         state: &ContactState,
@@ -393,12 +482,15 @@ impl RoughContact {
         by_spots: &[BySpot],
     ) -> Result<Vec<f64>, LoadShareError> {
         cite!("Share-contact-gradient");
+        let rows = self.grid.rows;
+        let rule = "must be one: only a line has this gradient";
+        DomainError::require(rows == 1, "rows", rows as f64, "-", rule)?;
         let pressure = &state.solution.pressure;
         let problem = ContactProblem {
             pressure_limit: Some(self.limit(state.asperity_share)),
             ..ContactProblem::new(
                 &self.undeformed,
-                self.spacing,
+                self.grid.spacings[0],
                 self.modulus,
                 LineLoad::from_si(state.asperity_share * self.load),
             )
@@ -413,14 +505,11 @@ impl RoughContact {
         }
         let by_approach: f64 = -apart.iter().sum::<f64>();
         let mut by_pressure = vec![0.0; pressure.len()];
-        let cell = (self.spacing, self.modulus);
+        let cell = (self.grid.spacings[0], None, self.modulus);
         self.solver.displacement(cell, &apart, &mut by_pressure)?;
-        let mut by_spots = by_spots.iter();
-        for cells in runs(pressure) {
-            let of_spots = pressure_gradient(&pressure[cells.clone()], self.spacing, &mut by_spots);
-            for (sum, of_cell) in by_pressure[cells].iter_mut().zip(of_spots) {
-                *sum += of_cell;
-            }
+        let of_spots = pressure_gradient(pressure, self.grid.spacings[0], by_spots.iter());
+        for (sum, of_cell) in by_pressure.iter_mut().zip(of_spots) {
+            *sum += of_cell;
         }
         let through_contact = sets.gap_gradient(&by_pressure, by_approach);
         let both = apart.iter().zip(&through_contact);
@@ -429,10 +518,10 @@ impl RoughContact {
 
     /// Derivative of `by_gap` times the mean gap of first touch over the heights of the composite window.
     pub(crate) fn first_touch_gradient(&self, by_gap: f64) -> Vec<f64> {
-        let gap = |i: usize| self.undeformed[i] + self.smooth.displacement[i];
+        let gap = |i: usize| self.smooth_gap(i);
         let mut gradient = vec![0.0; self.undeformed.len()];
-        for i in self.smooth.core.clone() {
-            gradient[i] -= by_gap / self.smooth.core.len() as f64;
+        for i in self.within(&self.smooth.core) {
+            gradient[i] -= by_gap / self.core_points();
         }
         let first = (0..gradient.len()).min_by(|i, j| gap(*i).total_cmp(&gap(*j)));
         if let Some(first) = first {
@@ -440,15 +529,4 @@ impl RoughContact {
         }
         gradient
     }
-}
-
-/// Runs of neighbouring cells under pressure.
-fn runs(pressure: &[f64]) -> impl Iterator<Item = std::ops::Range<usize>> {
-    let mut end = 0;
-    let all = pressure.chunk_by(|p, q| (*p > 0.0) == (*q > 0.0));
-    let cells = all.map(move |cells| {
-        end += cells.len();
-        end - cells.len()..end
-    });
-    cells.filter(|cells| pressure[cells.start] > 0.0)
 }

@@ -1,20 +1,23 @@
 //! Touching spots of a rough contact: one for each peak of the pressure.
 //!
-//! A run of neighbouring cells under pressure may have several peaks. Above a level of pressure its cells fall into components;
-//! they form a tree, whose root is the whole run and whose leaves are the peaks.
+//! Neighbouring cells under pressure may have several peaks. Above a level of pressure they fall into components; these form a
+//! tree, whose root is the whole contact at level zero and whose leaves are the peaks. A cell of a line has two neighbours, a
+//! cell of a patch four; along the lead a patch is periodic.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | t_ν | pressure at which a component parts in two; of a leaf its peak P_k | Pa |
-//! | s_ν | pressure at which it joins its neighbour: t of the component around both; 0 of a whole run | Pa |
-//! | f_ν, q_ν | load and ∫ p² dx of a component | N/m, Pa²·m |
+//! | t_ν | pressure at which a component parts; of a leaf its peak P_k | Pa |
+//! | s_ν | pressure at which it joins its neighbour: t of the component around both; 0 of a whole contact | Pa |
+//! | f_ν, q_ν | load and ∫ p² dx of a component, of a patch per length of its lead Λ | N/m, Pa²·m |
 //! | F_k, Q_k | the same of the contact that a peak is part of | N/m, Pa²·m |
-//! | b_k | its width | m |
+//! | b_k, l_k | its extents along rolling and along the lead | m |
+//! | σ_x, σ_y | standard deviations of the places of its pressure | m |
 //!
-//! All of them are continuous functions of the pressures. They have kinks where another cell becomes the lowest between two
-//! peaks or the highest of a peak, or where a peak joins another neighbour first.
+//! All of them are continuous functions of the pressures, except that the extent along the lead becomes infinite where it
+//! reaches Λ. They have kinks where another cell becomes the lowest between two peaks or the highest of a peak, or where a peak
+//! joins another neighbour first.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 use std::slice::Iter;
 
@@ -25,27 +28,72 @@ use serde::Serialize;
 /// Width of a Hertz contact times ∫ p² dx over (∫ p dx)²: 2a · (4/3) a p₀²/(π a p₀/2)².
 const HERTZ_WIDTH: f64 = 32.0 / (3.0 * PI * PI);
 
+/// Area of an elliptical Hertz contact times ∫ p² dA over (∫ p dA)²: π a b · (π a b p₀²/2)/(2 π a b p₀/3)².
+const HERTZ_AREA: f64 = 9.0 / 8.0;
+
 /// A touching spot: a peak of the pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Spot {
     /// Load f_k per metre of face. The loads of all spots add up to the load of the contact.
     pub load: LineLoad,
-    /// Load F_k of the contact that it is part of: f_k if the pressure falls to zero on both sides.
+    /// Load F_k of the contact that it is part of, per metre of its mean extent along the lead; on a line f_k if the pressure
+    /// falls to zero on both sides.
     pub joint_load: LineLoad,
     /// Width b_k of the Hertz contact with this joint load and the same ∫ p² dx.
     pub width: Length,
+    /// Extent l_k of that contact along the lead; infinite on a line, and on a patch for a ridge along all of it.
+    pub length: Length,
 }
 
 /// Derivatives of a number over the load, the joint load and the width of a spot.
 pub(crate) type BySpot = [f64; 3];
 
-/// Appends the spots under the pressures `cells` of one run \[Pa\], `spacing` apart, from one end to the other.
-pub(crate) fn push_spots(cells: &[f64], spacing: Length, spots: &mut Vec<Spot>) {
-    let tree = SpotTree::of(cells, spacing.si());
-    spots.extend(tree.peaks.iter().map(|&peak| tree.nodes[peak].spot()));
+/// Cells of a line or of a patch.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SpotGrid {
+    /// Cells along rolling.
+    pub(crate) columns: usize,
+    /// Rows along the lead; one of a line.
+    pub(crate) rows: usize,
+    /// Distances of the columns and of the rows.
+    pub(crate) spacings: [Length; 2],
 }
 
-/// Derivative over the pressures `cells` of a run of a number whose derivatives over the next spots are `by_spots`.
+impl SpotGrid {
+    /// Cells of a line.
+    pub(crate) fn line(columns: usize, spacing: Length) -> Self {
+        Self {
+            columns,
+            rows: 1,
+            spacings: [spacing; 2],
+        }
+    }
+
+    /// Area of a cell per length of the lead \[m\].
+    fn cell(&self) -> f64 {
+        self.spacings[0].si() / self.rows as f64
+    }
+
+    /// Neighbours of a cell along rolling and, on a patch, around the lead.
+    fn neighbours(&self, cell: usize) -> impl Iterator<Item = usize> {
+        let Self { columns, rows, .. } = *self;
+        let (row, column) = (cell / columns, cell % columns);
+        let around = |step: usize| (rows > 1).then_some((row + step) % rows * columns + column);
+        let before = (column > 0).then(|| cell - 1);
+        let after = (column + 1 < columns).then_some(cell + 1);
+        [before, after, around(1), around(rows - 1)]
+            .into_iter()
+            .flatten()
+    }
+}
+
+/// The spots under the pressures of all cells \[Pa\], by the places of their peaks.
+pub(crate) fn spots_of(pressure: &[f64], grid: &SpotGrid) -> Vec<Spot> {
+    let tree = SpotTree::of(pressure, grid);
+    tree.peaks.iter().map(|&peak| tree.spot(peak)).collect()
+}
+
+/// Derivative over the pressures of a line of a number whose derivatives over its spots are `by_spots`.
 ///
 /// With P_k F_k = Σ (t_ν − s_ν) f_ν, the derivatives over f_ν, q_ν, and the levels follow from the leaves to the root, and over the
 /// pressures from
@@ -56,46 +104,38 @@ pub(crate) fn push_spots(cells: &[f64], spacing: Length, spots: &mut Vec<Spot>) 
 ///
 /// n_ν is the number of cells of the component.
 pub(crate) fn pressure_gradient(
-    cells: &[f64],
+    pressure: &[f64],
     spacing: Length,
-    by_spots: &mut Iter<'_, BySpot>,
+    mut by_spots: Iter<'_, BySpot>,
 ) -> Vec<f64> {
     cite!("Spot-adjoint");
-    SpotTree::of(cells, spacing.si()).gradient(by_spots)
+    let grid = SpotGrid::line(pressure.len(), spacing);
+    SpotTree::of(pressure, &grid).gradient(&mut by_spots)
 }
 
 /// A component of the cells above a level.
 struct Node {
+    /// Its cells in the order of the tree: after those of its parts.
     cells: Range<usize>,
-    /// Cell of the lowest pressure between the two components inside it; of a leaf the cell of its peak.
+    /// Cell of the highest pressure at which its parts join; of a leaf the cell of its peak.
     top: usize,
     /// t, s
     levels: [f64; 2],
     parent: usize,
-    children: Option<[usize; 2]>,
+    children: Vec<usize>,
     /// Excesses X, X² over s.
     excess: [f64; 2],
     /// f, q
     content: [f64; 2],
     /// Σ (t − s) f and Σ (t − s) q from the root to here.
     sums: [f64; 2],
+    /// Of a patch: sums of its places, without weight and with the excess over s as weight.
+    places: [Places; 2],
+    /// Of a patch: Σ (t − s) f σ_x² and Σ (t − s) f σ_y² from the root to here.
+    spread: [f64; 2],
 }
 
 impl Node {
-    fn new(cells: Range<usize>, parent: usize, bottom: f64) -> Self {
-        let top = cells.start;
-        Self {
-            cells,
-            top,
-            levels: [bottom; 2],
-            parent,
-            children: None,
-            excess: [0.0; 2],
-            content: [0.0; 2],
-            sums: [0.0; 2],
-        }
-    }
-
     fn rise(&self) -> f64 {
         self.levels[0] - self.levels[1]
     }
@@ -104,68 +144,185 @@ impl Node {
     fn joint(&self) -> [f64; 2] {
         self.sums.map(|sum| sum / self.levels[0])
     }
+}
 
-    /// The spot of a leaf.
+/// Weighted sums over places on a patch: of the weight, the column and its square, and the cosine and the sine of the angle around
+/// the lead.
+#[derive(Debug, Clone, Copy, Default)]
+struct Places([f64; 5]);
+
+impl Places {
+    fn of(cell: usize, grid: &SpotGrid) -> Self {
+        let (row, column) = (cell / grid.columns, (cell % grid.columns) as f64);
+        let (sine, cosine) = (TAU * row as f64 / grid.rows as f64).sin_cos();
+        Self([1.0, column, column * column, cosine, sine])
+    }
+
+    fn add(&mut self, other: &Self, weight: f64) {
+        for (sum, value) in self.0.iter_mut().zip(other.0) {
+            *sum += weight * value;
+        }
+    }
+
+    /// Variances along rolling and along the lead \[m²\], with those of a cell.
     ///
     /// ```text
-    /// F_k = Σ_ν (t_ν − s_ν) f_ν/P_k,  Q_k = Σ_ν (t_ν − s_ν) q_ν/P_k,  b_k = 32 F_k²/(3 π² Q_k)    [Spot-width]
+    /// σ_x² = ⟨x²⟩ − ⟨x⟩² + dx²/12,  σ_y² = −2 ln|⟨exp(2πi y/Λ)⟩| (Λ/2π)² + dy²/12            [Spot-spread]
     /// ```
     ///
-    /// The sums are over the components that contain the peak, from the whole run to the peak itself: F_k is the load of the
-    /// component around the peak, as a mean over all levels of pressure up to it. In a Hertz contact of half width a,
-    /// F = π a p₀/2 and Q = 4 a p₀²/3: b = 2a. Where the pressure between two peaks rises from zero, each is a contact of its
-    /// own; where it reaches the lower peak, they are one.
-    fn spot(&self) -> Spot {
-        cite!("Spot-width");
-        let [load, squares] = self.joint();
-        Spot {
-            load: LineLoad::from_si(self.content[0]),
-            joint_load: LineLoad::from_si(load),
-            width: Length::from_si(HERTZ_WIDTH * load * load / squares),
-        }
+    /// The second does not depend on where the lead begins; of even pressure all along it, it is infinite.
+    fn variances(&self, grid: &SpotGrid) -> [f64; 2] {
+        cite!("Spot-spread");
+        let [weight, column, square, cosine, sine] = self.0;
+        let [x, y] = grid.spacings.map(Length::si);
+        let mean = column / weight;
+        let along = (square / weight - mean * mean).max(0.0) + 1.0 / 12.0;
+        let around = -2.0 * (cosine.hypot(sine) / weight).min(1.0).ln();
+        let turn = grid.rows as f64 / TAU;
+        [along * x * x, (around * turn * turn + 1.0 / 12.0) * y * y]
     }
 }
 
-/// A local minimum of the pressure, with the next higher ones on both sides of it.
-struct Saddle {
-    cell: usize,
-    beyond: [Option<usize>; 2],
+/// A component as the level falls.
+#[derive(Default)]
+struct Growing {
+    /// First and last cell of its list, and number of cells.
+    list: [usize; 3],
+    top: usize,
+    level: f64,
+    children: Vec<usize>,
 }
 
-/// Local minima of a run, each below those beyond it, and the lowest one.
-fn saddles(cells: &[f64]) -> (Option<usize>, Vec<Saddle>) {
-    let mut all: Vec<Saddle> = Vec::new();
-    let mut open: Vec<usize> = Vec::new();
-    let mut falls = false;
-    for (cell, pair) in cells.windows(2).enumerate() {
-        if pair[1] < pair[0] {
-            falls = true;
-        } else if pair[1] > pair[0] && falls {
-            falls = false;
-            let mut left = None;
-            while let Some(&last) = open.last() {
-                if cells[all[last].cell] <= cells[cell] {
-                    all[last].beyond[1] = Some(all.len());
-                    break;
-                }
-                left = open.pop();
+impl Growing {
+    /// Whether it has just appeared at this level: cells of a plateau, and no peak.
+    fn is_level(&self, level: f64) -> bool {
+        self.children.is_empty() && self.level == level
+    }
+}
+
+/// No cell, no component.
+const NONE: usize = usize::MAX;
+
+/// The components of the cells above a level that falls from cell to cell.
+struct Forest {
+    /// Component in which each cell was added.
+    of_cell: Vec<usize>,
+    /// Component of which a component is a part, or itself.
+    joined: Vec<usize>,
+    growing: Vec<Growing>,
+    /// Cell behind each cell in the list of its component.
+    next: Vec<usize>,
+    /// Components that are complete, each after its parts, with their levels s.
+    complete: Vec<(Growing, f64)>,
+}
+
+impl Forest {
+    /// All components of the cells under pressure.
+    fn of(pressure: &[f64], grid: &SpotGrid) -> Self {
+        let mut cells: Vec<usize> = (0..pressure.len())
+            .filter(|&cell| pressure[cell] > 0.0)
+            .collect();
+        cells.sort_by(|&a, &b| pressure[b].total_cmp(&pressure[a]).then(a.cmp(&b)));
+        let mut forest = Self {
+            of_cell: vec![NONE; pressure.len()],
+            joined: Vec::new(),
+            growing: Vec::new(),
+            next: vec![NONE; pressure.len()],
+            complete: Vec::new(),
+        };
+        for cell in cells {
+            forest.add(cell, pressure[cell], grid.neighbours(cell));
+        }
+        for component in 0..forest.growing.len() {
+            if forest.joined[component] == component {
+                let whole = std::mem::take(&mut forest.growing[component]);
+                forest.complete.push((whole, 0.0));
             }
-            open.push(all.len());
-            all.push(Saddle {
-                cell,
-                beyond: [left, None],
-            });
         }
+        forest
     }
-    (open.first().copied(), all)
+
+    fn component(&mut self, cell: usize) -> usize {
+        let mut component = self.of_cell[cell];
+        while component != NONE && self.joined[component] != component {
+            // Halves the way of the next search.
+            self.joined[component] = self.joined[self.joined[component]];
+            component = self.joined[component];
+        }
+        component
+    }
+
+    /// Adds a cell whose pressure is not above any added before.
+    fn add(&mut self, cell: usize, level: f64, neighbours: impl Iterator<Item = usize>) {
+        let (mut around, mut count) = ([NONE; 4], 0);
+        for neighbour in neighbours {
+            let component = self.component(neighbour);
+            if component != NONE && !around[..count].contains(&component) {
+                around[count] = component;
+                count += 1;
+            }
+        }
+        let around = &mut around[..count];
+        if let [one] = around {
+            let [_, last, cells] = &mut self.growing[*one].list;
+            self.next[*last] = cell;
+            (*last, *cells) = (cell, *cells + 1);
+            self.of_cell[cell] = *one;
+            return;
+        }
+        // Parts in the order of their places; cells of this level behind them.
+        around.sort_by_key(|&c| (self.growing[c].is_level(level), self.growing[c].top));
+        let Some(&first) = around.first() else {
+            self.of_cell[cell] = self.growing.len();
+            self.joined.push(self.growing.len());
+            self.growing.push(Growing {
+                list: [cell, cell, 1],
+                top: cell,
+                level,
+                children: Vec::new(),
+            });
+            return;
+        };
+        let parts = around.iter().map(|&c| std::mem::take(&mut self.growing[c]));
+        let mut parts: Vec<Growing> = parts.collect();
+        let peaks = parts.iter().filter(|part| !part.is_level(level)).count();
+        let lists: Vec<[usize; 3]> = parts.iter().map(|part| part.list).collect();
+        let mut whole = if peaks > 1 {
+            let children = self.complete.len()..self.complete.len() + peaks;
+            self.complete
+                .extend(parts.drain(..peaks).map(|part| (part, level)));
+            Growing {
+                top: cell,
+                level,
+                children: children.collect(),
+                ..Growing::default()
+            }
+        } else {
+            parts.swap_remove(0)
+        };
+        whole.list = [lists[0][0], cell, 1];
+        for (k, list) in lists.iter().enumerate() {
+            self.next[list[1]] = lists.get(k + 1).map_or(cell, |after| after[0]);
+            whole.list[2] += list[2];
+        }
+        for component in around {
+            self.joined[*component] = first;
+        }
+        self.of_cell[cell] = first;
+        self.growing[first] = whole;
+    }
 }
 
-struct SpotTree<'a> {
-    cells: &'a [f64],
-    dx: f64,
+struct SpotTree {
+    grid: SpotGrid,
+    /// Number of cells of the grid.
+    points: usize,
+    /// Cells under pressure in the order of the tree, and their pressures.
+    cells: Vec<usize>,
+    pressures: Vec<f64>,
     /// Every component after the one around it.
     nodes: Vec<Node>,
-    /// The leaves, from one end to the other.
+    /// The leaves, by the places of their peaks.
     peaks: Vec<usize>,
 }
 
@@ -179,108 +336,179 @@ fn power_slopes(pressure: f64) -> [f64; 2] {
     [1.0, 2.0 * pressure]
 }
 
-impl<'a> SpotTree<'a> {
-    /// The components of a run, with the load and the ∫ p² dx of each.
+impl SpotTree {
+    /// The components of a contact, with the load and the ∫ p² dx of each.
     ///
     /// ```text
     /// f_ν = f_parent X_ν/Σ X,  q_ν = q_parent X²_ν/Σ X²,  X^m_ν = ∫_ν (p^m − s_ν^m) dx          [Spot-load]
     /// ```
     ///
-    /// The sums are over the two parts of the parent. A part that has just appeared carries nothing, and parts without
+    /// The sums are over the parts of the parent. A part that has just appeared carries nothing, and parts without
     /// pressure between them their own loads.
-    fn of(cells: &'a [f64], dx: f64) -> Self {
+    fn of(pressure: &[f64], grid: &SpotGrid) -> Self {
         cite!("Spot-load");
-        let (lowest, saddles) = saddles(cells);
-        let mut nodes = vec![Node::new(0..cells.len(), 0, 0.0)];
-        let mut peaks = Vec::with_capacity(saddles.len() + 1);
-        let mut open = vec![(0, lowest)];
-        while let Some((at, saddle)) = open.pop() {
-            let Some(saddle) = saddle.map(|k| &saddles[k]) else {
-                let range = nodes[at].cells.clone();
-                let higher = |best: usize, i: usize| if cells[i] > cells[best] { i } else { best };
-                let top = range.fold(nodes[at].top, higher);
-                (nodes[at].top, nodes[at].levels[0]) = (top, cells[top]);
-                peaks.push(at);
-                continue;
-            };
-            let level = cells[saddle.cell];
-            let Range { mut start, mut end } = nodes[at].cells;
-            while cells[start] <= level {
-                start += 1;
-            }
-            while cells[end - 1] <= level {
-                end -= 1;
-            }
-            let parts = [start..saddle.cell, saddle.cell + 1..end];
-            let children = [nodes.len(), nodes.len() + 1];
-            nodes.extend(parts.map(|part| Node::new(part, at, level)));
-            let node = &mut nodes[at];
-            (node.top, node.levels[0]) = (saddle.cell, level);
-            node.children = Some(children);
-            open.push((children[1], saddle.beyond[1]));
-            open.push((children[0], saddle.beyond[0]));
-        }
+        let Forest { next, complete, .. } = Forest::of(pressure, grid);
+        let count = complete.len();
         let mut tree = Self {
-            cells,
-            dx,
-            nodes,
-            peaks,
+            grid: *grid,
+            points: pressure.len(),
+            cells: Vec::new(),
+            pressures: Vec::new(),
+            nodes: Vec::with_capacity(count),
+            peaks: Vec::new(),
         };
+        let mut place = vec![0; if count > 0 { pressure.len() } else { 0 }];
+        for (component, (growing, bottom)) in complete.into_iter().rev().enumerate() {
+            let [first, _, cells] = growing.list;
+            if bottom == 0.0 {
+                let mut cell = first;
+                for _ in 0..cells {
+                    place[cell] = tree.cells.len();
+                    tree.cells.push(cell);
+                    tree.pressures.push(pressure[cell]);
+                    cell = next[cell];
+                }
+            }
+            tree.nodes.push(Node {
+                cells: place[first]..place[first] + cells,
+                top: growing.top,
+                levels: [growing.level, bottom],
+                parent: component,
+                children: growing
+                    .children
+                    .iter()
+                    .map(|child| count - 1 - child)
+                    .collect(),
+                excess: [0.0; 2],
+                content: [0.0; 2],
+                sums: [0.0; 2],
+                places: [Places::default(); 2],
+                spread: [0.0; 2],
+            });
+        }
+        for at in 0..count {
+            for child in tree.nodes[at].children.clone() {
+                tree.nodes[child].parent = at;
+            }
+        }
+        tree.peaks = (0..count)
+            .filter(|&at| tree.nodes[at].children.is_empty())
+            .collect();
+        tree.peaks.sort_by_key(|&at| tree.nodes[at].top);
         tree.sum_up();
         tree
     }
 
     /// Excesses from the leaves to the root, then contents from the root to the leaves. All terms are positive.
     fn sum_up(&mut self) {
+        let dx = self.grid.cell();
+        let is_patch = self.grid.rows > 1;
         for at in (0..self.nodes.len()).rev() {
             let node = &self.nodes[at];
             let [top, bottom] = node.levels.map(powers);
             let mut excess = [0.0; 2];
-            let mut from = node.cells.start;
-            let parts = node
-                .children
-                .map(|children| children.map(|k| &self.nodes[k]));
-            let mut add = |cells: Range<usize>| {
-                for p in &self.cells[cells] {
-                    let of_cell = powers(*p);
-                    for m in [0, 1] {
-                        excess[m] += (of_cell[m] - bottom[m]) * self.dx;
-                    }
+            let mut places = [Places::default(); 2];
+            let parts = node.children.iter().map(|&k| &self.nodes[k]);
+            let end = parts.clone().map(|part| part.cells.end).max();
+            let own = end.unwrap_or(node.cells.start)..node.cells.end;
+            for (p, cell) in self.pressures[own.clone()].iter().zip(&self.cells[own]) {
+                let of_cell = powers(*p);
+                for m in [0, 1] {
+                    excess[m] += (of_cell[m] - bottom[m]) * dx;
                 }
-            };
-            for part in parts.iter().flatten() {
-                add(from..part.cells.start);
-                from = part.cells.end;
+                if is_patch {
+                    let place = Places::of(*cell, &self.grid);
+                    places[0].add(&place, 1.0);
+                    places[1].add(&place, of_cell[0] - bottom[0]);
+                }
             }
-            add(from..node.cells.end);
-            for part in parts.iter().flatten() {
-                let width = part.cells.len() as f64 * self.dx;
+            for part in parts {
+                let width = part.cells.len() as f64 * dx;
                 for m in [0, 1] {
                     excess[m] += part.excess[m] + (top[m] - bottom[m]) * width;
                 }
+                places[0].add(&part.places[0], 1.0);
+                places[1].add(&part.places[1], 1.0);
+                places[1].add(&part.places[0], top[0] - bottom[0]);
             }
-            self.nodes[at].excess = excess;
+            (self.nodes[at].excess, self.nodes[at].places) = (excess, places);
         }
         for at in 0..self.nodes.len() {
             let node = &self.nodes[at];
-            let around = &self.nodes[node.parent];
-            let (mut content, mut sums) = (node.excess, [0.0; 2]);
-            if let Some(pair) = around.children.filter(|_| at > 0) {
+            let (mut content, mut sums, mut spread) = (node.excess, [0.0; 2], [0.0; 2]);
+            if node.parent != at {
+                let around = &self.nodes[node.parent];
                 for m in [0, 1] {
-                    let both: f64 = pair.iter().map(|k| self.nodes[*k].excess[m]).sum();
-                    content[m] = around.content[m] * node.excess[m] / both;
-                    sums[m] = around.sums[m];
+                    let all: f64 = around
+                        .children
+                        .iter()
+                        .map(|k| self.nodes[*k].excess[m])
+                        .sum();
+                    content[m] = around.content[m] * node.excess[m] / all;
                 }
+                (sums, spread) = (around.sums, around.spread);
             }
             for m in [0, 1] {
                 sums[m] += node.rise() * content[m];
             }
-            (self.nodes[at].content, self.nodes[at].sums) = (content, sums);
+            if is_patch {
+                let variances = node.places[1].variances(&self.grid);
+                for (sum, variance) in spread.iter_mut().zip(variances) {
+                    *sum += node.rise() * content[0] * variance;
+                }
+            }
+            let node = &mut self.nodes[at];
+            (node.content, node.sums, node.spread) = (content, sums, spread);
         }
     }
 
+    /// The spot of a leaf.
+    ///
+    /// ```text
+    /// F_k = Σ_ν (t_ν − s_ν) f_ν/P_k,  Q_k = Σ_ν (t_ν − s_ν) q_ν/P_k,  b_k = 32 F_k²/(3 π² Q_k)    [Spot-width]
+    /// ```
+    ///
+    /// The sums are over the components that contain the peak, from the whole contact to the peak itself: F_k is the load of the
+    /// component around the peak, as a mean over all levels of pressure up to it. In a Hertz contact of half width a,
+    /// F = π a p₀/2 and Q = 4 a p₀²/3: b = 2a. Where the pressure between two peaks rises from zero, each is a contact of its
+    /// own; where it reaches the lower peak, they are one.
+    fn spot(&self, peak: usize) -> Spot {
+        cite!("Spot-width");
+        let node = &self.nodes[peak];
+        let [load, squares] = node.joint();
+        let ellipse = (self.grid.rows > 1).then(|| self.ellipse(node)).flatten();
+        let [joint_load, width, length] =
+            ellipse.unwrap_or([load, HERTZ_WIDTH * load * load / squares, f64::INFINITY]);
+        Spot {
+            load: LineLoad::from_si(node.content[0]),
+            joint_load: LineLoad::from_si(joint_load),
+            width: Length::from_si(width),
+            length: Length::from_si(length),
+        }
+    }
+
+    /// Joint load, width and length of a leaf on a patch with the lead Λ; `None` if it is a ridge along all of the lead.
+    ///
+    /// ```text
+    /// A_k = 9 F_k² Λ/(8 Q_k),  l_k/b_k = σ_y/σ_x,  π b_k l_k/4 = A_k,  joint load F_k Λ b_k/A_k       [Spot-axes]
+    /// ```
+    ///
+    /// A_k is the area of the elliptical Hertz contact with this load and ∫ p² dA; the variances are means over the levels of
+    /// pressure as F_k is, and over the loads of their components. The joint load over the width is the mean pressure.
+    fn ellipse(&self, node: &Node) -> Option<[f64; 3]> {
+        cite!("Spot-axes");
+        let [load, squares] = node.joint();
+        let lead = self.grid.spacings[1].si() * self.grid.rows as f64;
+        let area = HERTZ_AREA * load * load * lead / squares;
+        let ratio = (node.spread[1] / node.spread[0]).sqrt();
+        let width = 2.0 * (area / (PI * ratio)).sqrt();
+        let length = width * ratio;
+        (length < lead).then(|| [load * lead * width / area, width, length])
+    }
+
     fn gradient(&self, by_spots: &mut Iter<'_, BySpot>) -> Vec<f64> {
-        let mut by_pressure = vec![0.0; self.cells.len()];
+        let dx = self.grid.cell();
+        let mut by_pressure = vec![0.0; self.points];
         // ∂J/∂f_ν, ∂J/∂q_ν, and Σ ∂J/∂F_k/P_k, Σ ∂J/∂Q_k/P_k over the peaks of a component
         let mut by_content = vec![[0.0; 2]; self.nodes.len()];
         let mut by_sums = vec![[0.0; 2]; self.nodes.len()];
@@ -298,44 +526,41 @@ impl<'a> SpotTree<'a> {
         }
         for at in (0..self.nodes.len()).rev() {
             let node = &self.nodes[at];
-            if let Some(pair) = node.children {
+            if !node.children.is_empty() {
                 let level = power_slopes(node.levels[0]);
                 for m in [0, 1] {
-                    let [first, second] = pair.map(|k| self.nodes[k].excess[m]);
-                    let both = first + second;
-                    let [a, b] = pair.map(|k| by_content[k][m]);
-                    let mean = (a * first + b * second) / both;
-                    by_content[at][m] += mean;
-                    for (k, slope) in pair.into_iter().zip([a, b]) {
-                        let by_excess = node.content[m] * (slope - mean) / both;
+                    let excess = |k: usize| self.nodes[k].excess[m];
+                    let all: f64 = node.children.iter().map(|&k| excess(k)).sum();
+                    let slopes = node.children.iter().map(|&k| by_content[k][m] * excess(k));
+                    let mean = slopes.sum::<f64>() / all;
+                    for &k in &node.children {
+                        let by_excess = node.content[m] * (by_content[k][m] - mean) / all;
                         let cells = self.nodes[k].cells.clone();
-                        by_pressure[node.top] -=
-                            by_excess * level[m] * cells.len() as f64 * self.dx;
+                        by_pressure[node.top] -= by_excess * level[m] * cells.len() as f64 * dx;
                         self.add_powers(cells, m, by_excess, &mut by_pressure);
                         by_sums[at][m] += by_sums[k][m];
                     }
+                    by_content[at][m] += mean;
                 }
             }
             for m in [0, 1] {
                 by_content[at][m] += node.rise() * by_sums[at][m];
                 let by_level = by_sums[at][m] * node.content[m];
                 by_pressure[node.top] += by_level;
-                if at > 0 {
+                if node.parent != at {
                     by_pressure[self.nodes[node.parent].top] -= by_level;
+                } else {
+                    self.add_powers(node.cells.clone(), m, by_content[at][m], &mut by_pressure);
                 }
             }
-        }
-        for m in [0, 1] {
-            self.add_powers(0..self.cells.len(), m, by_content[0][m], &mut by_pressure);
         }
         by_pressure
     }
 
     /// Adds the gradient of `by_excess` times ∫ p^(m + 1) dx over `cells`.
     fn add_powers(&self, cells: Range<usize>, m: usize, by_excess: f64, sum: &mut [f64]) {
-        let pressures = self.cells[cells.clone()].iter();
-        for (sum, p) in sum[cells].iter_mut().zip(pressures) {
-            *sum += by_excess * power_slopes(*p)[m] * self.dx;
+        for (cell, p) in self.cells[cells.clone()].iter().zip(&self.pressures[cells]) {
+            sum[*cell] += by_excess * power_slopes(*p)[m] * self.grid.cell();
         }
     }
 }
@@ -347,11 +572,10 @@ mod tests {
     const SPACING: f64 = 0.05e-6;
 
     fn spots(cells: &[f64]) -> Vec<Spot> {
-        let mut spots = Vec::new();
-        for run in cells.split(|p| *p == 0.0).filter(|run| !run.is_empty()) {
-            push_spots(run, Length::from_si(SPACING), &mut spots);
-        }
-        spots
+        spots_of(
+            cells,
+            &SpotGrid::line(cells.len(), Length::from_si(SPACING)),
+        )
     }
 
     /// Pressures of a Hertz contact, all of them above zero.
@@ -418,6 +642,94 @@ mod tests {
         ));
     }
 
+    /// Pressures of an elliptical Hertz contact with half axes \[m\] on a patch, its middle at a row, and the grid.
+    fn ellipse(half_axes: [f64; 2], middle: usize) -> (Vec<f64>, SpotGrid) {
+        let grid = SpotGrid {
+            columns: 80,
+            rows: 200,
+            spacings: [0.5e-6, 0.4e-6].map(Length::from_si),
+        };
+        let pressure = |cell: usize| {
+            let row = (cell / grid.columns + grid.rows - middle + grid.rows / 2) % grid.rows;
+            let x = (cell % grid.columns) as f64 - 39.3;
+            let y = row as f64 - (grid.rows / 2) as f64;
+            let [x, y] = [0.5e-6 * x / half_axes[0], 0.4e-6 * y / half_axes[1]];
+            1.3e9 * (1.0 - x * x - y * y).max(0.0).sqrt()
+        };
+        ((0..grid.columns * grid.rows).map(pressure).collect(), grid)
+    }
+
+    #[test]
+    fn a_spot_with_the_pressure_of_an_elliptical_hertz_contact_has_its_axes() {
+        // At any place along the lead, also where it lies over both of its ends.
+        for (half_axes, middle) in [
+            ([12e-6, 12e-6], 100),
+            ([6e-6, 15e-6], 3),
+            ([16e-6, 8e-6], 199),
+        ] {
+            let (pressure, grid) = ellipse(half_axes, middle);
+            let [spot] = spots_of(&pressure, &grid)[..] else {
+                panic!("one peak");
+            };
+            let force = 2.0 / 3.0 * PI * half_axes[0] * half_axes[1] * 1.3e9;
+            assert!(close(spot.load.si() * 80e-6, force, 2e-3));
+            let [a, b] = [spot.width, spot.length].map(|axis| 0.5 * axis.si());
+            // The variance by the mean over a circle is larger by a fourteenth of its square.
+            let turn = (0.2f64.sqrt() * half_axes[1] * TAU / 80e-6).powi(2);
+            assert!(close(a, half_axes[0], 5e-3 + 0.04 * turn), "{a}");
+            assert!(close(b, half_axes[1], 5e-3 + 0.04 * turn), "{b}");
+            assert!(close(
+                spot.joint_load.si() / spot.width.si(),
+                2.0 / 3.0 * 1.3e9,
+                5e-3
+            ));
+        }
+    }
+
+    #[test]
+    fn a_patch_constant_along_the_lead_has_the_spots_of_its_line() {
+        let line = RUN.map(|p| p * 1e9);
+        let grid = SpotGrid {
+            columns: line.len(),
+            rows: 7,
+            spacings: [SPACING, 3.0 * SPACING].map(Length::from_si),
+        };
+        let of_patch = spots_of(&line.repeat(7), &grid);
+        assert_eq!(of_patch.len(), spots(&line).len());
+        for (found, expected) in of_patch.iter().zip(spots(&line)) {
+            assert!(close(found.load.si(), expected.load.si(), 1e-12));
+            assert!(close(
+                found.joint_load.si(),
+                expected.joint_load.si(),
+                1e-12
+            ));
+            assert!(close(found.width.si(), expected.width.si(), 1e-12));
+            assert!(found.length.si().is_infinite());
+        }
+        // With a crest of other heights along the lead the spots still carry the whole load, and a short one has its length.
+        let mut pressure = line.repeat(7);
+        for cell in (0..4 * line.len()).step_by(5) {
+            pressure[cell] *= 0.6 + 0.1 * (cell % 7) as f64;
+        }
+        pressure[5 * line.len() + 16] = 0.0;
+        let uneven = spots_of(&pressure, &grid);
+        let load: f64 = uneven.iter().map(|spot| spot.load.si()).sum();
+        assert!(close(
+            load,
+            pressure.iter().sum::<f64>() * SPACING / 7.0,
+            1e-12
+        ));
+        let mut alone = vec![0.0; pressure.len()];
+        alone[2 * line.len() + 4] = 1e9;
+        let [cell] = spots_of(&alone, &grid)[..] else {
+            panic!("one peak");
+        };
+        // A cell with even pressure: 9/8 of its area, its sides in proportion.
+        let area = 0.25 * PI * cell.width.si() * cell.length.si();
+        assert!(close(area, 1.125 * 3.0 * SPACING * SPACING, 1e-12));
+        assert!(close(cell.length.si() / cell.width.si(), 3.0, 1e-12));
+    }
+
     /// A run with valleys inside valleys and a plateau at the pressure limit.
     const RUN: [f64; 18] = [
         0.2, 0.9, 0.5, 1.1, 1.4, 0.7, 0.95, 0.85, 1.6, 1.6, 1.3, 0.4, 0.3, 0.8, 0.6, 0.75, 0.1,
@@ -447,7 +759,7 @@ mod tests {
             ]
         };
         let by_spots: Vec<BySpot> = spots(&cells).iter().map(by_spot).collect();
-        let gradient = pressure_gradient(&cells, Length::from_si(SPACING), &mut by_spots.iter());
+        let gradient = pressure_gradient(&cells, Length::from_si(SPACING), by_spots.iter());
         for i in (0..cells.len()).filter(|i| RUN[*i] != 1.6) {
             let at = |step: f64| {
                 let mut moved = cells;

@@ -1,9 +1,10 @@
-//! Film and friction of touching asperities, each a small lubricated line contact.
+//! Film and friction of touching asperities, each a small lubricated contact: of a line, or of an ellipse on a patch.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | f_k | load of a spot | N/m |
 //! | F_k, b_k | load and width of the contact that it is part of | N/m, m |
+//! | l_k | its extent along the lead, infinite on a line | m |
 //! | R_k | radius of the Hertz contact with that load and width | m |
 //! | h_k | film thickness of that contact by Moes, at the surface temperature of the whole contact | m |
 //! | u_m, a | entrainment speed and half width of the whole contact | m/s, m |
@@ -17,6 +18,7 @@ use std::f64::consts::PI;
 use asperity_core::cite;
 use asperity_core::quantity::{Length, Temperature};
 use asperity_ehl_regime::FilmGroups;
+use asperity_ehl_regime::film_elliptic::hamrock_dowson_central;
 use asperity_ehl_regime::film_line::{moes, moes_of_each};
 use asperity_oil::{FilmOilState, FilmRheology, LANES, ShearedPoint};
 use asperity_tribo_friction::boundary::{boundary_share, share_on_layer};
@@ -106,6 +108,8 @@ struct Contact {
     load: f64,
     /// Width \[m\].
     width: f64,
+    /// Extent along the lead \[m\].
+    length: f64,
 }
 
 impl Contact {
@@ -113,6 +117,7 @@ impl Contact {
         Self {
             load: spot.joint_load.si(),
             width: spot.width.si(),
+            length: spot.length.si(),
         }
     }
 
@@ -138,6 +143,21 @@ fn carried_part(entrainment: f64, sliding: f64, half_width: f64, width: f64) -> 
         true => travel / (4.0 * half_width),
         false => 1.0 - half_width / travel,
     }
+}
+
+/// Film of a contact whose oil flows out at its sides over the film of the line through its middle: the factor of Hamrock and
+/// Dowson.
+///
+/// ```text
+/// h_k = h_Moes (1 − 0.61 e^(−0.73 l_k/b_k))                                  [Spot-side-flow]
+/// ```
+///
+/// # Errors
+/// When the ratio of the axes is not positive.
+fn side_flow(groups: &FilmGroups, ratio: f64) -> Result<f64, LoadShareError> {
+    cite!("Spot-side-flow");
+    let film = |ratio| hamrock_dowson_central(groups, Length::from_si(1.0), ratio);
+    Ok(film(ratio)?.value / film(f64::INFINITY)?.value)
 }
 
 /// Friction of all spots of a contact, as means over their load.
@@ -291,6 +311,7 @@ impl SpotConditions<'_> {
             steps.map(|(of_load, of_width)| Contact {
                 load: contact.load * of_load,
                 width: contact.width * of_width,
+                ..*contact
             })
         });
         let starts = list.stresses.iter().flat_map(|stress| [*stress; 5]);
@@ -307,7 +328,7 @@ impl SpotConditions<'_> {
         )?;
         let slopes = |(spot, found): (&Spot, &[SpotFriction; 5])| {
             let f = spot.load.si();
-            let Contact { load, width } = Contact::of(spot);
+            let Contact { load, width, .. } = Contact::of(spot);
             let [here, more, less, wider, narrower] = found.map(|of_spot| of_spot.total(boundary));
             let by_joint_load = (more - less) / load;
             let by_width = (wider - narrower) / width;
@@ -471,7 +492,7 @@ impl SpotConditions<'_> {
     ) -> Result<[f64; LANES], LoadShareError> {
         let modulus = 2.0 * self.modulus;
         let groups_of = |contact: &Contact| {
-            let Contact { load, width } = *contact;
+            let Contact { load, width, .. } = *contact;
             let radius = PI * self.modulus * 0.25 * width * width / (4.0 * load);
             let groups = FilmGroups {
                 material: state.pressure_viscosity.si() * modulus,
@@ -492,9 +513,12 @@ impl SpotConditions<'_> {
                 lanes[k] = value;
             }
         }
-        let films = moes_of_each(inputs);
-        for (contact, film) in contacts.iter().zip(films) {
-            if !(film.is_finite() && film > 0.0) {
+        let mut films = moes_of_each(inputs);
+        for (contact, film) in contacts.iter().zip(&mut films) {
+            if contact.length.is_finite() {
+                *film *= side_flow(&groups_of(contact).0, contact.length / contact.width)?;
+            }
+            if !(film.is_finite() && *film > 0.0) {
                 // It names what is wrong.
                 let (groups, radius) = groups_of(contact);
                 moes(&groups, Length::from_si(radius))?;
@@ -507,6 +531,19 @@ impl SpotConditions<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_long_spot_has_the_film_of_a_line_and_a_round_one_less() {
+        let groups = FilmGroups {
+            material: 4000.0,
+            speed: 1e-11,
+            load: 1e-5,
+        };
+        let factor = |ratio| side_flow(&groups, ratio).unwrap();
+        assert_eq!(factor(1e3), 1.0);
+        assert!((factor(1.0) - (1.0 - 0.61 * (-0.73f64).exp())).abs() < 1e-12);
+        assert!(factor(0.5) < factor(1.0));
+    }
 
     #[test]
     fn a_spot_that_is_slid_past_fast_forms_inside_the_contact() {

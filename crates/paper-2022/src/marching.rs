@@ -95,6 +95,7 @@ impl March<'_> {
                 approach: Length::from_si(approach),
                 datum: self.datum,
             },
+            lead: None,
             prescribed_pressure: None,
             pressure_limit: Some(softer_flow_pressure(pinion, wheel)?),
             start,

@@ -111,6 +111,7 @@ pub fn solve_contact<'py>(
             control: asked.control(gap.len())?,
             prescribed_pressure: prescribed.as_deref(),
             pressure_limit: asked.pressure_limit.map(Pressure::from_si),
+            lead: None,
             start: start.as_deref(),
         };
         Ok(solve(&problem, &asked.settings)?)

@@ -28,6 +28,7 @@ pub fn of_gap(path: &Path, args: &ContactArgs) -> Result<SolvedContact, Failure>
     let problem = ContactProblem {
         gap: &file.values,
         spacing: file.spacing,
+        lead: None,
         modulus: args.e_star.ok_or_else(|| missing("--gap", "--e-star"))?,
         boundary: boundary(args),
         control: match (args.load, args.approach) {

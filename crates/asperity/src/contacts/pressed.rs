@@ -65,6 +65,7 @@ impl Pressing<'_> {
         let problem = ContactProblem {
             gap: &self.pair.gap,
             spacing: self.pair.spacing,
+            lead: None,
             modulus: self.case.modulus,
             boundary: Boundary::FreeEnds,
             control: Control::Load(LineLoad::from_si(load)),

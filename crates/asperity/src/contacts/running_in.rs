@@ -267,6 +267,7 @@ fn press(
         modulus: case.modulus,
         boundary: Boundary::FreeEnds,
         control: Control::Load(line.load),
+        lead: None,
         prescribed_pressure: None,
         pressure_limit: Some(limit),
         start: None,

@@ -61,19 +61,65 @@ pub(crate) struct Buffers<T: FftNum = f64> {
 
 impl<T: FftNum> Buffers<T> {
     /// Enlarges the buffers to the size that a filter needs.
-    pub(crate) fn reserve(&mut self, filter: &EvenFilter<T>) {
-        let waves = filter.plan.len();
-        grow(&mut self.signal, filter.points);
-        grow(&mut self.wave, waves);
-        if filter.alternating.is_some() {
-            grow(&mut self.twisted, waves);
-        }
-        grow(&mut self.scratch, filter.plan.get_inplace_scratch_len());
+    pub(crate) fn reserve(&mut self, filter: &impl Convolution<T>) {
+        let sizes = filter.sizes();
+        grow(&mut self.signal, sizes.signal);
+        grow(&mut self.wave, sizes.wave);
+        grow(&mut self.twisted, sizes.twisted);
+        grow(&mut self.scratch, sizes.scratch);
     }
 
     /// The first `points` values: input and result of a filter.
     pub(crate) fn signal(&mut self, points: usize) -> &mut [T] {
         &mut self.signal[..points]
+    }
+}
+
+/// Number of values of each buffer.
+pub(crate) struct BufferSizes {
+    pub(super) signal: usize,
+    pub(super) wave: usize,
+    pub(super) twisted: usize,
+    pub(super) scratch: usize,
+}
+
+/// Product of a grid function with a symmetric kernel.
+pub(crate) trait Convolution<T: FftNum> {
+    /// Number of values of a grid function.
+    fn points(&self) -> usize;
+
+    /// Buffers that a product needs.
+    fn sizes(&self) -> BufferSizes;
+
+    /// Filters a signal that is zero outside of `runs`: the signal of the buffers begins with the values
+    /// of the runs, one run after the other, and holds the whole result afterwards.
+    fn filter_runs(&self, buffers: &mut Buffers<T>, factor: T, runs: &[Run]);
+
+    /// Filters `signal` times `factor` into the signal of the buffers.
+    fn filter(&self, buffers: &mut Buffers<T>, factor: T, signal: &[T]) {
+        let whole = Run::new(0, self.points());
+        buffers.signal(self.points()).copy_from_slice(signal);
+        self.filter_runs(buffers, factor, &[whole]);
+    }
+}
+
+impl<T: FourierNumber> Convolution<T> for EvenFilter<T> {
+    fn points(&self) -> usize {
+        self.points
+    }
+
+    fn sizes(&self) -> BufferSizes {
+        let waves = self.plan.len();
+        BufferSizes {
+            signal: self.points,
+            wave: waves,
+            twisted: self.alternating.as_ref().map_or(0, |_| waves),
+            scratch: self.plan.get_inplace_scratch_len(),
+        }
+    }
+
+    fn filter_runs(&self, buffers: &mut Buffers<T>, factor: T, runs: &[Run]) {
+        self.convolve(buffers, factor, runs.iter().copied());
     }
 }
 
@@ -106,7 +152,7 @@ pub(crate) fn fast_length(at_least: usize) -> usize {
     2 * best
 }
 
-fn number<T: FftNum>(value: f64) -> T {
+pub(super) fn number<T: FftNum>(value: f64) -> T {
     T::from_f64(value).unwrap_or_else(T::zero)
 }
 
@@ -155,23 +201,6 @@ impl<T: FourierNumber> EvenFilter<T> {
             self.direct[k] = number(half_sum - half_difference * turn.im);
             self.crossed.push(number(half_difference * turn.re));
         }
-    }
-
-    pub(crate) fn points(&self) -> usize {
-        self.points
-    }
-
-    /// Filters `signal` times `factor` into the signal of the buffers.
-    pub(crate) fn filter(&self, buffers: &mut Buffers<T>, factor: T, signal: &[T]) {
-        let whole = Run::new(0, self.points);
-        buffers.signal[..self.points].copy_from_slice(signal);
-        self.filter_runs(buffers, factor, &[whole]);
-    }
-
-    /// Filters a signal that is zero outside of `runs`: the signal of the buffers begins with the values
-    /// of the runs, one run after the other, and holds the whole result afterwards.
-    pub(crate) fn filter_runs(&self, buffers: &mut Buffers<T>, factor: T, runs: &[Run]) {
-        self.convolve(buffers, factor, runs.iter().copied());
     }
 
     fn convolve(

@@ -20,7 +20,8 @@
 use super::line_search::settle;
 use super::search_direction::{Search, choose_direction, remove_patch_means};
 use super::workspace::{Level, Task, Workspace};
-use crate::convolution::{Lanes, Run, listed, parts, vectorised};
+use crate::convolution::{Convolution, Lanes, Run, listed, parts, vectorised};
+use crate::grid::Grid;
 use asperity_core::cancel::{Cancelled, checkpoint};
 use asperity_core::cite;
 
@@ -42,8 +43,8 @@ const FORGIVEN_SHARE: f64 = 0.45;
 
 /// Improves `work.pressure`, whose opening is known, until its certificate is within the tolerance
 /// or the sets do not settle. Leaves the opening of the result and returns the number of iterations.
-pub(crate) fn minimise(
-    level: Level,
+pub(crate) fn minimise<G: Grid>(
+    level: Level<G>,
     work: &mut Workspace,
     task: &Task,
 ) -> Result<usize, Cancelled> {
@@ -57,7 +58,11 @@ pub(crate) fn minimise(
 }
 
 /// The outer loop: one free set per pass, from the assessment of the pressure to the next set.
-fn update_sets(level: Level, work: &mut Workspace, task: &Task) -> Result<usize, Cancelled> {
+fn update_sets<G: Grid>(
+    level: Level<G>,
+    work: &mut Workspace,
+    task: &Task,
+) -> Result<usize, Cancelled> {
     let forgiven = FORGIVEN_SHARE * task.tolerance * task.reference_gap;
     let (mut iterations, mut worse, mut last) = (0, 0, f64::INFINITY);
     for set in 0..MAX_SET_UPDATES {
@@ -83,9 +88,10 @@ fn update_sets(level: Level, work: &mut Workspace, task: &Task) -> Result<usize,
             std::mem::swap(&mut work.runs, &mut work.held);
         }
         // A single patch, or patches of few cells: without a coarse space the sets bring no advantage.
-        if !work
-            .coarse
-            .prepare(work.pressure.len(), level.boundary, &work.runs)
+        if !(G::RUNS_ARE_PATCHES
+            && work
+                .coarse
+                .prepare(work.pressure.len(), level.boundary, &work.runs))
         {
             work.list_all();
             break;
@@ -112,8 +118,8 @@ fn update_sets(level: Level, work: &mut Workspace, task: &Task) -> Result<usize,
 ///
 /// A set that would not change is the right one; only then is it solved on to the residual that the
 /// tolerance permits.
-fn solve_on_set(
-    level: Level,
+fn solve_on_set<G: Grid>(
+    level: Level<G>,
     work: &mut Workspace,
     task: &Task,
     forgiven: f64,
@@ -148,7 +154,7 @@ fn solve_on_set(
 /// the direction has no minimum.
 ///
 /// The direction is scaled to one for the transform in single precision.
-fn step(level: Level, work: &mut Workspace, task: &Task) -> bool {
+fn step<G: Grid>(level: Level<G>, work: &mut Workspace, task: &Task) -> bool {
     let (runs, direction, residual) = (&work.runs, &work.direction, &work.residual);
     let mut lanes = Lanes::new([0.0]);
     for (run, _) in parts(runs) {

@@ -25,8 +25,7 @@ use rustfft::FftPlanner;
 use super::coarse_nodes::{Nodes, cubic_weights};
 use super::contact_patches::{Patch, PatchKernel};
 use crate::boundary::Boundary;
-use crate::convolution::Buffers;
-use crate::convolution::{Run, parts};
+use crate::convolution::{Buffers, Convolution, Run, parts};
 
 /// Fewest patches: the force of a single patch is the load.
 const MIN_PATCHES: usize = 2;

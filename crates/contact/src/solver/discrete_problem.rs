@@ -7,9 +7,9 @@ use asperity_core::cite;
 use asperity_core::numerics::extremes;
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 
-use super::cascadic_multigrid::Window;
 use super::workspace::{Assessment, ReferenceBounds, Task};
 use crate::boundary::Boundary;
+use crate::cells::Cells;
 use crate::certificate::Certificate;
 use crate::error::ContactError;
 use crate::half_plane::cell_compliance;
@@ -37,6 +37,7 @@ const FLAT: f64 = 1e-3;
 /// Data shared by all grids of a problem.
 pub(crate) struct DiscreteProblem<'a> {
     pub(crate) problem: &'a ContactProblem<'a>,
+    pub(crate) cells: Cells,
     /// h plus the displacement by the prescribed pressure, minus a controlled approach, in m.
     pub(crate) gap: Cow<'a, [f64]>,
     reference_bounds: ReferenceBounds,
@@ -58,7 +59,8 @@ impl<'a> DiscreteProblem<'a> {
         displace: impl FnOnce(&[f64], f64) -> &'b mut [f64],
     ) -> Result<Self, ContactError> {
         let compliance = cell_compliance(problem.spacing, problem.modulus)?;
-        let datum = datum_compliance(problem, 1.0)?;
+        let cells = problem.cells()?;
+        let datum = datum_compliance(problem, 1.0, cells.rows)?;
         let prescribed_sum = problem.prescribed_pressure.unwrap_or(&[]).iter().sum();
         let mut gap = Cow::Borrowed(problem.gap);
         if let Some(prescribed) = problem.prescribed_pressure {
@@ -73,7 +75,7 @@ impl<'a> DiscreteProblem<'a> {
         let (mut sum, mut deformation) = (None, 0.0);
         match problem.control {
             Control::Load(load) => {
-                sum = Some(load.si() / problem.spacing.si());
+                sum = Some(load.si() / problem.spacing.si() * cells.rows as f64);
                 // The deformation of a line load is W/(π·E*) times a logarithm; as a lower bound the
                 // logarithm is left out.
                 deformation = load.si() / (PI * problem.modulus.si());
@@ -88,6 +90,7 @@ impl<'a> DiscreteProblem<'a> {
         let (least, most) = extremes(&gap);
         Ok(Self {
             problem,
+            cells,
             gap,
             reference_bounds: ReferenceBounds {
                 least: FLAT * deformation,
@@ -101,15 +104,16 @@ impl<'a> DiscreteProblem<'a> {
         })
     }
 
-    /// The problem on a window of the finest grid.
-    pub(crate) fn task(
+    /// The problem on the `columns` of a window of the finest grid, whose gap is `gap`.
+    pub(crate) fn task<'b>(
         &self,
-        window: Window,
+        (gap, columns): (&'b [f64], usize),
         settings: &SolverSettings,
         max_iterations: usize,
-    ) -> Task<'_> {
+    ) -> Task<'b> {
         Task {
-            gap: &self.gap[window.range()],
+            gap,
+            columns,
             sum: self.sum,
             limit: self.limit,
             compliance: self.compliance,
@@ -123,25 +127,32 @@ impl<'a> DiscreteProblem<'a> {
         }
     }
 
-    /// The problem on the coarser grid of this `gap`, `halvings` levels below the finest.
+    /// The problem on the whole of the finest grid, to be assessed.
+    pub(crate) fn whole_task(&self, settings: &SolverSettings) -> Task<'_> {
+        self.task((&self.gap, self.cells.columns), settings, 0)
+    }
+
+    /// The problem on a window of a coarser grid, whose gap is `gap`; the coarser grid is `halvings` levels below the finest.
     pub(crate) fn coarse_task<'b>(
         &self,
-        gap: &'b [f64],
+        (gap, window): (&'b [f64], Cells),
         halvings: i32,
         smooth: bool,
         settings: &SolverSettings,
     ) -> Result<Task<'b>, ContactError> {
         let width = 2f64.powi(halvings);
+        let rows = window.rows as f64 / self.cells.rows as f64;
         let coarse = match self.problem.boundary {
             Boundary::FreeEnds if !smooth => COARSE_TOLERANCE_FREE,
             _ => COARSE_TOLERANCE_FINE,
         };
         Ok(Task {
             gap,
-            sum: self.sum.map(|sum| sum / width),
+            columns: window.columns,
+            sum: self.sum.map(|sum| sum / width * rows),
             limit: self.limit,
             compliance: self.compliance * width,
-            datum: datum_compliance(self.problem, width)?,
+            datum: datum_compliance(self.problem, width, window.rows)?,
             reference_gap: self.reference_bounds.most.max(self.reference_bounds.least),
             reference_bounds: self.reference_bounds,
             tolerance: settings.tolerance.max(coarse),
@@ -164,7 +175,7 @@ impl<'a> DiscreteProblem<'a> {
         self.sum.map_or(0.0, |sum| sum / self.gap.len() as f64)
     }
 
-    /// ½ ∫ (p + prescribed)·u dx
+    /// ½ ∫ (p + prescribed)·u dx, the mean over the lead.
     pub(crate) fn elastic_energy(&self, pressure: &[f64], displacement: &[f64]) -> LineEnergy {
         let cells = pressure.iter().zip(displacement);
         let work: f64 = match self.problem.prescribed_pressure {
@@ -174,7 +185,7 @@ impl<'a> DiscreteProblem<'a> {
                 cells.map(|((p, u), prescribed)| (p + prescribed) * u).sum()
             }
         };
-        LineEnergy::from_si(0.5 * work * self.problem.spacing.si())
+        LineEnergy::from_si(0.5 * work * self.problem.spacing.si() / self.cells.rows as f64)
     }
 
     /// δ in m relative to the datum of the problem, from the α of the iteration, which has no datum.
@@ -230,11 +241,15 @@ pub(crate) fn touching(gap: &[f64], pressure: &[f64]) -> Vec<usize> {
 }
 
 /// Displacement by the datum in m per pascal of the sum of all pressures, for cells `width` times as wide
-/// as the cells of the problem.
-fn datum_compliance(problem: &ContactProblem, width: f64) -> Result<f64, ContactError> {
+/// as the cells of the problem, in `rows` rows.
+fn datum_compliance(
+    problem: &ContactProblem,
+    width: f64,
+    rows: usize,
+) -> Result<f64, ContactError> {
     if problem.boundary != Boundary::FreeEnds {
         return Ok(0.0);
     }
     let constant = datum_constant(problem.datum(), problem.spacing * (0.5 * width))?;
-    Ok(constant.si() / (PI * problem.modulus.si()))
+    Ok(constant.si() / (PI * problem.modulus.si()) / rows as f64)
 }

@@ -9,7 +9,8 @@
 
 use super::feasible_pressure::{clip, project, restore_load};
 use super::workspace::{Level, Task, Workspace};
-use crate::convolution::{Lanes, listed, parts, vectorised};
+use crate::convolution::{Convolution, Lanes, listed, parts, vectorised};
+use crate::grid::Grid;
 
 /// Step along the gradient, in units of π·E*/a: about the stiffness against pressure that moves to the
 /// next cell, where the kernel is smaller by 6.6·a.
@@ -24,7 +25,7 @@ const RESIDUE: f64 = 1e-15;
 pub(crate) const SINGLE: f64 = 1e-6;
 
 /// Makes the pressure feasible and recomputes its displacement in double precision: both drift by round-off.
-pub(crate) fn settle(level: Level, work: &mut Workspace, task: &Task) {
+pub(crate) fn settle<G: Grid>(level: Level<G>, work: &mut Workspace, task: &Task) {
     make_feasible(&mut work.pressure, task);
     work.refresh(level.displacement, task);
 }
@@ -101,7 +102,7 @@ pub(crate) fn length_to_bound(work: &Workspace, limit: f64) -> f64 {
 }
 
 /// Length of the step along d that minimises the energy, without regard to the bounds.
-pub(crate) fn exact_length(level: Level, work: &mut Workspace, task: &Task) -> f64 {
+pub(crate) fn exact_length<G: Grid>(level: Level<G>, work: &mut Workspace, task: &Task) -> f64 {
     let (runs, direction, residual) = (&work.runs, &work.direction, &work.residual);
     let steps = work.buffers.signal(listed(runs));
     for (run, place) in parts(runs) {
@@ -147,7 +148,12 @@ impl Line {
 /// the signal of the single-precision buffers.
 ///
 /// Single precision is enough: its error is relative to the step and vanishes with it.
-pub(crate) fn line_search(level: Level, work: &mut Workspace, task: &Task, approach: f64) -> Line {
+pub(crate) fn line_search<G: Grid>(
+    level: Level<G>,
+    work: &mut Workspace,
+    task: &Task,
+    approach: f64,
+) -> Line {
     let (unit, sum) = load_steps(work);
     let (scale, datum) = (unit * task.compliance, task.datum_displacement(|| sum));
     let (buffers, runs) = (&mut work.single_buffers, &work.runs);

@@ -17,39 +17,37 @@ mod contact_patches;
 mod discrete_problem;
 mod feasible_pressure;
 mod line_search;
+mod operators;
 mod projected_gradient;
 mod search_direction;
 mod single_grid;
 mod workspace;
 
 use std::cell::Cell;
-use std::collections::BTreeMap;
 
 use asperity_core::cancel::Cancelled;
-use asperity_core::numerics::{FourierNumber, extremes};
+use asperity_core::numerics::extremes;
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 use asperity_core::{DomainError, cite};
 
 use crate::boundary::Boundary;
-use crate::convolution::{Buffers, EvenFilter};
+use crate::cells::{Cells, Lead};
 use crate::dense_reference::solve_dense;
 use crate::error::{ContactError, SolverShape};
-use crate::half_plane::{
-    cell_compliance, cite_kernel, displace, displacement_filter, inverse_filter, line_load,
-};
+use crate::grid::LARGE_GRID;
+use crate::half_plane::{cell_compliance, check_lengths, cite_kernel, line_load};
 use crate::plasticity::{dissipated_energy, plastic_displacement};
 use crate::problem::{
     ContactProblem, ContactSolution, LEAST_POINTS, MAX_TOLERANCE, SolverSettings,
 };
-use cascadic_multigrid::{Window, grids, is_smooth, prolong, prolong_slopes, restrict};
+use cascadic_multigrid::{
+    Window, grids, is_smooth, prolong, prolong_rows, prolong_slopes, restrict,
+};
 use coarse_space::CoarseSpace;
 use discrete_problem::{DiscreteProblem, touching};
-use single_grid::minimise;
-use workspace::{Assessment, Level, Task, Workspace};
+use operators::Operators;
+use workspace::{Assessment, Task, Workspace};
 
-/// Number of points above which the operators of only one grid size are cached. A displacement
-/// operator takes 18 bytes per point besides its plan, more than the arrays of the problem itself.
-const LARGE_GRID: usize = 1 << 18;
 /// Windows tried before the whole grid is solved. A window that misses a contact point costs a
 /// displacement on the whole grid; the next window also covers the points that overlapped.
 const MAX_WINDOWS: usize = 3;
@@ -66,7 +64,7 @@ const MAX_WINDOWS: usize = 3;
 /// let problem = ContactProblem {
 ///     gap: &gap, spacing: "0.6 um".parse()?, modulus: "115.384615385 GPa".parse()?,
 ///     boundary: Boundary::FreeEnds, control: Control::Load("300 N/mm".parse()?),
-///     prescribed_pressure: None, pressure_limit: None, start: None,
+///     lead: None, prescribed_pressure: None, pressure_limit: None, start: None,
 /// };
 /// let solution = solve(&problem, &SolverSettings::default())?;
 /// assert!((solution.max_pressure.si() / 1.91646e9 - 1.0).abs() < 1e-5);
@@ -76,7 +74,7 @@ pub fn solve(
     problem: &ContactProblem,
     settings: &SolverSettings,
 ) -> Result<ContactSolution, ContactError> {
-    Solver::new(problem.gap.len(), problem.boundary)?.solve(problem, settings)
+    Solver::of(problem)?.solve(problem, settings)
 }
 
 /// Solver of many problems with the same number of points and the same boundary, whose plans and
@@ -85,14 +83,14 @@ pub fn solve(
 /// Spacing and modulus may differ from problem to problem: the plans do not depend on them.
 pub struct Solver {
     shape: SolverShape,
-    levels: Levels,
+    operators: Operators,
     work: Workspace,
 }
 
 thread_local! {
     /// Operators and buffers of the solver that was dropped last: the windows of a contact are solved one after the other, and to
     /// make their operators anew costs a third of a solution.
-    static LAST: Cell<Option<(SolverShape, Levels, Workspace)>> = const { Cell::new(None) };
+    static LAST: Cell<Option<(SolverShape, Operators, Workspace)>> = const { Cell::new(None) };
 }
 
 impl Drop for Solver {
@@ -102,77 +100,12 @@ impl Drop for Solver {
             self.work.coarse = CoarseSpace::default();
             let own = (
                 self.shape,
-                std::mem::take(&mut self.levels),
+                std::mem::replace(&mut self.operators, Operators::of(self.shape.rows)),
                 std::mem::take(&mut self.work),
             );
             // At the end of a thread nothing is kept.
             let _ = LAST.try_with(|last| last.set(Some(own)));
         }
-    }
-}
-
-/// Operators by number of points, cached for the grids and windows solved so far. Each has a planner of its own: what a planner
-/// has planned before shows in the rounding of its transforms.
-#[derive(Default)]
-struct Levels {
-    /// Kernel of free ends of the largest grid so far; smaller grids use its first cells.
-    column: Vec<f64>,
-    displacements: BTreeMap<usize, EvenFilter>,
-    singles: BTreeMap<usize, EvenFilter<f32>>,
-    inverses: BTreeMap<usize, EvenFilter<f32>>,
-}
-
-impl Levels {
-    /// Drops the operators of other sizes before a large grid's are made, which bounds the memory.
-    fn make_room(&mut self, points: usize) {
-        if points > LARGE_GRID && !self.displacements.contains_key(&points) {
-            self.column = vec![];
-            self.displacements.clear();
-            self.singles.clear();
-            self.inverses.clear();
-        }
-    }
-
-    /// Displacement operator of a grid; enlarges `buffers` to what it needs.
-    fn displacement(
-        &mut self,
-        points: usize,
-        boundary: Boundary,
-        buffers: &mut Buffers,
-    ) -> &EvenFilter {
-        self.make_room(points);
-        let column = &mut self.column;
-        let filter = (self.displacements.entry(points)).or_insert_with(|| {
-            displacement_filter(&mut f64::planner(), points, boundary, column, buffers)
-        });
-        free_if_large(column);
-        buffers.reserve(filter);
-        filter
-    }
-
-    /// Operators of an iteration on a grid; enlarges the buffers of the workspace to what they need.
-    fn level(&mut self, points: usize, boundary: Boundary, work: &mut Workspace) -> Level<'_> {
-        self.displacement(points, boundary, &mut work.buffers);
-        let inverse = (self.inverses.entry(points))
-            .or_insert_with(|| inverse_filter(&mut f32::planner(), points));
-        work.single_buffers.reserve(inverse);
-        let displacement = &self.displacements[&points];
-        let single = (self.singles.entry(points))
-            .or_insert_with(|| displacement.single(&mut f32::planner()));
-        work.single_buffers.reserve(single);
-        Level {
-            displacement,
-            single,
-            inverse,
-            boundary,
-        }
-    }
-}
-
-/// Frees a kernel of more than [`LARGE_GRID`] cells.
-fn free_if_large(column: &mut Vec<f64>) {
-    if column.len() > LARGE_GRID {
-        *column = vec![];
     }
 }
 
@@ -191,17 +124,39 @@ impl Solver {
     /// # Errors
     /// When there are fewer than two points.
     pub fn new(points: usize, boundary: Boundary) -> Result<Self, ContactError> {
-        if points < LEAST_POINTS {
+        Self::of_patch([points, 1], boundary)
+    }
+
+    /// Makes a solver of patches with this number of points along rolling and of rows along the lead.
+    ///
+    /// # Errors
+    /// When there are fewer than two points along rolling or no rows.
+    pub fn of_patch([columns, rows]: [usize; 2], boundary: Boundary) -> Result<Self, ContactError> {
+        if columns < LEAST_POINTS || rows == 0 {
+            let points = columns.min(rows * columns);
             return Err(ContactError::too_few_points(points, LEAST_POINTS));
         }
-        let shape = SolverShape { points, boundary };
+        let shape = SolverShape {
+            points: columns * rows,
+            rows,
+            boundary,
+        };
         let last = LAST.take().filter(|(of, ..)| *of == shape);
-        let (_, levels, work) = last.unwrap_or((shape, Levels::default(), Workspace::default()));
+        let (_, operators, work) =
+            last.unwrap_or_else(|| (shape, Operators::of(rows), Workspace::default()));
         Ok(Self {
             shape,
-            levels,
+            operators,
             work,
         })
+    }
+
+    /// Makes a solver of problems with the shape of `problem`.
+    ///
+    /// # Errors
+    /// When there are too few points.
+    pub fn of(problem: &ContactProblem) -> Result<Self, ContactError> {
+        Self::of_patch(problem.cells()?.shape(), problem.boundary)
     }
 
     /// Number of points and boundary of the problems that it solves.
@@ -209,21 +164,33 @@ impl Solver {
         self.shape
     }
 
-    /// Writes the displacement in m by `pressure` in Pa, with the operator of its problems.
+    /// Writes the displacement in m by `pressure` in Pa, with the operator of its problems of this spacing, lead and modulus.
     ///
     /// # Errors
-    /// When spacing or modulus is not positive, or an array does not have one value per cell.
+    /// When a spacing or the modulus is not positive, an array does not have one value per cell, or the solver is one of
+    /// another number of rows.
     pub fn displacement(
         &mut self,
-        (spacing, modulus): (Length, Pressure),
+        (spacing, lead, modulus): (Length, Option<Lead>, Pressure),
         pressure: &[f64],
         displacement: &mut [f64],
     ) -> Result<(), ContactError> {
         cite_kernel(self.shape.boundary);
         let compliance = cell_compliance(spacing, modulus)?;
+        let SolverShape {
+            points, boundary, ..
+        } = self.shape;
+        check_lengths(points, pressure, displacement)?;
+        let cells = Cells::of(points, spacing, lead)?;
+        let rows = cells.rows;
+        if rows != self.shape.rows {
+            let asked = SolverShape { rows, ..self.shape };
+            return Err(ContactError::solver_mismatch(self.shape, asked));
+        }
         let buffers = &mut self.work.buffers;
-        let filter = (self.levels).displacement(self.shape.points, self.shape.boundary, buffers);
-        displace(filter, buffers, compliance, pressure, displacement)
+        (self.operators).displace(cells, boundary, buffers, (compliance, pressure));
+        displacement.copy_from_slice(buffers.signal(points));
+        Ok(())
     }
 
     /// Solves a problem.
@@ -265,6 +232,7 @@ impl Solver {
         )?;
         let shape = SolverShape {
             points: problem.gap.len(),
+            rows: problem.cells()?.rows,
             boundary: problem.boundary,
         };
         if shape != self.shape {
@@ -304,8 +272,7 @@ impl Solver {
         self.check(problem, settings)?;
         let discrete = self.discrete(problem)?;
         self.open_whole_grid(&discrete, settings, pressure);
-        let whole = Window::whole(self.shape.points);
-        let certified = self.certify(&discrete.task(whole, settings, 0));
+        let certified = self.certify(&discrete, settings);
         self.solution(&discrete, settings, iterations, &certified)
     }
 
@@ -313,11 +280,11 @@ impl Solver {
         &mut self,
         problem: &'a ContactProblem<'a>,
     ) -> Result<DiscreteProblem<'a>, ContactError> {
-        let (points, buffers) = (self.shape.points, &mut self.work.buffers);
+        let (cells, buffers) = (problem.cells()?, &mut self.work.buffers);
         DiscreteProblem::new(problem, |prescribed, compliance| {
-            let whole = (self.levels).displacement(points, self.shape.boundary, buffers);
-            whole.filter(buffers, compliance, prescribed);
-            buffers.signal(points)
+            let pressure = (compliance, prescribed);
+            (self.operators).displace(cells, self.shape.boundary, buffers, pressure);
+            buffers.signal(cells.points())
         })
     }
 
@@ -334,35 +301,38 @@ impl Solver {
         // The buffers are made once, for the finest grid, instead of growing from grid to grid.
         if self.shape.points <= LARGE_GRID {
             let buffers = &mut self.work.buffers;
-            (self.levels).displacement(self.shape.points, self.shape.boundary, buffers);
+            (self.operators).prepare(discrete.cells, self.shape.boundary, buffers);
         }
-        let mut grids = grids(self.shape.points);
+        let mut grids = grids(discrete.cells);
         if !settings.cascade {
             grids.truncate(1);
         }
         let mut gaps: Vec<Vec<f64>> = vec![];
-        for _ in 1..grids.len() {
+        for finer_grid in &grids[..grids.len() - 1] {
             let finer: &[f64] = gaps.last().map_or(&discrete.gap, |gap| gap);
-            gaps.push(restrict(finer));
+            gaps.push(restrict(finer, finer_grid.columns));
         }
         let coarsest = grids[grids.len() - 1];
-        let mut pressure = vec![discrete.even_pressure(); coarsest];
+        let mut pressure = vec![discrete.even_pressure(); coarsest.points()];
         for (halvings, gap) in gaps.iter().enumerate().rev() {
+            let grid = grids[halvings + 1];
             let touches = touching(gap, &pressure);
             // The coarsest grid starts from a uniform pressure, which does not show the contact.
-            let shows_contact = gap.len() != coarsest;
-            let smooth = shows_contact && is_smooth(&touches);
+            let shows_contact = grid != coarsest;
+            let smooth = shows_contact && is_smooth(&touches, grid.rows);
             // A coarse grid is not certified outside of its window: the finest grid is.
             let window = if self.windowed(settings) && shows_contact {
-                Window::around(gap.len(), &touches)
+                Window::around(grid, &touches)
             } else {
-                Window::whole(gap.len())
+                Window::whole(grid.columns)
             };
-            let gap = &gap[window.range()];
-            let task = discrete.coarse_task(gap, halvings as i32 + 1, smooth, settings)?;
-            self.minimise(window, &task, &mut pressure)?;
-            let finer = if smooth { prolong_slopes } else { prolong };
-            pressure = finer(&pressure, grids[halvings]);
+            let gap = window.cut(gap, grid.columns);
+            let cells = window.of(grid);
+            let task =
+                discrete.coarse_task((&gap, cells), halvings as i32 + 1, smooth, settings)?;
+            self.minimise((window, grid), &task, &mut pressure)?;
+            let along = if smooth { prolong_slopes } else { prolong };
+            pressure = prolong_rows((&pressure, grid), grids[halvings], along);
         }
         Ok(pressure)
     }
@@ -376,18 +346,18 @@ impl Solver {
     /// number of iterations.
     fn minimise(
         &mut self,
-        window: Window,
+        (window, grid): (Window, Cells),
         task: &Task,
         pressure: &mut [f64],
     ) -> Result<usize, Cancelled> {
+        let columns = grid.columns;
         self.work.pressure.clear();
         self.work
             .pressure
-            .extend_from_slice(&pressure[window.range()]);
-        let level = (self.levels).level(window.points, self.shape.boundary, &mut self.work);
-        let iterations = minimise(level, &mut self.work, task)?;
-        pressure.fill(0.0);
-        pressure[window.range()].copy_from_slice(&self.work.pressure);
+            .extend_from_slice(&window.cut(pressure, columns));
+        let work = (&mut self.work, task);
+        let iterations = (self.operators).minimise(window.of(grid), self.shape.boundary, work)?;
+        window.paste(&self.work.pressure, pressure, columns);
         Ok(iterations)
     }
 
@@ -399,22 +369,24 @@ impl Solver {
         settings: &SolverSettings,
         mut pressure: Vec<f64>,
     ) -> Result<(usize, Certified), Cancelled> {
-        let points = self.shape.points;
+        let grid = discrete.cells;
         let mut touches = touching(&discrete.gap, &pressure);
         let (mut iterations, mut attempt, mut was_whole) = (0, 0, false);
         loop {
             let window = if self.windowed(settings) && attempt < MAX_WINDOWS {
-                Window::around(points, &touches)
+                Window::around(grid, &touches)
             } else {
-                Window::whole(points)
+                Window::whole(grid.columns)
             };
-            let task = discrete.task(window, settings, settings.max_iterations - iterations);
-            iterations += self.minimise(window, &task, &mut pressure)?;
-            let is_whole = window.points == points;
+            let gap = window.cut(&discrete.gap, grid.columns);
+            let left = settings.max_iterations - iterations;
+            let task = discrete.task((&gap, window.points), settings, left);
+            iterations += self.minimise((window, grid), &task, &mut pressure)?;
+            let is_whole = window.points == grid.columns;
             if !is_whole {
                 self.open_whole_grid(discrete, settings, &pressure);
             }
-            let certified = self.certify(&discrete.task(Window::whole(points), settings, 0));
+            let certified = self.certify(discrete, settings);
             // The tolerance is relative to the reference gap, which the iteration takes from its start. A
             // poor start gives a wrong scale, so the whole grid gets a second solution on the right one.
             let solved = certified.assessment.within(settings.tolerance);
@@ -435,20 +407,19 @@ impl Solver {
         settings: &SolverSettings,
         pressure: &[f64],
     ) {
-        let task = discrete.task(Window::whole(pressure.len()), settings, 0);
+        let task = discrete.whole_task(settings);
         self.work.pressure.clear();
         self.work.pressure.extend_from_slice(pressure);
         if pressure.len() > LARGE_GRID {
             self.work.release();
         }
-        let buffers = &mut self.work.buffers;
-        let boundary = self.shape.boundary;
-        let displacement = (self.levels).displacement(pressure.len(), boundary, buffers);
-        self.work.refresh(displacement, &task);
+        let work = (&mut self.work, &task);
+        (self.operators).refresh(discrete.cells, self.shape.boundary, work);
     }
 
     /// Assesses the pressure on the whole grid, relative to the reference gap of its own deformation.
-    fn certify(&mut self, task: &Task) -> Certified {
+    fn certify(&mut self, discrete: &DiscreteProblem, settings: &SolverSettings) -> Certified {
+        let task = &discrete.whole_task(settings);
         let deformation = self.work.deformation(task);
         let reference_gap = task.reference_bounds.between(deformation);
         let task = Task {
@@ -489,6 +460,7 @@ impl Solver {
         cite!("Gap-deformed");
         let pressure = std::mem::take(&mut self.work.pressure);
         let problem = discrete.problem;
+        let rows = discrete.cells.rows as f64;
         let approach = discrete.approach(&pressure, assessment.approach);
         let mut gap = std::mem::take(&mut self.work.opening);
         for g in &mut gap {
@@ -503,7 +475,7 @@ impl Solver {
         // Points at the pressure limit overlap elastically. The overlap is the plastic displacement.
         let (plastic_displacement, dissipated) = if limit.is_some() {
             let w = plastic_displacement(&pressure, &gap, limit);
-            let dissipated = dissipated_energy(&w, problem.spacing, limit);
+            let dissipated = dissipated_energy(&w, problem.spacing, limit) / rows;
             gap.iter_mut().zip(&w).for_each(|(g, w)| *g += w);
             (w, dissipated)
         } else {
@@ -511,7 +483,7 @@ impl Solver {
         };
         let touching = pressure.iter().filter(|&&p| p > 0.0).count();
         Ok(ContactSolution {
-            load: line_load(&pressure, problem.spacing),
+            load: line_load(&pressure, problem.spacing) / rows,
             approach: Length::from_si(approach),
             datum: problem.datum(),
             contact_fraction: touching as f64 / pressure.len() as f64,
@@ -520,7 +492,7 @@ impl Solver {
             elastic_energy: discrete.elastic_energy(&pressure, &displacement),
             plastic_displacement,
             end_pressure: Pressure::from_si(match problem.boundary {
-                Boundary::FreeEnds => f64::max(pressure[0], pressure[pressure.len() - 1]),
+                Boundary::FreeEnds => end_pressure(&pressure, discrete.cells.columns),
                 Boundary::Periodic(_) => 0.0,
             }),
             gap_range: discrete.gap_range(),
@@ -532,4 +504,11 @@ impl Solver {
             certificate,
         })
     }
+}
+
+/// Largest pressure in the first and the last column.
+fn end_pressure(pressure: &[f64], columns: usize) -> f64 {
+    let rows = pressure.chunks_exact(columns);
+    rows.map(|row| f64::max(row[0], row[columns - 1]))
+        .fold(0.0, f64::max)
 }

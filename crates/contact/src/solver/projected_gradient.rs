@@ -25,6 +25,7 @@ use super::line_search::{
 };
 use super::search_direction::{Search, choose_direction};
 use super::workspace::{Assessment, Level, Task, Workspace};
+use crate::grid::Grid;
 
 /// Updates of the displacement after which it is recomputed at the latest, so that round-off does not
 /// accumulate. Most iterations end earlier.
@@ -40,8 +41,8 @@ const MAX_DRIFT: f64 = 0.1;
 
 /// Improves `work.pressure`, whose opening is known, until its certificate is within the tolerance or
 /// no progress is possible. Returns the number of iterations, at most `most`.
-pub(crate) fn minimise(
-    level: Level,
+pub(crate) fn minimise<G: Grid>(
+    level: Level<G>,
     work: &mut Workspace,
     task: &Task,
     most: usize,
@@ -82,8 +83,8 @@ pub(crate) fn minimise(
 
 /// One iteration: direction, feasible trial step, line search, update. False when no step lowers the
 /// energy.
-fn advance(
-    level: Level,
+fn advance<G: Grid>(
+    level: Level<G>,
     work: &mut Workspace,
     task: &Task,
     assessment: &Assessment,

@@ -10,7 +10,8 @@
 //! | d, β | direction, share of the last one | Pa, - |
 
 use super::workspace::{Level, Task, Workspace};
-use crate::convolution::{Lanes, parts, vectorised};
+use crate::convolution::{Convolution, Lanes, parts, vectorised};
+use crate::grid::Grid;
 use asperity_core::cite;
 
 /// State of the search between iterations.
@@ -29,8 +30,8 @@ pub(crate) struct Search {
 ///
 /// This β, unlike the one by Fletcher and Reeves, becomes small after an iteration with little progress,
 /// as after clipping, and so restarts the directions by itself.
-pub(crate) fn choose_direction(
-    level: Level,
+pub(crate) fn choose_direction<G: Grid>(
+    level: Level<G>,
     work: &mut Workspace,
     task: &Task,
     free: usize,
@@ -125,7 +126,7 @@ fn ascent_sums(work: &mut Workspace) -> AscentSums {
 }
 
 /// Subtracts the mean from r and computes z = M r.
-fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: f64) {
+fn precondition<G: Grid>(level: Level<G>, work: &mut Workspace, task: &Task, residual_mean: f64) {
     let (residual, free) = (&mut work.residual, &work.free);
     let mut lanes = Lanes::new([0.0]);
     vectorised(
@@ -178,7 +179,7 @@ fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: 
 ///
 /// z then leaves no mean residual on any contact patch. This is the preconditioner A-DEF2 of Tang et
 /// al. (2009). All values are in units of the largest residual.
-fn deflate(level: Level, work: &mut Workspace, scale: f64) {
+fn deflate<G: Grid>(level: Level<G>, work: &mut Workspace, scale: f64) {
     cite!("Deflation-1");
     let (ascent, residual, runs) = (&mut work.ascent, &work.residual, &work.runs);
     let mean = ascent.iter().sum::<f64>() / ascent.len() as f64;

@@ -5,11 +5,12 @@ use asperity_core::cancel::Cancelled;
 use super::line_search::settle;
 use super::workspace::{Level, Task, Workspace};
 use super::{active_set, projected_gradient};
+use crate::grid::Grid;
 
 /// Improves `work.pressure` until its certificate is within the tolerance or no progress is possible.
 /// Returns the number of iterations.
-pub(crate) fn minimise(
-    level: Level,
+pub(crate) fn minimise<G: Grid>(
+    level: Level<G>,
     work: &mut Workspace,
     task: &Task,
 ) -> Result<usize, Cancelled> {

@@ -13,27 +13,36 @@ use asperity_core::cite;
 
 use super::coarse_space::CoarseSpace;
 use crate::boundary::Boundary;
-use crate::convolution::{Buffers, EvenFilter};
-use crate::convolution::{Lanes, Run, extend, listed, parts, vectorised};
+use crate::convolution::{Buffers, Convolution, Lanes, Run, extend, listed, parts, vectorised};
+use crate::grid::Grid;
 
 /// Points that are searched together for overlap: the bits of an integer mark those in contact.
 const BLOCK: usize = u64::BITS as usize;
 
 /// Operators of one grid.
-#[derive(Clone, Copy)]
-pub(crate) struct Level<'a> {
-    pub(crate) displacement: &'a EvenFilter,
+pub(crate) struct Level<'a, G: Grid> {
+    pub(crate) displacement: &'a G::Filter<f64>,
     /// The displacement in single precision, for steps and preconditioner.
-    pub(crate) single: &'a EvenFilter<f32>,
+    pub(crate) single: &'a G::Filter<f32>,
     /// The symbol |q|, nearly the inverse of the displacement.
-    pub(crate) inverse: &'a EvenFilter<f32>,
+    pub(crate) inverse: &'a G::Filter<f32>,
     pub(crate) boundary: Boundary,
 }
+
+impl<G: Grid> Clone for Level<'_, G> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<G: Grid> Copy for Level<'_, G> {}
 
 /// Bounded quadratic problem on one grid.
 pub(crate) struct Task<'a> {
     /// h plus the displacement by the prescribed pressure, minus a controlled approach, in m.
     pub(crate) gap: &'a [f64],
+    /// Points along rolling; there are as many rows along the lead as the gap holds.
+    pub(crate) columns: usize,
     /// Σp in Pa, unless the approach is controlled.
     pub(crate) sum: Option<f64>,
     /// Limit of the pressure in Pa, infinite for none.
@@ -169,7 +178,7 @@ impl Workspace {
     /// Recomputes v = A p + h in double precision and lists all points, with
     ///
     /// A p = (1/(π·E*))·Σⱼ C_ij·p_j  `[P1]`
-    pub(crate) fn refresh(&mut self, displacement: &EvenFilter, task: &Task) {
+    pub(crate) fn refresh(&mut self, displacement: &impl Convolution<f64>, task: &Task) {
         cite!("P1");
         let points = self.pressure.len();
         let (buffers, pressure) = (&mut self.buffers, &self.pressure);
@@ -181,31 +190,30 @@ impl Workspace {
         self.list_all();
     }
 
-    /// Range of the deformation in m from half a contact width before the first point under pressure
+    /// Range of the deformation in m from half a contact width before the first column under pressure
     /// to half a contact width behind the last; zero without pressure.
     pub(crate) fn deformation(&self, task: &Task) -> f64 {
-        let loaded = |p: &f64| *p > 0.0;
-        let (Some(first), Some(last)) = (
-            self.pressure.iter().position(loaded),
-            self.pressure.iter().rposition(loaded),
-        ) else {
+        let columns = task.columns;
+        let Some([first, last]) = loaded_columns(&self.pressure, columns) else {
             return 0.0;
         };
         let half_width = (last - first + 1).div_ceil(2);
-        let points = self.pressure.len();
-        let about = first.saturating_sub(half_width)..(last + half_width + 1).min(points);
-        let arrays = [&self.opening[about.clone()], &task.gap[about]];
+        let about = first.saturating_sub(half_width)..(last + half_width + 1).min(columns);
         let mut lanes = Lanes::new([f64::INFINITY, f64::NEG_INFINITY]);
         vectorised(
             #[inline(always)]
             || {
-                lanes.fold(arrays, |[least, most], [v, h]| {
-                    let u = v - h;
-                    [
-                        if u < least { u } else { least },
-                        if u > most { u } else { most },
-                    ]
-                });
+                let rows = self.opening.chunks_exact(columns);
+                for (opening, gap) in rows.zip(task.gap.chunks_exact(columns)) {
+                    let arrays = [&opening[about.clone()], &gap[about.clone()]];
+                    lanes.fold(arrays, |[least, most], [v, h]| {
+                        let u = v - h;
+                        [
+                            if u < least { u } else { least },
+                            if u > most { u } else { most },
+                        ]
+                    });
+                }
             },
         );
         let [least, most] = lanes.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
@@ -406,4 +414,15 @@ impl Workspace {
             residual_sum,
         }
     }
+}
+
+/// First and last column under pressure.
+pub(crate) fn loaded_columns(pressure: &[f64], columns: usize) -> Option<[usize; 2]> {
+    let loaded = |p: &f64| *p > 0.0;
+    let rows = pressure.chunks_exact(columns);
+    let ends = rows.filter_map(|row| {
+        let first = row.iter().position(loaded)?;
+        Some([first, row.iter().rposition(loaded)?])
+    });
+    ends.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
 }

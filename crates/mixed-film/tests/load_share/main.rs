@@ -8,6 +8,7 @@
 )]
 
 mod gradient;
+mod patch;
 mod point_contact;
 mod properties;
 
@@ -902,7 +903,7 @@ fn pressure_of_the_ripple_presses_waves_to_their_heights_in_the_contact() {
     let mut displacement = vec![0.0; n];
     let mut solver = Solver::new(n, boundary).unwrap();
     solver
-        .displacement((SPACING, modulus), &pressure, &mut displacement)
+        .displacement((SPACING, None, modulus), &pressure, &mut displacement)
         .unwrap();
     for i in 0..n {
         let pressed = heights[i] - displacement[i];
