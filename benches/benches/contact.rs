@@ -7,11 +7,11 @@ mod common;
 use std::time::Duration;
 
 use asperity_contact::subsurface::{graded_depths, subsurface_stress};
-use asperity_contact::{ContactProblem, Control, Solver, SolverSettings, solve};
+use asperity_contact::{ContactProblem, Control, Lead, Solver, SolverSettings, solve};
 use asperity_core::numerics::{SymmetricToeplitz, good_fft_length};
-use asperity_core::quantity::Length;
+use asperity_core::quantity::{Length, Pressure};
 use common::peers::Peer;
-use common::{CYLINDER, hertz_problem};
+use common::{CYLINDER, hertz_problem, rough_patch};
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 
 /// Cases and sizes; the largest fractal one takes a quarter of a minute and is left to the example
@@ -102,6 +102,32 @@ fn warm(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// The contact of a patch at one share of its load, from the pressure at the next.
+fn patch(criterion: &mut Criterion) {
+    let [columns, rows] = [768, 256];
+    let (gap, spacing) = rough_patch([columns, rows]);
+    let lead = Some(Lead { rows, spacing });
+    let settings = SolverSettings::default();
+    let problem = ContactProblem {
+        lead,
+        pressure_limit: Some(Pressure::from_si(8e9)),
+        ..ContactProblem::new(&gap, spacing, CYLINDER.modulus, CYLINDER.load * 0.4)
+    };
+    let mut solver = Solver::of(&problem).unwrap();
+    let next = solver.solve(&problem, &settings).unwrap();
+    let mut group = criterion.benchmark_group("patch");
+    group.sample_size(10);
+    group.bench_function("share 0.28 from share 0.4, 256 x 768", |bencher| {
+        let problem = ContactProblem {
+            control: Control::Load(CYLINDER.load * 0.28),
+            start: Some(&next.pressure),
+            ..problem
+        };
+        bencher.iter(|| solver.solve(&problem, &settings).unwrap());
+    });
+    group.finish();
+}
+
 fn subsurface(criterion: &mut Criterion) {
     let (gap, spacing) = CYLINDER.gap(2_000);
     let solution = solve(&hertz_problem(&gap, spacing), &SolverSettings::default()).unwrap();
@@ -114,5 +140,5 @@ fn subsurface(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, cold, transforms, warm, subsurface);
+criterion_group!(benches, cold, transforms, warm, patch, subsurface);
 criterion_main!(benches);

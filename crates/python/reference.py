@@ -11,7 +11,7 @@ from pathlib import Path
 
 import asperity
 import columns
-from asperity import _asperity, _case, _columns, _compare, _oil, _own_laws, _profile, _progress, _quantity, _studies, _values
+from asperity import _asperity, _case, _columns, _compare, _oil, _own_laws, _progress, _quantity, _studies, _values
 
 FILE = Path(__file__).resolve().parents[2] / "docs" / "PYTHON_API.md"
 HEAD = """# Python API
@@ -35,7 +35,7 @@ TOPICS = {
     "Tables and charts": "Record Table Chart",
 }
 TYPES = {
-    _case: "CaseLike", _compare: "Finish Trace Variant", _columns: "Columns FrameLike", _oil: "OilLike", _own_laws: "Law", _profile: "Plan", _progress: "Progress",
+    _case: "CaseLike", _compare: "Finish Trace Variant", _columns: "Columns FrameLike", _oil: "OilLike", _own_laws: "Law", _progress: "Progress",
     _quantity: "Scalar Values Quantity Quantities Numbers Floats PintLike", asperity.keys: "CaseTables CaseKeys",
 }
 """Types of arguments and results by the module that has them."""
@@ -177,9 +177,7 @@ def types():
                 about = ast.get_docstring(node) if isinstance(node, ast.ClassDef) else after.value.value
                 is_union = isinstance(node, ast.Assign) and home is not asperity.keys
                 of = f"`{ast.unparse(node.value)}`".replace("|", "\\|") if is_union else "`asperity.keys`" if home is asperity.keys else "class"
-                fields = [field.target.id for field in getattr(node, "body", ()) if isinstance(field, ast.AnnAssign)] if name == "Plan" else []
-                more = f" Keys: {', '.join(f'`{field}`' for field in fields)}." if fields else ""
-                rows.append(f"| `{name}` | {of} | {first(about)}{more} |\n")
+                rows.append(f"| `{name}` | {of} | {first(about)} |\n")
                 named.add(name)
     listed = sorted(name for name in NAMED if getattr(getattr(_values, name, None), "__module__", "") == _values.__name__)
     known = {*named, *listed, *OF_PYTHON, *asperity.__all__, *(name for name, *_ in _asperity.choices())}

@@ -34,7 +34,7 @@ SMALL = 'case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets":
 EXAMPLES = {
     "compare": [SMALL, 'finishes = {"ground": "demo/ground_pinion.csv", "fine": "demo/superfinished_pinion.csv"}', "found = asperity.compare(case, finishes)",
                 ("found.names", "['ground', 'fine']"), ("bool(found.finishes.loss_w[1] < found.finishes.loss_w[0])", "True"),
-                'oils = {"pao": {"lubricant.oil": "pao100"}, "mineral": {"lubricant.oil": "m100"}}', ("asperity.compare(case, oils).names", "['pao', 'mineral']")],
+                ('asperity.compare(case, {"pao": {"lubricant.oil": "pao100"}, "mineral": {"lubricant.oil": "m100"}}).names', "['pao', 'mineral']")],
     "map": [SMALL, 'losses = asperity.map(case, torque_nm=[50, 145], speed="1000..9000:3 1/min", band="none")', ("losses.loss_w.shape", "(1, 1, 2, 4)"),
             ("float(losses.loss_torque(torque_nm=100, speed_rpm=4000)) > 0", "True")],
     "cycle": [SMALL, 'losses = asperity.map(case, torque_nm=[-200, -60, -20, 20, 60, 200], speed_rpm=[500, 4000, 16000])',
@@ -92,6 +92,8 @@ LISTS = {"float": "Floats", "int": "Floats", "str": "list[str]"}
 KINDS = ("gears", "mesh")
 ROOTS = {"Uncertainty": "Uncertainty", "Summary": "SummaryValues", "PositionRow": "PathRow", "ContactNumbers": "ContactNumbers"}
 """Classes of values of which others are parts, by the name of the type in Rust."""
+RENAMED = {**ROOTS, "ContactNote": "Note"}
+"""Classes with another name than the type in Rust; a note of a contact is as those of all results."""
 QUANTITIES = {name for name, _ in _asperity.si_units()}
 PLAIN = {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "null": "None"}
 HEAD_OF_CHOICES = '''"""Choices of arguments and names of columns.
@@ -301,7 +303,7 @@ class Registry:
         self.registry = json.loads(_asperity.values())
 
     def name_of(self, name):
-        return ROOTS.get(name, name)
+        return RENAMED.get(name, name)
 
     def type_of(self, form):
         """The type of a value as text, and its class where it is an object or a list of objects."""

@@ -50,7 +50,7 @@ fn assert_same_numbers(opened: &Opened, result: &Value) {
         ("power_in_w", 1e-3),
         ("torque_out_nm", 1.0),
         ("mu_equivalent", 1.0),
-        ("loss_factor", 1.0),
+        ("loss_factor_ohlendorf", 1.0),
         ("loss_factor_local", 1.0),
         ("mixed_share", 100.0),
     ] {

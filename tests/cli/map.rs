@@ -539,6 +539,8 @@ fn what_makes_no_map_is_refused() {
     let map = |arguments: &[&str]| bench.run(&[&["map", "case.toml"], arguments].concat());
     map(&["--torque", "1..2"]).refused(2, "E209", &["--torque", "1..2"]);
     map(&["--speed", "-5,5"]).refused(2, "E209", &["speed", "-5"]);
+    let warm = "warm: operation.bulk_temperature=100 °C";
+    map(&["--variant", warm]).refused(2, "E205", &["warm", "axes"]);
     map(&["--export", "fastsim"]).refused(2, "E205", &["--export", "no cycle"]);
     let drive = [
         "--torque", "50,100", "--speed", "500,9000", "--export", "vecto",

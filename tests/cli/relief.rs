@@ -59,7 +59,7 @@ fn the_relief_of_the_traces_is_told_and_counts() {
     assert!(page.contains("Relief from the traces") && page.contains("id=\"relief\""));
     let factor = |extra: &[&str]| {
         let found = bench.run(&[&["gear", "case.toml", "--json"], extra].concat());
-        found.well().json()["loss_factor"].as_f64().unwrap()
+        found.well().json()["loss_factor_local"].as_f64().unwrap()
     };
     let drawn = [
         "--set",

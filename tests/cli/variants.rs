@@ -49,6 +49,29 @@ fn two_oils_differ_by_the_draws_of_each_and_their_order_changes_the_sign_only() 
     assert_eq!(of("boundary friction"), Some(0.0));
     assert_eq!(of("lay"), Some(1.0));
     assert_eq!(of("sampling of the flanks"), Some(1.0));
+    let all = ["compare", "case.toml", "--no-output", "--variant", oils[0]];
+    let more = [
+        "a: operation.speed=8000 1/min",
+        "b: operation.speed=8500 1/min",
+    ];
+    let more = [
+        "--variant",
+        oils[1],
+        "--variant",
+        more[0],
+        "--variant",
+        more[1],
+    ];
+    let screen = bench.run(&[&all[..], &FEW, &more].concat()).well().out;
+    let has_row = |name: &str| {
+        screen
+            .lines()
+            .any(|line| line.starts_with(&format!("{name}  ")))
+    };
+    assert!(
+        ["pao", "mineral", "a", "b"].into_iter().all(has_row),
+        "{screen}"
+    );
     // Each oil with its viscosity at 90 °C.
     let oil = |number: usize| {
         let finish = &there["finishes"][number];
@@ -244,6 +267,7 @@ fn maps_and_cycles_take_variants_with_the_same_draws_in_common() {
     bench.run(&[&axes[..], &FEW, &oils].concat()).well();
     let map = std::fs::read_to_string(bench.path("map/map.json")).unwrap();
     let map: Value = serde_json::from_str(&map).unwrap();
+    assert_eq!(map["are_variants"], true);
     let of_map = &map["finishes"][1]["difference_w"];
     let of_map = ["low", "value", "high"].map(|key| of_map[key].as_f64().unwrap());
     let [low, median, high] = ends(&compared(&bench, &[oils[1], oils[3]]), 1);

@@ -24,15 +24,15 @@ fn a_spur_pair_with_equal_shares_loses_mu_times_the_loss_factor() {
     for mu in [0.001, 0.05, 0.3] {
         let summary = summary(&with_constant(spur(), mu));
         // Ohlendorf's closed form: the pitch point lies in single contact.
-        let expected = mu * summary.loss_factor * summary.power_in_w;
+        let expected = mu * summary.loss_factor_ohlendorf * summary.power_in_w;
         assert_close("sliding", summary.sliding_w, expected, ROUNDING);
         assert_close(
             "H_V",
             summary.loss_factor_local,
-            summary.loss_factor,
+            summary.loss_factor_ohlendorf,
             ROUNDING,
         );
-        let eta = 1.0 - mu * summary.loss_factor - summary.rolling_w / summary.power_in_w;
+        let eta = 1.0 - mu * summary.loss_factor_ohlendorf - summary.rolling_w / summary.power_in_w;
         assert_close("efficiency", summary.efficiency, eta, ROUNDING);
     }
 }

@@ -160,7 +160,7 @@ impl Printed {
             1e-4,
         );
         rows.push(force);
-        let ohlendorf = result.summary.loss_factor;
+        let ohlendorf = result.summary.loss_factor_ohlendorf;
         rows.push(printed(
             "H_V, Ohlendorf",
             "-",

@@ -46,7 +46,12 @@ pub fn geometry() -> Table {
                 result.path.iter().map(|row| row.weight_m * 1e3).sum(),
             ),
             row("f", "N/mm", 113.408_97, result.path[0].line_load_n_per_mm),
-            row("H_V, Ohlendorf", "-", 0.060_808_148, summary.loss_factor),
+            row(
+                "H_V, Ohlendorf",
+                "-",
+                0.060_808_148,
+                summary.loss_factor_ohlendorf,
+            ),
             row(
                 "H_V, local, at the mean contact length",
                 "-",

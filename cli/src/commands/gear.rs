@@ -65,7 +65,7 @@ fn loss_factor(report: &GearReport) -> String {
     });
     format!(
         "loss factor H_V {:.4} ({}){band}",
-        report.loss_factor, report.law
+        report.loss_factor_local, report.law
     )
 }
 
@@ -140,7 +140,7 @@ fn geometry(report: &GearReport) -> [String; 4] {
 }
 
 fn laws(report: &GearReport) -> Table {
-    let ohlendorf = ("Ohlendorf", Some(report.ohlendorf), None);
+    let ohlendorf = ("Ohlendorf", Some(report.loss_factor_ohlendorf), None);
     let laws = report.loss_factors.iter();
     let laws = laws.map(|row| (row.law.as_str(), row.loss_factor, row.refused.as_deref()));
     let rows = std::iter::once(ohlendorf).chain(laws);

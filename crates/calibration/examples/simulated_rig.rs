@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         sigma: 0.03,
         assemblies: 2,
     };
-    let found = plan(&case, &limits, &[], &|_| {})?;
+    let found = plan(&case, &limits, &[], &|_, _| {})?;
     print!("{}", found.summary());
     // A rig whose oil and flanks are not those of the defaults.
     let truth = case.with_key("model.boundary_friction", "0.095")?;

@@ -83,6 +83,8 @@ pub fn calibrate(
     let fit = rig.fit(observations, first, &progress)?;
     rig.check_scatter(&fit)?;
     let evaluations = done.load(Ordering::Relaxed);
+    let total = estimated_total.load(Ordering::Relaxed).max(evaluations);
+    (watch.progress)(total, total);
     report(&rig, &fit, identifiability, text, evaluations)
 }
 

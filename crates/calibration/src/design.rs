@@ -112,6 +112,11 @@ fn settings_of(case: &LoadedCase) -> String {
     )
 }
 
+/// Evaluations of the model for a design: of every point, and of its plane over parameters and temperature.
+fn evaluations(points: usize, parameters: usize) -> usize {
+    points * (1 + (parameters + 2))
+}
+
 /// Chooses the D-optimal points within `limits` for the parameters of `case` that are not `held`. The points of the
 /// smallest and the largest Λ* are always included. If the limits do not identify the boundary share, the boundary layer
 /// is held and a warning states what is missing.
@@ -122,11 +127,13 @@ pub fn plan(
     case: &LoadedCase,
     limits: &Limits,
     held: &[CalibratedName],
-    progress: Progress<'_>,
+    watch: asperity::pipeline::Progress<'_>,
 ) -> Result<Design, Fault> {
     let count = points_per_assembly(limits)?;
     let mut fitted = parameters(case, held)?;
     let operating_points = grid(limits);
+    let total = evaluations(operating_points.len(), fitted.len());
+    let progress: Progress<'_> = &|done| watch(done, total);
     let model = RigModel::new(std::slice::from_ref(case), &[], &operating_points)?;
     let nominal: Vec<PointLosses> = model.evaluate(&[vec![0.0]], progress)?.concat();
     let lambda_stars: Vec<_> = operating_points
@@ -147,19 +154,20 @@ pub fn plan(
             ),
         ));
     }
-    let parameters = fitted;
     let rows = count * limits.assemblies;
-    if rows < parameters.len() + Scatter::LEAST_FREEDOM {
+    if rows < fitted.len() + Scatter::LEAST_FREEDOM {
         return Err(error::limit(
             "points",
             rows as f64,
             "are too few to confirm the errors; give more hours or fewer minutes per point",
         ));
     }
-    let model = model.with_parameters(&parameters);
-    let region = slope_region(&parameters);
+    let model = model.with_parameters(&fitted);
+    let region = slope_region(&fitted);
     let planes = tangents(&model, &region, progress)?;
-    let priors: Vec<f64> = parameters.iter().map(|parameter| parameter.prior).collect();
+    // Fewer evaluations where the boundary layer was held meanwhile.
+    watch(total, total);
+    let priors: Vec<f64> = fitted.iter().map(|parameter| parameter.prior).collect();
     let observation = |point: usize, assembly: usize| Observation {
         point,
         assembly,
@@ -177,7 +185,7 @@ pub fn plan(
         .flat_map(|assembly| chosen.iter().map(move |point| (*point, assembly)))
         .map(|(point, assembly)| observation(point, assembly))
         .collect();
-    let expected = expected(&parameters, &problem, measured);
+    let expected = expected(&fitted, &problem, measured);
     let mut numbers: Vec<usize> = chosen.clone();
     let order = |point: usize| {
         let [torque, speed, temperature] = operating_points[point].at;

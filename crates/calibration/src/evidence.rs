@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use std::str::FromStr;
 
 use asperity::case::train::Train;
-use asperity::case::{did_you_mean, nearest_name};
+use asperity::core::{did_you_mean, nearest_name};
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::EvidenceRow;
 use asperity::result::with_interval;
@@ -465,7 +465,7 @@ impl EvidenceTable {
 }
 
 /// Meaning of the numbers.
-const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median. In brackets: the 5 and 95 % quantiles of the loss. Remaining width: width of this interval of ln loss over the present one. The result of a measurement also moves the median. A second set has the same gears with other flanks.";
+const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median. In brackets: the 5 and 95 % quantiles of the loss. Remaining width: width of this interval of ln loss over the present one. The result of a measurement also moves the median. A second set has the same gears with other flanks. Traction curves leave the film itself and the error of its law.";
 /// Commands that plan a measurement.
 const PLANS: &str = "These measurements narrow the loss of this case. Constants for other points and gears need more points: asperity design plans them on a rig, asperity oil plan on a traction machine.";
 /// Meaning of the hours.

@@ -1,7 +1,7 @@
 //! Tables with the errors of this crate.
 
 use crate::error;
-use asperity::case::nearest_name;
+use asperity::core::nearest_name;
 use asperity_core::Fault;
 use asperity_table::{Row, RowFault, Table};
 

@@ -2,7 +2,7 @@
 
 use asperity::case::{CalibratedName, Case, LoadedCase};
 use asperity_core::Fault;
-use asperity_core::quantity::Ratio;
+use asperity_core::quantity::{AngularSpeed, Ratio};
 use asperity_report::{Nodes, StudySettings, Watch, Work, settings};
 
 use crate::design::{Design, Limits, plan, simulated};
@@ -90,9 +90,10 @@ impl StudySettings for CalibrationSettings {
 settings! {
     /// Settings of a design of measurements.
     pub struct DesignSettings {
-        /// Torques to choose from in N m: a..b:n, a..b:n:log or a list [default: a third of the largest, and the largest]
+        /// Torques to choose from in N m: a..b:n, a..b:n:log or a list, with % behind it in parts of the torque of the case
+        /// [default: a third of the largest, and the largest]
         [value_name = "AXIS", conflicts_with = "torque_max_nm"] torque: Option<Nodes>,
-        /// Speeds to choose from in 1/min [default: 8 speeds from a fiftieth of the largest up to it]
+        /// Speeds to choose from in 1/min, or in % of the speed of the case [default: 8 speeds from a fiftieth of the largest up to it]
         [value_name = "AXIS", conflicts_with = "speed_max_rpm"] speed: Option<Nodes>,
         /// Measuring time in hours, without heating
         [value_name = "H"] hours: f64 = 8,
@@ -131,18 +132,25 @@ impl DesignSettings {
         let torque = reach
             .torque_max_nm
             .map_or(torque, |most| most.copysign(case.torque.si()));
-        let speed = map.speed_max.unwrap_or(case.speed).si() * 30.0 / std::f64::consts::PI;
+        let rpm = |speed: AngularSpeed| speed.si() * 30.0 / std::f64::consts::PI;
+        let speed = rpm(map.speed_max.unwrap_or(case.speed));
         let speed = reach.speed_max_rpm.unwrap_or(speed);
         let even = |k: usize| match k + 1 == SPEEDS {
             true => speed,
             false => rounded(speed * SLOWEST.powf(1.0 - k as f64 / (SPEEDS - 1) as f64)),
         };
+        let of_case = |stated: &Option<Nodes>, name: &str, whole: f64| {
+            let stated = stated.as_ref();
+            stated
+                .map(|stated| stated.nodes_of(name, whole))
+                .transpose()
+        };
         let at = case.temperature.celsius();
         let [cold, hot] = [at.min(TEMPERATURES[0]), at.max(TEMPERATURES[1])];
         Ok(Limits {
-            torques_nm: nodes("torque", self.torque.as_ref())?
+            torques_nm: of_case(&self.torque, "torque", case.torque.si())?
                 .unwrap_or_else(|| vec![rounded(torque / 3.0), torque]),
-            speeds_rpm: nodes("speed", self.speed.as_ref())?
+            speeds_rpm: of_case(&self.speed, "speed", rpm(case.speed))?
                 .unwrap_or_else(|| (0..SPEEDS).map(even).collect()),
             temperatures_c: reach
                 .temperatures_c
@@ -179,9 +187,7 @@ impl StudySettings for DesignSettings {
 
     fn run(&self, case: LoadedCase, watch: &Watch<'_>) -> Result<Design, Fault> {
         let limits = self.limits(&case.case)?;
-        let mut found = plan(&case, &limits, &self.rig.hold, &|done| {
-            (watch.progress)(done, 0);
-        })?;
+        let mut found = plan(&case, &limits, &self.rig.hold, watch.progress)?;
         let losses = self.simulate.map(|seed| simulated(&case, &found, seed));
         found.simulated_w = losses.transpose()?;
         Ok(found)

@@ -64,9 +64,8 @@ pub use crate::resolved::oil_file::{
 pub use crate::resolved::resolve::{Case, resolve};
 pub use crate::resolved::shafting::{Flow, MeshLoad, Shafting, StageKind};
 pub use crate::resolved::steel::STEEL_FLOW_PRESSURE;
-pub use crate::source::case_error::{CaseError, did_you_mean};
+pub use crate::source::case_error::CaseError;
 pub use crate::source::defaults::DefaultUsed;
-pub use crate::source::nearest_name::nearest_name;
 pub use crate::source::source_text::Source;
 #[cfg(feature = "case-files")]
 pub use crate::text::case_file::{schema, schema_of_named_meshes};

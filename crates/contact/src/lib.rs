@@ -7,6 +7,7 @@
 //! | for | see |
 //! |---|---|
 //! | two measured profiles | [`two_flanks`] |
+//! | a patch: a window with an extent along the lead | [`Lead`] |
 //! | plastic flow of the surface, running-in | [`plasticity`], [`running_in`] |
 //! | stress below the surface | [`subsurface`] |
 //! | closed forms | [`hertz_line`], [`hertz_point`], [`westergaard`], [`flat_punch`] |

@@ -10,9 +10,7 @@ use asperity_contact::{
 };
 use asperity_core::quantity::{Force, Length, LineLoad, Pressure};
 
-use crate::common::{
-    CYLINDER, random, relative_difference, rough_gap, rough_wave, self_affine, tight,
-};
+use crate::common::{CYLINDER, relative_difference, rough_gap, rough_patch, rough_wave, tight};
 
 fn lead(rows: usize, spacing: Length) -> Option<Lead> {
     Some(Lead { rows, spacing })
@@ -178,26 +176,9 @@ fn the_work_of_the_load_is_the_elastic_energy() {
     assert!((work / energy - 1.0).abs() < 1e-3);
 }
 
-/// A rough cylinder with a patch of 96 columns and 24 rows.
-fn rough_patch() -> (Vec<f64>, Length) {
-    let (columns, rows) = (96, 24);
-    let spacing = CYLINDER.window / columns as f64;
-    let along: Vec<f64> = (0..columns).map(|i| i as f64 / columns as f64).collect();
-    let x = CYLINDER.positions(columns);
-    let row = |row: u64| {
-        let phase = (2.0 * PI * row as f64 / rows as f64).sin();
-        let moved: Vec<f64> = along.iter().map(|x| x + 0.1 * phase).collect();
-        let z = self_affine(&moved, 4..=24, 5);
-        let gap = x.iter().zip(z);
-        gap.map(|(x, z)| x * x / (2.0 * CYLINDER.radius.si()) - 1e-6 * z - 2e-7 * random(9, row))
-            .collect::<Vec<_>>()
-    };
-    ((0..rows).flat_map(row).collect(), spacing)
-}
-
 #[test]
 fn transforms_and_the_dense_matrix_give_the_same_patch() {
-    let (gap, spacing) = rough_patch();
+    let (gap, spacing) = rough_patch([96, 24]);
     for (boundary, limit) in [
         (Boundary::FreeEnds, None),
         (Boundary::FreeEnds, Some(Pressure::from_si(2.5e9))),

@@ -25,7 +25,7 @@ thread_local! {
 }
 
 /// The work was cancelled; it has no result.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, thiserror::Error)]
 #[error("the work was cancelled")]
 pub struct Cancelled;
 

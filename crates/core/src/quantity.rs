@@ -255,6 +255,8 @@ quantities! {
     ];
     /// A temperature \[K\]; text may say °C.
     Temperature, "temperature", "K": [spelt("°C", &["C"], Celsius, true), read("K", Decimal(0))];
+    /// A difference of temperatures \[K\].
+    TemperatureDifference, "temperature difference", "K": [shown("K", Decimal(0))];
     /// A thermal conductivity \[W/(m K)\].
     ThermalConductivity, "thermal conductivity", "W/(m K)": [spelt("W/(m K)", &["W/m/K"], Decimal(0), true)];
     /// A thermal conductance \[W/K\].

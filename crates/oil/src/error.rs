@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use asperity_core::numerics::RootError;
-use asperity_core::{Code, DomainError, Fault, number};
+use asperity_core::{Code, DomainError, Fault, did_you_mean, nearest_name, number};
 
 /// Errors of the properties of a lubricant.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -93,8 +93,9 @@ impl LubricantError {
         Self::Fault(Fault::new(
             Code::E208,
             format!(
-                "there is no oil \"{name}\" in the library; it has: {}{}",
+                "there is no oil \"{name}\" in the library; it has: {}{}{}",
                 known.join(", "),
+                did_you_mean(nearest_name(name, known).as_deref()),
                 as_grade(name)
             ),
         ))

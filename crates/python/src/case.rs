@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use asperity::Remedy;
 use asperity::Run;
 use asperity::case::{self, Content, FileContents, LoadedCase, Source, Train, open_source};
 use asperity::contacts::dry_contact::dry_contact;
@@ -128,7 +129,11 @@ impl Case {
 
     /// The case of its only mesh.
     pub fn only(&self) -> Result<&LoadedCase, Failure> {
-        Ok(self.0.only_mesh()?)
+        self.0.only_mesh().map_err(|error| {
+            let first = self.meshes().into_iter().next().unwrap_or_default();
+            let advice = format!("take one of them, as case.mesh(\"{first}\")");
+            Failure::from(error).advising(Remedy::act(advice))
+        })
     }
 }
 
@@ -262,20 +267,8 @@ impl Case {
                 .filter_map(|(key, value)| Some((key, value?)))
                 .collect();
             let named = |fault: Fault| fault.about(format!("variant {name}"));
-            let base = match unset.is_empty() {
-                true => base,
-                false => {
-                    let mut input = base.input.clone();
-                    for (key, _) in &unset {
-                        input.unset(key)?;
-                    }
-                    base.with_input(input)?
-                }
-            };
-            let found = match set.is_empty() && !unset.is_empty() {
-                true => base,
-                false => varied(&base, &set).map_err(|fault| Failure::from(named(fault)))?,
-            };
+            let unset: Vec<String> = unset.into_iter().map(|(key, _)| key).collect();
+            let found = varied(&base, &set, &unset).map_err(|fault| Failure::from(named(fault)))?;
             Ok(Self(found.into()))
         })
     }

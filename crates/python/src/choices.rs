@@ -36,7 +36,7 @@ use crate::maps::COLUMNS;
 /// The choice called `name`; `what` is the argument that it was given to.
 pub fn named<T: DeserializeOwned>(what: &str, name: &str) -> Result<T, Failure> {
     serde_json::from_value(serde_json::Value::String(name.to_owned())).map_err(|error| {
-        let like = asperity::case::nearest_name(name, &names::<T>());
+        let like = asperity::core::nearest_name(name, &names::<T>());
         let meant = like.map_or(String::new(), |like| format!(". Did you mean `{like}`?"));
         Failure::new(Code::E204, format!("{what}: {error}{meant}"))
     })
@@ -145,7 +145,7 @@ pub fn values() -> PyResult<String> {
 /// The name of `known` most similar to `seen`, if one is similar.
 #[pyfunction]
 pub fn nearest(seen: &str, known: Vec<String>) -> Option<String> {
-    asperity::case::nearest_name(seen, &known)
+    asperity::core::nearest_name(seen, &known)
 }
 
 /// Choices of arguments and columns of results, by the names of their types in Python and in Rust.

@@ -66,7 +66,12 @@ fn raised(py: Python<'_>, fault: &Fault) -> PyResult<PyErr> {
 
 /// The settings in a text of JSON.
 pub fn asked<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Failure> {
-    serde_json::from_str(text).map_err(|error| Failure::new(Code::E204, error.to_string()))
+    // The user wrote no JSON, in which there would be such a line.
+    let of_value = |error: serde_json::Error| {
+        let text = error.to_string();
+        text.split(" at line ").next().unwrap_or(&text).to_owned()
+    };
+    serde_json::from_str(text).map_err(|error| Failure::new(Code::E204, of_value(error)))
 }
 
 /// A value as JSON text.

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use asperity::Remedy;
 use asperity::message::Code;
 use asperity::result::{Losses, Outcome as OfMesh, PositionFields};
 use asperity::train::Outcomes;
@@ -90,15 +91,13 @@ impl Outcome {
 
     /// Fields along the contact at a position, from 1 at A.
     fn fields<'py>(&self, py: Python<'py>, position: usize) -> PyResult<Bound<'py, PyDict>> {
-        let found = self
-            .fields_of()?
-            .iter()
-            .find(|fields| fields.position == position);
+        let fields = self.fields_of()?;
+        let found = fields.iter().find(|fields| fields.position == position);
         let found = found.ok_or_else(|| {
-            Failure::new(
-                Code::E402,
-                format!("the fields of position {position} were not kept"),
-            )
+            let kept = fields.iter().map(|one| one.position.to_string());
+            let kept = kept.collect::<Vec<_>>().join(", ");
+            let text = format!("there are no fields of position {position}, only of {kept}");
+            Failure::new(Code::E402, text).advising(Remedy::act("name one of these positions"))
         })?;
         let mut arrays = vec![
             ("x", &found.x),

@@ -18,7 +18,7 @@ use asperity::roughness::material_ratio::{abbott_curve, material_ratio_percent};
 use asperity::roughness::preparation::{Preparation, Prepared, RoughnessFilter, profiles};
 use asperity::roughness::robust_filter::robust_mean_line;
 use asperity::roughness::spectral::power_spectrum;
-use asperity::roughness::{Parameters, Warning};
+use asperity::roughness::{Parameters, RoughnessError, Warning};
 use asperity_report::profile_json::{heights, material, spectral, um};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -437,7 +437,12 @@ pub fn read_profile(py: Python<'_>, path: PathBuf, options: &str) -> PyResult<Tr
 pub fn generate(py: Python<'_>, recipe: &str) -> PyResult<Trace> {
     let recipe: Recipe = failure::asked(recipe)?;
     alone(py, || {
-        let made = recipe.generate()?;
+        let made = recipe.generate().map_err(|error| match error {
+            RoughnessError::Domain(error) => Failure::from(error),
+            other => other.into(),
+        })?;
+        // The checks of a trace that goes into a case.
+        CaseTrace::from_heights(made.profile.heights(), made.profile.spacing())?;
         let about = json!({
             "recipe": recipe, "achieved": of_achieved(&made.achieved), "synthetic": true, "warnings": [],
         });

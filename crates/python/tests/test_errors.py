@@ -291,6 +291,21 @@ def test_bad_arguments_are_told_apart():
         Case(small()).contact(2.0)
 
 
+def test_a_wrong_name_or_number_is_told_by_what_was_called(case):
+    with pytest.raises(TypeError, match=r"^Profile.prepare\(\) got an unexpected keyword argument 'cuttoff'$"):
+        trace().prepare(cuttoff=1)
+    recipe = {"points": 2000, "spacing": 0.5e-6, "rq": 0.4e-6, "hurst": 0.8, "roll_off": 20e-6, "short_cut": 2e-6, "seed": 1}
+    for wrong, code, words in (({"hurst": 1.5}, "E209", "hurst = 1.5: must lie"), ({"rq": 0.4}, "E209", "rq = 0.4 m"), ({"points": 50}, "E106", "50 points")):
+        with pytest.raises(AsperityError, match=words) as refused:
+            asperity.generate(**{**recipe, **wrong})
+        assert refused.value.code == code and "filter" not in refused.value.help
+    with pytest.raises(AsperityError, match="missing field `points`\n"):
+        asperity.generate("fitted")
+    with pytest.raises(AsperityError, match='Did you mean "m100"') as refused:
+        case.replace({"lubricant.oil": "m1000"})
+    assert repr(refused.value).startswith("AsperityError(E208 ") and "[{" not in repr(refused.value)
+
+
 @pytest.mark.parametrize(
     ("call", "words"),
     [
@@ -313,6 +328,7 @@ def test_bad_arguments_are_told_apart():
         (lambda case: case.contact("middle"), "position: a number"),
         (lambda case: asperity.sweep(case, {"torque_nm": 3}), "axes['torque_nm']: a list"),
         (lambda case: asperity.sweep(case, ["torque_nm"]), "axes: keys"),
+        (lambda case: case.run("losses", progress=5), "progress: a function"),
     ],
 )
 def test_an_argument_of_another_kind_is_named_with_what_it_takes(case, call, words):

@@ -129,3 +129,5 @@ def test_a_study_has_one_value_on_every_face(name, at, command, monkeypatch):
     (json_file,) = [content for file, content in files[ours].items() if file.suffix == ".json" and file.with_suffix(".html") in files[ours]]
     values = json.loads(json_file)
     assert {key: value for key, value in found.to_dict().items() if key in values} == values
+    back = asperity.read_result(ours).to_dict()
+    assert {key: back[key] for key in values} == values

@@ -81,7 +81,7 @@ def test_a_load_distribution_moves_the_load(drive):
 
     own = drive.with_laws(load_distribution=uniform)
     named = drive.replace({"model.load_distribution": "uniform"}).gear()
-    assert own.gear().law == "uniform" and own.gear().loss_factor == pytest.approx(named.loss_factor, rel=2e-3)
+    assert own.gear().law == "uniform" and own.gear().loss_factor_local == pytest.approx(named.loss_factor_local, rel=2e-3)
     reduced = drive.with_laws(load_distribution=lambda at: at.uniform * (1 - 0.5 * np.abs(2 * at.path_fraction - 1)))
     full, relieved = own.run("losses"), reduced.run("losses")
     assert seen and set(seen) == {256}

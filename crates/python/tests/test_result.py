@@ -1,12 +1,13 @@
 """Results: attributes, arrays, folders, other packages, notebooks."""
 
 import json
+import pickle
 
 import numpy as np
 import pytest
 
 import asperity
-from asperity import AsperityError
+from asperity import AsperityError, AsperityWarning
 from conftest import CASES, SETS, small, trace
 
 
@@ -17,6 +18,7 @@ def test_numbers_have_names_and_columns_are_arrays(result):
     assert path[2].film_minimum_um == path.film_minimum_um[2]
     assert sum(row.weight_m for row in path) == pytest.approx(path.weight_m.sum())
     assert len(result.offsets) == 2 and result.offsets.loss_w.mean() == pytest.approx(result.loss_w)
+    assert [row.source for row in result.defaults] == result.defaults.source.tolist() and len(dir(result)) == len({*dir(result)})
     assert "loss_w" in dir(result.summary) and "film_minimum_um" in dir(path)
     with pytest.raises(AttributeError, match="lambda_star"):
         path.lamda_star
@@ -46,7 +48,7 @@ def test_fields_of_a_position(result):
     assert highest.pressure_solid.max() >= fields.pressure_solid.max()
     with pytest.raises(asperity.AsperityError) as refused:
         result.fields(9)
-    assert refused.value.code == "E402"
+    assert refused.value.code == "E402" and "only of 1, 2, 3, 4" in refused.value.message
 
 
 def test_a_result_goes_into_a_folder_and_comes_back(result, tmp_path):
@@ -167,3 +169,16 @@ def test_losses_alone_say_what_they_do_not_have(case, result, tmp_path):
         train.diff(train)
     assert train.positions == [] and not train.meshes[0].diff(train.meshes[0]).summary
     train.write(tmp_path / "train")
+    copies = [asperity.read_result(tmp_path / "train"), pickle.loads(pickle.dumps(train))]
+    for copy in copies:
+        assert copy == train and copy.meshes == train.meshes and copy.path == train.path and copy.warnings == train.warnings
+    (tmp_path / "train" / "train.json").write_text("{")
+    with pytest.raises(AsperityError, match="is damaged"):
+        asperity.read_result(tmp_path / "train")
+
+
+def test_a_run_of_several_meshes_warns_of_each():
+    train = asperity.Case(SETS["train"])
+    with pytest.warns(AsperityWarning) as seen:
+        found = train.run("contacts")
+    assert {one.message.code for one in seen} <= set(found.warnings.code) and set(found.warnings.mesh) == {"a", "z"}

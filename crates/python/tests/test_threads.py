@@ -85,6 +85,8 @@ LONG = {
     "sweep": "list(asperity.sweep(case, sample={'method': 'sobol', 'count': 4096, "
     "'vary': {'operation.torque': {'uniform': ['50 N m', '150 N m']}}}))",
     "ehl": "asperity.ehl(case, 0.25, half_widths=4000)",
+    "profile change": "a = asperity.generate(points=200000, spacing=.5e-6, rq=.4e-6, hurst=.8, roll_off=50e-6, short_cut=2e-6, seed=1); "
+    "asperity.profile_change(a, asperity.Profile(a.heights.clip(max=.3e-6), a.spacing))",
     "contact": "asperity.solve_contact(np.random.default_rng(1).standard_normal(4_000_000) * 1e-6, 1e-7, 115e9, 1e4)",
 }
 

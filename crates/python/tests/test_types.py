@@ -7,12 +7,14 @@ import json
 import os
 import subprocess
 import sys
+import textwrap
 import typing
 from pathlib import Path
 
 import pytest
 
 import asperity
+from test_doctests import examples
 
 pytest.importorskip("mypy")
 PLACE = Path(asperity.__file__).parents[1]
@@ -59,7 +61,11 @@ def test_a_program_that_uses_the_package_is_typed(checked, tmp_path):
         "        print(row.loss_w)\n"
         "    return result.loss_w + float(np.max(found.pressure))\n"
     )
-    checked("mypy", "--strict", "--config-file", str(CONFIGURATION), "program.py")
+    # The examples of the reference, each a function.
+    bodies = ["".join(example.source for example in test.examples) for test in examples().values()]
+    functions = [f"def example_{number}() -> None:\n{textwrap.indent(body, '    ')}" for number, body in enumerate(bodies)]
+    (tmp_path / "examples.py").write_text("import asperity\nimport numpy as np\n" + "\n".join(functions))
+    checked("mypy", "--strict", "--config-file", str(CONFIGURATION), "program.py", "examples.py")
 
 
 MISTAKES = [
@@ -100,6 +106,8 @@ MISTAKES = [
     "energies.finishes[0].lost_quantiles_wh",
     "worn.pairs[0].removed_um",
     'worn.parameters["before"]',
+    "r.fields(1).von_mise",
+    "contact.stress([1e-6]).sigma",
 ]
 """Faults: attributes and columns that there are not, assignments, misspelt keys and choices, wrong units, arguments and kinds."""
 BEGIN = (
@@ -195,7 +203,7 @@ def test_the_reference_has_everything_public_as_it_is():
 def test_the_reference_explains_every_type_that_it_names():
     reference = script("reference")
     page = reference.written()
-    for name in ("CaseLike", "Finish", "Plan", "Quantity"):
+    for name in ("CaseLike", "Finish", "Quantity"):
         assert f"| `{name}` |" in page
     assert "### ProfileChangePairTable\n\n| column | what it is |" in page
     reference.NAMED.add("NeverExplained")

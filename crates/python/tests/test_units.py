@@ -56,6 +56,14 @@ def test_a_speed_of_pint_without_an_angle_counts_turns_as_text_does(drive, a_map
         assert case.run("losses").loss_w == pytest.approx(drive.replace(speed="9000 1/min").run("losses").loss_w, rel=1e-12), speed
     at = a_map.loss_torque(torque=50 * unit.N * unit.m, speed=3000 / unit.minute)
     assert at.shape == () and at == pytest.approx(a_map.loss_torque(torque_nm=50, speed_rpm=3000), rel=1e-12)
+    with pytest.raises(AsperityError, match="a difference of temperatures"):
+        drive.replace(temperature=unit.Quantity(363.15, "delta_degC"))
+    deviation = drive.replace({"operation.temperature_deviation": unit.Quantity(3, "delta_degC")})
+    assert deviation == drive.replace({"operation.temperature_deviation": "3 K"}) and 'temperature_deviation = "3 K"' in deviation.to_toml()
+    columns = {"time_s": [0.0, 1.0], "torque_nm": [50.0, 60.0], "speed_rpm": [2000.0, 3000.0]}
+    quantities = {"time_s": [0.0, 1.0], "torque_nm": unit.Quantity([0.05, 0.06], "kN*m"), "speed_rpm": unit.Quantity([2000.0, 3000.0], "1/minute")}
+    lost = [asperity.cycle(a_map, trace).finishes.lost_wh[0] for trace in (columns, quantities)]
+    assert lost[0] == pytest.approx(lost[1], rel=1e-9)
     jet = {"flow": 2.5 * unit.liter / unit.minute, "speed": "20 m/s"}
     assert drive.replace({"gearbox.jet": jet}).inputs.gearbox.jet.speed == "20 m/s"
 

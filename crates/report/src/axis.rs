@@ -122,9 +122,35 @@ impl Nodes {
     /// # Errors
     /// When the text is not an axis, or has no nodes.
     pub fn nodes(&self, name: &str) -> Result<Vec<f64>, Fault> {
+        self.parsed(name, None)
+    }
+
+    /// The nodes of the setting `name`; a text that ends with % has parts of `whole`, the value of the case.
+    ///
+    /// # Errors
+    /// As [`nodes`](Self::nodes).
+    ///
+    /// ```
+    /// use asperity_report::axis::Nodes;
+    /// let nodes: Nodes = "50,100,120 %".parse()?;
+    /// assert_eq!(nodes.nodes_of("torque", 145.0)?, [72.5, 145.0, 174.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn nodes_of(&self, name: &str, whole: f64) -> Result<Vec<f64>, Fault> {
+        self.parsed(name, Some(whole))
+    }
+
+    fn parsed(&self, name: &str, whole: Option<f64>) -> Result<Vec<f64>, Fault> {
+        let percent = |text: &str| Some((text.trim_end().strip_suffix('%')?.to_owned(), whole?));
         let nodes = match self {
             Self::Numbers(numbers) => Ok(numbers.clone()),
-            Self::Text(text) => axis(text),
+            Self::Text(text) => match percent(text) {
+                Some((percents, whole)) => axis(percents.trim_end()).map(|nodes| {
+                    let part = |percent: &f64| rounded_to(whole * percent / 100.0, 12);
+                    nodes.iter().map(part).collect()
+                }),
+                None => axis(text),
+            },
         };
         let none = || Fault::new(Code::E209, "at least one node is required");
         nodes

@@ -308,29 +308,36 @@ impl<'a> Report<'a> {
             let wanted = blocks.filter(move |(_, (block, _))| is_wanted(block));
             wanted.map(|(k, _)| k).collect::<Vec<usize>>()
         };
-        for k in of(|block| matches!(block, Block::Verdict(_))) {
+        let height = |of: &[usize]| of.iter().map(|k| count(&parts[*k].1)).sum::<usize>();
+        let verdicts = of(|block| matches!(block, Block::Verdict(_)));
+        let below = lines.saturating_sub(count(&title) + height(&verdicts));
+        for k in verdicts {
             show(&[k], 1);
         }
-        // Of the warnings the first is worth more than rows of a table, unless it is a paragraph.
+        let table = of(|block| matches!(block, Block::Table(table) if !table.is_empty()));
+        let table: Vec<usize> = table.first().map_or(Vec::new(), |k| {
+            let title = k.checked_sub(1);
+            let title = title.filter(|above| matches!(parts[*above].0, Block::Heading(_)));
+            title.into_iter().chain([*k]).collect()
+        });
+        // Of the warnings the first is worth more than rows of a table, unless it is a paragraph, or the only reason why the table
+        // is cut.
         let warnings = of(|block| matches!(block, Block::Warning(_)));
-        let first = warnings.first().filter(|k| count(&parts[**k].1) <= 3);
+        let cuts = |own: usize| height(&table) <= below && own + height(&table) > below;
+        let first = warnings.first().filter(|k| {
+            let own = count(&parts[**k].1);
+            own <= 3 && !cuts(own)
+        });
         if let Some(k) = first {
             show(&[*k], usize::MAX);
         }
-        let table = of(|block| matches!(block, Block::Table(table) if !table.is_empty()));
-        if let Some(k) = table.first() {
+        if let Some(k) = table.last() {
             // Of a table there are its headings and a row at least.
             let heading = match parts[*k].0 {
                 Block::Table(table) => table.heading_height(),
                 _ => 0,
             };
-            let title = k
-                .checked_sub(1)
-                .filter(|above| matches!(parts[*above].0, Block::Heading(_)));
-            show(
-                &title.into_iter().chain([*k]).collect::<Vec<_>>(),
-                heading + 1,
-            );
+            show(&table, heading + 1);
         }
         let texts = of(|block| matches!(block, Block::Text(_)));
         let others = warnings.iter().skip(usize::from(first.is_some()));

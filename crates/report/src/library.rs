@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use asperity::case::nearest_name;
+use asperity::core::nearest_name;
 use asperity::gear::{GearPair, GearPairInput, Plane};
 use asperity::oil::{LibraryOil, LubricantError, LubricantInput, library};
 use asperity_core::presets::{

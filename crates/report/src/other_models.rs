@@ -40,11 +40,16 @@ pub(crate) fn outside(uncertainty: &Uncertainty) -> Option<String> {
         side(&above, ["above", "up"], highest, drawn.high),
     ];
     let sides: Vec<String> = sides.into_iter().flatten().collect();
+    let beside = match uncertainty.structures.len() {
+        0 => String::new(),
+        count => format!(" beside the {count} drawn ones"),
+    };
     (!sides.is_empty()).then(|| {
         format!(
-            "{} of {} other models give a loss outside of this interval: {}.",
+            "{} of {} other models{} give a loss outside of this interval: {}.",
             outside.len(),
             uncertainty.other_models.len(),
+            beside,
             sides.join(", and ")
         )
     })

@@ -264,7 +264,7 @@ fn factors(s: &Summary) -> String {
         "power in {}   mu_eq {:.4}   H_V {:.4} (local {:.4})",
         watts(s.power_in_w),
         s.mu_equivalent,
-        s.loss_factor,
+        s.loss_factor_ohlendorf,
         s.loss_factor_local
     )
 }
@@ -584,7 +584,7 @@ mod tests {
                 "boundary_w": boundary_w, "rolling_w": 10.0, "deformation_w": [0.0, 0.0],
                 "deformation_in_contact_w": [0.0, 0.0], "hysteresis_w": 0.0, "elastic_cycling_w": 0.0,
                 "asperity_share": asperity_share, "boundary_share": 0.0, "mu_equivalent": 0.03,
-                "loss_factor": 0.1, "loss_factor_local": 0.1, "mixed_share": mixed_share, "positions": 4,
+                "loss_factor_ohlendorf": 0.1, "loss_factor_local": 0.1, "mixed_share": mixed_share, "positions": 4,
                 "worst_load_error": 0.0, "worst_duality_gap": 0.0
             });
             regime(&serde_json::from_value(summary).unwrap())

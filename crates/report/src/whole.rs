@@ -243,7 +243,7 @@ fn meshes(result: &Whole) -> Table {
         number sliding "sliding" "W" = &row.parts_with_digits()[0];
         number rolling "rolling" "W" = &row.parts_with_digits()[1];
         number efficiency "efficiency" "%" = &row.with_digits()[1];
-        number loss_factor "H_V" "" "{:.4}";
+        number loss_factor_local "H_V" "" "{:.4}";
         number mu "μ_eq" "" = &row.with_digits()[2];
         number hertz_pressure_mpa "p₀" "MPa" "{:.0}";
         number hertz_pressure_most_loaded_mpa "p₀ at K_γ" "MPa" "{:.0}";

@@ -1,5 +1,6 @@
 //! Errors of filters, parameters and generators.
 
+use asperity_core::cancel::Cancelled;
 use asperity_core::quantity::Length;
 use asperity_core::{Code, DomainError, Fault, number};
 use serde::Serialize;
@@ -11,6 +12,9 @@ pub enum RoughnessError {
     /// An input outside its domain.
     #[error(transparent)]
     Domain(#[from] DomainError),
+    /// The work was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// The trace is too short for the evaluation.
     #[error("the profile is {length:.4} long, {purpose} needs at least {needed:.4}")]
     TooShort {
@@ -109,6 +113,10 @@ impl RoughnessError {
 
 impl From<RoughnessError> for Fault {
     fn from(error: RoughnessError) -> Self {
-        Self::of(Code::E120, error)
+        let code = match error {
+            RoughnessError::Cancelled(_) => Code::E502,
+            _ => Code::E120,
+        };
+        Self::of(code, error)
     }
 }

@@ -10,6 +10,8 @@
 //! | θ | roll angle from the middle | rad |
 //! | x, z | coordinates along the tangent at the middle and out of the material | m |
 
+use std::f64::consts::FRAC_PI_2;
+
 use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
@@ -57,9 +59,12 @@ pub fn heights(flank: &Involute, x: &[f64]) -> Result<Vec<f64>, RoughnessError> 
     let rb = DomainError::positive("base radius", flank.base_radius)?;
     let roll = DomainError::positive("roll length", flank.roll_length)?;
     let start = roll / rb;
+    // x falls from the middle to the base circle, or by a quarter of a turn if that is nearer.
+    let turned = start.min(FRAC_PI_2);
+    let lowest = rb * (turned.cos() - (start - turned) * turned.sin() - 1.0);
     let at = |x: f64| -> Result<f64, RoughnessError> {
         DomainError::require(
-            x > rb * (start.cos() - 1.0),
+            x > lowest,
             "roll length",
             roll,
             "m",

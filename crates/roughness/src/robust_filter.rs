@@ -25,6 +25,7 @@
 
 use std::f64::consts::PI;
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
@@ -105,6 +106,7 @@ pub fn robust_mean_line(profile: &Profile, cutoff: Length) -> Result<RobustLine,
     let mut distance = f64::INFINITY;
     let mut residual = f64::INFINITY;
     for iteration in 1..=MAX_ITERATIONS {
+        checkpoint()?;
         let done = parabolas.heights(&delta, &weighted, &mut line);
         done.map_err(|place| RoughnessError::NoSupport {
             place: profile.spacing() * place.at as f64,

@@ -2,14 +2,17 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-use asperity_core::Profile;
+use asperity_core::cancel::Token;
 use asperity_core::quantity::Length;
+use asperity_core::{Code, Profile};
 use asperity_roughness::form::{self, Form};
 use asperity_roughness::gaussian_filter::{Ends, mean_line, weights};
 use asperity_roughness::generate::{Finish, Pits, SelfAffine, Surrogate};
 use asperity_roughness::height_parameters::{Mode, height_parameters, in_sections};
 use asperity_roughness::material_ratio::rk_parameters;
 use asperity_roughness::preparation::{Preparation, prepare};
+use asperity_roughness::relocation::{Bounds, relocate};
+use asperity_roughness::robust_filter::robust_mean_line;
 use asperity_roughness::summits::asperity_radius;
 use asperity_roughness::{RoughnessError, Warning};
 
@@ -253,4 +256,14 @@ fn a_groove_is_warned_of_where_it_lies_and_a_finish_is_not() {
         assert!((span.si() / height - 20.0).abs() < 3.0, "{warning}");
         assert_eq!(sound.map(|x| x.si() - start), [0.0, from]);
     }
+}
+
+#[test]
+fn cancelled_work_on_a_trace_ends() {
+    let (token, trace) = (Token::new(), rough(600));
+    token.cancel();
+    let line = token.run(|| robust_mean_line(&trace, Length::from_si(0.25e-3)));
+    assert!(matches!(line, Err(RoughnessError::Cancelled(_))));
+    let relocated = token.run(|| relocate(&trace, &trace, Bounds::default()));
+    assert_eq!(relocated.unwrap_err().code(), Code::E502);
 }

@@ -274,8 +274,7 @@ fn pairs_of_one_place_are_relocated_and_their_removal_is_in_its_interval() {
 fn intervals_of_removal_hold_their_truth() {
     let seeds = std::env::var("ASPERITY_SEEDS").map_or(9, |seeds| seeds.parse().unwrap());
     for finish in FINISHES {
-        // 90 % is stated. Where honed plateaus rise as a whole, few dales show it: 63 of 72 held.
-        for (name, wears, least) in [("removed", &WEARS[..], 90), ("levelled", &LEVELLED[..], 80)] {
+        for (name, wears) in [("removed", &WEARS[..]), ("levelled", &LEVELLED[..])] {
             let [mut inside, mut found] = [0; 2];
             for (k, setup) in SETUPS.into_iter().enumerate() {
                 let mut tally = Tally::default();
@@ -286,11 +285,13 @@ fn intervals_of_removal_hold_their_truth() {
                     }
                 }
                 println!("{finish:?}, {name}, {setup:?}: {tally:?}");
+                let is_close = tally.worst_removal < 2e-9 && tally.worst_shift < 0.2e-6;
+                assert!(is_close || name == "levelled");
                 inside += tally.removal_inside;
                 found += tally.pairs - tally.refused;
             }
             println!("{finish:?}, {name}: {inside} of {found}");
-            assert!(inside * 100 >= found * least);
+            assert!(inside * 100 >= found * 90);
         }
     }
 }

@@ -11,7 +11,7 @@ use asperity_roughness::generate::{
     Achieved, Amplitudes, Finish, Generated, PlateauHoned, Recipe, SelfAffine, Surface, Surrogate,
 };
 use asperity_roughness::hurst::hurst_fit;
-use asperity_roughness::involute::{Involute, heights, remove};
+use asperity_roughness::involute::{Involute, fitted_roll_length, form_left, heights, remove};
 use asperity_roughness::outliers::{Outliers, replace};
 use asperity_roughness::preparation::{Preparation, RoughnessFilter, profiles};
 use asperity_roughness::spectral::moments;
@@ -151,6 +151,20 @@ fn spikes_are_replaced_and_pits_stay() {
     assert!(off < 0.05e-6, "{off}");
     let (same, none) = replace(&profile, rule).unwrap();
     assert_eq!((same, none.replaced), (profile, 0));
+}
+
+#[test]
+fn a_trace_that_is_no_involute_is_warned_about_and_no_error() {
+    let wave = |i: u32| 0.3e-6 * (0.06 * f64::from(i)).sin() - 2e-13 * f64::from(i).powi(2);
+    let trace = Profile::new(Length::from_si(0.5e-6), (0..6001).map(wave).collect()).unwrap();
+    let stated = Involute {
+        base_radius: Length::from_si(20e-3),
+        roll_length: Length::from_si(8e-3),
+        towards_root: false,
+    };
+    // Its best roll lengths unroll more than half a turn of the base circle.
+    assert!(fitted_roll_length(&trace, &stated).unwrap().si() > 0.1);
+    assert!(form_left(&trace, &stated).unwrap().is_some());
 }
 
 #[test]

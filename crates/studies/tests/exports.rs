@@ -87,6 +87,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
             meshes: Vec::new(),
             points,
         }],
+        are_variants: false,
         warnings: Vec::new(),
         table_warnings: Vec::new(),
         input: CaseInput::new(gears, operation, Default::default(), FlankInput::default()),

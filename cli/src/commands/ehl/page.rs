@@ -182,11 +182,11 @@ impl Recorded {
             ),
             number(
                 "mean film",
-                self.shown(
+                self.shown_with(
+                    " µm",
                     record.mean_film.mean * 1e6,
                     record.mean_film.standard_error * 1e6,
-                )
-                .replacen(" (", " µm (", 1),
+                ),
             ),
             number(
                 "smooth film from the same inlet",

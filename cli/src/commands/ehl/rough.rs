@@ -124,11 +124,16 @@ impl Recorded {
 
     /// A mean over the travel with its standard error, which says nothing if the halves of the travel differ.
     pub fn shown(&self, mean: f64, standard_error: f64) -> String {
+        self.shown_with("", mean, standard_error)
+    }
+
+    /// A mean with its unit, and its standard error.
+    pub fn shown_with(&self, unit: &str, mean: f64, standard_error: f64) -> String {
         match self.unsteady() {
-            None => with_error(mean, standard_error),
+            None => with_error(unit, mean, standard_error),
             Some(_) => {
                 let digits = Digits::of_uncertainty(2.0 * standard_error);
-                format!("{} (not steady)", digits.rounded(mean))
+                format!("{}{unit} (not steady)", digits.rounded(mean))
             }
         }
     }
@@ -308,13 +313,13 @@ impl Recorded {
 }
 
 /// Mean with its standard error, which a record of few blocks does not have.
-fn with_error(mean: f64, standard_error: f64) -> String {
+fn with_error(unit: &str, mean: f64, standard_error: f64) -> String {
     match standard_error.is_finite() {
         true => {
             let digits = Digits::of_uncertainty(standard_error);
             let [mean, error] = [mean, standard_error].map(|value| digits.rounded(value));
-            format!("{mean} (standard error {error})")
+            format!("{mean}{unit} (standard error {error})")
         }
-        false => format!("{mean:.4} (record too short for a standard error)"),
+        false => format!("{mean:.4}{unit} (record too short for a standard error)"),
     }
 }

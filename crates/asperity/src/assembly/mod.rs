@@ -436,7 +436,7 @@ fn summary(
         recorded_friction: None,
         boundary_share: share_of(&boundary_share),
         mu_equivalent: equivalent.value,
-        loss_factor: ohlendorf,
+        loss_factor_ohlendorf: ohlendorf,
         loss_factor_local: local,
         mixed_share: mixed / total,
         regime: Some(Regime::of_friction(mixed / total, boundary_w, sliding_w)),

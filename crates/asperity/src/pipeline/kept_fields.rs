@@ -16,6 +16,8 @@ pub enum KeptFields {
     Highest,
     /// These positions, from 1 at A, and the one with the highest pressure.
     Positions(Vec<usize>),
+    /// None, and the points A to E, which are in no mean, are not solved: a comparison shows neither.
+    Nothing,
 }
 
 impl KeptFields {
@@ -26,6 +28,7 @@ impl KeptFields {
             Self::All => count,
             Self::Highest => count.min(1),
             Self::Positions(wanted) => count.min(1 + wanted.len()),
+            Self::Nothing => 0,
         }
     }
 
@@ -47,6 +50,7 @@ impl KeptFields {
                 Self::All => true,
                 Self::Highest => highest == Some(number),
                 Self::Positions(wanted) => wanted.contains(&number) || highest == Some(number),
+                Self::Nothing => false,
             }
         };
         positions.iter().map(is_held).collect()

@@ -262,6 +262,7 @@ pub(crate) fn outcome(
     let stages = Stages::of(&warmed, &contacts, progress, used)?;
     let mut positions = stages.lubricated()?;
     stages.press(&mut positions)?;
+    let has_points = pictures != Some(&KeptFields::Nothing);
     let pictures = match pictures {
         Some(kept) => stages.pictures(&positions, kept)?,
         None => Vec::new(),
@@ -271,7 +272,10 @@ pub(crate) fn outcome(
         position.doubts.extend(doubts.cloned());
     }
     let mut outcome = stages.summed(|| {
-        let points = stages.points()?;
+        let points = match has_points {
+            true => stages.points()?,
+            false => Vec::new(),
+        };
         stages.solved(positions)?.outcome(pictures, &points)
     })?;
     let result = &mut outcome.result;

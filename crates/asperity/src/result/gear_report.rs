@@ -24,13 +24,13 @@ pub struct GearReport {
     /// Law of the load distribution in use.
     pub law: String,
     /// Loss factor H_V of that law.
-    pub loss_factor: f64,
+    pub loss_factor_local: f64,
     /// Its band; none for laws without deflections.
     pub band: Option<LossFactorBand>,
     /// Loss factor if tip edges touch outside the path of contact, where they may.
     pub edge_contact: Option<EdgeContactNote>,
     /// Loss factor of Ohlendorf.
-    pub ohlendorf: f64,
+    pub loss_factor_ohlendorf: f64,
     /// Loss factor by each law; laws without deflections are tried on unmodified flanks.
     pub loss_factors: Vec<LawFactor>,
     /// Highest over mean load per width of the face, K_Hβ.
@@ -87,10 +87,10 @@ fn report(case: &Case) -> Result<GearReport, PositionError> {
         torque_nm: case.torque.si(),
         normal_force_n: pair.forces(case.torque)?.normal_base.si().abs(),
         law: case.load_distribution().name().to_owned(),
-        loss_factor: map.loss_factor(),
+        loss_factor_local: map.loss_factor(),
         band: map.loss_factor_band(case.input.gears.relief_tolerance)?,
         edge_contact: map.edge_contact_note()?,
-        ohlendorf: pair.ohlendorf_loss_factor(),
+        loss_factor_ohlendorf: pair.ohlendorf_loss_factor(),
         loss_factors: loss_factors.collect(),
         face_load_factor: map.face_load_factor(),
         transmission_error: map.transmission_error()?,

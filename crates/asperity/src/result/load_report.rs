@@ -16,7 +16,7 @@ pub struct LoadReport {
     /// Law of the load distribution.
     pub law: String,
     /// Loss factor H_V of the load map.
-    pub loss_factor: f64,
+    pub loss_factor_local: f64,
     /// Band of the loss factor from its uncertain constants; `None` for laws without deflections.
     pub band: Option<LossFactorBand>,
     /// Loss factor with contact of the tip edges outside the path of contact; `None` if they cannot touch.
@@ -58,7 +58,7 @@ impl LoadReport {
         let error = error.as_ref();
         Ok(Self {
             law: case.load_distribution().name().to_owned(),
-            loss_factor: map.loss_factor(),
+            loss_factor_local: map.loss_factor(),
             band: map.loss_factor_band(case.input.gears.relief_tolerance)?,
             edge_contact: map.edge_contact_note()?,
             face_load_factor: map.face_load_factor(),

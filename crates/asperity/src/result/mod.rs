@@ -198,7 +198,7 @@ pub struct Summary {
     /// Friction coefficient that explains the loss with the local loss factor.
     pub mu_equivalent: f64,
     /// Loss factor of Ohlendorf.
-    pub loss_factor: f64,
+    pub loss_factor_ohlendorf: f64,
     /// Loss factor of the load over the flanks.
     pub loss_factor_local: f64,
     /// Share of the path (by mesh time) in mixed or boundary lubrication.

@@ -223,7 +223,7 @@ pub struct MeshRow {
     /// Efficiency of the mesh.
     pub efficiency: f64,
     /// Loss factor of its load.
-    pub loss_factor: f64,
+    pub loss_factor_local: f64,
     /// Friction coefficient that explains its loss.
     pub mu_equivalent: f64,
     /// Highest Hertz pressure of its cells at the mean load \[MPa\].
@@ -687,7 +687,7 @@ fn row(mesh: &LoadedMesh, kind: &StageKind, run: &MeshLosses<'_>) -> MeshRow {
         sliding_w: summary.sliding_w,
         rolling_w: summary.rolling_w,
         efficiency: summary.efficiency,
-        loss_factor: summary.loss_factor_local,
+        loss_factor_local: summary.loss_factor_local,
         mu_equivalent: summary.mu_equivalent,
         hertz_pressure_mpa: highest,
         hertz_pressure_most_loaded_mpa: highest * kind.load_share_factor().sqrt(),
@@ -748,21 +748,26 @@ impl Whole {
         Digits::of_drawn(drawn, Digits::of_power(self.loss_w))
     }
 
-    /// The kinds of loss that occur, scaled to the median, to which they add up as printed.
+    /// The kinds of loss that occur, scaled to the median. Each has the digits that its part of the interval leaves, so that the
+    /// printed kinds need not add up.
     #[must_use]
     pub fn kinds_with_digits(&self) -> Vec<PrintedKind> {
         let (median, digits) = (self.median_w(), self.digits());
         let kinds = self.kinds.rows();
         let scaled = kinds.map(|(_, loss)| loss * median / self.loss_w);
-        let steps = digits.parts(digits.steps(median), &scaled);
+        let steps = scaled.map(|watts| watts / digits.step());
         let shares = digits.shares(&steps, &scaled);
-        let texts = digits.texts_of_parts(median, &scaled).into_iter();
-        let rows = kinds.into_iter().zip(scaled).zip(texts.zip(shares));
+        let text = |watts: f64| {
+            let own = self.loss_distribution.map(|found| found.drawn);
+            let own = own.map(|drawn| drawn.map(|loss| watts / median * loss));
+            Digits::of_drawn(own, Digits::of_power(watts)).rounded(watts)
+        };
+        let rows = kinds.into_iter().zip(scaled).zip(shares);
         let rows = rows.filter(|((_, watts), _)| *watts > 0.0);
-        let row = |(((name, _), watts), (loss, share))| PrintedKind {
+        let row = |(((name, _), watts), share)| PrintedKind {
             name,
             watts,
-            loss,
+            loss: text(watts),
             share,
         };
         rows.map(row).collect()

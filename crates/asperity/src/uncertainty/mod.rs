@@ -268,7 +268,7 @@ const TRACTION: &str = "a traction curve of the oil";
 /// Measurement that narrows the constants of the boundary layer.
 const RIG: &str = "losses measured on a rig (asperity calibrate)";
 /// Solution that is more certain than the fast model, and takes minutes.
-const RECORDS: &str = "records of mixed lubrication: model.load_share = \"ehl\"";
+const RECORDS: &str = "computed records of mixed lubrication: model.load_share = \"ehl\"";
 
 /// The measurement that would narrow a constant.
 fn measurement_of(ranged: &Ranged) -> &'static str {

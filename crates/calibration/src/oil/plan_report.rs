@@ -86,8 +86,8 @@ impl StudyResult for OilPlan {
 const REMAINS: &str =
     "The error of the law and all other components of the interval of the loss remain.";
 /// Use of a plan, next to the command that compares all measurements.
-const WHEN: &str = "Traction curves serve all gears with this oil. For the loss of one case, asperity evidence says first whether \
-    another measurement narrows it more.";
+const WHEN: &str = "Traction curves serve all gears with this oil. For the loss of one case, asperity evidence says first what they \
+    leave of its whole interval, and whether another measurement narrows it more.";
 /// Purpose of the table to fill in.
 const TO_FILL_IN_TEXT: &str =
     "plan.csv is the table to fill in, with the friction expected before any test.";
@@ -199,16 +199,21 @@ fn verdict(plan: &OilPlan) -> Option<String> {
     let of_plan = plan.stages.iter().find(|stage| stage.name == WHOLE)?;
     let errors =
         |of: fn(&Stage) -> Option<f64>| Some([of(before)?, of(of_plan)?].map(|one| 100.0 * one));
-    let of_loss = errors(|stage| stage.loss_deviation)
-        .map(|both| ("loss of the case by these constants alone", both));
-    let of_constant = || {
-        let first = errors(|stage| Some(stage.constants.first()?.deviation));
-        first.map(|both| (STATED_CONSTANTS[0].1, both))
-    };
-    let (name, [from, to]) = of_loss.or_else(of_constant)?;
-    Some(format!(
-        "The standard plan takes {}. It narrows the standard deviation of the {name} from {from:.1} to {to:.1} %.",
+    let takes = format!(
+        "The standard plan takes {}. It narrows",
         duration(of_plan.minutes)
+    );
+    if let Some([from, to]) = errors(|stage| stage.loss_deviation) {
+        let with_law = to.hypot(100.0 * law_error(0.0));
+        return Some(format!(
+            "{takes} what these constants alone add to the loss of the case from {from:.1} to {to:.1} %. With the error of the law, \
+             {with_law:.1} % remain."
+        ));
+    }
+    let [from, to] = errors(|stage| Some(stage.constants.first()?.deviation))?;
+    Some(format!(
+        "{takes} the standard deviation of the {} from {from:.1} to {to:.1} %.",
+        STATED_CONSTANTS[0].1
     ))
 }
 
@@ -259,7 +264,7 @@ fn notes(plan: &OilPlan) -> Vec<String> {
     ));
     if let Some(case) = &plan.case {
         notes.push(format!(
-            "Loss: standard deviation of the loss of {case} by these constants only. The error of the law adds {:.0} %.",
+            "Loss: standard deviation of the loss of {case} by these constants only. The error of the law, {:.0} %, is not in it.",
             100.0 * law_error(0.0)
         ));
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use asperity_core::hardness::Hardness;
 use asperity_core::quantity::{
     Angle, AngularSpeed, Area, Density, Length, Mass, Pressure, Ratio, SpecificHeat, Temperature,
-    ThermalConductivity, Torque,
+    TemperatureDifference, ThermalConductivity, Torque,
 };
 use asperity_gear::{AmountDirection, Gear, Plane};
 use asperity_profile_io::read::{
@@ -173,7 +173,7 @@ table! {
     /// Standard deviation of the stated temperature, of oil or flanks, by its measurement; 3 K for an oil sump without a probe
     /// in the jet. Without it the temperature is taken as exact.
     #[serde(skip_serializing_if = "Option::is_none")]
-    temperature_deviation: Option<Temperature> = "K" usual [0.2, 15.0] possible [0.01, 30.0];
+    temperature_deviation: Option<TemperatureDifference> = "K" usual [0.2, 15.0] possible [0.01, 30.0];
     /// Law of the bulk temperature that follows from the loss, with `oil_temperature`.
     #[serde(skip_serializing_if = "Option::is_none")]
     bulk: Option<BulkInput> => table;

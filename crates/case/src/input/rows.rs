@@ -8,7 +8,8 @@
 use asperity_core::quantity::{
     Angle, AngularSpeed, Area, Density, DynamicViscosity, Force, KinematicViscosity, Length, Mass,
     PerKelvin, Power, Pressure, PressureViscosity, Quantity, Ratio, Scale, SpecificHeat, Speed,
-    Temperature, ThermalConductance, ThermalConductivity, Torque, VolumeFlow,
+    Temperature, TemperatureDifference, ThermalConductance, ThermalConductivity, Torque,
+    VolumeFlow,
 };
 
 use asperity_core::hardness::Hardness;
@@ -216,6 +217,7 @@ quantities!(
     SpecificHeat,
     Speed,
     Temperature,
+    TemperatureDifference,
     ThermalConductance,
     ThermalConductivity,
     VolumeFlow

@@ -4,12 +4,11 @@ use asperity_core::material::Material;
 use asperity_core::powder_metal;
 use asperity_core::presets::{self, Figure, PresetError, SteelPreset};
 use asperity_core::quantity::{Density, Pressure, Quantity, SpecificHeat, ThermalConductivity};
-use asperity_core::{Checked, DomainError, OutOfRange};
+use asperity_core::{Checked, DomainError, OutOfRange, nearest_name};
 
 use crate::input::case_input::{BodyInput, CaseInput, MaterialInput};
 use crate::source::case_error::CaseError;
 use crate::source::defaults::Defaults;
-use crate::source::nearest_name::nearest_name;
 use crate::source::section::Section;
 use crate::source::source_text::Source;
 

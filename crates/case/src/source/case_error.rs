@@ -7,7 +7,7 @@ use asperity_core::{Code, Fault};
 
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
-use asperity_core::{DomainError, number_with_unit};
+use asperity_core::{DomainError, did_you_mean, number_with_unit};
 use asperity_oil::LubricantError;
 use asperity_profile_io::read::ReadError;
 
@@ -376,13 +376,6 @@ fn no_mesh(name: &str, meshes: Option<&str>) -> String {
         Some(meshes) => format!("has no mesh \"{name}\", only {meshes}"),
         None => format!("has a single mesh; leave its name, \"{name}\", out"),
     }
-}
-
-/// The end of a message about an unknown name, with the most similar known name.
-pub fn did_you_mean(nearest: Option<&str>) -> String {
-    nearest
-        .map(|key| format!(". Did you mean \"{key}\"?"))
-        .unwrap_or_default()
 }
 
 impl CaseError {

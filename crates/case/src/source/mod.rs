@@ -2,6 +2,5 @@
 
 pub mod case_error;
 pub mod defaults;
-pub mod nearest_name;
 pub mod section;
 pub mod source_text;

@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::symbols::key_named;
-use crate::source::nearest_name::most_similar;
+use asperity_core::most_similar;
 
 /// Depth of the tables in which a key is searched: `surface.pinion.file` is in a table of a table.
 const DEPTH: usize = 2;

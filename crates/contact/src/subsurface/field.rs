@@ -8,6 +8,7 @@
 
 use std::sync::Arc;
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::{good_fft_length, real_transforms};
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, cite};
@@ -120,6 +121,7 @@ pub fn subsurface_stress(
         tau_xz: Vec::with_capacity(size),
     };
     for &depth in depths {
+        checkpoint()?;
         let z = depth / (0.5 * dx);
         let column: Vec<StripStress> = (0..points).map(|lag| unit(2.0 * lag as f64, z)).collect();
         let a = transform.kernel(1.0, |lag| column[lag].xx_of_pressure);

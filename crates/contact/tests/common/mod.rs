@@ -101,6 +101,44 @@ pub fn rough_gap(points: usize) -> (Vec<f64>, Length) {
     (gap, spacing)
 }
 
+/// The gap of a patch of the cylinder with 100 waves of 4 to 100 µm in all directions, composite Rq 0.4 µm, periodic over
+/// square cells along the lead; and the spacing.
+pub fn rough_patch([columns, rows]: [usize; 2]) -> (Vec<f64>, Length) {
+    let (smooth, spacing) = CYLINDER.gap(columns);
+    let turns = |count: usize, waves: f64, phase: f64| -> Vec<(f64, f64)> {
+        let turn = std::f64::consts::TAU * waves / count as f64;
+        (0..count)
+            .map(|i| (turn * i as f64 + phase).sin_cos())
+            .collect()
+    };
+    let mut heights = vec![0.0; columns * rows];
+    let mut power = 0.0;
+    for wave in 0..100 {
+        let [place, direction, phase] =
+            [0, 1, 2].map(|k| std::f64::consts::TAU * random(31, 3 * wave + k));
+        // Waves in a window, evenly spread over octaves: a Hurst exponent of 0.8.
+        let count = 6.0 * 25f64.powf(place / std::f64::consts::TAU);
+        let amplitude = count.powf(-0.8);
+        let (across, along) = direction.sin_cos();
+        let across = (count * across * rows as f64 / columns as f64).round();
+        let (along, across) = (
+            turns(columns, count * along, phase),
+            turns(rows, across, 0.0),
+        );
+        for (row, (sine, cosine)) in heights.chunks_exact_mut(columns).zip(across) {
+            for (z, (s, c)) in row.iter_mut().zip(&along) {
+                *z += amplitude * (c * cosine - s * sine);
+            }
+        }
+        power += 0.5 * amplitude * amplitude;
+    }
+    let scale = 0.4e-6 / power.sqrt();
+    let cells = heights
+        .chunks_exact(columns)
+        .flat_map(|row| row.iter().zip(&smooth));
+    (cells.map(|(z, h)| h - scale * z).collect(), spacing)
+}
+
 /// A rough periodic gap of 1 mm, waves 1 to 40 of about 1 µm, and the spacing.
 pub fn rough_wave(points: usize) -> (Vec<f64>, Length) {
     let x: Vec<f64> = (0..points).map(|i| i as f64 / points as f64).collect();

@@ -198,7 +198,8 @@ def explain(code: str) -> Optional[Explanation]:
         >>> try:
         ...     asperity.read_profile("missing.csv")
         ... except asperity.AsperityError as error:
-        ...     print(asperity.explain(error.code).title)
+        ...     explained = asperity.explain(error.code)
+        ...     print(explained.title if explained else "no such code")
         a file cannot be opened
     """
     found = _asperity.explain(code)

@@ -9,7 +9,7 @@ from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._keys import Schema
 from ._quantity import SI_UNITS
-from ._record import Table
+from ._record import Table, drawn
 from ._study import Study, files_of
 from ._values import CalibrationParameterTable, CalibrationPointTable, CalibrationValues, DesignParameterTable, DesignPointTable, DesignValues, EvidenceRowTable, EvidenceValues
 
@@ -98,6 +98,10 @@ class Design(Study, DesignValues):
         """One row per point to measure."""
         return self.points.to_pandas()
 
+    def _rows(self) -> list[tuple[str, str]]:
+        expected = [(one["name"], f"{one['value']:.4g} ({one['band_low']:.4g}..{one['band_high']:.4g}) {one['unit']}".strip()) for one in self.parameters]
+        return [("points", str(len(self._values["points"]))), *expected]
+
 
 class Evidence(Study, EvidenceValues):
     """Intervals of a loss that measurements would leave: ``rows`` (key, measurement, hours, width ...)."""
@@ -110,3 +114,7 @@ class Evidence(Study, EvidenceValues):
     def to_pandas(self) -> pandas.DataFrame:
         """One row per measurement."""
         return self.rows.to_pandas()
+
+    def _rows(self) -> list[tuple[str, str]]:
+        left = [(one["measurement"], f"{one['low_w']:.4g}..{one['high_w']:.4g} W") for one in self._values["rows"]]
+        return [("loss", drawn(self._values)), *left]

@@ -195,8 +195,9 @@ class Case(Fixed):
 
         Example:
             >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
-            >>> own = ["lubricant.viscosity", "lubricant.density", "lubricant.base_oil"]  # they would replace those of the oil
-            >>> lighter = case.replace({"lubricant.oil": "n100", **dict.fromkeys(own)}, torque="20 N m")
+            >>> # The properties that the case states would replace those of the oil.
+            >>> lighter = case.replace({"lubricant.oil": "n100", "lubricant.viscosity": None, "lubricant.density": None,
+            ...                         "lubricant.base_oil": None}, torque="20 N m")
             >>> lighter.run("losses").loss_w < case.run("losses").loss_w
             True
         """
@@ -307,7 +308,7 @@ class Case(Fixed):
     @property
     def defaults(self) -> Table:
         """Every default that a run uses: key, value, source."""
-        return Table(self._about["defaults"])
+        return Table(self._about["defaults"], ["key", "value", "source"])
 
     @property
     def warnings(self) -> Table:
@@ -356,13 +357,14 @@ class Case(Fixed):
 
         Example:
             >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
-            >>> result = case.run()
-            >>> bool(result.uncertainty.loss.quantiles_w[0] < result.uncertainty.loss.median_w)
+            >>> drawn = case.run().uncertainty
+            >>> drawn is not None and bool(drawn.loss.quantiles_w[0] < drawn.loss.median_w)
             True
         """
         with Steps(progress, self.title) as steps:
             found = RunResult._of(self._raw.run(detail, band, checked_number("threads", threads, int), steps))
-        return warned(found, self._about["warnings"])
+        warn(found._doubts(), self._about["warnings"])
+        return found
 
     def regime(self, *, threads: Optional[int] = None) -> Regime:
         """Film thickness, Λ* and regime along the path of contact; of several meshes, the first."""
@@ -374,13 +376,16 @@ class Case(Fixed):
         return warned(Contact(*self._raw.contact(checked_number("position", position, float))))
 
     def film(self, position: Optional[float] = None) -> Record:
-        """Pressure difference across films from 1 nm to 1 mm at a place of the path; default the pitch point."""
+        """Pressure difference across films from 1 nm to 1 mm at a place of the path; default the pitch point: ``rows`` (thickness_m,
+        reynolds_cross_pa ...), with ``path_fraction``, ``hertz_pressure_pa`` and ``film_central_m``."""
         return Record(json.loads(self._raw.film(checked_number("position", position, float))))
 
     def gear(self) -> Record:
-        """Geometry, contact ratios, stiffness, transmission error, loss factors of every load distribution.
+        """Geometry (``gears``), loss factors and transmission error of the gears under their load, without a run.
 
-        ``loss_factor`` is H_V of the load over the teeth, ``summary.loss_factor_local`` of a run; ``ohlendorf`` is its ``summary.loss_factor``.
+        ``loss_factor_local`` with its ``band``, and ``loss_factor_ohlendorf``, as in the summary of a run; ``loss_factors`` of every ``law`` of
+        the load over the teeth; ``edge_contact``, ``face_load_factor``, ``transmission_error``, ``iso_mesh_stiffness_n_per_mm_um``,
+        ``normal_force_n``.
         """
         return Record(json.loads(self._raw.gear()))
 

@@ -155,7 +155,7 @@ SummaryName = Literal[
     "scope", "gearbox_efficiency", "gearbox_loss_w", "efficiency", "efficiency_deviation", "offsets", "power_in_w",
     "torque_out_nm", "loss_w", "sliding_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w",
     "deformation_w", "deformation_in_contact_w", "hysteresis_w", "elastic_cycling_w", "asperity_share",
-    "asperity_share_standard_error", "boundary_share", "mu_equivalent", "loss_factor", "loss_factor_local",
+    "asperity_share_standard_error", "boundary_share", "mu_equivalent", "loss_factor_ohlendorf", "loss_factor_local",
     "mixed_share", "regime", "positions", "worst_load_error", "worst_duality_gap",
 ]
 

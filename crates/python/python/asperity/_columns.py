@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from ._errors import AsperityError, Code, brief, wrong_kind
 from ._files import is_read, text_of
-from ._quantity import is_pint
-from ._record import Rows
+from ._quantity import OPERATING, in_unit, is_pint
+from ._record import Rows, described
 
 
 class FrameLike(Protocol):
@@ -26,6 +26,12 @@ class FrameLike(Protocol):
 
 Columns = Union[str, PathLike[str], IO[str], IO[bytes], FrameLike, Mapping[str, Union[Sequence[Any], NDArray[Any]]], Rows]
 """A file, an object that is read like one, a table, a frame or columns by their names."""
+
+
+def in_unit_of(name: str, column: Any) -> Any:
+    """The numbers of a quantity of pint in the unit that the name of its column states."""
+    of = OPERATING.get(name)
+    return in_unit(column, of.quantity, of.pint) if of else in_unit(column, "", described(name)["units"])
 
 
 def table_text(columns_by_name: Any, what: str, code: str) -> str:
@@ -45,10 +51,10 @@ def table_text(columns_by_name: Any, what: str, code: str) -> str:
     names = columns_by_name if isinstance(columns_by_name, Mapping) else columns_by_name.columns
     for name in names:
         column = columns_by_name[name]
-        if is_pint(column) or isinstance(column, (str, bytes, Mapping)) or not hasattr(column, "__iter__"):
+        if isinstance(column, (str, bytes, Mapping)) or not hasattr(column, "__iter__"):
             text = f"{what}: its column {name!r} is not a list of values but {brief(column)}"
             raise AsperityError(text, Code.E204, "Give a table, such as .points or .rows of a result, or numbers in the units of the columns.")
-    columns = {str(name): _values(columns_by_name[name]) for name in names}
+    columns = {str(name): _values(columns_by_name[name], str(name)) for name in names}
     if len({len(column) for column in columns.values()}) > 1:
         text = f"{what}: its columns differ in length"
         raise AsperityError(text, code, "Give every column one value per measurement.")
@@ -69,8 +75,10 @@ def table_of(table: Columns, name: str, code: str) -> tuple[str, Optional[str]]:
     return name, table_text(table, name, code)
 
 
-def _values(column: Any) -> list[Any]:
-    """The values of a column in Python's own types, also of a variable of xarray."""
+def _values(column: Any, name: str) -> list[Any]:
+    """The values of a column in Python's own types, also of a variable of xarray; a quantity of pint in the unit of the name."""
+    if is_pint(column):
+        column = in_unit_of(name, column)
     return np.asarray(column).tolist() if hasattr(column, "dims") else list(column)
 
 

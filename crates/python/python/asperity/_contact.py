@@ -13,7 +13,7 @@ from ._errors import AsperityError, Code, json_text, wrong_kind
 from ._html import Chart, page, shown
 from ._profile import Profile
 from ._quantity import Floats, Scalar, Values, line, si, si_array, si_or_none
-from ._record import Record, Table, variable, warned
+from ._record import Table, Values as Named, variable, warned
 from ._values import ContactNumbers
 
 if TYPE_CHECKING:
@@ -132,12 +132,15 @@ _POINTS = {
 }
 
 
-class Stress(Record):
+class Stress(Named):
     """Stress below a surface, tension positive: arrays of shape (depths, points), Pa.
 
     ``depths`` (m), ``sigma_xx``, ``sigma_zz``, ``tau_xz``, ``von_mises``, ``von_mises_max_pa``,
     ``von_mises_depth_m``, ``von_mises_position_m`` from the first point.
     """
+
+    depths: Floats; sigma_xx: Floats; sigma_zz: Floats; tau_xz: Floats; von_mises: Floats
+    von_mises_max_pa: float; von_mises_depth_m: float; von_mises_position_m: float
 
 
 def _asked(boundary: str, tolerance: float, iterations: int, cascade: bool, window: bool, **numbers: Any) -> str:

@@ -74,6 +74,9 @@ class AsperityError(ValueError):
         text = f"{self.code} {self.message}"
         return f"{text}\nhelp: {self.help}" if self.help else text
 
+    def __repr__(self) -> str:
+        return f"AsperityError({self.code} {self.message})"
+
 
 class AsperityWarning(UserWarning):
     """A doubt about an input or a result, which also holds it among its ``warnings``.

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Optional, Union, overload
 
 from . import _asperity
 from ._case import Case
+from ._html import page
 from ._record import Record, Table
 
 
@@ -136,6 +137,13 @@ class RexsCase(NamedTuple):
     not_read: list[str]
     """Attributes of the file that the case does not use, by component."""
 
+    def __repr__(self) -> str:
+        return f"<RexsCase {self.case.title!r}: {len(self.notes)} notes, {len(self.not_read)} attributes not read>"
+
+    def _repr_html_(self) -> str:
+        rows = [("note", note) for note in self.notes] + [("not read", name) for name in self.not_read]
+        return self.case._repr_html_() + page("Gearbox file", rows, None)
+
 
 def rexs_contents(file: Union[str, PathLike[str]]) -> Record:
     """The stages of a REXS gearbox file with kind, teeth and the operating points of the pinion or sun, and its
@@ -171,7 +179,7 @@ def from_rexs(
         file: the gearbox file.
         stage: number of the stage, in the order of the file (`rexs_contents` lists them); None for one case of all stages.
         load_case: number of the load case, in the order of the file.
-        pinion, wheel: files of the traces of pinion (sun) and wheel (planet).
+        pinion, wheel: files of the traces of pinion (sun) and wheel (planet). Without ``pinion`` the case lacks its flanks (E204).
 
     Returns:
         A `RexsCase`: the case, its text, and what was noted and not read.

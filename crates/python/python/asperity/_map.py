@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union, cast
@@ -49,7 +50,7 @@ class Map(Study, MapArrays, MapValues):
             return points[name] if name in points else super().__getattr__(name)
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self._points]
+        return sorted({*super().__dir__(), *self._points})
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (files_of(self._raw),)
@@ -226,7 +227,8 @@ class Map(Study, MapArrays, MapValues):
 
     def __repr__(self) -> str:
         points = self._points["loss_w"]
-        return f"<Map {self._values['title']!r}: {' x '.join(str(count) for count in points.shape)} points>"
+        shape = " x ".join(str(count) for count in points.shape)
+        return f"<Map {self._values['title']!r}: {shape} points, loss {np.nanmin(points):.4g} to {np.nanmax(points):.4g} W>"
 
     def _repr_html_(self) -> str:
         rows = [
@@ -259,6 +261,15 @@ class Cycle(Study, CycleValues):
     def to_pandas(self) -> pandas.DataFrame:
         """One row per finish."""
         return self.finishes.to_pandas()
+
+    def _rows(self) -> list[tuple[str, str]]:
+        def lost(of: Mapping[str, Any]) -> str:
+            if of.get("lost_median_wh") is None:
+                return f"{of['lost_wh']:.4g} W h"
+            low, high = of["lost_quantiles_wh"]
+            return f"{of['lost_median_wh']:.4g} ({low:.4g}..{high:.4g}) W h"
+
+        return [(f"lost with {finish['name']}", lost(finish)) for finish in self._values["finishes"]]
 
 
 def read_map(folder: Union[str, PathLike[str]]) -> Map:

@@ -6,7 +6,7 @@ import json
 import math
 from collections.abc import Callable, Mapping
 from os import PathLike, fspath
-from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, TypedDict, Union, cast
+from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -33,25 +33,11 @@ from ._fixed import Fixed, UnknownName, unknown
 from ._html import Chart, page, shown
 from ._quantity import Floats, Scalar, line, si, si_or_none
 from ._record import Record, Table, described
-from ._typing import Unpack
 from ._values import ParameterName, ParameterValues
 
 if TYPE_CHECKING:
     import pandas
     import xarray
-
-
-class Plan(TypedDict, total=False):
-    """Keywords of `Profile.prepare`."""
-
-    form: Form
-    cutoff: Optional[Scalar]
-    noise_cutoff: Optional[Scalar]
-    ends: Ends
-    robust: bool
-    base_radius: Optional[Scalar]
-    roll_length: Optional[Scalar]
-    towards_root: bool
 
 
 _USUAL_END: Ends = "cut"
@@ -138,6 +124,7 @@ def _refuse_implausible(heights: Floats, spacing: float) -> None:
 
 _HELP = {
     Code.E106: "Give at least 100 points.",
+    Code.E209: "Correct the value named; lengths are in metres: numbers as 0.4e-6, or text with a unit as \"0.4 um\".",
     Code.E116: "Heights and spacing are in metres: give numbers as 0.5e-6, text with a unit as \"0.5 um\", or a quantity of pint.",
 }
 """What can be done about points in memory, which have no file."""
@@ -242,7 +229,8 @@ class Profile(Fixed):
     def psd(self) -> Table:
         """One-sided power spectral density: ``frequency_per_m``, ``density_m3``.
 
-        The sum of the densities times the step of the frequency is a mean square of the heights about their mean, whose weights
+        The density at frequency 0, and the last of an even number of points, has no second side and is not doubled. The Hann window is
+        symmetric, ``numpy.hanning``. The sum of the densities times the step of the frequency is a mean square of the heights about their mean, whose weights
         are the squares of a Hann window (docs/EQUATIONS.md, PSD-1): near the square of ``rq_um``, but not equal to it. The
         spectrum has the form and the waviness of the profile, which `prepare` removes.
         """
@@ -286,7 +274,18 @@ class Profile(Fixed):
         """Warnings: code, text and help."""
         return Table(self._about["warnings"], ["code", "text", "help"])
 
-    def prepare(self, **plan: Unpack[Plan]) -> Profile:
+    def prepare(
+        self,
+        *,
+        form: Form = "level",
+        cutoff: Optional[Scalar] = None,
+        noise_cutoff: Optional[Scalar] = None,
+        ends: Ends = _USUAL_END,
+        robust: bool = False,
+        base_radius: Optional[Scalar] = None,
+        roll_length: Optional[Scalar] = None,
+        towards_root: bool = False,
+    ) -> Profile:
         """The roughness profile: form removed, filtered (ISO 21920-2, ISO 16610-21).
 
         Parameters:
@@ -308,7 +307,17 @@ class Profile(Fixed):
             >>> rough.about.preparation.filter
             'robust-gaussian'
         """
-        return self.filter(**plan).roughness
+        parts = self.filter(
+            form=form,
+            cutoff=cutoff,
+            noise_cutoff=noise_cutoff,
+            ends=ends,
+            robust=robust,
+            base_radius=base_radius,
+            roll_length=roll_length,
+            towards_root=towards_root,
+        )
+        return parts.roughness
 
     def filter(
         self,
@@ -391,7 +400,7 @@ class Profile(Fixed):
         return Profile._of(self._raw.mirrored(), self.name)
 
     def write(self, path: Union[str, PathLike[str]]) -> None:
-        """Writes the profile as ``.csv``, ``.x3p`` or ``.smd``; reading it back gives the same to the last bit. In ``.csv`` some heights
+        """Writes the profile as ``.csv`` (or ``.txt``, the same text), ``.x3p`` or ``.smd``; reading it back gives the same to the last bit. In ``.csv`` some heights
         differ in their last bit. Only ``.csv`` states that a profile was filtered, of which reading it warns (W118)."""
         self._raw.write(fspath(path))
 
@@ -422,7 +431,7 @@ class Profile(Fixed):
 
     def __repr__(self) -> str:
         length = (len(self) - 1) * self.spacing
-        return f"<Profile {self.name or ''}: {len(self)} points, {self.spacing * 1e6:.6g} µm apart, {length * 1e3:.6g} mm>"
+        return f"<Profile{f' {self.name}' if self.name else ''}: {len(self)} points, {self.spacing * 1e6:.6g} µm apart, {length * 1e3:.6g} mm>"
 
     def _repr_html_(self) -> str:
         rows = [("points", str(len(self))), ("spacing", f"{self.spacing * 1e6:.6g} µm")]
@@ -540,9 +549,11 @@ def generate(
     Self-affine spectra after Jacobs, Junge and Pastewka (2017).
 
     Parameters:
-        surface: ``"self-affine"`` (points, spacing, rq, hurst, roll_off, short_cut, seed), ``"non-gaussian"``
-            (spectrum, heights), ``"plateau-honed"`` (coarse, fine, depth) or ``"ground"`` (points, spacing, rq,
-            grit_spacing, grit_radius, grit_protrusion, seed); lengths in m.
+        surface: ``"self-affine"`` (points, at least 100, spacing, rq, hurst, roll_off, short_cut, seed), ``"non-gaussian"``
+            (``spectrum``, the keys of a self-affine surface, and ``heights``: ``"gaussian"``, ``"uniform"``,
+            ``{"weibull-peaks": {"shape": 2}}`` or ``{"weibull-dales": {"shape": 2}}``), ``"plateau-honed"`` (``coarse`` and ``fine``, the keys
+            of self-affine surfaces, and depth) or ``"ground"`` (points, spacing, rq, grit_spacing, grit_radius, grit_protrusion, seed);
+            lengths in m. ``"fitted"`` takes the recipe that ``asperity profile generate --like --json`` prints.
         amplitudes: ``"fixed"`` or ``"random"``, of self-affine surfaces.
         pits, scratches: count, width, depth, seed of damage added.
         pores: porosity, diameter, depth_ratio, seed of open pores of a sintered steel added.
@@ -553,7 +564,8 @@ def generate(
         The `Profile`, with its recipe and what was achieved in ``about``.
 
     Raises:
-        AsperityError: a key that the surface does not have or that is missing (E204), or a value out of its domain (E209).
+        AsperityError: a key that the surface does not have or that is missing (E204), a value out of its domain (E209), or fewer
+            than 100 points (E106).
 
     Example:
         >>> flank = asperity.generate(points=4000, spacing=0.5e-6, rq="0.4 um", hurst=0.8, roll_off=50e-6, short_cut=2e-6, seed=1)
@@ -568,4 +580,4 @@ def generate(
         "scratches": None if scratches is None else _with_units(scratches),
         "mirrored": mirrored,
     }
-    return Profile._of(_asperity.generate(json_text(whole)), name or f"{surface}, synthetic")
+    return Profile._of(_in_memory(_asperity.generate, json_text(whole)), name or f"{surface}, synthetic")

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Optional, Union
 
+from ._errors import wrong_kind
+
 Progress = Union[Callable[[int, int], object], Any]
 """``f(done, total)``, the class ``tqdm`` or a bar of it."""
 
@@ -22,6 +24,8 @@ class Steps:
             self._bar, self._own = progress(desc=what, total=0), True
         elif hasattr(progress, "update") and hasattr(progress, "total"):
             self._bar = progress
+        if self._bar is None and not callable(progress):
+            raise wrong_kind("progress", progress, "a function of steps done and their number, tqdm or a bar of it")
         self.call = progress if self._bar is None else self._move
 
     def _move(self, done: int, total: int) -> None:

@@ -72,9 +72,12 @@ def is_pint(value: object) -> bool:
     return hasattr(value, "magnitude") and hasattr(value, "to")
 
 
-def _magnitude(value: Any, quantity: str, unit: Optional[str] = None) -> Any:
+def in_unit(value: Any, quantity: str, unit: Optional[str] = None) -> Any:
+    """The numbers of a quantity of pint in a unit, by default the SI unit."""
     unit = unit or SI_UNITS.get(quantity, "")
     try:
+        if quantity == "Temperature" and "delta_" in str(getattr(value, "units", "")):
+            raise ValueError("a difference of temperatures is no temperature")
         magnitude, angle = value.to(_PINT.get(unit, unit)).magnitude, _angle(value, quantity)
         return magnitude if angle == 1.0 else angle * magnitude
     except Exception as error:
@@ -87,7 +90,7 @@ def si(value: Scalar, quantity: str) -> float:
     if isinstance(value, str):
         return _asperity.to_si(quantity, value)
     if is_pint(value):
-        value = _magnitude(value, quantity)
+        value = in_unit(value, quantity)
     try:
         return float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError) as error:
@@ -123,7 +126,7 @@ class Operating(NamedTuple):
                     pass  # Read, or refused, below.
             return _asperity.to_si(self.quantity, value) * self.scale + self.offset
         if is_pint(value):
-            return float(_magnitude(value, self.quantity, self.pint))
+            return float(in_unit(value, self.quantity, self.pint))
         raise _without_unit(name, value, self.quantity)
 
 
@@ -179,7 +182,7 @@ def operating(own: str, given: Optional[Numbers], text: Optional[Quantities]) ->
     if text is None:
         return None
     if is_pint(text):
-        return np.atleast_1d(np.asarray(_magnitude(text, of.quantity, of.pint), dtype=np.float64))
+        return np.atleast_1d(np.asarray(in_unit(text, of.quantity, of.pint), dtype=np.float64))
     every: Any = text if isinstance(text, (list, tuple)) else [text]
     return np.array([of.number(one, name) for one in every])
 
@@ -265,14 +268,14 @@ def _in_si(value: Any, quantity: str, name: str) -> Any:
         held = getattr(getattr(value, holder, None), member, None)
         value = held if is_pint(held) else value
     if is_pint(value):
-        return _magnitude(value, quantity)
+        return in_unit(value, quantity)
     if hasattr(value, "to") and (hasattr(value, "unit") or hasattr(value, "units")):
         text = f"{name}: {brief(value)} has a unit of another package than pint"
         raise AsperityError(text, Code.E204, "Give a quantity of pint, or numbers in SI units.")
     if isinstance(value, np.ndarray) and value.dtype == object and not isinstance(value, np.ma.MaskedArray):
         value = value.tolist()
     if isinstance(value, (list, tuple)) and any(is_pint(item) for item in value):
-        return [_magnitude(item, quantity) if is_pint(item) else item for item in value]
+        return [in_unit(item, quantity) if is_pint(item) else item for item in value]
     return value
 
 

@@ -85,7 +85,8 @@ class Values(Fixed, Mapping[str, Any]):
             except KeyError:
                 if name in self._absent:
                     return self._made(name, self._absent[name])
-                raise AttributeError(unknown(type(self).__name__, name, self.__dict__.get("_values", ()), dir(type(self)))) from None
+                own = {*dir(type(self))} - {*dir(Mapping)}
+                raise AttributeError(unknown(type(self).__name__, name, self.__dict__.get("_values", ()), sorted(own))) from None
 
     def __getitem__(self, name: str) -> Any:
         if name not in self._values:
@@ -109,7 +110,7 @@ class Values(Fixed, Mapping[str, Any]):
         return len(self._values)
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self._values]
+        return sorted({*super().__dir__(), *self._values})
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Values):
@@ -161,7 +162,7 @@ def _short(value: Any) -> str:
 
 
 _UNITS = {
-    "_wh_per_100_km": "W h/(100 km)", "_w_per_m": "W/m", "_n_per_mm": "N/mm", "_n_per_m": "N/m", "_m_per_s": "m/s", "_m_s": "m/s",
+    "_wh_per_100_km": "W h/(100 km)", "_w_per_m": "W/m", "_n_per_mm": "N/mm", "_n_per_m": "N/m", "_m_per_s": "m/s", "_m_s": "m/s", "_km_h": "km/h",
     "_j_per_m": "J/m", "_um_per_mm": "um/mm", "_per_um2": "1/um**2", "_per_k": "1/K", "_um2": "um**2", "_rpm": "1/min", "_mpa": "MPa", "_gpa": "GPa",
     "_pa": "Pa", "_nm": "nm", "_um": "um", "_mm": "mm", "_km": "km", "_m": "m", "_wh": "W h", "_w": "W", "_k": "K", "_c": "degC",
     "_s": "s", "_n": "N", "_percent": "percent", "_deg": "degree", "_hours": "h", "_minutes": "min",
@@ -259,6 +260,8 @@ class Rows(Fixed):
         if declared is not None:
             self._declared = declared
         self._missing = self._row._absent
+        if self._row is Record:
+            self._rows = [{name: row.get(name) for name in self._names} for row in self._rows]
 
     @classmethod
     def _of_columns(cls: type[T], columns: Mapping[str, NDArray[Any]]) -> T:
@@ -301,9 +304,7 @@ class Rows(Fixed):
 
     def _part(self, rows: list[dict[str, Any]], names: list[str]) -> Table:
         """A table of some of the rows or columns."""
-        made = Table(rows, names, self._declared)
-        made._missing = self._missing
-        return made
+        return Table([{name: row.get(name, self._missing.get(name)) for name in names} for row in rows], names, self._declared)
 
     def _several(self, keys: Any) -> Table:
         """The table of the columns or rows in a list, or of the rows where a mask is true."""
@@ -314,7 +315,7 @@ class Rows(Fixed):
             names = [str(key) for key in keys]
             if absent := [name for name in names if name not in self._names]:
                 raise UnknownName(unknown(type(self).__name__, absent[0], self._names))
-            return self._part([{name: row[name] for name in names if name in row} for row in self._rows], names)
+            return self._part(self._rows, names)
         if chosen.dtype.kind == "b":
             if chosen.shape != (len(self),):
                 text = f"a mask of {chosen.size} values: the table has {len(self)} rows"
@@ -332,7 +333,7 @@ class Rows(Fixed):
         return map(self._row, self._rows)
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self._names]
+        return sorted({*super().__dir__(), *self._names})
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Rows):

@@ -25,13 +25,17 @@ OF_OFFSETS = {name: kind for name, kind in SummaryValues.__annotations__.items()
 """Types of the columns at the offsets."""
 
 
-class Fields(Record):
+class Fields(Values):
     """Fields along the contact at one position, of its first offset: arrays of shape (n,), SI units.
 
     ``x``, ``height_pinion``, ``height_wheel``, ``displacement_*``, ``plastic_*``, ``gap`` (m), ``pressure_solid``,
     ``pressure_fluid``, ``shear`` (Pa); where stress was computed ``depths`` (m) and ``sigma_xx``, ``sigma_zz``,
     ``tau_xz``, ``von_mises``, ``plastic_stress`` (von Mises stress beyond the elastic limit) of shape (depths, n) in Pa.
     """
+
+    height_pinion: Floats; height_wheel: Floats; displacement_pinion: Floats; displacement_wheel: Floats
+    plastic_pinion: Floats; plastic_wheel: Floats; gap: Floats; pressure_solid: Floats; pressure_fluid: Floats; shear: Floats
+    depths: Floats; sigma_xx: Floats; sigma_zz: Floats; tau_xz: Floats; von_mises: Floats; plastic_stress: Floats
 
     @property
     def x(self) -> Floats:
@@ -88,18 +92,23 @@ class Path(PathRowTable):
 class RunResult(Values, ResultValues):
     """Result of a run, as ``result.json`` has it (docs/FILE_FORMATS.md): losses, path, warnings, equations.
 
-    Units are in the names: ``summary.loss_w``, ``path.film_minimum_um``.
+    Units are in the names: ``summary.loss_w``, ``path.film_minimum_um``. ``run("losses")`` has ``summary``, ``path``, ``offsets``,
+    ``warnings`` and ``equations``; with contacts there are also ``formulation``, ``inputs``, ``defaults``, ``gears``, ``load``, ``flanks``,
+    ``lubricant``, ``film_constants``, ``points``, ``running_in``, ``published_laws`` and ``references``, and where they were computed
+    ``uncertainty``, ``gearbox`` and ``micropitting``. A result of several meshes has ``shafts``, ``kinds`` and ``meshes``, each a result.
     """
 
     _outcome: Optional[_asperity.Outcome]
     _json: str
     _offsets: list[dict[str, Any]]
+    _meshes: list[RunResult]
 
     def __init__(self, values: Mapping[str, Any]) -> None:
         super().__init__(values)
         self._outcome = None
         self._json = ""
         self._offsets = []
+        self._meshes = []
 
     @classmethod
     def _of(cls, outcome: _asperity.Outcome) -> RunResult:
@@ -110,7 +119,7 @@ class RunResult(Values, ResultValues):
 
     def __getstate__(self) -> dict[str, Any]:
         # What the compiled part holds stays where it is: another process gets the result without the fields.
-        return {**self.__dict__, "_outcome": None}
+        return {**self.__dict__, "_meshes": self.meshes, "_outcome": None}
 
     @property
     def summary(self) -> Summary:
@@ -149,8 +158,6 @@ class RunResult(Values, ResultValues):
         """One row per mesh position from A to E; of several meshes the rows of each, with its name in ``mesh``."""
         if not self._is_train:
             return Path(self._values.get("path", []))
-        if self._outcome is None:
-            raise AsperityError("a result that was read back has no path of several meshes", Code.E402, "Run the case again.")
         runs = zip(self._values["meshes"], self.meshes)
         return Path([{"mesh": row["mesh"], **position} for row, run in runs for position in run._values["path"]])
 
@@ -170,12 +177,24 @@ class RunResult(Values, ResultValues):
 
     @property
     def warnings(self) -> Table:
-        """Warnings: code and text."""
+        """Warnings: code and text; of several meshes those of each, with its name in ``mesh``."""
+        if self._is_train:
+            rows = [{"mesh": mesh._values["mesh"], **row} for mesh in self.meshes for row in mesh._values["warnings"]]
+            return Table(rows, ["mesh", "code", "text"])
         return Table(self._values.get("warnings", []), ["code", "text"])
+
+    def _doubts(self) -> list[Mapping[str, Any]]:
+        """Its warnings, each once; of several meshes with the names of those that it is about."""
+        if not self._is_train:
+            return list(self._values.get("warnings", []))
+        of: dict[tuple[str, str], list[str]] = {}
+        for row in self.warnings:
+            of.setdefault((row.code, row.text), []).append(row.mesh)
+        return [{"code": code, "text": text, "of": [] if len(names) == len(self.meshes) else names} for (code, text), names in of.items()]
 
     @property
     def offsets(self) -> Table:
-        """Efficiency and losses at each offset of the traces; empty for a result that was read back."""
+        """Efficiency and losses at each ``offset`` of the traces, columns as the names of `Summary`; empty for a result that was read back."""
         return Table(self._offsets, declared=OF_OFFSETS)
 
     @property
@@ -205,7 +224,9 @@ class RunResult(Values, ResultValues):
     @property
     def meshes(self) -> list[RunResult]:
         """Results of the meshes of a gear train or planetary set."""
-        return [] if self._outcome is None else [RunResult._of(mesh) for mesh in self._outcome.meshes()]
+        if not self._meshes and self._outcome is not None:
+            self._meshes = [RunResult._of(mesh) for mesh in self._outcome.meshes()]
+        return list(self._meshes)
 
     def write(self, folder: Union[str, PathLike[str]], *, fields: bool = False) -> None:
         """Writes the result folder of ``asperity run`` with its page ``report.html``, whole or not at all.
@@ -312,7 +333,9 @@ class RunResult(Values, ResultValues):
 
 
 class Regime(Table):
-    """Film and regime along the path of contact: columns ``path_fraction``, ``lambda_star``, ``film_minimum_um`` ..."""
+    """Film and regime along the path of contact: columns ``path_fraction``, ``line_load_n_per_mm``, ``hertz_pressure_mpa``,
+    ``sliding_m_per_s``, ``entrainment_m_per_s``, ``film_central_um``, ``film_minimum_um``, ``thermal_reduction``, ``lambda_star``,
+    ``film_ratio``, ``film_share``, ``mixed_share``, as of `Path`."""
 
     def __init__(self, meshes: list[dict[str, Any]]) -> None:
         super().__init__(meshes[0]["rows"], declared=PathRow.__annotations__)

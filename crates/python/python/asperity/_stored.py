@@ -4,19 +4,44 @@ from __future__ import annotations
 
 import json
 from os import PathLike, fspath
-from typing import Union
+from pathlib import Path
+from typing import Any, Union
 
 from . import _asperity
+from ._errors import AsperityError, Code
 from ._map import Map, read_map
 from ._record import Record
 from ._result import RunResult
 
 
-def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Record]:
-    """The result in a folder: of ``asperity run`` (or its ``result.json``), ``map``, ``compare``, ``sensitivity``, ``sweep``
-    or ``calibrate``.
+_STUDIES = ("compare", "sensitivity", "ridges", "callout", "sweep", "calibration", "design", "evidence", "cycle", "change", "oil_fit", "oil_plan", "traction", "stribeck")
+"""Names of the JSON files of studies but maps."""
 
-    The fields of single positions are not read. Of a gear train the folders of its meshes are read.
+
+def _read(file: Path) -> tuple[str, Any]:
+    """The text of a JSON file, and what it holds."""
+    text = file.read_text(encoding="utf-8")
+    try:
+        return text, json.loads(text)
+    except ValueError as error:
+        raise AsperityError(f"{file}: is damaged: {error}", Code.E402) from error
+
+
+def _of_train(place: Path, file: Path) -> RunResult:
+    """The result of a gear train or planetary set, with those of its meshes in their folders."""
+    text, values = _read(file)
+    made = RunResult(values)
+    made._json = text
+    meshes = [one for one in map(read_result, sorted(one for one in place.iterdir() if (one / "result.json").is_file())) if isinstance(one, RunResult)]
+    order = [row["mesh"] for row in made._values["meshes"]]
+    made._meshes = sorted(meshes, key=lambda one: order.index(one._values["mesh"]))
+    return made
+
+
+def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Record]:
+    """The result in a folder: of ``asperity run`` (or its ``result.json``), of a gear train with its meshes, of a map, or of another study.
+
+    The fields of single positions are not read.
 
     Parameters:
         folder: the folder, or the file ``result.json`` in it.
@@ -34,14 +59,16 @@ def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Reco
         >>> asperity.read_result("result").loss_w == result.loss_w
         True
     """
-    from pathlib import Path
-
     place = Path(folder)
     if (place / "map.json").is_file():
         return read_map(place)
-    for name in ("compare.json", "sensitivity.json", "ridges.json", "callout.json", "sweep.json", "calibration.json", "design.json"):
-        if (place / name).is_file():
-            return Record(json.loads((place / name).read_text(encoding="utf-8")))
+    if not (place / "result.json").is_file():
+        for file in (place / "train.json", place / "planetary.json"):
+            if file.is_file():
+                return _of_train(place, file)
+        for name in _STUDIES:
+            if (place / f"{name}.json").is_file():
+                return Record(_read(place / f"{name}.json")[1])
     text = _asperity.read_result(fspath(folder))
     result = RunResult(json.loads(text))
     result._json = text

@@ -80,8 +80,7 @@ def compare(
         ['ground', 'fine']
         >>> bool(found.finishes.loss_w[1] < found.finishes.loss_w[0])
         True
-        >>> oils = {"pao": {"lubricant.oil": "pao100"}, "mineral": {"lubricant.oil": "m100"}}
-        >>> asperity.compare(case, oils).names
+        >>> asperity.compare(case, {"pao": {"lubricant.oil": "pao100"}, "mineral": {"lubricant.oil": "m100"}}).names
         ['pao', 'mineral']
     """
     settings = {

@@ -81,12 +81,14 @@ class Study(Values):
         return self._raw.summary()
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__} {self._values['title']!r}>"
+        found = ", ".join(f"{name} {value}" for name, value in self._rows()[:4])
+        return f"<{type(self).__name__} {self._values['title']!r}: {found}>"
 
     def _repr_html_(self) -> str:
         return page(str(self._values["title"]), self._rows(), None)
 
     def _rows(self) -> list[tuple[str, str]]:
+        """Names and values that a notebook shows, the first of which are those of `repr`."""
         return []
 
     def _doubts(self) -> Iterable[Any]:

@@ -218,6 +218,10 @@ class Sweep(Fixed, Iterator[Record]):
     def __repr__(self) -> str:
         return f"<Sweep: {len(self._rows)} of {len(self)} cases run>"
 
+    def _repr_html_(self) -> str:
+        found: str = Table(self._rows, self._header, self._declared)._repr_html_()
+        return f"<div><strong>{len(self._rows)} of {len(self)} cases run</strong>{found}</div>"
+
 
 def sweep(
     case: Union[CaseLike, None] = None,
@@ -257,8 +261,8 @@ def sweep(
 
     Example:
         >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
-        >>> own = ["lubricant.viscosity", "lubricant.density", "lubricant.base_oil"]  # they would replace those of the oils
-        >>> case = case.replace({"lubricant.oil": "m100", **dict.fromkeys(own)})
+        >>> # The properties that the case states would replace those of the oils.
+        >>> case = case.replace({"lubricant.oil": "m100", "lubricant.viscosity": None, "lubricant.density": None, "lubricant.base_oil": None})
         >>> cases = asperity.sweep(case, {"torque": "50..100:3 N m", "lubricant.oil": ["m100", "n100"]})
         >>> [row.torque_nm for row in cases][:3]
         [50.0, 50.0, 75.0]

@@ -150,7 +150,7 @@ class SummaryValues(Values):
     asperity_share_standard_error: Optional[float]
     boundary_share: float
     mu_equivalent: float
-    loss_factor: float
+    loss_factor_ohlendorf: float
     loss_factor_local: float
     mixed_share: float
     regime: Optional[Literal["full-film", "mixed", "boundary"]]
@@ -256,7 +256,7 @@ class ContactCertificate(Values):
     reference_gap_m: float
 
 
-class ContactNote(Values):
+class Note(Values):
     """Values of `ContactNote` in Rust."""
 
     _absent = {"code": "", "text": ""}
@@ -264,8 +264,8 @@ class ContactNote(Values):
     text: str
 
 
-class ContactNoteTable(TableOf[ContactNote, NoReturn, Literal["code", "text"]]):
-    _row = ContactNote
+class NoteTable(TableOf[Note, NoReturn, Literal["code", "text"]]):
+    _row = Note
     code: NDArray[Any]; text: NDArray[Any]
 
 
@@ -290,7 +290,7 @@ class RunningInCycleTable(TableOf[RunningInCycle, Literal["plastic_energy_j_per_
 class ContactNumbers(Values):
     """Values of `ContactNumbers` in Rust."""
 
-    _kinds = {"certificate": ContactCertificate, "warnings": ContactNoteTable, "running_in": RunningInCycleTable}
+    _kinds = {"certificate": ContactCertificate, "warnings": NoteTable, "running_in": RunningInCycleTable}
     _absent = {"warnings": [], "path_fraction": None, "hertz_p_max_pa": None, "hertz_half_width_m": None, "running_in": None}
     points: int
     spacing_m: float
@@ -304,7 +304,7 @@ class ContactNumbers(Values):
     elastic_energy_j_per_m: float
     iterations: int
     certificate: ContactCertificate
-    warnings: ContactNoteTable
+    warnings: NoteTable
     path_fraction: Optional[float]
     hertz_p_max_pa: Optional[float]
     hertz_half_width_m: Optional[float]
@@ -542,7 +542,7 @@ class CycleFinishTable(TableOf[CycleFinish, Literal["lost_wh", "lost_median_wh",
 
 
 class CycleValues(Values):
-    _kinds = {"finishes": CycleFinishTable, "warnings": ContactNoteTable}
+    _kinds = {"finishes": CycleFinishTable, "warnings": NoteTable}
     _absent = {"distance_km": None, "warnings": None}
     program: str
     title: str
@@ -556,7 +556,7 @@ class CycleValues(Values):
     outside_energy_share: float
     outside_share: float
     extended_share: float
-    warnings: Optional[ContactNoteTable]
+    warnings: Optional[NoteTable]
 
 
 class SensitivityRow(Values):
@@ -745,7 +745,7 @@ class DesignParameterTable(TableOf[DesignParameter, Literal["deviation", "prior"
 
 
 class DesignValues(Values):
-    _kinds = {"limits": DesignLimits, "points": DesignPointTable, "parameters": DesignParameterTable, "warnings": ContactNoteTable}
+    _kinds = {"limits": DesignLimits, "points": DesignPointTable, "parameters": DesignParameterTable, "warnings": NoteTable}
     schema_version: int
     program: str
     title: str
@@ -753,7 +753,7 @@ class DesignValues(Values):
     limits: DesignLimits
     lambda_star: Floats
     candidates: int
-    warnings: ContactNoteTable
+    warnings: NoteTable
 
 
 class CalibrationParameter(Values):
@@ -808,7 +808,7 @@ class CalibrationPointTable(TableOf[CalibrationPoint, Literal["torque_nm", "spee
 
 
 class CalibrationValues(Values):
-    _kinds = {"parameters": CalibrationParameterTable, "points": CalibrationPointTable, "warnings": ContactNoteTable}
+    _kinds = {"parameters": CalibrationParameterTable, "points": CalibrationPointTable, "warnings": NoteTable}
     _absent = {"identifiability": None, "stages": None, "nuisance": None, "held_out": None, "evidence": None}
     schema_version: int
     program: str
@@ -826,7 +826,7 @@ class CalibrationValues(Values):
     birge_ratio: float
     held_out: Any
     evidence: Any
-    warnings: ContactNoteTable
+    warnings: NoteTable
     block: str
 
 
@@ -1113,7 +1113,7 @@ class OilFitPointTable(TableOf[OilFitPoint, Literal["load_n", "mean_speed_m_s", 
 
 
 class OilFitValues(Values):
-    _kinds = {"constants": OilFitConstantTable, "points": OilFitPointTable, "warnings": ContactNoteTable}
+    _kinds = {"constants": OilFitConstantTable, "points": OilFitPointTable, "warnings": NoteTable}
     _absent = {"lubricant": None, "other_law": None, "nuisance": None}
     program: str
     title: str
@@ -1133,7 +1133,7 @@ class OilFitValues(Values):
     other_law: Any
     nuisance: Any
     points: OilFitPointTable
-    warnings: ContactNoteTable
+    warnings: NoteTable
 
 
 class StribeckState(Values):

@@ -176,8 +176,8 @@ fn mesh(result: &RunResult) -> Vec<Row> {
         ),
         (
             "H_V by Ohlendorf",
-            format!("{:.4}", s.loss_factor),
-            "summary.loss_factor",
+            format!("{:.4}", s.loss_factor_ohlendorf),
+            "summary.loss_factor_ohlendorf",
         ),
         (
             "positions on the path, offsets of the traces",

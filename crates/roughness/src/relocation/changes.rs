@@ -1,5 +1,6 @@
 //! Change of roughness parameters and of the material ratio curve, with the change that noise would make.
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::quantity::Length;
 use asperity_core::{Profile, cite};
 
@@ -99,6 +100,7 @@ impl Relocation {
         let mut random = Random::new(2);
         let mut changes = vec![Vec::new(); before.as_ref().len()];
         for _ in 0..SETS {
+            checkpoint()?;
             let noise = self.differences.made(z.len(), &mut random);
             let noisy = z.iter().zip(noise).map(|(z, n)| z + n).collect();
             let found = numbers(&Profile::new(self.before.spacing(), noisy)?)?;

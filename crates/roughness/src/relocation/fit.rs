@@ -1,5 +1,6 @@
 //! Shift, stretch, height and tilt of the second trace by robust least squares over the dales.
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::Cholesky;
 use asperity_core::{Code, Fault, cite};
 
@@ -19,8 +20,9 @@ const LEAST_DEVIATION: f64 = 1e-12;
 /// Share of the points in a slice of the dales, and number of slices that are matched at most.
 const SLICE: f64 = 0.05;
 const MOST_SLICES: usize = 10;
-/// A slice is spared if its height differs by at most this number of standard errors.
-const SPARED: f64 = 2.0;
+/// A slice is spared if its height differs by at most this number of standard errors: noise exceeds it in one of eight slices, the
+/// most that are compared, for one trace in twenty.
+const SPARED: f64 = 2.73;
 /// The lowest two slices are worn if they differ by more than this number of standard errors.
 const WORN: f64 = 4.0;
 const WORN_DALES: &str = "too few dales are left for a match: the lowest twentieth of the points lost another height than the next one";
@@ -117,6 +119,7 @@ impl Fit {
     ) -> Result<Self, RoughnessError> {
         let (mut chosen, mut change) = (None, f64::INFINITY);
         for step in 0..MAX_STEPS {
+            checkpoint()?;
             let mut points = Points::at(before, after, place)?;
             // Dales and a scale that follow every change of the place would change it in turn.
             if step < FREE_STEPS {
@@ -199,14 +202,24 @@ impl Fit {
     pub(super) fn choice(&self) -> f64 {
         cite!("Relocation-6");
         const STEP: f64 = 0.05;
-        let mut sorted = self.level.clone();
-        sorted.sort_unstable_by(f64::total_cmp);
-        let at = |share: f64| sorted[(share * (sorted.len() - 1) as f64) as usize];
+        let at = self.levels();
         let [low, high] = [self.share - STEP, self.share + STEP];
         let width = at(high) - at(low.max(0.0));
         let density = (high - low.max(0.0)) / width.max(LEAST_DEVIATION);
         let bound = 0.5 * self.noise.deviation().powi(2) * density / self.share;
         bound / 3.0_f64.sqrt()
+    }
+
+    /// Height that a share of the points does not exceed \[m\].
+    fn levels(&self) -> impl Fn(f64) -> f64 {
+        let mut sorted = self.level.clone();
+        sorted.sort_unstable_by(f64::total_cmp);
+        move |share| sorted[(share * (sorted.len() - 1) as f64) as usize]
+    }
+
+    /// Height of the highest of the dales \[m\].
+    pub(super) fn highest_dale(&self) -> f64 {
+        self.levels()(self.share)
     }
 
     fn row(&self, i: usize) -> [f64; 4] {

@@ -19,6 +19,7 @@ mod changes;
 mod fit;
 mod noise;
 mod relocated;
+mod rise;
 mod search;
 mod traces;
 

@@ -1,5 +1,6 @@
 //! The trace on the trace before it, with what was removed and what moved.
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::{Z_95, deviation, mean};
 use asperity_core::quantity::Length;
 use asperity_core::{Code, DomainError, Estimate, Fault, Profile, cite};
@@ -10,6 +11,7 @@ use crate::generate::Random;
 
 use super::fit::Fit;
 use super::noise::Noise;
+use super::rise::{self, MOVED};
 use super::search::search;
 use super::traces::{Trace, height_at, noise_cutoff};
 
@@ -19,8 +21,6 @@ const LEAST_CORRELATION: f64 = 0.7;
 const CLEARLY: f64 = 0.7;
 /// Standard deviation of the height over the gain of the dales: where some rose, others that were matched may have risen as well.
 const RISEN: f64 = 1.0;
-/// Waves longer than this are compared to see where the trace is higher: material moves by about a grain \[m\].
-const MOVED: f64 = 20e-6;
 /// Height below which traces on each other differ by the rounding of their match \[m\].
 const LEAST_CHANGE: f64 = 1e-11;
 /// Sets of made noise that show the gain of noise.
@@ -159,7 +159,7 @@ pub fn relocate(before: &Profile, after: &Profile, bounds: Bounds) -> Result<Rel
     let shift = bounds.check()?;
     let cutoff = noise_cutoff(before, after);
     let [first, second] = [Trace::new(before, cutoff)?, Trace::new(after, cutoff)?];
-    let found = search(&first, &second, (shift, bounds.stretch));
+    let found = search(&first, &second, (shift, bounds.stretch)).map_err(RoughnessError::from)?;
     let is_unclear = 1.0 - found.correlation > CLEARLY * (1.0 - found.elsewhere);
     if found.correlation < LEAST_CORRELATION || is_unclear {
         let message = format!(
@@ -197,7 +197,11 @@ fn relocation(
     let part = 1.0 / n as f64;
     let (gain, of_gain) = gained(&fit.lost, &fit.noise, spacing)?;
     let of_choice = fit.choice().hypot(fit.uneven);
-    let of_dales = (RISEN * gain.max(0.0)).hypot(of_choice);
+    // The higher of two measures of one rise.
+    let risen = rise::square(fit, spacing)?
+        .sqrt()
+        .max(RISEN * gain.max(0.0));
+    let of_dales = risen.hypot(of_choice);
     let of_height = fit.deviation_of_place([0.0, 0.0, 1.0, 0.0]).hypot(of_dales);
     let removed = fit.lost.iter().sum::<f64>() * part;
     let of_removed = fit.noise.variance(&fit.influence(&vec![part; n])).sqrt();
@@ -241,6 +245,7 @@ fn gained(lost: &[f64], noise: &Noise, spacing: Length) -> Result<(f64, f64), Ro
     let cutoff = Length::from_si(MOVED.max(2.0 * spacing.si()));
     // Mean gain, and share of the points that are higher.
     let higher = |lost: &[f64]| -> Result<[f64; 2], RoughnessError> {
+        checkpoint()?;
         let smooth = mean_line(&Profile::new(spacing, lost.to_vec())?, cutoff, Ends::Reg0)?;
         let negative = smooth.iter().filter(|w| **w < 0.0);
         let sums = negative.fold([0.0; 2], |[sum, count], w| [sum - w, count + 1.0]);

@@ -1,5 +1,6 @@
 //! The place of the second trace on the first by the correlation of their dales, over all shifts and stretches.
 
+use asperity_core::cancel::{Cancelled, checkpoint};
 use asperity_core::cite;
 use asperity_core::numerics::{good_fft_length, real_transforms};
 use realfft::num_complex::Complex;
@@ -31,7 +32,11 @@ pub(super) struct Match {
 /// ```
 ///
 /// The correlation over the overlap of each shift, which is at least half of the shorter trace.
-pub(super) fn search(before: &Trace, after: &Trace, bounds: (f64, f64)) -> Match {
+pub(super) fn search(
+    before: &Trace,
+    after: &Trace,
+    bounds: (f64, f64),
+) -> Result<Match, Cancelled> {
     cite!("Relocation-1");
     let (most_shift, most_stretch) = bounds;
     let dx = before.dx;
@@ -40,6 +45,7 @@ pub(super) fn search(before: &Trace, after: &Trace, bounds: (f64, f64)) -> Match
     let steps = (most_stretch * after.length() / (2.0 * STEP * dx)).ceil() as i64;
     let mut table = Vec::new();
     for k in -steps..=steps {
+        checkpoint()?;
         let stretch = most_stretch * k as f64 / steps.max(1) as f64;
         let stretched = respaced(&second, after.dx * (1.0 + stretch), dx);
         let found = correlations(&first, &stretched, (most_shift / dx).ceil() as i64);
@@ -51,12 +57,12 @@ pub(super) fn search(before: &Trace, after: &Trace, bounds: (f64, f64)) -> Match
     // With another stretch the same place matches in a part of the trace only, at a shift that differs by the rest.
     let reach = ELSEWHERE + most_stretch * after.length();
     let others = table.iter().filter(|one| (one.1 - best.1).abs() > reach);
-    Match {
+    Ok(Match {
         correlation: best.0,
         shift: best.1,
         stretch: best.2,
         elsewhere: others.max_by(by_correlation).unwrap_or(&none).0,
-    }
+    })
 }
 
 /// Values `from` apart, at a distance of `to` by linear interpolation.

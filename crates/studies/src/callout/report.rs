@@ -34,6 +34,8 @@ impl StudyResult for CallOut {
             .figures(|| self.limits.iter().map(|row| symbol(self, row)))
             .figures(|| [curve_chart(self)])
             .text([losses(self)])
+            .text(above(self))
+            .on_page()
             .table(table(self))
             .section("By the number of traces")
             .figures(|| [traces_chart(self)])
@@ -222,6 +224,27 @@ fn losses(study: &CallOut) -> String {
         power(study.recipe_loss_w),
         power(study.smooth_loss_w)
     )
+}
+
+/// Upper end of the band at the limit, if it is above the permitted loss.
+fn above(study: &CallOut) -> Option<String> {
+    let row = study.limits.first()?;
+    let height = row.limit / row.recipe;
+    let ends: Vec<[f64; 2]> = study
+        .curve
+        .iter()
+        .filter_map(|point| Some([point.height, point.loss_p95_w?]))
+        .collect();
+    let mut pairs = ends.iter().zip(ends.iter().skip(1));
+    let (below, above) = pairs.find(|(below, above)| (below[0]..=above[0]).contains(&height))?;
+    let part = (height - below[0]) / (above[0] - below[0]);
+    let high = below[1] + part * (above[1] - below[1]);
+    (high > study.loss_w).then(|| {
+        format!(
+            "The shaded band at the limit ends above the permitted loss: 5 % of the lots of this height lose more than {}.",
+            power(high)
+        )
+    })
 }
 
 /// A loss with the digits of the stated one.

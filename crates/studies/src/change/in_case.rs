@@ -171,6 +171,7 @@ struct OnFlank<'a> {
     flank: WornFlank,
     pair: &'a TracePair,
     found: &'a Relocation,
+    site: Site,
     /// Arc of the first point of the trace before \[m\], and its growth along the trace; `None` where the place is not known.
     place: Option<[f64; 2]>,
 }
@@ -212,7 +213,7 @@ pub(super) fn in_case(
     let after = after.with(|input| input.model.offsets = Some(offsets))?;
     let (second, second_draws) = drawn(&after)?;
     step(2);
-    let (run_in, no_run_in) = run_in(&before);
+    let (run_in, no_run_in) = run_in(&before)?;
     let uncertainties = [&first, &second].map(|of| of.result.uncertainty.as_ref());
     let difference = match (first_draws, second_draws, uncertainties) {
         (Some(own), Some(other), [Some(of_first), Some(of_second)]) => {
@@ -257,30 +258,36 @@ pub(super) fn in_case(
     })
 }
 
-/// Warnings of both runs, each code once.
+/// Warnings of both runs; a warning of one run has its state.
 fn warnings(runs: [&Outcome; 2]) -> Vec<Warning> {
-    let mut found: Vec<Warning> = Vec::new();
-    for warning in runs.into_iter().flat_map(|run| &run.result.warnings) {
-        if found.iter().all(|known| known.code != warning.code) {
-            found.push(warning.clone());
-        }
-    }
+    let [before, after] = runs.map(|run| run.result.warnings.as_slice());
+    let of_state = |own: &[Warning], other: &[Warning], state: &str| {
+        let alone = own.iter().filter(|warning| !other.contains(warning));
+        let tagged = alone.map(|warning| Warning {
+            text: format!("{} [{state}]", warning.text),
+            ..warning.clone()
+        });
+        tagged.collect::<Vec<_>>()
+    };
+    let common = before.iter().filter(|warning| after.contains(warning));
+    let mut found: Vec<Warning> = common.cloned().collect();
+    found.extend(of_state(before, after, BEFORE));
+    found.extend(of_state(after, before, AFTER));
     found
 }
 
 fn drawn(case: &LoadedCase) -> Result<(Outcome, Option<Predictive>), Error> {
-    Run::new(case).fields(&KeptFields::Highest).draw()
+    Run::new(case).fields(&KeptFields::Nothing).draw()
 }
 
-/// The flanks before run in by the model, or why they cannot be.
-fn run_in(before: &LoadedCase) -> (Option<Outcome>, Option<String>) {
-    let predicted = before
-        .with_key("model.run_in", "true")
-        .and_then(|case| Run::new(&case).without_pictures().execute());
-    match predicted {
-        Ok(outcome) => (Some(outcome), None),
-        Err(error) => (None, Some(error.to_string())),
-    }
+/// The flanks before run in by the model, or why the case does not allow it.
+fn run_in(before: &LoadedCase) -> Result<(Option<Outcome>, Option<String>), Error> {
+    let case = match before.with_key("model.run_in", "true") {
+        Ok(case) => case,
+        Err(error) => return Ok((None, Some(error.to_string()))),
+    };
+    let outcome = Run::new(&case).without_pictures().execute()?;
+    Ok((Some(outcome), None))
 }
 
 fn of_state(state: &'static str, outcome: &Outcome) -> StateLoss {
@@ -292,12 +299,18 @@ fn of_state(state: &'static str, outcome: &Outcome) -> StateLoss {
     }
 }
 
-/// Reports on the traces of a flank.
-fn reports(case: &LoadedCase, flank: WornFlank) -> Vec<&FlankReport> {
+/// Number of the tooth and place across the face of a trace, where the case states them.
+type Site = (Option<u32>, Option<Length>);
+
+/// Reports on the traces of a flank, with their sites.
+fn reports(case: &LoadedCase, flank: WornFlank) -> Vec<(&FlankReport, Site)> {
     let body = flank as usize;
     match &case.sampled {
-        Some(sampled) => sampled.traces[body].iter().map(|of| &of.report).collect(),
-        None => vec![&case.flanks[body]],
+        Some(sampled) => {
+            let traces = sampled.traces[body].iter();
+            traces.map(|of| (&of.report, (of.number, of.y))).collect()
+        }
+        None => vec![(&case.flanks[body], (None, None))],
     }
 }
 
@@ -320,7 +333,7 @@ fn on_flank<'a>(
     let trace = &pair.traces[0];
     let of = |flank| {
         let mut known = reports(case, flank).into_iter();
-        known.find(|report| is_trace_of(report, trace))
+        known.find(|(report, _)| is_trace_of(report, trace))
     };
     let known = WornFlank::BOTH.map(of);
     let refused = |why: &str, help: &'static str| {
@@ -351,12 +364,13 @@ fn on_flank<'a>(
             );
         }
     };
-    let place = known[flank as usize].and_then(|report| place_of(case, flank, report));
+    let known = known[flank as usize];
     Ok(OnFlank {
         flank,
         pair,
         found,
-        place,
+        site: known.map_or((None, None), |(_, site)| site),
+        place: known.and_then(|(report, _)| place_of(case, flank, report)),
     })
 }
 
@@ -407,8 +421,11 @@ impl OnFlank<'_> {
                 false => TraceStart::Tip,
             }
         });
+        let (tooth, y) = self.site;
         TraceInput {
             file: name,
+            tooth,
+            y,
             from,
             at,
             ..TraceInput::default()
@@ -563,7 +580,7 @@ fn flank_change(
     let (found, most) = match wear {
         Some(Coefficient::Found(k)) => (Some(k.map(|k| MM3_PER_N_M * k)), None),
         Some(Coefficient::AtMost(k)) => (None, Some(MM3_PER_N_M * k)),
-        None => (None, None),
+        Some(Coefficient::Gained) | None => (None, None),
     };
     let hardness = case.flow_pressure[flank as usize].si();
     let times_hardness = |k: f64| k / MM3_PER_N_M * hardness;

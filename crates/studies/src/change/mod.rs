@@ -16,6 +16,7 @@
 //! # Ok::<(), asperity::message::Fault>(())
 //! ```
 
+mod digits;
 mod in_case;
 mod pairs;
 mod report;

@@ -5,6 +5,7 @@ use asperity_core::Estimate;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Cell, Report, StudyResult, StudySettings as _, Table, columns, thin};
 
+use super::digits::{LEAST_NM, digits, height, shown};
 use super::study::{ChangeSettings, Heights, PairRow, ParameterRow, PointRow, TraceChange};
 use super::worth;
 
@@ -17,6 +18,11 @@ const DRAWN: usize = 4;
 const BINS: usize = 350;
 /// Width of the close-up \[mm\].
 const CLOSE: f64 = 0.2;
+/// Last places that a measured trace leaves of a height in µm, of a shift \[µm\], of a stretch \[%\] and of a tilt \[µm/mm\].
+const LEAST_UM: f64 = 1e-4;
+const LEAST_SHIFT: f64 = 1e-3;
+const LEAST_STRETCH: f64 = 1e-4;
+const LEAST_TILT: f64 = 1e-4;
 /// Half width of an interval over a noise floor, which one of twenty exceeds.
 const OF_FLOOR: f64 = 0.84;
 
@@ -61,7 +67,7 @@ fn trace_file(pair: usize) -> String {
 }
 
 fn nanometres(estimate: Estimate) -> String {
-    Digits::of_difference(estimate.ends()).interval_with(" nm", estimate)
+    digits(estimate, LEAST_NM).interval_with(" nm", estimate)
 }
 
 /// The height removed, or that there is none.
@@ -85,7 +91,7 @@ fn verdict(mean: &Heights) -> [String; 1] {
 /// Scatter from pair to pair; `None` of a single one.
 fn scatter(study: &TraceChange) -> Option<String> {
     study.scatter_nm.map(|scatter| {
-        let digits = Digits::of_interval(study.mean.removed_nm.ends());
+        let digits = digits(study.mean.removed_nm, LEAST_NM);
         format!(
             "From pair to pair it scatters by {} nm (standard deviation of {}).",
             digits.rounded(scatter),
@@ -113,7 +119,7 @@ fn is_clear(row: &ParameterRow) -> bool {
 
 /// Change of a parameter with the digits that noise leaves.
 fn change_of(row: &ParameterRow) -> String {
-    Digits::of_uncertainty(OF_FLOOR * row.floor_um).signed(row.change_um)
+    Digits::of_uncertainty((OF_FLOOR * row.floor_um).max(LEAST_UM)).signed(row.change_um)
 }
 
 /// The parameters that changed.
@@ -135,13 +141,13 @@ fn parameters_line(study: &TraceChange) -> String {
 
 /// Where the second trace of a pair lies on the first.
 fn place(pair: &PairRow) -> String {
-    let interval = |estimate: Estimate| Digits::of_interval(estimate.ends()).interval(estimate);
+    let interval = |estimate: Estimate, least| digits(estimate, least).interval(estimate);
     format!(
         "{} lies {} µm along {}, stretched by {} %; their dales correlate by {:.3}, elsewhere by {:.2}.",
         pair.after,
-        interval(pair.shift_um),
+        interval(pair.shift_um, LEAST_SHIFT),
         pair.before,
-        interval(pair.stretch_percent),
+        interval(pair.stretch_percent, LEAST_STRETCH),
         pair.correlation,
         pair.elsewhere
     )
@@ -180,13 +186,13 @@ fn pairs(study: &TraceChange) -> Table {
     let table = columns! { pair in &study.pairs;
         head before "before" "";
         head after "after" "";
-        interval removed_nm "removed" "nm" = Cell::interval(pair.heights.removed_nm);
-        interval lost_nm "lost" "nm" = Cell::interval(pair.heights.lost_nm);
-        interval gained_nm "gained" "nm" = Cell::interval(pair.heights.gained_nm);
-        interval shift_um "shift" "µm" = Cell::interval(pair.shift_um);
-        interval stretch_percent "stretch" "%" = Cell::interval(pair.stretch_percent);
-        interval height_um "height" "µm" = Cell::interval(pair.height_um);
-        interval tilt_um_per_mm "tilt" "µm/mm" = Cell::interval(pair.tilt_um_per_mm);
+        interval removed_nm "removed" "nm" = height(pair.heights.removed_nm);
+        interval lost_nm "lost" "nm" = height(pair.heights.lost_nm);
+        interval gained_nm "gained" "nm" = height(pair.heights.gained_nm);
+        interval shift_um "shift" "µm" = shown(pair.shift_um, LEAST_SHIFT);
+        interval stretch_percent "stretch" "%" = shown(pair.stretch_percent, LEAST_STRETCH);
+        interval height_um "height" "µm" = shown(pair.height_um, LEAST_UM);
+        interval tilt_um_per_mm "tilt" "µm/mm" = shown(pair.tilt_um_per_mm, LEAST_TILT);
         number correlation "correlation" "" "{:.3}";
         number elsewhere "elsewhere" "" "{:.2}";
         number matched_percent "dales matched" "%" "{:.0}";

@@ -138,6 +138,8 @@ pub(super) enum Coefficient {
     Found(Estimate),
     /// Noise explains the removal: at most this one \[1/Pa\].
     AtMost(f64),
+    /// The whole interval of the removal is below zero.
+    Gained,
 }
 
 /// The wear coefficient from the heights removed in several pairs of traces of a flank \[m\], after `engagements` at these places.
@@ -169,10 +171,11 @@ pub(super) fn coefficient(
     }
     let removed = with_scatter(removed);
     let per_metre = |height: f64, load: &f64| height / (engagements * load);
+    if removed.high <= 0.0 {
+        return Ok(Coefficient::Gained);
+    }
     if removed.low <= 0.0 {
-        let of_end = loads
-            .iter()
-            .map(|load| per_metre(removed.high.max(0.0), load));
+        let of_end = loads.iter().map(|load| per_metre(removed.high, load));
         return Ok(Coefficient::AtMost(
             median_with_ends(&of_end.collect::<Vec<_>>()).high,
         ));
@@ -278,6 +281,8 @@ mod tests {
             panic!("noise explains it");
         };
         assert!((most / 4e-19 - 1.0).abs() < 1e-12);
+        let gained = [Estimate::new(-2e-9, [-3e-9, -1e-9])];
+        assert!(matches!(of(&gained, &[1e4]), Coefficient::Gained));
         assert!(coefficient(&removed, &[places(&[0.0])], 1e6).is_err());
     }
 }

@@ -4,6 +4,7 @@ use asperity::result::loss_band::Digits;
 use asperity_core::{Estimate, capitalised};
 use asperity_report::{Cell, Report, Table, columns};
 
+use super::digits::height;
 use super::in_case::{AFTER, BEFORE, ChangeInCase, FlankChange, RUN_IN, StateLoss};
 use crate::compare::verdict;
 
@@ -20,17 +21,23 @@ pub(super) fn lines(of: &ChangeInCase) -> Vec<String> {
             format!("{}.", capitalised(&verdict(names, difference)))
         }
         None => {
-            let losses = [BEFORE, AFTER].map(|name| loss(of, name)).join(", ");
-            format!("The loss is {losses} the test.")
+            let losses = [BEFORE, AFTER]
+                .into_iter()
+                .filter_map(|name| loss(of, name));
+            let losses: Vec<String> = losses.collect();
+            format!("The loss is {} the test.", losses.join(", "))
         }
     });
     lines.extend(run_in(of));
     lines
 }
 
-fn loss(of: &ChangeInCase, name: &str) -> String {
-    let found = of.loss(name).map_or(0.0, |loss| loss.loss_w);
-    format!("{} W {name}", Digits::of_power(found).rounded(found))
+fn loss(of: &ChangeInCase, name: &str) -> Option<String> {
+    let found = of.loss(name)?.loss_w;
+    Some(format!(
+        "{} W {name}",
+        Digits::of_power(found).rounded(found)
+    ))
 }
 
 /// Sliding distance and wear coefficient of a flank.
@@ -73,7 +80,11 @@ fn wear(of: &FlankChange) -> String {
                 of_hardness(times)
             )
         }
-        _ => return format!("{slid}."),
+        _ => {
+            return format!(
+                "{slid}, {metres} m in {count:.3e} engagements. It gained height, so that no wear coefficient follows."
+            );
+        }
     };
     format!(
         "{slid}, {metres} m in {count:.3e} engagements. Archard's wear coefficient k {coefficient}."
@@ -92,7 +103,7 @@ fn run_in(of: &ChangeInCase) -> Option<String> {
     let heights = of.flanks.iter().filter_map(|flank| {
         let predicted = flank.run_in_rq_um?;
         Some(format!(
-            "Rq of the {} {:.3} µm, measured {:.3} µm",
+            "Rq of the {} {:.3} µm, {:.3} µm were measured",
             flank.flank.name(),
             predicted,
             flank.after_rq_um
@@ -101,7 +112,7 @@ fn run_in(of: &ChangeInCase) -> Option<String> {
     let heights: Vec<String> = heights.collect();
     Some(format!(
         "Run in by model.run_in, both flanks before the test lose {predicted} W in place of {before} W; those measured after it lose \
-         {after} W, all with constants at their medians. It predicts {}.",
+         {after} W, all with constants at their medians. With the filters of the case it predicts {}.",
         heights.join("; ")
     ))
 }
@@ -114,6 +125,8 @@ pub(super) fn sections<'a>(report: Report<'a>, of: &'a ChangeInCase) -> Report<'
         .on_page()
         .table(losses(of))
         .table(flanks(of))
+        .table(roughness(of))
+        .on_page()
 }
 
 /// A number with its interval, or that there is none.
@@ -137,18 +150,43 @@ fn losses(of: &ChangeInCase) -> Table {
 fn flanks(of: &ChangeInCase) -> Table {
     let table = columns! { flank in &of.flanks;
         head flank "flank" "" = flank.flank.name();
-        interval removed_nm "removed" "nm" = Cell::interval(flank.removed_nm);
+        interval removed_nm "removed" "nm" = height(flank.removed_nm);
         interval sliding_um "sliding per engagement" "µm" = Cell::interval(flank.sliding_um);
         number engagements "engagements" "" "{:.3e}" = flank.engagements;
         interval k "k" "1e-9 mm³/(N m)" = interval(flank.k_mm3_per_n_m.map(|k| k.map(|k| k / NANO)));
         number k_at_most "k at most" "1e-9 mm³/(N m)" "{:.3}" = flank.k_at_most_mm3_per_n_m.map(|k| k / NANO);
         number k_times_hardness "k H" "" "{:.1e}" = flank.k_times_hardness;
-        number before_rq_um "Rq before" "µm" "{:.3}";
-        number after_rq_um "after" "µm" "{:.3}";
-        number run_in_rq_um "run in" "µm" "{:.3}" = flank.run_in_rq_um;
-        number before_rpk_um "Rpk before" "µm" "{:.3}";
-        number after_rpk_um "after" "µm" "{:.3}";
-        number run_in_rpk_um "run in" "µm" "{:.3}" = flank.run_in_rpk_um;
+        file before_rq_um = flank.before_rq_um;
+        file after_rq_um = flank.after_rq_um;
+        file run_in_rq_um = Cell::optional(flank.run_in_rq_um);
+        file before_rpk_um = flank.before_rpk_um;
+        file after_rpk_um = flank.after_rpk_um;
+        file run_in_rpk_um = Cell::optional(flank.run_in_rpk_um);
     };
     table.in_file("flanks.csv")
+}
+
+/// Roughness of the flanks in the case.
+fn roughness(of: &ChangeInCase) -> Table {
+    let rows = of.flanks.iter().flat_map(|flank| {
+        let rq = (
+            "Rq",
+            [flank.before_rq_um, flank.after_rq_um],
+            flank.run_in_rq_um,
+        );
+        let rpk = (
+            "Rpk",
+            [flank.before_rpk_um, flank.after_rpk_um],
+            flank.run_in_rpk_um,
+        );
+        [rq, rpk].map(|row| (flank.flank.name(), row))
+    });
+    let um = |value: &f64| format!("{value:.3}");
+    columns! { (flank, (name, [before, after], run_in)) in rows;
+        head flank "flank" "" = flank;
+        text parameter "filters of the case" "" = name;
+        number before "before" "µm" = Cell::number(before, |of| um(&of));
+        number after "after" "µm" = Cell::number(after, |of| um(&of));
+        number run_in "run in by the model" "µm" = Cell::number(run_in, |of| um(&of));
+    }
 }

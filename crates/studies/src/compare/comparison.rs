@@ -331,7 +331,7 @@ pub fn compare<C: Clone + Into<Train>>(
     finishes: &[Finish<C>],
     progress: Progress<'_>,
 ) -> Result<Comparison, Error> {
-    let kept = (Some(&KeptFields::Highest), true);
+    let kept = (Some(&KeptFields::Nothing), true);
     let mut runs: Vec<(&str, Train, Outcomes)> = Vec::with_capacity(finishes.len());
     // Contacts do not depend on the oil: the variants share them.
     let mut contacts: Vec<Contacts> = Vec::new();
@@ -380,7 +380,7 @@ pub fn compare<C: Clone + Into<Train>>(
 }
 
 /// Whether two cases differ by their flanks only.
-fn differs_by_flanks(first: &Train, other: &Train) -> bool {
+pub(crate) fn differs_by_flanks(first: &Train, other: &Train) -> bool {
     let without_flanks = |case: &Train| -> Vec<CaseInput> {
         let inputs = case.cases().map(|mesh| mesh.case.input.clone());
         inputs
@@ -436,6 +436,9 @@ fn finish_result(
         .map(|[first, own]| difference_of_meshes(first, own));
     let result = &outcome.whole;
     let oil = case.meshes().next().map(|mesh| &mesh.case.case.lubricant);
+    let Some(of_first) = outcome.meshes.first() else {
+        return Err(Error::Whole(Box::new(PositionError::no_profile())));
+    };
     let mut finish = FinishResult {
         name: name.to_owned(),
         files: unique(case.meshes().flat_map(|mesh| files(&mesh.case))),
@@ -454,9 +457,7 @@ fn finish_result(
         mixed_share: None,
         regime: None,
         base_oil: oil.and_then(Lubricant::base_oil).map(BaseOil::name),
-        viscosity_mm2_per_s: outcome.meshes.first().map_or(0.0, |run| {
-            1e6 * run.result.lubricant.kinematic_viscosity.si()
-        }),
+        viscosity_mm2_per_s: 1e6 * of_first.result.lubricant.kinematic_viscosity.si(),
         meshes: Vec::new(),
         warnings: warnings(outcome),
         offsets: Vec::new(),

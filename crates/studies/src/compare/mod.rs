@@ -12,13 +12,14 @@ mod variants;
 mod windows;
 mod words;
 
-pub(crate) use comparison::files;
 pub use comparison::{
     ChangedKey, CompareSettings, Comparison, Correlation, Finish, FinishResult, Finishes,
     MeshOfFinish, compare,
 };
+pub(crate) use comparison::{differs_by_flanks, files};
 pub use statistics::rank_correlation;
 pub use variants::{
     AS_IS, KeyOrFile, NamedVariant, Variant, WrittenVariant, keys_in, variants, varied,
 };
+pub(crate) use words::noun;
 pub use words::{difference_with_interval, verdict};

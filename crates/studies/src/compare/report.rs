@@ -2,6 +2,7 @@
 
 use asperity::quantity::Length;
 use asperity::result::loss_band::{Digits, Uncertainty};
+use asperity::uncertainty::Verdict;
 use asperity_core::Estimate;
 use asperity_core::unique;
 use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
@@ -14,7 +15,7 @@ use super::comparison::{Comparison, FinishResult, PairOfFinish};
 use super::tables;
 use super::windows::PARAMETERS;
 use super::words::{
-    loss, measured, meshes, narrowed_by, note, oils, run_in, scope, table, verdicts, warnings,
+    loss, measured, meshes, narrowed_by, note, oils, run_in, scope, surest, table, warnings,
 };
 
 impl StudyResult for Comparison {
@@ -24,13 +25,16 @@ impl StudyResult for Comparison {
     fn report(&self) -> Report<'_> {
         let names: Vec<&str> = self.finishes.iter().map(|finish| &*finish.name).collect();
         let of_pair = self.finishes.iter().all(|finish| finish.pair.is_some());
+        // Every variant is in the table as well, which a first screen would otherwise have no room for.
+        let (surest, others) = surest(self);
         let report = Report::new(
             &self.title,
             format!("{} · comparison of {}", self.program, names.join(", ")),
         )
         .section("Verdict")
-        .verdict(verdicts(self))
+        .verdict(surest)
         .figures(|| [bars(self)])
+        .text(others)
         .text(narrowed_by(self))
         .on_page()
         .table(table(self))
@@ -58,6 +62,14 @@ impl StudyResult for Comparison {
     }
 }
 
+/// A value of a key, or that there is none.
+fn or_none(value: &str) -> &str {
+    match value {
+        "" => "not stated",
+        value => value,
+    }
+}
+
 /// Keys that differ between the variants, measurements that would decide, and common draws.
 fn compared<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
     let Some((first, others)) = comparison.finishes.split_first() else {
@@ -72,24 +84,36 @@ fn compared<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
         let table = columns! { (of, row) in &changes;
             head variant "variant" "" = &of.name;
             code key "key" "" = &row.key;
-            text first "first" "" = &row.first;
-            text value "variant has" "" = &row.value;
+            text first "first" "" = or_none(&row.first);
+            text value "variant has" "" = or_none(&row.value);
         };
         report = report.section("What differs").table(table).on_page();
     }
     let deciding = others
         .iter()
         .flat_map(|of| of.deciding.iter().map(move |row| (of, row)));
+    let deciding: Vec<_> = deciding.collect();
+    let is_open = |of: &FinishResult| {
+        let difference = of.difference.as_ref();
+        difference.is_some_and(|found| found.verdict == Verdict::Undecided)
+    };
+    let decides = |[low, high]: [f64; 2]| low > 0.0 || high < 0.0;
+    let mut rows = deciding.iter();
+    let is_decided = rows.any(|(of, row)| is_open(of) && decides(row.quantiles_w));
+    let none = (others.iter().any(is_open) && !is_decided).then_some(NONE_DECIDES);
     let table = columns! { (of, row) in deciding;
         head variant "variant" "" = &of.name;
-        text measurement "measurement" "" = measured(row, [&first.name, &of.name]);
+        text measurement "measurement or computation" "" = measured(row, [&first.name, &of.name]);
         percent width "remaining width" "%" "{:.0}" = row.width;
         range quantiles_w "difference" "W" = Cell::range(Some(row.quantiles_w), Digits::of_interval(row.quantiles_w));
     };
     if !table.is_empty() {
         report = report
-            .section("What would decide")
-            .text([DECIDING])
+            .section(match is_decided {
+                true => "What would decide",
+                false => "What would narrow the difference",
+            })
+            .text([DECIDING].into_iter().chain(none))
             .on_page();
         report = report.table(table).on_page();
     }
@@ -115,6 +139,7 @@ fn compared<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
 }
 
 /// Text above the measurements.
+const NONE_DECIDES: &str = "None of them alone decides a difference that is undecided.";
 const DECIDING: &str = "Each line is the interval of the difference, from 5 to 95 %, that the measurement leaves at best: as if it were \
     exact. Without the name of a variant, one measurement serves both.";
 

@@ -9,12 +9,10 @@ use asperity_core::{Code, Fault};
 use toml::Value;
 
 use super::comparison::Finish;
-use crate::sweep::{Keys, set_key, written};
+use crate::sweep::{Keys, set_keys, written};
 
 /// Name of the case itself among its variants.
 pub const AS_IS: &str = "as is";
-/// Keys that name an oil, and so replace the whole oil of the case.
-const OILS: [&str; 2] = ["lubricant.oil", "lubricant.oil_file"];
 /// Ways to write a variant.
 const FORMS: &str = "Write \"NAME: KEY=VALUE, KEY=VALUE\", \"NAME: FILE\" with a file of keys, NAME=CASE.toml, or \"as is\" for the case itself.";
 
@@ -192,7 +190,7 @@ pub fn variants(
             Variant::AsIs => base.clone(),
             Variant::Case(case) => *case,
             Variant::Keys(keys) => {
-                varied(base, &keys).map_err(|fault| fault.about(format!("variant {name}")))?
+                varied(base, &keys, &[]).map_err(|fault| fault.about(format!("variant {name}")))?
             }
         };
         found.push(Finish { name, case });
@@ -204,7 +202,7 @@ pub fn variants(
 ///
 /// # Errors
 /// When a key is not known or set twice, nothing changes, or the changed case cannot be run.
-pub fn varied(base: &Train, keys: &Keys) -> Result<Train, Fault> {
+pub fn varied(base: &Train, keys: &Keys, unset: &[String]) -> Result<Train, Fault> {
     let is_within = |whole: &str, part: &str| {
         part.strip_prefix(whole)
             .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
@@ -222,17 +220,16 @@ pub fn varied(base: &Train, keys: &Keys) -> Result<Train, Fault> {
         }
     }
     let mut input = base.input.clone();
-    if keys.iter().any(|(key, _)| OILS.contains(&key.as_str())) {
-        // Another oil is not the oil of the case with some of its numbers, nor the oil of its calibration.
-        input.lubricant = Default::default();
-        input.calibration = None;
+    for key in unset {
+        input.unset(key)?;
     }
-    for (key, value) in keys {
-        set_key(&mut input, &base.defaults, key, value)?;
-    }
+    set_keys(&mut input, &base.defaults, keys)?;
     if is_same(&input, &base.input) {
-        let (key, value) = &keys[0];
-        let message = format!("it changes nothing: the case has {key} = {value} already");
+        let stated = keys.first();
+        let stated = stated.map_or(String::new(), |(key, value)| {
+            format!(": the case has {key} = {value} already")
+        });
+        let message = format!("it changes nothing{stated}");
         let help = "Give it another value, or name the case itself \"as is\".";
         return Err(Fault::new(Code::E205, message).helping(help));
     }

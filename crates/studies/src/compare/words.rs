@@ -6,7 +6,7 @@ use asperity_report::{Cell, Table, Value, columns, stated, stated_parts};
 use asperity::result::Summary;
 use asperity::result::loss_band::{Digits, rounded};
 use asperity::uncertainty::{DecidingMeasurement, PairedDifference, Predictive, Verdict};
-use asperity_core::unique;
+use asperity_core::{capitalised, unique};
 
 use super::comparison::{Comparison, FinishResult, MeshOfFinish, PairOfFinish};
 
@@ -214,6 +214,14 @@ fn interval(estimate: Estimate, is_signed: bool) -> String {
     }
 }
 
+/// Heading of the names of what is compared.
+pub(crate) fn noun(are_finishes: bool) -> &'static str {
+    match are_finishes {
+        true => "finish",
+        false => "variant",
+    }
+}
+
 impl Comparison {
     /// Loss of the first finish, from which the difference of `finish` is taken \[W\]; `None` for the first itself.
     pub(super) fn first_w(&self, finish: &FinishResult) -> Option<f64> {
@@ -222,10 +230,7 @@ impl Comparison {
 
     /// Heading of the names.
     pub(super) fn noun(&self) -> &'static str {
-        match self.are_finishes {
-            true => "finish",
-            false => "variant",
-        }
+        noun(self.are_finishes)
     }
 
     /// Whether the variants have equal flanks and differ by other keys.
@@ -330,8 +335,23 @@ fn decided_by(comparison: &Comparison) -> Option<(&str, String)> {
     Some((&finish.name, words))
 }
 
+/// The decision of the surest difference, and the other decisions. Of equally sure differences the largest counts.
+pub(super) fn surest(comparison: &Comparison) -> (Vec<String>, Vec<String>) {
+    let mut others = verdicts(comparison);
+    let differences = comparison.finishes.iter();
+    let differences = differences.filter_map(|finish| finish.difference.as_ref());
+    let of = |found: &PairedDifference| (found.probability, found.watts.value.abs());
+    let surest = differences.enumerate().max_by(|(_, a), (_, b)| {
+        let (a, b) = (of(a), of(b));
+        a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+    });
+    let first = surest.map(|(k, _)| others.remove(k));
+    let others = others.iter().map(|line| capitalised(line)).collect();
+    (first.into_iter().collect(), others)
+}
+
 /// The decision of each difference, one that is undecided with what would narrow it.
-pub(super) fn verdicts(comparison: &Comparison) -> Vec<String> {
+fn verdicts(comparison: &Comparison) -> Vec<String> {
     let decided_by = decided_by(comparison);
     let first = comparison.finishes.first().map_or("", |first| &first.name);
     let of = |finish: &FinishResult| {

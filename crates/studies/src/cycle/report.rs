@@ -19,23 +19,25 @@ use crate::map::{
 const BINS: f64 = 30.0;
 
 /// Content of the brackets.
-const NOTE: &str = "Medians, in brackets 5 and 95 % quantiles over the draws of the map. All points of the cycle and both \
-    finishes of a difference share the draws.";
+const NOTE: &str = "Medians, in brackets 5 and 95 % quantiles over the draws of the map. All points of the cycle share \
+    the draws, as do both sides of a difference.";
 
 impl StudyResult for CycleResult {
     const KIND: &'static str = "cycle";
     const NAME: &'static str = "cycle";
 
     fn report(&self) -> Report<'_> {
+        let [most, less] = extrapolated(self);
         Report::new(
             &self.title,
             format!("{} · cycle {}", self.program, self.cycle),
         )
         .section("Energy")
         .verdict(verdicts(self))
+        .verdict(most)
         .figures(|| [over_time(self)])
         .text([conditions(self)])
-        .text(extrapolated(self))
+        .text(less)
         .text([HELPFUL])
         .on_page()
         .table(table(self))
@@ -129,8 +131,12 @@ fn outside(result: &CycleResult) -> String {
     )
 }
 
-/// Sentence on the share of the lost energy where the model is extrapolated, for each finish with such a share.
-fn extrapolated(result: &CycleResult) -> Vec<String> {
+/// Share of the lost energy from which its extrapolation is part of the verdict.
+const MOST: f64 = 0.5;
+
+/// Sentences on the share of the lost energy where the model is extrapolated, for each finish with such a share: of at least half of
+/// the energy, and of less.
+fn extrapolated(result: &CycleResult) -> [Vec<String>; 2] {
     let of_finish = |(own, finish): (&CycleFinish, &FinishMap)| {
         let places = result.points.iter().map(|point| {
             let [torque, speed] = point.forwards();
@@ -142,16 +148,17 @@ fn extrapolated(result: &CycleResult) -> Vec<String> {
         let all: f64 = energies.clone().sum();
         let beyond = energies.zip(beyond).filter(|(_, is_beyond)| *is_beyond);
         let beyond: f64 = beyond.map(|(energy, _)| energy).sum();
-        (beyond > 0.0).then(|| {
-            format!(
-                "Of the energy lost with {}, {} % is where the model is extrapolated further than at the operating point of the case.",
-                in_words(&own.name),
-                decimals(100.0 * beyond / all, 0)
-            )
-        })
+        let sentence = format!(
+            "Of the energy lost with {}, {} % is where the model is extrapolated further than at the operating point of the case.",
+            in_words(&own.name),
+            decimals(100.0 * beyond / all, 0)
+        );
+        (beyond > 0.0).then_some((beyond >= MOST * all, sentence))
     };
     let finishes = result.finishes.iter().zip(&result.map.finishes);
-    finishes.filter_map(of_finish).collect()
+    let sentences: Vec<(bool, String)> = finishes.filter_map(of_finish).collect();
+    let (most, less): (Vec<_>, Vec<_>) = sentences.into_iter().partition(|(is_most, _)| *is_most);
+    [most, less].map(|part| part.into_iter().map(|(_, sentence)| sentence).collect())
 }
 
 /// Number of the temperature of the map.
@@ -233,7 +240,10 @@ fn table(result: &CycleResult) -> Table {
         file difference_wh = Cell::optional(finish.difference_wh);
         interval difference_median_wh "minus the first" "Wh" = Cell::estimate(difference(finish), finish.difference_drawn_wh);
     };
-    table.brief(&["braking"]).in_file("energies.csv")
+    table
+        .renamed("finish", result.map.noun())
+        .brief(&["braking"])
+        .in_file("energies.csv")
 }
 
 /// Whether the energies have quantiles.

@@ -26,7 +26,7 @@ use super::evaluation::{
     resolved_from, torque_of,
 };
 use super::point::{EXTENDED, FinishMap, Map, MapWarning, MeshPart, Numbers, Point, ranges};
-use crate::compare::{Finish, files};
+use crate::compare::{Finish, differs_by_flanks, files};
 
 /// Version of the structure of `map.json`.
 const SCHEMA_VERSION: u32 = 1;
@@ -105,6 +105,9 @@ pub fn map<C: Clone + Into<Train>>(
         warnings: maps.iter().flat_map(warnings).collect(),
         table_warnings: Vec::new(),
         finishes: maps,
+        are_variants: !finishes
+            .iter()
+            .all(|finish| differs_by_flanks(case, &finish.case)),
         input: case.input.clone(),
         defaults: case.defaults.clone(),
     })

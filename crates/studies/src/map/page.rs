@@ -141,7 +141,7 @@ fn with_common_levels(mut fields: Vec<Contour>, levels: Levels) -> Vec<Contour> 
 pub(super) fn fields<'a>(report: Report<'a>, map: &'a Map, visited: &'a [[f64; 2]]) -> Report<'a> {
     let [pinion, wheel] = map.shafts();
     let axes = format!(
-        "Loss of the {} over torque and speed of the {pinion}. At a negative torque the {wheel} drives. All finishes have the \
+        "Loss of the {} over torque and speed of the {pinion}. At a negative torque the {wheel} drives. All pictures have the \
         same colours. The efficiency is blank where the loss exceeds the power, next to 0 N m.",
         map.scope
     );
@@ -550,6 +550,7 @@ fn bands(map: &Map) -> Markup {
         number temperature_c "temperature" "°C" = point.temperature_c;
         number loss "loss" "W" = loss;
     };
+    let table = table.renamed("finish", map.noun());
     html! {
         p { "Median of the loss with its 5 and 95 % quantiles, as for a run. The draws were computed at these torques and speeds; "
             "between them their logarithms are interpolated. Negative torques have the same losses, unless there are coast flanks. "
@@ -566,6 +567,7 @@ fn ranges(map: &Map) -> Table {
         number count "points" "";
         text points "rows of map.csv" "" = shortened(&warning.points);
     }
+    .renamed("finish", map.noun())
 }
 
 /// The list of points, shortened; the JSON has the full list.
@@ -590,6 +592,7 @@ fn files(map: &Map) -> Table {
         code file "file" "" = file;
         code sum "SHA-256" "" = sum;
     }
+    .renamed("finish", map.noun())
 }
 
 /// Scope of the losses, and the torques from which contacts are resolved.

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::axes::Axes;
 use super::draws::{Drawn, DrawnNodes};
 use super::surface::Surface;
+use crate::compare::noun;
 
 /// Mark of points below the smallest torque that the traces resolve.
 pub const EXTENDED: &str = "extended";
@@ -38,6 +39,9 @@ pub struct Map {
     pub operating_point: Option<[f64; 2]>,
     /// The finishes; the first is the reference of differences.
     pub finishes: Vec<FinishMap>,
+    /// Whether they differ by more than their flanks.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub are_variants: bool,
     /// Warnings with their points.
     pub warnings: Vec<MapWarning>,
     /// Warnings about the tables of its exports: the cycle and the added losses.
@@ -212,6 +216,11 @@ impl Numbers {
 }
 
 impl Map {
+    /// Heading of the names of its finishes.
+    pub(crate) fn noun(&self) -> &'static str {
+        noun(!self.are_variants)
+    }
+
     /// Error code of the first point under load, if no point under load has a loss.
     #[must_use]
     pub fn refused(&self) -> Option<Code> {

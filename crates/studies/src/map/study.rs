@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use asperity::case::train::Train;
-use asperity_core::Fault;
+use asperity::case::{CaseInput, OperationInput};
+use asperity_core::{Code, Fault};
 use asperity_report::{
     Input, Nodes, Report, Setting, StudyResult, StudySettings, Watch, Work, make_folder, settings,
     write_bytes,
@@ -40,11 +41,11 @@ impl Input for CaseOrFinishes {
 settings! {
     /// Settings of a map.
     pub struct MapSettings {
-        /// Torques at the pinion in N m: a..b:n, a..b:n:log or a list [default: 0 and 12 from 1 % of the largest, both
-        /// signs]; 0 is added between both signs
+        /// Torques at the pinion in N m: a..b:n, a..b:n:log or a list, with % behind it in parts of the torque of the case
+        /// [default: 0 and 12 from 1 % of the largest, both signs]; 0 is added between both signs
         [value_name = "AXIS"] torque: Option<Nodes>,
-        /// Speeds of the pinion in 1/min: a..b:n, a..b:n:log or a list [default: 0, 1 and 16 more, closer at low speed]; 0
-        /// is added
+        /// Speeds of the pinion in 1/min: a..b:n, a..b:n:log or a list, or in % of the speed of the case [default: 0, 1 and 16
+        /// more, closer at low speed]; 0 is added
         [value_name = "AXIS"] speed: Option<Nodes>,
         /// Temperatures of the flanks in °C: a..b:n or a list [default: the temperature of the case]
         [value_name = "AXIS"] temperature: Option<Nodes>,
@@ -66,13 +67,22 @@ impl MapSettings {
     /// # Errors
     /// When a text is not an axis, or a node is not possible.
     pub fn axes(&self, case: &Train) -> Result<Axes, Fault> {
-        let of = |name: &str, stated: &Option<Nodes>, usual: fn(&Train) -> Vec<f64>| match stated {
-            None => Ok(usual(case)),
-            Some(stated) => stated.nodes(name),
+        let operation = case.shafting.operation();
+        let of_case = |stated: &Option<Nodes>, name: &str, whole: f64| {
+            let stated = stated.as_ref();
+            stated
+                .map(|stated| stated.nodes_of(name, whole))
+                .transpose()
         };
-        let torque = of("torque", &self.torque, Axes::default_torque)?;
-        let speed = of("speed", &self.speed, Axes::default_speed)?;
-        let temperature = of("temperature", &self.temperature, Axes::default_temperature)?;
+        let torque = of_case(&self.torque, "torque", operation.torque.si())?;
+        let torque = torque.unwrap_or_else(|| Axes::default_torque(case));
+        let rpm = operation.speed.si() * 30.0 / std::f64::consts::PI;
+        let speed = of_case(&self.speed, "speed", rpm)?;
+        let speed = speed.unwrap_or_else(|| Axes::default_speed(case));
+        let temperature = match &self.temperature {
+            None => Axes::default_temperature(case),
+            Some(stated) => stated.nodes("temperature")?,
+        };
         let axes = Axes::new(&torque, &speed, &temperature);
         axes.map_err(|error| error.about("axes"))
     }
@@ -162,6 +172,20 @@ impl StudyResult for MapStudy {
     }
 }
 
+/// Whether a case differs from another only by torque, speed or temperature.
+fn differs_by_point(first: &CaseInput, other: &CaseInput) -> bool {
+    let operation = OperationInput {
+        temperature_deviation: other.operation.temperature_deviation,
+        ..first.operation
+    };
+    let at_point = CaseInput {
+        title: first.title.clone(),
+        operation,
+        ..other.clone()
+    };
+    other.operation != first.operation && at_point == *first
+}
+
 impl StudySettings for MapSettings {
     type Input = CaseOrFinishes;
     type Found = MapStudy;
@@ -207,7 +231,18 @@ impl StudySettings for MapSettings {
 
     fn run(&self, given: CaseOrFinishes, watch: &Watch<'_>) -> Result<MapStudy, Fault> {
         let CaseOrFinishes(finishes) = given;
-        let axes = self.axes(finishes.first()?)?;
+        let first = finishes.first()?;
+        for finish in &finishes.0 {
+            if differs_by_point(&first.input, &finish.case.input) {
+                let message = format!(
+                    "{}: torque, speed and temperature of a map are those of its axes, and nothing else changes",
+                    finish.name
+                );
+                let help = "Give the axes of the map, or compare the variants at one operating point: asperity compare.";
+                return Err(Fault::new(Code::E205, message).helping(help));
+            }
+        }
+        let axes = self.axes(first)?;
         let extras = self.extras(&finishes)?;
         let mut map = map(&finishes.0, &axes, self.band, watch.progress)?;
         if let Some(code) = map.refused() {

@@ -31,7 +31,7 @@ pub(super) fn extremes(map: &Map) -> Table {
         1 => table.unshown_of(&["minus the first"]),
         _ => table,
     };
-    table.in_file("extremes.csv")
+    table.renamed("finish", map.noun()).in_file("extremes.csv")
 }
 
 /// The difference of each finish from the first, then the loss and the efficiency of each, at the operating point of the case, in
@@ -104,6 +104,7 @@ pub(super) fn of_meshes(map: &Map) -> Table {
         number count "equal meshes" "" = count;
         number loss "part of the largest loss" "W" = loss;
     }
+    .renamed("finish", map.noun())
 }
 
 /// The extremes of a finish over the map.

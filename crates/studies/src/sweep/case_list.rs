@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use asperity::case::nearest_name;
 use asperity::case::train::Train;
+use asperity::core::nearest_name;
 use asperity::oil::library_oil;
 use asperity::profile_io::read::table_text;
 use asperity_core::numerics::standard_normal_quantile;
@@ -17,7 +17,7 @@ use super::axes::{Axes, MOST_POINTS};
 use super::draws::{DIMENSIONS, Draws, LONGEST};
 use super::error::SweepError;
 use super::known_columns::known_columns;
-use super::settings::{Settings, set};
+use super::settings::{Settings, set, set_all};
 use super::study::Study;
 use super::study_input::{Distribution, Method, SampleInput};
 
@@ -402,9 +402,7 @@ fn list(study: &Study) -> Result<Sample, SweepError> {
 pub(super) fn resolved(study: &Study, inputs: &CaseInputs) -> Result<(Train, String), SweepError> {
     let base = &study.case;
     let mut input = base.input.clone();
-    for (key, value) in &inputs.settings {
-        set(&mut input, &base.defaults, key, value)?;
-    }
+    set_all(&mut input, &base.defaults, &inputs.settings)?;
     let case = base.with_input(input)?;
     // All rows of a study must be computed from the same content of each file.
     for (name, sum) in case.files_read() {

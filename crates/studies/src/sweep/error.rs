@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use asperity::PositionError;
-use asperity::case::did_you_mean;
+use asperity::core::did_you_mean;
 use asperity_core::remedy::Remedy;
 use asperity_core::{Code, Fault};
 use asperity_storage::StorageError;

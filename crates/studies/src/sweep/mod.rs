@@ -40,6 +40,6 @@ pub use plan::{Plan, plan};
 pub use refused::Refused;
 pub use run::{Event, Shard, run};
 pub use settings::Settings as Keys;
-pub(crate) use settings::set as set_key;
+pub(crate) use settings::set_all as set_keys;
 pub use study::Study;
 pub use study_input::Method;

@@ -11,6 +11,7 @@ use asperity_report::{OF_MESHES, Report, StudyResult, write_bytes};
 use super::columns::{InputColumn, InputValues};
 use super::known_columns::DRAWN;
 use super::merged::{EffectRow, Merged};
+use super::settings::OILS;
 use super::words::{Output, input_name, table};
 
 /// How the effects are computed.
@@ -30,6 +31,8 @@ const AT_MEDIANS: &str = "The column loss_w has the constants at their stated or
 /// How a study computes intervals.
 const NO_INTERVAL: &str = "The study computes no interval of the loss. It draws one for each case if its columns list loss_median_w, \
     loss_p05_w and loss_p95_w.";
+/// Numbers that an oil of an axis replaces.
+const OTHER_OILS: &str = "A case that names an oil leaves out all other numbers of the oil of the case file, and its calibration.";
 /// Next step.
 const NEXT: &str = "The command asperity run shows where a single case loses its power; asperity sensitivity lists \
     other changes that lower the loss; asperity evidence lists measurements that narrow its interval.";
@@ -56,6 +59,9 @@ impl StudyResult for Merged {
             };
             format!("{code} in {count} cases: {title}. A run of a case has the details.")
         });
+        let inputs = self.inputs.iter().map(|input| &input.name);
+        let constant = self.constant.iter().map(|(key, _)| key);
+        let has_oils = inputs.chain(constant).any(|key| OILS.contains(&&**key));
         let has_losses = self.outputs.iter().any(|(name, _)| name == "loss_w");
         let has_watts = self.outputs.iter().any(|(name, _)| name.ends_with("_w"));
         let charts = axes(self);
@@ -77,6 +83,8 @@ impl StudyResult for Merged {
             )])
             .text((!self.conditions.is_empty()).then(|| format!("At {}.", self.conditions)))
             .text(settings(self))
+            .text(has_oils.then_some(OTHER_OILS))
+            .on_page()
             .text(outside)
             .figures(move || charts.clone())
             .text(over_axes)

@@ -9,9 +9,28 @@ use super::error::SweepError;
 /// Keys with their values.
 pub type Settings = Vec<(String, String)>;
 
+/// Keys that name an oil, and so replace the whole oil of the case.
+pub(super) const OILS: [&str; 2] = ["lubricant.oil", "lubricant.oil_file"];
+
+/// Sets keys of `input`. Another oil is not the oil of the case with some of its numbers, nor the oil of its calibration: where a key
+/// names an oil, both are left out.
+pub(crate) fn set_all(
+    input: &mut CaseInput,
+    defaults: &[DefaultUsed],
+    settings: &[(String, String)],
+) -> Result<(), SweepError> {
+    if settings.iter().any(|(key, _)| OILS.contains(&&**key)) {
+        input.lubricant = Default::default();
+        input.calibration = None;
+    }
+    settings
+        .iter()
+        .try_for_each(|(key, value)| set(input, defaults, key, value))
+}
+
 /// Sets a key of the case. A number at its end is an index in a list of the case or its defaults, as in
 /// `gears.profile_shift.0`.
-pub(crate) fn set(
+pub(super) fn set(
     input: &mut CaseInput,
     defaults: &[DefaultUsed],
     key: &str,
@@ -51,4 +70,23 @@ pub(crate) fn set(
         _ => Value::String(value.to_owned()),
     };
     Ok(input.set(list, &Value::Array(values).to_string())?)
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::case::load;
+
+    use super::*;
+
+    #[test]
+    fn an_oil_leaves_out_the_numbers_of_the_oil_of_the_case() {
+        let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+        let mut input = load(file, None).unwrap().case.input;
+        let setting = |key: &str, value: &str| (key.to_owned(), value.to_owned());
+        let own = [setting("lubricant.pressure_viscosity_factor", "0.94")];
+        set_all(&mut input, &[], &own).unwrap();
+        assert!(input.lubricant.pressure_viscosity_factor.is_some());
+        set_all(&mut input, &[], &[setting("lubricant.oil", "m100")]).unwrap();
+        assert!(input.lubricant.pressure_viscosity_factor.is_none());
+    }
 }

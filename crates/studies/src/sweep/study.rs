@@ -69,10 +69,8 @@ impl Study {
         let input = serde_json::from_str(text).map_err(|error| {
             let message = error.to_string();
             // Nobody wrote the lines of this text.
-            SweepError::key(
-                IN_MEMORY,
-                message.split(" at line ").next().unwrap_or_default(),
-            )
+            let place = format!(" at line {} column {}", error.line(), error.column());
+            SweepError::key(IN_MEMORY, message.strip_suffix(&place).unwrap_or(&message))
         })?;
         let name = (IN_MEMORY.to_owned(), folder.to_owned());
         Self::of(input, text, case.into(), name)

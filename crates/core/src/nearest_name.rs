@@ -7,9 +7,10 @@ const LIKE: f64 = 0.75;
 ///
 /// ```
 /// let known = ["18CrNiMo7-6", "42CrMo4"].map(str::to_owned);
-/// assert_eq!(asperity_case::case::nearest_name("18crnimo", &known).as_deref(), Some("18CrNiMo7-6"));
-/// assert_eq!(asperity_case::case::nearest_name("brass", &known), None);
+/// assert_eq!(asperity_core::nearest_name("18crnimo", &known).as_deref(), Some("18CrNiMo7-6"));
+/// assert_eq!(asperity_core::nearest_name("brass", &known), None);
 /// ```
+#[must_use]
 pub fn nearest_name(seen: &str, known: &[String]) -> Option<String> {
     let lower: Vec<String> = known.iter().map(|name| name.to_lowercase()).collect();
     let similar = most_similar(&seen.to_lowercase(), lower.iter().map(String::as_str))?;
@@ -18,13 +19,19 @@ pub fn nearest_name(seen: &str, known: &[String]) -> Option<String> {
 }
 
 /// The name of `known` most similar to `seen`; `None` if no name is similar.
-pub(crate) fn most_similar<'a>(
-    seen: &str,
-    known: impl Iterator<Item = &'a str>,
-) -> Option<&'a str> {
+#[must_use]
+pub fn most_similar<'a>(seen: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     known
         .map(|name| (strsim::jaro_winkler(seen, name), name))
         .filter(|(likeness, _)| *likeness >= LIKE)
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, name)| name)
+}
+
+/// The end of a message about an unknown name, with the most similar known name.
+#[must_use]
+pub fn did_you_mean(nearest: Option<&str>) -> String {
+    nearest
+        .map(|key| format!(". Did you mean \"{key}\"?"))
+        .unwrap_or_default()
 }
