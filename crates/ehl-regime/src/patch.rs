@@ -281,10 +281,15 @@ impl PatchSpectrum {
         let mut waves = self.waves.clone();
         let scale = 1.0 / (columns * rows) as f64;
         waves[0] = Complex::default();
-        for (k, value) in waves.iter_mut().enumerate().skip(1) {
-            *value *= scale * factor(self.wave(k));
-        }
-        for column in waves.chunks_exact_mut(rows) {
+        for (k, column) in waves.chunks_exact_mut(rows).enumerate() {
+            // A wave and its image in the lead are flattened alike.
+            for j in usize::from(k == 0)..=rows / 2 {
+                let of_both = scale * factor(self.wave(k * rows + j));
+                column[j] *= of_both;
+                if j > 0 && 2 * j < rows {
+                    column[rows - j] *= of_both;
+                }
+            }
             self.along_lead.process(column);
         }
         let (_, inverse) = real_transforms(columns);

@@ -134,8 +134,12 @@ pub(crate) fn far_lay(
         let percent = 100.0 * (ratio - 1.0).abs();
         format!("; at a lay of 1/6 the loss is {percent:.0} % {side}")
     });
+    let lines = match loaded.surfaces.sheets() {
+        Some(_) => String::new(),
+        None => format!(", and above 1/6 the contact of lines is not confirmed{worth}"),
+    };
     let text = format!(
-        "lay {:.2} of both flanks is above 1/3: no record of mixed lubrication has such flanks, and above 1/6 the contact of lines is not confirmed{worth}",
+        "lay {:.2} of both flanks is above 1/3: no record of mixed lubrication has such flanks{lines}",
         lay.gamma()
     );
     Ok(Some(Warning {

@@ -16,8 +16,9 @@ use asperity_case::flanks::Surfaces;
 const LOOSEST_TOLERANCE: f64 = 1e-8;
 /// Offsets of each pair of surrogates of a case that states none: the pairs are many, and each is a sample of its own.
 const OFFSETS_OF_SURROGATES: usize = 4;
-/// Offsets of two scans of a case that states none: a patch holds as many windows as it has independent rows.
-const OFFSETS_OF_PATCHES: usize = 2;
+/// Offsets of two scans of a case that states none: each patch holds as many windows as it has rows that differ, and the scatter
+/// between patches needs several.
+const OFFSETS_OF_PATCHES: usize = 8;
 
 /// Inputs of the contacts of a mesh; two equal ones have the same contacts. Neither oil nor speed nor temperature is among them.
 #[derive(Debug, Clone, PartialEq)]

@@ -28,6 +28,10 @@ pub(crate) fn sheets_of(
     keys: &[Keys; 2],
 ) -> Result<Arc<Sheets>, CaseError> {
     let section = Section::of(context.source, "surface");
+    if !context.inputs.solves_contact {
+        let rule = "patch needs the solved contact; leave model.load_share and formulation at their defaults";
+        return Err(section.conflict("contact", rule));
+    }
     let mut made: Vec<PreparedSurface> = Vec::with_capacity(2);
     for (body, keys) in keys.iter().enumerate() {
         let ([listed], [flank]) = (lists[body].as_slice(), flanks[body].as_slice()) else {
