@@ -6,7 +6,7 @@ use asperity::contact::running_in::RunningIn;
 use asperity::contact::subsurface::subsurface_stress as stress_below;
 use asperity::contact::two_flanks::TwoFlanks;
 use asperity::contact::{
-    Boundary, ContactError, ContactProblem, ContactSolution, ContactWarning, Control,
+    Boundary, ContactError, ContactProblem, ContactSolution, ContactWarning, Control, Lead,
     PeriodicKernel, Solver, SolverSettings,
 };
 use asperity::message::Code;
@@ -28,6 +28,8 @@ use crate::work::alone;
 #[serde(deny_unknown_fields)]
 struct Asked {
     spacing: f64,
+    rows: Option<usize>,
+    lead_spacing: Option<f64>,
     modulus: f64,
     load: Option<f64>,
     approach: Option<f64>,
@@ -46,8 +48,15 @@ impl Asked {
         })
     }
 
+    /// Rows along the lead of a patch.
+    fn lead(&self) -> Option<Lead> {
+        let (rows, spacing) = self.rows.zip(self.lead_spacing)?;
+        let spacing = Length::from_si(spacing);
+        Some(Lead { rows, spacing })
+    }
+
     fn control(&self, points: usize) -> Result<Control, Failure> {
-        let window = self.spacing * points as f64;
+        let window = self.spacing * (points / self.rows.unwrap_or(1).max(1)) as f64;
         match (self.load, self.approach) {
             (Some(load), None) => Ok(Control::Load(LineLoad::from_si(load))),
             (None, Some(approach)) => Ok(Control::Approach {
@@ -73,12 +82,16 @@ fn solve(
     problem: &ContactProblem,
     settings: &SolverSettings,
 ) -> Result<ContactSolution, ContactError> {
-    let (points, boundary) = (problem.gap.len(), problem.boundary);
+    let points = problem.gap.len();
     let last = LAST.try_lock().ok().and_then(|mut last| last.take());
-    let fits = |last: &Solver| last.shape().points == points && last.shape().boundary == boundary;
+    let rows = problem.lead.map_or(1, |lead| lead.rows);
+    let fits = |last: &Solver| {
+        let shape = last.shape();
+        (shape.points, shape.rows, shape.boundary) == (points, rows, problem.boundary)
+    };
     let mut solver = match last.filter(fits) {
         Some(last) => last,
-        None => Solver::new(points, boundary)?,
+        None => Solver::of(problem)?,
     };
     let solution = solver.solve(problem, settings)?;
     if points <= MOST_STORED
@@ -111,12 +124,16 @@ pub fn solve_contact<'py>(
             control: asked.control(gap.len())?,
             prescribed_pressure: prescribed.as_deref(),
             pressure_limit: asked.pressure_limit.map(Pressure::from_si),
-            lead: None,
+            lead: asked.lead(),
             start: start.as_deref(),
         };
         Ok(solve(&problem, &asked.settings)?)
     })?;
-    let numbers = ContactNumbers::of(&solution, asked.spacing);
+    let numbers = ContactNumbers {
+        rows: asked.rows,
+        lead_spacing_m: asked.lead_spacing,
+        ..ContactNumbers::of(&solution, asked.spacing)
+    };
     found(py, solution, gap, &numbers)
 }
 
@@ -230,6 +247,12 @@ struct RunningInCycle {
 pub struct ContactNumbers {
     points: usize,
     spacing_m: f64,
+    /// Rows along the lead of a patch.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    rows: Option<usize>,
+    /// Distance of the rows \[m\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    lead_spacing_m: Option<f64>,
     load_n_per_m: f64,
     approach_m: f64,
     approach_datum_m: f64,
@@ -270,6 +293,8 @@ impl ContactNumbers {
         Self {
             points: solution.pressure.len(),
             spacing_m: spacing,
+            rows: None,
+            lead_spacing_m: None,
             load_n_per_m: solution.load.si(),
             approach_m: solution.approach.si(),
             approach_datum_m: solution.datum.si(),
@@ -301,8 +326,9 @@ pub fn found<'py>(
     gap: Vec<f64>,
     numbers: &ContactNumbers,
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
-    let middle = 0.5 * gap.len().saturating_sub(1) as f64;
-    let x = (0..gap.len())
+    let points = gap.len() / numbers.rows.unwrap_or(1).max(1);
+    let middle = 0.5 * points.saturating_sub(1) as f64;
+    let x = (0..points)
         .map(|i| (i as f64 - middle) * numbers.spacing_m)
         .collect();
     let arrays = [

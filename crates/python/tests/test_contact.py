@@ -86,6 +86,30 @@ def test_stress_below_a_hertz_contact():
     assert abs(slid.tau_xz).max() > abs(found.stress([half_width]).tau_xz).max()
 
 
+def test_a_patch_of_equal_rows_is_its_line():
+    pandas, _ = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    gap = parabola(401, 2e-6) + 5e-8 * np.sin(np.arange(401))
+    of_line = asperity.solve_contact(gap, 2e-6, MODULUS, LOAD, tolerance=1e-11)
+    rows = np.tile(gap, (6, 1))
+    patch = asperity.solve_contact(rows, 2e-6, MODULUS, LOAD, lead_spacing="3 um", tolerance=1e-11)
+    assert patch.pressure.shape == patch.gap.shape == (6, 401) and patch.y[[0, -1]] == pytest.approx([-7.5e-6, 7.5e-6])
+    assert patch.pressure == pytest.approx(np.tile(of_line.pressure, (6, 1)), abs=1e-8 * of_line.p_max_pa)
+    assert patch.approach == pytest.approx(of_line.approach, rel=1e-9) and of_line.y.tolist() == [0.0]
+    # The largest pressure is where the gap is deepest, not at the same place of every row.
+    rows[2] -= 1e-7
+    uneven = asperity.solve_contact(rows, 2e-6, MODULUS, LOAD, lead_spacing=3e-6, start=patch.pressure)
+    assert uneven.pressure.argmax() // 401 == 2
+    assert uneven.to_xarray().pressure.dims == ("y", "x") and isinstance(uneven.to_pandas(), pandas.DataFrame)
+    assert uneven.to_pandas().shape == (2406, 7) and "<svg" in uneven._repr_html_()
+    for call in (lambda: asperity.solve_contact(gap, 2e-6, MODULUS, LOAD, lead_spacing=3e-6),
+                 lambda: asperity.solve_contact(rows, 2e-6, MODULUS, LOAD, lead_spacing=3e-6, start=gap)):
+        with pytest.raises(asperity.AsperityError, match="rows of points") as refused:
+            call()
+        assert refused.value.code == "E209"
+    with pytest.raises(asperity.AsperityError, match="one dimension"):
+        uneven.stress([1e-6])
+
+
 def test_contacts_leave_for_other_packages():
     pytest.importorskip("xarray")
     found = asperity.solve_contact(parabola(), 0.25e-6, MODULUS, LOAD)

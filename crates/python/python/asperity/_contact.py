@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any, Optional, Union
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _asperity
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     import xarray
 
 class Contact(ContactNumbers):
-    """A solved line contact: numbers with units in their names, arrays of shape (n,) in SI units.
+    """A solved contact: numbers with units in their names, arrays of shape (n,), of a patch (rows, n), in SI units.
 
     Numbers: ``load_n_per_m``, ``approach_m`` (over ``approach_datum_m``), ``contact_fraction``, ``p_max_pa``,
     ``p_end_pa``, ``plastic_energy_j_per_m``, ``elastic_energy_j_per_m``, ``iterations``; ``certificate`` has the
@@ -29,12 +30,21 @@ class Contact(ContactNumbers):
     """
 
     def __init__(self, numbers: str, arrays: dict[str, Floats]) -> None:
-        super().__init__({**json.loads(numbers), **arrays})
+        of = json.loads(numbers)
+        if rows := of.get("rows"):
+            arrays = {name: array if name == "x" else array.reshape(rows, -1) for name, array in arrays.items()}
+        super().__init__({**of, **arrays})
 
     @property
     def x(self) -> Floats:
-        """Positions from the middle, m."""
+        """Positions along rolling from the middle, m."""
         return self._array("x")
+
+    @property
+    def y(self) -> Floats:
+        """Positions of the rows along the lead from the middle, m; of a line one."""
+        rows, spacing = self._values.get("rows") or 1, self._values.get("lead_spacing_m") or 0.0
+        return (np.arange(rows) - (rows - 1) / 2) * float(spacing)
 
     @property
     def undeformed(self) -> Floats:
@@ -83,24 +93,32 @@ class Contact(ContactNumbers):
         return subsurface_stress(self.pressure, spacing, depths, traction=traction, poisson=poisson)
 
     def plot(self, ax: Any = None) -> Any:
-        """Pressure in MPa over x in µm, on axes of matplotlib or as a `Chart`."""
-        x, pressure = self.x * 1e6, self.pressure * 1e-6
+        """Pressure in MPa, of a patch its mean along the lead, over x in µm, on axes of matplotlib or as a `Chart`."""
+        x, pressure = self.x * 1e6, self.pressure.reshape(-1, len(self.x)).mean(axis=0) * 1e-6
         return shown(Chart("Contact pressure", x.tolist(), [("pressure", pressure.tolist())], ("x in µm", "pressure in MPa")), ax)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """The arrays as a `pandas.DataFrame`."""
+        """The arrays as a `pandas.DataFrame`; of a patch row after row, with x and y."""
         import pandas
 
-        return pandas.DataFrame({name: self._values[name] for name in _POINTS})
+        if self._values.get("rows") is None:
+            return pandas.DataFrame({name: self._values[name] for name in _POINTS})
+        y, x = np.meshgrid(self.y, self.x, indexing="ij")
+        arrays = {name: self._values[name] for name in _POINTS if name != "x"}
+        return pandas.DataFrame({name: array.reshape(-1) for name, array in {"x": x, "y": y, **arrays}.items()})
 
     def to_xarray(self) -> xarray.Dataset:
-        """The arrays over x as an `xarray.Dataset`, the numbers as its attributes."""
+        """The arrays over x, of a patch over y and x, as an `xarray.Dataset`, the numbers as its attributes."""
         import xarray
 
-        arrays = {name: variable("x", name, self._values[name], unit) for name, unit in _POINTS.items() if name != "x"}
+        is_patch = self._values.get("rows") is not None
+        over = ("y", "x") if is_patch else "x"
+        arrays = {name: variable(over, name, self._values[name], unit) for name, unit in _POINTS.items() if name != "x"}
         plain = (int, float, str)
         attributes = {name: value for name, value in self._values.items() if isinstance(value, plain)}
-        return xarray.Dataset(arrays, coords={"x": variable("x", "x", self.x, "m")}, attrs=attributes)
+        places = {"x": self.x, "y": self.y} if is_patch else {"x": self.x}
+        coordinates = {name: variable(name, name, place, "m") for name, place in places.items()}
+        return xarray.Dataset(arrays, coords=coordinates, attrs=attributes)
 
     def __repr__(self) -> str:
         of = self._values
@@ -154,6 +172,7 @@ def solve_contact(
     modulus: Optional[Scalar] = None,
     load: Optional[Scalar] = None,
     *,
+    lead_spacing: Optional[Scalar] = None,
     approach: Optional[Scalar] = None,
     datum: Optional[Scalar] = None,
     boundary: Boundary = "free",
@@ -165,19 +184,21 @@ def solve_contact(
     cascade: bool = True,
     window: bool = True,
 ) -> Contact:
-    """Presses two elastic half-planes with a gap between them together (plane strain).
+    """Presses two elastic bodies with a gap between them together: along a line (plane strain), or over a patch that is periodic
+    along the lead.
 
     Parameters:
-        gap: undeformed gap, shape (n,), m, from any datum.
-        spacing: distance of the points, m.
+        gap: undeformed gap, shape (n,), m, from any datum; of a patch (rows, n), each row along rolling.
+        spacing: distance of the points along rolling, m.
         modulus: reduced modulus E* = 1/Σ((1 − ν²)/E), Pa.
-        load: load per metre of face width, N/m; of a period where the ends are periodic.
+        load: load per metre of face width, of a patch its mean, N/m; of a period where the ends are periodic.
+        lead_spacing: distance of the rows of a patch, m.
         approach: approach of the bodies in place of a load, m.
         datum: distance at which the displacement by a cell is zero, m; default twice the window.
         boundary: ``"free"``, ``"periodic"`` or ``"periodic-spectral"``.
         pressure_limit: pressure at which the softer body flows, Pa.
-        prescribed_pressure: further pressure on both bodies, shape (n,), Pa.
-        start: pressure to start from, shape (n,), Pa.
+        prescribed_pressure: further pressure on both bodies, of the shape of the gap, Pa.
+        start: pressure to start from, of the shape of the gap, Pa.
         tolerance: largest duality gap, penetration and load error; at most 1e-4.
         max_iterations: most iterations on the finest grid.
         cascade: whether coarser grids are solved first.
@@ -199,6 +220,10 @@ def solve_contact(
         >>> hertz = asperity.hertz(load=2e5, radius=0.01, modulus=115e9)
         >>> bool(np.isclose(contact.p_max_pa, hertz.max_pressure, rtol=1e-3))
         True
+        >>> y = np.arange(8)[:, None] / 8
+        >>> patch = asperity.solve_contact(x**2 / 0.02 + 2e-8 * np.sin(2 * np.pi * y), 0.5e-6, 115e9, load=2e5, lead_spacing=5e-6)
+        >>> patch.pressure.shape
+        (8, 2001)
     """
     if isinstance(gap, Profile):
         spacing = gap.spacing if spacing is None else spacing
@@ -206,8 +231,24 @@ def solve_contact(
     if spacing is None or modulus is None:
         raise AsperityError("a contact needs spacing and modulus", Code.E205, "Give the spacing of the points and E*.")
 
+    rows: Optional[int] = None
+
+    def whole(values: Any, quantity: str, name: str) -> Floats:
+        """The values of a line, or of the rows of a patch one after the other."""
+        if lead_spacing is None:
+            return line(values, quantity, name)
+        array = si_array(values, quantity, name)
+        if array.ndim != 2 or rows not in (None, len(array)):
+            text = f"{name}: rows of points are expected where a lead_spacing is given, this array has the shape {array.shape}"
+            raise AsperityError(text, Code.E209, "Pass an array of the shape (rows, n), or no lead_spacing.")
+        return line(array.reshape(-1), quantity, name)
+
     def optional(values: Optional[ArrayLike], name: str) -> Optional[Floats]:
-        return None if values is None else line(values, "Pressure", name)
+        return None if values is None else whole(values, "Pressure", name)
+
+    points = whole(gap, "Length", "gap")
+    if lead_spacing is not None:
+        rows = np.shape(gap)[0]
 
     asked = _asked(
         boundary,
@@ -216,6 +257,8 @@ def solve_contact(
         cascade,
         window,
         spacing=si(spacing, "Length"),
+        rows=rows,
+        lead_spacing=si_or_none(lead_spacing, "Length"),
         modulus=si(modulus, "Pressure"),
         load=si_or_none(load, "LineLoad"),
         approach=si_or_none(approach, "Length"),
@@ -223,7 +266,7 @@ def solve_contact(
         pressure_limit=si_or_none(pressure_limit, "Pressure"),
     )
     prescribed = optional(prescribed_pressure, "prescribed_pressure")
-    found = _asperity.solve_contact(line(gap, "Length", "gap"), asked, prescribed, optional(start, "start"))
+    found = _asperity.solve_contact(points, asked, prescribed, optional(start, "start"))
     return warned(Contact(*found))
 
 

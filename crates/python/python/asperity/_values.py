@@ -291,9 +291,11 @@ class ContactNumbers(Values):
     """Values of `ContactNumbers` in Rust."""
 
     _kinds = {"certificate": ContactCertificate, "warnings": NoteTable, "running_in": RunningInCycleTable}
-    _absent = {"warnings": [], "path_fraction": None, "hertz_p_max_pa": None, "hertz_half_width_m": None, "running_in": None}
+    _absent = {"rows": None, "lead_spacing_m": None, "warnings": [], "path_fraction": None, "hertz_p_max_pa": None, "hertz_half_width_m": None, "running_in": None}
     points: int
     spacing_m: float
+    rows: Optional[int]
+    lead_spacing_m: Optional[float]
     load_n_per_m: float
     approach_m: float
     approach_datum_m: float

@@ -5,6 +5,7 @@ use asperity::PositionError;
 #[cfg(test)]
 use asperity::case::LoadShareName;
 use asperity::case::LoadedCase;
+use asperity::core::cancel::checkpoint;
 use asperity::flanks::surfaces::PairsOfTeeth;
 use asperity::flanks::{Surfaces, Texture};
 use asperity::pipeline::{check_heights, losses};
@@ -259,7 +260,9 @@ impl Recipe {
     ) -> Result<(Self, f64), Fault> {
         let fitted = Fitted::to(&traces[0], &traces[1..], seed).map_err(of_recipe)?;
         let points = fitted.points;
-        let whole = |k: usize| {
+        let going = || checkpoint().map_err(asperity::Error::from);
+        let whole = |k: usize| -> Result<Profile, Fault> {
+            going()?;
             // Consecutive seeds would share profiles.
             let seed = stream(seed, k as u64, true).next_u64();
             let longer = Fitted {
@@ -268,15 +271,15 @@ impl Recipe {
                 points: points.next_power_of_two(),
                 ..fitted.clone()
             };
-            longer.generate_whole()
+            Ok(longer.generate_whole()?)
         };
         let mut wholes = vec![whole(0)?];
         let count = size.max(FEWEST_TRACES * points).div_ceil(wholes[0].len());
-        let others: Result<Vec<Profile>, DomainError> =
-            (1..count).into_par_iter().map(whole).collect();
+        let others: Result<Vec<Profile>, Fault> = (1..count).into_par_iter().map(whole).collect();
         wholes.extend(others?);
         let (mut sum, mut ra, mut number) = ([0.0; 3], 0.0, 0.0);
         for whole in &wholes {
+            going()?;
             for part in whole.heights().chunks_exact(points) {
                 let (found, own) = values(&Profile::new(fitted.spacing, part.to_vec())?, section)?;
                 for (sum, value) in sum.iter_mut().zip(found) {
