@@ -323,9 +323,11 @@ fn the_error_of_a_temperature_is_drawn_where_the_case_states_it() {
             && page.contains(first.as_str().unwrap())
     );
     bench.write("run.toml", stated.replace("10 K", "10 °C"));
-    bench
-        .run(&["run", "run.toml", "--no-output"])
-        .refused(2, "E212", &["temperature_deviation"]);
+    bench.run(&["run", "run.toml", "--no-output"]).refused(
+        2,
+        "E204",
+        &["temperature_deviation", "accepted: K"],
+    );
     bench.write("run.toml", stated);
     let paper = ["run", "run.toml", "--no-output", "--formulation", "paper"];
     bench

@@ -40,6 +40,13 @@ fn places_nest_shift_along_the_path_and_fill_both_traces() {
     let shifted = |first: f64, shift: f64| (first + 2.0 * shift).fract();
     assert!(near(along, shifted(0.625, 0.569_840_290_998_053_3)));
     assert!(near(across, shifted(7.0 / 9.0, 0.754_877_666_246_692_8)));
+    assert!(
+        near(row_place(0, 0), 0.2)
+            && near(
+                row_place(5, 1),
+                (0.24_f64 + 0.618_033_988_749_894_9).fract()
+            )
+    );
     // Every eighth of both traces is met twice by 16 windows.
     for body in [0, 1] {
         let mut met = [0; 8];
@@ -194,7 +201,7 @@ fn sheets_repeat_along_the_lead_and_keep_their_variance() {
         starts: [-1, 500],
         points: 5,
     };
-    let at_own_spacing = sheets.patch(&window, Length::from_si(1e-6), 7.5 / sheets.rows() as f64);
+    let at_own_spacing = window.patch(&sheets, Length::from_si(1e-6), 7.5 / sheets.rows() as f64);
     assert_eq!(
         (at_own_spacing.starts, at_own_spacing.shift),
         ([-1, 500], 7)
@@ -204,14 +211,11 @@ fn sheets_repeat_along_the_lead_and_keep_their_variance() {
     assert_eq!(patch[0], at(1, 0) + ridges[7 * columns + 500]);
     assert_eq!(patch[1], at(0, 0) + ridges[7 * columns + 501]);
     assert_eq!(patch[5 * 77 + 4], at(3, 77) + ridges[5 * columns + 504]);
-    let finer = sheets.patch(
-        &Window {
-            starts: [9, 40],
-            points: 8 * 5 + 1,
-        },
-        Length::from_si(0.25e-6),
-        0.0,
-    );
+    let finer = Window {
+        starts: [9, 40],
+        points: 8 * 5 + 1,
+    };
+    let finer = finer.patch(&sheets, Length::from_si(0.25e-6), 0.0);
     assert_eq!((finer.starts, finer.points), ([2, 10], 11));
     // At the spacing of a coarser patch both surfaces have fewer points and rows.
     let coarse = Sheets::of(

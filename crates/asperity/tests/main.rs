@@ -11,6 +11,7 @@ mod loss_tables;
 mod mesh_load;
 mod messages;
 mod oil_files;
+mod patches;
 mod ranges;
 mod records;
 mod rows;

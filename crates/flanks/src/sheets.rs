@@ -1,4 +1,4 @@
-//! Both flanks as measured surfaces that are repeated along the lead, from which patches are cut.
+//! Both flanks as measured surfaces that repeat along the lead, from which patches are cut.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -17,7 +17,6 @@ use asperity_roughness::resampling::respaced;
 use asperity_roughness::surface_preparation::PreparedSurface;
 
 use crate::error::PositionError;
-use crate::window_pair::Window;
 
 /// Most rows of a sheet: of a wider surface the middle. A patch of more costs in proportion, and its load scatters by less than a
 /// hundredth.
@@ -29,7 +28,7 @@ const MOST_COLUMNS: usize = 256;
 /// Places of one sheet against the other whose flow is computed.
 const FLOW_PLACES: usize = 2;
 /// Least rows that a sheet is made of.
-const LEAST_ROWS: usize = 16;
+pub const LEAST_ROWS: usize = 16;
 
 /// Prepared surfaces of pinion and wheel with the same distances of points and rows, and the same number of rows.
 #[derive(Debug)]
@@ -136,21 +135,6 @@ impl Sheets {
     #[must_use]
     pub fn of_body(&self, body: usize) -> (&[f64], usize) {
         (&self.heights[body], self.columns[body])
-    }
-
-    /// The patch around the middles of a window of traces with points `spacing` apart, at least as long as the window; the wheel's
-    /// rows begin at the part `place` of all rows.
-    #[must_use]
-    pub fn patch(&self, window: &Window, spacing: Length, place: f64) -> PatchPlace {
-        let ratio = spacing / self.spacings[0];
-        let half = (window.points / 2) as isize;
-        let reach = (half as f64 * ratio).ceil() as isize;
-        let start = |start: isize| ((start + half) as f64 * ratio).round() as isize - reach;
-        PatchPlace {
-            starts: window.starts.map(start),
-            points: (2 * reach + 1) as usize,
-            shift: (place * self.rows as f64) as usize % self.rows,
-        }
     }
 
     /// Sums z₁ + z₂ \[m\] of both flanks in a patch, row by row; the flanks are mirrored beyond the ends of their rows.
@@ -332,12 +316,12 @@ impl Grid {
     /// The middle `n` rows, without those by which both ends overlap, so that the last row is followed by the first.
     ///
     /// ```text
-    /// z = (w z_begin + (1 − w) z_end)/√(w² + (1 − w)² + 2 w (1 − w) ρ),  w = (j + 1)/(o + 1)           [Sheet]
+    /// z = (w z_begin + (1 − w) z_end)/√(w² + (1 − w)² + 2 w (1 − w) ρ),  w = (j + 1)/(o + 1)           [Sheet-1]
     /// ```
     ///
     /// The root keeps the variance of ends that are unrelated (ρ = 0), and ridges that run on from one end to the other (ρ = 1).
     fn repeated(&self, n: usize) -> Vec<f64> {
-        cite!("Sheet");
+        cite!("Sheet-1");
         let first = (self.rows() - n) / 2;
         let part = &self.heights[first * self.columns..(first + n) * self.columns];
         let overlap = n / OVERLAP;

@@ -8,6 +8,7 @@ use asperity_core::quantity::{Length, Pressure};
 use crate::Roughness;
 use crate::error::PositionError;
 use crate::mesh_position::{MeshPosition, Resolution};
+use crate::sheets::{PatchPlace, Sheets};
 use crate::{Surfaces, Texture};
 
 /// Least points per Hertz half-width at which a contact is resolved.
@@ -142,6 +143,21 @@ impl Window {
             }
         };
         Ok(Some(Self { starts, points: n }))
+    }
+
+    /// The patch around the middles of the windows of traces with points `spacing` apart, at least as long as a window; the wheel's
+    /// rows begin at the part `place` of all rows.
+    #[must_use]
+    pub fn patch(self, sheets: &Sheets, spacing: Length, place: f64) -> PatchPlace {
+        let ratio = spacing / sheets.spacings()[0];
+        let half = (self.points / 2) as isize;
+        let reach = (half as f64 * ratio).ceil() as isize;
+        let start = |start: isize| ((start + half) as f64 * ratio).round() as isize - reach;
+        PatchPlace {
+            starts: self.starts.map(start),
+            points: (2 * reach + 1) as usize,
+            shift: (place * sheets.rows() as f64) as usize % sheets.rows(),
+        }
     }
 
     /// Heights of both flanks in the windows in a zone of the face at offset `k` of `count`, beyond the ends of a trace from its mirror

@@ -128,7 +128,7 @@ impl Smooth {
     }
 }
 
-/// Why the friction is not zero at the pitch point.
+/// Reason for the friction at the pitch point.
 const AT_PITCH_POINT: &str = "Here the flanks roll with almost no sliding. The friction of the boundary layer does not depend on the \
     sliding speed, so that the coefficient is not 0. Almost no loss follows from it.";
 

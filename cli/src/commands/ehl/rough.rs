@@ -138,7 +138,7 @@ impl Recorded {
         }
     }
 
-    /// How far the means of a travel whose halves differ can be believed, in words.
+    /// Doubt about the means of a travel whose halves differ, in words.
     pub fn doubt(&self) -> Option<String> {
         /// Ratio of the next travel to this one.
         const LONGER: f64 = 4.0;

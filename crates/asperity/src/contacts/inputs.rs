@@ -18,7 +18,7 @@ const LOOSEST_TOLERANCE: f64 = 1e-8;
 const OFFSETS_OF_SURROGATES: usize = 4;
 /// Offsets of two scans of a case that states none: each patch holds as many windows as it has rows that differ, and the scatter
 /// between patches needs several.
-const OFFSETS_OF_PATCHES: usize = 8;
+const OFFSETS_OF_PATCHES: usize = 4;
 
 /// Inputs of the contacts of a mesh; two equal ones have the same contacts. Neither oil nor speed nor temperature is among them.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,7 +104,7 @@ impl WindowInputs {
         }
     }
 
-    /// The rough contact of heights `composite` in so many rows, points and rows `spacings` apart, under a load with a radius; a line is
+    /// The rough contact of heights `composite` in rows, with the distances of points and rows, under a load with a radius; a line is
     /// one row.
     ///
     /// # Errors

@@ -127,7 +127,7 @@ impl WindowContact {
         let spacing = of_pair.traces()?[0].spacing();
         Ok(Some((
             sheets,
-            sheets.patch(&window, spacing, row_place(k, cell)),
+            window.patch(sheets, spacing, row_place(k, cell)),
         )))
     }
 

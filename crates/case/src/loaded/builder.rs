@@ -96,7 +96,7 @@ impl GearsInput {
         }
     }
 
-    /// The same with tips that are stated to have no relief.
+    /// The case with tips that are stated to have no relief.
     #[must_use]
     pub fn unrelieved(mut self) -> Self {
         for gear in [&mut self.pinion, &mut self.wheel] {

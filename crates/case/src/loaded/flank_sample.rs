@@ -33,7 +33,7 @@ pub(crate) struct Listed {
 #[derive(Debug, Clone)]
 pub(crate) struct Generated {
     pub heights: Arc<Profile>,
-    /// What the first of the measured traces states of itself.
+    /// Statements of the first measured trace.
     pub reading: Option<Arc<Reading>>,
     pub record: GeneratedRecord,
 }

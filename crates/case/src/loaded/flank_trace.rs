@@ -10,6 +10,7 @@ use asperity_core::remedy::Remedy;
 use asperity_core::{Code, DomainError};
 use asperity_flanks::flank_form::FormError;
 use asperity_flanks::read_place::PlaceError;
+use asperity_flanks::sheets::LEAST_ROWS;
 use asperity_flanks::surfaces::{FlankReport, Texture};
 use asperity_flanks::trace::{
     Flank, PreparedTrace, TraceContent, TraceError, TraceInputs, lines_across, prepared_trace,
@@ -17,7 +18,7 @@ use asperity_flanks::trace::{
 use asperity_flanks::trace_filters::{Filters, StatedFilters};
 use asperity_gear::Gear;
 use asperity_profile_io::Warning as ReadWarning;
-use asperity_profile_io::read::{ReadOptions, Reading, TraceLine, read_surface_bytes};
+use asperity_profile_io::read::{ReadOptions, Reading, Surface, TraceLine, read_surface_bytes};
 
 use super::flank_inputs::FlankInputs;
 use super::flank_sample::{self, Listed};
@@ -85,7 +86,8 @@ pub(crate) fn traces_of(
             (None, _) => Ok(vec![Listed::alone(input)]),
             (Some(_), None) => Err(section.conflict("rows", "needs file, the surface")),
             (Some(rows), Some(file)) => {
-                let has = surface_rows(input, file, keys, context)?;
+                let surface = surface_in(input, file, keys, context)?;
+                let has = surface.map_or(1, |surface| lines_across(&surface, TraceLine::Row));
                 flank_sample::rows(input, rows, has, section)
             }
         };
@@ -445,27 +447,29 @@ pub(crate) fn gear_of(key: &str) -> Gear {
     }
 }
 
-/// Number of rows of the surface in `file`.
-fn surface_rows(
+/// The surface in `file`; `None` of heights in memory.
+fn surface_in(
     input: &FlankInput,
     file: &Path,
     keys: &Keys,
     context: Context<'_>,
-) -> Result<usize, CaseError> {
+) -> Result<Option<Surface>, CaseError> {
     let source = context.source;
     let (content, _) = context.files.open(file, source, keys.file.clone())?;
     let Content::Bytes(bytes) = content else {
-        return Ok(1);
+        return Ok(None);
     };
     let name = file.display().to_string();
     let surface = read_surface_bytes(&name, &bytes, &read_options(input));
     let refused = |error| CaseError::profile(source.place_of(&keys.file), &error);
-    Ok(lines_across(&surface.map_err(refused)?, TraceLine::Row))
+    surface.map(Some).map_err(refused)
 }
 
-/// Number of rows of the scan of a flank; `None` of a file that is no surface.
+/// Number of rows of the scan of a flank; `None` of a file with few profiles, or with profiles at unknown places.
 pub(crate) fn rows_of_scan(input: &FlankInput, keys: &Keys, context: Context<'_>) -> Option<usize> {
-    surface_rows(input, input.file.as_ref()?, keys, context).ok()
+    let surface = surface_in(input, input.file.as_ref()?, keys, context).ok()??;
+    let is_scan = surface.dy.is_some() && surface.rows >= LEAST_ROWS;
+    is_scan.then_some(surface.rows)
 }
 
 /// Options of the reader from the keys of a flank.

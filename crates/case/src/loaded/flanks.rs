@@ -1,5 +1,6 @@
 //! The two flanks of a case: traces read and prepared, or roughness values.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use asperity_core::provenance::Provenance;
@@ -54,7 +55,7 @@ pub(crate) struct Flanks {
     pub sums: Arc<FileSums>,
 }
 
-/// Rows that stand for a scan with ridges across the face.
+/// Rows that represent a scan with ridges across the face.
 const ROWS_OF_SCAN: usize = 4;
 
 /// Reads and prepares the flanks of a case.
@@ -82,18 +83,31 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     let inputs = context.inputs;
     let mut warnings = Vec::new();
     let mut named = NamedTraces::of(context, &mut warnings)?;
+    let known_of = |named: &NamedTraces, body: usize, warnings: &mut Vec<Warning>| {
+        let each = named.lists[body].iter();
+        let each = each.map(|trace| flank(trace, &named.keys[body], context, warnings));
+        each.collect::<Result<Vec<Known>, CaseError>>()
+    };
     let mut known: [Vec<Known>; 2] = Default::default();
     let mut rows_of_scans: [Option<usize>; 2] = [None; 2];
     for (body, known) in known.iter_mut().enumerate() {
-        (*known, rows_of_scans[body]) = named.known(body, context, &mut warnings)?;
+        let found = known_of(&named, body, &mut warnings);
+        if found
+            .as_ref()
+            .is_err_and(|error| error.code() == Code::E119)
+        {
+            rows_of_scans[body] = named.take_middle_row(body, context);
+        }
+        *known = match rows_of_scans[body] {
+            None => found?,
+            Some(_) => known_of(&named, body, &mut warnings)?,
+        };
     }
     let is_patch = takes_patch(context, &named, &known, rows_of_scans);
-    if !is_patch {
-        for (body, known) in known.iter_mut().enumerate() {
-            if let Some(rows) = rows_of_scans[body] {
-                named.take_rows(body, rows, context.source)?;
-                (*known, _) = named.known(body, context, &mut warnings)?;
-            }
+    for (body, known) in known.iter_mut().enumerate() {
+        if let (Some(rows), false) = (rows_of_scans[body], is_patch) {
+            named.take_rows(body, rows, context.source)?;
+            *known = known_of(&named, body, &mut warnings)?;
         }
     }
     let is_several = named.lists.iter().any(|list| list.len() > 1);
@@ -117,6 +131,7 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     }
     let left_open = surrogates.as_ref().map(|(_, left_open)| left_open.clone());
     let mut assumed = left_open.unwrap_or_default();
+    assumed.extend(named.taken_by_lay(context, rows_of_scans, is_patch));
     let stated = if named.has_own_wheel { 2 } else { 1 };
     for default in follow.into_iter().take(stated).flatten().flatten() {
         if !assumed.contains(&default) {
@@ -254,35 +269,47 @@ impl NamedTraces {
         })
     }
 
-    /// The traces of a flank, read and prepared, and the number of its rows if it is a scan of which the case names no line: its
-    /// middle row is read then.
-    fn known(
-        &mut self,
-        body: usize,
+    /// Names the middle row of a flank whose file is a scan, and of which the case names no line; the number of its rows.
+    fn take_middle_row(&mut self, body: usize, context: Context<'_>) -> Option<usize> {
+        let keys = &self.keys[body];
+        let [alone] = self.lists[body].as_mut_slice() else {
+            return None;
+        };
+        let rows = match alone.is_without_line() {
+            true => rows_of_scan(&alone.input, keys, context)?,
+            false => return None,
+        };
+        alone.input.row = Some(rows / 2 + 1);
+        Some(rows)
+    }
+
+    /// How scans without a line are taken, where the case leaves it to their lay.
+    fn taken_by_lay(
+        &self,
         context: Context<'_>,
-        warnings: &mut Vec<Warning>,
-    ) -> Result<(Vec<Known>, Option<usize>), CaseError> {
-        let (list, keys) = (&mut self.lists[body], &self.keys[body]);
-        if let [alone] = list.as_mut_slice()
-            && alone.is_without_line()
-        {
-            let found = flank(alone, keys, context, warnings);
-            let found = match found {
-                Err(error) if error.code() == Code::E119 => Err(error),
-                other => return Ok((vec![other?], None)),
-            };
-            let rows = rows_of_scan(&alone.input, keys, context);
-            let rows = rows.filter(|rows| *rows > 1);
-            let Some(rows) = rows else {
-                return found.map(|known| (vec![known], None));
-            };
-            alone.input.row = Some(rows / 2 + 1);
-            return Ok((vec![flank(alone, keys, context, warnings)?], Some(rows)));
+        rows_of_scans: [Option<usize>; 2],
+        is_patch: bool,
+    ) -> Vec<DefaultUsed> {
+        let default = |key: Cow<'static, str>, value: String, source: &'static str| DefaultUsed {
+            key,
+            value,
+            source: Some(source.into()),
+        };
+        if is_patch && context.inputs.surface.contact.is_none() {
+            let source = "both flanks are scans, and the lay of one is above 1/6";
+            return vec![default(
+                "surface.contact".into(),
+                "\"patch\"".to_owned(),
+                source,
+            )];
         }
-        let each = list
-            .iter()
-            .map(|trace| flank(trace, keys, context, warnings));
-        Ok((each.collect::<Result<_, _>>()?, None))
+        let scans = (0..2).filter(|body| rows_of_scans[*body].is_some() && !is_patch);
+        let rows = scans.map(|body| {
+            let key = format!("{}.rows", self.keys[body].table).into();
+            let source = "a scan of which no row is named";
+            default(key, self.lists[body].len().to_string(), source)
+        });
+        rows.collect()
     }
 
     /// Names rows of the scan of a flank, as `rows` does, in place of its middle row.
@@ -343,7 +370,7 @@ impl NamedTraces {
     }
 }
 
-/// Whether the contact is that of patches: as stated, or where both flanks are scans and the ridges of one run less across the face
+/// Whether patches are in contact: as stated, or where both flanks are scans and the ridges of one run less across the face
 /// than those with which the contact of lines is confirmed.
 fn takes_patch(
     context: Context<'_>,

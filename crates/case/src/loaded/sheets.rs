@@ -1,4 +1,4 @@
-//! Both flanks as whole surfaces, where a case takes their contact as that of patches.
+//! Both flanks as whole surfaces, where patches of them are in contact.
 
 use std::sync::Arc;
 

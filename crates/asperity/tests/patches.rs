@@ -1,0 +1,113 @@
+//! Flanks whose scans are used whole: patches where the lay asks for them, rows of ridged ones.
+
+#![allow(clippy::unwrap_used, reason = "tests may panic")]
+
+use std::f64::consts::TAU;
+
+use asperity::case::{LoadedCase, from_text};
+use asperity::core::Code;
+use asperity::{Error, losses};
+
+const COLUMNS: usize = 1500;
+const ROWS: usize = 24;
+
+/// A scan in the text format of ISO 25178-71, points 1 um and rows 2 um apart. Its name is the length of its waves along the lead over
+/// their length along rolling, its height in nm, and a seed.
+fn scan(name: &str) -> Vec<u8> {
+    let mut numbers = name.split('-').map(|number| number.parse::<f64>().unwrap());
+    let [ratio, height, seed] = [0; 3].map(|_| numbers.next().unwrap());
+    let waves: Vec<[f64; 4]> = (0..60)
+        .map(|k| {
+            let part = |by: f64| ((f64::from(k) + seed) * by).fract();
+            let (length, angle) = (7.0 * 6.0_f64.powf(part(0.618_034)), TAU * part(0.754_878));
+            let [x, y] = [angle.cos() / length, angle.sin() / length / ratio];
+            [
+                x,
+                y,
+                TAU * part(0.569_84),
+                height / 1.3e2_f64.sqrt() * length.sqrt(),
+            ]
+        })
+        .collect();
+    let mut text = format!(
+        "aISO-1.0\nManufacID   = made\nCreateDate  = 271120260000\nModDate     = 271120260000\nNumPoints   = {COLUMNS}\n\
+         NumProfiles = {ROWS}\nXscale      = 1E-06\nYscale      = 2E-06\nZscale      = 1E-09\nZresolution = -1\n\
+         Compression = 0\nDataType    = 7\nCheckType   = 0\n*\n"
+    );
+    for row in 0..ROWS {
+        for column in 0..COLUMNS {
+            let (x, y) = (column as f64, 2.0 * row as f64);
+            let wave =
+                |[kx, ky, phase, size]: &[f64; 4]| size * (TAU * (kx * x + ky * y) + phase).cos();
+            let z: f64 = waves.iter().map(wave).sum();
+            text += &format!("{z:.3} ");
+        }
+        text.push('\n');
+    }
+    (text + "*\n").into_bytes()
+}
+
+fn case(names: [&str; 2], keys: &str) -> Result<LoadedCase, Error> {
+    case_of(names.map(|name| format!("file = \"{name}\"")), keys)
+}
+
+fn case_of(flanks: [String; 2], keys: &str) -> Result<LoadedCase, Error> {
+    let [pinion, wheel] = flanks;
+    let text = format!(
+        "gears = {{ teeth = [23, 68], module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\" }}\n\
+         material.pinion = {{ elastic_limit = \"1500 MPa\", flow_pressure = \"7 GPa\" }}\n\
+         operation = {{ torque = \"30 N m\", speed = \"6000 1/min\", bulk_temperature = \"90 degC\" }}\n\
+         lubricant = {{ viscosity = {{ law = \"astm-d341\", at_40 = \"30.8 mm2/s\", at_100 = \"5.9 mm2/s\" }}, density = \"845 kg/m3\", base_oil = \"pao\" }}\n\
+         model = {{ positions = 2, offsets = 1, depths = 0 }}\n\
+         [surface]\ncutoff = \"0.08 mm\"\n{keys}\npinion = {{ {pinion} }}\nwheel = {{ {wheel} }}\n"
+    );
+    from_text("case.toml", &text, &|name| Ok(scan(name)))
+}
+
+fn loss(names: [&str; 2], keys: &str) -> f64 {
+    losses(&case(names, keys).unwrap()).unwrap().summary.loss_w
+}
+
+#[test]
+fn scans_are_taken_by_their_lay() {
+    // Ridges across the face: rows of each scan, in pairs.
+    let ridged = case(["60-200-1", "60-200-9"], "").unwrap();
+    assert!(ridged.surfaces.sheets().is_none());
+    assert_eq!(ridged.surfaces.pairs(), 16);
+    let isotropic = case(["1-200-1", "1-200-9"], "").unwrap();
+    let sheets = isotropic.surfaces.sheets().unwrap();
+    assert_eq!(
+        (sheets.rows(), isotropic.surfaces.pairs()),
+        (ROWS - ROWS / 8, 1)
+    );
+    let by_hand = case(["1-200-1", "1-200-9"], "contact = \"lines\"").unwrap();
+    assert_eq!(by_hand.surfaces.pairs(), 16);
+    let by_hand = case(["60-200-1", "60-200-9"], "contact = \"patch\"").unwrap();
+    assert!(by_hand.surfaces.sheets().is_some());
+}
+
+#[test]
+fn summits_carry_more_in_a_patch_than_in_its_rows() {
+    let names = ["1-25-1", "1-25-9"];
+    let [patch, lines] =
+        ["patch", "lines"].map(|contact| loss(names, &format!("contact = \"{contact}\"")));
+    assert!(patch > 1.2 * lines, "{patch} W, {lines} W");
+    // Heights of some nanometres lose what smooth flanks lose.
+    let smooth = ["1-0.1-1", "1-0.1-9"];
+    let [patch, lines] =
+        ["patch", "lines"].map(|contact| loss(smooth, &format!("contact = \"{contact}\"")));
+    assert!((patch / lines - 1.0).abs() < 1e-3, "{patch} W, {lines} W");
+}
+
+#[test]
+fn a_patch_of_some_rows_is_refused() {
+    let flanks = ["1-200-1", "1-200-9"].map(|name| format!("file = \"{name}\", rows = 3"));
+    let error = case_of(flanks, "contact = \"patch\"")
+        .map(|_| ())
+        .unwrap_err();
+    assert_eq!(error.code(), Code::E205);
+    assert!(
+        error.to_string().contains("one scan of each flank"),
+        "{error}"
+    );
+}
