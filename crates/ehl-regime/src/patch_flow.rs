@@ -110,7 +110,7 @@ impl Patch {
         };
         let found = grids.solve(&sources, done, MOST_ITERATIONS);
         let [flow, uneven] = sections(grids.finest(), &found.values);
-        if found.iterations == MOST_ITERATIONS {
+        if !found.is_done {
             return Err(RegimeError::no_flow(uneven / flow, found.iterations));
         }
         let cubed = of_smooth * flow.max(0.0);

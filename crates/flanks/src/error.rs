@@ -86,6 +86,12 @@ impl PositionError {
         ))
     }
 
+    /// Patches where heights of traces are changed.
+    pub fn of_patches() -> Self {
+        let text = "this is computed for traces, and both flanks are scans that are taken whole: state surface.contact = \"lines\", or a row of each scan";
+        Self::Fault(Fault::new(Code::E205, text.to_owned()))
+    }
+
     /// Contact tables of other gears, flanks or loads.
     pub fn other_tables(differs: &'static str) -> Self {
         Self::Fault(Fault::new(

@@ -88,10 +88,10 @@ impl Sheets {
             .iter()
             .map(Grid::rows)
             .fold(MOST_ROWS + MOST_ROWS / (OVERLAP - 1), usize::min);
-        let rule = "must be at least 16 at the spacing of patches; scan a wider part of the flank";
+        let rule = "must be at least 16; scan a wider part of the flank";
         DomainError::require(
             rows >= LEAST_ROWS,
-            "rows of the surface",
+            "rows at the spacing of patches",
             rows as f64,
             "-",
             rule,
@@ -117,6 +117,34 @@ impl Sheets {
             spacings: self.spacings,
             waves: OnceLock::new(),
         }
+    }
+
+    /// The surfaces with `change` of every row, which keeps the number of its points.
+    ///
+    /// # Errors
+    /// The errors of `change`, and when a row has another number of points.
+    pub fn with_changed_rows<E: From<DomainError>>(
+        &self,
+        change: impl Fn(&Profile) -> Result<Profile, E>,
+    ) -> Result<Self, E> {
+        let mut heights = [Vec::new(), Vec::new()];
+        for (body, changed) in heights.iter_mut().enumerate() {
+            let columns = self.columns[body];
+            for row in self.heights[body].chunks_exact(columns) {
+                let row = change(&Profile::new(self.spacings[0], row.to_vec())?)?;
+                let rule = "must be the number of points before";
+                let points = row.len() as f64;
+                DomainError::require(row.len() == columns, "points of a row", points, "-", rule)?;
+                changed.extend(row.into_heights());
+            }
+        }
+        Ok(Self {
+            heights,
+            columns: self.columns,
+            rows: self.rows,
+            spacings: self.spacings,
+            waves: OnceLock::new(),
+        })
     }
 
     /// Rows of both sheets.

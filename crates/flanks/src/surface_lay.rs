@@ -21,7 +21,7 @@ pub fn lay_of_surface(
         return None;
     }
     Some(match line {
-        TraceLine::Column => {
+        TraceLine::Column | TraceLine::MeanColumn => {
             let spacings = [Some(along), surface.dx];
             of_lines(&surface.by_columns(), surface.rows, spacings, preparation)
         }

@@ -54,7 +54,7 @@ impl PartialEq for Surfaces {
             && self.placement == other.placement
             && self.same_trace == other.same_trace
             && self.sample == other.sample
-            && self.sheets == other.sheets
+            && self.has_sheets_of(other)
     }
 }
 
@@ -127,6 +127,13 @@ impl Surfaces {
     #[must_use]
     pub fn with_sheets(self, sheets: Option<Arc<Sheets>>) -> Self {
         Self { sheets, ..self }
+    }
+
+    fn has_sheets_of(&self, other: &Self) -> bool {
+        match (&self.sheets, &other.sheets) {
+            (Some(own), Some(other)) => Arc::ptr_eq(own, other) || own == other,
+            (own, other) => own.is_none() && other.is_none(),
+        }
     }
 
     /// Both flanks as surfaces; `None` where the contact is that of traces.
@@ -334,35 +341,42 @@ impl Surfaces {
             .with_sheets(sheets))
     }
 
-    /// Changes the heights of the traces; Rz of a trace scales with its Rq.
+    /// Changes the heights of the traces, and of every row of patches; Rz of a trace scales with its Rq.
     ///
     /// # Errors
     /// The errors of `change`.
-    pub fn with_changed_traces<E>(
+    pub fn with_changed_traces<E: From<DomainError>>(
         &self,
         change: impl Fn(&Profile) -> Result<Profile, E>,
     ) -> Result<Self, E> {
         self.changed(|met| met.one_with_changed_traces(&change))
     }
 
-    fn one_with_changed_traces<E>(
+    fn one_with_changed_traces<E: From<DomainError>>(
         &self,
         change: impl Fn(&Profile) -> Result<Profile, E>,
     ) -> Result<Self, E> {
-        let changed = |body: usize| match &self.textures[body] {
-            Texture::Trace(trace) => {
-                let other = change(trace)?;
-                let ratio = rq(&other) / rq(trace);
-                let rz = self.rz[body].map(|rz| rz * ratio);
-                Ok((Texture::Trace(other), rz))
+        let changed = |body: usize| -> Result<(Texture, Option<Length>), E> {
+            match &self.textures[body] {
+                Texture::Trace(trace) => {
+                    let other = change(trace)?;
+                    let ratio = rq(&other) / rq(trace);
+                    let rz = self.rz[body].map(|rz| rz * ratio);
+                    Ok((Texture::Trace(other), rz))
+                }
+                values @ Texture::Values { .. } => Ok((values.clone(), self.rz[body])),
             }
-            values @ Texture::Values { .. } => Ok((values.clone(), self.rz[body])),
         };
         let [(pinion, pinion_rz), (wheel, wheel_rz)] = [changed(0)?, changed(1)?];
+        let sheets = self.sheets.as_ref();
+        let sheets = sheets
+            .map(|sheets| sheets.with_changed_rows(&change))
+            .transpose()?;
         Ok(
             Self::new([pinion, wheel], self.noise_cutoff, self.same_trace)
                 .with_rz([pinion_rz, wheel_rz])
-                .placed(self.placement),
+                .placed(self.placement)
+                .with_sheets(sheets.map(Arc::new)),
         )
     }
 
@@ -428,7 +442,7 @@ impl Surfaces {
     /// Whether both flanks have the textures of `other`.
     pub fn has_textures_of(&self, other: &Self) -> bool {
         let same = Arc::ptr_eq(&self.textures, &other.textures) || self.textures == other.textures;
-        same && self.sheets == other.sheets
+        same && self.has_sheets_of(other)
     }
 
     /// Whether both flanks have traces, measured or of surrogates.

@@ -164,7 +164,10 @@ impl WindowContact {
 
     /// `error` of the contact at `position` with the gap of the window, if it did not converge.
     pub(crate) fn keeping(&self, error: PositionError, position: &MeshPosition) -> PositionError {
-        let pair = self.window.and_then(|window| {
+        let of_traces = self
+            .window
+            .filter(|_| self.inputs.surfaces.sheets().is_none());
+        let pair = of_traces.and_then(|window| {
             let WindowPlace { zone, offset, .. } = self.place;
             let flanks = window.cut(&self.inputs.surfaces, zone, offset).ok()?;
             WindowPair::new(flanks, position, self.inputs.modulus).ok()

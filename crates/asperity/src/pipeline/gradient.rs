@@ -233,19 +233,21 @@ pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
         "model.film_friction"
     } else if model.include_running_in {
         "model.include_running_in"
-    } else if surfaces.sheets().is_some() {
-        "surface.contact = \"patch\""
     } else {
         return Ok(());
     };
     Err(PositionError::no_gradient(differs))
 }
 
-/// Refuses a case whose friction follows from pressures in the windows: it can have no sliding loss, whatever the heights are.
+/// Refuses patches, and a case whose friction follows from pressures in the windows: it can have no sliding loss, whatever the heights
+/// are.
 ///
 /// # Errors
-/// With the formulation of such a case.
+/// With the formulation of such a case, or with the contact of patches.
 pub fn check_heights(loaded: &LoadedCase) -> Result<(), PositionError> {
+    if loaded.surfaces.sheets().is_some() {
+        return Err(PositionError::of_patches());
+    }
     let formulation = loaded.case.formulation;
     match formulation.pressures() {
         None => Ok(()),

@@ -1,6 +1,7 @@
 //! All that the flanks of a case follow from, except the content of their files.
 
 use asperity_core::quantity::Length;
+use asperity_ehl_regime::GapLaw;
 use asperity_flanks::flank_form::{FormError, shortest_form};
 use asperity_flanks::meeting::largest_spacing;
 use asperity_flanks::trace_filters::StatedFilters;
@@ -29,6 +30,8 @@ pub(crate) struct FlankInputs {
     pub preparation: Preparation,
     /// Whether the contact of the flanks is solved, so that flanks without a trace need surrogates.
     pub solves_contact: bool,
+    /// Whether scans can be taken whole: patches have the solved contact with the gap law of the inlet, and no running-in.
+    pub has_patches: bool,
     /// Whether a single position represents the mesh, which has no zones across the face.
     pub has_one_position: bool,
 }
@@ -54,6 +57,10 @@ impl FlankInputs {
             largest_spacing: largest_spacing(&case.gears, case.torque, case.modulus),
             preparation: case.preparation,
             solves_contact: solves && (law.supply().is_some() || law == LoadShareName::Ehl),
+            has_patches: solves
+                && law.supply().is_some()
+                && case.model.gap_law == GapLaw::Inlet
+                && !case.model.run_in,
             has_one_position: case.formulation.positions() == Positions::Single,
         }
     }

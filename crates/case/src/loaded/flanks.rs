@@ -151,7 +151,10 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     }
     let lays = lays(context, &named.lists, &flanks, &named.keys, &mut warnings);
     let sheets = match is_patch {
-        true => Some(sheets_of(context, &named.lists, &flanks, &named.keys)?),
+        true => {
+            let made = sheets_of(context, &named.lists, &flanks, &named.keys, &mut warnings);
+            Some(made?)
+        }
         false => None,
     };
     let (surfaces, zones) = named.met(context, &flanks, surrogates, &mut warnings)?;
@@ -381,7 +384,8 @@ fn takes_patch(
     if let Some(stated) = context.inputs.surface.contact {
         return stated == ContactName::Patch;
     }
-    if rows_of_scans.contains(&None) || !context.inputs.solves_contact {
+    let inputs = context.inputs;
+    if rows_of_scans.contains(&None) || !inputs.has_patches || inputs.surface.outliers.is_some() {
         return false;
     }
     let lay_of = |body: usize| {

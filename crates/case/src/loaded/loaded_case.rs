@@ -430,11 +430,6 @@ fn enter(
         let section = Section::of(source, "model");
         return Err(section.conflict("run_in", "needs the traces of both flanks"));
     }
-    if case.model.run_in && surfaces.sheets().is_some() {
-        let section = Section::of(source, "model");
-        let rule = "is computed for traces; leave surface.contact = \"patch\" out, or state surface.contact = \"lines\"";
-        return Err(section.conflict("run_in", rule));
-    }
     case.face_zones.clone_from(&flanks.zones);
     let mut check = None;
     if *forms != [None, None] {

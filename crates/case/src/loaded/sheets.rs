@@ -2,8 +2,11 @@
 
 use std::sync::Arc;
 
+use asperity_core::Code;
+use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
 use asperity_flanks::Sheets;
+use asperity_flanks::surfaces::{FlankReport, Texture};
 use asperity_flanks::trace::Flank;
 use asperity_profile_io::read::{TraceLine, read_surface_bytes};
 use asperity_roughness::surface_preparation::{PreparedSurface, prepare_surface};
@@ -14,54 +17,66 @@ use crate::input::files::Content;
 use crate::source::case_error::CaseError;
 use crate::source::section::Section;
 
-/// Part of λs by which the points of a patch are apart: a wave of twice this length is left with a thousandth of its amplitude.
-const SHARE_OF_NOISE_CUTOFF: f64 = 0.4;
-
 /// The surfaces of both flanks with all of their rows.
 ///
 /// # Errors
-/// When a flank has no surface, several traces or a place, or its surface cannot be prepared.
+/// When a flank has no scan or several traces, its scan cannot be prepared, or the case has what only traces have.
 pub(crate) fn sheets_of(
     context: Context<'_>,
     lists: &[Vec<Listed>; 2],
     flanks: &[Vec<Flank>; 2],
     keys: &[Keys; 2],
+    warnings: &mut Vec<Warning>,
 ) -> Result<Arc<Sheets>, CaseError> {
     let section = Section::of(context.source, "surface");
-    if !context.inputs.solves_contact {
-        let rule = "patch needs the solved contact; leave model.load_share and formulation at their defaults";
+    if !context.inputs.has_patches {
+        let rule = "patch needs the solved contact and the gap law `inlet`, and has no running-in; leave formulation, model.load_share, model.gap_law and model.run_in at their defaults";
         return Err(section.conflict("contact", rule));
     }
+    if context.inputs.surface.outliers.is_some() {
+        let rule = "replaces spikes of traces; leave it out with contact = \"patch\"";
+        return Err(section.conflict("outliers", rule));
+    }
     let mut made: Vec<PreparedSurface> = Vec::with_capacity(2);
+    let mut along = Length::default();
     for (body, keys) in keys.iter().enumerate() {
         let ([listed], [flank]) = (lists[body].as_slice(), flanks[body].as_slice()) else {
             let rule = "patch takes one scan of each flank, whole; leave traces and rows out";
             return Err(section.conflict("contact", rule));
         };
-        made.push(whole(listed, flank, keys, context)?);
+        if let Texture::Trace(row) = &flank.texture {
+            // Its rows have the common spacing of traces.
+            along = row.spacing();
+        }
+        let surface = whole(body, (listed, flank), keys, context)?;
+        if surface.record.bridged > 0.0 {
+            warnings.push(bridged(&flank.report, surface.record.bridged));
+        }
+        made.push(surface);
     }
-    let finest = made
-        .iter()
-        .map(|surface| surface.spacings[0].si())
-        .fold(0.0, f64::max);
-    let noise = made
-        .iter()
-        .filter_map(|surface| surface.record.recipe.lambda_s)
-        .map(|cutoff| SHARE_OF_NOISE_CUTOFF * cutoff.si());
-    let along = noise.fold(f64::INFINITY, f64::min);
-    let along = match along.is_finite() {
-        true => Length::from_si(along.max(finest)),
-        false => Length::from_si(finest),
-    };
     let sheets = Sheets::of([&made[0], &made[1]], along);
     let sheets = sheets.map_err(section.domain("contact"))?;
     Ok(Arc::new(sheets))
 }
 
-/// The surface of a flank, prepared as its trace was, in the direction of the flank.
+/// W460: points of a scan without a height.
+fn bridged(report: &FlankReport, share: f64) -> Warning {
+    let file = report.file.as_deref().unwrap_or_default();
+    let percent = 100.0 * share;
+    let text = format!(
+        "{file}: {percent:.1} % of the points of the scan have no height, and lines between their neighbours stand there"
+    );
+    Warning::new(Code::W460, text)
+}
+
+/// The scan of pinion or wheel, prepared as its trace was, seen as both flanks face each other.
+///
+/// A turn about the lead reverses the points of the rows and leaves their order; a mirror image reverses one of both. The wheel faces the
+/// pinion: seen from the side of the pinion its points are reversed. Of a flank that is read from its other end, and of columns that are
+/// read as rows, the order changes once more.
 fn whole(
-    listed: &Listed,
-    flank: &Flank,
+    body: usize,
+    (listed, flank): (&Listed, &Flank),
     keys: &Keys,
     context: Context<'_>,
 ) -> Result<PreparedSurface, CaseError> {
@@ -85,7 +100,12 @@ fn whole(
     let surface = read_surface_bytes(&name, &bytes, &read_options(input));
     let place = || context.source.place_of(&keys.file);
     let surface = surface.map_err(|error| CaseError::profile(place(), &error))?;
-    let is_column = input.line.unwrap_or_default() == TraceLine::Column;
+    let line = input.line.unwrap_or_default();
+    if matches!(line, TraceLine::Mean | TraceLine::MeanColumn) {
+        let rule = "patch takes all rows of a scan; leave line = \"mean\" out";
+        return Err(section.conflict("contact", rule));
+    }
+    let is_column = line == TraceLine::Column;
     let (mut z, columns, across) = match is_column {
         true => (surface.by_columns(), surface.rows, surface.dx),
         false => (surface.z, surface.columns, surface.dy),
@@ -94,22 +114,27 @@ fn whole(
     let (Some(across), true) = (across, rows > 1) else {
         return Err(missing());
     };
-    // The part of the rows that the trace has.
-    let start = reading
-        .cut
-        .map_or(0.0, |cut| cut.start / reading.profile.spacing());
-    let first = (start.round() as usize).min(columns);
-    let last = (first + reading.profile.len()).min(columns);
+    let along = reading.profile.spacing();
+    // The range that is stated; a trace may also lack points at its ends.
+    let (first, last) = match &reading.cut {
+        None => (0, columns),
+        Some(cut) => {
+            let first = ((cut.start / along).round() as usize).min(columns);
+            (first, (first + reading.profile.len()).min(columns))
+        }
+    };
     if (first, last) != (0, columns) {
         let rows = z.chunks_exact(columns.max(1));
         z = rows.flat_map(|row| &row[first..last]).copied().collect();
     }
-    let columns = last - first;
-    if flank.report.mirrored {
-        z.chunks_exact_mut(columns.max(1))
-            .for_each(<[f64]>::reverse);
+    let columns = (last - first).max(1);
+    let mirrored = flank.report.mirrored;
+    if mirrored {
+        z.chunks_exact_mut(columns).for_each(<[f64]>::reverse);
     }
-    let along = reading.profile.spacing();
+    if mirrored ^ is_column ^ (body == 1) {
+        z = z.rchunks_exact(columns).flatten().copied().collect();
+    }
     let prepared = prepare_surface(&z, columns, [along, across], &record.recipe);
     prepared.map_err(|error| CaseError::preparation(&name, error))
 }

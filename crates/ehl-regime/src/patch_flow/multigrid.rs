@@ -201,6 +201,8 @@ pub(super) struct Grids {
 pub(super) struct Pressures {
     pub values: Vec<f64>,
     pub iterations: usize,
+    /// Whether the iteration reached its end.
+    pub is_done: bool,
 }
 
 impl Grids {
@@ -254,6 +256,7 @@ impl Grids {
             iterations += 1;
         }
         Pressures {
+            is_done: is_done(self.finest(), &p),
             values: p,
             iterations,
         }
