@@ -90,8 +90,9 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     };
     let mut known: [Vec<Known>; 2] = Default::default();
     let mut rows_of_scans: [Option<usize>; 2] = [None; 2];
+    let mut doubts: [Vec<Warning>; 2] = Default::default();
     for (body, known) in known.iter_mut().enumerate() {
-        let found = known_of(&named, body, &mut warnings);
+        let found = known_of(&named, body, &mut doubts[body]);
         if found
             .as_ref()
             .is_err_and(|error| error.code() == Code::E119)
@@ -100,16 +101,19 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         }
         *known = match rows_of_scans[body] {
             None => found?,
-            Some(_) => known_of(&named, body, &mut warnings)?,
+            Some(_) => known_of(&named, body, &mut doubts[body])?,
         };
     }
     let is_patch = takes_patch(context, &named, &known, rows_of_scans);
     for (body, known) in known.iter_mut().enumerate() {
         if let (Some(rows), false) = (rows_of_scans[body], is_patch) {
             named.take_rows(body, rows, context.source)?;
-            *known = known_of(&named, body, &mut warnings)?;
+            // The middle row need not be among them.
+            doubts[body].clear();
+            *known = known_of(&named, body, &mut doubts[body])?;
         }
     }
+    warnings.extend(doubts.into_iter().flatten());
     let is_several = named.lists.iter().any(|list| list.len() > 1);
     let mut flanks: [Vec<Flank>; 2] = Default::default();
     let mut follow: [Vec<Vec<DefaultUsed>>; 2] = Default::default();
@@ -145,18 +149,12 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     };
     if is_several || (first_file(0).is_some() && first_file(0) == first_file(1)) {
         // Once for the shared file.
-        warnings.dedup();
-        let mut seen = std::collections::BTreeSet::new();
-        warnings.retain(|warning| seen.insert(warning.to_string()));
+        keep_first(&mut warnings);
     }
     let lays = lays(context, &named.lists, &flanks, &named.keys, &mut warnings);
-    let sheets = match is_patch {
-        true => {
-            let made = sheets_of(context, &named.lists, &flanks, &named.keys, &mut warnings);
-            Some(made?)
-        }
-        false => None,
-    };
+    let sheets =
+        is_patch.then(|| sheets_of(context, &named.lists, &flanks, &named.keys, &mut warnings));
+    let sheets = sheets.transpose()?;
     let (surfaces, zones) = named.met(context, &flanks, surrogates, &mut warnings)?;
     let surfaces = surfaces.with_sheets(sheets);
     let forms = flanks.each_ref().map(|flanks| {
@@ -180,6 +178,12 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         provenance: Provenance::new(),
         sums: Arc::default(),
     })
+}
+
+/// Leaves each warning once.
+fn keep_first(warnings: &mut Vec<Warning>) {
+    let mut seen = std::collections::BTreeSet::new();
+    warnings.retain(|warning| seen.insert(warning.to_string()));
 }
 
 /// The traces that the keys of a flank name, or traces generated like them.
