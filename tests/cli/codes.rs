@@ -15,10 +15,7 @@ const NOT_PROVOKED: &[(&str, &str)] = &[
         "W463",
         "crates/asperity/tests/surrogates.rs loads such a case",
     ),
-    (
-        "W460",
-        "crates/asperity/tests/patches.rs loads such a scan",
-    ),
+    ("W460", "crates/asperity/tests/patches.rs loads such a scan"),
     (
         "E140",
         "is of cases that Python pickles: crates/python/tests/test_case.py",
