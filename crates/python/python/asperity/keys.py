@@ -337,6 +337,7 @@ class SurfaceInput(TypedDict, total=False):
     """The two flanks and how their traces are prepared."""
 
     coast: Optional[CoastInput]
+    contact: Optional[Literal["lines", "patch"]]
     cutoff: Optional[Quantity]
     ends: Optional[Literal["cut", "reg0", "reg1", "reflect"]]
     finish: Optional[Literal["ground", "superfinished", "honed", "hobbed", "shaved", "skived", "lapped", "shot-peened"]]
@@ -560,6 +561,7 @@ class MeshSurfaceInput(TypedDict, total=False):
     """The two flanks and how their traces are prepared."""
 
     coast: Optional[CoastInput]
+    contact: Optional[Literal["lines", "patch"]]
     cutoff: Optional[Quantity]
     ends: Optional[Literal["cut", "reg0", "reg1", "reflect"]]
     finish: Optional[Literal["ground", "superfinished", "honed", "hobbed", "shaved", "skived", "lapped", "shot-peened"]]
@@ -918,6 +920,7 @@ CaseKeys = TypedDict(
         "surface.coast.wheel.uneven": 'Optional[Literal["refuse", "resample"]]',
         "surface.coast.wheel.x_unit": 'Optional[Literal["m", "mm", "um", "nm", "angstrom", "inch", "mil", "uin"]]',
         "surface.coast.wheel.z_unit": 'Optional[Literal["m", "mm", "um", "nm", "angstrom", "inch", "mil", "uin"]]',
+        "surface.contact": 'Optional[Literal["lines", "patch"]]',
         "surface.cutoff": "Optional[Quantity]",
         "surface.ends": 'Optional[Literal["cut", "reg0", "reg1", "reflect"]]',
         "surface.finish": 'Optional[Literal["ground", "superfinished", "honed", "hobbed", "shaved", "skived", "lapped", "shot-peened"]]',
