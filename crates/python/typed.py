@@ -67,6 +67,7 @@ MORE = [
     ['case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 6})',
      'of = {"a": "demo/ground_pinion.csv", "b": "demo/superfinished_pinion.csv", "c": ("demo/ground_pinion.csv", "demo/superfinished_pinion.csv")}',
      "asperity.compare(case, of)", "losses = asperity.map(case, finishes=of, torque_nm=[-200, -60, 60, 200], speed_rpm=[500, 4000, 16000])",
+     'asperity.map(case, finishes={"pao": {"lubricant.oil": "pao100"}}, torque_nm=[60, 200], speed_rpm=[4000, 16000])',
      'asperity.cycle(losses, "demo/urban.csv")', 'trace = {"time_s": [0, 60, 120], "torque_nm": [60, 190, 205], "speed_rpm": [900, 4000, 9000], "gear": [1, 1, 1]}',
      "asperity.cycle(asperity.map(case.replace({'vehicle': None}), torque_nm=[-60, 60], speed_rpm=[500, 9000]), trace, allow_outside=True)"],
     [SMALL, 'asperity.oil_plan("m100", case, simulate=1)'],

@@ -33,8 +33,12 @@ def test_variants_are_keys_tables_and_cases(drive):
         with pytest.raises(asperity.AsperityError, match="variant x") as error:
             asperity.compare(drive, {"x": keys})
         assert error.value.code == code
-    losses = asperity.map(drive, finishes={"warm": {"operation.torque": "100 N m"}}, torque_nm=[50, 145], speed_rpm=[3000, 9000])
-    assert losses.finishes == ["as is", "warm"]
+    axes = {"torque_nm": [50, 145], "speed_rpm": [3000, 9000]}
+    losses = asperity.map(drive, finishes={"thick": {"lubricant.oil": "pao100"}}, **axes)
+    assert losses.finishes == ["as is", "thick"]
+    # An axis would take the place of the key.
+    with pytest.raises(asperity.AsperityError, match="those of its axes"):
+        asperity.map(drive, finishes={"warm": {"operation.torque": "100 N m"}}, **axes)
 
 
 def test_a_comparison_of_files_profiles_pairs_and_cases(drive, tmp_path):
@@ -251,10 +255,12 @@ def test_an_oil_that_the_library_does_not_have_is_refused_before_the_first_case(
         asperity.sweep(drive, {"lubricant.oil": ["m100", "m101"]})
 
 
-def test_a_row_whose_oil_the_case_states_otherwise_says_so(drive):
-    with pytest.warns(asperity.AsperityWarning, match="W442"):
-        rows = asperity.sweep(drive, {"lubricant.oil": ["m100", "n100"]}).run()
-    assert all("W442" in row["outside"] for row in rows)
+def test_a_row_that_names_an_oil_leaves_out_the_oil_of_the_case(drive):
+    rows = list(asperity.sweep(drive, {"lubricant.oil": ["m100", "n100"]}).run())
+    assert not any("W442" in row["outside"] for row in rows)
+    own = {"lubricant.viscosity": None, "lubricant.density": None, "lubricant.base_oil": None}
+    alone = drive.replace({"lubricant.oil": "m100", **own}).run("losses").loss_w
+    assert rows[0].loss_w == pytest.approx(alone, rel=1e-9)
 
 
 def test_a_case_without_result_is_a_row_with_its_code(drive):

@@ -505,7 +505,7 @@ class MapRowTable(TableOf[MapRow, Literal["temperature_c", "torque_nm", "speed_r
 
 class MapValues(Values):
     _kinds = {"finishes": MapFinishTable, "warnings": MapWarningTable, "rows": MapRowTable}
-    _absent = {"axes": None, "input": None, "defaults": None}
+    _absent = {"axes": None, "input": None, "defaults": None, "are_variants": None}
     schema_version: int
     program: str
     title: str
@@ -515,6 +515,7 @@ class MapValues(Values):
     operating_point: Floats
     input: Any
     defaults: Any
+    are_variants: Optional[bool]
 
 
 class CycleFinish(Values):
