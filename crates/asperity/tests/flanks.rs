@@ -182,7 +182,7 @@ fn sheets_repeat_along_the_lead_and_keep_their_variance() {
     };
     let rough = surface(&|x, y| random(x + columns * y));
     let ridges = surface(&|x, _| random(x));
-    let sheets = Sheets::of([&rough, &ridges], Length::from_si(1e-6)).unwrap();
+    let sheets = Sheets::of([rough, ridges], Length::from_si(1e-6)).unwrap();
     assert_eq!(sheets.spacings(), [1e-6, 2e-6].map(Length::from_si));
     assert_eq!(sheets.rows(), rows - rows / 8);
     let [(rough, _), (ridges, _)] = [0, 1].map(|body| sheets.of_body(body));
@@ -220,8 +220,8 @@ fn sheets_repeat_along_the_lead_and_keep_their_variance() {
     // At the spacing of a coarser patch both surfaces have fewer points and rows.
     let coarse = Sheets::of(
         [
-            &surface(&|x, y| 1e-7 * ((x as f64) / 9.0).sin() * ((y as f64) / 4.0).cos()),
-            &surface(&|x, _| 1e-7 * ((x as f64) / 9.0).sin()),
+            surface(&|x, y| 1e-7 * ((x as f64) / 9.0).sin() * ((y as f64) / 4.0).cos()),
+            surface(&|x, _| 1e-7 * ((x as f64) / 9.0).sin()),
         ],
         Length::from_si(3e-6),
     );
@@ -229,7 +229,7 @@ fn sheets_repeat_along_the_lead_and_keep_their_variance() {
     assert_eq!(coarse.of_body(0).1, 200);
     assert_eq!(coarse.rows(), 60 - 60 / 8);
     let few = Sheets::of(
-        [&surface(&|_, _| 0.0), &surface(&|_, _| 0.0)],
+        [surface(&|_, _| 0.0), surface(&|_, _| 0.0)],
         Length::from_si(20e-6),
     );
     assert!(few.unwrap_err().to_string().contains("wider part"));

@@ -1,4 +1,4 @@
-//! Flanks whose scans are used whole: patches where the lay asks for them, rows of ridged ones.
+//! Scans that are used whole: patches of flanks without a strong lay, rows of ridged flanks.
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
@@ -48,7 +48,7 @@ fn scan(name: &str) -> Vec<u8> {
     })
 }
 
-/// A scan of heights \[nm\]; those that are no number are missing.
+/// A scan of heights \[nm\]; values that are not numbers are missing.
 fn file(height: impl Fn(f64, f64) -> f64) -> Vec<u8> {
     let mut text = format!(
         "aISO-1.0\nManufacID   = made\nCreateDate  = 271120260000\nModDate     = 271120260000\nNumPoints   = {COLUMNS}\n\
@@ -162,6 +162,8 @@ fn ridges_of_both_scans_meet_as_in_the_gears() {
         });
         assert_eq!(pinion, -1, "{mirrored}");
         assert_eq!(wheel, pinion, "{mirrored}");
+        let told = |code| case.warnings.iter().any(|warning| warning.code == code);
+        assert!(told(Code::W459));
         let said = case
             .warnings
             .iter()

@@ -1,5 +1,6 @@
 //! Errors of a film or a regime.
 
+use asperity_core::numerics::RootError;
 use asperity_core::{Code, Fault, number};
 
 asperity_core::fault_error! {
@@ -19,6 +20,13 @@ impl RegimeError {
             "the flow through a rough patch differs by {} of it between sections after {iterations} iterations",
             number(uneven)
         );
+        Fault::new(Code::E301, text).into()
+    }
+
+    /// The gap that an inlet supplies to a rough patch, without root.
+    pub(crate) fn no_inlet(error: &RootError) -> Self {
+        let text =
+            format!("the gap that the inlet supplies to a rough patch has no solution: {error}");
         Fault::new(Code::E301, text).into()
     }
 }

@@ -42,12 +42,19 @@ struct FlowCurve {
     wide: [f64; 2],
 }
 
+/// Largest gap of a node over the gap of the last one: nodes do not crowd where the expansion begins.
+const LAST_NODE: f64 = 0.9;
+/// Width of the bracket at which ln of the gap supplied ends.
+const ROOT_TOLERANCE: f64 = 1e-13;
+/// Relative step of the difference quotient of the expansion.
+const SLOPE_STEP: f64 = 1e-4;
+
 impl FlowCurve {
     fn of(patches: &[Patch], sigma: f64) -> Result<Self, RegimeError> {
         let closing = patches.iter().map(|patch| patch.closing_gap().si() / sigma);
         let closing = closing.fold(f64::INFINITY, f64::min);
         let mut gaps: Vec<f64> = NODES.iter().map(|node| closing + node).collect();
-        gaps.retain(|gap| *gap < 0.9 * WIDE);
+        gaps.retain(|gap| *gap < LAST_NODE * WIDE);
         gaps.push(WIDE.max(closing + 1.0));
         let mut points = vec![[closing, 0.0]];
         for gap in gaps {
@@ -68,7 +75,7 @@ impl FlowCurve {
         let mut nodes = with_slopes(points);
         if let Some([gap, _, slope]) = nodes.last_mut() {
             // Both sides of the last node have the slope of the expansion.
-            let step = 1e-4 * *gap;
+            let step = SLOPE_STEP * *gap;
             let [above, below] = [1.0, -1.0].map(|side| Self::widely(wide, *gap + side * step));
             *slope = (above - below) / (2.0 * step);
         }
@@ -265,15 +272,18 @@ impl FlowTable {
         while excess(high) < 0.0 {
             high += 1.0;
         }
-        // Patches that are open at a gap of nothing feed more than the thinnest film.
-        let over = match find_root(excess, low, high, 1e-13) {
-            Ok(root) => root.value,
-            Err(_) => low,
+        // Patches that are open at zero gap pass more than the thinnest film needs.
+        let over = match excess(low) > 0.0 {
+            true => low,
+            false => {
+                let root = find_root(excess, low, high, ROOT_TOLERANCE);
+                root.map_err(|error| RegimeError::no_inlet(&error))?.value
+            }
         };
         Ok((closing + over.exp()) * sigma / gap)
     }
 
-    /// h_g/σ_d at h̄/σ_d. With h = h̄ (1 + u³) the integral is h̄^(5/3) ∫ 3 u⁴/K du, whatever k.
+    /// h_g/σ_d at h̄/σ_d. With h = h̄ (1 + u³) the integral is h̄^(5/3) ∫ 3 u⁴/K du, for any k.
     fn fed(&self, mean: f64) -> f64 {
         let rough = inlet_integral(|u| self.smooth_gap(mean * (1.0 + u)) / mean);
         let smooth = inlet_integral(|u| 1.0 + u);

@@ -7,8 +7,7 @@
 //! | r | λ_x/λ_y: 0 across the motion, 1 without a direction, ∞ along it | - |
 //! | λ_e | wavelength across the motion of the wave that the inlet flattens as much | m |
 //!
-//! A patch is repeated in both directions. A measured one is mirrored first ([`Patch::mirrored`]): it then repeats without a
-//! jump.
+//! A patch is repeated in both directions. A measured one must be mirrored first, so that it repeats without a jump.
 //!
 //! The rule for λ_e is derived with the linearised inlet of references/rough_inlet.py, extended to waves that vary along the lead:
 //! four contacts with M 26 to 200 and L 7 to 11, waves of ¼ to 2 half widths. As far as half of the amplitude is left at

@@ -16,7 +16,7 @@ use crate::gap_law::GapLaw;
 use crate::patch::{Patch, PatchSpectrum, add_moved};
 use crate::rough_inlet::{PairSpectrum, RoughInlet};
 
-/// Steps of the patches against each other, in their lengths: multiples fill a square evenly.
+/// Offsets of successive places in lengths of the patch: multiples of 1/g and 1/g², g³ = g + 1, fill a square evenly (Roberts 2018).
 const STEPS: [f64; 2] = [0.754_877_666_246_693, 0.569_840_290_998_053];
 /// Scale of the shortest inlet over the longest wave, and of the longest inlet over the shortest wave: no wave is flattened, and
 /// every wave is in the same proportion.

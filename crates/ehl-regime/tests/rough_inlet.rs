@@ -364,6 +364,8 @@ fn a_lay_is_a_ratio_up_to_1_and_a_supply_has_a_positive_factor() {
     assert_ne!(Lay::try_from(0.5).unwrap(), Lay::ACROSS);
     assert!(Lay::try_from(-1.0).is_err() && Lay::try_from(1.1).is_err());
     assert!(supplied_gap(GapLaw::Power, um(0.1), 1.0, 0.5).is_ok());
+    // Ridges along the motion lower the gap.
+    assert!(supplied_gap(GapLaw::Inlet, um(0.1), 0.5, 0.5).is_ok());
     for factor in [0.0, f64::INFINITY, f64::NAN] {
         assert!(
             supplied_gap(GapLaw::Power, um(0.1), factor, 0.5).is_err(),

@@ -13,7 +13,6 @@ use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile, cite};
 use asperity_ehl_regime::{Patch, PatchPair, PatchSpectrum, RegimeError};
 use asperity_mixed_film::{Flattening, WindowRoughness};
-use asperity_roughness::resampling::respaced;
 use asperity_roughness::surface_preparation::PreparedSurface;
 
 use crate::error::PositionError;
@@ -46,7 +45,7 @@ pub struct Sheets {
 struct SheetWaves {
     whole: [PatchSpectrum; 2],
     /// The middles of both, with equal sizes: the flow through them as they pass each other.
-    pair: PatchPair,
+    passing: PatchPair,
 }
 
 impl PartialEq for Sheets {
@@ -73,20 +72,18 @@ impl Sheets {
     ///
     /// # Errors
     /// When a surface has fewer than 16 rows at this distance, or cannot be resampled.
-    pub fn of(surfaces: [&PreparedSurface; 2], along: Length) -> Result<Self, DomainError> {
+    pub fn of(surfaces: [PreparedSurface; 2], along: Length) -> Result<Self, DomainError> {
         let finer = surfaces
+            .iter()
             .map(|surface| surface.spacings[1].si())
-            .into_iter()
             .fold(f64::INFINITY, f64::min);
         let across = Length::from_si(finer.max(along.si()));
+        let respaced = |surface: PreparedSurface| surface.respaced([along, across]);
         let [first, second] = surfaces;
-        let made = [
-            Grid::of(first, [along, across])?,
-            Grid::of(second, [along, across])?,
-        ];
+        let made = [respaced(first)?, respaced(second)?];
         let rows = made
             .iter()
-            .map(Grid::rows)
+            .map(PreparedSurface::rows)
             .fold(MOST_ROWS + MOST_ROWS / (OVERLAP - 1), usize::min);
         let rule = "must be at least 16; scan a wider part of the flank";
         DomainError::require(
@@ -96,11 +93,11 @@ impl Sheets {
             "-",
             rule,
         )?;
-        let repeated = made.each_ref().map(|grid| grid.repeated(rows));
+        let repeated = made.each_ref().map(|surface| repeated(surface, rows));
         Ok(Self {
             rows: repeated[0].len() / made[0].columns,
             heights: repeated,
-            columns: made.each_ref().map(|grid| grid.columns),
+            columns: made.each_ref().map(|surface| surface.columns),
             spacings: [along, across],
             waves: OnceLock::new(),
         })
@@ -204,7 +201,7 @@ impl Sheets {
                 spectrum(0, 0..self.columns[0])?,
                 spectrum(1, 0..self.columns[1])?,
             ],
-            pair: PatchPair::new([middle(0)?, middle(1)?], FLOW_PLACES)?,
+            passing: PatchPair::new([middle(0)?, middle(1)?], FLOW_PLACES)?,
         };
         Ok(self.waves.get_or_init(|| made))
     }
@@ -213,8 +210,8 @@ impl Sheets {
     ///
     /// # Errors
     /// When a sheet refuses its numbers.
-    pub fn pair(&self) -> Result<&PatchPair, PositionError> {
-        Ok(&self.waves()?.pair)
+    pub fn passing(&self) -> Result<&PatchPair, PositionError> {
+        Ok(&self.waves()?.passing)
     }
 
     /// Both sheets as `flattening` leaves them.
@@ -293,87 +290,36 @@ pub struct PatchPlace {
     pub shift: usize,
 }
 
-/// Heights row by row.
-struct Grid {
-    heights: Vec<f64>,
-    columns: usize,
-}
-
-impl Grid {
-    /// A surface with other distances of its points and rows.
-    fn of(surface: &PreparedSurface, [along, across]: [Length; 2]) -> Result<Self, DomainError> {
-        let given = Self {
-            heights: surface.heights.clone(),
-            columns: surface.columns,
-        };
-        let given = given.respaced(surface.spacings[0], along)?;
-        let turned = given.turned().respaced(surface.spacings[1], across)?;
-        Ok(turned.turned())
-    }
-
-    fn rows(&self) -> usize {
-        self.heights.len() / self.columns
-    }
-
-    fn respaced(self, from: Length, to: Length) -> Result<Self, DomainError> {
-        if from == to {
-            return Ok(self);
-        }
-        let mut heights = Vec::new();
-        let mut columns = 0;
-        for row in self.heights.chunks_exact(self.columns) {
-            let row = respaced(&Profile::new(from, row.to_vec())?, to)?;
-            columns = row.len();
-            heights.extend(row.heights());
-        }
-        Ok(Self { heights, columns })
-    }
-
-    fn turned(&self) -> Self {
-        let rows = self.rows();
-        let mut heights = Vec::with_capacity(self.heights.len());
-        for column in 0..self.columns {
-            heights.extend((0..rows).map(|row| self.heights[row * self.columns + column]));
-        }
-        Self {
-            heights,
-            columns: rows,
+/// The middle `n` rows, without those by which both ends overlap, so that the last row is followed by the first.
+///
+/// ```text
+/// z = (w z_begin + (1 − w) z_end)/√(w² + (1 − w)² + 2 w (1 − w) ρ),  w = (j + 1)/(o + 1)           [Sheet-1]
+/// ```
+///
+/// The root keeps the variance of ends that are unrelated (ρ = 0), and ridges that run on from one end to the other (ρ = 1).
+fn repeated(surface: &PreparedSurface, n: usize) -> Vec<f64> {
+    cite!("Sheet-1");
+    let columns = surface.columns;
+    let first = (surface.rows() - n) / 2;
+    let part = &surface.heights[first * columns..(first + n) * columns];
+    let overlap = n / OVERLAP;
+    let mut kept = part[..(n - overlap) * columns].to_vec();
+    let (begin, end) = (&part[..overlap * columns], &part[(n - overlap) * columns..]);
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let both = (product(begin, begin) * product(end, end)).sqrt();
+    let correlation = match both > 0.0 {
+        true => (product(begin, end) / both).clamp(0.0, 1.0),
+        false => 1.0,
+    };
+    for j in 0..overlap {
+        let w = (j + 1) as f64 / (overlap + 1) as f64;
+        let rest = 1.0 - w;
+        let scale = (w * w + rest * rest + 2.0 * w * rest * correlation).sqrt();
+        let row = j * columns..(j + 1) * columns;
+        let ends = begin[row.clone()].iter().zip(&end[row.clone()]);
+        for (z, (begin, end)) in kept[row].iter_mut().zip(ends) {
+            *z = (w * begin + rest * end) / scale;
         }
     }
-
-    /// The middle `n` rows, without those by which both ends overlap, so that the last row is followed by the first.
-    ///
-    /// ```text
-    /// z = (w z_begin + (1 − w) z_end)/√(w² + (1 − w)² + 2 w (1 − w) ρ),  w = (j + 1)/(o + 1)           [Sheet-1]
-    /// ```
-    ///
-    /// The root keeps the variance of ends that are unrelated (ρ = 0), and ridges that run on from one end to the other (ρ = 1).
-    fn repeated(&self, n: usize) -> Vec<f64> {
-        cite!("Sheet-1");
-        let first = (self.rows() - n) / 2;
-        let part = &self.heights[first * self.columns..(first + n) * self.columns];
-        let overlap = n / OVERLAP;
-        let mut kept = part[..(n - overlap) * self.columns].to_vec();
-        let (begin, end) = (
-            &part[..overlap * self.columns],
-            &part[(n - overlap) * self.columns..],
-        );
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let both = (product(begin, begin) * product(end, end)).sqrt();
-        let correlation = match both > 0.0 {
-            true => (product(begin, end) / both).clamp(0.0, 1.0),
-            false => 1.0,
-        };
-        for j in 0..overlap {
-            let w = (j + 1) as f64 / (overlap + 1) as f64;
-            let rest = 1.0 - w;
-            let scale = (w * w + rest * rest + 2.0 * w * rest * correlation).sqrt();
-            let row = j * self.columns..(j + 1) * self.columns;
-            let ends = begin[row.clone()].iter().zip(&end[row.clone()]);
-            for (z, (begin, end)) in kept[row].iter_mut().zip(ends) {
-                *z = (w * begin + rest * end) / scale;
-            }
-        }
-        kept
-    }
+    kept
 }

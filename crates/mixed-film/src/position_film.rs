@@ -36,6 +36,8 @@ const TOLERANCE: f64 = 3e-5;
 /// Relative step in φ^¼ at which the direct solves end: 4e-8 of the share.
 const DIRECT_TOLERANCE: f64 = 1e-8;
 
+/// Relative step of the difference quotient of ln Ψ over σ_d.
+const INLET_STEP: f64 = 1e-4;
 /// Thinnest film in a valley or on a peak of the ripple, over the smooth film.
 const THINNEST_RIPPLE: f64 = 0.2;
 /// Lay factors t of the lays 1 and 1/3: σ_d is of all heights at the first, of the heights above the mean line at the second.
@@ -495,8 +497,8 @@ impl<'a> PositionFilm<'a> {
             return Ok((1.0 - 1.0 / (psi * psi)) / sigma);
         }
         let at = |part: f64| self.inlet_factor(attenuated_rms * part);
-        let step = 1e-4;
-        Ok((at(1.0 + step)? / at(1.0 - step)?).ln() / (2.0 * step * sigma))
+        let quotient = at(1.0 + INLET_STEP)? / at(1.0 - INLET_STEP)?;
+        Ok(quotient.ln() / (2.0 * INLET_STEP * sigma))
     }
 
     /// h̄(φ) \[m\] with its inputs checked once.

@@ -13,8 +13,8 @@
 //! | b_k, l_k | its extents along rolling and along the lead | m |
 //! | σ_x, σ_y | standard deviations of the places of its pressure | m |
 //!
-//! All of them are continuous functions of the pressures, except that the extent along the lead becomes infinite where it
-//! reaches Λ. They have kinks where another cell becomes the lowest between two peaks or the highest of a peak, or where a peak
+//! All of them are continuous functions of the pressures, with one exception: where the extent along the lead reaches Λ, the length
+//! becomes infinite, the joint load falls by 21 % and the width by 25 %. They have kinks where another cell becomes the lowest between two peaks or the highest of a peak, or where a peak
 //! joins another neighbour first.
 
 use std::f64::consts::{PI, TAU};

@@ -5,7 +5,7 @@
 //! | f_k | load of a spot | N/m |
 //! | F_k, b_k | load and width of the contact that it is part of | N/m, m |
 //! | l_k | its extent along the lead, infinite on a line | m |
-//! | R_k | radius of the Hertz contact with that load and width | m |
+//! | R_k | radius of the Hertz line contact with that load and width; of an ellipse -26 % (l_k/b_k = ½) to +18 % (long) of its radius along rolling | m |
 //! | h_k | film thickness of that contact by Moes, at the surface temperature of the whole contact | m |
 //! | u_m, a | entrainment speed and half width of the whole contact | m/s, m |
 //! | k | part of its way through the contact in which a spot is one that formed in the inlet | - |
@@ -151,6 +151,8 @@ fn carried_part(entrainment: f64, sliding: f64, half_width: f64, width: f64) -> 
 /// ```text
 /// h_k = h_Moes (1 − 0.61 e^(−0.73 l_k/b_k))                                  [Spot-side-flow]
 /// ```
+///
+/// For l_k < b_k this extrapolates the fit. The factor of a point contact on Moes' film of a line is no published combination.
 ///
 /// # Errors
 /// When the ratio of the axes is not positive.

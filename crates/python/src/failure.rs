@@ -68,8 +68,9 @@ fn raised(py: Python<'_>, fault: &Fault) -> PyResult<PyErr> {
 pub fn asked<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Failure> {
     // The user wrote no JSON, in which there would be such a line.
     let of_value = |error: serde_json::Error| {
+        let place = format!(" at line {} column {}", error.line(), error.column());
         let text = error.to_string();
-        text.split(" at line ").next().unwrap_or(&text).to_owned()
+        text.strip_suffix(&place).unwrap_or(&text).to_owned()
     };
     serde_json::from_str(text).map_err(|error| Failure::new(Code::E204, of_value(error)))
 }

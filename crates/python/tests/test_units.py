@@ -56,7 +56,7 @@ def test_a_speed_of_pint_without_an_angle_counts_turns_as_text_does(drive, a_map
         assert case.run("losses").loss_w == pytest.approx(drive.replace(speed="9000 1/min").run("losses").loss_w, rel=1e-12), speed
     at = a_map.loss_torque(torque=50 * unit.N * unit.m, speed=3000 / unit.minute)
     assert at.shape == () and at == pytest.approx(a_map.loss_torque(torque_nm=50, speed_rpm=3000), rel=1e-12)
-    with pytest.raises(AsperityError, match="a difference of temperatures"):
+    with pytest.raises(AsperityError, match="a temperature difference"):
         drive.replace(temperature=unit.Quantity(363.15, "delta_degC"))
     deviation = drive.replace({"operation.temperature_deviation": unit.Quantity(3, "delta_degC")})
     assert deviation == drive.replace({"operation.temperature_deviation": "3 K"}) and 'temperature_deviation = "3 K"' in deviation.to_toml()

@@ -42,7 +42,7 @@ pub(crate) fn outside(uncertainty: &Uncertainty) -> Option<String> {
     let sides: Vec<String> = sides.into_iter().flatten().collect();
     let beside = match uncertainty.structures.len() {
         0 => String::new(),
-        count => format!(" beside the {count} drawn ones"),
+        count => format!(" besides the {count} drawn ones"),
     };
     (!sides.is_empty()).then(|| {
         format!(

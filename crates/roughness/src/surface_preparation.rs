@@ -1,7 +1,7 @@
 //! Preparation of a measured surface: form, noise and waviness removed in both directions.
 //!
 //! The recipe is the one of traces. Along the rows, the direction of rolling, a surface without change across is prepared as each of
-//! its rows is ([`prepare`](crate::preparation::prepare)). Between the rows the offsets stay that a trace loses with its mean line: a
+//! its rows is ([`prepare`](crate::preparation::prepare)). Offsets between rows, which a trace loses with its mean line, remain: a
 //! wave that is long along the rows and short across them is roughness.
 //!
 //! Source: ISO 16610-61, quoted from public programs; the standard was not available.
@@ -17,6 +17,7 @@ use crate::form::{self, Form};
 use crate::gaussian_filter::{Ends, mean_line};
 use crate::lay::bridged;
 use crate::preparation::Preparation;
+use crate::resampling::respaced;
 
 /// Largest share of missing points that are bridged.
 const MOST_MISSING: f64 = 0.25;
@@ -65,6 +66,31 @@ impl PreparedSurface {
     #[must_use]
     pub fn row(&self, k: usize) -> &[f64] {
         &self.heights[k * self.columns..(k + 1) * self.columns]
+    }
+
+    /// The surface with other distances of its points and rows, [`respaced`] in both directions.
+    ///
+    /// # Errors
+    /// When a distance is not positive, or a row would have too many points.
+    pub fn respaced(self, spacings: [Length; 2]) -> Result<Self, DomainError> {
+        let given = Lines {
+            heights: self.heights,
+            length: self.columns,
+        };
+        let rows = given.respaced(self.spacings[0], spacings[0])?;
+        let made = match self.spacings[1] == spacings[1] {
+            true => rows,
+            false => rows
+                .turned()
+                .respaced(self.spacings[1], spacings[1])?
+                .turned(),
+        };
+        Ok(Self {
+            heights: made.heights,
+            columns: made.length,
+            spacings,
+            record: self.record,
+        })
     }
 }
 
@@ -187,18 +213,26 @@ impl Lines {
         }
     }
 
-    /// Every line replaced by `change` of it.
-    fn each(
-        &self,
-        change: impl Fn(&[f64]) -> Result<Vec<f64>, RoughnessError>,
-    ) -> Result<Self, RoughnessError> {
+    /// Every line replaced by `change` of it, to lines of equal length.
+    fn each<E>(&self, change: impl Fn(&[f64]) -> Result<Vec<f64>, E>) -> Result<Self, E> {
         let mut heights = Vec::with_capacity(self.heights.len());
+        let mut length = self.length;
         for line in self.lines() {
-            heights.extend(change(line)?);
+            let line = change(line)?;
+            length = line.len();
+            heights.extend(line);
         }
-        Ok(Self {
-            heights,
-            length: self.length,
+        Ok(Self { heights, length })
+    }
+
+    /// All lines with points at another distance.
+    fn respaced(self, from: Length, to: Length) -> Result<Self, DomainError> {
+        if from == to {
+            return Ok(self);
+        }
+        self.each(|line| {
+            let line = Profile::new(from, line.to_vec())?;
+            Ok(respaced(&line, to)?.into_heights())
         })
     }
 

@@ -88,7 +88,7 @@ impl<'a> RoughFilm<'a> {
         let flattening = match self.flattening {
             Some(known) => known,
             None => match self.surfaces.sheets() {
-                Some(sheets) => self.film.patch_flattening(sheets.pair()?)?,
+                Some(sheets) => self.film.patch_flattening(sheets.passing()?)?,
                 None => self.film.flattening(self.surfaces.pair_spectrum()?)?,
             },
         };

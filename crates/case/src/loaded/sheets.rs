@@ -37,9 +37,8 @@ pub(crate) fn sheets_of(
         let rule = "replaces spikes of traces; leave it out with contact = \"patch\"";
         return Err(section.conflict("outliers", rule));
     }
-    let mut made: Vec<PreparedSurface> = Vec::with_capacity(2);
     let mut along = Length::default();
-    for (body, keys) in keys.iter().enumerate() {
+    let mut of_body = |body: usize| {
         let ([listed], [flank]) = (lists[body].as_slice(), flanks[body].as_slice()) else {
             let rule = "patch takes one scan of each flank, whole; leave traces and rows out";
             return Err(section.conflict("contact", rule));
@@ -48,13 +47,16 @@ pub(crate) fn sheets_of(
             // Its rows have the common spacing of traces.
             along = row.spacing();
         }
-        let surface = whole(body, (listed, flank), keys, context)?;
+        let surface = whole(body, (listed, flank), &keys[body], context)?;
         if surface.record.bridged > 0.0 {
             warnings.push(bridged(&flank.report, surface.record.bridged));
         }
-        made.push(surface);
-    }
-    let sheets = Sheets::of([&made[0], &made[1]], along);
+        Ok(surface)
+    };
+    let both = [of_body(0)?, of_body(1)?];
+    let text = "patches of both scans are in contact; fields and pictures of one contact, and roughness parameters, are of the middle row of each scan";
+    warnings.push(Warning::new(Code::W459, text));
+    let sheets = Sheets::of(both, along);
     let sheets = sheets.map_err(section.domain("contact"))?;
     Ok(Arc::new(sheets))
 }
@@ -64,7 +66,7 @@ fn bridged(report: &FlankReport, share: f64) -> Warning {
     let file = report.file.as_deref().unwrap_or_default();
     let percent = 100.0 * share;
     let text = format!(
-        "{file}: {percent:.1} % of the points of the scan have no height, and lines between their neighbours stand there"
+        "{file}: {percent:.1} % of the points of the scan have no height; lines between their neighbours are in their place"
     );
     Warning::new(Code::W460, text)
 }

@@ -52,7 +52,7 @@ impl Grid {
         self.inverse.len()
     }
 
-    /// Sum of the inflows from the four neighbours by their pressures, for each cell of row `j` in turn.
+    /// Calls a function with each cell of row `j`, its neighbours and their conductances.
     #[inline(always)]
     fn visit(
         &self,
@@ -92,7 +92,7 @@ impl Grid {
         }
     }
 
-    /// Outflow of each cell at the pressures `p`, subtracted from `sources`.
+    /// `sources` less the outflow of each cell at the pressures `p`.
     pub fn residual(&self, sources: &[f64], p: &[f64], residual: &mut [f64]) {
         for j in 0..self.size[1] {
             self.visit(j, false, |c, cells, faces| {
@@ -221,8 +221,7 @@ impl Grids {
         &self.levels[0].grid
     }
 
-    /// Pressures of which every cell's outflow is its source, by conjugate gradients until `is_done` of the iterate and its
-    /// residual.
+    /// Pressures at which every cell's outflow equals its source, by conjugate gradients until `is_done` of grid and pressures.
     pub fn solve(
         &mut self,
         sources: &[f64],

@@ -7,12 +7,13 @@ use asperity_mixed_film::{ContactTable, PatchWindow, RoughContact};
 const COLUMNS: usize = 300;
 const LOAD: f64 = 2e5;
 
-/// Heights of a trace that wanders by `phase`, of the root mean square 0.2 µm.
+/// Heights of a trace whose waves have phases that depend on `phase`, rms 0.16 µm.
 fn trace(phase: f64) -> Vec<f64> {
     let height = |i: usize| {
         let waves = (4..60).map(|k| {
             let k = f64::from(k);
-            k.powf(-1.3) * (std::f64::consts::TAU * k * i as f64 / 300.0 + k * k + phase * k).cos()
+            k.powf(-1.3)
+                * (std::f64::consts::TAU * k * i as f64 / COLUMNS as f64 + k * k + phase * k).cos()
         });
         0.8e-6 * waves.sum::<f64>()
     };

@@ -77,7 +77,7 @@ def in_unit(value: Any, quantity: str, unit: Optional[str] = None) -> Any:
     unit = unit or SI_UNITS.get(quantity, "")
     try:
         if quantity == "Temperature" and "delta_" in str(getattr(value, "units", "")):
-            raise ValueError("a difference of temperatures is no temperature")
+            raise ValueError("a temperature difference is not a temperature")
         magnitude, angle = value.to(_PINT.get(unit, unit)).magnitude, _angle(value, quantity)
         return magnitude if angle == 1.0 else angle * magnitude
     except Exception as error:

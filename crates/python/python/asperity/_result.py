@@ -184,7 +184,7 @@ class RunResult(Values, ResultValues):
         return Table(self._values.get("warnings", []), ["code", "text"])
 
     def _doubts(self) -> list[Mapping[str, Any]]:
-        """Its warnings, each once; of several meshes with the names of those that it is about."""
+        """Its warnings, each once; of several meshes, each with the names of its meshes."""
         if not self._is_train:
             return list(self._values.get("warnings", []))
         of: dict[tuple[str, str], list[str]] = {}

@@ -15,7 +15,7 @@ from ._result import RunResult
 
 
 _STUDIES = ("compare", "sensitivity", "ridges", "callout", "sweep", "calibration", "design", "evidence", "cycle", "change", "oil_fit", "oil_plan", "traction", "stribeck")
-"""Names of the JSON files of studies but maps."""
+"""Names of the JSON files of all studies except maps."""
 
 
 def _read(file: Path) -> tuple[str, Any]:
@@ -27,8 +27,8 @@ def _read(file: Path) -> tuple[str, Any]:
         raise AsperityError(f"{file}: is damaged: {error}", Code.E402) from error
 
 
-def _of_train(place: Path, file: Path) -> RunResult:
-    """The result of a gear train or planetary set, with those of its meshes in their folders."""
+def _with_meshes(place: Path, file: Path) -> RunResult:
+    """The result of several meshes, each read from its folder."""
     text, values = _read(file)
     made = RunResult(values)
     made._json = text
@@ -65,7 +65,7 @@ def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Reco
     if not (place / "result.json").is_file():
         for file in (place / "train.json", place / "planetary.json"):
             if file.is_file():
-                return _of_train(place, file)
+                return _with_meshes(place, file)
         for name in _STUDIES:
             if (place / f"{name}.json").is_file():
                 return Record(_read(place / f"{name}.json")[1])

@@ -112,7 +112,7 @@ fn run_in(of: &ChangeInCase) -> Option<String> {
     let heights: Vec<String> = heights.collect();
     Some(format!(
         "Run in by model.run_in, both flanks before the test lose {predicted} W in place of {before} W; those measured after it lose \
-         {after} W, all with constants at their medians. With the filters of the case it predicts {}.",
+         {after} W, all with constants at their medians. With the filters of the case, model.run_in predicts {}.",
         heights.join("; ")
     ))
 }

@@ -138,8 +138,9 @@ fn compared<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
     }
 }
 
-/// Text above the measurements.
+/// Text if no measurement decides an undecided difference.
 const NONE_DECIDES: &str = "None of them alone decides a difference that is undecided.";
+/// Text above the measurements.
 const DECIDING: &str = "Each line is the interval of the difference, from 5 to 95 %, that the measurement leaves at best: as if it were \
     exact. Without the name of a variant, one measurement serves both.";
 

@@ -198,7 +198,8 @@ pub fn variants(
     Ok(found)
 }
 
-/// The case with other values of its keys. One that names an oil leaves out the oil of the case, and its calibration.
+/// The case with the values `keys` and without the keys `unset`. One that names an oil leaves out the oil of the case, and its
+/// calibration.
 ///
 /// # Errors
 /// When a key is not known or set twice, nothing changes, or the changed case cannot be run.
