@@ -265,6 +265,17 @@ fn a_surface_is_generated_like_a_measured_one() {
         bench.run(&run).well().json()
     };
     let made = like("3", "three.x3p");
+    // Pieces or spectrum as its rows are, or as asked.
+    let spectrum = "profile generate --like flank.sur --method spectrum --json -o spectrum.x3p";
+    let spectrum = bench.run(&spectrum.split(' ').collect::<Vec<_>>()).well();
+    assert_eq!(spectrum.json()["pieces"], serde_json::json!([]));
+    let pieces = "profile generate --like flank.sur --method pieces --json -o pieces.x3p";
+    let pieces = bench
+        .run(&pieces.split(' ').collect::<Vec<_>>())
+        .well()
+        .json();
+    assert_eq!(pieces["pieces"][0]["file"], "flank.sur");
+    assert_eq!(pieces["pieces"][0]["size_um"][1], 60.0, "{pieces}");
     like("4", "four.x3p");
     like("3", "again.x3p");
     let bytes = |name: &str| std::fs::read(bench.path(name)).unwrap();

@@ -21,6 +21,8 @@ mod finishes;
 const GIVEN: usize = 6;
 /// Pairs of generated traces, and of traces left out.
 const PAIRS: usize = 20;
+/// Surfaces of each finish.
+const REPETITIONS: u64 = 3;
 const TORQUES: [&str; 3] = ["20 N m", "50 N m", "145 N m"];
 
 /// Loss of the e-drive with each pair of traces \[W\].
@@ -46,71 +48,96 @@ fn e_drive(torque: &str) -> LoadedCase {
     asperity::case::load_with(&file, &set).unwrap()
 }
 
-/// Prints losses of the pairs of both groups of traces as a row.
-fn row(name: &str, torque: &str, left_out: &[Profile], made: &[Profile]) {
+/// Traces left out and traces generated like six others of the same surface.
+type Groups = [Vec<Profile>; 2];
+
+/// Prints losses of the pairs of both groups of traces of all repetitions as a row.
+///
+/// The generated traces of a repetition follow its six given ones, which are a sample: what they have in common scatters as the mean
+/// of three pairs.
+fn row(name: &str, torque: &str, repetitions: &[Groups]) {
     let case = e_drive(torque);
-    let [left_out, made] = [left_out, made].map(|traces| {
-        let losses = losses_of(&case, traces);
-        (mean(losses.iter().copied()), deviation(&losses).unwrap())
-    });
-    let error = |deviation: f64| deviation / (PAIRS as f64).sqrt();
-    let errors = error(left_out.1).hypot(error(made.1));
+    let mut means = [0.0; 2];
+    let mut variances = [0.0; 2];
+    let share = 1.0 / repetitions.len() as f64;
+    for groups in repetitions {
+        for (k, traces) in groups.iter().enumerate() {
+            let losses = losses_of(&case, traces);
+            means[k] += share * mean(losses.iter().copied());
+            variances[k] += share * deviation(&losses).unwrap().powi(2);
+        }
+    }
+    let errors = variances.map(|variance| (variance * share / PAIRS as f64).sqrt());
+    let of_given = (variances[0] * share * 2.0 / GIVEN as f64).sqrt();
+    let [left_out, made] = means;
     println!(
-        "| {name} | {torque} | {:.2} ± {:.2} | {:.2} ± {:.2} | {:.1} | {:.2} |",
-        left_out.0,
-        error(left_out.1),
-        made.0,
-        error(made.1),
-        (made.0 - left_out.0) / errors,
-        made.1 / left_out.1
+        "| {name} | {torque} | {left_out:.2} ± {:.2} | {made:.2} ± {:.2} | {of_given:.2} | {:.1} | {:.2} |",
+        errors[0],
+        errors[1],
+        (made - left_out) / errors[0].hypot(errors[1]).hypot(of_given),
+        (variances[1] / variances[0]).sqrt()
     );
 }
 
 #[test]
 #[ignore = "many minutes; docs/records/generated-profiles.md has its table"]
 fn losses_of_generated_flanks() {
-    for finish in FINISHES {
-        let all = traces(finish, GIVEN + 2 * PAIRS, seed_of(1));
-        let (given, left_out) = all.split_at(GIVEN);
-        let (_, made) = made_like(given, 2 * PAIRS);
+    for (k, finish) in FINISHES.into_iter().enumerate() {
+        // Each finish has random numbers of its own: with equal seeds the rows would err together.
+        let groups = |repetition: u64| {
+            let seed = seed_of(repetition) + 100 * k as u64;
+            let mut given = traces(finish, GIVEN + 2 * PAIRS, seed);
+            let left_out = given.split_off(GIVEN);
+            [left_out, made_like(&given, 2 * PAIRS).1]
+        };
+        let repetitions: Vec<Groups> = (1..=REPETITIONS).map(groups).collect();
         for torque in TORQUES {
-            row(finish.0, torque, left_out, &made);
+            row(finish.0, torque, &repetitions);
         }
     }
+}
+
+/// Pairs of traces before and after a test, their second relocated on their first.
+type Relocated = (Profile, Profile);
+
+/// Pairs whose peaks were cut by a fifth of the length: given, and those left out relocated.
+fn cut_pairs(finish: finishes::Finish, seed: u64) -> (Vec<[Profile; 2]>, Vec<Relocated>) {
+    let all = traces(finish, GIVEN + 2 * PAIRS, seed);
+    let pairs = all.into_iter().map(|before| {
+        let after = truncated(&before, 0.2).unwrap().0;
+        let after = after.slice(200..before.len()).unwrap();
+        [before, after]
+    });
+    let mut given: Vec<[Profile; 2]> = pairs.collect();
+    let left_out = given.split_off(GIVEN).into_iter().map(|[before, after]| {
+        let found = relocate(&before, &after, Bounds::default()).unwrap();
+        (found.before, found.after)
+    });
+    let left_out = left_out.collect();
+    (given, left_out)
 }
 
 #[test]
 #[ignore = "minutes; docs/records/generated-profiles.md has its table"]
 fn losses_of_states() {
-    for finish in [FINISHES[0], FINISHES[4]] {
-        let all = traces(finish, GIVEN + 2 * PAIRS, seed_of(1));
-        let pairs = all.iter().map(|before| {
-            let after = truncated(before, 0.2).unwrap().0;
-            [before.clone(), after.slice(200..before.len()).unwrap()]
-        });
-        let pairs: Vec<[Profile; 2]> = pairs.collect();
-        let (given, left_out) = pairs.split_at(GIVEN);
-        let left_out = left_out.iter().map(|[before, after]| {
-            let found = relocate(before, after, Bounds::default()).unwrap();
-            (found.before, found.after)
-        });
-        let left_out: Vec<_> = left_out.collect();
+    for (k, finish) in [FINISHES[0], FINISHES[4]].into_iter().enumerate() {
+        let pairs = |repetition| cut_pairs(finish, seed_of(repetition) + 100 * k as u64);
+        let pairs: Vec<_> = (1..=REPETITIONS).map(pairs).collect();
         for state in [0.0, 0.5, 1.0] {
-            let between = |(before, after): &(Profile, Profile)| {
-                let both = before.heights().iter().zip(after.heights());
-                let heights = both.map(|(before, after)| before - state * (before - after));
-                Profile::new(given[0][0].spacing(), heights.collect()).unwrap()
+            let groups = |(given, left_out): &(Vec<[Profile; 2]>, Vec<Relocated>)| {
+                let between = |(before, after): &Relocated| {
+                    let both = before.heights().iter().zip(after.heights());
+                    let heights = both.map(|(before, after)| before - state * (before - after));
+                    Profile::new(given[0][0].spacing(), heights.collect()).unwrap()
+                };
+                let like = Like::of_pairs(&given[0], &given[1..], state).unwrap();
+                let made = |seed| like.generate(seed).unwrap().generated.profile;
+                let made = (1..=2 * PAIRS as u64).map(made).collect();
+                [left_out.iter().map(between).collect(), made]
             };
-            let kept: Vec<Profile> = left_out.iter().map(between).collect();
-            let like = Like::of_pairs(&given[0], &given[1..], state).unwrap();
-            let made = |seed| like.generate(seed).unwrap().generated.profile;
-            let made: Vec<Profile> = (1..=2 * PAIRS as u64).map(made).collect();
-            row(
-                &format!("{}, state {state}", finish.0),
-                "50 N m",
-                &kept,
-                &made,
-            );
+            let repetitions: Vec<Groups> = pairs.iter().map(groups).collect();
+            let name = format!("{}, state {state}", finish.0);
+            row(&name, "50 N m", &repetitions);
         }
     }
 }

@@ -155,7 +155,7 @@ pub struct ProfileGenerateArgs {
     /// Trace or surface to make another like; may be repeated for several of one finish
     #[arg(long, value_name = "FILE", conflicts_with_all = ["points", "spacing", "rq", "hurst", "roll_off", "short_cut"])]
     pub like: Vec<PathBuf>,
-    /// Method of --like: pieces of the traces, or spectrum, their spectrum and heights with random phases [default:
+    /// Method of --like: pieces of the traces or surfaces, or spectrum, their spectrum and heights with random phases [default:
     /// pieces, or spectrum where heights, slopes and curvatures are Gaussian]
     #[arg(long, value_name = "METHOD", value_parser = choice::<Method>, requires = "like")]
     pub method: Option<Method>,

@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
+use asperity_core::quantity::Length;
 use asperity_core::{Code, Fault};
 use asperity_profile_io::read::Surface;
 use asperity_profile_io::write::{WrittenFormat, write_surface};
 use asperity_report::profile_json::um;
 use asperity_roughness::areal::parameters;
-use asperity_roughness::generate::FittedSurface;
+use asperity_roughness::generate::{LONG_WAVES, LikeSurface, MadeSurface, Method};
 use asperity_roughness::lay::bridged;
 use serde_json::json;
 
@@ -17,7 +18,7 @@ use crate::args::{Common, ProfileGenerateArgs};
 use crate::failure::Failure;
 use crate::output::{self, print_json, print_text};
 
-/// Writes a surface with spectrum, heights and lay of the surfaces in `args.like`.
+/// Writes a surface of the kind of those in `args.like`.
 pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failure> {
     let name = args.output.display().to_string();
     if WrittenFormat::of_name(&name) != Some(WrittenFormat::X3p) {
@@ -53,16 +54,19 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
     let heights = surfaces.iter().map(|surface| whole(surface, args));
     let heights: Vec<Vec<f64>> = heights.collect::<Result<_, _>>()?;
     let refused = |error| Failure::new(Code::E120, format!("{}: {error}", first.name));
-    let fit = FittedSurface::to(&heights, first.columns, spacings).map_err(refused)?;
-    let z = fit.generate(args.seed);
-    let bytes = write_surface(&z, first.columns, spacings, &synthetic(args.seed))
+    let like = LikeSurface::to(&heights, first.columns, spacings, args.method).map_err(refused)?;
+    let made = like.generate(args.seed);
+    let z = &made.heights;
+    let bytes = write_surface(z, first.columns, spacings, &synthetic(args.seed))
         .map_err(|error| Fault::unwritten(&name, error))?;
     output::save(Path::new(&args.output), &bytes)?;
-    let areal = parameters(&z, first.columns, spacings).map_err(refused)?;
+    let areal = parameters(z, first.columns, spacings).map_err(refused)?;
     if common.json {
         return print_json(&json!({
             "like": surfaces.iter().map(|surface| &surface.name).collect::<Vec<_>>(),
             "seed": args.seed,
+            "method": made.method,
+            "pieces": pieces(&made, args, spacings),
             "columns": first.columns,
             "rows": first.rows,
             "dx_um": um(dx),
@@ -72,12 +76,45 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
         }));
     }
     let text = format!(
-        "{name}: {} rows of {} points, achieved {}\n",
+        "{name}: {} rows of {} points, achieved {}\n{}\n",
         first.rows,
         first.columns,
-        areal_line(&areal)
+        areal_line(&areal),
+        source(&made, surfaces.len())
     );
     print_text(common, &text)
+}
+
+/// What the surface is made of.
+fn source(made: &MadeSurface, surfaces: usize) -> String {
+    let surfaces = match surfaces {
+        1 => "one surface".to_owned(),
+        several => format!("{several} surfaces"),
+    };
+    match made.method {
+        Method::Pieces => format!(
+            "{} pieces of {surfaces}: waves up to {LONG_WAVES:.1} and rare dales are those of the surfaces given; longer waves are random, with their spectrum",
+            made.pieces.len()
+        ),
+        Method::Spectrum => format!("spectrum and heights of {surfaces}"),
+    }
+}
+
+/// The pieces, with their files, first points and sizes along and across the rows.
+fn pieces(
+    made: &MadeSurface,
+    args: &ProfileGenerateArgs,
+    spacings: [Length; 2],
+) -> serde_json::Value {
+    let lengths = |points: [usize; 2]| [0, 1].map(|d| um(spacings[d]) * points[d] as f64);
+    let piece = |piece: &asperity_roughness::generate::SurfacePiece| {
+        json!({
+            "file": args.like.get(piece.surface),
+            "from_um": lengths(piece.first),
+            "size_um": lengths(piece.size),
+        })
+    };
+    made.pieces.iter().map(piece).collect()
 }
 
 /// Heights without gaps.

@@ -92,25 +92,17 @@ impl FittedSurface {
         columns: usize,
         spacings: [Length; 2],
     ) -> Result<Self, RoughnessError> {
-        let points = surfaces.first().map_or(0, Vec::len);
-        let rows = points / columns.max(1);
-        let rule = "must be at most 2097152, and the same of all surfaces";
-        let mut densities = vec![[0.0_f64; 2]; 2 * bands(columns) * bands(rows)];
+        let mut densities = Vec::new();
         let mut all = Vec::new();
-        for z in surfaces {
-            let is_sound = z.len() == points && points <= MOST_POINTS;
-            DomainError::require(is_sound, "number of points", z.len() as f64, "-", rule)?;
-            let missing = z.iter().filter(|z| !z.is_finite()).count();
-            let rule = "must be zero";
-            DomainError::require(missing == 0, "missing heights", missing as f64, "-", rule)?;
-            let grid = Grid::level(z, columns, spacings)?;
-            all.extend_from_slice(grid.heights());
-            add_density(grid.heights(), columns, &mut densities);
+        for z in levelled(surfaces, columns, spacings)? {
+            densities.resize(2 * bands(columns) * bands(z.len() / columns), [0.0; 2]);
+            add_density(&z, columns, &mut densities);
+            all.extend(z);
         }
         let mean = |[sum, count]: [f64; 2]| if count > 0.0 { sum / count } else { 0.0 };
         Ok(Self {
             columns,
-            rows,
+            rows: surfaces.first().map_or(0, Vec::len) / columns.max(1),
             spacings,
             density: densities.into_iter().map(mean).collect(),
             heights: distribution(all, TAIL, INNER),
@@ -182,6 +174,27 @@ impl FittedSurface {
         }
         self.density[place(x, y, self.columns)]
     }
+}
+
+/// The heights of `surfaces` over their least-squares planes.
+pub(super) fn levelled(
+    surfaces: &[Vec<f64>],
+    columns: usize,
+    spacings: [Length; 2],
+) -> Result<Vec<Vec<f64>>, RoughnessError> {
+    let rule = "must be at least one";
+    DomainError::require(!surfaces.is_empty(), "number of surfaces", 0.0, "-", rule)?;
+    let points = surfaces[0].len();
+    let level = |z: &Vec<f64>| {
+        let is_sound = z.len() == points && points <= MOST_POINTS;
+        let rule = "must be at most 2097152, and the same of all surfaces";
+        DomainError::require(is_sound, "number of points", z.len() as f64, "-", rule)?;
+        let missing = z.iter().filter(|z| !z.is_finite()).count();
+        let rule = "must be zero";
+        DomainError::require(missing == 0, "missing heights", missing as f64, "-", rule)?;
+        Ok(Grid::level(z, columns, spacings)?.heights().to_vec())
+    };
+    surfaces.iter().map(level).collect()
 }
 
 /// Index of the band of frequencies in lines; a wave and its opposite are the same.

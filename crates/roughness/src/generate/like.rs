@@ -1,4 +1,4 @@
-//! Traces like measured ones: of pieces where heights, slopes or curvatures are not Gaussian, of spectrum and heights elsewhere.
+//! Traces and surfaces like measured ones: of pieces where heights, slopes or curvatures are not Gaussian, of spectrum and heights elsewhere.
 //!
 //! Source: Lobato and Velasco 2004, the scatter of skewness and kurtosis of correlated Gaussian numbers.
 //!
@@ -15,7 +15,9 @@ use serde::{Deserialize, Serialize};
 
 use super::achieved::Generated;
 use super::fitted::{Fitted, levelled};
+use super::fitted_surface::FittedSurface;
 use super::pieces::{Piece, Pieces};
+use super::surface_pieces::{SurfacePiece, SurfacePieces};
 use crate::Warning;
 use crate::autocorrelation::autocorrelation;
 use crate::error::RoughnessError;
@@ -53,6 +55,101 @@ pub struct Like {
 enum Maker {
     Pieces(Pieces),
     Spectrum(Fitted),
+}
+
+/// Maker of surfaces like measured ones.
+#[derive(Debug, Clone)]
+pub enum LikeSurface {
+    /// Of pieces.
+    Pieces(SurfacePieces),
+    /// Of spectrum and heights.
+    Spectrum(FittedSurface),
+}
+
+/// A surface like measured ones.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct MadeSurface {
+    /// Heights \[m\], row by row.
+    pub heights: Vec<f64>,
+    /// Its method.
+    pub method: Method,
+    /// Its pieces in order; none of a spectrum.
+    pub pieces: Vec<SurfacePiece>,
+}
+
+/// Rows of a surface by which its method is chosen; ridges along the lead make close ones equal.
+const ROWS: usize = 4;
+
+impl LikeSurface {
+    /// Prepares `surfaces`, heights \[m\] row by row, all of the same size and spacings.
+    ///
+    /// Without a `method`, surfaces are made of pieces unless heights, slopes and curvatures of four rows of each are Gaussian.
+    ///
+    /// # Errors
+    /// When a surface has too few or too many points, heights are missing, or the sizes differ.
+    ///
+    /// ```
+    /// use asperity_core::quantity::Length;
+    /// use asperity_roughness::generate::{LikeSurface, Method};
+    /// // Dimples every 60 um on a plane.
+    /// let columns = 400;
+    /// let dimple = |k: usize| {
+    ///     let r = ((k % columns % 60) as f64 - 30.0).hypot((k / columns % 60) as f64 - 30.0);
+    ///     -1e-6 * (1.0 - r / 20.0).max(0.0)
+    /// };
+    /// let z: Vec<f64> = (0..columns * 300).map(dimple).collect();
+    /// let like = LikeSurface::to(&[z], columns, [Length::from_si(1e-6); 2], None)?;
+    /// assert_eq!(like.generate(1).method, Method::Pieces);
+    /// # Ok::<(), asperity_roughness::RoughnessError>(())
+    /// ```
+    pub fn to(
+        surfaces: &[Vec<f64>],
+        columns: usize,
+        spacings: [Length; 2],
+        method: Option<Method>,
+    ) -> Result<Self, RoughnessError> {
+        let of_rows = || {
+            let mut rows = Vec::new();
+            for z in surfaces {
+                let count = z.len() / columns.max(1);
+                for row in z
+                    .chunks(columns.max(1))
+                    .step_by(count.div_ceil(ROWS).max(1))
+                {
+                    // A flat row has no shape.
+                    if row.iter().any(|z| *z != row[0]) {
+                        rows.push(Profile::new(spacings[0], row.to_vec())?);
+                    }
+                }
+            }
+            chosen(&rows)
+        };
+        Ok(match method.map_or_else(of_rows, Ok)? {
+            Method::Pieces => Self::Pieces(SurfacePieces::to(surfaces, columns, spacings)?),
+            Method::Spectrum => Self::Spectrum(FittedSurface::to(surfaces, columns, spacings)?),
+        })
+    }
+
+    /// A surface of the size of those given.
+    #[must_use]
+    pub fn generate(&self, seed: u64) -> MadeSurface {
+        match self {
+            Self::Pieces(maker) => {
+                let made = maker.generate(seed);
+                MadeSurface {
+                    heights: made.heights,
+                    method: Method::Pieces,
+                    pieces: made.pieces,
+                }
+            }
+            Self::Spectrum(maker) => MadeSurface {
+                heights: maker.generate(seed),
+                method: Method::Spectrum,
+                pieces: Vec::new(),
+            },
+        }
+    }
 }
 
 /// A trace like measured ones.

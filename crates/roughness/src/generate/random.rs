@@ -21,6 +21,11 @@ impl Random {
     pub(super) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.uniform()
     }
+
+    /// One of the numbers below `count`.
+    pub(super) fn below(&mut self, count: usize) -> usize {
+        (self.between(0.0, count as f64) as usize).min(count.saturating_sub(1))
+    }
 }
 
 #[cfg(test)]
