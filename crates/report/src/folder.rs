@@ -375,8 +375,9 @@ pub fn redraw(path: &Path, position: Option<usize>) -> Result<PathBuf, Fault> {
     let name = path.file_name().filter(|_| !path.is_dir());
     let name = name.map_or(MARK.into(), |name| name.to_string_lossy().into_owned());
     let mut read = vec![name, PAGE_TABLES.to_owned()];
-    let mut shown: PageTables =
-        read_json(&folder.join(PAGE_TABLES), |json| serde_json::from_slice(json))?;
+    let mut shown: PageTables = read_json(&folder.join(PAGE_TABLES), |json| {
+        serde_json::from_slice(json)
+    })?;
     let chosen = shown_position(&result, position)?;
     let is_there = |number: usize| {
         shown

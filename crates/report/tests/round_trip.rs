@@ -53,7 +53,10 @@ fn every_fixture_case_is_equal_after_a_round_trip_through_json() {
 fn a_result_with_the_older_names_of_the_loss_factors_is_read() {
     let result = smallest().result;
     let mut older = serde_json::to_value(&result).unwrap();
-    for (table, now) in [("summary", "loss_factor_ohlendorf"), ("load", "loss_factor_local")] {
+    for (table, now) in [
+        ("summary", "loss_factor_ohlendorf"),
+        ("load", "loss_factor_local"),
+    ] {
         let table = older[table].as_object_mut().unwrap();
         let value = table.remove(now).unwrap();
         table.insert("loss_factor".to_owned(), value);
