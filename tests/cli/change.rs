@@ -150,7 +150,7 @@ fn with_a_case_the_loss_of_height_has_a_wear_coefficient_and_a_paired_difference
     );
     assert!(
         text.contains("he flanks after the test ")
-            && text.contains("Run in by model.run_in, both flanks before the test lose "),
+            && text.contains("The flanks before the test lose "),
         "{text}"
     );
     let json = bench.run(&[&line[..], &["--json"]].concat()).json();

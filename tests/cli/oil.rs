@@ -494,7 +494,16 @@ fn a_plan_lists_its_curves_and_the_errors_that_they_leave() {
         "-o",
         "both",
     ]);
-    assert!(both["stages"][1]["loss_deviation"].is_number());
+    assert!(both["stages"][1]["loss_deviation"].is_number() && both["remaining_width"].is_null());
+    let width = of_case["remaining_width"].as_f64().unwrap();
+    let evidence = bench.run(&["evidence", "case.toml", "--json"]).well();
+    let evidence = evidence.json();
+    let rows = evidence["rows"].as_array().unwrap();
+    let of_plan = rows.iter().find(|row| row["key"] == "traction-plan");
+    assert_eq!(
+        width,
+        of_plan.map_or(1.0, |row| row["width"].as_f64().unwrap())
+    );
     let rough = bench.run(&[
         "oil", "plan", "--oil", "m100", "--rq", "1 um", "-o", "rough",
     ]);

@@ -34,6 +34,9 @@ const RIG_ERRORS: [f64; 2] = [0.03, 0.03];
 const RIG_POINTS: [usize; 2] = [1, 7];
 const TABLE: &str = "evidence.csv";
 
+/// Name of the traction curves of the standard plan.
+const STANDARD_PLAN: &str = "traction-plan";
+
 /// A kind of measurement with the hours that it takes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Effort {
@@ -49,7 +52,7 @@ impl Effort {
     pub fn usual() -> [Self; 10] {
         [
             ("traction-curve", None),
-            ("traction-plan", None),
+            (STANDARD_PLAN, None),
             ("stribeck-curve", Some(2.0)),
             ("areal-scan", Some(1.0)),
             ("thermocouple", Some(2.0)),
@@ -198,6 +201,27 @@ impl EvidenceTable {
             no_curves,
             is_temperature_drawn: train.meshes().any(|mesh| operation(&mesh.case)),
             rows,
+        })
+    }
+
+    /// Width of the interval of ln loss that traction curves of the standard plan leave, over its present width; `None` if the loss has
+    /// no interval.
+    ///
+    /// # Errors
+    /// When the case has no loss.
+    pub(crate) fn of_standard_plan(
+        case: LoadedCase,
+        progress: Progress<'_>,
+    ) -> Result<Option<f64>, Fault> {
+        if !has_band(&case) {
+            return Ok(None);
+        }
+        let table = Self::of(&case.into(), &Effort::usual(), progress)?;
+        let of_plan = table.rows.iter().find(|row| row.key == STANDARD_PLAN);
+        // Curves that do not narrow the interval have no row.
+        Ok(match table.no_curves {
+            None => Some(of_plan.map_or(1.0, |row| row.width)),
+            Some(_) => None,
         })
     }
 }
@@ -362,7 +386,7 @@ fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<OfFilm, Faul
     let rows = [
         ("traction-curve", "one traction curve of the oil"),
         (
-            "traction-plan",
+            STANDARD_PLAN,
             "traction curves of the oil, the standard plan",
         ),
     ];
@@ -465,9 +489,9 @@ impl EvidenceTable {
 }
 
 /// Meaning of the numbers.
-const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median. In brackets: the 5 and 95 % quantiles of the loss. Remaining width: width of this interval of ln loss over the present one. The result of a measurement also moves the median. A second set has the same gears with other flanks. Traction curves leave the film itself and the error of its law.";
+const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median. In brackets: the 5 and 95 % quantiles of the loss. Remaining width: the width of this interval over its present width, both of ln loss. A measurement also moves the median. A second set has the same gears with other flanks. Traction curves do not narrow the film thickness and the error of its law.";
 /// Commands that plan a measurement.
-const PLANS: &str = "These measurements narrow the loss of this case. Constants for other points and gears need more points: asperity design plans them on a rig, asperity oil plan on a traction machine.";
+const PLANS: &str = "These measurements narrow the interval of the loss of this case. Constants for other points and gears need more points: asperity design plans them on a rig, asperity oil plan on a traction machine.";
 /// Meaning of the hours.
 const HOURS: &str = "Measured first: the quickest of those that leave at most 3 % of the present width more than the narrowest. Durations are usual ones, of measuring and its preparation on existing parts; of traction curves they are computed, as by asperity oil plan. Making a second set of gears is not included.";
 /// A quantity without a line.

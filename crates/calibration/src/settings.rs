@@ -90,7 +90,7 @@ impl StudySettings for CalibrationSettings {
 settings! {
     /// Settings of a design of measurements.
     pub struct DesignSettings {
-        /// Torques to choose from in N m: a..b:n, a..b:n:log or a list, with % behind it in parts of the torque of the case
+        /// Torques to choose from in N m, or with a final % in percent of the torque of the case: a..b:n, a..b:n:log or a list
         /// [default: a third of the largest, and the largest]
         [value_name = "AXIS", conflicts_with = "torque_max_nm"] torque: Option<Nodes>,
         /// Speeds to choose from in 1/min, or in % of the speed of the case [default: 8 speeds from a fiftieth of the largest up to it]

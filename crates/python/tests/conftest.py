@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import shutil
@@ -15,6 +16,7 @@ import numpy as np
 import pytest
 
 import asperity
+from asperity._quantity import SI_UNITS, si
 from asperity._record import Record, TableOf, Values
 from asperity._study import Study
 
@@ -118,6 +120,23 @@ def undeclared(values, within=""):
                 yield from undeclared(one, f"{type(values).__name__}: ")
 
 
+def quantities_as_text(value, within=""):
+    """Paths of texts that are a number with a unit, but not what a case, a recipe or the library states."""
+    if isinstance(value, dict):
+        for name, item in value.items():
+            if name not in ("input", "inputs", "defaults", "changes", "recipe", "preset", "from", "to"):
+                yield from quantities_as_text(item, f"{within}.{name}")
+    elif isinstance(value, list):
+        for item in value:
+            yield from quantities_as_text(item, within)
+    elif isinstance(value, str) and value[:1] in {*"-0123456789"}:
+        for quantity in SI_UNITS:
+            with contextlib.suppress(asperity.AsperityError):
+                si(value, quantity)
+                yield f"{within} = {value!r}"
+                break
+
+
 @pytest.fixture(autouse=True)
 def every_study_has_what_its_class_declares(monkeypatch):
     """Fails where a study of a test has a value that type checkers do not know."""
@@ -125,6 +144,7 @@ def every_study_has_what_its_class_declares(monkeypatch):
 
     def checked(self, raw):
         begin(self, raw)
+        assert not [*quantities_as_text(self._values)], "numbers whose names end with their units"
         assert not [*undeclared(self)], "name an example in MORE of crates/python/typed.py that has it, and run typed.py"
 
     monkeypatch.setattr(Study, "__init__", checked)

@@ -59,7 +59,7 @@ film.speed_exponent = 1.0
 
 def test_a_film_law_and_a_load_share_have_closed_forms(drive):
     result = drive.replace({"model.thermal": "none"}).with_laws(film_thickness=film).run(band=False)
-    path, viscosity = result.path, 1e-3 * float(result.lubricant.dynamic_viscosity.split()[0])
+    path, viscosity = result.path, 1e-3 * result.lubricant.dynamic_viscosity_mpa_s
     expected = 2.45 * viscosity * 2 * path.entrainment_m_per_s * path.radius_mm * 1e-3 / (path.line_load_n_per_mm * 1e3)
     assert np.allclose(path.film_minimum_um * 1e-6, expected, rtol=1e-9)
     half = drive.with_laws(load_share=lambda at: np.where(at.film_ratio > 0, 0.25, 1.0)).run("losses")

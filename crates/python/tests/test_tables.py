@@ -8,7 +8,7 @@ import pytest
 import asperity
 from asperity import _values
 from asperity._record import Table, TableOf, described, is_text
-from conftest import CASES, small, trace
+from conftest import CASES, SETS, quantities_as_text, small, trace
 
 TABLES = {name: kind for name, kind in inspect.getmembers(_values, inspect.isclass) if issubclass(kind, TableOf) and kind is not TableOf}
 PURE = set(
@@ -64,6 +64,34 @@ def test_a_name_ends_with_the_whole_unit():
     for name, unit in (("mean_speed_m_s", "m/s"), ("tilt_um_per_mm", "um/mm"), ("hours", "h"), ("wh_per_100_km", "W h/(100 km)"), ("loss_w", "W")):
         assert described(name)["units"] == unit
     assert not {name for name in PURE if described(name)["units"] != "1"}
+
+
+@pytest.mark.parametrize("of", [
+    lambda case: case.run(),
+    lambda case: case.run("losses"),
+    lambda case: asperity.Case(SETS["train"]).run(),
+    lambda case: case.regime(),
+    lambda case: case.gear(),
+    lambda case: case.film(),
+    lambda case: asperity.steels(),
+    lambda case: asperity.gears(),
+    lambda case: trace(),
+    lambda case: trace().prepare().about,
+    lambda case: asperity.generate(points=4000, spacing=0.5e-6, rq=0.4e-6, hurst=0.8, roll_off=50e-6, short_cut=2e-6, seed=1).about,
+])
+def test_quantities_are_numbers_in_the_unit_of_their_names(case, of):
+    assert [*quantities_as_text(of(case).to_dict())] == []
+
+
+def test_the_transmission_error_is_a_curve_of_numbers(case):
+    gear, load = case.gear(), case.run("contacts").load
+    error = gear.transmission_error
+    assert error.mean_um == pytest.approx(load.transmission_error_um, rel=1e-12)
+    assert error.mesh_stiffness_n_per_mm_um == pytest.approx(load.mesh_stiffness_n_per_mm_um, rel=1e-12)
+    curve = error.curve
+    assert curve.columns == ["phase", "transmission_error_um"] and curve.transmission_error_um.mean() == pytest.approx(error.mean_um, rel=1e-9)
+    assert gear.gears.path.length_mm == pytest.approx(gear.gears.path.e_mm - gear.gears.path.a_mm)
+    assert "transmission_error.curve = 64 values" in repr(gear) and "{" not in repr(gear)
 
 
 def test_stages_of_a_plan_say_their_units():

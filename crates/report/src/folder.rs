@@ -11,7 +11,6 @@ use asperity::result::{Outcome, RunResult};
 use asperity_core::Fault;
 use asperity_storage::{check_written, json_line, save, whole_file, write_among};
 use serde::Serialize;
-use serde::de::DeserializeOwned;
 
 use crate::html;
 use crate::page_tables::{PageTables, shown_position};
@@ -78,7 +77,8 @@ pub(crate) fn title_in(file: &Path) -> Option<String> {
     struct Titled {
         title: String,
     }
-    Some(read_json::<Titled>(file).ok()?.title)
+    let titled: Titled = read_json(file, |json| serde_json::from_slice(json)).ok()?;
+    Some(titled.title)
 }
 
 /// Checks that `outcome` holds the fields to write.
@@ -246,7 +246,25 @@ pub(crate) fn make_subfolder(folder: &Path) -> Result<(), Fault> {
 /// # Errors
 /// When a value is missing or damaged.
 pub fn parse_result(json: &str) -> Result<RunResult, serde_json::Error> {
-    serde_json::from_slice(json.as_bytes())
+    parsed(json.as_bytes())
+}
+
+fn parsed(json: &[u8]) -> Result<RunResult, serde_json::Error> {
+    serde_json::from_slice(json).or_else(|error| older(json).ok_or(error))
+}
+
+/// A result of before 0.1.0, whose loss factors have another name.
+fn older(json: &[u8]) -> Option<RunResult> {
+    let mut result: serde_json::Value = serde_json::from_slice(json).ok()?;
+    for (table, name) in [
+        ("summary", "loss_factor_ohlendorf"),
+        ("load", "loss_factor_local"),
+    ] {
+        let table = result.get_mut(table)?.as_object_mut()?;
+        let factor = table.remove("loss_factor")?;
+        table.insert(name.to_owned(), factor);
+    }
+    serde_json::from_value(result).ok()
 }
 
 /// Reads a result from its folder or its `result.json`, and returns the folder and the result.
@@ -266,17 +284,20 @@ pub fn read_result(path: &Path) -> Result<(PathBuf, RunResult), Fault> {
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
         _ => PathBuf::from("."),
     };
-    let result = read_json(&file)?;
+    let result = read_json(&file, parsed)?;
     Ok((folder, result))
 }
 
-fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, Fault> {
+fn read_json<T>(
+    file: &Path,
+    parsed: impl Fn(&[u8]) -> Result<T, serde_json::Error>,
+) -> Result<T, Fault> {
     let refused = |reason| error::not_a_result(file, reason);
     let bytes = whole_file(file, LARGEST).map_err(|error| match error.kind() {
         std::io::ErrorKind::Other => refused("it is not a file, or too large for a result"),
         _ => refused("there is no such file"),
     })?;
-    serde_json::from_slice(&bytes).map_err(|error| match error.is_data() {
+    parsed(&bytes).map_err(|error| match error.is_data() {
         true => error::damaged(file, value_path(&bytes, &error), error),
         false => refused("it is not JSON"),
     })
@@ -354,7 +375,9 @@ pub fn redraw(path: &Path, position: Option<usize>) -> Result<PathBuf, Fault> {
     let name = path.file_name().filter(|_| !path.is_dir());
     let name = name.map_or(MARK.into(), |name| name.to_string_lossy().into_owned());
     let mut read = vec![name, PAGE_TABLES.to_owned()];
-    let mut shown: PageTables = read_json(&folder.join(PAGE_TABLES))?;
+    let mut shown: PageTables = read_json(&folder.join(PAGE_TABLES), |json| {
+        serde_json::from_slice(json)
+    })?;
     let chosen = shown_position(&result, position)?;
     let is_there = |number: usize| {
         shown

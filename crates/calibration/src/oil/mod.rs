@@ -26,6 +26,7 @@ mod oil_fit;
 mod pcs_text;
 mod plan;
 mod plan_report;
+mod plan_study;
 pub mod problem;
 mod reading;
 pub mod selection;

@@ -161,6 +161,10 @@ pub struct OilPlan {
     /// Changes of the logarithm of its loss by a standard deviation of each constant before any test.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss_slopes: Option<[f64; CONSTANTS]>,
+    /// Width of the interval of ln loss that the standard plan leaves, over its present width, as [`EvidenceTable`](crate::EvidenceTable)
+    /// has it; `None` without a case whose loss has an interval.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub remaining_width: Option<f64>,
     /// Root mean square roughness of both specimens \[nm\].
     pub roughness_nm: f64,
     /// Relative radius of the contact along the motion \[mm\].
@@ -274,6 +278,7 @@ impl OilPlan {
             oil: oil.name.clone(),
             case: case.map(|case| case.case.title.clone()),
             loss_slopes: slopes,
+            remaining_width: None,
             roughness_nm: 1e9 * settings.machine.roughness.si(),
             radius_mm: 1e3 * settings.machine.radii[0].si(),
             stages: stages.collect::<Result<Vec<Stage>, Fault>>()?,

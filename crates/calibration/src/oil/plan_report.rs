@@ -55,7 +55,6 @@ impl StudyResult for OilPlan {
         let report = Report::new(&self.title, format!("{} · traction plan", self.program))
             .section("Expected errors")
             .verdict(verdict(self))
-            .verdict(self.case.as_ref().map(|_| REMAINS))
             .verdict([format!("{choice}.")])
             .text(more_of_standard(self))
             .text([WHEN])
@@ -82,12 +81,9 @@ impl StudyResult for OilPlan {
     }
 }
 
-/// What a plan does not narrow.
-const REMAINS: &str =
-    "The error of the law and all other components of the interval of the loss remain.";
 /// Use of a plan, next to the command that compares all measurements.
-const WHEN: &str = "Traction curves serve all gears with this oil. For the loss of one case, asperity evidence says first what they \
-    leave of its whole interval, and whether another measurement narrows it more.";
+const WHEN: &str = "Traction curves serve all gears with this oil. For the loss of one case, run asperity evidence first: it compares \
+    them with other measurements.";
 /// Purpose of the table to fill in.
 const TO_FILL_IN_TEXT: &str =
     "plan.csv is the table to fill in, with the friction expected before any test.";
@@ -206,8 +202,9 @@ fn verdict(plan: &OilPlan) -> Option<String> {
     if let Some([from, to]) = errors(|stage| stage.loss_deviation) {
         let with_law = to.hypot(100.0 * law_error(0.0));
         return Some(format!(
-            "{takes} what these constants alone add to the loss of the case from {from:.1} to {to:.1} %. With the error of the law, \
-             {with_law:.1} % remain."
+            "{takes} the standard deviation of the loss by these constants from {from:.1} to {to:.1} %. With the error of the law, \
+             {with_law:.1} % remain.{}",
+            plan.remaining_width.map_or(String::new(), whole_interval)
         ));
     }
     let [from, to] = errors(|stage| Some(stage.constants.first()?.deviation))?;
@@ -215,6 +212,18 @@ fn verdict(plan: &OilPlan) -> Option<String> {
         "{takes} the standard deviation of the {} from {from:.1} to {to:.1} %.",
         STATED_CONSTANTS[0].1
     ))
+}
+
+/// The width that the standard plan leaves of the whole interval of the loss.
+fn whole_interval(width: f64) -> String {
+    match (100.0 * width).round() as u32 {
+        ..100 => format!(
+            " The whole interval of the loss keeps {:.0} % of its width.",
+            100.0 * width
+        ),
+        _ => " The whole interval of the loss keeps its width: other components decide it."
+            .to_owned(),
+    }
 }
 
 /// What the standard plan leaves of the error of the Eyring stress against the chosen points, in words; `None` if not less.

@@ -27,7 +27,7 @@ impl StudyResult for Stribeck {
             .table(states(self));
         notes(report, sentences(self), &self.warnings)
             .section("For the case")
-            .heading("Low and high are the 2.5 % and 97.5 % quantiles")
+            .heading("A case file takes the 2.5 % and 97.5 % quantiles as low and high")
             .code(self.block())
             .section("Provenance")
             .table(files(&self.sources))

@@ -22,7 +22,7 @@ from ._keys import Schema, Traces, changes, kind_of, may_name_a_profile, written
 from ._own_laws import Called, Law, exponent_of, name_of
 from ._profile import Profile
 from ._progress import Progress, Steps
-from ._quantity import BY_TEXT, OPERATING, as_keys, refuse_misspelt
+from ._quantity import BY_TEXT, OPERATING, as_keys, in_numbers, refuse_misspelt
 from ._record import Record, Table, warned
 from ._result import Regime, RunResult
 from ._typing import Unpack
@@ -384,10 +384,15 @@ class Case(Fixed):
         """Geometry (``gears``), loss factors and transmission error of the gears under their load, without a run.
 
         ``loss_factor_local`` with its ``band``, and ``loss_factor_ohlendorf``, as in the summary of a run; ``loss_factors`` of every ``law`` of
-        the load over the teeth; ``edge_contact``, ``face_load_factor``, ``transmission_error``, ``iso_mesh_stiffness_n_per_mm_um``,
+        the load over the teeth; ``edge_contact``, ``face_load_factor``, ``transmission_error`` (``mean_um``, ``peak_to_peak_um``,
+        ``mesh_stiffness_n_per_mm_um``, and ``curve`` over the phase), ``iso_mesh_stiffness_n_per_mm_um``,
         ``normal_force_n``.
         """
-        return Record(json.loads(self._raw.gear()))
+        found: dict[str, Any] = json.loads(self._raw.gear())
+        if error := found["transmission_error"]:
+            error["curve"] = [{"phase": phase, "transmission_error": value} for phase, value in error["curve"]]
+            error["mesh_stiffness_n_per_mm_um"] = error.pop("mesh_stiffness") * 1e-9
+        return Record(in_numbers(found))
 
     def to_dict(self) -> dict[str, Any]:
         """The case as given; ``Case(case.to_dict())``, with the ``folder`` of its files, is the same case where its traces are files."""

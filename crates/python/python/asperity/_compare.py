@@ -11,7 +11,7 @@ import numpy as np
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
-from ._errors import wrong_kind
+from ._errors import of_several, wrong_kind
 from ._profile import Profile
 from ._record import Table, drawn, variable
 from ._result import OF_OFFSETS
@@ -47,7 +47,6 @@ def cases_of(case: CaseLike, finishes: Optional[Mapping[str, Variant]]) -> list[
     if not finishes:
         return [(base.title or "case", base._raw)]
 
-
     def made(name: str, of: Variant) -> Case:
         if isinstance(of, Mapping):
             return base._varied(name, of)
@@ -75,11 +74,8 @@ class Comparison(Study, ComparisonValues):
         return type(self), (*super().__reduce__()[1], self._more)
 
     def _doubts(self) -> Iterable[Any]:
-        of: dict[str, list[str]] = {}
-        for finish in self._values["finishes"]:
-            for warning in finish["warnings"]:
-                of.setdefault(warning, []).append(finish["name"])
-        return [{"text": text, "of": [] if len(names) == len(self.names) else names} for text, names in of.items()]
+        finishes = self._values["finishes"]
+        return of_several(((warning, finish["name"]) for finish in finishes for warning in finish["warnings"]), len(finishes))
 
     @property
     def names(self) -> list[str]:

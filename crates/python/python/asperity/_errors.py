@@ -159,6 +159,14 @@ def _of(row: Row) -> str:
     return f" ({', '.join(names)})" if names else ""
 
 
+def of_several(warnings: Iterable[tuple[str, str]], count: int) -> list[Row]:
+    """Distinct warnings, as code and text with the name of the part that has it, of `count` parts."""
+    of: dict[str, list[str]] = {}
+    for warning, name in warnings:
+        of.setdefault(warning, []).append(name)
+    return [{"text": text, "of": [] if len(names) == count else names} for text, names in of.items()]
+
+
 def warn(rows: Iterable[Row], known: Iterable[Row] = ()) -> None:
     """Warns of every row with a code that is not known yet, at the line outside of the package.
 

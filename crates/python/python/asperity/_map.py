@@ -199,7 +199,8 @@ class Map(Study, MapArrays, MapValues):
         return {**super().to_dict(), "points": {name: array.tolist() for name, array in self._points.items()}}
 
     def to_xarray(self) -> xarray.Dataset:
-        """The map as an `xarray.Dataset` over finish, temperature_c, torque_nm and speed_rpm."""
+        """The map as an `xarray.Dataset` over finish, temperature_c, torque_nm and speed_rpm. Between nodes interpolate ``loss_torque_nm``, as
+        `loss_torque` does: ``loss_w`` is curved there."""
         import xarray
 
         coordinates = {

@@ -31,7 +31,7 @@ from ._errors import AsperityError, Code, brief, json_text, warn
 from ._files import on_disk
 from ._fixed import Fixed, UnknownName, unknown
 from ._html import Chart, page, shown
-from ._quantity import Floats, Scalar, line, si, si_or_none
+from ._quantity import Floats, Scalar, in_numbers, line, si, si_or_none
 from ._record import Record, Table, described
 from ._values import ParameterName, ParameterValues
 
@@ -267,7 +267,7 @@ class Profile(Fixed):
     @property
     def about(self) -> Record:
         """All that reading, generating or preparing found: format, metadata, recipe, what was achieved."""
-        return Record(self._about)
+        return Record(in_numbers(self._about))
 
     @property
     def warnings(self) -> Table:
@@ -412,7 +412,7 @@ class Profile(Fixed):
 
     def to_dict(self) -> dict[str, Any]:
         """Name, spacing, heights and what is known of them, in Python's own types."""
-        about = {key: value for key, value in self._about.items() if key != "spacing"}
+        about = in_numbers({key: value for key, value in self._about.items() if key != "spacing"})
         return {"name": self.name, "spacing": self.spacing, "heights": self.heights.tolist(), **about}
 
     def to_pandas(self) -> pandas.Series[float]:

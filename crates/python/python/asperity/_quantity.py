@@ -103,6 +103,61 @@ def si_or_none(value: Scalar | None, quantity: str) -> float | None:
     return None if value is None else si(value, quantity)
 
 
+_NAMED: dict[str, tuple[str, float]] = {
+    "m": ("um", 1e-6), "mm": ("um", 1e-3), "um": ("um", 1.0), "nm": ("um", 1e3), "deg": ("deg", 1.0), "s": ("s", 1.0), "ms": ("s", 1e3),
+    "m/s": ("m_per_s", 1.0), "1/min": ("rpm", 1.0), "kg": ("kg", 1.0), "m2": ("m2", 1.0), "kN": ("n", 1e-3), "N": ("n", 1.0),
+    "N/mm": ("n_per_mm", 1.0), "N/m": ("n_per_mm", 1e3), "N m": ("nm", 1.0), "kW": ("w", 1e-3), "W": ("w", 1.0), "J": ("j", 1.0),
+    "mJ": ("j", 1e3), "J/m": ("j_per_m", 1.0), "mJ/m": ("j_per_m", 1e3), "GPa": ("mpa", 1e-3), "MPa": ("mpa", 1.0), "kPa": ("mpa", 1e3),
+    "Pa": ("mpa", 1e6), "mPa s": ("mpa_s", 1.0), "mm2/s": ("mm2_per_s", 1.0), "kg/m3": ("kg_per_m3", 1.0), "1/GPa": ("per_gpa", 1.0),
+    "1/Pa": ("per_gpa", 1e-9), "°C": ("c", 1.0), "K": ("k", 1.0), "W/(m K)": ("w_per_m_k", 1.0), "W/K": ("w_per_k", 1.0), "l/min": ("l_per_min", 1.0),
+    "J/(kg K)": ("j_per_kg_k", 1.0), "1/K": ("per_k", 1.0), "%": ("percent", 1.0),
+}
+"""Ends of names and divisors of the units in which the compiled part writes quantities as text: one unit for each quantity."""
+
+_STATED = ("input", "inputs", "defaults", "changes", "recipe", "from", "to")
+"""Values that are as a case or a recipe states them, and stay text."""
+
+
+def _number(value: object, mm: bool) -> Optional[tuple[float, str]]:
+    """Number and end of the name of text with a unit; lengths in mm or µm."""
+    if not isinstance(value, str):
+        return None
+    number, _, unit = value.partition(" ")
+    if unit not in _NAMED:
+        return None
+    try:
+        found = float(number)
+    except ValueError:
+        return None
+    end, divisor = _NAMED[unit]
+    return (found / (divisor * 1e3), "mm") if mm and end == "um" else (found / divisor, end)
+
+
+def in_numbers(value: Any, mm: bool = False) -> Any:
+    """Values of a JSON text whose quantities are numbers in the unit that ends their names: ``"90 °C"`` as ``temperature_c`` 90.
+
+    Lengths of gears are in mm, all others in µm.
+    """
+    if isinstance(value, list):
+        return [in_numbers(item, mm) for item in value]
+    if not isinstance(value, dict):
+        return value
+    found: dict[str, Any] = {}
+    for name, item in value.items():
+        if name in _STATED:
+            found[name] = item
+            continue
+        is_mm = mm or name == "gears"
+        every = [_number(one, is_mm) for one in (item if isinstance(item, list) else [item])]
+        numbers = [one for one in every if one is not None]
+        if not numbers or len(numbers) < len(every):
+            found[name] = in_numbers(item, is_mm)
+            continue
+        plain = [number for number, _ in numbers]
+        found[f"{name}_{numbers[0][1]}"] = plain if isinstance(item, list) else plain[0]
+    return found
+
+
 class Operating(NamedTuple):
     """A quantity of the operating point: its unit in names of keywords, columns and results."""
 

@@ -124,12 +124,11 @@ class Values(Fixed, Mapping[str, Any]):
         return {name: plain(value) for name, value in self._values.items()}
 
     def __repr__(self) -> str:
-        lines = [f"  {name} = {_short(value)}" for name, value in self._values.items()]
+        lines = [f"  {name} = {value}" for name, value in _shown(self._values)]
         return "\n".join([type(self).__name__, *lines])
 
     def _repr_html_(self) -> str:
-        rows = [(name, _short(value)) for name, value in self._values.items()]
-        return page(type(self).__name__, rows, None)
+        return page(type(self).__name__, [*_shown(self._values)], None)
 
 
 class Record(Values):
@@ -149,14 +148,24 @@ def warned(result: V, known: Iterable[Mapping[str, Any]] = ()) -> V:
     return result
 
 
+def _shown(values: Mapping[str, Any], within: str = "") -> Iterator[tuple[str, str]]:
+    """Values as they are printed, those of short dictionaries by their paths."""
+    for name, value in values.items():
+        if isinstance(value, dict) and 0 < len(value) <= 8:
+            yield from _shown(value, f"{within}{name}.")
+        else:
+            yield f"{within}{name}", _short(value)
+
+
 def _short(value: Any) -> str:
     if isinstance(value, np.ndarray):
         return f"array of {' x '.join(map(str, value.shape))}"
     if isinstance(value, float):
         return f"{value:.6g}"
-    if isinstance(value, list) and len(value) > 4:
-        return f"{len(value)} values"
-    if isinstance(value, dict) and len(value) > 4:
+    if isinstance(value, list):
+        is_plain = len(value) <= 4 and not any(isinstance(item, (dict, list)) for item in value)
+        return f"[{', '.join(map(_short, value))}]" if is_plain else f"{len(value)} values"
+    if isinstance(value, dict):
         return f"{len(value)} entries"
     return str(value)
 

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 
 from . import _asperity
-from ._errors import AsperityError, Code, checked_number, wrong_kind
+from ._errors import AsperityError, Code, Row, checked_number, of_several, wrong_kind
 from ._html import Chart, page, shown
-from ._quantity import Floats
+from ._quantity import Floats, in_numbers
 from ._record import Record, Table, Values, drawn, variable
 from ._values import PathRow, PathRowTable, ResultValues, SummaryValues, Uncertainty
 
@@ -92,7 +92,8 @@ class Path(PathRowTable):
 class RunResult(Values, ResultValues):
     """Result of a run, as ``result.json`` has it (docs/FILE_FORMATS.md): losses, path, warnings, equations.
 
-    Units are in the names: ``summary.loss_w``, ``path.film_minimum_um``. ``run("losses")`` has ``summary``, ``path``, ``offsets``,
+    Units are in the names: ``summary.loss_w``, ``path.film_minimum_um``; also of quantities that the file has as text, as
+    ``lubricant.temperature_c`` and ``gears.face_width_mm``. What the case states stays text: ``inputs``, ``defaults``. ``run("losses")`` has ``summary``, ``path``, ``offsets``,
     ``warnings`` and ``equations``; with contacts there are also ``formulation``, ``inputs``, ``defaults``, ``gears``, ``load``, ``flanks``,
     ``lubricant``, ``film_constants``, ``points``, ``running_in``, ``published_laws`` and ``references``, and where they were computed
     ``uncertainty``, ``gearbox`` and ``micropitting``. A result of several meshes has ``shafts``, ``kinds`` and ``meshes``, each a result.
@@ -104,7 +105,7 @@ class RunResult(Values, ResultValues):
     _meshes: list[RunResult]
 
     def __init__(self, values: Mapping[str, Any]) -> None:
-        super().__init__(values)
+        super().__init__(in_numbers(values))
         self._outcome = None
         self._json = ""
         self._offsets = []
@@ -183,14 +184,11 @@ class RunResult(Values, ResultValues):
             return Table(rows, ["mesh", "code", "text"])
         return Table(self._values.get("warnings", []), ["code", "text"])
 
-    def _doubts(self) -> list[Mapping[str, Any]]:
+    def _doubts(self) -> list[Row]:
         """Its warnings, each once; of several meshes, each with the names of its meshes."""
         if not self._is_train:
             return list(self._values.get("warnings", []))
-        of: dict[tuple[str, str], list[str]] = {}
-        for row in self.warnings:
-            of.setdefault((row.code, row.text), []).append(row.mesh)
-        return [{"code": code, "text": text, "of": [] if len(names) == len(self.meshes) else names} for (code, text), names in of.items()]
+        return of_several(((f"{row.code} {row.text}", row.mesh) for row in self.warnings), len(self.meshes))
 
     @property
     def offsets(self) -> Table:

@@ -10,6 +10,7 @@ from typing import Any, Union
 from . import _asperity
 from ._errors import AsperityError, Code
 from ._map import Map, read_map
+from ._quantity import in_numbers
 from ._record import Record
 from ._result import RunResult
 
@@ -30,6 +31,9 @@ def _read(file: Path) -> tuple[str, Any]:
 def _with_meshes(place: Path, file: Path) -> RunResult:
     """The result of several meshes, each read from its folder."""
     text, values = _read(file)
+    for row in values["meshes"]:
+        # Its name in older results.
+        row.setdefault("loss_factor_local", row.pop("loss_factor", None))
     made = RunResult(values)
     made._json = text
     meshes = [one for one in map(read_result, sorted(one for one in place.iterdir() if (one / "result.json").is_file())) if isinstance(one, RunResult)]
@@ -68,7 +72,7 @@ def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Reco
                 return _with_meshes(place, file)
         for name in _STUDIES:
             if (place / f"{name}.json").is_file():
-                return Record(_read(place / f"{name}.json")[1])
+                return Record(in_numbers(_read(place / f"{name}.json")[1]))
     text = _asperity.read_result(fspath(folder))
     result = RunResult(json.loads(text))
     result._json = text

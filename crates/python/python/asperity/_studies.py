@@ -335,11 +335,11 @@ def profile_change(
     They contain the noise of the match and the choice of the dales. Where parts of the trace rose, other dales may
     have risen as well: the height gained is then also a standard deviation of the height removed. Parameters follow
     ISO 4287 with sections of 0.25 mm over the common length. A noise floor is the change that noise makes in one of
-    twenty comparisons. With a case, its flanks have the traces over the common length before and after the test, each
-    pair as a tooth by itself. Both runs share all draws but two. The error of the model is common by the concordance
-    of the heights of the changed flanks. The sampling error follows from the differences of the windows. A trace
-    without a stated place lies at any place of the flank, and the interval of the wear coefficient contains this.
-    model.run_in presses the flanks before the test into each other and removes nothing by wear.
+    twenty comparisons. With a case, its flanks are the traces over the common length, before and after the test. Each
+    pair is a tooth. Both runs share all draws but two. The errors of the model are correlated by the concordance of
+    the changed heights. The sampling error follows from the differences of the windows. A trace without a stated
+    place lies at any place of the flank, and the interval of the wear coefficient contains this. model.run_in presses
+    the flanks before the test into each other and removes nothing by wear.
 
     Parameters:
         before: one or several traces before the test.

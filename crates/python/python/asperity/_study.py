@@ -12,6 +12,7 @@ from . import _asperity
 from ._errors import AsperityError, Code, checked_number, json_text, not_finite, warn
 from ._html import page
 from ._progress import Progress, Steps
+from ._quantity import in_numbers
 from ._record import Values
 
 
@@ -67,7 +68,7 @@ class Study(Values):
     """A study: values as attributes, a summary as text, a folder of files."""
 
     def __init__(self, raw: RawStudy) -> None:
-        super().__init__(json.loads(raw.json()))
+        super().__init__(in_numbers(json.loads(raw.json())))
         self._raw = raw
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -1050,7 +1050,7 @@ class OilPlanPointTable(TableOf[OilPlanPoint, Literal["load_n", "mean_speed_m_s"
 
 class OilPlanValues(Values):
     _kinds = {"points": OilPlanPointTable, "chosen": OilPlanPointTable}
-    _absent = {"case": None, "curves": None, "loss_slopes": None}
+    _absent = {"case": None, "curves": None, "loss_slopes": None, "remaining_width": None}
     program: str
     title: str
     oil: str
@@ -1061,6 +1061,7 @@ class OilPlanValues(Values):
     points: OilPlanPointTable
     chosen: OilPlanPointTable
     loss_slopes: Optional[Floats]
+    remaining_width: Optional[float]
 
 
 class OilFitConstant(Values):

@@ -10,7 +10,7 @@ use crate::gaussian_filter::{Ends, mean_line};
 /// Material moves by about a grain, to either side \[m\].
 pub(super) const MOVED: f64 = 20e-6;
 
-/// Mean rise of the matched dales with its standard deviation, both squared and added \[m²\].
+/// Mean square of the rise of the matched dales: the square of its mean and its variance \[m²\].
 ///
 /// ```text
 /// min over c, h, t of Σ_dales w (z_b − z_a − h − t x + c m)²,   rise = c ⟨m⟩                   [Relocation-7]

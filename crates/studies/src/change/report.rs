@@ -33,11 +33,13 @@ impl StudyResult for TraceChange {
     fn report(&self) -> Report<'_> {
         let report = Report::new(&self.title, "change of traces")
             .section("What changed")
+            .verdict(self.in_case.iter().map(worth::loss_line))
             .verdict(verdict(&self.mean))
             .verdict(scatter(self))
             .verdict(moved(&self.mean))
             .verdict([parameters_line(self)])
-            .verdict(self.in_case.iter().flat_map(worth::lines))
+            .verdict(self.in_case.iter().flat_map(worth::wear_lines))
+            .text(self.in_case.iter().filter_map(worth::run_in))
             .figures(|| charts(self))
             .warning(&self.warnings)
             .warning(self.in_case.iter().flat_map(|of| &of.warnings));
@@ -106,7 +108,7 @@ fn moved(mean: &Heights) -> Option<String> {
     (gained.low > 0.0).then(|| {
         let share = 100.0 * (gained.value / lost.value).min(1.0);
         format!(
-            "Material moved: where the trace is lower it lost {}, where it is higher it gained {}, {share:.0} % of that.",
+            "Material moved: where the trace fell it lost {}, where it rose it gained {}, {share:.0} % of that.",
             nanometres(lost),
             nanometres(gained)
         )

@@ -12,10 +12,9 @@ use crate::compare::verdict;
 const NANO: f64 = 1e-9;
 const UNIT: &str = "1e-9 mm³/(N m)";
 
-/// Sliding, wear coefficient, and losses.
-pub(super) fn lines(of: &ChangeInCase) -> Vec<String> {
-    let mut lines: Vec<String> = of.flanks.iter().map(wear).collect();
-    lines.push(match &of.difference {
+/// Difference of the losses before and after the test.
+pub(super) fn loss_line(of: &ChangeInCase) -> String {
+    match &of.difference {
         Some(difference) => {
             let names = ["the flanks before it", "the flanks after the test"];
             format!("{}.", capitalised(&verdict(names, difference)))
@@ -27,9 +26,12 @@ pub(super) fn lines(of: &ChangeInCase) -> Vec<String> {
             let losses: Vec<String> = losses.collect();
             format!("The loss is {} the test.", losses.join(", "))
         }
-    });
-    lines.extend(run_in(of));
-    lines
+    }
+}
+
+/// Sliding and wear coefficient of each flank.
+pub(super) fn wear_lines(of: &ChangeInCase) -> impl Iterator<Item = String> {
+    of.flanks.iter().map(wear)
 }
 
 fn loss(of: &ChangeInCase, name: &str) -> Option<String> {
@@ -92,7 +94,7 @@ fn wear(of: &FlankChange) -> String {
 }
 
 /// Prediction of `model.run_in` next to what was measured.
-fn run_in(of: &ChangeInCase) -> Option<String> {
+pub(super) fn run_in(of: &ChangeInCase) -> Option<String> {
     if let Some(why) = &of.no_run_in {
         return Some(format!("There is no prediction by model.run_in: {why}"));
     }
@@ -111,8 +113,8 @@ fn run_in(of: &ChangeInCase) -> Option<String> {
     });
     let heights: Vec<String> = heights.collect();
     Some(format!(
-        "Run in by model.run_in, both flanks before the test lose {predicted} W in place of {before} W; those measured after it lose \
-         {after} W, all with constants at their medians. With the filters of the case, model.run_in predicts {}.",
+        "The flanks before the test lose {before} W, and run in by model.run_in {predicted} W. The flanks measured after the test lose \
+         {after} W. All three are at the medians of the constants. With the filters of the case, model.run_in predicts {}.",
         heights.join("; ")
     ))
 }
@@ -163,6 +165,16 @@ fn flanks(of: &ChangeInCase) -> Table {
         file after_rpk_um = flank.after_rpk_um;
         file run_in_rpk_um = Cell::optional(flank.run_in_rpk_um);
     };
+    let one_of_k = match of
+        .flanks
+        .iter()
+        .any(|flank| flank.k_at_most_mm3_per_n_m.is_some())
+    {
+        true => "k",
+        false => "k at most",
+    };
+    // The sentences state the height removed and the engagements.
+    let table = table.unshown_of(&["removed", "engagements", one_of_k]);
     table.in_file("flanks.csv")
 }
 

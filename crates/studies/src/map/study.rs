@@ -41,7 +41,7 @@ impl Input for CaseOrFinishes {
 settings! {
     /// Settings of a map.
     pub struct MapSettings {
-        /// Torques at the pinion in N m: a..b:n, a..b:n:log or a list, with % behind it in parts of the torque of the case
+        /// Torques at the pinion in N m, or with a final % in percent of the torque of the case: a..b:n, a..b:n:log or a list
         /// [default: 0 and 12 from 1 % of the largest, both signs]; 0 is added between both signs
         [value_name = "AXIS"] torque: Option<Nodes>,
         /// Speeds of the pinion in 1/min: a..b:n, a..b:n:log or a list, or in % of the speed of the case [default: 0, 1 and 16
