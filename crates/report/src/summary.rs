@@ -4,9 +4,9 @@ use crate::other_models;
 use crate::printed::{
     BOUNDARY, LUBRICATED, PrintedLoss, gearbox_with_interval, of_mesh, stated, stated_parts, watts,
 };
-use crate::ridges;
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped_within};
+use crate::{ridges, scans};
 use asperity::message::{Subject, Warning};
 use asperity::result::loss_band::{Trust, Uncertainty, UncertaintyPart, rounded};
 use asperity::result::{
@@ -249,6 +249,7 @@ fn details(result: &RunResult, columns: usize) -> String {
     let sampling = pairs.and_then(|pairs| pairs.sampling.as_ref());
     lines.extend(sampling.map(|pairs| pairs_text(pairs, &result.flanks)));
     lines.extend(result.micropitting.as_ref().map(micropitting_text));
+    lines.extend(result.scans.as_ref().map(scans::verdict));
     lines.extend(relief_text(result));
     lines.push(convergence(result));
     lines.extend(solver_notes(result));

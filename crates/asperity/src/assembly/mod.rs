@@ -118,6 +118,7 @@ impl Solved<'_> {
             run_in: None,
             ridges: None,
             no_ridges: None,
+            scans: None,
             summary,
             warnings,
             flanks: [0, 1].map(|body| FlankRecord::from(&self.loaded.flanks[body])),

@@ -15,6 +15,7 @@
 mod bulk_temperature;
 mod gradient;
 mod kept_fields;
+mod over_gap;
 mod stages;
 mod store;
 mod survey;
@@ -30,4 +31,5 @@ pub use stages::{
 pub use store::ContactStore;
 pub use survey::{RegimeRow, survey};
 
+pub(crate) use over_gap::over_gap;
 pub(crate) use stages::{losses_of, outcome};
