@@ -303,6 +303,10 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
                 _ => positive(shown),
             })
         }
+        ("scan-rows", _) => {
+            let rows = Table::read(folder, "scan_rows.csv").with("flank", curve);
+            Some(rows.column("loss_w"))
+        }
         ("scan-share" | "scan-flow", _) => {
             let of = if curve == "patch" { "patch" } else { "lines" };
             let kind = chart.trim_start_matches("scan-");

@@ -155,9 +155,7 @@ fn texts_of(outcome: &Outcome, whole: &PageTables) -> Result<Vec<FileText>, Faul
         (PAGE_TABLES, page_tables.into_bytes()),
         (PAGE, html::render(result, &shown)?.into_bytes()),
     ];
-    if let Some(scans) = &result.scans {
-        files.extend(scans::report(scans).tables()?);
-    }
+    files.extend(scans::report(result).tables()?);
     Ok(files)
 }
 

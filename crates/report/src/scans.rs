@@ -1,12 +1,19 @@
 //! What patches of scans change against rows of them: one report for page, terminal, folder and studies.
 
-use asperity::result::loss_band::{Digits, without_interval};
-use asperity::result::{GapRow, ScanComparison, ScanLoss};
+use asperity::result::loss_band::{Digits, PairSampling, rounded, without_interval};
+use asperity::result::{GapRow, RunResult, ScanComparison, ScanLoss, ToothTrace};
+use asperity::uncertainty::PairedDifference;
 use asperity_core::Estimate;
 
 use crate::chart::{Axis, Chart, Drawing, Line};
+use crate::summary::two_digits;
+use crate::tables::BODIES;
 use crate::{Cell, Report, Table, Value, columns};
 
+/// Name of the section of a page about scans.
+pub const SECTION: &str = "Scans";
+/// Table of the losses by rows of scans.
+pub const ROWS: &str = "scan_rows.csv";
 /// Table of the losses by patches and by rows.
 pub const LOSSES: &str = "scans.csv";
 /// Table of the contact over its gap.
@@ -18,9 +25,84 @@ const NOTE: &str = "The rows are traces of the same scans, and their contact is 
     the flow in the inlet over the flow of a smooth gap: computed through the patch; of rows by their height and lay. \
     Both are of the position that the section \"One contact\" shows, each with the roughness that its inlet leaves.";
 
-/// The comparison as a report.
-pub fn report(scans: &ScanComparison) -> Report<'_> {
-    add(Report::new("", ""), scans)
+/// The scans of a run as a report: patches against rows, or the loss of each row; empty without scans.
+pub fn report(result: &RunResult) -> Report<'_> {
+    let report = Report::new("", "");
+    if let Some(scans) = &result.scans {
+        return add(report, scans);
+    }
+    let rows = rows(result);
+    let Some(sampling) = result
+        .pairs
+        .as_ref()
+        .and_then(|pairs| pairs.sampling.as_ref())
+    else {
+        return report;
+    };
+    if rows.is_empty() {
+        return report;
+    }
+    let chart = rows_chart(&rows, sampling.mean_w);
+    report
+        .heading("Loss of each row, taken as a line")
+        .text([rows_line(sampling)])
+        .table(rows_table(&rows, sampling).in_file(ROWS))
+        .figures(move || chart.clone())
+}
+
+/// A row of a scan with its flank.
+type RowOfScan<'a> = (&'static str, &'a ToothTrace);
+
+/// The rows of scans that are taken as lines.
+fn rows(result: &RunResult) -> Vec<RowOfScan<'_>> {
+    let Some(pairs) = &result.pairs else {
+        return Vec::new();
+    };
+    let flanks = BODIES.into_iter().zip(&pairs.traces);
+    let rows = flanks.flat_map(|(body, traces)| traces.iter().map(move |trace| (body, trace)));
+    rows.filter(|(_, trace)| trace.row.is_some()).collect()
+}
+
+/// Mean and scatter of the losses of rows.
+fn rows_line(sampling: &PairSampling) -> String {
+    let [pinion, wheel] = sampling.between_w.map(two_digits);
+    format!(
+        "Each row of one scan is computed with each of the other, as traces. Mean {} W. Standard deviation {pinion} W between the rows \
+         of the pinion and {wheel} W between those of the wheel. Rows of one scan are of one tooth.",
+        rounded(sampling.mean_w, sampling.half_width_w)
+    )
+}
+
+/// The rows with their losses, each a mean over its pairs.
+fn rows_table(rows: &[RowOfScan<'_>], sampling: &PairSampling) -> Table {
+    let watts = |loss: f64| rounded(loss, sampling.half_width_w);
+    let change = |loss: f64| Digits::of_uncertainty(sampling.half_width_w).signed(loss);
+    columns! { (body, trace) in rows;
+        head flank "flank" "" = *body;
+        number row "row" "" = Cell::optional(trace.row);
+        number lead_mm "along the lead" "mm" "{:.3}" = trace.row_mm;
+        number loss_w "loss" "W" = Cell::number(trace.loss_w, watts);
+        number deviation_w "from the mean" "W" = Cell::number(trace.loss_w.map(|loss| loss - sampling.mean_w), change);
+    }
+}
+
+/// Loss of each row over its place along the lead; `None` if places are unknown.
+fn rows_chart(rows: &[RowOfScan<'_>], mean_w: f64) -> Option<Drawing> {
+    let x = Axis::new("along the lead, from the first row of the scan", "mm");
+    let title = "Loss of each row over the face";
+    let mut chart = Chart::new("scan-rows", title, ROWS, x, Axis::new("loss", "W"));
+    for body in BODIES {
+        let own = rows.iter().filter(|(of, _)| *of == body);
+        let places: Option<Vec<[f64; 2]>> = own
+            .map(|(_, trace)| Some([trace.row_mm?, trace.loss_w?]))
+            .collect();
+        let (places, losses): (Vec<f64>, Vec<f64>) =
+            places?.into_iter().map(|[x, y]| (x, y)).unzip();
+        if !places.is_empty() {
+            chart = chart.curve(body, Line::Dots, &places, &losses);
+        }
+    }
+    Some(Drawing::Curves(chart.level(mean_w, "mean")))
 }
 
 /// Adds the comparison to a report.
@@ -40,9 +122,7 @@ pub fn add<'a>(report: Report<'a>, scans: &'a ScanComparison) -> Report<'a> {
 pub fn verdict(scans: &ScanComparison) -> String {
     let [patches, lines] = [&scans.patches, &scans.lines].map(|of| loss(of).text().to_owned());
     let difference = match &scans.difference {
-        Some(difference) => {
-            Digits::of_difference(difference.watts.ends()).signed_interval(difference.watts)
-        }
+        Some(of) => difference(of),
         None => {
             let change = scans.patches.loss_w - scans.lines.loss_w;
             Digits::of_uncertainty(0.1 * change.abs()).signed(change)
@@ -58,6 +138,12 @@ pub fn verdict(scans: &ScanComparison) -> String {
         "Taken as patches the scans lose {patches} W, by rows {lines} W: a difference of {difference} W{brackets}. \
          The asperities carry {of_patches} % of the load by patches and {of_lines} % by rows."
     )
+}
+
+/// The difference of two drawn losses \[W\] with its interval.
+#[must_use]
+pub fn difference(of: &PairedDifference) -> String {
+    Digits::of_difference(of.watts.ends()).signed_interval(of.watts)
 }
 
 /// Share of the load on the asperities \[%\].

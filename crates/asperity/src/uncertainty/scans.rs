@@ -4,9 +4,9 @@ use asperity_core::cancel::checkpoint;
 
 use super::{Predictive, difference, run_and_draw};
 use crate::contacts::Contacts;
-use crate::pipeline::{KeptFields, over_gap};
+use crate::pipeline::{KeptFields, less_of_scans, over_gap};
 use crate::result::{GapRow, Outcome, ScanComparison, ScanLoss};
-use asperity_case::case::{ContactName, LoadedCase};
+use asperity_case::case::LoadedCase;
 use asperity_case::error::Error;
 
 /// Whether the result of a run has the comparison: patches are in contact, and its pictures are requested.
@@ -36,7 +36,10 @@ fn comparison(
     patches: (&LoadedCase, &Contacts),
 ) -> Result<Option<ScanComparison>, Error> {
     let loaded = patches.0;
-    let rows = loaded.with(|input| input.surface.contact = Some(ContactName::Lines))?;
+    let Some(rows) = less_of_scans(loaded).filter(|scans| scans.are_patches) else {
+        return Ok(None);
+    };
+    let rows = rows.case?;
     let mut contacts = Vec::new();
     let (of_rows, drawn_of_rows) =
         run_and_draw(&rows, (None, drawn.is_some()), &mut contacts, &|_, _| {})?;

@@ -41,7 +41,7 @@ use asperity::result::RunResult;
 use maud::{Markup, html};
 
 use crate::page_tables::PageTables;
-use crate::scans::report;
+use crate::scans::{SECTION, report};
 
 /// Renders the page of `result`, with the flanks and the mesh position of `tables`.
 ///
@@ -55,11 +55,7 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> 
         is_folded,
     };
     let chosen = contact::chosen(result, tables)?;
-    let scans = result
-        .scans
-        .as_ref()
-        .map(|scans| report(scans).part_of_page());
-    let scans = scans.unwrap_or_default();
+    let scans = report(result).part_of_page();
     let sections = [
         section("Summary", overview::section(result), false),
         section("What to check", checks::section(result), false),
@@ -68,7 +64,7 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> 
             path::section(result, tables),
             false,
         ),
-        section("Scans", scans, false),
+        section(SECTION, scans, false),
         section(
             "Ridges with the largest loss",
             ridges::section(result),
