@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use asperity::case::{LoadedCase, from_text};
 use asperity::core::Code;
 use asperity::core::quantity::Length;
-use asperity::pipeline::KeptFields;
+use asperity::pipeline::{KeptFields, less_of_scans};
 use asperity::{Error, Run, losses};
 
 const COLUMNS: usize = 1500;
@@ -110,6 +110,12 @@ fn scans_are_taken_by_their_lay() {
         (sheets.rows(), isotropic.surfaces.pairs()),
         (ROWS - ROWS / 8, 1)
     );
+    let less = less_of_scans(&ridged).unwrap();
+    assert!(!less.are_patches);
+    assert_eq!(less.taken, "4 × 4 rows of the scans");
+    assert_eq!(less.case.unwrap().surfaces.pairs(), 1);
+    let less = less_of_scans(&isotropic).unwrap();
+    assert!(less.are_patches && less.case.unwrap().surfaces.sheets().is_none());
     let by_hand = case(["1-200-1", "1-200-9"], "contact = \"lines\"").unwrap();
     assert_eq!(by_hand.surfaces.pairs(), 16);
     let by_hand = case(["60-200-1", "60-200-9"], "contact = \"patch\"").unwrap();

@@ -23,7 +23,7 @@ pub const GAPS: &str = "scan_gaps.csv";
 const NOTE: &str = "The rows are traces of the same scans, and their contact is solved in plane strain. At one gap a patch carries more, because its \
     summits meet wherever they are along the lead and levelled rows do not contain the heights between rows. The flow factor is \
     the flow in the inlet over the flow of a smooth gap: computed through the patch; of rows by their height and lay. \
-    Both are of the position that the section \"One contact\" shows, each with the roughness that its inlet leaves.";
+    Both are of the position with the highest pressure, each with the roughness that its inlet leaves.";
 
 /// The scans of a run as a report: patches against rows, or the loss of each row; empty without scans.
 pub fn report(result: &RunResult) -> Report<'_> {
