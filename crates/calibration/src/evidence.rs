@@ -150,7 +150,7 @@ pub struct MiddleRows {
 }
 
 impl MiddleRows {
-    /// What all rows change.
+    /// The change by all rows, in words.
     fn line(&self) -> String {
         let loss = Digits::of_interval(self.loss.drawn.ends()).interval(self.loss.drawn);
         let difference = scans::difference(&self.difference);
@@ -208,7 +208,7 @@ pub struct EvidenceTable {
     /// Comparison of patches of the scans with rows of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scans: Option<ScanComparison>,
-    /// Loss by the middle rows of the scans alone, if rows of them are taken.
+    /// Loss by only the middle rows of the scans, if rows of them are taken.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub middle_rows: Option<MiddleRows>,
     /// Measurements, the one that leaves the narrowest interval first.

@@ -1,4 +1,4 @@
-//! What patches of scans change against rows of them: one report for page, terminal, folder and studies.
+//! Patches of scans against rows of them, and the loss of each row: one report for page, terminal, folder and studies.
 
 use asperity::result::loss_band::{Digits, PairSampling, rounded, without_interval};
 use asperity::result::{GapRow, RunResult, ScanComparison, ScanLoss, ToothTrace};
@@ -20,10 +20,10 @@ pub const LOSSES: &str = "scans.csv";
 pub const GAPS: &str = "scan_gaps.csv";
 
 /// Explanation of the numbers.
-const NOTE: &str = "The rows are traces of the same scans, and their contact is solved in plane strain. At one gap a patch carries more, because its \
-    summits meet wherever they are along the lead and levelled rows do not contain the heights between rows. The flow factor is \
-    the flow in the inlet over the flow of a smooth gap: computed through the patch; of rows by their height and lay. \
-    Both are of the position with the highest pressure, each with the roughness that its inlet leaves.";
+const NOTE: &str = "The rows are traces of the same scans, and their contact is solved in plane strain. At one gap a patch \
+    carries more, because its summits meet wherever they are along the lead and levelled rows do not contain the heights between \
+    rows. The flow factor is the flow in the inlet over the flow of a smooth gap: computed through the patch; of rows by their height \
+    and lay. Both are of the position with the highest pressure, each with the roughness that its inlet leaves.";
 
 /// The scans of a run as a report: patches against rows, or the loss of each row; empty without scans.
 pub fn report(result: &RunResult) -> Report<'_> {

@@ -1,15 +1,15 @@
-//! How a case takes scans of its flanks, and the same case with less of them.
+//! Use of the scans of a case, and the same case with less of them.
 
 use asperity_case::case::{ContactName, LoadedCase};
 use asperity_case::error::Error;
 
-/// How a case takes scans of its flanks, and the same case with less of them.
+/// Use of the scans of a case, and the same case with less of them.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct ScanUse {
-    /// How they are taken, in words.
+    /// Their use, in words.
     pub taken: String,
-    /// How the other case takes them.
+    /// Their use in the other case.
     pub other: &'static str,
     /// Patches in place of which rows are taken, or rows in place of which only the middle one is.
     pub are_patches: bool,

@@ -101,7 +101,7 @@ pub struct RunResult {
     /// Why the ridges that cost most cannot be found, if they were sought.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub no_ridges: Option<String>,
-    /// What patches of the scans change against rows of them; `None` without patches or without pictures.
+    /// Comparison of patches of the scans with rows of them; `None` without patches or without pictures.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scans: Option<ScanComparison>,
     /// Warnings.

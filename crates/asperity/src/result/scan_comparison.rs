@@ -1,4 +1,4 @@
-//! What patches of scans change against rows of them.
+//! Comparison of patches of scans with rows of them.
 
 use serde::{Deserialize, Serialize};
 

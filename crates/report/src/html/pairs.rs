@@ -25,7 +25,8 @@ pub(super) fn section(
     html! {
         h3 { "The " (names[0]) ", pair by pair" }
         p {
-            (pinion) " " (names[0]) " of the pinion run on " (of_wheel) " of the wheel. The mean loss is " (watts(sampling.mean_w)) " W, its standard error "
+            (pinion) " " (names[0]) " of the pinion run on " (of_wheel) " of the wheel. The mean loss is "
+            (watts(sampling.mean_w)) " W, its standard error "
             (two_digits(sampling.standard_error_w)) " W with " (format!("{:.1}", sampling.freedom)) " degrees of freedom" (sampling.bound()) "."
             " Between the " (teeth) " of the pinion the loss scatters by " (two_digits(s1)) " W (s₁), between those of the wheel by "
             (two_digits(s2)) " W (s₂), and from pair to pair by further " (two_digits(sampling.interaction_w)) " W (s₁₂)."
