@@ -287,6 +287,31 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
                 },
             ))
         }
+        ("patch-pressure" | "patch-losses", _) => {
+            let table = Table::read(folder, &format!("position_{position:02}/patch.csv"));
+            let reach = 1.6 * at("half_width_um");
+            let column = match chart {
+                "patch-pressure" => "pressure_mpa",
+                _ => "spot_loss_mw",
+            };
+            let shown = table.map(["x_um", column], |[x, value]| {
+                if x.abs() <= reach { value } else { f64::NAN }
+            });
+            // Where the flanks stay apart, no loss is drawn.
+            Some(match chart {
+                "patch-pressure" => shown,
+                _ => positive(shown),
+            })
+        }
+        ("scan-rows", _) => {
+            let rows = Table::read(folder, "scan_rows.csv").with("flank", curve);
+            Some(rows.column("loss_w"))
+        }
+        ("scan-share" | "scan-flow", _) => {
+            let of = if curve == "patch" { "patch" } else { "lines" };
+            let kind = chart.trim_start_matches("scan-");
+            Some(Table::read(folder, "scan_gaps.csv").column(&format!("{kind}_{of}")))
+        }
         ("facing", "hertz") => Some(vec![0.0, at("hertz_pressure_mpa")]),
         ("facing", "solid" | "fluid") => {
             let table = surface();
@@ -642,6 +667,8 @@ fn drawn_extremes_are_those_of_the_tables() {
                 [.., before, last] => {
                     last <= high
                         && (chart.starts_with("efficiency")
+                            // Each band is about three times as wide as the one below.
+                            || (chart == "patch-losses" && high < 3.5 * last)
                             || high - last <= 1.001 * (last - before))
                 }
                 _ => true,

@@ -1,10 +1,11 @@
 //! Every kind of page, made once with small cases.
 
+use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use asperity::Run;
-use asperity::case::{CaseInput, LoadedCase, load_with};
+use asperity::case::{CaseInput, ContactName, LoadedCase, load_with};
 use asperity::pipeline::KeptFields;
 use asperity::result::Outcome;
 use asperity::train;
@@ -74,11 +75,65 @@ pub fn paper() -> Outcome {
     asperity::Run::new(&loaded).execute().unwrap()
 }
 
+/// Points of a row, and rows, of a made scan.
+const SCAN: [usize; 2] = [1500, 24];
+
+/// A scan of summits without a lay as text of ISO 25178-71, points 1 µm and rows 2 µm apart.
+fn scan(seed: f64) -> String {
+    let [points, rows] = SCAN;
+    let wave = |k: u32| {
+        let part = |by: f64| ((f64::from(k) + seed) * by).fract();
+        let length = 7.0 * 6.0_f64.powf(part(0.618_034));
+        let angle = TAU * part(0.754_878);
+        let [x, y] = [angle.cos(), angle.sin()].map(|of| TAU * of / length);
+        [x, y, TAU * part(0.569_84), 0.5 * length.sqrt()]
+    };
+    let waves: Vec<[f64; 4]> = (0..60).map(wave).collect();
+    let height = |i: usize, j: usize| -> f64 {
+        let at = |[x, y, phase, size]: &[f64; 4]| {
+            size * (x * i as f64 + 2.0 * y * j as f64 + phase).cos()
+        };
+        waves.iter().map(at).sum()
+    };
+    let row = |j: usize| -> String {
+        let heights = (0..points).map(|i| format!("{:.3} ", height(i, j)));
+        heights.collect::<String>() + "\n"
+    };
+    format!(
+        "aISO-1.0\nManufacID   = made\nCreateDate  = 271120260000\nModDate     = 271120260000\nNumPoints   = {points}\n\
+         NumProfiles = {rows}\nXscale      = 1E-06\nYscale      = 2E-06\nZscale      = 1E-08\nZresolution = -1\n\
+         Compression = 0\nDataType    = 7\nCheckType   = 0\n*\n{}*\n",
+        (0..rows).map(row).collect::<String>()
+    )
+}
+
+/// A small e-drive with a scan of each flank.
+fn scanned(bench: &Bench, contact: ContactName) -> Outcome {
+    let files = [1.0, 9.0].map(|seed| {
+        let file = bench.path(&format!("scan_{seed}.sdf"));
+        std::fs::write(&file, scan(seed)).unwrap();
+        file
+    });
+    e_drive(&|input| {
+        (input.model.positions, input.model.offsets) = (Some(2), Some(1));
+        input.operation.torque = "30 N m".parse().unwrap();
+        input.surface.cutoff = Some("0.08 mm".parse().unwrap());
+        input.surface.contact = Some(contact);
+        let flanks = [
+            Some(&mut input.surface.pinion),
+            input.surface.wheel.as_mut(),
+        ];
+        for (flank, file) in flanks.into_iter().flatten().zip(&files) {
+            flank.file = Some(file.clone());
+        }
+    })
+}
+
 fn reports(bench: &Bench) -> Vec<Page> {
     let spur = |input: &mut CaseInput| input.gears.helix = None;
     let mut with_ridges = e_drive(&spur);
     add_ridges(&mut with_ridges.result, &small_e_drive(&spur), &|_, _| {}).unwrap();
-    let cases: [(&str, Outcome); 5] = [
+    let cases: [(&str, Outcome); 7] = [
         ("spur", with_ridges),
         ("helical", e_drive(&|_| {})),
         (
@@ -105,6 +160,8 @@ fn reports(bench: &Bench) -> Vec<Page> {
                 }
             }),
         ),
+        ("patches", scanned(bench, ContactName::Patch)),
+        ("rows", scanned(bench, ContactName::Lines)),
     ];
     assert_eq!(cases[4].1.result.summary.mixed_share, 0.0, "a full film");
     let mut pages: Vec<Page> = cases

@@ -9,9 +9,9 @@ use asperity_contact::subsurface::{Peak, graded_depths, subsurface_stress};
 use asperity_core::quantity::Length;
 
 use crate::contacts::{Displacements, Pressing, WindowContact, pressing_history};
-use crate::lubrication::{LubricatedPosition, Lubrication, doubts};
+use crate::lubrication::{LubricatedPosition, Lubrication, RoughFilm, doubts};
 use crate::mesh::MeshPosition;
-use crate::result::{ContactView, HistoryRow, PositionFields, SubsurfaceFields};
+use crate::result::{ContactView, HistoryRow, PatchFields, PositionFields, SubsurfaceFields};
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::WindowPair;
@@ -76,7 +76,10 @@ impl Picture {
             pressed.history = pressing_history(&pressing, &pressed)
                 .map_err(|error| error.keeping(&pair.x, &pair.gap))?;
         }
-        let (fields, stress) = fields(case, position, &pair, pressed)?;
+        let (mut fields, stress) = fields(case, position, &pair, pressed)?;
+        if with_fields {
+            fields.patch = patch(lubrication, position, (first, contacts.len()))?;
+        }
         Ok(Some(Self {
             view: view(&fields, &position.at),
             fields: with_fields.then_some(fields),
@@ -84,6 +87,24 @@ impl Picture {
             doubts,
         }))
     }
+}
+
+/// The first patch of a position, of `count` windows; `None` of lines, and where the flanks do not touch.
+fn patch(
+    lubrication: &Lubrication<'_>,
+    position: &LubricatedPosition,
+    (contact, count): (&WindowContact, usize),
+) -> Result<Option<PatchFields>, PositionError> {
+    let Some(share) = position.offsets[0].solved else {
+        return Ok(None);
+    };
+    if share.asperity_share == 0.0 {
+        return Ok(None);
+    }
+    let (of_pair, ..) = lubrication.surfaces.met(position.at.zone, 0, count);
+    let of_position = (&position.at, &position.film);
+    let film = RoughFilm::at(lubrication.case, lubrication.laws, of_pair, of_position)?;
+    film.map_or(Ok(None), |film| film.patch(&position.at, contact, &share))
 }
 
 /// Fields along a contact with a summary of the stress below it.
@@ -138,6 +159,7 @@ fn fields(
             .enumerate()
             .map(history_row)
             .collect(),
+        patch: None,
     };
     Ok((fields, stress.flatten()))
 }

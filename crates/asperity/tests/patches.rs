@@ -6,7 +6,9 @@ use std::f64::consts::TAU;
 
 use asperity::case::{LoadedCase, from_text};
 use asperity::core::Code;
-use asperity::{Error, losses};
+use asperity::core::quantity::Length;
+use asperity::pipeline::{KeptFields, less_of_scans};
+use asperity::{Error, Run, losses};
 
 const COLUMNS: usize = 1500;
 const ROWS: usize = 24;
@@ -96,12 +98,24 @@ fn scans_are_taken_by_their_lay() {
     let ridged = case(["60-200-1", "60-200-9"], "").unwrap();
     assert!(ridged.surfaces.sheets().is_none());
     assert_eq!(ridged.surfaces.pairs(), 16);
+    let sampled = ridged.sampled.as_ref().unwrap();
+    let row = sampled.traces[1][3].row.unwrap();
+    assert_eq!(
+        (row.number, row.along_lead),
+        (22, Some(Length::from_si(42e-6)))
+    );
     let isotropic = case(["1-200-1", "1-200-9"], "").unwrap();
     let sheets = isotropic.surfaces.sheets().unwrap();
     assert_eq!(
         (sheets.rows(), isotropic.surfaces.pairs()),
         (ROWS - ROWS / 8, 1)
     );
+    let less = less_of_scans(&ridged).unwrap();
+    assert!(!less.are_patches);
+    assert_eq!(less.taken, "4 × 4 rows of the scans");
+    assert_eq!(less.case.unwrap().surfaces.pairs(), 1);
+    let less = less_of_scans(&isotropic).unwrap();
+    assert!(less.are_patches && less.case.unwrap().surfaces.sheets().is_none());
     let by_hand = case(["1-200-1", "1-200-9"], "contact = \"lines\"").unwrap();
     assert_eq!(by_hand.surfaces.pairs(), 16);
     let by_hand = case(["60-200-1", "60-200-9"], "contact = \"patch\"").unwrap();
@@ -119,6 +133,44 @@ fn summits_carry_more_in_a_patch_than_in_its_rows() {
     let [patch, lines] =
         ["patch", "lines"].map(|contact| loss(smooth, &format!("contact = \"{contact}\"")));
     assert!((patch / lines - 1.0).abs() < 1e-3, "{patch} W, {lines} W");
+}
+
+#[test]
+fn a_run_with_patches_has_the_losses_of_their_spots_and_what_rows_would_lose() {
+    let names = ["1-25-1", "1-25-9"];
+    let loaded = case(names, "").unwrap();
+    let run = Run::new(&loaded).fields(&KeptFields::Highest);
+    let found = run.execute().unwrap();
+    let (fields, result) = (&found.fields[0], &found.result);
+    let patch = fields.patch.as_ref().unwrap();
+    let lead = patch.y[1] * patch.y.len() as f64;
+    let row = &result.path[fields.position - 1];
+    // Of the friction at this place, as the losses of a position are at the mean speed of its cell. The contact is at the solved
+    // share, its table is taken between two shares.
+    let of_spots = patch.spot_losses.iter().sum::<f64>() / lead;
+    let force = 1e3 * row.mu * row.line_load_n_per_mm;
+    let share = (row.lubricated_asperity_w_per_m + row.boundary_w_per_m) / row.sliding_w_per_m;
+    let of_asperities = share * force * row.sliding_m_per_s.abs();
+    assert!(
+        (of_spots / of_asperities - 1.0).abs() < 0.02,
+        "{of_spots} {of_asperities}"
+    );
+    let touching = patch.pressure.iter().map(|p| *p > 0.0);
+    assert!(touching.eq(patch.spot.iter().map(Option::is_some)));
+    let scans = result.scans.as_ref().unwrap();
+    assert_eq!(scans.rows, [4, 4]);
+    assert_eq!(scans.patches.loss_w, result.summary.loss_w);
+    assert_eq!(scans.lines.loss_w, loss(names, "contact = \"lines\""));
+    assert_eq!(scans.position, fields.position);
+    let falls = |of: &dyn Fn(usize) -> f64| (1..scans.gaps.len()).all(|k| of(k) <= of(k - 1));
+    assert!(falls(&|k| scans.gaps[k].share_patch) && falls(&|k| scans.gaps[k].share_lines));
+    assert!(falls(&|k| -scans.gaps[k].flow_patch) && falls(&|k| -scans.gaps[k].flow_lines));
+    assert!(
+        scans
+            .gaps
+            .iter()
+            .any(|row| row.share_patch > 1.5 * row.share_lines)
+    );
 }
 
 #[test]

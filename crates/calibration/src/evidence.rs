@@ -1,21 +1,23 @@
 //! Measurements that would narrow the interval of the loss of a case, with the interval that each is expected to leave.
 
-use asperity_core::{Code, Estimate, Fault};
+use asperity_core::{Code, Estimate, Fault, capitalised};
 use std::convert::Infallible;
 use std::str::FromStr;
 
 use asperity::case::train::Train;
 use asperity::core::{did_you_mean, nearest_name};
-use asperity::pipeline::{KeptFields, Progress};
-use asperity::result::loss_band::EvidenceRow;
-use asperity::result::with_interval;
+use asperity::pipeline::{KeptFields, Progress, less_of_scans};
+use asperity::result::loss_band::{Digits, EvidenceRow};
+use asperity::result::{ScanComparison, with_interval};
 use asperity::train::{self, Outcomes};
-use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_band};
-use asperity::{Contacts, LoadedCase};
+use asperity::uncertainty::{
+    Expected, Measurement, MeshDraws, PairedDifference, Quantiles, difference, has_band,
+};
+use asperity::{Contacts, LoadedCase, Run};
 use asperity_report::chart::{Axis, Drawing, Interval, Tornado};
 use asperity_report::{
     Cell, Report, Settings as _, StudyResult, StudySettings, Table, Watch, Work, columns, duration,
-    settings,
+    scans, settings,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -138,6 +140,53 @@ impl StudySettings for EvidenceSettings {
     }
 }
 
+/// Loss with the middle rows of scans in place of all rows that are taken.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct MiddleRows {
+    /// Rows that are taken, in words.
+    pub taken: String,
+    /// Loss by the middle rows with its interval.
+    pub loss: Quantiles,
+    /// Loss by all rows minus this loss.
+    pub difference: PairedDifference,
+}
+
+impl MiddleRows {
+    /// The change by all rows, in words.
+    fn line(&self) -> String {
+        let loss = Digits::of_interval(self.loss.drawn.ends()).interval(self.loss.drawn);
+        let difference = scans::difference(&self.difference);
+        format!(
+            "By the middle row of each scan alone the loss would be {loss} W. {} change it by {difference} W; in brackets 5 to 95 %.",
+            capitalised(&self.taken)
+        )
+    }
+
+    /// The loss by the middle rows of the scans of `outcome`; `None` if it has no rows of scans, or no interval.
+    ///
+    /// # Errors
+    /// When the case has no result.
+    fn of(outcome: &Outcomes) -> Result<Option<Self>, asperity::Error> {
+        let (Some(mesh), Some(drawn)) = (outcome.settled.only(), &outcome.drawn) else {
+            return Ok(None);
+        };
+        let scans = less_of_scans(mesh).filter(|scans| !scans.are_patches);
+        let (Some(scans), [drawn]) = (scans, &drawn[..]) else {
+            return Ok(None);
+        };
+        let case = scans.case?;
+        let (single, of_single) = Run::new(&case).fields(&KeptFields::Nothing).draw()?;
+        let all = outcome.meshes[0].result.uncertainty.as_ref();
+        let both = of_single.as_ref().zip(single.result.uncertainty.as_ref());
+        Ok(both.zip(all).map(|((of_single, one), all)| Self {
+            taken: scans.taken,
+            loss: Quantiles::of(&of_single.draws_w()),
+            difference: difference((&case, of_single, one), (mesh, drawn, all)),
+        }))
+    }
+}
+
 /// Intervals of the loss of a case that measurements are expected to leave.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -159,6 +208,12 @@ pub struct EvidenceTable {
     /// Whether the temperature is drawn.
     #[serde(default)]
     pub is_temperature_drawn: bool,
+    /// Comparison of patches of the scans with rows of them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scans: Option<ScanComparison>,
+    /// Loss by only the middle rows of the scans, if rows of them are taken.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub middle_rows: Option<MiddleRows>,
     /// Measurements, the one that leaves the narrowest interval first.
     pub rows: Vec<EvidenceRow>,
 }
@@ -188,6 +243,9 @@ impl EvidenceTable {
         else {
             return Err(none());
         };
+        let middle_rows = MiddleRows::of(&outcome).map_err(named)?;
+        let mut meshes = outcome.meshes;
+        let only = meshes.pop().filter(|_| meshes.is_empty());
         let operation =
             |mesh: &LoadedCase| mesh.case.input.operation.temperature_deviation.is_some();
         Ok(Self {
@@ -200,6 +258,8 @@ impl EvidenceTable {
             loss,
             no_curves,
             is_temperature_drawn: train.meshes().any(|mesh| operation(&mesh.case)),
+            scans: only.and_then(|only| only.result.scans),
+            middle_rows,
             rows,
         })
     }
@@ -503,7 +563,7 @@ impl StudyResult for EvidenceTable {
 
     fn report(&self) -> Report<'_> {
         let loss = self.loss_text(self.loss.drawn.ends(), " W");
-        Report::new(&self.title, format!("{} · evidence", self.program))
+        let report = Report::new(&self.title, format!("{} · evidence", self.program))
             .section("Measurements that narrow the interval")
             .verdict([format!("Loss {loss}.")])
             .verdict(self.best())
@@ -512,6 +572,14 @@ impl StudyResult for EvidenceTable {
             .figures(|| self.chart())
             .table(self.table().of_file(TABLE))
             .text(self.notes())
-            .rows(TABLE, || &self.rows)
+            .rows(TABLE, || &self.rows);
+        let report = match &self.scans {
+            Some(scans) => scans::add(report.section(scans::SECTION), scans),
+            None => report,
+        };
+        match &self.middle_rows {
+            Some(rows) => report.section(scans::SECTION).text([rows.line()]),
+            None => report,
+        }
     }
 }

@@ -477,6 +477,19 @@ impl<'a> PositionFilm<'a> {
         Ok((solution, Some(state)))
     }
 
+    /// Sliding loss of each of some spots per metre of face \[W/m\], at the surface temperature of `solution`.
+    ///
+    /// # Errors
+    /// When a spot has no film.
+    pub fn losses_of_spots(
+        &self,
+        spots: &[Spot],
+        solution: &LoadShareSolution,
+    ) -> Result<Vec<f64>, LoadShareError> {
+        self.spot_conditions(solution.surface_rise)
+            .losses(spots, self.settings.boundary_friction)
+    }
+
     fn inlet_factor(&self, attenuated_rms: Length) -> Result<f64, LoadShareError> {
         Ok(match (self.settings.supply, &self.flow) {
             (InletSupply::Smooth, _) => 1.0,
@@ -485,6 +498,19 @@ impl<'a> PositionFilm<'a> {
                 inlet_factor(attenuated_rms, self.supplied, self.settings.lay)?
             }
         })
+    }
+
+    /// Flow through the roughness left in the contact over the flow of a smooth gap: 1/(1 + 6 t σ_d²/h²) of traces, whose inlet
+    /// factor is the limit of this for a small σ_d, and of patches as computed.
+    #[must_use]
+    pub fn flow_factor(&self, gap: Length, attenuated_rms: Length) -> f64 {
+        match &self.flow {
+            Some(flow) => flow.factor(gap, attenuated_rms),
+            None => {
+                let ratio = attenuated_rms / gap;
+                1.0 / (1.0 + 6.0 * self.settings.lay.factor() * ratio * ratio)
+            }
+        }
     }
 
     /// Slope of ln Ψ over σ_d \[1/m\].

@@ -16,7 +16,7 @@ use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
 use asperity_core::{DomainError, cite};
 
 use crate::error::LoadShareError;
-use crate::spot_tree::{BySpot, Spot, SpotGrid, pressure_gradient, spots_of};
+use crate::spot_tree::{BySpot, Spot, SpotGrid, pressure_gradient, spot_of_cells, spots_of};
 
 /// Share of the Hertz half width over which the gap is averaged.
 const CORE: f64 = 0.8;
@@ -455,6 +455,12 @@ impl RoughContact {
             dissipated: solution.dissipated,
             solution,
         }
+    }
+
+    /// The spot of each point of a contact, a place in [`ContactState::spots`]; `None` where the flanks stay apart.
+    #[must_use]
+    pub fn spot_of_points(&self, state: &ContactState) -> Vec<Option<u32>> {
+        spot_of_cells(&state.solution.pressure, &self.grid)
     }
 
     /// Points of the window.

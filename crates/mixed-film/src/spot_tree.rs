@@ -93,6 +93,31 @@ pub(crate) fn spots_of(pressure: &[f64], grid: &SpotGrid) -> Vec<Spot> {
     tree.peaks.iter().map(|&peak| tree.spot(peak)).collect()
 }
 
+/// The spot, counted from 0 as in [`spots_of`], of each cell; `None` without pressure. A cell below the pressure at which peaks
+/// join is of the spot of its highest neighbour.
+pub(crate) fn spot_of_cells(pressure: &[f64], grid: &SpotGrid) -> Vec<Option<u32>> {
+    let tree = SpotTree::of(pressure, grid);
+    let mut of_cell = vec![None; pressure.len()];
+    for (spot, &peak) in (0..).zip(&tree.peaks) {
+        for &cell in &tree.cells[tree.nodes[peak].cells.clone()] {
+            of_cell[cell] = Some(spot);
+        }
+    }
+    let is_joint = |cell: &usize| of_cell[*cell].is_none();
+    let mut joint: Vec<usize> = tree.cells.iter().copied().filter(is_joint).collect();
+    joint.sort_by(|a, b| pressure[*b].total_cmp(&pressure[*a]));
+    // Cells of a plateau may come before the cell next to them that leads up.
+    while !joint.is_empty() {
+        joint.retain(|&cell| {
+            let known = grid.neighbours(cell).filter(|k| of_cell[*k].is_some());
+            let highest = known.max_by(|a, b| pressure[*a].total_cmp(&pressure[*b]));
+            of_cell[cell] = highest.and_then(|k| of_cell[k]);
+            of_cell[cell].is_none()
+        });
+    }
+    of_cell
+}
+
 /// Derivative over the pressures of a line of a number whose derivatives over its spots are `by_spots`.
 ///
 /// With P_k F_k = Σ (t_ν − s_ν) f_ν, the derivatives over f_ν, q_ν, and the levels follow from the leaves to the root, and over the
@@ -728,6 +753,28 @@ mod tests {
         let area = 0.25 * PI * cell.width.si() * cell.length.si();
         assert!(close(area, 1.125 * 3.0 * SPACING * SPACING, 1e-12));
         assert!(close(cell.length.si() / cell.width.si(), 3.0, 1e-12));
+    }
+
+    #[test]
+    fn every_touching_cell_is_of_the_spot_to_which_the_pressure_rises() {
+        // Two peaks with a joint foot, and a plateau as a valley; a row without pressure parts them from the third.
+        let rows = [
+            [0.1, 0.9, 0.3, 0.3, 0.8, 0.2],
+            [0.1, 0.4, 0.3, 0.3, 0.2, 0.1],
+            [0.0; 6],
+            [0.0, 0.0, 0.5, 0.0, 0.0, 0.0],
+            [0.0; 6],
+        ];
+        let grid = SpotGrid {
+            columns: 6,
+            rows: 5,
+            spacings: [SPACING; 2].map(Length::from_si),
+        };
+        let found = spot_of_cells(&rows.concat(), &grid);
+        let [a, b, c] = [0, 1, 2].map(Some);
+        assert_eq!(found[..12], [a, a, a, b, b, b, a, a, a, b, b, b]);
+        assert_eq!(found[12..].iter().flatten().count(), 1);
+        assert_eq!(found[20], c);
     }
 
     /// A run with valleys inside valleys and a plateau at the pressure limit.

@@ -264,6 +264,20 @@ impl SpotConditions<'_> {
         Ok((mean, other))
     }
 
+    /// Sliding loss of each of some spots per metre of face \[W/m\], with the coefficient `boundary` of the boundary layer.
+    ///
+    /// # Errors
+    /// When a spot has no film.
+    pub(crate) fn losses(&self, spots: &[Spot], boundary: f64) -> Result<Vec<f64>, LoadShareError> {
+        let mut list = SpotList::of(&[(spots, 1.0)]);
+        let mut losses = Vec::with_capacity(spots.len());
+        let add = |k: usize, of_spot: &SpotFriction| {
+            losses.push(spots[k].load.si() * of_spot.total(boundary) * self.sliding);
+        };
+        self.of_each(&mut list, |points| self.shear(points), add)?;
+        Ok(losses)
+    }
+
     fn shear(&self, points: &mut [ShearedPoint]) -> Result<(), LoadShareError> {
         Ok(self.rheology.shear(points.iter_mut(), self.wall.si())?)
     }

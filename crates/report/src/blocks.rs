@@ -122,6 +122,35 @@ enum Block<'a> {
     File(Writer<'a>),
 }
 
+impl Block<'_> {
+    /// The block within a section.
+    fn markup(&self) -> Markup {
+        match self {
+            Self::Verdict(line) => html! { p.answer { (line) } },
+            Self::Text(line) => html! { p { (line) } },
+            Self::Warning(line) => match is_doubtful(line) {
+                true => html! { p.grave { strong { (DOUBTFUL) } " " (line) } },
+                false => html! { p { (line) } },
+            },
+            Self::Heading(line) => html! { h3 { (line) } },
+            Self::Code(code) => html! { pre { code { (code) } } },
+            Self::Table(table) => table.render(),
+            Self::Figures(draw) => {
+                let drawings = draw();
+                // Fields are compared side by side.
+                let is_field = |drawing: &Drawing| matches!(drawing, Drawing::Contour(_));
+                let are_fields = drawings.len() > 1 && drawings.iter().all(is_field);
+                html! { @if !drawings.is_empty() {
+                    div.charts.fields[are_fields] { @for drawing in &drawings { (figure(drawing)) } }
+                } }
+            }
+            Self::Markup(write) => write(),
+            Self::Method(line) => html! { p.note { (line) } },
+            Self::Section { .. } | Self::File(_) => html! {},
+        }
+    }
+}
+
 /// Indent of the lines after the first of a sentence in a terminal.
 const HANGING: &str = "    ";
 /// Name of the section of a page with the method.
@@ -397,8 +426,7 @@ impl<'a> Report<'a> {
     pub fn page(&self) -> String {
         let mut sections = vec![Section::new("", false)];
         let mut method = Vec::new();
-        let blocks = self.blocks.iter();
-        for (_, block) in blocks.filter(|(faces, _)| matches!(faces, Faces::Both | Faces::Page)) {
+        for block in self.on_pages() {
             let markup = match block {
                 Block::Section { name, is_folded } => {
                     sections.push(Section::new(name, *is_folded));
@@ -408,26 +436,7 @@ impl<'a> Report<'a> {
                     method.push(line);
                     continue;
                 }
-                Block::Verdict(line) => html! { p.answer { (line) } },
-                Block::Text(line) => html! { p { (line) } },
-                Block::Warning(line) => match is_doubtful(line) {
-                    true => html! { p.grave { strong { (DOUBTFUL) } " " (line) } },
-                    false => html! { p { (line) } },
-                },
-                Block::Heading(line) => html! { h3 { (line) } },
-                Block::Code(code) => html! { pre { code { (code) } } },
-                Block::Table(table) => table.render(),
-                Block::Figures(draw) => {
-                    let drawings = draw();
-                    // Fields are compared side by side.
-                    let is_field = |drawing: &Drawing| matches!(drawing, Drawing::Contour(_));
-                    let are_fields = drawings.len() > 1 && drawings.iter().all(is_field);
-                    html! { @if !drawings.is_empty() {
-                        div.charts.fields[are_fields] { @for drawing in &drawings { (figure(drawing)) } }
-                    } }
-                }
-                Block::Markup(write) => write(),
-                Block::File(_) => continue,
+                block => block.markup(),
             };
             if let Some(section) = sections.last_mut() {
                 section.body.0 += &markup.0;
@@ -438,6 +447,30 @@ impl<'a> Report<'a> {
             ..Section::new(METHOD, true)
         });
         page_of(&self.title, &self.subtitle, Some("study"), &sections)
+    }
+
+    /// The blocks that a page shows.
+    fn on_pages(&self) -> impl Iterator<Item = &Block<'a>> {
+        let blocks = self.blocks.iter();
+        let blocks = blocks.filter(|(faces, _)| matches!(faces, Faces::Both | Faces::Page));
+        blocks.map(|(_, block)| block)
+    }
+
+    /// The report as a part of another page.
+    pub(crate) fn part_of_page(&self) -> Markup {
+        html! { @for block in self.on_pages() { (block.markup()) } }
+    }
+
+    /// Names and texts of the tables in its folder.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(crate) fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, Fault> {
+        let tables = self.blocks.iter().filter_map(|(_, block)| match block {
+            Block::Table(table) if table.is_file() => Some(table.file_text()),
+            _ => None,
+        });
+        tables.collect()
     }
 
     /// Writes the files of the report into `folder`.

@@ -435,6 +435,22 @@ impl Table {
     /// # Errors
     /// When the file cannot be written, or a number is not finite.
     pub fn write(&self, folder: &Path) -> Result<(), Fault> {
+        tables::write(&folder.join(self.file), self.file_lines())
+    }
+
+    /// Name and text of its file.
+    ///
+    /// # Errors
+    /// When a number is not finite.
+    pub(crate) fn file_text(&self) -> Result<(&'static str, Vec<u8>), Fault> {
+        Ok((
+            self.file,
+            tables::text(Path::new(self.file), self.file_lines())?,
+        ))
+    }
+
+    /// The lines of its file.
+    fn file_lines(&self) -> Vec<Vec<Value>> {
         let columns = || self.columns.iter().filter(|column| !column.name.is_empty());
         let names = columns().flat_map(Column::names).map(Value::Text);
         // Every row has a value of every name, also where a cell is missing or has no interval.
@@ -446,8 +462,7 @@ impl Table {
         };
         let rows =
             (0..self.rows()).map(|row| columns().flat_map(|column| values(column, row)).collect());
-        let lines: Vec<Vec<Value>> = [names.collect()].into_iter().chain(rows).collect();
-        tables::write(&folder.join(self.file), lines)
+        [names.collect()].into_iter().chain(rows).collect()
     }
 
     /// The table with further rows, each with a cell for every column.

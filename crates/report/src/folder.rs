@@ -12,9 +12,9 @@ use asperity_core::Fault;
 use asperity_storage::{check_written, json_line, save, whole_file, write_among};
 use serde::Serialize;
 
-use crate::html;
 use crate::page_tables::{PageTables, shown_position};
-use crate::tables::{self, CONVERGENCE, ContactTables, FlankTables, folder_of};
+use crate::tables::{self, CONVERGENCE, ContactTables, FlankTables, PATCH, folder_of};
+use crate::{html, scans};
 
 /// The file that marks a folder as a result.
 const MARK: &str = "result.json";
@@ -145,7 +145,7 @@ fn texts_of(outcome: &Outcome, whole: &PageTables) -> Result<Vec<FileText>, Faul
     let result = &outcome.result;
     let shown = whole.thinned(result, PAGE_TABLES)?;
     let page_tables = json_line(&shown).map_err(error::not_json(Path::new(PAGE_TABLES)))?;
-    Ok(vec![
+    let mut files = vec![
         (MARK, json_text(Path::new(MARK), result)?.into_bytes()),
         table("path.csv", &result.path)?,
         table("load.csv", &result.load.path)?,
@@ -154,7 +154,9 @@ fn texts_of(outcome: &Outcome, whole: &PageTables) -> Result<Vec<FileText>, Faul
         table("friction_laws.csv", tables::friction_laws(result))?,
         (PAGE_TABLES, page_tables.into_bytes()),
         (PAGE, html::render(result, &shown)?.into_bytes()),
-    ])
+    ];
+    files.extend(scans::report(result).tables()?);
+    Ok(files)
 }
 
 fn write_fields(
@@ -189,6 +191,9 @@ fn write_position(contact: &ContactTables, place: &Path) -> Result<(), Fault> {
     tables::write(&place.join("surface.csv"), &contact.surface)?;
     if !contact.subsurface.is_empty() {
         tables::write(&place.join("subsurface.csv"), &contact.subsurface)?;
+    }
+    if let Some(patch) = &contact.patch {
+        tables::write(&place.join(PATCH), patch.rows())?;
     }
     Ok(())
 }

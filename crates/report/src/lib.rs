@@ -31,6 +31,7 @@ mod printed;
 pub mod profile_json;
 mod results;
 pub mod ridges;
+pub mod scans;
 mod settings;
 mod study;
 mod summary;

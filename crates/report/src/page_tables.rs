@@ -45,7 +45,7 @@ impl TryFrom<Stored> for PageTables {
     fn try_from(stored: Stored) -> Result<Self, OwnFault> {
         check_field(&stored.load_map, |row| [row.s_mm, row.y_mm])?;
         if let Some(contact) = &stored.contact {
-            contact.check_subsurface()?;
+            contact.check()?;
         }
         match stored.views.iter().all(ContactView::is_whole) {
             true => Ok(Self {

@@ -59,9 +59,9 @@ pub fn check_place(target: &Path) -> Result<(), Fault> {
 /// Writes the results of a run as folder `target`.
 ///
 /// The folder of a mesh holds `result.json`, `path.csv`, `load.csv`, tables of losses, friction laws and offsets, and
-/// `report.html` with the thinned tables it is drawn from; with `fields` also `load_map.csv`, tables of the flanks,
-/// `convergence.csv`, and a folder `position_NN` for each position. The folder of a train holds `train.json` (`planetary.json` of a
-/// case `[planetary]`), `meshes.csv`, `shafts.csv`, `report.html`, and such a folder for each kind of mesh. An older result is
+/// `report.html` with the thinned tables it is drawn from; of scans the tables of [`scans`](crate::scans); with `fields` also
+/// `load_map.csv`, tables of the flanks, `convergence.csv`, and a folder `position_NN` for each position. The folder of a train
+/// holds `train.json` (`planetary.json` of a case `[planetary]`), `meshes.csv`, `shafts.csv`, `report.html`, and such a folder for each kind of mesh. An older result is
 /// replaced; anything else is left unchanged and is an error.
 ///
 /// # Errors

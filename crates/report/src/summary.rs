@@ -4,14 +4,14 @@ use crate::other_models;
 use crate::printed::{
     BOUNDARY, LUBRICATED, PrintedLoss, gearbox_with_interval, of_mesh, stated, stated_parts, watts,
 };
-use crate::ridges;
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped_within};
+use crate::{ridges, scans};
 use asperity::message::{Subject, Warning};
 use asperity::result::loss_band::{Trust, Uncertainty, UncertaintyPart, rounded};
 use asperity::result::{
     BulkReport, FlankRecord, GearboxReport, MicropittingReport, PairSampling, PositionRow, Regime,
-    RunResult, Summary,
+    RunResult, Summary, TracePairs,
 };
 use asperity_core::Code;
 use asperity_storage::one_line;
@@ -245,10 +245,13 @@ fn details(result: &RunResult, columns: usize) -> String {
     }
     lines.extend(result.uncertainty.as_ref().and_then(shift));
     lines.extend(result.uncertainty.as_ref().and_then(other_models::outside));
-    let pairs = result.pairs.as_ref();
-    let sampling = pairs.and_then(|pairs| pairs.sampling.as_ref());
-    lines.extend(sampling.map(|pairs| pairs_text(pairs, &result.flanks)));
+    let pairs = result.pairs.iter();
+    let sampled = pairs.filter_map(|pairs| Some((pairs, pairs.sampling.as_ref()?)));
+    lines.extend(
+        sampled.map(|(pairs, sampling)| pairs_text(sampling, sampled_as(pairs, &result.flanks))),
+    );
     lines.extend(result.micropitting.as_ref().map(micropitting_text));
+    lines.extend(result.scans.as_ref().map(scans::verdict));
     lines.extend(relief_text(result));
     lines.push(convergence(result));
     lines.extend(solver_notes(result));
@@ -270,16 +273,17 @@ fn factors(s: &Summary) -> String {
 }
 
 /// The traced teeth, the mean over their pairs and the contributions to its error.
-fn pairs_text(pairs: &PairSampling, flanks: &[FlankRecord; 2]) -> String {
+fn pairs_text(pairs: &PairSampling, names: [&str; 2]) -> String {
     let [pinion, _] = pairs.traces;
-    let teeth = flanks[0].teeth();
-    let wheel = counted_of_wheel(pairs, flanks);
+    let teeth = names[0];
+    let wheel = counted_of_wheel(pairs, names);
+    let [of_pinion, _] = names.map(one_of);
     let own = |power: f64| rounded(power, pairs.half_width_w);
     let bound = pairs.bound();
     let [s1, s2] = pairs.between_w;
     format!(
         "pairs  {pinion} {teeth} of the pinion on {wheel} of the wheel, mean {} W, standard error {} W{bound}; \
-        s_1 {} between teeth of the pinion, s_2 {} of the wheel, s_12 {} W from pair to pair",
+        s_1 {} between {of_pinion} of the pinion, s_2 {} of the wheel, s_12 {} W from pair to pair",
         own(pairs.mean_w),
         two_digits(pairs.standard_error_w),
         two_digits(s1),
@@ -288,9 +292,27 @@ fn pairs_text(pairs: &PairSampling, flanks: &[FlankRecord; 2]) -> String {
     )
 }
 
+/// Words for the several traces of each flank: rows of its scan, or as [`FlankRecord::teeth`].
+pub(crate) fn sampled_as(pairs: &TracePairs, flanks: &[FlankRecord; 2]) -> [&'static str; 2] {
+    [0, 1].map(
+        |body| match pairs.traces[body].iter().all(|trace| trace.row.is_some()) {
+            true => ROWS,
+            false => flanks[body].teeth(),
+        },
+    )
+}
+
+/// Words for rows of a scan.
+const ROWS: &str = "rows";
+
+/// The last of the words for several traces.
+pub(crate) fn one_of(name: &str) -> &str {
+    if name == ROWS { ROWS } else { "teeth" }
+}
+
 /// Number of flanks of the wheel, which are named if those of the pinion have another name.
-pub(crate) fn counted_of_wheel(pairs: &PairSampling, flanks: &[FlankRecord; 2]) -> String {
-    let (count, [pinion, wheel]) = (pairs.traces[1], flanks.each_ref().map(FlankRecord::teeth));
+pub(crate) fn counted_of_wheel(pairs: &PairSampling, [pinion, wheel]: [&str; 2]) -> String {
+    let count = pairs.traces[1];
     match pinion == wheel {
         true => count.to_string(),
         false => format!("{count} {wheel}"),

@@ -148,7 +148,7 @@ impl WindowContact {
     ///
     /// # Errors
     /// When the contact has no solution.
-    pub(super) fn share_at_gap(&self, gap: Length) -> Result<f64, PositionError> {
+    pub(crate) fn share_at_gap(&self, gap: Length) -> Result<f64, PositionError> {
         let (table, rough) = self.table()?;
         table.share_at_gap(gap, || rough.map_or_else(|| self.rough(), Ok))
     }

@@ -28,6 +28,7 @@ pub(crate) use full_film::NOTED_DEVIATION;
 pub(crate) use position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
 pub(crate) use records::records_of;
 pub(crate) use rolling::rolling;
+pub(crate) use rough_film::RoughFilm;
 pub use share_comparison::{
     ComparedWindow, LawShare, ShareComparison, WINDOWS, compared_windows, points_of_window,
     share_settings, shares, windows_at,

@@ -4,10 +4,12 @@ use std::borrow::Cow;
 
 use asperity_core::Checked;
 use asperity_core::profile::mirrored_indices;
+use asperity_core::quantity::Length;
 
 use super::chosen_laws::ChosenLaws;
 use crate::contacts::WindowContact;
 use crate::mesh::MeshPosition;
+use crate::result::PatchFields;
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{FlattenedSheets, Surfaces, Window};
@@ -140,6 +142,59 @@ impl<'a> RoughFilm<'a> {
             rough.map_or_else(|| contact.rough(), Ok)
         })?;
         Ok(self.film.share(table, &roughness)?)
+    }
+}
+
+impl RoughFilm<'_> {
+    /// Flow through the roughness left in the contact over the flow of a smooth gap.
+    ///
+    /// # Errors
+    /// When a flow has no solution.
+    pub(crate) fn flow_factor(
+        &mut self,
+        gap: Length,
+        attenuated_rms: Length,
+    ) -> Result<f64, PositionError> {
+        if self.surfaces.sheets().is_some() {
+            self.flattening()?;
+        }
+        Ok(self.film.flow_factor(gap, attenuated_rms))
+    }
+
+    /// The first patch at a solved share: its pressures, and its spots with their losses; `None` of a line.
+    ///
+    /// # Errors
+    /// When the contact has no solution.
+    pub(crate) fn patch(
+        &self,
+        at: &MeshPosition,
+        contact: &WindowContact,
+        share: &LoadShareSolution,
+    ) -> Result<Option<PatchFields>, PositionError> {
+        let Some(window) = contact.window else {
+            return Ok(None);
+        };
+        let Some((sheets, place)) = contact.patch(window)? else {
+            return Ok(None);
+        };
+        let mut rough = contact.rough()?;
+        let state = rough.at(share.asperity_share)?;
+        let losses = self.film.losses_of_spots(&state.spots, share)?;
+        let [along, across] = sheets.spacings().map(Length::si);
+        let (columns, rows) = (place.points, sheets.rows());
+        let middle = 0.5 * (columns as f64 - 1.0);
+        let x: Vec<f64> = (0..columns).map(|i| (i as f64 - middle) * along).collect();
+        Ok(Some(PatchFields {
+            pressure_fluid: at.hertz_pressure(&x, 1.0 - share.asperity_share)?,
+            x,
+            y: (0..rows).map(|j| j as f64 * across).collect(),
+            spot: rough.spot_of_points(&state),
+            pressure: state.solution.pressure,
+            spot_losses: losses
+                .iter()
+                .map(|loss| loss * across * rows as f64)
+                .collect(),
+        }))
     }
 }
 

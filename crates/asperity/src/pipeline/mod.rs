@@ -15,6 +15,8 @@
 mod bulk_temperature;
 mod gradient;
 mod kept_fields;
+mod over_gap;
+mod scan_use;
 mod stages;
 mod store;
 mod survey;
@@ -23,6 +25,7 @@ pub use gradient::{
     LossGradient, check_heights, gradient, gradient_with, mean_gradient, refuse as check_gradient,
 };
 pub use kept_fields::KeptFields;
+pub use scan_use::{ScanUse, less_of_scans};
 pub use stages::{
     Progress, check, chooses_offsets, coldest_losses_with, contacts, contacts_beside, losses,
     losses_with, settled,
@@ -30,4 +33,5 @@ pub use stages::{
 pub use store::ContactStore;
 pub use survey::{RegimeRow, survey};
 
+pub(crate) use over_gap::over_gap;
 pub(crate) use stages::{losses_of, outcome};

@@ -12,6 +12,7 @@ mod micropitting_report;
 mod outside_input;
 pub mod ridges;
 mod run_in;
+mod scan_comparison;
 mod trace_pairs;
 
 use std::borrow::Cow;
@@ -38,6 +39,7 @@ pub use micropitting_report::{MicropittingCell, MicropittingReport};
 pub use outside_input::OutsideInput;
 pub use ridges::Ridges;
 pub use run_in::{FlankHeights, RunInCycle};
+pub use scan_comparison::{GapRow, ScanComparison, ScanLoss};
 pub use trace_pairs::{ToothTrace, TracePairs};
 
 /// Version of the structure of `result.json`; raised when a field changes its meaning.
@@ -99,6 +101,9 @@ pub struct RunResult {
     /// Why the ridges that cost most cannot be found, if they were sought.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub no_ridges: Option<String>,
+    /// Comparison of patches of the scans with rows of them; `None` without patches or without pictures.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scans: Option<ScanComparison>,
     /// Warnings.
     pub warnings: Vec<Warning>,
     /// The flanks as read and prepared, each by its first trace.
@@ -579,6 +584,27 @@ pub struct PositionFields {
     pub subsurface: Option<SubsurfaceFields>,
     /// History of the approach to the solution.
     pub history: Vec<HistoryRow>,
+    /// The contact over an extent along the lead, where patches are in contact; the other fields are of its middle row.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub patch: Option<PatchFields>,
+}
+
+/// Contact of a patch, row by row along the lead.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PatchFields {
+    /// Places of the columns along rolling, 0 in the middle of the contact \[m\].
+    pub x: Vec<f64>,
+    /// Places of the rows along the lead \[m\].
+    pub y: Vec<f64>,
+    /// Pressure of touching asperities \[Pa\].
+    pub pressure: Vec<f64>,
+    /// Pressure in the film of each column \[Pa\].
+    pub pressure_fluid: Vec<f64>,
+    /// The spot of each cell, a place in `spot_losses`; `None` where the flanks stay apart.
+    pub spot: Vec<Option<u32>>,
+    /// Sliding loss of each spot of this patch \[W\].
+    pub spot_losses: Vec<f64>,
 }
 
 /// Stress below the surface, row by row from the surface down.

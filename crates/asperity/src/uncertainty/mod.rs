@@ -25,6 +25,7 @@ mod difference;
 mod evaluations;
 mod other_models;
 mod recorded;
+mod scans;
 
 use asperity_core::{Code, Estimate};
 use std::collections::BTreeSet;
@@ -97,6 +98,7 @@ pub(crate) fn run_and_draw(
     };
     let (mut outcome, loaded, contacts) = outcome(loaded, pictures, known, &shown)?;
     if !band || !has_band(&loaded) {
+        scans::compare_with_rows(&mut outcome, None, (&loaded, &contacts), pictures)?;
         known.push(contacts);
         return Ok((outcome, None));
     }
@@ -132,6 +134,8 @@ pub(crate) fn run_and_draw(
     }
     outcome.result.uncertainty = Some(uncertainty);
     note(&mut outcome.result, &used.tags());
+    let drawn = Some(&predictive);
+    scans::compare_with_rows(&mut outcome, drawn, (&loaded, &contacts), pictures)?;
     known.push(contacts);
     Ok((outcome, Some(predictive)))
 }

@@ -1237,6 +1237,7 @@ class ResultValues:
     run_in: Any
     ridges: Any
     no_ridges: Any
+    scans: Any
     flanks: Any
     pairs: Any
     gears: Any

@@ -45,6 +45,8 @@ pub struct Contour {
     pub isoline: Option<f64>,
     /// Height of the box in units of the drawing.
     pub height: f64,
+    /// Whether each value is of a whole cell around its place, without a slope between cells.
+    pub is_of_cells: bool,
 }
 
 /// Distance from the box to the colour scale.
@@ -90,7 +92,13 @@ impl Contour {
             _ => axis.range(values.iter().copied()),
         };
         let lines = usize::from(dress == Dress::Alone);
-        let (x, y) = (of(&self.x, &self.columns), of(&self.y, &self.rows));
+        let (x, y) = match self.is_of_cells {
+            true => (
+                of(&self.x, &edges(&self.columns)),
+                of(&self.y, &edges(&self.rows)),
+            ),
+            false => (of(&self.x, &self.columns), of(&self.y, &self.rows)),
+        };
         let beside = self.scale_room(&self.levels());
         Frame::new(self.height, lines, beside, &self.y, [x, y])
     }
@@ -139,7 +147,10 @@ impl Contour {
         for (band, level) in levels.iter().enumerate() {
             // The first band includes all lower values.
             let from = if band == 0 { f64::NEG_INFINITY } else { *level };
-            let outline = self.region_above(from, &frame);
+            let outline = match self.is_of_cells {
+                true => self.cells_above(from, &frame),
+                false => self.region_above(from, &frame),
+            };
             canvas.path(&format!("band {}", colour(band, &levels)), &outline);
         }
         if let Some(level) = self.isoline {
@@ -194,6 +205,24 @@ impl Contour {
         }
         let at = [WIDTH - DESCENT * NAME, 0.5 * (frame.top + frame.bottom)];
         canvas.upright("name", at, &self.scale_name());
+    }
+
+    /// Outlines of the cells at or above `level`, in runs; an undefined cell stays blank.
+    fn cells_above(&self, level: f64, frame: &Frame) -> String {
+        let px: Vec<f64> = edges(&self.columns).iter().map(|x| frame.px(*x)).collect();
+        let py: Vec<f64> = edges(&self.rows).iter().map(|y| frame.py(*y)).collect();
+        let mut d = String::new();
+        for (j, row) in self.values.chunks(self.columns.len().max(1)).enumerate() {
+            let mut from = 0;
+            for run in row.chunk_by(|a, b| (*a >= level) == (*b >= level)) {
+                let to = from + run.len();
+                if run[0] >= level {
+                    block(&mut d, [px[from], px[to]], [py[j], py[j + 1]]);
+                }
+                from = to;
+            }
+        }
+        d
     }
 
     /// Outline of the region where the field is at or above `level`, by cell; full cells are joined to runs. A cell with
@@ -331,6 +360,18 @@ impl Contour {
     }
 }
 
+/// Edges of the cells around some places: half-way between them, and as far beyond the first and the last.
+fn edges(places: &[f64]) -> Vec<f64> {
+    let ([first, second, ..], [.., before, last]) = (places, places) else {
+        return places.iter().flat_map(|x| [x - 0.5, x + 0.5]).collect();
+    };
+    let inner = places.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+    std::iter::once(1.5 * first - 0.5 * second)
+        .chain(inner)
+        .chain([1.5 * last - 0.5 * before])
+        .collect()
+}
+
 /// Value with five digits; `None` if undefined.
 fn digits(value: f64) -> Option<f64> {
     let text = format!("{value:.4e}");
@@ -434,6 +475,7 @@ mod tests {
             dots: Vec::new(),
             isoline: Some(96.0),
             height: 100.0,
+            is_of_cells: false,
         };
         let frame = field.frame(Dress::Page);
         assert!(!field.svg(Dress::Page).contains("NaN"));
@@ -460,6 +502,28 @@ mod tests {
             (above.matches('M').count(), above.contains(&left)),
             (1, false)
         );
+    }
+
+    #[test]
+    fn cells_are_drawn_whole_to_their_edges_and_undefined_ones_stay_blank() {
+        assert_eq!(edges(&[1.0, 2.0, 4.0]), [0.5, 1.5, 3.0, 5.0]);
+        assert_eq!(edges(&[3.0]), [2.5, 3.5]);
+        let field = Contour {
+            columns: vec![0.0, 1.0, 2.0],
+            rows: vec![0.0, 1.0],
+            values: vec![1.0, 5.0, f64::NAN, 5.0, 5.0, 5.0],
+            levels: Some(vec![0.0, 4.0]),
+            height: 100.0,
+            is_of_cells: true,
+            ..Contour::default()
+        };
+        let frame = field.frame(Dress::Page);
+        let above = field.cells_above(4.0, &frame);
+        assert_eq!(above.matches('M').count(), 2);
+        let starts = [0.5, -0.5].map(|x| format!("M{:.1} ", frame.px(x)));
+        assert!(above.starts_with(&starts[0]) && above.contains(&starts[1]));
+        let all = field.cells_above(f64::NEG_INFINITY, &frame);
+        assert!(all.contains(&format!("H{:.1}", frame.px(1.5))));
     }
 
     #[test]

@@ -9,10 +9,11 @@ use maud::{Markup, html};
 use serde::de::DeserializeOwned;
 
 use super::page::figure;
+use super::patch;
 use crate::chart::{Axis, Chart, Contour, Drawing, Line, Series};
 use crate::page_tables::{PageTables, shown_position};
 use crate::tables::{
-    CONVERGENCE, ContactTables, ConvergenceRow, NEAR, SubsurfaceRow, SurfaceRow, folder_of,
+    CONVERGENCE, ContactTables, ConvergenceRow, NEAR, PATCH, SubsurfaceRow, SurfaceRow, folder_of,
 };
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup, Fault> {
@@ -24,11 +25,14 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
     let count = result.path.len();
     let drawn = contact.surface.iter();
     let largest = drawn.map(|at| at.pressure_solid_mpa + at.pressure_fluid_mpa);
+    let patch = contact.patch.as_ref();
+    let largest = patch.map_or_else(|| largest.fold(0.0, f64::max), patch::largest_pressure);
+    let of_patch = source_of(tables, contact, PATCH);
     Ok(html! {
         p {
             "Position " (contact.position) " of " (count) ", at " (format!("{:.0} %", 100.0 * row.path_fraction))
             " of the path from A to E. The charts show the first offset of the traces. On single asperities the pressure reaches "
-            (format!("{:.0}", largest.fold(0.0, f64::max))) " MPa. Smooth flanks under the same load would have at most p₀ = "
+            (format!("{largest:.0}")) " MPa. Smooth flanks under the same load would have at most p₀ = "
             (format!("{:.0}", row.hertz_pressure_mpa)) " MPa (Hertz)."
             @if let Some(mean) = row.p_max_mpa.filter(|_| count > 1) {
                 " The mean of this maximum over all offsets is " (format!("{mean:.0}"))
@@ -44,6 +48,10 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
                     " The von Mises stress stays below the elastic limit of " (limit) " MPa."
                 }
             }
+        }
+        @if let Some(patch) = patch {
+            (patch::words(patch))
+            div.charts { @for drawing in &patch::drawings(patch, &of_patch) { (figure(drawing)) } }
         }
         div.charts { @for drawing in &drawings { (figure(drawing)) } }
     })

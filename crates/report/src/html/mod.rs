@@ -19,6 +19,7 @@ mod micropitting;
 pub(crate) mod overview;
 mod page;
 mod pairs;
+mod patch;
 mod path;
 mod policy;
 mod relief;
@@ -40,6 +41,7 @@ use asperity::result::RunResult;
 use maud::{Markup, html};
 
 use crate::page_tables::PageTables;
+use crate::scans::{SECTION, report};
 
 /// Renders the page of `result`, with the flanks and the mesh position of `tables`.
 ///
@@ -53,6 +55,7 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> 
         is_folded,
     };
     let chosen = contact::chosen(result, tables)?;
+    let scans = report(result).part_of_page();
     let sections = [
         section("Summary", overview::section(result), false),
         section("What to check", checks::section(result), false),
@@ -61,6 +64,7 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> 
             path::section(result, tables),
             false,
         ),
+        section(SECTION, scans, false),
         section(
             "Ridges with the largest loss",
             ridges::section(result),

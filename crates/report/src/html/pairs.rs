@@ -6,7 +6,7 @@ use asperity::roughness::Parameters;
 use asperity_core::quantity::Length;
 use maud::{Markup, html};
 
-use crate::summary::{counted_of_wheel, two_digits};
+use crate::summary::{counted_of_wheel, one_of, sampled_as, two_digits};
 use crate::tables::BODIES;
 use crate::units::MICRO;
 use crate::{Cell, Column, Kind, Table, columns};
@@ -18,14 +18,17 @@ pub(super) fn section(
 ) -> Markup {
     let watts = |power: f64| rounded(power, sampling.half_width_w);
     let [pinion, wheel] = sampling.traces;
-    let of_wheel = counted_of_wheel(sampling, flanks);
+    let names = sampled_as(pairs, flanks);
+    let of_wheel = counted_of_wheel(sampling, names);
+    let teeth = one_of(names[0]);
     let [s1, s2] = sampling.between_w;
     html! {
-        h3 { "The " (flanks[0].teeth()) ", pair by pair" }
+        h3 { "The " (names[0]) ", pair by pair" }
         p {
-            (pinion) " " (flanks[0].teeth()) " of the pinion run on " (of_wheel) " of the wheel. The mean loss is " (watts(sampling.mean_w)) " W, its standard error "
+            (pinion) " " (names[0]) " of the pinion run on " (of_wheel) " of the wheel. The mean loss is "
+            (watts(sampling.mean_w)) " W, its standard error "
             (two_digits(sampling.standard_error_w)) " W with " (format!("{:.1}", sampling.freedom)) " degrees of freedom" (sampling.bound()) "."
-            " Between the teeth of the pinion the loss scatters by " (two_digits(s1)) " W (s₁), between those of the wheel by "
+            " Between the " (teeth) " of the pinion the loss scatters by " (two_digits(s1)) " W (s₁), between those of the wheel by "
             (two_digits(s2)) " W (s₂), and from pair to pair by further " (two_digits(sampling.interaction_w)) " W (s₁₂)."
         }
         (losses(pairs, wheel))

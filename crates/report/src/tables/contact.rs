@@ -11,11 +11,15 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use asperity_table::own::{OwnFault, finite};
 
 use super::csv_table::{check_field, read};
+use super::patch::PatchTable;
 use crate::thin::{BINS, thin};
 use crate::units::{MEGA, MICRO};
 
 /// Table of the steps of the solutions of all positions.
 pub(crate) const CONVERGENCE: &str = "convergence.csv";
+
+/// Table of the contact of a patch.
+pub(crate) const PATCH: &str = "patch.csv";
 
 /// Row of `surface.csv`: fields along the contact, with the pressure of the smooth dry contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -140,6 +144,9 @@ pub struct ContactTables {
     pub subsurface: Vec<SubsurfaceRow>,
     /// Steps of the solution; empty if no contact was solved.
     pub convergence: Vec<ConvergenceRow>,
+    /// The contact over an extent along the lead; `None` of a line.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub patch: Option<PatchTable>,
 }
 
 impl ContactTables {
@@ -151,13 +158,14 @@ impl ContactTables {
             surface: surface(fields, at),
             subsurface: below.map_or(Vec::new(), |below| subsurface(&fields.x, below, at)),
             convergence: convergence(fields),
+            patch: PatchTable::of(fields),
         }
     }
 
     /// Names of the tables of `position` in a result folder.
     pub(crate) fn files(folder: &Path, position: usize) -> Vec<String> {
         let place = folder_of(position);
-        let names = ["surface.csv", "subsurface.csv"].map(|name| format!("{place}/{name}"));
+        let names = ["surface.csv", "subsurface.csv", PATCH].map(|name| format!("{place}/{name}"));
         let names = names.into_iter().chain([CONVERGENCE.to_owned()]);
         names.filter(|name| folder.join(name).exists()).collect()
     }
@@ -179,6 +187,11 @@ impl ContactTables {
             false => Vec::new(),
         };
         convergence.retain(|row| row.position == position);
+        let patch = place.join(PATCH);
+        let patch = match patch.exists() {
+            true => Some(PatchTable::read(&patch)?),
+            false => None,
+        };
         let subsurface = match below.exists() {
             true => read(&below)?,
             false => Vec::new(),
@@ -188,15 +201,17 @@ impl ContactTables {
             surface: read(&file)?,
             subsurface,
             convergence,
+            patch,
         };
-        match tables.check_subsurface() {
+        match tables.check() {
             Ok(()) => Ok(Some(tables)),
             Err(reason) => Err(error::bad_table(&below, reason)),
         }
     }
 
-    /// Whether the stress below the surface is a field of finite numbers.
-    pub(crate) fn check_subsurface(&self) -> Result<(), OwnFault> {
+    /// Whether the stress below the surface is a field of finite numbers, and the patch a rectangle.
+    pub(crate) fn check(&self) -> Result<(), OwnFault> {
+        self.patch.as_ref().map_or(Ok(()), PatchTable::check)?;
         finite(&self.subsurface)?;
         check_field(&self.subsurface, |row| [row.x_um, row.depth_um])
     }
@@ -267,6 +282,7 @@ impl ContactTables {
             ),
             subsurface: self.subsurface.iter().filter(kept).copied().collect(),
             convergence: self.convergence.clone(),
+            patch: (self.patch.as_ref()).map(|patch| patch.thinned(at.half_width_um)),
         }
     }
 }

@@ -4,6 +4,7 @@ use asperity::case::{GearFlankInput, LoadedCase, ReliefInput, TipRelief};
 use asperity::flanks::{Surfaces, Texture};
 use asperity::gear::{ReliefExtent, ReliefShape};
 use asperity::oil::{BaseOil, ViscosityLaw};
+use asperity::pipeline::less_of_scans;
 use asperity::{Error, PositionError};
 use asperity_core::Profile;
 use asperity_core::quantity::{KinematicViscosity, Length, Temperature};
@@ -31,6 +32,9 @@ const BASE_OILS: [BaseOil; 4] = [
     BaseOil::Ester,
     BaseOil::Polyglycol,
 ];
+
+/// Group of the use of scans, whose change has other windows.
+pub(super) const SCANS: &str = "scans";
 
 /// Approximate number of changes of a case.
 pub(super) const CHANGES: usize = 24;
@@ -69,6 +73,7 @@ impl Change {
 pub(super) fn changes(case: &LoadedCase) -> Vec<Change> {
     let mut changes = flanks(case);
     changes.extend(cutoffs(case));
+    changes.extend(scans(case));
     changes.extend(boundary(case));
     changes.extend(oil(case));
     changes.extend(relief(case));
@@ -126,6 +131,13 @@ fn cutoffs(loaded: &LoadedCase) -> Vec<Change> {
         }));
     }
     changes
+}
+
+/// Less of the scans: rows in place of patches, or single rows in place of several.
+fn scans(loaded: &LoadedCase) -> Option<Change> {
+    let scans = less_of_scans(loaded)?;
+    let change = Change::of(SCANS, false);
+    Some(change(scans.taken, scans.other.to_owned(), scans.case))
 }
 
 /// The next smaller and the next larger cut-off of the series 0.08, 0.25, 0.8, 2.5 of ISO 21920-3.

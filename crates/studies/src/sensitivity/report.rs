@@ -6,6 +6,7 @@ use asperity_core::{Code, Estimate};
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::{Cell, Report, StudyResult, Table, Value, columns};
 
+use super::changes::SCANS;
 use super::study::{Effect, Sensitivity, SensitivityRow, SensitivitySettings};
 use asperity_report::StudySettings as _;
 
@@ -82,11 +83,19 @@ fn verdicts(study: &Sensitivity) -> impl Iterator<Item = String> {
     [true, false].into_iter().filter_map(largest)
 }
 
+/// Names of the groups that no drawing states.
+fn of_uncertain(study: &Sensitivity) -> &'static str {
+    match study.rows.iter().any(|row| row.group == SCANS) {
+        true => "boundary layer, filters and use of the scans",
+        false => "boundary layer and filters",
+    }
+}
+
 /// The changes that a designer makes, or the others, over one axis; `None` if no one has an effect.
 fn chart(study: &Sensitivity, is_changeable: bool) -> Option<Drawing> {
     let (id, of) = match is_changeable {
         true => ("sensitivity", "finish, oil and relief"),
-        false => ("uncertain", "boundary layer and filters"),
+        false => ("uncertain", of_uncertain(study)),
     };
     let bars = changes(study, is_changeable)
         .into_iter()

@@ -13,7 +13,7 @@ use asperity_core::{Code, Fault};
 use asperity_report::{StudySettings, Watch, Work, settings};
 use serde::Serialize;
 
-use super::changes::{CHANGES, Change, changes};
+use super::changes::{CHANGES, Change, SCANS, changes};
 
 /// Sensitivity of the loss of a case to single changes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -39,7 +39,7 @@ pub struct Sensitivity {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct SensitivityRow {
-    /// Group: flanks, filters, boundary layer, oil, gears.
+    /// Group: flanks, filters, scans, boundary layer, oil, gears.
     pub group: &'static str,
     /// Changed quantity, with its present value if it has one.
     pub what: String,
@@ -266,7 +266,13 @@ fn row(
     let tables = tables.filter(|_| change.keeps_contacts);
     let losses = change.case.and_then(|changed| run(&changed, tables));
     let (effect, refused) = match losses {
-        Ok(changed) => (Some(effect(case, base, &changed)), None),
+        Ok(changed) => {
+            let mut effect = effect(case, base, &changed);
+            if change.group == SCANS {
+                effect.sampling_quantiles_w = None;
+            }
+            (Some(effect), None)
+        }
         Err(error) => {
             let refused = Refused {
                 code: error.code().to_owned(),

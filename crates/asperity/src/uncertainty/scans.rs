@@ -1,0 +1,80 @@
+//! Comparison of patches of scans with rows of them.
+
+use asperity_core::cancel::checkpoint;
+
+use super::{Predictive, difference, run_and_draw};
+use crate::contacts::Contacts;
+use crate::pipeline::{KeptFields, less_of_scans, over_gap};
+use crate::result::{GapRow, Outcome, ScanComparison, ScanLoss};
+use asperity_case::case::LoadedCase;
+use asperity_case::error::Error;
+
+/// Whether the result of a run has the comparison: patches are in contact, and its pictures are requested.
+fn is_due(loaded: &LoadedCase, pictures: Option<&KeptFields>) -> bool {
+    pictures.is_some_and(|kept| *kept != KeptFields::Nothing) && loaded.surfaces.sheets().is_some()
+}
+
+/// Adds to the `outcome` of a case with patches the comparison with rows of the scans. Rows without a result, as of a scan that is
+/// too short, leave it out.
+pub(super) fn compare_with_rows(
+    outcome: &mut Outcome,
+    drawn: Option<&Predictive>,
+    (loaded, contacts): (&LoadedCase, &Contacts),
+    pictures: Option<&KeptFields>,
+) -> Result<(), Error> {
+    if !is_due(loaded, pictures) {
+        return Ok(());
+    }
+    outcome.result.scans = comparison(outcome, drawn, (loaded, contacts)).unwrap_or_default();
+    // A cancelled run is not one without a result.
+    Ok(checkpoint()?)
+}
+
+fn comparison(
+    outcome: &Outcome,
+    drawn: Option<&Predictive>,
+    patches: (&LoadedCase, &Contacts),
+) -> Result<Option<ScanComparison>, Error> {
+    let loaded = patches.0;
+    let Some(rows) = less_of_scans(loaded).filter(|scans| scans.are_patches) else {
+        return Ok(None);
+    };
+    let rows = rows.case?;
+    let mut contacts = Vec::new();
+    let (of_rows, drawn_of_rows) =
+        run_and_draw(&rows, (None, drawn.is_some()), &mut contacts, &|_, _| {})?;
+    let number = outcome.fields.iter().find(|fields| fields.patch.is_some());
+    let (Some(shown), Some(contacts)) = (number, contacts.pop()) else {
+        return Ok(None);
+    };
+    let Some(patch) = over_gap(patches, shown.position, None)? else {
+        return Ok(None);
+    };
+    let Some(lines) = over_gap((&rows, &contacts), shown.position, Some(&patch.gaps))? else {
+        return Ok(None);
+    };
+    let shares = patch.shares.iter().zip(&lines.shares);
+    let flows = patch.flows.iter().zip(&lines.flows);
+    let all = patch.gaps.iter().zip(shares.zip(flows));
+    let gaps = all.map(
+        |(gap, ((share_patch, share_lines), (flow_patch, flow_lines)))| GapRow {
+            gap_um: 1e6 * gap.si(),
+            share_patch: *share_patch,
+            share_lines: *share_lines,
+            flow_patch: *flow_patch,
+            flow_lines: *flow_lines,
+        },
+    );
+    let [own, other] = [outcome, &of_rows].map(|of| of.result.uncertainty.as_ref());
+    let both = drawn.zip(own).zip(drawn_of_rows.as_ref().zip(other));
+    Ok(Some(ScanComparison {
+        rows: rows.surfaces.several_teeth().unwrap_or([1, 1]),
+        patches: ScanLoss::new(outcome, patch.contact),
+        lines: ScanLoss::new(&of_rows, lines.contact),
+        difference: both.map(|((drawn, own), (of_rows, other))| {
+            difference((&rows, of_rows, other), (loaded, drawn, own))
+        }),
+        position: shown.position,
+        gaps: gaps.collect(),
+    }))
+}
