@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 
 use asperity::case::{LoadedCase, from_text};
 use asperity::core::Code;
+use asperity::core::quantity::Length;
 use asperity::{Error, losses};
 
 const COLUMNS: usize = 1500;
@@ -96,6 +97,12 @@ fn scans_are_taken_by_their_lay() {
     let ridged = case(["60-200-1", "60-200-9"], "").unwrap();
     assert!(ridged.surfaces.sheets().is_none());
     assert_eq!(ridged.surfaces.pairs(), 16);
+    let sampled = ridged.sampled.as_ref().unwrap();
+    let row = sampled.traces[1][3].row.unwrap();
+    assert_eq!(
+        (row.number, row.along_lead),
+        (22, Some(Length::from_si(42e-6)))
+    );
     let isotropic = case(["1-200-1", "1-200-9"], "").unwrap();
     let sheets = isotropic.surfaces.sheets().unwrap();
     assert_eq!(

@@ -127,6 +127,8 @@ fn every_pair_loses_what_it_loses_alone() {
     let result = asperity::Run::new(&several).execute().unwrap().result;
     let pairs = result.pairs.unwrap();
     let mut sum = 0.0;
+    let of_wheel = 0.5 * (pairs.losses_w[0][1] + pairs.losses_w[1][1]);
+    assert_eq!(pairs.traces[1][1].loss_w, Some(of_wheel));
     for (i, row) in pairs.losses_w.iter().enumerate() {
         for (j, found) in row.iter().enumerate() {
             let alone = case(&format!("file = \"{i}\""), &format!("file = \"{}\"", j + 2));

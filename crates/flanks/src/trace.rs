@@ -292,8 +292,7 @@ fn check_mean(
 }
 
 /// Number of rows or columns of a surface.
-#[must_use]
-pub fn lines_across(surface: &Surface, line: TraceLine) -> usize {
+fn lines_across(surface: &Surface, line: TraceLine) -> usize {
     match line {
         TraceLine::Row | TraceLine::Mean => surface.rows,
         _ => surface.columns,

@@ -3,7 +3,7 @@
 use asperity_core::quantity::Length;
 
 use crate::surfaces::FlankReport;
-use crate::trace_sites::TraceSite;
+use crate::trace_sites::{ScanRow, TraceSite};
 
 /// One of several traces of a flank, as read and prepared.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +15,8 @@ pub struct SampledTrace {
     pub number: Option<u32>,
     /// Place across the face, where the case states it.
     pub y: Option<Length>,
+    /// Its row, of several rows of one scan.
+    pub row: Option<ScanRow>,
     /// Reading and preparation.
     pub report: FlankReport,
 }
@@ -37,6 +39,7 @@ impl SampledTrace {
             tooth: site.tooth,
             number: site.number,
             y: site.y,
+            row: site.row,
             report,
         }
     }

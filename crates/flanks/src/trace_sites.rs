@@ -16,6 +16,17 @@ pub struct TraceSite {
     pub number: Option<u32>,
     /// Place across the face.
     pub y: Option<Length>,
+    /// Its row, of several rows of one scan.
+    pub row: Option<ScanRow>,
+}
+
+/// A row of a scan.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ScanRow {
+    /// Its number from 1.
+    pub number: usize,
+    /// Distance from the first row, if the distance of the rows is known.
+    pub along_lead: Option<Length>,
 }
 
 /// Number of teeth of `traces`.

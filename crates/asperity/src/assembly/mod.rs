@@ -184,11 +184,28 @@ impl Solved<'_> {
     fn trace_pairs(&self) -> Option<TracePairs> {
         let (losses, sampling) = self.pairs()?;
         let sampled = self.loaded.sampled.as_ref()?;
-        let of = |body: usize| sampled.traces[body].iter().map(ToothTrace::from).collect();
         let rows = losses.chunks(self.loaded.surfaces.teeth()?[1]);
+        let losses_w: Vec<Vec<f64>> = rows.map(<[f64]>::to_vec).collect();
+        let of_trace = |body: usize, tooth: usize| {
+            let of_pairs: Vec<f64> = match body {
+                0 => losses_w.get(tooth)?.clone(),
+                _ => losses_w
+                    .iter()
+                    .filter_map(|row| row.get(tooth).copied())
+                    .collect(),
+            };
+            (!of_pairs.is_empty()).then(|| mean(of_pairs))
+        };
+        let of = |body: usize| {
+            let traces = sampled.traces[body].iter().map(|trace| ToothTrace {
+                loss_w: of_trace(body, trace.tooth),
+                ..ToothTrace::from(trace)
+            });
+            traces.collect()
+        };
         Some(TracePairs {
             traces: [of(0), of(1)],
-            losses_w: rows.map(<[f64]>::to_vec).collect(),
+            losses_w,
             sampling,
         })
     }

@@ -31,6 +31,15 @@ pub struct ToothTrace {
     /// Place across the face \\[mm\\], where the case states it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub y_mm: Option<f64>,
+    /// Its row in the file, from 1, where the traces are rows of one scan.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub row: Option<usize>,
+    /// Distance of this row from the first one of the scan \\[mm\\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub row_mm: Option<f64>,
+    /// Loss \\[W\\] of this trace, mean over its pairs with the traces of the other flank; their scatter is `sampling.between_w`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_w: Option<f64>,
     /// The trace as read and prepared.
     #[serde(flatten)]
     pub record: FlankRecord,
@@ -42,6 +51,9 @@ impl From<&SampledTrace> for ToothTrace {
             tooth: trace.tooth + 1,
             tooth_number: trace.number,
             y_mm: trace.y.map(|y| y.si() * 1e3),
+            row: trace.row.map(|row| row.number),
+            row_mm: trace.row.and_then(|row| Some(row.along_lead?.si() * 1e3)),
+            loss_w: None,
             record: FlankRecord::from(&trace.report),
         }
     }

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use asperity_flanks::generated_record::GeneratedRecord;
-use asperity_flanks::trace_sites::TraceSite;
+use asperity_flanks::trace_sites::{ScanRow, TraceSite};
 use asperity_profile_io::read::Reading;
 
 use crate::input::case_input::FlankInput;
@@ -137,6 +138,7 @@ pub(crate) fn listed(
                 tooth,
                 number: trace.tooth,
                 y: trace.y,
+                row: None,
             },
             generated: None,
         });
@@ -144,11 +146,11 @@ pub(crate) fn listed(
     Ok(traces)
 }
 
-/// `rows` of the `has` rows of the surface of a flank, in the middles of as many equal parts.
+/// `rows` of the `has` rows of the surface of a flank, `apart` from each other, in the middles of as many equal parts.
 pub(crate) fn rows(
     flank: &FlankInput,
     rows: usize,
-    has: usize,
+    (has, apart): (usize, Option<Length>),
     section: Section<'_>,
 ) -> Result<Vec<Listed>, CaseError> {
     if flank.row.is_some() || flank.line.is_some() {
@@ -166,6 +168,10 @@ pub(crate) fn rows(
             ..flank.clone()
         });
         trace.site.tooth = k;
+        trace.site.row = Some(ScanRow {
+            number: row,
+            along_lead: apart.map(|apart| apart * (row - 1) as f64),
+        });
         trace
     };
     Ok((0..rows).map(listed).collect())

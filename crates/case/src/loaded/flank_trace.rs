@@ -13,12 +13,12 @@ use asperity_flanks::read_place::PlaceError;
 use asperity_flanks::sheets::LEAST_ROWS;
 use asperity_flanks::surfaces::{FlankReport, Texture};
 use asperity_flanks::trace::{
-    Flank, PreparedTrace, TraceContent, TraceError, TraceInputs, lines_across, prepared_trace,
+    Flank, PreparedTrace, TraceContent, TraceError, TraceInputs, prepared_trace,
 };
 use asperity_flanks::trace_filters::{Filters, StatedFilters};
 use asperity_gear::Gear;
 use asperity_profile_io::Warning as ReadWarning;
-use asperity_profile_io::read::{ReadOptions, Reading, Surface, TraceLine, read_surface_bytes};
+use asperity_profile_io::read::{ReadOptions, Reading, Surface, read_surface_bytes};
 
 use super::flank_inputs::FlankInputs;
 use super::flank_sample::{self, Listed};
@@ -87,7 +87,7 @@ pub(crate) fn traces_of(
             (Some(_), None) => Err(section.conflict("rows", "needs file, the surface")),
             (Some(rows), Some(file)) => {
                 let surface = surface_in(input, file, keys, context)?;
-                let has = surface.map_or(1, |surface| lines_across(&surface, TraceLine::Row));
+                let has = surface.map_or((1, None), |surface| (surface.rows, surface.dy));
                 flank_sample::rows(input, rows, has, section)
             }
         };
@@ -465,11 +465,16 @@ fn surface_in(
     surface.map(Some).map_err(refused)
 }
 
-/// Number of rows of the scan of a flank; `None` of a file with few profiles, or with profiles at unknown places.
-pub(crate) fn rows_of_scan(input: &FlankInput, keys: &Keys, context: Context<'_>) -> Option<usize> {
+/// Number of rows of the scan of a flank, and their distance; `None` of a file with few profiles, or with profiles at unknown
+/// places.
+pub(crate) fn rows_of_scan(
+    input: &FlankInput,
+    keys: &Keys,
+    context: Context<'_>,
+) -> Option<(usize, Length)> {
     let surface = surface_in(input, input.file.as_ref()?, keys, context).ok()??;
-    let is_scan = surface.dy.is_some() && surface.rows >= LEAST_ROWS;
-    is_scan.then_some(surface.rows)
+    let dy = surface.dy.filter(|_| surface.rows >= LEAST_ROWS)?;
+    Some((surface.rows, dy))
 }
 
 /// Options of the reader from the keys of a flank.

@@ -89,7 +89,7 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         each.collect::<Result<Vec<Known>, CaseError>>()
     };
     let mut known: [Vec<Known>; 2] = Default::default();
-    let mut rows_of_scans: [Option<usize>; 2] = [None; 2];
+    let mut rows_of_scans: [Option<(usize, Length)>; 2] = [None; 2];
     let mut doubts: [Vec<Warning>; 2] = Default::default();
     for (body, known) in known.iter_mut().enumerate() {
         let found = known_of(&named, body, &mut doubts[body]);
@@ -276,8 +276,9 @@ impl NamedTraces {
         })
     }
 
-    /// Names the middle row of a flank whose file is a scan, and of which the case names no line; the number of its rows.
-    fn take_middle_row(&mut self, body: usize, context: Context<'_>) -> Option<usize> {
+    /// Names the middle row of a flank whose file is a scan, and of which the case names no line; the number of its rows, and their
+    /// distance.
+    fn take_middle_row(&mut self, body: usize, context: Context<'_>) -> Option<(usize, Length)> {
         let keys = &self.keys[body];
         let [alone] = self.lists[body].as_mut_slice() else {
             return None;
@@ -286,7 +287,7 @@ impl NamedTraces {
             true => rows_of_scan(&alone.input, keys, context)?,
             false => return None,
         };
-        alone.input.row = Some(rows / 2 + 1);
+        alone.input.row = Some(rows.0 / 2 + 1);
         Some(rows)
     }
 
@@ -294,7 +295,7 @@ impl NamedTraces {
     fn taken_by_lay(
         &self,
         context: Context<'_>,
-        rows_of_scans: [Option<usize>; 2],
+        rows_of_scans: [Option<(usize, Length)>; 2],
         is_patch: bool,
     ) -> Vec<DefaultUsed> {
         let default = |key: Cow<'static, str>, value: String, source: &'static str| DefaultUsed {
@@ -320,13 +321,19 @@ impl NamedTraces {
     }
 
     /// Names rows of the scan of a flank, as `rows` does, in place of its middle row.
-    fn take_rows(&mut self, body: usize, has: usize, source: &Source) -> Result<(), CaseError> {
+    fn take_rows(
+        &mut self,
+        body: usize,
+        (has, apart): (usize, Length),
+        source: &Source,
+    ) -> Result<(), CaseError> {
         let section = Section::of(source, self.keys[body].table);
         let whole = FlankInput {
             row: None,
             ..self.lists[body][0].input.clone()
         };
-        let list = flank_sample::rows(&whole, has.min(ROWS_OF_SCAN), has, section)?;
+        let rows = has.min(ROWS_OF_SCAN);
+        let list = flank_sample::rows(&whole, rows, (has, Some(apart)), section)?;
         self.sites[body] = sites_of(&list);
         self.teeth[body] = teeth_of(&self.sites[body]);
         self.named[body] = self.teeth[body];
@@ -383,7 +390,7 @@ fn takes_patch(
     context: Context<'_>,
     named: &NamedTraces,
     known: &[Vec<Known>; 2],
-    rows_of_scans: [Option<usize>; 2],
+    rows_of_scans: [Option<(usize, Length)>; 2],
 ) -> bool {
     if let Some(stated) = context.inputs.surface.contact {
         return stated == ContactName::Patch;
