@@ -15,8 +15,10 @@ const NOT_PROVOKED: &[(&str, &str)] = &[
         "W463",
         "crates/asperity/tests/surrogates.rs loads such a case",
     ),
+    ("W458", "crates/asperity/tests/patches.rs loads such flanks"),
     ("W459", "crates/asperity/tests/patches.rs loads such scans"),
     ("W460", "crates/asperity/tests/patches.rs loads such a scan"),
+    ("W464", "crates/asperity/tests/patches.rs loads such a scan"),
     (
         "E140",
         "is of cases that Python pickles: crates/python/tests/test_case.py",

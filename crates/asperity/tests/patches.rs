@@ -8,14 +8,30 @@ use asperity::case::{LoadedCase, from_text};
 use asperity::core::Code;
 use asperity::core::quantity::Length;
 use asperity::pipeline::{KeptFields, less_of_scans};
+use asperity::roughness::form::Form;
+use asperity::roughness::preparation::Preparation;
+use asperity::roughness::surface_preparation::prepare_surface;
 use asperity::{Error, Run, losses};
+use asperity_case::flanks::scan::{middle, rows_needed};
 
 const COLUMNS: usize = 1500;
 const ROWS: usize = 24;
 
 /// A scan in the text format of ISO 25178-71, points 1 um and rows 2 um apart. Its name is the length of its waves along the lead over
-/// their length along rolling, its height in nm, and a seed.
+/// their length along rolling, its height in nm, and a seed; before them a fault.
 fn scan(name: &str) -> Vec<u8> {
+    if let Some((fault, name)) = name
+        .split_once(' ')
+        .filter(|(fault, _)| *fault != "oblique")
+    {
+        let height = waves(name);
+        return match fault {
+            "trace" => trace(height),
+            "short" => file_of((120, ROWS), "2E-06", height),
+            "narrow" => file_of((COLUMNS, ROWS), "1E-07", height),
+            _ => file(with_fault(fault.to_owned(), height)),
+        };
+    }
     if let Some(tilt) = name.strip_prefix("oblique ") {
         let tilt: f64 = tilt.parse().unwrap();
         let height = |x: f64, y: f64| {
@@ -28,6 +44,32 @@ fn scan(name: &str) -> Vec<u8> {
         };
         return file(height);
     }
+    file(waves(name))
+}
+
+/// Heights \[nm\] with a fault of a measurement.
+fn with_fault(fault: String, height: impl Fn(f64, f64) -> f64) -> impl Fn(f64, f64) -> f64 {
+    let row_in_the_middle = ROWS as f64;
+    move |x, y| {
+        // Two irrational steps fill the plane evenly.
+        let part = (x * 0.754_877_67 + y * 0.284_920_13).fract();
+        let z = height(x, y);
+        match fault.as_str() {
+            "gaps" if part < 0.1 => f64::NAN,
+            "holes" if part < 0.3 => f64::NAN,
+            "hole" if (y, x) == (row_in_the_middle, 300.0) => f64::NAN,
+            "ends" if !(40.0..1440.0).contains(&x) => f64::NAN,
+            "spikes" if part < 0.002 => z + 20_000.0,
+            "tilted" => z + 20.0 * x - 50.0 * y,
+            "round" => z - 0.02 * (x - 700.0).powi(2),
+            "step" if x > 700.0 => z + 4000.0,
+            _ => z,
+        }
+    }
+}
+
+/// Heights \[nm\] of waves.
+fn waves(name: &str) -> impl Fn(f64, f64) -> f64 {
     let mut numbers = name.split('-').map(|number| number.parse::<f64>().unwrap());
     let [ratio, height, seed] = [0; 3].map(|_| numbers.next().unwrap());
     let waves: Vec<[f64; 4]> = (0..60)
@@ -43,22 +85,37 @@ fn scan(name: &str) -> Vec<u8> {
             ]
         })
         .collect();
-    file(|x, y| {
+    move |x, y| {
         let wave =
             |[kx, ky, phase, size]: &[f64; 4]| size * (TAU * (kx * x + ky * y) + phase).cos();
         waves.iter().map(wave).sum()
-    })
+    }
+}
+
+/// The row at the beginning as a trace.
+fn trace(height: impl Fn(f64, f64) -> f64) -> Vec<u8> {
+    let rows = (0..COLUMNS).map(|x| format!("{x};{:.3}\n", height(x as f64, 0.0)));
+    format!("x [um];z [nm]\n{}", rows.collect::<String>()).into_bytes()
+}
+
+/// A scan of heights \[nm\] with all points and rows.
+fn file(height: impl Fn(f64, f64) -> f64) -> Vec<u8> {
+    file_of((COLUMNS, ROWS), "2E-06", height)
 }
 
 /// A scan of heights \[nm\]; values that are not numbers are missing.
-fn file(height: impl Fn(f64, f64) -> f64) -> Vec<u8> {
+fn file_of(
+    (columns, rows): (usize, usize),
+    apart: &str,
+    height: impl Fn(f64, f64) -> f64,
+) -> Vec<u8> {
     let mut text = format!(
-        "aISO-1.0\nManufacID   = made\nCreateDate  = 271120260000\nModDate     = 271120260000\nNumPoints   = {COLUMNS}\n\
-         NumProfiles = {ROWS}\nXscale      = 1E-06\nYscale      = 2E-06\nZscale      = 1E-09\nZresolution = -1\n\
+        "aISO-1.0\nManufacID   = made\nCreateDate  = 271120260000\nModDate     = 271120260000\nNumPoints   = {columns}\n\
+         NumProfiles = {rows}\nXscale      = 1E-06\nYscale      = {apart}\nZscale      = 1E-09\nZresolution = -1\n\
          Compression = 0\nDataType    = 7\nCheckType   = 0\n*\n"
     );
-    for row in 0..ROWS {
-        for column in 0..COLUMNS {
+    for row in 0..rows {
+        for column in 0..columns {
             let (x, y) = (column as f64, 2.0 * row as f64);
             let z = height(x, y);
             text += &match z.is_finite() {
@@ -76,13 +133,17 @@ fn case(names: [&str; 2], keys: &str) -> Result<LoadedCase, Error> {
 }
 
 fn case_of(flanks: [String; 2], keys: &str) -> Result<LoadedCase, Error> {
+    case_with(flanks, keys, "")
+}
+
+fn case_with(flanks: [String; 2], keys: &str, model: &str) -> Result<LoadedCase, Error> {
     let [pinion, wheel] = flanks;
     let text = format!(
         "gears = {{ teeth = [23, 68], module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\" }}\n\
          material.pinion = {{ elastic_limit = \"1500 MPa\", flow_pressure = \"7 GPa\" }}\n\
          operation = {{ torque = \"30 N m\", speed = \"6000 1/min\", bulk_temperature = \"90 degC\" }}\n\
          lubricant = {{ viscosity = {{ law = \"astm-d341\", at_40 = \"30.8 mm2/s\", at_100 = \"5.9 mm2/s\" }}, density = \"845 kg/m3\", base_oil = \"pao\" }}\n\
-         model = {{ positions = 2, offsets = 1, depths = 0 }}\n\
+         model = {{ positions = 2, offsets = 1, depths = 0{model} }}\n\
          [surface]\ncutoff = \"0.08 mm\"\n{keys}\npinion = {{ {pinion} }}\nwheel = {{ {wheel} }}\n"
     );
     from_text("case.toml", &text, &|name| Ok(scan(name)))
@@ -94,30 +155,33 @@ fn loss(names: [&str; 2], keys: &str) -> f64 {
 
 #[test]
 fn scans_are_taken_by_their_lay() {
-    // Ridges across the face: rows of each scan, in pairs.
+    // Ridges through the whole scan: one row is all of them.
     let ridged = case(["60-200-1", "60-200-9"], "").unwrap();
     assert!(ridged.surfaces.sheets().is_none());
-    assert_eq!(ridged.surfaces.pairs(), 16);
-    let sampled = ridged.sampled.as_ref().unwrap();
-    let row = sampled.traces[1][3].row.unwrap();
-    assert_eq!(
-        (row.number, row.along_lead),
-        (22, Some(Length::from_si(42e-6)))
-    );
+    assert_eq!(ridged.surfaces.pairs(), 1);
     let isotropic = case(["1-200-1", "1-200-9"], "").unwrap();
     let sheets = isotropic.surfaces.sheets().unwrap();
     assert_eq!(
         (sheets.rows(), isotropic.surfaces.pairs()),
         (ROWS - ROWS / 8, 1)
     );
-    let less = less_of_scans(&ridged).unwrap();
-    assert!(!less.are_patches);
-    assert_eq!(less.taken, "4 × 4 rows of the scans");
-    assert_eq!(less.case.unwrap().surfaces.pairs(), 1);
+    assert!(less_of_scans(&ridged).is_none());
     let less = less_of_scans(&isotropic).unwrap();
     assert!(less.are_patches && less.case.unwrap().surfaces.sheets().is_none());
     let by_hand = case(["1-200-1", "1-200-9"], "contact = \"lines\"").unwrap();
-    assert_eq!(by_hand.surfaces.pairs(), 16);
+    let rows = by_hand.sampled.as_ref().unwrap().traces.each_ref();
+    assert!(rows.iter().all(|rows| (4..=8).contains(&rows.len())));
+    let less = less_of_scans(&by_hand).unwrap();
+    assert!(!less.are_patches);
+    let [pinion, wheel] = rows.map(Vec::len);
+    assert_eq!(less.taken, format!("{pinion} × {wheel} rows of the scans"));
+    assert_eq!(less.case.unwrap().surfaces.pairs(), 1);
+    let (row, rows) = (rows[1][3].row.unwrap(), rows[1].len());
+    let wanted = 7 * ROWS / (2 * rows);
+    assert_eq!(
+        (row.number, row.along_lead),
+        (wanted + 1, Some(Length::from_si(2e-6) * wanted as f64))
+    );
     let by_hand = case(["60-200-1", "60-200-9"], "contact = \"patch\"").unwrap();
     assert!(by_hand.surfaces.sheets().is_some());
 }
@@ -222,4 +286,175 @@ fn ridges_of_both_scans_meet_as_in_the_gears() {
             .find(|warning| warning.code == Code::W460);
         assert!(said.is_some_and(|said| said.to_string().contains("0.0 %")));
     }
+}
+
+/// Root mean square of the heights of the sheet of a body \[nm\].
+fn height_of(case: &LoadedCase, body: usize) -> f64 {
+    let (heights, _) = case.surfaces.sheets().unwrap().of_body(body);
+    1e9 * (heights.iter().map(|z| z * z).sum::<f64>() / heights.len() as f64).sqrt()
+}
+
+#[test]
+fn rows_of_a_scan_err_as_the_whole_scan_does() {
+    const WIDTH: usize = 400;
+    const HEIGHT: usize = 40;
+    let spacing = Length::from_si(1e-6);
+    for keeps in [0.95_f64, 0.8, 0.3] {
+        let mut errors = [0.0; 2];
+        let mut count = 0;
+        for seed in 0..60 {
+            let mut state = 7919 * seed + 1;
+            let mut normal = || {
+                let mut uniform = || {
+                    state = (state * 6_364_136_223_846_793_005_u64)
+                        .wrapping_add(1_442_695_040_888_963_407);
+                    (state >> 11) as f64 / (1_u64 << 53) as f64
+                };
+                (0..12).map(|_| uniform()).sum::<f64>() - 6.0
+            };
+            let mut heights: Vec<f64> = (0..WIDTH).map(|_| normal()).collect();
+            for k in WIDTH..WIDTH * HEIGHT {
+                heights.push(keeps * heights[k - WIDTH] + (1.0 - keeps * keeps).sqrt() * normal());
+            }
+            let surface = prepare_surface(
+                &heights,
+                WIDTH,
+                [spacing; 2],
+                &Preparation {
+                    form: Form::None,
+                    lambda_c: None,
+                    lambda_s: None,
+                    ..Preparation::default()
+                },
+            )
+            .unwrap();
+            count = rows_needed(&surface);
+            let loss =
+                |row: usize| surface.row(row).iter().map(|z| z * z).sum::<f64>() / WIDTH as f64;
+            let mean = |rows: Vec<usize>| {
+                let n = rows.len() as f64;
+                rows.into_iter().map(loss).sum::<f64>() / n - 1.0
+            };
+            errors[0] += mean((0..HEIGHT).collect()).powi(2);
+            errors[1] += mean((0..count).map(|k| middle(k, count, HEIGHT)).collect()).powi(2);
+        }
+        let ratio = (errors[1] / errors[0]).sqrt();
+        println!("{keeps}: {count} rows, error {ratio:.2} of all");
+        // Sixty surfaces leave an error of 5 % of the ratio; eight rows are the most.
+        assert!(ratio < 1.25 || count == 8, "{keeps}: {count} rows, {ratio}");
+    }
+}
+
+#[test]
+fn scans_with_faults_are_used_as_without() {
+    let pair = |fault: &str, keys: &str| {
+        let flanks = [
+            format!("file = \"{fault} 1-200-1\""),
+            "file = \"1-200-9\"".to_owned(),
+        ];
+        case_of(flanks, keys)
+    };
+    let whole = height_of(&pair("sound", "").unwrap(), 0);
+    let told = |case: &LoadedCase, code: Code, text: &str| {
+        let mut all = case.warnings.iter();
+        let found = all.any(|warning| warning.code == code && warning.to_string().contains(text));
+        assert!(found, "{code:?} {text}: {:?}", case.warnings);
+    };
+    for (fault, keys, within) in [
+        ("gaps", "", 0.02),
+        ("hole", "", 1e-3),
+        ("ends", "", 0.1),
+        ("tilted", "", 1e-3),
+        ("round", "", 0.02),
+        ("spikes", "outliers = 8", 0.05),
+    ] {
+        let case = pair(fault, keys).unwrap();
+        let found = height_of(&case, 0);
+        assert!(
+            (found / whole - 1.0).abs() < within,
+            "{fault}: {found} nm, {whole} nm"
+        );
+        match fault {
+            "gaps" => told(&case, Code::W460, "10.0 %"),
+            "ends" => told(&case, Code::W460, "6.7 %"),
+            "spikes" => told(&case, Code::W130, "replaced as outliers"),
+            _ => {}
+        }
+    }
+    // A step is not removed, and said to dominate the middle row.
+    let step = case(["step 1-25-1", "1-25-9"], "").unwrap();
+    told(&step, Code::W132, "a step");
+    let refused = |fault: &str, code: Code, text: &str| {
+        let error = pair(fault, "").map(|_| ()).unwrap_err();
+        assert!(
+            error.code() == code && error.to_string().contains(text),
+            "{fault}: {error}"
+        );
+    };
+    refused("holes", Code::E107, "too many");
+    refused("spikes", Code::E131, "spikes");
+    refused("short", Code::E120, "cutoff");
+    let refused = pair("gaps", "").is_ok() && {
+        let flanks =
+            ["gaps 1-200-1", "1-200-9"].map(|name| format!("file = \"{name}\", gaps = \"refuse\""));
+        case_of(flanks, "").is_err()
+    };
+    assert!(refused);
+}
+
+#[test]
+fn narrow_scans_are_taken_by_their_rows() {
+    let case = case(["narrow 1-200-1", "1-200-9"], "").unwrap();
+    assert!(case.surfaces.sheets().is_none());
+    assert!(
+        case.warnings
+            .iter()
+            .any(|warning| warning.code == Code::W464)
+    );
+    let error = self::case(["narrow 1-200-1", "1-200-9"], "contact = \"patch\"");
+    assert!(
+        error
+            .map(|_| ())
+            .unwrap_err()
+            .to_string()
+            .contains("contact = \"lines\"")
+    );
+}
+
+#[test]
+fn a_trace_faces_a_scan_as_a_surface() {
+    let flanks = || ["1-200-1", "trace 1-200-9"].map(|name| format!("file = \"{name}\""));
+    let rows_of = |case: &LoadedCase| {
+        let (heights, columns) = case.surfaces.sheets().unwrap().of_body(1);
+        let rows: Vec<Vec<f64>> = heights.chunks(columns).map(<[f64]>::to_vec).collect();
+        rows
+    };
+    let across = case_of(flanks(), "").unwrap();
+    let rows = rows_of(&across);
+    assert!(rows.len() == ROWS - ROWS / 8 && rows.iter().all(|row| *row == rows[0]));
+    let stated = || case_with(flanks(), "", ", lay = [1, 0.5]").unwrap();
+    let drawn = rows_of(&stated());
+    assert!(drawn != rows && drawn[0] != drawn[1] && drawn == rows_of(&stated()));
+    assert!((height_of(&stated(), 1) / height_of(&across, 1) - 1.0).abs() < 0.01);
+    for (case, text) in [(&across, "assumed"), (&stated(), "the stated lay 0.5")] {
+        let made = case.flanks[1].made_sheet.unwrap();
+        assert_eq!(made.seed.is_some(), made.lay == 0.5);
+        let said = case
+            .warnings
+            .iter()
+            .find(|warning| warning.code == Code::W458);
+        assert!(said.is_some_and(|said| said.to_string().contains(text)));
+    }
+    // By roughness values alone there is no row to begin with.
+    let flanks = [
+        "file = \"1-200-1\"".to_owned(),
+        "ra = \"0.2 um\"".to_owned(),
+    ];
+    let refused = case_of(flanks, "contact = \"patch\"")
+        .map(|_| ())
+        .unwrap_err();
+    assert!(
+        refused.to_string().contains("leave rq, ra and rz out"),
+        "{refused}"
+    );
 }

@@ -139,18 +139,12 @@ impl DesignSettings {
             true => speed,
             false => rounded(speed * SLOWEST.powf(1.0 - k as f64 / (SPEEDS - 1) as f64)),
         };
-        let of_case = |stated: &Option<Nodes>, name: &str, whole: f64| {
-            let stated = stated.as_ref();
-            stated
-                .map(|stated| stated.nodes_of(name, whole))
-                .transpose()
-        };
         let at = case.temperature.celsius();
         let [cold, hot] = [at.min(TEMPERATURES[0]), at.max(TEMPERATURES[1])];
         Ok(Limits {
-            torques_nm: of_case(&self.torque, "torque", case.torque.si())?
+            torques_nm: Nodes::of_case(self.torque.as_ref(), "torque", case.torque.si())?
                 .unwrap_or_else(|| vec![rounded(torque / 3.0), torque]),
-            speeds_rpm: of_case(&self.speed, "speed", rpm(case.speed))?
+            speeds_rpm: Nodes::of_case(self.speed.as_ref(), "speed", rpm(case.speed))?
                 .unwrap_or_else(|| (0..SPEEDS).map(even).collect()),
             temperatures_c: reach
                 .temperatures_c

@@ -274,6 +274,8 @@ impl PositionError {
             Self::TraceTooShort { .. } => Remedy::act("measure a longer trace")
                 .or_set(Setting::Cutoff, Value::Any)
                 .because("to a shorter one")
+                .or_set(key("surface.ends"), Value::This("reg1".into()))
+                .because("to keep the ends that the filter drops")
                 .or_set(key("model.window"), Value::Any)
                 .because("to fewer half-widths"),
             Self::Ehl(error) if error.is_unconverged() => {

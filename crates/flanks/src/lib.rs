@@ -23,8 +23,8 @@ pub mod meeting;
 pub mod mesh_position;
 pub mod placement;
 pub mod read_place;
+pub mod scan;
 pub mod sheets;
-
 pub mod surface_lay;
 pub mod surfaces;
 pub mod surrogate_record;

@@ -11,9 +11,12 @@ use std::sync::OnceLock;
 use asperity_core::profile::mirrored_indices;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile, cite};
-use asperity_ehl_regime::{Patch, PatchPair, PatchSpectrum, RegimeError};
+use asperity_ehl_regime::{Lay, Patch, PatchPair, PatchSpectrum, RegimeError};
 use asperity_mixed_film::{Flattening, WindowRoughness};
+use asperity_roughness::RoughnessError;
+use asperity_roughness::generate::surface_like;
 use asperity_roughness::surface_preparation::PreparedSurface;
+use serde::{Deserialize, Serialize};
 
 use crate::error::PositionError;
 
@@ -28,6 +31,62 @@ const MOST_COLUMNS: usize = 256;
 const FLOW_PLACES: usize = 2;
 /// Least rows that a sheet is made of.
 pub const LEAST_ROWS: usize = 16;
+
+/// Seeds of the surfaces of pinion and wheel that are made like traces.
+const SEEDS: [u64; 2] = [1, 2];
+
+/// Origin of a sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SheetSource {
+    /// A scan.
+    Scan(PreparedSurface),
+    /// A prepared trace of a flank with this lay, 0 to 1.
+    Trace(Profile, f64),
+}
+
+impl From<PreparedSurface> for SheetSource {
+    fn from(scan: PreparedSurface) -> Self {
+        Self::Scan(scan)
+    }
+}
+
+/// A surface that was made from a trace.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct MadeSheet {
+    /// Lay of the flank.
+    pub lay: f64,
+    /// Seed of the generator; none where the trace is the same at every place along the lead.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seed: Option<u64>,
+}
+
+impl MadeSheet {
+    /// The sheet of pinion or wheel with this lay. Ridges across the face are constant along the lead.
+    #[must_use]
+    pub fn of(body: usize, lay: f64) -> Self {
+        let seed = (lay > Lay::CONFIRMED.gamma()).then(|| SEEDS[body]);
+        Self { lay, seed }
+    }
+
+    fn heights(
+        self,
+        trace: &Profile,
+        rows: usize,
+        apart: Length,
+    ) -> Result<Vec<f64>, RoughnessError> {
+        match self.seed {
+            Some(seed) => surface_like(trace, rows, apart, self.lay, seed),
+            None => Ok(trace.heights().repeat(rows)),
+        }
+    }
+}
+
+/// Rows of a scan with rows `apart` at the distance of rows of patches, whose points are `along` apart.
+#[must_use]
+pub fn rows_of_patches(rows: usize, apart: Length, along: Length) -> usize {
+    let across = apart.si().max(along.si());
+    (rows.saturating_sub(1) as f64 * apart.si() / across) as usize + 1
+}
 
 /// Prepared surfaces of pinion and wheel with the same distances of points and rows, and the same number of rows.
 #[derive(Debug)]
@@ -68,24 +127,34 @@ pub struct FlattenedSheets {
 }
 
 impl Sheets {
-    /// Two surfaces with points `along` apart, and rows as near as the rows of the finer one, but not nearer than `along`.
+    /// Two surfaces with points `along` apart, and rows as near as the rows of the finer scan, but not nearer than `along`. A trace
+    /// has points `along` apart.
     ///
     /// # Errors
-    /// When a surface has fewer than 16 rows at this distance, or cannot be resampled.
-    pub fn of(surfaces: [PreparedSurface; 2], along: Length) -> Result<Self, DomainError> {
-        let finer = surfaces
-            .iter()
-            .map(|surface| surface.spacings[1].si())
-            .fold(f64::INFINITY, f64::min);
+    /// When no flank has a scan, a scan has fewer than 16 rows at this distance, or a surface cannot be made or resampled.
+    pub fn of(sources: [impl Into<SheetSource>; 2], along: Length) -> Result<Self, RoughnessError> {
+        let sources = sources.map(Into::into);
+        let finer = sources.iter().filter_map(|source| match source {
+            SheetSource::Scan(surface) => Some(surface.spacings[1].si()),
+            SheetSource::Trace(..) => None,
+        });
+        let finer = finer.fold(f64::INFINITY, f64::min);
+        let rule = "needs a scan of at least one flank";
+        DomainError::require(finer.is_finite(), "surfaces", 0.0, "-", rule)?;
         let across = Length::from_si(finer.max(along.si()));
-        let respaced = |surface: PreparedSurface| surface.respaced([along, across]);
-        let [first, second] = surfaces;
-        let made = [respaced(first)?, respaced(second)?];
-        let rows = made
-            .iter()
-            .map(PreparedSurface::rows)
-            .fold(MOST_ROWS + MOST_ROWS / (OVERLAP - 1), usize::min);
-        let rule = "must be at least 16; scan a wider part of the flank";
+        let mut rows = MOST_ROWS + MOST_ROWS / (OVERLAP - 1);
+        let respaced = sources.map(|source| match source {
+            SheetSource::Scan(surface) => {
+                let surface = surface.respaced([along, across])?;
+                rows = rows.min(surface.rows());
+                Ok(SheetSource::Scan(surface))
+            }
+            made => Ok::<_, DomainError>(made),
+        });
+        let [first, second] = respaced;
+        let both = [first?, second?];
+        let rule =
+            "must be at least 16; scan a wider part of the flank, or state contact = \"lines\"";
         DomainError::require(
             rows >= LEAST_ROWS,
             "rows at the spacing of patches",
@@ -93,11 +162,22 @@ impl Sheets {
             "-",
             rule,
         )?;
-        let repeated = made.each_ref().map(|surface| repeated(surface, rows));
+        let kept = rows - rows / OVERLAP;
+        let mut columns = [0; 2];
+        let mut heights = [Vec::new(), Vec::new()];
+        for (body, source) in both.into_iter().enumerate() {
+            (columns[body], heights[body]) = match source {
+                SheetSource::Scan(surface) => (surface.columns, repeated(&surface, rows)),
+                SheetSource::Trace(trace, lay) => {
+                    let made = MadeSheet::of(body, lay);
+                    (trace.len(), made.heights(&trace, kept, across)?)
+                }
+            };
+        }
         Ok(Self {
-            rows: repeated[0].len() / made[0].columns,
-            heights: repeated,
-            columns: made.each_ref().map(|surface| surface.columns),
+            heights,
+            columns,
+            rows: kept,
             spacings: [along, across],
             waves: OnceLock::new(),
         })

@@ -17,7 +17,7 @@ use crate::generated_record::GeneratedRecord;
 use crate::local_roughness::{Roughness, peaks};
 use crate::mesh_position::MeshPosition;
 use crate::placement::Placement;
-use crate::sheets::Sheets;
+use crate::sheets::{MadeSheet, Sheets};
 use crate::surrogate_record::SurrogateRecord;
 use asperity_ehl_regime::{Lay, PairSpectrum, TraceSpectrum};
 use asperity_mixed_film::TraceSpectra;
@@ -588,6 +588,9 @@ pub struct FlankReport {
     /// Generation of the trace, if it was generated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub generated: Option<GeneratedRecord>,
+    /// Surface that was made from the trace, where the other flank is a scan in contact as a whole.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub made_sheet: Option<MadeSheet>,
     /// Roll lengths of the first and the last point of the prepared trace, where its place on the flank is known.
     #[serde(skip)]
     pub roll_lengths: Option<[Length; 2]>,

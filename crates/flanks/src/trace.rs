@@ -26,6 +26,8 @@ pub enum TraceContent<'a> {
     Heights(&'a Profile),
     /// The bytes of a file, and the bytes of its measuring conditions.
     Bytes(&'a [u8], Option<&'a [u8]>),
+    /// A scan that was read, of which the options name a row.
+    Scan(&'a Surface),
     /// Generated heights, and what the file of a measured trace of theirs states.
     Generated(&'a Profile, Option<&'a Reading>),
 }
@@ -229,6 +231,7 @@ pub fn prepared_trace(
         reading: read.reading,
         surrogates: None,
         generated: None,
+        made_sheet: None,
         roll_lengths: placed.map(|placed| placed.roll_lengths(&prepared.profile)),
     };
     Ok(PreparedTrace {
@@ -273,7 +276,7 @@ fn check_mean(
         Some(parameters.heights.rq.si().powi(2))
     };
     let across = match inputs.content {
-        TraceContent::Heights(_) | TraceContent::Generated(..) => 1,
+        TraceContent::Heights(_) | TraceContent::Generated(..) | TraceContent::Scan(_) => 1,
         TraceContent::Bytes(bytes, _) => {
             let surface = read_surface_bytes(inputs.name, bytes, inputs.options)?;
             lines_across(&surface, single)
@@ -325,10 +328,21 @@ fn read_trace(
     let name = inputs.name;
     let cleaned = |profile: &Profile| {
         let replaced = |deviations| replace(profile, Outliers::beyond(deviations));
-        inputs.outliers.map(replaced).transpose()
+        // Spikes of a scan were replaced before.
+        let is_row = matches!(inputs.content, TraceContent::Scan(_));
+        let outliers = inputs.outliers.filter(|_| !is_row);
+        outliers.map(replaced).transpose()
     };
-    let (bytes, conditions) = match inputs.content {
-        TraceContent::Bytes(bytes, conditions) => (bytes, conditions),
+    // Roll lengths are those of the gear, unless a base radius is stated.
+    let with_radius = ReadOptions {
+        base_radius: options.base_radius.or(Some(own_radius)),
+        ..options.clone()
+    };
+    let reading = match inputs.content {
+        TraceContent::Bytes(bytes, conditions) => {
+            read_with_conditions(name, bytes, conditions, &with_radius)?
+        }
+        TraceContent::Scan(surface) => surface.reading(&with_radius)?,
         TraceContent::Heights(profile) | TraceContent::Generated(profile, _) => {
             let cut = options
                 .range
@@ -362,12 +376,6 @@ fn read_trace(
             });
         }
     };
-    // Roll lengths are those of the gear, unless a base radius is stated.
-    let options = ReadOptions {
-        base_radius: options.base_radius.or(Some(own_radius)),
-        ..options.clone()
-    };
-    let reading = read_with_conditions(name, bytes, conditions, &options)?;
     let (reading, outliers) = match cleaned(&reading.profile)? {
         Some((cleaned, record)) => (reading.corrected(cleaned), Some(record)),
         None => (reading, None),

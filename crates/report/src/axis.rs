@@ -140,6 +140,20 @@ impl Nodes {
         self.parsed(name, Some(whole))
     }
 
+    /// The nodes of the setting `name`, if it is stated, as [`nodes_of`](Self::nodes_of).
+    ///
+    /// # Errors
+    /// As [`nodes`](Self::nodes).
+    pub fn of_case(
+        stated: Option<&Self>,
+        name: &str,
+        whole: f64,
+    ) -> Result<Option<Vec<f64>>, Fault> {
+        stated
+            .map(|stated| stated.nodes_of(name, whole))
+            .transpose()
+    }
+
     fn parsed(&self, name: &str, whole: Option<f64>) -> Result<Vec<f64>, Fault> {
         let percent = |text: &str| Some((text.trim_end().strip_suffix('%')?.to_owned(), whole?));
         let nodes = match self {

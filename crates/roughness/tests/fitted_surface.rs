@@ -5,8 +5,8 @@ use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_roughness::Parameters;
 use asperity_roughness::areal::parameters;
-use asperity_roughness::autocorrelation::lengths;
-use asperity_roughness::generate::{FittedSurface, LikeSurface};
+use asperity_roughness::autocorrelation::{autocorrelation, lengths};
+use asperity_roughness::generate::{FittedSurface, LikeSurface, SelfAffine, surface_like};
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::lay::lay_of_rows;
 use asperity_roughness::preparation::{Preparation, RoughnessFilter, prepare};
@@ -211,4 +211,50 @@ fn surfaces_of_pieces_keep_their_dimples() {
     let heights: Vec<_> = made.into_iter().map(|made| made.heights).collect();
     let off = different(&heights, left_out);
     assert!(off.len() <= 2, "{off:?}");
+}
+
+#[test]
+fn a_surface_made_from_a_trace_has_its_heights_and_the_stated_lay() {
+    let um = |x: f64| Length::from_si(1e-6 * x);
+    let recipe = SelfAffine {
+        points: 4000,
+        spacing: um(1.0),
+        rq: um(0.3),
+        hurst: 0.8,
+        roll_off: um(40.0),
+        short_cut: um(5.0),
+        seed: 7,
+    };
+    let trace = recipe.generate().unwrap();
+    let wanted = autocorrelation(trace.heights()).unwrap();
+    for lay in [1.0, 0.4] {
+        const ROWS: usize = 64;
+        let made = surface_like(&trace, ROWS, um(2.0), lay, 3).unwrap();
+        let row = |k: usize| &made[k % ROWS * 4000..][..4000];
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let square: f64 = (0..ROWS).map(|k| product(row(k), row(k))).sum();
+        let along = |lag: usize| {
+            let rows = (0..ROWS).map(|k| product(&row(k)[lag..], row(k)));
+            rows.sum::<f64>() / square
+        };
+        let across = |lag: usize| {
+            let rows = (0..ROWS).map(|k| product(row(k), row(k + lag)));
+            rows.sum::<f64>() / square
+        };
+        // The heights imposed by rank, and negative parts left out, move the correlation a little.
+        for lag in [4, 8, 16] {
+            let found = along(lag);
+            assert!(
+                (found - wanted[lag]).abs() < 0.06,
+                "{lay} {lag}: {found} {}",
+                wanted[lag]
+            );
+            let same = wanted[(2.0 * lay * lag as f64).round() as usize];
+            let found = across(lag);
+            assert!(
+                (found - same).abs() < 0.06,
+                "{lay} {lag} across: {found} {same}"
+            );
+        }
+    }
 }

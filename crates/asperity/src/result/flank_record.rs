@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use asperity_case::flanks::flank_form::FlankForm;
 use asperity_case::flanks::generated_record::GeneratedRecord;
+use asperity_case::flanks::sheets::MadeSheet;
 use asperity_case::flanks::surfaces::FlankReport;
 use asperity_case::flanks::surrogate_record::SurrogateRecord;
 
@@ -36,6 +37,9 @@ pub struct FlankRecord {
     /// Generation of the trace from measured ones, if it was generated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub generated: Option<GeneratedRecord>,
+    /// Surface that was made from the trace, where the other flank is a scan in contact as a whole.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub made_sheet: Option<MadeSheet>,
     /// Roll lengths of the first and the last point of the prepared trace \[mm\], where its place on the flank is
     /// known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -99,6 +103,7 @@ impl From<&FlankReport> for FlankRecord {
             parameters: flank.parameters.clone(),
             surrogates: flank.surrogates.clone(),
             generated: flank.generated.clone(),
+            made_sheet: flank.made_sheet,
             roll_lengths_mm: flank
                 .roll_lengths
                 .map(|ends| ends.map(|end| end.si() * 1e3)),

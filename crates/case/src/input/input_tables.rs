@@ -327,8 +327,9 @@ table! {
     /// `superfinished` below 0.08 um, half of the surrogates each between.
     #[serde(skip_serializing_if = "Option::is_none")]
     finish: Option<FinishName>;
-    /// Contact of the flanks: `lines`, each trace as ridges without an end along the lead; or `patch`, two scans with all of their
-    /// rows. Default `lines`; of two scans without `row` or `line` `patch`, if the lay of one is above 1/6.
+    /// Contact of the flanks: `lines`, each trace as ridges without an end along the lead; or `patch`, scans with all of their
+    /// rows; with one scan, the surface of the other flank is made from its trace with its `model.lay`. Default `lines`; of a scan without
+    /// `row` or `line` `patch`, if the lay of one flank is above 1/6.
     #[serde(skip_serializing_if = "Option::is_none")]
     contact: Option<ContactName>;
     /// Form removed from each trace; default `level` (a straight line).
@@ -436,7 +437,7 @@ table! {
     separator: Option<Separator>;
     /// Text encoding.
     encoding: Option<Encoding>;
-    /// Missing points: `refuse` (default) or `interpolate`.
+    /// Missing points: `refuse` or `interpolate`; default `refuse`, of a scan without `row` or `line` `interpolate`.
     gaps: Option<Gaps>;
     /// Number of the profile in a file that holds several (a row of a surface), counted from 1.
     row: Option<usize> = "" usual [1.0, 10_000.0] possible [1.0, 1e7];

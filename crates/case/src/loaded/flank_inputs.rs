@@ -1,7 +1,7 @@
 //! All that the flanks of a case follow from, except the content of their files.
 
 use asperity_core::quantity::Length;
-use asperity_ehl_regime::GapLaw;
+use asperity_ehl_regime::{GapLaw, Lay};
 use asperity_flanks::flank_form::{FormError, shortest_form};
 use asperity_flanks::meeting::largest_spacing;
 use asperity_flanks::trace_filters::StatedFilters;
@@ -11,6 +11,7 @@ use asperity_roughness::preparation::Preparation;
 use crate::input::case_input::{Side, SurfaceInput};
 use crate::input::gear_input::GearFlankInput;
 use crate::input::law_names::LoadShareName;
+use crate::input::one_or_two::OneOrTwo;
 use crate::input::path_point::Positions;
 use crate::resolved::resolve::Case;
 
@@ -28,6 +29,8 @@ pub(crate) struct FlankInputs {
     /// Largest spacing of the traces that the contacts admit.
     pub largest_spacing: Length,
     pub preparation: Preparation,
+    /// Lay of pinion and wheel, if the case states it.
+    pub lay: Option<[Lay; 2]>,
     /// Whether the contact of the flanks is solved, so that flanks without a trace need surrogates.
     pub solves_contact: bool,
     /// Whether scans can be taken whole: patches have the solved contact with the gap law of the inlet, and no running-in.
@@ -56,6 +59,7 @@ impl FlankInputs {
             },
             largest_spacing: largest_spacing(&case.gears, case.torque, case.modulus),
             preparation: case.preparation,
+            lay: case.input.model.lay.map(OneOrTwo::both),
             solves_contact: solves && (law.supply().is_some() || law == LoadShareName::Ehl),
             has_patches: solves
                 && law.supply().is_some()

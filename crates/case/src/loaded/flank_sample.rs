@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use asperity_flanks::generated_record::GeneratedRecord;
 use asperity_flanks::trace_sites::{ScanRow, TraceSite};
 use asperity_profile_io::read::Reading;
 
+use super::scans::Scan;
 use crate::input::case_input::FlankInput;
 use crate::input::files::Reader;
 use crate::input::trace_list::{TraceEntry, TraceInput, TraceList, is_pattern};
@@ -28,6 +28,8 @@ pub(crate) struct Listed {
     pub site: TraceSite,
     /// The trace, if it was generated.
     pub generated: Option<Generated>,
+    /// The scan that it is a row of, if this was read for its rows.
+    pub scan: Option<Scan>,
 }
 
 /// A generated trace.
@@ -58,6 +60,7 @@ impl Listed {
             has_own_place: false,
             site: TraceSite::default(),
             generated: None,
+            scan: None,
         }
     }
 }
@@ -141,16 +144,17 @@ pub(crate) fn listed(
                 row: None,
             },
             generated: None,
+            scan: None,
         });
     }
     Ok(traces)
 }
 
-/// `rows` of the `has` rows of the surface of a flank, `apart` from each other, in the middles of as many equal parts.
+/// `rows` of the rows of the scan of a flank, in the middles of as many equal parts or where fewer heights are missing near them.
 pub(crate) fn rows(
     flank: &FlankInput,
     rows: usize,
-    (has, apart): (usize, Option<Length>),
+    scan: Option<&Scan>,
     section: Section<'_>,
 ) -> Result<Vec<Listed>, CaseError> {
     if flank.row.is_some() || flank.line.is_some() {
@@ -158,16 +162,19 @@ pub(crate) fn rows(
     }
     let name = "number of rows";
     let rule = "must be from 1 to the number of rows of the surface";
+    let has = scan.map_or(1, |scan| scan.surface.rows);
     DomainError::require((1..=has).contains(&rows), name, rows as f64, "-", rule)
         .map_err(section.domain("rows"))?;
     let listed = |k: usize| {
-        let row = (2 * k + 1) * has / (2 * rows) + 1;
+        let row = scan.map_or(1, |scan| scan.row_of_part(k, rows));
         let mut trace = Listed::alone(&FlankInput {
             row: Some(row),
             rows: None,
             ..flank.clone()
         });
+        trace.scan = scan.cloned();
         trace.site.tooth = k;
+        let apart = scan.and_then(|scan| scan.surface.dy);
         trace.site.row = Some(ScanRow {
             number: row,
             along_lead: apart.map(|apart| apart * (row - 1) as f64),

@@ -10,7 +10,6 @@ use asperity_core::remedy::Remedy;
 use asperity_core::{Code, DomainError};
 use asperity_flanks::flank_form::FormError;
 use asperity_flanks::read_place::PlaceError;
-use asperity_flanks::sheets::LEAST_ROWS;
 use asperity_flanks::surfaces::{FlankReport, Texture};
 use asperity_flanks::trace::{
     Flank, PreparedTrace, TraceContent, TraceError, TraceInputs, prepared_trace,
@@ -18,10 +17,11 @@ use asperity_flanks::trace::{
 use asperity_flanks::trace_filters::{Filters, StatedFilters};
 use asperity_gear::Gear;
 use asperity_profile_io::Warning as ReadWarning;
-use asperity_profile_io::read::{ReadOptions, Reading, Surface, read_surface_bytes};
+use asperity_profile_io::read::{Gaps, ReadOptions, Reading, TraceLine};
 
 use super::flank_inputs::FlankInputs;
 use super::flank_sample::{self, Listed};
+use super::scans::{Scan, Scans};
 use crate::input::case_input::{FlankInput, Side};
 use crate::input::files::{Content, Reader};
 use crate::input::flank_place::stated_place;
@@ -37,6 +37,30 @@ pub(crate) struct Context<'a> {
     pub inputs: &'a FlankInputs,
     pub source: &'a Source,
     pub files: &'a Reader<'a>,
+    pub scans: &'a Scans,
+}
+
+impl Context<'_> {
+    /// The scan in the file of a flank; `None` of heights in memory.
+    pub(crate) fn scan(
+        self,
+        input: &FlankInput,
+        file: &Path,
+        keys: &Keys,
+    ) -> Result<Option<Scan>, CaseError> {
+        // Keys that choose a line do not change the surface.
+        let options = ReadOptions {
+            row: None,
+            line: TraceLine::Row,
+            range: None,
+            gaps: Gaps::default(),
+            ..read_options(input)
+        };
+        let outliers = self.inputs.surface.outliers;
+        let named = (file, &keys.file);
+        self.scans
+            .read(named, options, outliers, (self.files, self.source))
+    }
 }
 
 /// A flank, and the values of it that follow from others.
@@ -86,9 +110,8 @@ pub(crate) fn traces_of(
             (None, _) => Ok(vec![Listed::alone(input)]),
             (Some(_), None) => Err(section.conflict("rows", "needs file, the surface")),
             (Some(rows), Some(file)) => {
-                let surface = surface_in(input, file, keys, context)?;
-                let has = surface.map_or((1, None), |surface| (surface.rows, surface.dy));
-                flank_sample::rows(input, rows, has, section)
+                let scan = context.scan(input, file, keys)?;
+                flank_sample::rows(input, rows, scan.as_ref(), section)
             }
         };
     };
@@ -264,7 +287,8 @@ fn trace(
 
 /// The heights of a trace, in a file or in memory.
 struct Opened {
-    content: Content,
+    /// A scan of which the trace is a row; else the content of its own.
+    source: Result<Scan, Content>,
     conditions: Option<Arc<[u8]>>,
     /// Sum of a file.
     sum: Option<String>,
@@ -276,10 +300,18 @@ impl Opened {
     fn of(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Self, CaseError> {
         if let Some(generated) = &listed.generated {
             return Ok(Self {
-                content: Content::Heights(generated.heights.clone()),
+                source: Err(Content::Heights(generated.heights.clone())),
                 conditions: None,
                 sum: None,
                 of_others: Some(generated.reading.clone()),
+            });
+        }
+        if let Some(scan) = &listed.scan {
+            return Ok(Self {
+                source: Ok(scan.clone()),
+                conditions: None,
+                sum: Some(scan.sum.to_string()),
+                of_others: None,
             });
         }
         let file = listed.input.file.as_deref().unwrap_or(Path::new(""));
@@ -291,13 +323,17 @@ impl Opened {
         Ok(Self {
             conditions: is_file.then(conditions).flatten(),
             sum: is_file.then_some(sum),
-            content,
+            source: Err(content),
             of_others: None,
         })
     }
 
     fn content(&self) -> TraceContent<'_> {
-        match (&self.content, &self.of_others) {
+        let content = match &self.source {
+            Ok(scan) => return TraceContent::Scan(&scan.surface),
+            Err(content) => content,
+        };
+        match (content, &self.of_others) {
             (Content::Bytes(bytes), _) => TraceContent::Bytes(bytes, self.conditions.as_deref()),
             (Content::Heights(profile), Some(reading)) => {
                 TraceContent::Generated(profile, reading.as_deref())
@@ -445,36 +481,6 @@ pub(crate) fn gear_of(key: &str) -> Gear {
         "surface.wheel" | "surface.coast.wheel" => Gear::Wheel,
         _ => Gear::Pinion,
     }
-}
-
-/// The surface in `file`; `None` of heights in memory.
-fn surface_in(
-    input: &FlankInput,
-    file: &Path,
-    keys: &Keys,
-    context: Context<'_>,
-) -> Result<Option<Surface>, CaseError> {
-    let source = context.source;
-    let (content, _) = context.files.open(file, source, keys.file.clone())?;
-    let Content::Bytes(bytes) = content else {
-        return Ok(None);
-    };
-    let name = file.display().to_string();
-    let surface = read_surface_bytes(&name, &bytes, &read_options(input));
-    let refused = |error| CaseError::profile(source.place_of(&keys.file), &error);
-    surface.map(Some).map_err(refused)
-}
-
-/// Number of rows of the scan of a flank, and their distance; `None` of a file with few profiles, or with profiles at unknown
-/// places.
-pub(crate) fn rows_of_scan(
-    input: &FlankInput,
-    keys: &Keys,
-    context: Context<'_>,
-) -> Option<(usize, Length)> {
-    let surface = surface_in(input, input.file.as_ref()?, keys, context).ok()??;
-    let dy = surface.dy.filter(|_| surface.rows >= LEAST_ROWS)?;
-    Some((surface.rows, dy))
 }
 
 /// Options of the reader from the keys of a flank.

@@ -12,10 +12,11 @@ use asperity_gear::MeasuredForm;
 use super::flank_inputs::FlankInputs;
 use super::flank_sample;
 use super::flank_sample::Listed;
-use super::flank_trace::{Context, Keys, Known, flank, keys_of, rows_of_scan, traces_of};
+use super::flank_trace::{Context, Keys, Known, flank, keys_of, traces_of};
 use super::generated::generated;
 use super::lay::{Lays, lays, median_lay};
-use super::sheets::sheets_of;
+use super::scans::Scans;
+use super::sheets::{bridged, lay_of_trace, sheets_of, whole};
 use super::surrogates::surrogates_of;
 use crate::input::case_input::FlankInput;
 use crate::input::contact_name::ContactName;
@@ -25,12 +26,17 @@ use crate::source::defaults::DefaultUsed;
 use crate::source::section::{Section, domain};
 use crate::source::source_text::Source;
 use asperity_core::message::Warning;
-use asperity_flanks::meeting::{Meeting, Refined, longer_than_active, on_common_spacing};
-use asperity_flanks::surfaces::{FlankReport, Surfaces};
+use asperity_flanks::meeting::{
+    Meeting, Refined, longer_than_active, on_common_spacing, spacing_of,
+};
+use asperity_flanks::scan::rows_needed;
+use asperity_flanks::sheets::{LEAST_ROWS, rows_of_patches};
+use asperity_flanks::surfaces::{FlankReport, Surfaces, Texture};
 use asperity_flanks::surrogates::Surrogates;
 use asperity_flanks::trace::Flank;
 use asperity_flanks::trace_pairs::{SampledFlanks, SampledTrace};
 use asperity_flanks::trace_sites::{TraceSite, paired, teeth as teeth_of, zones as zones_of};
+use asperity_profile_io::read::Gaps;
 
 /// Both flanks with the records of their reading and preparation, and the warnings.
 #[derive(Debug, Clone)]
@@ -55,9 +61,6 @@ pub(crate) struct Flanks {
     pub sums: Arc<FileSums>,
 }
 
-/// Rows that represent a scan with ridges across the face.
-const ROWS_OF_SCAN: usize = 4;
-
 /// Reads and prepares the flanks of a case.
 pub(crate) fn flanks(
     inputs: &FlankInputs,
@@ -66,10 +69,12 @@ pub(crate) fn flanks(
 ) -> Result<Flanks, CaseError> {
     let provenance = Provenance::new();
     let reader = Reader::of(files);
+    let scans = Scans::default();
     let context = Context {
         inputs,
         source,
         files: &reader,
+        scans: &scans,
     };
     let flanks = provenance.collect(|| both(context))?;
     Ok(Flanks {
@@ -83,37 +88,11 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     let inputs = context.inputs;
     let mut warnings = Vec::new();
     let mut named = NamedTraces::of(context, &mut warnings)?;
-    let known_of = |named: &NamedTraces, body: usize, warnings: &mut Vec<Warning>| {
-        let each = named.lists[body].iter();
-        let each = each.map(|trace| flank(trace, &named.keys[body], context, warnings));
-        each.collect::<Result<Vec<Known>, CaseError>>()
-    };
-    let mut known: [Vec<Known>; 2] = Default::default();
-    let mut rows_of_scans: [Option<(usize, Length)>; 2] = [None; 2];
-    let mut doubts: [Vec<Warning>; 2] = Default::default();
-    for (body, known) in known.iter_mut().enumerate() {
-        let found = known_of(&named, body, &mut doubts[body]);
-        if found
-            .as_ref()
-            .is_err_and(|error| error.code() == Code::E119)
-        {
-            rows_of_scans[body] = named.take_middle_row(body, context);
-        }
-        *known = match rows_of_scans[body] {
-            None => found?,
-            Some(_) => known_of(&named, body, &mut doubts[body])?,
-        };
-    }
-    let is_patch = takes_patch(context, &named, &known, rows_of_scans);
-    for (body, known) in known.iter_mut().enumerate() {
-        if let (Some(rows), false) = (rows_of_scans[body], is_patch) {
-            named.take_rows(body, rows, context.source)?;
-            // The middle row need not be among them.
-            doubts[body].clear();
-            *known = known_of(&named, body, &mut doubts[body])?;
-        }
-    }
-    warnings.extend(doubts.into_iter().flatten());
+    let Taken {
+        known,
+        is_scan,
+        is_patch,
+    } = taken(&mut named, context, &mut warnings)?;
     let is_several = named.lists.iter().any(|list| list.len() > 1);
     let mut flanks: [Vec<Flank>; 2] = Default::default();
     let mut follow: [Vec<Vec<DefaultUsed>>; 2] = Default::default();
@@ -135,13 +114,24 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     }
     let left_open = surrogates.as_ref().map(|(_, left_open)| left_open.clone());
     let mut assumed = left_open.unwrap_or_default();
-    assumed.extend(named.taken_by_lay(context, rows_of_scans, is_patch));
+    assumed.extend(named.taken_by_lay(context, is_scan, is_patch));
     let stated = if named.has_own_wheel { 2 } else { 1 };
     for default in follow.into_iter().take(stated).flatten().flatten() {
         if !assumed.contains(&default) {
             assumed.push(default);
         }
     }
+    let lays = lays(context, &named.lists, &flanks, &named.keys, &mut warnings);
+    let sheets = match is_patch {
+        true => Some(sheets_of(
+            context,
+            &named.lists,
+            &mut flanks,
+            &named.keys,
+            &mut warnings,
+        )?),
+        false => None,
+    };
     let first_file = |body: usize| {
         flanks[body]
             .first()
@@ -151,10 +141,6 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         // Once for the shared file.
         keep_first(&mut warnings);
     }
-    let lays = lays(context, &named.lists, &flanks, &named.keys, &mut warnings);
-    let sheets =
-        is_patch.then(|| sheets_of(context, &named.lists, &flanks, &named.keys, &mut warnings));
-    let sheets = sheets.transpose()?;
     let (surfaces, zones) = named.met(context, &flanks, surrogates, &mut warnings)?;
     let surfaces = surfaces.with_sheets(sheets);
     let forms = flanks.each_ref().map(|flanks| {
@@ -177,6 +163,64 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         assumed,
         provenance: Provenance::new(),
         sums: Arc::default(),
+    })
+}
+
+/// The flanks with the rows of scans that are computed.
+struct Taken {
+    known: [Vec<Known>; 2],
+    /// Whether the flank is a scan of which the case names no line.
+    is_scan: [bool; 2],
+    /// Whether patches are in contact.
+    is_patch: bool,
+}
+
+/// Reads the flanks; of a scan without a line the rows, as traces or as a surface, follow from its lay.
+fn taken(
+    named: &mut NamedTraces,
+    context: Context<'_>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Taken, CaseError> {
+    let known_of = |named: &NamedTraces, body: usize, warnings: &mut Vec<Warning>| {
+        let each = named.lists[body].iter();
+        let each = each.map(|trace| flank(trace, &named.keys[body], context, warnings));
+        each.collect::<Result<Vec<Known>, CaseError>>()
+    };
+    let mut known: [Vec<Known>; 2] = Default::default();
+    let mut is_scan = [false; 2];
+    let mut doubts: [Vec<Warning>; 2] = Default::default();
+    for (body, known) in known.iter_mut().enumerate() {
+        let found = known_of(named, body, &mut doubts[body]);
+        if found
+            .as_ref()
+            .is_err_and(|error| error.code() == Code::E119)
+        {
+            is_scan[body] = named.take_middle_row(body, context);
+        }
+        *known = match is_scan[body] {
+            false => found?,
+            true => known_of(named, body, &mut doubts[body])?,
+        };
+    }
+    let is_patch = takes_patch(context, named, &known, is_scan, warnings);
+    for (body, known) in known.iter_mut().enumerate() {
+        if is_scan[body] && !is_patch {
+            let rows = scan_of_lines((body, named), known, context, warnings)?;
+            if rows > 1 {
+                named.take_rows(body, rows, context.source)?;
+                // The middle row need not be among them.
+                doubts[body].clear();
+                *known = known_of(named, body, &mut doubts[body])?;
+            }
+        }
+    }
+    warnings.extend(doubts.into_iter().flatten());
+    let scans = named.lists.iter().filter_map(|list| list[0].scan.as_ref());
+    warnings.extend(scans.filter_map(|scan| scan.spikes.clone()));
+    Ok(Taken {
+        known,
+        is_scan,
+        is_patch,
     })
 }
 
@@ -276,26 +320,33 @@ impl NamedTraces {
         })
     }
 
-    /// Names the middle row of a flank whose file is a scan, and of which the case names no line; the number of its rows, and their
-    /// distance.
-    fn take_middle_row(&mut self, body: usize, context: Context<'_>) -> Option<(usize, Length)> {
+    /// Names the middle row of a flank whose file is a scan, and of which the case names no line; whether it is one.
+    fn take_middle_row(&mut self, body: usize, context: Context<'_>) -> bool {
         let keys = &self.keys[body];
         let [alone] = self.lists[body].as_mut_slice() else {
-            return None;
+            return false;
         };
-        let rows = match alone.is_without_line() {
-            true => rows_of_scan(&alone.input, keys, context)?,
-            false => return None,
+        let file = alone
+            .input
+            .file
+            .as_ref()
+            .filter(|_| alone.is_without_line());
+        let scan = file.and_then(|file| context.scan(&alone.input, file, keys).ok()?);
+        let Some(scan) = scan.filter(|scan| scan.apart().is_some()) else {
+            return false;
         };
-        alone.input.row = Some(rows.0 / 2 + 1);
-        Some(rows)
+        alone.input.row = Some(scan.row_of_part(0, 1));
+        // Optical instruments miss some points of nearly every scan.
+        alone.input.gaps.get_or_insert(Gaps::Interpolate);
+        alone.scan = Some(scan);
+        true
     }
 
-    /// How scans without a line are taken, where the case leaves it to their lay.
+    /// Contact and rows of scans without a line, where the case leaves them to the lay.
     fn taken_by_lay(
         &self,
         context: Context<'_>,
-        rows_of_scans: [Option<(usize, Length)>; 2],
+        is_scan: [bool; 2],
         is_patch: bool,
     ) -> Vec<DefaultUsed> {
         let default = |key: Cow<'static, str>, value: String, source: &'static str| DefaultUsed {
@@ -304,36 +355,34 @@ impl NamedTraces {
             source: Some(source.into()),
         };
         if is_patch && context.inputs.surface.contact.is_none() {
-            let source = "both flanks are scans, and the lay of one is above 1/6";
+            let source = match is_scan {
+                [true, true] => "both flanks are scans, and the lay of one is above 1/6",
+                _ => "a flank is a scan, and the lay of one flank is above 1/6",
+            };
             return vec![default(
                 "surface.contact".into(),
                 "\"patch\"".to_owned(),
                 source,
             )];
         }
-        let scans = (0..2).filter(|body| rows_of_scans[*body].is_some() && !is_patch);
+        let scans = (0..2).filter(|body| is_scan[*body] && !is_patch);
         let rows = scans.map(|body| {
             let key = format!("{}.rows", self.keys[body].table).into();
-            let source = "a scan of which no row is named";
+            let source = "as many as have the sampling error of the whole scan";
             default(key, self.lists[body].len().to_string(), source)
         });
         rows.collect()
     }
 
     /// Names rows of the scan of a flank, as `rows` does, in place of its middle row.
-    fn take_rows(
-        &mut self,
-        body: usize,
-        (has, apart): (usize, Length),
-        source: &Source,
-    ) -> Result<(), CaseError> {
+    fn take_rows(&mut self, body: usize, rows: usize, source: &Source) -> Result<(), CaseError> {
         let section = Section::of(source, self.keys[body].table);
         let whole = FlankInput {
             row: None,
             ..self.lists[body][0].input.clone()
         };
-        let rows = has.min(ROWS_OF_SCAN);
-        let list = flank_sample::rows(&whole, rows, (has, Some(apart)), section)?;
+        let scan = self.lists[body][0].scan.clone();
+        let list = flank_sample::rows(&whole, rows, scan.as_ref(), section)?;
         self.sites[body] = sites_of(&list);
         self.teeth[body] = teeth_of(&self.sites[body]);
         self.named[body] = self.teeth[body];
@@ -384,27 +433,71 @@ impl NamedTraces {
     }
 }
 
-/// Whether patches are in contact: as stated, or where both flanks are scans and the ridges of one run less across the face
-/// than those with which the contact of lines is confirmed.
+/// Whether patches are in contact: as stated, or where a flank is a scan, the other a scan or a trace, and the ridges of one run less
+/// across the face than those with which the contact of lines is confirmed.
 fn takes_patch(
     context: Context<'_>,
     named: &NamedTraces,
     known: &[Vec<Known>; 2],
-    rows_of_scans: [Option<(usize, Length)>; 2],
+    is_scan: [bool; 2],
+    warnings: &mut Vec<Warning>,
 ) -> bool {
     if let Some(stated) = context.inputs.surface.contact {
         return stated == ContactName::Patch;
     }
-    let inputs = context.inputs;
-    if rows_of_scans.contains(&None) || !inputs.has_patches || inputs.surface.outliers.is_some() {
+    let is_traced = |known: &[Known]| match known {
+        [(flank, _)] => matches!(flank.texture, Texture::Trace(_)),
+        _ => false,
+    };
+    if is_scan == [false; 2]
+        || !context.inputs.has_patches
+        || !known.iter().all(|known| is_traced(known))
+    {
         return false;
     }
     let lay_of = |body: usize| {
         let (listed, (flank, _)) = (named.lists[body].first()?, known[body].first()?);
-        median_lay(listed, flank, &named.keys[body], context)
+        match is_scan[body] {
+            true => median_lay(listed, flank, &named.keys[body], context),
+            false => Some(lay_of_trace(context, body)),
+        }
     };
-    let lays = [0, 1].map(lay_of);
-    lays.iter().all(Option::is_some) && lays.into_iter().flatten().any(|lay| lay > Lay::CONFIRMED)
+    let [Some(pinion), Some(wheel)] = [0, 1].map(lay_of) else {
+        return false;
+    };
+    if pinion <= Lay::CONFIRMED && wheel <= Lay::CONFIRMED {
+        return false;
+    }
+    let reports = known.iter().flatten().map(|(flank, _)| &flank.report);
+    let along = spacing_of(context.inputs.largest_spacing, reports).unwrap_or_default();
+    let narrow = named.lists.iter().flatten().find_map(|listed| {
+        let scan = listed.scan.as_ref()?;
+        let rows = rows_of_patches(scan.surface.rows, scan.apart()?, along);
+        (rows < LEAST_ROWS).then_some((scan, rows))
+    });
+    if let Some((scan, rows)) = narrow {
+        let text = format!(
+            "{} has {rows} rows at the spacing of patches, which need {LEAST_ROWS}: its rows are taken as traces, though a lay above 1/6 asks for patches. Scan a wider part of the flank",
+            scan.surface.name
+        );
+        warnings.push(Warning::new(Code::W464, text));
+    }
+    narrow.is_none()
+}
+
+/// Number of the rows of the scan of a flank, known by its middle row, that are computed as traces.
+fn scan_of_lines(
+    (body, named): (usize, &NamedTraces),
+    known: &[Known],
+    context: Context<'_>,
+    warnings: &mut Vec<Warning>,
+) -> Result<usize, CaseError> {
+    let ([listed], [(flank, _)]) = (named.lists[body].as_slice(), known) else {
+        return Ok(1);
+    };
+    let whole = whole(body, (listed, flank), &named.keys[body], context)?;
+    warnings.extend(bridged(&flank.report, whole.bridged));
+    Ok(rows_needed(&whole.prepared))
 }
 
 /// W447: traces of a list that are lines of one surface, which is of one tooth.

@@ -102,6 +102,7 @@ pub(crate) fn generated(
                 tooth: k,
                 ..TraceSite::default()
             },
+            scan: None,
             generated: Some(Generated {
                 heights: Arc::new(made.generated.profile),
                 reading: reading.clone(),

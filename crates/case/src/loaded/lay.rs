@@ -4,12 +4,10 @@ use asperity_core::Code;
 use asperity_flanks::flank_lay::{FlankLay, two_digits};
 use asperity_flanks::surface_lay::lay_of_surface;
 use asperity_flanks::trace::Flank;
-use asperity_profile_io::read::read_surface_bytes;
 use asperity_roughness::lay::RowLay;
 
 use super::flank_sample::Listed;
-use super::flank_trace::{Context, Keys, read_options};
-use crate::input::files::Content;
+use super::flank_trace::{Context, Keys};
 use crate::resolved::resolve::Case;
 use crate::source::defaults::DefaultUsed;
 use asperity_core::message::Warning;
@@ -194,17 +192,12 @@ fn of_surface(
     if !reading.format.may_hold_several() {
         return None;
     }
-    let opened = context.files.open(file, context.source, keys.file.clone());
-    let Ok((Content::Bytes(bytes), _)) = opened else {
-        return None;
-    };
-    let name = file.display().to_string();
-    let surface = read_surface_bytes(&name, &bytes, &read_options(input)).ok()?;
+    let scan = context.scan(input, file, keys).ok()??;
     let line = input.line.unwrap_or_default();
     let (along, record) = (reading.profile.spacing(), flank.report.preparation.as_ref());
-    let finding = lay_of_surface(&surface, line, along, record)?;
+    let finding = lay_of_surface(&scan.surface, line, along, record)?;
     Some(Measured {
-        file: name,
+        file: scan.surface.name.clone(),
         finding,
     })
 }

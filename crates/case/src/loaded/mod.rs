@@ -8,6 +8,7 @@ pub mod flanks;
 mod generated;
 pub mod lay;
 pub mod loaded_case;
+pub mod scans;
 pub mod sheets;
 pub mod surrogates;
 pub mod trace;

@@ -324,11 +324,11 @@ impl CaseError {
         file: impl Display,
         source: asperity_roughness::RoughnessError,
     ) -> Self {
-        let cutoff = match source.is_of_noise_cutoff() {
-            true => Setting::NoiseCutoff,
-            false => Setting::Cutoff,
+        let remedy = match source.is_of_noise_cutoff() {
+            true => Remedy::state(Setting::NoiseCutoff)
+                .because("to five times the spacing of the trace"),
+            false => Remedy::state(Setting::Cutoff).because("to suit the trace"),
         };
-        let remedy = Remedy::state(cutoff).because("to suit the trace");
         Self::new(Code::E120, format!("{file}: {source}")).with(remedy)
     }
 }

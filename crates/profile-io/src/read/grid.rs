@@ -279,6 +279,16 @@ pub(super) fn heights(
     Ok((heights, filled))
 }
 
+/// Heights with bridges over missing ones, if at most the share `most` of the points between the ends lacks one, and the number of
+/// points bridged. Missing points at the ends are cut off.
+pub(super) fn bridged(z: &[f64], most: f64) -> (Vec<f64>, usize) {
+    let (filled, _, heights) = interpolate(z);
+    match heights.is_empty() || filled as f64 > most * heights.len() as f64 {
+        true => (z.to_vec(), 0),
+        false => (heights, filled),
+    }
+}
+
 /// Removes missing points from a trace with individual positions, if they may be interpolated; returns their number.
 pub(super) fn leave_out(
     x: &mut Vec<f64>,

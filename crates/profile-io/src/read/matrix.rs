@@ -76,6 +76,7 @@ pub(super) fn surface(
             Some(_) => HeightUnit::Metres,
             None => HeightUnit::Unstated,
         },
+        table: Some((layout(sniffed, numbering), unit)),
         ..Areal::new(FORMAT, Heights::Values { values, columns })
     })
 }
@@ -101,6 +102,18 @@ fn cells(head: &[Line<'_>], sniffed: &Sniffed, line: &Line<'_>) -> Result<Vec<f6
     }
 }
 
+/// Dialect, and the first column of heights.
+fn layout(sniffed: &Sniffed, numbering: usize) -> TableLayout {
+    TableLayout {
+        separator: sniffed.dialect.separator,
+        decimal: sniffed.dialect.decimal,
+        columns: Columns {
+            x: None,
+            z: 1 + numbering,
+        },
+    }
+}
+
 /// The row requested by `options`, of the matrix that starts at line `first` behind `numbering` columns.
 pub(super) fn read(
     text: &mut Text<'_>,
@@ -111,7 +124,7 @@ pub(super) fn read(
     header: &HeaderValues,
     options: &ReadOptions,
 ) -> Result<Found, ReadFault> {
-    let (columns, dialect) = (sniffed.columns - numbering, sniffed.dialect);
+    let columns = sniffed.columns - numbering;
     let (mut rows, mut chosen) = (0, None);
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
@@ -153,14 +166,7 @@ pub(super) fn read(
         warnings: assumed.into_iter().collect(),
         z_unit,
         first_line: None,
-        table: Some(TableLayout {
-            separator: dialect.separator,
-            decimal: dialect.decimal,
-            columns: Columns {
-                x: None,
-                z: 1 + numbering,
-            },
-        }),
+        table: Some(layout(sniffed, numbering)),
         ..Found::new(FORMAT, heights)
     })
 }

@@ -172,13 +172,19 @@ fn surface_of(
         None | Some(Format::SdfAscii) => {
             let (head, mut text) = Text::new(name, stream, &start, options.encoding);
             match recognise::of_text(name, &head) {
-                Some(Format::SdfAscii) => sdf::surface(&mut text)?,
+                Some(Format::SdfAscii) => Areal {
+                    encoding: Some(text.encoding),
+                    ..sdf::surface(&mut text)?
+                },
                 Some(format) => return Err(refused(format)),
                 None if !encoding::is_text(&head.text) => {
                     let format = Format::named(name).unwrap_or(Format::UnknownBinary);
                     return Err(refused(format));
                 }
-                None => delimited::surface(&head, &mut text, options)?,
+                None => Areal {
+                    encoding: Some(text.encoding),
+                    ..delimited::surface(&head, &mut text, options)?
+                },
             }
         }
         Some(format) => areal::read(format, stream, start.size)?.ok_or_else(|| refused(format))?,

@@ -3,9 +3,31 @@
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
+use super::error::ReadError;
 use super::format::Format;
+use super::found::Found;
+use super::grid::{self, SpacingSource};
+use super::layout::TableLayout;
 use super::metadata::Metadata;
+use super::options::{Encoding, Gaps, LengthUnit, ReadOptions};
+use super::reading::Reading;
 use crate::warning::Warning;
+
+/// Largest share of the points of a row that is bridged. A scan lacks points on steep parts of most rows.
+const MOST_BRIDGED: f64 = 0.25;
+
+/// Facts about a file for the traces of its surface.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct SurfaceFacts {
+    /// Unit of the heights in the file.
+    pub z_unit: Option<LengthUnit>,
+    /// Whether the header scaled the lengths.
+    pub is_scaled: bool,
+    pub encoding: Option<Encoding>,
+    pub table: Option<TableLayout>,
+    /// Distance of the points of a row \[m\] in the header.
+    pub spacing: Option<f64>,
+}
 
 /// A measured surface. The heights are not serialised.
 ///
@@ -45,6 +67,8 @@ pub struct Surface {
     pub metadata: Metadata,
     /// Warnings.
     pub warnings: Vec<Warning>,
+    #[serde(skip)]
+    pub(super) facts: SurfaceFacts,
 }
 
 impl Surface {
@@ -74,7 +98,64 @@ impl Surface {
             dy,
             metadata,
             warnings,
+            facts: SurfaceFacts::default(),
         }
+    }
+
+    /// The row that `options` name, as [`read`](super::read) reads it. With [`Gaps::Interpolate`] up to a quarter of
+    /// its points may lack a height; those at the ends are cut off.
+    ///
+    /// # Errors
+    /// When no row of several is named, the row does not exist, or it cannot be read as a profile.
+    ///
+    /// ```
+    /// use asperity_profile_io::read::{ReadOptions, read_surface_bytes};
+    /// let row = |y: i32| (0..120).map(|x| format!("{}", (x % 7 + y) % 5)).collect::<Vec<_>>().join(" ");
+    /// let text = format!("{}\n{}\n", row(0), row(1));
+    /// let options = ReadOptions { z_unit: Some("um".parse()?), dx: Some("1 um".parse()?), ..ReadOptions::default() };
+    /// let surface = read_surface_bytes("matrix.txt", text.as_bytes(), &options)?;
+    /// let second = surface.reading(&ReadOptions { row: Some(2), ..options.clone() })?;
+    /// assert_eq!(second.profile.heights()[..3], [1e-6, 2e-6, 3e-6]);
+    /// assert!(surface.reading(&options).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn reading(&self, options: &ReadOptions) -> Result<Reading, ReadError> {
+        let row = grid::chosen_row(options.row, self.rows, self.columns);
+        let row = row.map_err(|fault| fault.in_file(&self.name))?;
+        let known = self.row(row).unwrap_or_default();
+        let (heights, bridged) = match options.gaps {
+            Gaps::Interpolate => grid::bridged(known, MOST_BRIDGED),
+            Gaps::Refuse => (known.to_vec(), 0),
+        };
+        let facts = &self.facts;
+        let source = match self.format {
+            Format::PointText => SpacingSource::XColumn,
+            _ => SpacingSource::Header,
+        };
+        let found = Found {
+            spacing: facts.spacing.map(|dx| (dx, source)),
+            scaled: facts.is_scaled,
+            metadata: self.metadata.clone(),
+            warnings: self.warnings.clone(),
+            encoding: facts.encoding,
+            table: facts.table,
+            ..Found::new(self.format, heights)
+        };
+        // The heights are metres, and out of the material.
+        let of_row = ReadOptions {
+            z_unit: None,
+            ..options.clone()
+        };
+        let trace = found.finish(&self.name, &of_row).and_then(|mut trace| {
+            trace.z_unit = facts.z_unit.unwrap_or(trace.z_unit);
+            trace.gaps_filled += bridged;
+            match options.range {
+                Some(range) => trace.within(range),
+                None => Ok(trace),
+            }
+        });
+        let trace = trace.map_err(|fault| fault.in_file(&self.name))?;
+        trace.reading(options.uneven)
     }
 
     /// Heights `[m]` of a row, counted from 0; `None` if the row does not exist.

@@ -45,6 +45,52 @@ pub struct FittedSurface {
     heights: Vec<[f64; 2]>,
 }
 
+/// An area of cells, transformed or not.
+pub(super) struct Area {
+    pub cells: Vec<Complex<f64>>,
+    /// Cells of a row, and rows.
+    pub size: [usize; 2],
+}
+
+impl Area {
+    /// The transform of white noise.
+    pub(super) fn of_noise([width, height]: [usize; 2], seed: u64) -> Self {
+        let mut random = Random::new(seed);
+        let mut cells: Vec<Complex<f64>> = (0..width * height)
+            .map(|_| Complex::new(normal(&mut random), 0.0))
+            .collect();
+        transform(&mut cells, width, height);
+        Self {
+            cells,
+            size: [width, height],
+        }
+    }
+
+    /// Imposes the amplitudes of its transform, which it is, and by ranks the ascending heights `targets`, in turn.
+    pub(super) fn impose(&mut self, amplitudes: &[f64], targets: &[f64], rounds: usize) {
+        let ([width, height], cells) = (self.size, &mut self.cells);
+        for round in 0..rounds {
+            if round > 0 {
+                transform(cells, width, height);
+            }
+            for (cell, amplitude) in cells.iter_mut().zip(amplitudes) {
+                let norm = cell.norm();
+                let phase = match norm > 0.0 {
+                    true => *cell / norm,
+                    false => Complex::new(1.0, 0.0),
+                };
+                // Conjugate, since the same transform leads back.
+                *cell = (phase * amplitude).conj();
+            }
+            transform(cells, width, height);
+            let order = ascending(cells.iter().map(|cell| cell.re));
+            for (index, target) in order.into_iter().zip(targets) {
+                cells[index] = Complex::new(*target, 0.0);
+            }
+        }
+    }
+}
+
 /// Number of bands over the lines of `n` points.
 fn bands(n: usize) -> usize {
     band(0.5 * n as f64) + 1
@@ -126,36 +172,16 @@ impl FittedSurface {
     pub fn generate(&self, seed: u64) -> Vec<f64> {
         cite!("Fitted-area");
         let [width, height] = [PARENT * self.columns, PARENT * self.rows];
-        let mut random = Random::new(seed);
-        let mut cells: Vec<Complex<f64>> = (0..width * height)
-            .map(|_| Complex::new(normal(&mut random), 0.0))
-            .collect();
-        transform(&mut cells, width, height);
-        let amplitudes: Vec<f64> = cells
+        let mut area = Area::of_noise([width, height], seed);
+        let amplitudes: Vec<f64> = area
+            .cells
             .iter()
             .enumerate()
             .map(|(k, cell)| cell.norm() * self.density_at(k, width, height).sqrt())
             .collect();
         let targets = heights("heights", &self.heights, width * height).unwrap_or_default();
-        for round in 0..ROUNDS {
-            if round > 0 {
-                transform(&mut cells, width, height);
-            }
-            for (cell, amplitude) in cells.iter_mut().zip(&amplitudes) {
-                let norm = cell.norm();
-                let phase = match norm > 0.0 {
-                    true => *cell / norm,
-                    false => Complex::new(1.0, 0.0),
-                };
-                // Conjugate, since the same transform leads back.
-                *cell = (phase * amplitude).conj();
-            }
-            transform(&mut cells, width, height);
-            let order = ascending(cells.iter().map(|cell| cell.re));
-            for (index, target) in order.into_iter().zip(&targets) {
-                cells[index] = Complex::new(*target, 0.0);
-            }
-        }
+        area.impose(&amplitudes, &targets, ROUNDS);
+        let cells = area.cells;
         let row = |y: usize| {
             cells[y * width..y * width + self.columns]
                 .iter()

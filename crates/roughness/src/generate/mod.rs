@@ -19,6 +19,7 @@ pub(crate) use random::Random;
 mod recipe;
 mod scaling;
 mod self_affine;
+mod surface_like;
 mod surface_pieces;
 mod surrogate;
 
@@ -34,5 +35,6 @@ pub use plateau::{PlateauHoned, lower_envelope, truncated};
 pub use pores::Pores;
 pub use recipe::{Recipe, Surface};
 pub use self_affine::{Amplitudes, SelfAffine};
+pub use surface_like::surface_like;
 pub use surface_pieces::{PiecedSurface, SurfacePiece, SurfacePieces};
 pub use surrogate::{Finish, LAMBDA_S, Surrogate};

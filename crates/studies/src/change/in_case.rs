@@ -261,18 +261,18 @@ pub(super) fn in_case(
 /// Warnings of both runs; a warning of one run has its state.
 fn warnings(runs: [&Outcome; 2]) -> Vec<Warning> {
     let [before, after] = runs.map(|run| run.result.warnings.as_slice());
-    let of_state = |own: &[Warning], other: &[Warning], state: &str| {
+    let tagged = |own: &[Warning], other: &[Warning], state: &str| {
         let alone = own.iter().filter(|warning| !other.contains(warning));
-        let tagged = alone.map(|warning| Warning {
+        let of_state = alone.map(|warning| Warning {
             text: format!("{} [{state}]", warning.text),
             ..warning.clone()
         });
-        tagged.collect::<Vec<_>>()
+        of_state.collect::<Vec<_>>()
     };
     let common = before.iter().filter(|warning| after.contains(warning));
     let mut found: Vec<Warning> = common.cloned().collect();
-    found.extend(of_state(before, after, BEFORE));
-    found.extend(of_state(after, before, AFTER));
+    found.extend(tagged(before, after, BEFORE));
+    found.extend(tagged(after, before, AFTER));
     found
 }
 

@@ -68,16 +68,10 @@ impl MapSettings {
     /// When a text is not an axis, or a node is not possible.
     pub fn axes(&self, case: &Train) -> Result<Axes, Fault> {
         let operation = case.shafting.operation();
-        let of_case = |stated: &Option<Nodes>, name: &str, whole: f64| {
-            let stated = stated.as_ref();
-            stated
-                .map(|stated| stated.nodes_of(name, whole))
-                .transpose()
-        };
-        let torque = of_case(&self.torque, "torque", operation.torque.si())?;
+        let torque = Nodes::of_case(self.torque.as_ref(), "torque", operation.torque.si())?;
         let torque = torque.unwrap_or_else(|| Axes::default_torque(case));
         let rpm = operation.speed.si() * 30.0 / std::f64::consts::PI;
-        let speed = of_case(&self.speed, "speed", rpm)?;
+        let speed = Nodes::of_case(self.speed.as_ref(), "speed", rpm)?;
         let speed = speed.unwrap_or_else(|| Axes::default_speed(case));
         let temperature = match &self.temperature {
             None => Axes::default_temperature(case),

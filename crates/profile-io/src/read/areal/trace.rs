@@ -7,9 +7,10 @@ use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::found::{Found, unit_overridden};
 use crate::read::grid::{SpacingSource, chosen_row};
+use crate::read::layout::TableLayout;
 use crate::read::metadata::Metadata;
-use crate::read::options::{Axis, LengthUnit, ReadOptions, TraceLine};
-use crate::read::surface::Surface;
+use crate::read::options::{Axis, Encoding, LengthUnit, ReadOptions, TraceLine};
+use crate::read::surface::{Surface, SurfaceFacts};
 use crate::read::units;
 use crate::warning::Warning;
 
@@ -62,6 +63,10 @@ pub(crate) struct Areal {
     pub unit: HeightUnit,
     pub metadata: Metadata,
     pub warnings: Vec<Warning>,
+    /// Encoding of a text.
+    pub encoding: Option<Encoding>,
+    /// Layout of a text, and the unit of its heights.
+    pub table: Option<(TableLayout, Option<LengthUnit>)>,
 }
 
 impl Areal {
@@ -74,6 +79,8 @@ impl Areal {
             unit: HeightUnit::Scaled,
             metadata: Metadata::default(),
             warnings: Vec::new(),
+            encoding: None,
+            table: None,
         }
     }
 
@@ -161,7 +168,7 @@ impl Areal {
             Some(dx) => [Some(dx.si()), self.spacings[1]],
             None => self.spacings,
         };
-        Ok(Surface::new(
+        let surface = Surface::new(
             file,
             self.format,
             z,
@@ -169,7 +176,18 @@ impl Areal {
             spacings,
             self.metadata,
             self.warnings,
-        ))
+        );
+        let (table, of_table) = self.table.unzip();
+        Ok(Surface {
+            facts: SurfaceFacts {
+                z_unit: Some(options.z_unit.or(of_table.flatten()).unwrap_or(unit)),
+                is_scaled: self.unit == HeightUnit::Scaled,
+                encoding: self.encoding,
+                table,
+                spacing: self.spacings[0],
+            },
+            ..surface
+        })
     }
 }
 
