@@ -158,7 +158,7 @@ pub(crate) fn fitted(calibration: &Calibration) -> Table {
         range profile_band "profile likelihood" "" = range_cell(&one.key, Some(one.profile_band));
         range bootstrap "bootstrap over assemblies" "" = range_cell(&one.key, one.bootstrap);
         number default "default" "" = bare(&one.key, one.default.value);
-        range default_range "before, 5 to 95 %" "" = range_cell(&one.key, Some(one.default.ends()));
+        range default_range "5 to 95 % before" "" = range_cell(&one.key, Some(one.default.ends()));
         text verdict "by the points" "" = match one.is_open.contains(&true) {
             true => format!("{} (open)", one.verdict.text()),
             false => one.verdict.text().to_owned(),
@@ -214,7 +214,7 @@ pub(crate) fn design_bands(design: &Design) -> Table {
         file unit = unit_of(&one.identified.key).0;
         percent deviation "standard deviation" "%" "{:.0}" = one.identified.deviation;
         range band "2.5 to 97.5 %" "" = range_cell(&one.identified.key, Some(one.expected.ends()));
-        range default_range "before, 5 to 95 %" "" = range_cell(&one.identified.key, Some(one.default_range));
+        range default_range "5 to 95 % before" "" = range_cell(&one.identified.key, Some(one.default_range));
         text verdict "verdict" "" = one.identified.verdict.text();
     };
     table.in_file("expected_bands.csv")
