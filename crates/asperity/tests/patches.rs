@@ -393,7 +393,7 @@ fn scans_with_faults_are_used_as_without() {
     };
     refused("holes", Code::E107, "too many");
     refused("spikes", Code::E131, "spikes");
-    refused("short", Code::E120, "cutoff");
+    refused("short", Code::E120, "needs at least 160 um");
     let refused = pair("gaps", "").is_ok() && {
         let flanks =
             ["gaps 1-200-1", "1-200-9"].map(|name| format!("file = \"{name}\", gaps = \"refuse\""));

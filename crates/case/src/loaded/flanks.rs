@@ -88,11 +88,16 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     let inputs = context.inputs;
     let mut warnings = Vec::new();
     let mut named = NamedTraces::of(context, &mut warnings)?;
+    let known_of = |named: &NamedTraces, body: usize, warnings: &mut Vec<Warning>| {
+        let each = named.lists[body].iter();
+        let each = each.map(|trace| flank(trace, &named.keys[body], context, warnings));
+        each.collect::<Result<Vec<Known>, CaseError>>()
+    };
     let Taken {
         known,
         is_scan,
         is_patch,
-    } = taken(&mut named, context, &mut warnings)?;
+    } = taken(&mut named, context, known_of, &mut warnings)?;
     let is_several = named.lists.iter().any(|list| list.len() > 1);
     let mut flanks: [Vec<Flank>; 2] = Default::default();
     let mut follow: [Vec<Vec<DefaultUsed>>; 2] = Default::default();
@@ -175,17 +180,13 @@ struct Taken {
     is_patch: bool,
 }
 
-/// Reads the flanks; of a scan without a line the rows, as traces or as a surface, follow from its lay.
+/// Reads the flanks by `known_of`; of a scan without a line the rows, as traces or as a surface, follow from its lay.
 fn taken(
     named: &mut NamedTraces,
     context: Context<'_>,
+    known_of: impl Fn(&NamedTraces, usize, &mut Vec<Warning>) -> Result<Vec<Known>, CaseError>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Taken, CaseError> {
-    let known_of = |named: &NamedTraces, body: usize, warnings: &mut Vec<Warning>| {
-        let each = named.lists[body].iter();
-        let each = each.map(|trace| flank(trace, &named.keys[body], context, warnings));
-        each.collect::<Result<Vec<Known>, CaseError>>()
-    };
     let mut known: [Vec<Known>; 2] = Default::default();
     let mut is_scan = [false; 2];
     let mut doubts: [Vec<Warning>; 2] = Default::default();
