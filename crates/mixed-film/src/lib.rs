@@ -82,4 +82,6 @@ pub use rough_contact::{ContactState, PatchWindow, RoughContact, RoughWindow};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};
 pub use spot_tree::Spot;
 pub use trace_spectra::TraceSpectra;
-pub use window_roughness::{FilmPressure, Flattening, GapRoughness, RipplePart, WindowRoughness};
+pub use window_roughness::{
+    FilmPressure, Flattening, GapRoughness, PatchSample, RipplePart, WindowRoughness,
+};
