@@ -36,7 +36,7 @@ pub mod lambda_star;
 pub mod light_load;
 pub mod micropitting;
 pub mod patch;
-pub mod patch_flow;
+mod patch_flow;
 pub mod patch_pair;
 pub mod published_shares;
 pub mod regime;

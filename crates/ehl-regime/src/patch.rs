@@ -258,10 +258,23 @@ impl PatchSpectrum {
         pressures.heights
     }
 
+    /// Mean product of two heights \[m²\] over their distance in points, row by row; the patch repeats.
+    #[must_use]
+    pub fn autocorrelation(&self) -> Vec<f64> {
+        let points = (self.grid.size[0] * self.grid.size[1]) as f64;
+        let power = |wave: &Complex<f64>| Complex::new(wave.norm_sqr() / points, 0.0);
+        self.inverse(self.waves.iter().map(power).collect(), |_| 1.0)
+            .heights
+    }
+
     fn filtered(&self, factor: impl Fn(PatchWave) -> f64) -> Patch {
-        let [columns, rows] = self.size;
+        self.inverse(self.waves.clone(), factor)
+    }
+
+    /// Heights of waves in the order of the spectrum, each times a factor.
+    fn inverse(&self, mut waves: Vec<Complex<f64>>, factor: impl Fn(PatchWave) -> f64) -> Patch {
+        let [columns, rows] = self.grid.size;
         let numbers = columns / 2 + 1;
-        let mut waves = self.waves.clone();
         let scale = 1.0 / (columns * rows) as f64;
         waves[0] = Complex::default();
         for (k, column) in waves.chunks_exact_mut(rows).enumerate() {

@@ -189,12 +189,51 @@ impl Sheets {
     /// Sums z₁ + z₂ \[m\] of both flanks in a patch, row by row; the flanks are mirrored beyond the ends of their rows.
     #[must_use]
     pub fn composite(&self, place: PatchPlace) -> Vec<f64> {
-        sums(
-            &self.heights,
-            (self.columns, self.columns),
-            self.rows,
-            place,
-        )
+        sums(&self.heights, self.columns, self.rows, place)
+    }
+
+    /// Number of rows of a patch that count as independent where a loss averages over `width` along rolling; 1 where ridges run
+    /// along the lead.
+    ///
+    /// ```text
+    /// m = n/Σ_y q(y),  q(y) = Σ_x (1 − |x|/b_e) r²(x, y)/Σ_x (1 − |x|/b_e) r²(x, 0)              [Sheet-rows]
+    /// ```
+    ///
+    /// r is the autocorrelation of both flanks together, y goes over all n rows. q is the correlation of the mean squares of normally
+    /// distributed heights in two rows of length b_e.
+    ///
+    /// # Errors
+    /// When a sheet refuses its numbers.
+    pub fn independent_rows(&self, width: Length) -> Result<f64, PositionError> {
+        cite!("Sheet-rows");
+        let points = width / self.spacings[0];
+        let least = self.columns[0].min(self.columns[1]);
+        let reach = (points.ceil().max(1.0) as usize).min(least / 2);
+        // Products of both flanks by rows, the distances along rolling from -reach to reach.
+        let mut products = vec![0.0; self.rows * (2 * reach + 1)];
+        for body in [0, 1] {
+            let columns = self.columns[body];
+            let size = [columns, self.rows];
+            let patch = Patch::new(self.heights[body].clone(), size, self.spacings)?;
+            let of_body = PatchSpectrum::new(&patch).autocorrelation();
+            let rows = products.chunks_exact_mut(2 * reach + 1);
+            for (sums, row) in rows.zip(of_body.chunks_exact(columns)) {
+                for (sum, x) in sums.iter_mut().zip(columns - reach..) {
+                    *sum += row[x % columns];
+                }
+            }
+        }
+        let weight = |x: usize| (1.0 - x.abs_diff(reach) as f64 / points.max(1.0)).max(0.0);
+        let square = |row: &[f64]| -> f64 {
+            let squares = row.iter().enumerate();
+            squares.map(|(x, r)| weight(x) * r * r).sum()
+        };
+        let squares: Vec<f64> = products.chunks_exact(2 * reach + 1).map(square).collect();
+        let all = squares.iter().sum::<f64>() / squares[0];
+        Ok(match all.is_finite() {
+            true => (self.rows as f64 / all).max(1.0),
+            false => 1.0,
+        })
     }
 
     /// Waves of both sheets.

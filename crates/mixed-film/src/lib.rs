@@ -77,7 +77,9 @@ pub use error::LoadShareError;
 pub use film_alone::FilmAlone;
 pub use point_contact::{PointContact, PointFilm};
 pub use position_film::gradient::{FlattenedGradient, Kinks, ShareGradient, Unflattening};
-pub use position_film::{InletSupply, LoadShareSettings, PositionFilm, SmoothFilm, SpotSpeed};
+pub use position_film::{
+    InletSupply, LoadShareSettings, PatchGap, PositionFilm, SmoothFilm, SpotSpeed,
+};
 pub use rough_contact::{ContactState, PatchWindow, RoughContact, RoughWindow};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};
 pub use spot_tree::Spot;

@@ -61,6 +61,7 @@ impl<'a> RoughFilm<'a> {
             inner_boundary: model.inner_boundary,
             film_pressure: model.film_pressure,
             gap_roughness: model.gap_roughness,
+            patch_gap: case.laws.patch_gap,
             share_factor: model.asperity_share_factor,
             ..LoadShareSettings::default()
         };
