@@ -191,7 +191,7 @@ fn rows_of_a_sheet_are_independent_beyond_their_waves() {
         let of = sheets.independent_rows(Length::from_si(20e-6)).unwrap();
         of / sheets.rows() as f64
     };
-    // Rows without relation, bands of six equal rows, whose correlation is that of their overlap, and ridges.
+    // Rows without relation, bands of six equal rows, correlated as they overlap, and ridges.
     assert!((rows(1) - 1.0).abs() < 0.1, "{}", rows(1));
     let overlap: f64 = (-5..=5)
         .map(|y: i32| (1.0 - f64::from(y.abs()) / 6.0).powi(2))

@@ -50,7 +50,7 @@ pub struct Sheets {
     known: Known,
 }
 
-/// What is made of both sheets when it is first needed.
+/// Results that both sheets keep, each made at first need.
 #[derive(Debug, Default)]
 struct Known {
     waves: OnceLock<Result<SheetWaves, PositionError>>,

@@ -120,7 +120,7 @@ pub struct Independent {
 }
 
 impl Independent {
-    /// Those of traces.
+    /// Independent windows of traces.
     #[must_use]
     pub fn of_traces(windows: f64) -> Self {
         Self {
@@ -129,7 +129,7 @@ impl Independent {
         }
     }
 
-    /// Those under contacts of half width `half_width` with windows of `window` half-widths to each side; `None` if a flank was not
+    /// Under contacts of half width `half_width` with windows of `window` half-widths to each side; `None` if a flank was not
     /// measured.
     pub(crate) fn of(
         surfaces: &Surfaces,
