@@ -7,8 +7,8 @@ use asperity::core::numerics::{Z_95, Z_975, range, standard_normal_quantile, stu
 use asperity::ehl_regime::GapLaw;
 use asperity_uncertainty::{
     AXES, Component, Draw, Expected, FilmLaw, InnerBoundary, Measured, Measurement, OtherLaw,
-    Predictive, QuadraticSurface, Quantiles, Ranged, RecordedRule, SamplingError, StudentOfNormal,
-    UncertainParameter, flank_draws, latin_hypercube,
+    PatchFlowError, Predictive, QuadraticSurface, Quantiles, Ranged, RecordedRule, SamplingError,
+    StudentOfNormal, UncertainParameter, flank_draws, latin_hypercube,
 };
 
 /// A case of which nothing is uncertain but the error of the model and the rolling loss.
@@ -30,6 +30,7 @@ fn plain() -> Predictive {
         recorded: None,
         far_lay: None,
         held_thermal: None,
+        patch_flow: None,
         relief: None,
         gap_law: GapLaw::Inlet,
         roughness_over_film: Some(1.0),
@@ -414,6 +415,26 @@ fn a_held_thermal_reduction_is_drawn_to_the_printed_one() {
         assert!((quantile - expected).abs() < 0.02, "{quantile} {expected}");
     }
     assert_eq!(plain().alone(Component::HeldThermal), None);
+}
+
+#[test]
+fn the_flow_over_a_patch_is_drawn_to_the_one_of_lines() {
+    let of = |wider: f64, by_lines: f64| Predictive {
+        patch_flow: Some(PatchFlowError { wider, by_lines }),
+        ..plain()
+    };
+    // The sliding loss of 90 W.
+    let drawn = of(1.0, -0.3).alone(Component::PatchFlow).unwrap();
+    for (quantile, part) in drawn.drawn.ends().into_iter().zip([0.95, 0.05]) {
+        let expected = 90.0 * (1.0 - 0.3 * part) + 10.0;
+        assert!((quantile - expected).abs() < 0.02, "{quantile} {expected}");
+    }
+    let drawn = of(0.9, 0.0).alone(Component::PatchFlow).unwrap();
+    for (quantile, z) in drawn.drawn.ends().into_iter().zip([Z_95, -Z_95]) {
+        let expected = 90.0 * 0.9_f64.powf(z) + 10.0;
+        assert!((quantile - expected).abs() < 0.05, "{quantile} {expected}");
+    }
+    assert_eq!(plain().alone(Component::PatchFlow), None);
 }
 
 #[test]

@@ -16,7 +16,7 @@ use asperity::flanks::{Sheets, Window, row_place};
 use asperity::losses;
 use asperity::quantity::Length;
 use asperity::roughness::preparation::Preparation;
-use asperity::roughness::surface_preparation::prepare_surface;
+use asperity::roughness::surface_preparation::{PreparedSurface, prepare_surface};
 
 #[test]
 fn a_contact_finds_its_window_by_the_arc() {
@@ -159,27 +159,50 @@ fn numbers_are_rounded_to_two_digits() {
     assert_eq!(digits, [0.093, 0.00088, 1.0, 0.0, 0.44]);
 }
 
+/// Points and rows of a made surface, 1 and 2 um apart.
+const SIZE: [usize; 2] = [600, 90];
+
+/// Heights without order, from the middle bits of products.
+fn random(k: usize) -> f64 {
+    let bits = (k as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    let bits = (bits ^ (bits >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    ((bits >> 40) as f64 / (1_u64 << 24) as f64 - 0.5) * 1e-7
+}
+
+fn surface(height: &dyn Fn(usize, usize) -> f64) -> PreparedSurface {
+    let [columns, rows] = SIZE;
+    let z: Vec<f64> = (0..columns * rows)
+        .map(|k| height(k % columns, k / columns))
+        .collect();
+    let recipe = Preparation {
+        lambda_s: None,
+        lambda_c: None,
+        ..Preparation::default()
+    };
+    let spacings = [1e-6, 2e-6].map(Length::from_si);
+    prepare_surface(&z, columns, spacings, &recipe).unwrap()
+}
+
+#[test]
+fn rows_of_a_sheet_are_independent_beyond_their_waves() {
+    let rows = |every: usize| {
+        let rough = |seed: usize| surface(&|x, y| random(x + SIZE[0] * (y / every) + seed));
+        let sheets = Sheets::of([rough(0), rough(1 << 20)], Length::from_si(1e-6)).unwrap();
+        let of = sheets.independent_rows(Length::from_si(20e-6)).unwrap();
+        of / sheets.rows() as f64
+    };
+    // Rows without relation, bands of six equal rows, correlated as they overlap, and ridges.
+    assert!((rows(1) - 1.0).abs() < 0.1, "{}", rows(1));
+    let overlap: f64 = (-5..=5)
+        .map(|y: i32| (1.0 - f64::from(y.abs()) / 6.0).powi(2))
+        .sum();
+    assert!((rows(6) * overlap - 1.0).abs() < 0.2, "{}", rows(6));
+    assert!((rows(1000) * (SIZE[1] - SIZE[1] / 8) as f64 - 1.0).abs() < 1e-9);
+}
+
 #[test]
 fn sheets_repeat_along_the_lead_and_keep_their_variance() {
-    let [columns, rows] = [600, 90];
-    // Numbers without order, from the middle bits of products.
-    let random = |k: usize| {
-        let bits = (k as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        let bits = (bits ^ (bits >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        ((bits >> 40) as f64 / (1_u64 << 24) as f64 - 0.5) * 1e-7
-    };
-    let surface = |height: &dyn Fn(usize, usize) -> f64| {
-        let z: Vec<f64> = (0..columns * rows)
-            .map(|k| height(k % columns, k / columns))
-            .collect();
-        let recipe = Preparation {
-            lambda_s: None,
-            lambda_c: None,
-            ..Preparation::default()
-        };
-        let spacings = [1e-6, 2e-6].map(Length::from_si);
-        prepare_surface(&z, columns, spacings, &recipe).unwrap()
-    };
+    let [columns, rows] = SIZE;
     let rough = surface(&|x, y| random(x + columns * y));
     let ridges = surface(&|x, _| random(x));
     let sheets = Sheets::of([rough, ridges], Length::from_si(1e-6)).unwrap();

@@ -10,7 +10,7 @@
 //! | h̄ | gap between the mean planes that the inlet supplies | m |
 //! | Ψ | h̄/h_g | - |
 //!
-//! The table holds K^⅓/σ_d over H/σ_d: it rises with H whatever the roughness, about linearly both where the last way closes and
+//! The table holds K^⅓/σ_d over H/σ_d: it rises with H whatever the roughness, about linearly both at the percolation threshold and
 //! in a wide gap. Patches that lie side by side along the lead have the same fall of the pressure, so that their flows add up.
 
 use std::num::NonZeroUsize;
@@ -23,7 +23,7 @@ use asperity_core::{DomainError, cite};
 use crate::error::RegimeError;
 use crate::patch::{Patch, PatchSpectrum};
 
-/// Nodes over the gap at which the last way closes, in standard deviations.
+/// Nodes over the percolation threshold, in standard deviations.
 const NODES: [f64; 12] = [0.1, 0.2, 0.35, 0.55, 0.8, 1.1, 1.5, 2.0, 2.7, 3.6, 4.8, 6.2];
 /// Gap over σ_d from which on the expansion holds.
 const WIDE: f64 = 8.0;
@@ -36,7 +36,7 @@ const LOWEST: f64 = 40.0;
 /// K^⅓/σ_d over H/σ_d of patches side by side.
 #[derive(Debug, Clone, PartialEq)]
 struct FlowCurve {
-    /// Gap, smooth gap of the same flow and its slope, in standard deviations; the first where the last way closes.
+    /// Gap, smooth gap of the same flow and its slope, in standard deviations; the first at the percolation threshold.
     nodes: Vec<[f64; 3]>,
     /// Coefficients of the expansion in σ_d/H: of the second order, and of the third, which joins it to the last node.
     wide: [f64; 2],
@@ -51,17 +51,19 @@ const SLOPE_STEP: f64 = 1e-4;
 
 impl FlowCurve {
     fn of(patches: &[Patch], sigma: f64) -> Result<Self, RegimeError> {
-        let closing = patches.iter().map(|patch| patch.closing_gap().si() / sigma);
-        let closing = closing.fold(f64::INFINITY, f64::min);
-        let mut gaps: Vec<f64> = NODES.iter().map(|node| closing + node).collect();
+        let threshold = patches
+            .iter()
+            .map(|patch| patch.percolation_gap().si() / sigma);
+        let threshold = threshold.fold(f64::INFINITY, f64::min);
+        let mut gaps: Vec<f64> = NODES.iter().map(|node| threshold + node).collect();
         gaps.retain(|gap| *gap < LAST_NODE * WIDE);
-        gaps.push(WIDE.max(closing + 1.0));
-        let mut points = vec![[closing, 0.0]];
+        gaps.push(WIDE.max(threshold + 1.0));
+        let mut points = vec![[threshold, 0.0]];
         for gap in gaps {
             let mut cubes = 0.0;
             for patch in patches {
-                let flow = patch.flow(Length::from_si(gap * sigma))?;
-                cubes += (flow.hydraulic_gap.si() / sigma).powi(3);
+                let smooth = patch.hydraulic_gap(Length::from_si(gap * sigma))?;
+                cubes += (smooth / Length::from_si(sigma)).powi(3);
             }
             points.push([gap, (cubes / patches.len() as f64).cbrt()]);
         }
@@ -187,23 +189,6 @@ impl FlowTable {
         Ok(Self { curves })
     }
 
-    /// The table through computed gaps K^⅓/σ_d over H/σ_d, both rising from the gap at which the last way closes, with the
-    /// coefficient of (σ_d/H)² in a wide gap: of a table that was stored, or of another law of the flow.
-    ///
-    /// # Errors
-    /// When there are fewer than three points, or they do not rise.
-    pub fn through(points: &[[f64; 2]], second_order: f64) -> Result<Self, RegimeError> {
-        let number = points.len();
-        let rises = |pair: &[[f64; 2]]| pair[1][0] > pair[0][0] && pair[1][1] > pair[0][1];
-        let fits = number > 2 && points[0][1] >= 0.0 && points.windows(2).all(rises);
-        let rule = "must be three at least, and rise";
-        DomainError::require(fits, "points of a flow table", number as f64, "-", rule)?;
-        let curve = FlowCurve::through(points, second_order);
-        Ok(Self {
-            curves: vec![(Arc::new(curve), 1.0)],
-        })
-    }
-
     /// The table between two others, linear in K^⅓: `part` 0 is the first.
     pub(crate) fn between(first: &Self, second: &Self, part: f64) -> Self {
         let weighted = |table: &Self, weight: f64| {
@@ -226,7 +211,7 @@ impl FlowTable {
             .sum()
     }
 
-    /// Flow at a gap between the mean planes over the flow of the smooth gap; zero where no way is open.
+    /// Flow at a gap between the mean planes over the flow of the smooth gap; zero below the percolation threshold.
     #[must_use]
     pub fn factor(&self, gap: Length, attenuated_rms: Length) -> f64 {
         let sigma = attenuated_rms.si();
@@ -259,11 +244,11 @@ impl FlowTable {
         if sigma == 0.0 || self.curves.is_empty() {
             return Ok(1.0);
         }
-        let closing = self.curves.iter().map(|(curve, _)| curve.nodes[0][0]);
-        let closing = closing.fold(f64::INFINITY, f64::min).max(0.0);
+        let threshold = self.curves.iter().map(|(curve, _)| curve.nodes[0][0]);
+        let threshold = threshold.fold(f64::INFINITY, f64::min).max(0.0);
         let target = (gap / sigma).ln();
-        // Over the logarithm of the gap above the closing one.
-        let excess = |over: f64| self.fed(closing + over.exp()).ln() - target;
+        // Over the logarithm of the gap above the threshold one.
+        let excess = |over: f64| self.smooth_film(threshold + over.exp()).ln() - target;
         let mut low = target;
         while low > target - LOWEST && excess(low) > 0.0 {
             low -= 1.0;
@@ -272,7 +257,7 @@ impl FlowTable {
         while excess(high) < 0.0 {
             high += 1.0;
         }
-        // Patches that are open at zero gap pass more than the thinnest film needs.
+        // Patches that percolate at zero gap pass more than the thinnest film needs.
         let over = match excess(low) > 0.0 {
             true => low,
             false => {
@@ -280,11 +265,11 @@ impl FlowTable {
                 root.map_err(|error| RegimeError::no_inlet(&error))?.value
             }
         };
-        Ok((closing + over.exp()) * sigma / gap)
+        Ok((threshold + over.exp()) * sigma / gap)
     }
 
     /// h_g/σ_d at h̄/σ_d. With h = h̄ (1 + u³) the integral is h̄^(5/3) ∫ 3 u⁴/K du, for any k.
-    fn fed(&self, mean: f64) -> f64 {
+    fn smooth_film(&self, mean: f64) -> f64 {
         let rough = inlet_integral(|u| self.smooth_gap(mean * (1.0 + u)) / mean);
         let smooth = inlet_integral(|u| 1.0 + u);
         mean * (smooth / rough).powf(0.75)
@@ -306,4 +291,40 @@ fn inlet_integral(smooth_gap: impl Fn(f64) -> f64) -> f64 {
         }
     }
     sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Patir and Cheng's factors 1 - C exp(-r H/σ).
+    fn patir_cheng([c, r]: [f64; 2]) -> FlowTable {
+        let threshold = c.ln().max(0.0) / r;
+        let gaps =
+            (0..=400).map(|i| threshold + (9.0 - threshold) * (f64::from(i) / 400.0).powi(2));
+        let smooth = |gap: f64| gap * (1.0 - c * (-r * gap).exp()).max(0.0).cbrt();
+        let points: Vec<[f64; 2]> = gaps.map(|gap| [gap, smooth(gap)]).collect();
+        FlowTable {
+            curves: vec![(Arc::new(FlowCurve::through(&points, 0.0)), 1.0)],
+        }
+    }
+
+    #[test]
+    fn the_inlet_of_published_factors_is_known() {
+        // Psi at s = 1, 1.5, 2, 3 of lays 1 and 3: a numpy program's solutions of the same integrals, given to three digits.
+        for (factors, expected) in [
+            ([0.9, 0.56], [1.20, 1.32, 1.42, 1.58]),
+            ([1.18, 0.42], [1.39, 1.61, 1.80, 2.16]),
+        ] {
+            let table = patir_cheng(factors);
+            for (s, expected) in [1.0, 1.5, 2.0, 3.0].into_iter().zip(expected) {
+                let [sigma, film] = [s, 1.0].map(Length::from_si);
+                let factor = table.inlet_factor(sigma, film).unwrap();
+                assert!(
+                    (factor - expected).abs() < 0.006,
+                    "{factors:?} {s}: {factor}"
+                );
+            }
+        }
+    }
 }

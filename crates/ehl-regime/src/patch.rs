@@ -28,12 +28,32 @@ use crate::error::RegimeError;
 /// λ_e of a long wave along the motion over λ_y.
 const ALONG: f64 = 2.0;
 
+/// The points of a patch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PatchGrid {
+    size: [usize; 2],
+    spacing: [f64; 2],
+}
+
+impl PatchGrid {
+    /// Number of heights along rolling and along the lead.
+    #[must_use]
+    pub const fn size(&self) -> [usize; 2] {
+        self.size
+    }
+
+    /// Distance of the heights along rolling and along the lead.
+    #[must_use]
+    pub fn spacing(&self) -> [Length; 2] {
+        self.spacing.map(Length::from_si)
+    }
+}
+
 /// Heights of one flank, or of two together, on a rectangular grid, free of their mean.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Patch {
     heights: Vec<f64>,
-    size: [usize; 2],
-    spacing: [f64; 2],
+    grid: PatchGrid,
 }
 
 impl Patch {
@@ -70,29 +90,8 @@ impl Patch {
         }
         let mean = heights.iter().sum::<f64>() / number as f64;
         heights.iter_mut().for_each(|z| *z -= mean);
-        Ok(Self {
-            heights,
-            size,
-            spacing,
-        })
-    }
-
-    /// The patch with its mirror images in both directions: four times as many heights.
-    #[must_use]
-    pub fn mirrored(&self) -> Self {
-        let [columns, rows] = self.size;
-        let size = [2 * columns, 2 * rows];
-        let mut heights = Vec::with_capacity(4 * self.heights.len());
-        for j in 0..size[1] {
-            let row = j.min(size[1] - 1 - j) * columns;
-            let row = &self.heights[row..row + columns];
-            heights.extend(row.iter().chain(row.iter().rev()));
-        }
-        Self {
-            heights,
-            size,
-            ..*self
-        }
+        let grid = PatchGrid { size, spacing };
+        Ok(Self { heights, grid })
     }
 
     /// Heights \[m\] over their mean, row by row.
@@ -101,16 +100,10 @@ impl Patch {
         &self.heights
     }
 
-    /// Number of heights along rolling and along the lead.
+    /// Points of the patch.
     #[must_use]
-    pub const fn size(&self) -> [usize; 2] {
-        self.size
-    }
-
-    /// Distance of the heights along rolling and along the lead.
-    #[must_use]
-    pub fn spacing(&self) -> [Length; 2] {
-        self.spacing.map(Length::from_si)
+    pub const fn grid(&self) -> PatchGrid {
+        self.grid
     }
 
     /// Standard deviation of the heights.
@@ -120,9 +113,9 @@ impl Patch {
         Length::from_si((squares / self.heights.len() as f64).sqrt())
     }
 
-    /// This patch and another one, moved by whole numbers of heights: the flanks as they face each other.
-    pub(crate) fn and(mut self, other: &Self, offset: [usize; 2]) -> Self {
-        add_moved(&mut self.heights, &other.heights, self.size, offset);
+    /// Composite of this patch and another one, which is moved by whole numbers of heights: the flanks as they face each other.
+    pub(crate) fn composite(mut self, other: &Self, offset: [usize; 2]) -> Self {
+        add_moved(&mut self.heights, &other.heights, self.grid.size, offset);
         self
     }
 }
@@ -175,15 +168,13 @@ pub struct PatchSpectrum {
     /// For each wavenumber along rolling from zero on, those along the lead.
     waves: Vec<Complex<f64>>,
     along_lead: Arc<dyn Fft<f64>>,
-    size: [usize; 2],
-    spacing: [f64; 2],
+    grid: PatchGrid,
 }
 
 impl std::fmt::Debug for PatchSpectrum {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("PatchSpectrum")
-            .field("size", &self.size)
-            .field("spacing", &self.spacing)
+            .field("grid", &self.grid)
             .finish_non_exhaustive()
     }
 }
@@ -192,7 +183,7 @@ impl PatchSpectrum {
     /// The waves of a patch.
     #[must_use]
     pub fn new(patch: &Patch) -> Self {
-        let [columns, rows] = patch.size;
+        let [columns, rows] = patch.grid.size;
         let (forward, _) = real_transforms(columns);
         let along_lead = complex_inverse(rows);
         let numbers = columns / 2 + 1;
@@ -214,21 +205,14 @@ impl PatchSpectrum {
         Self {
             waves,
             along_lead,
-            size: patch.size,
-            spacing: patch.spacing,
+            grid: patch.grid,
         }
     }
 
-    /// Number of heights along rolling and along the lead.
+    /// Points of the patch.
     #[must_use]
-    pub const fn size(&self) -> [usize; 2] {
-        self.size
-    }
-
-    /// Distance of the heights along rolling and along the lead.
-    #[must_use]
-    pub fn spacing(&self) -> [Length; 2] {
-        self.spacing.map(Length::from_si)
+    pub const fn grid(&self) -> PatchGrid {
+        self.grid
     }
 
     /// The patch that the inlet of a contact leaves.
@@ -274,10 +258,23 @@ impl PatchSpectrum {
         pressures.heights
     }
 
+    /// Mean product of two heights \[m²\] over their distance in points, row by row; the patch repeats.
+    #[must_use]
+    pub fn autocorrelation(&self) -> Vec<f64> {
+        let points = (self.grid.size[0] * self.grid.size[1]) as f64;
+        let power = |wave: &Complex<f64>| Complex::new(wave.norm_sqr() / points, 0.0);
+        self.inverse(self.waves.iter().map(power).collect(), |_| 1.0)
+            .heights
+    }
+
     fn filtered(&self, factor: impl Fn(PatchWave) -> f64) -> Patch {
-        let [columns, rows] = self.size;
+        self.inverse(self.waves.clone(), factor)
+    }
+
+    /// Heights of waves in the order of the spectrum, each times a factor.
+    fn inverse(&self, mut waves: Vec<Complex<f64>>, factor: impl Fn(PatchWave) -> f64) -> Patch {
+        let [columns, rows] = self.grid.size;
         let numbers = columns / 2 + 1;
-        let mut waves = self.waves.clone();
         let scale = 1.0 / (columns * rows) as f64;
         waves[0] = Complex::default();
         for (k, column) in waves.chunks_exact_mut(rows).enumerate() {
@@ -308,15 +305,14 @@ impl PatchSpectrum {
         }
         Patch {
             heights,
-            size: self.size,
-            spacing: self.spacing,
+            grid: self.grid,
         }
     }
 
     fn wave(&self, index: usize) -> PatchWave {
-        let [columns, rows] = self.size;
+        let [columns, rows] = self.grid.size;
         let (k, j) = (index / rows, index % rows);
-        let [dx, dy] = self.spacing;
+        let [dx, dy] = self.grid.spacing;
         let numbers = [
             k as f64 / (columns as f64 * dx),
             j.min(rows - j) as f64 / (rows as f64 * dy),
@@ -326,7 +322,7 @@ impl PatchSpectrum {
 
     /// Every wave with its variance \[m²\].
     fn variances(&self) -> impl Iterator<Item = (PatchWave, f64)> {
-        let [columns, rows] = self.size;
+        let [columns, rows] = self.grid.size;
         let points = (columns * rows) as f64;
         let waves = self.waves.iter().enumerate().skip(1);
         waves.map(move |(index, value)| {

@@ -25,44 +25,19 @@ use crate::error::RegimeError;
 use crate::patch::Patch;
 use multigrid::{Grid, Grids};
 
-/// Largest difference of the flow between sections, over the flow, at which a solution is accepted: the flow is then
-/// known to 2e-7.
-const UNEVEN: f64 = 1e-4;
-/// The same over the flow of a smooth gap of one standard deviation: the smooth gap of the same flow is then known to a
-/// fiftieth of that.
-const NO_FLOW: f64 = 1e-5;
+/// Largest difference of the flow between sections, over the flow, at which a solution is accepted, and the same over the flow of a smooth
+/// gap of one standard deviation. The smooth gap of the same flow is then known to 1e-5 of it from a fifth of a standard deviation above
+/// the closing gap on, and to 2e-4 standard deviations below.
+const UNEVEN: f64 = 1e-3;
+const NO_FLOW: f64 = 1e-4;
 /// Iterations after which a solution is given up: 200 were the most that a patch at its closing gap took.
 const MOST_ITERATIONS: usize = 2000;
 /// Closed cell of which the place along rolling is not known yet.
 const UNSEEN: i32 = i32::MIN;
 
-/// Flow through a patch.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PatchFlow {
-    /// The smooth gap with the same flow, K^⅓.
-    pub hydraulic_gap: Length,
-    /// Largest difference of the flow between sections across rolling, over the flow.
-    pub unevenness: f64,
-    /// Iterations of the solver.
-    pub iterations: usize,
-}
-
-impl PatchFlow {
-    const NONE: Self = Self {
-        hydraulic_gap: Length::from_si(0.0),
-        unevenness: 0.0,
-        iterations: 0,
-    };
-
-    /// Flow over the flow of the smooth gap between the mean planes.
-    #[must_use]
-    pub fn factor(&self, gap: Length) -> f64 {
-        (self.hydraulic_gap / gap).powi(3)
-    }
-}
-
 impl Patch {
-    /// Flow along rolling at a gap between the mean planes; zero where no way through is open.
+    /// The smooth gap with the same flow along rolling, K^⅓, at a gap between the mean planes; zero where the open cells do not
+    /// percolate.
     ///
     /// ```text
     /// ∇·(h³ ∇p) = 0,  h = max(0, H − z),  φ_x = K/H³                           [Patch-flow]
@@ -78,32 +53,29 @@ impl Patch {
     /// let um = |value: f64| Length::from_si(value * 1e-6);
     /// let z = |i: usize| if i % 6 < 2 { 2e-6 / 3.0 } else { -1e-6 / 3.0 };
     /// let ridges = Patch::new((0..24).map(z).collect(), [6, 4], [um(1.0), um(1.0)])?;
-    /// let flow = ridges.flow(um(5.0 / 3.0))?;
+    /// let found = ridges.hydraulic_gap(um(5.0 / 3.0))?;
     /// let exact = (1.0 / 3.0 + 2.0 / 3.0 / 8.0_f64).powf(-1.0 / 3.0);
-    /// assert!((flow.hydraulic_gap.si() * 1e6 / exact - 1.0).abs() < 1e-8);
+    /// assert!((found.si() * 1e6 / exact - 1.0).abs() < 1e-8);
     /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
     /// ```
-    pub fn flow(&self, gap: Length) -> Result<PatchFlow, RegimeError> {
+    pub fn hydraulic_gap(&self, gap: Length) -> Result<Length, RegimeError> {
         cite!("Patch-flow");
         let scale = self.rms().si();
         if scale == 0.0 {
-            return Ok(PatchFlow {
-                hydraulic_gap: Length::from_si(gap.si().max(0.0)),
-                ..PatchFlow::NONE
-            });
+            return Ok(Length::from_si(gap.si().max(0.0)));
         }
-        let Some(open) = self.open_ways(gap.si()) else {
-            return Ok(PatchFlow::NONE);
+        let Some(open) = self.percolating(gap.si()) else {
+            return Ok(Length::from_si(0.0));
         };
         let cube = |(z, open): (&f64, &bool)| match open {
             true => ((gap.si() - z) / scale).powi(3),
             false => 0.0,
         };
         let cubes: Vec<f64> = self.heights().iter().zip(&open).map(cube).collect();
-        let (grid, sources) = self.grid(&cubes);
+        let (grid, sources) = self.conductances(&cubes);
         let mut grids = Grids::new(grid);
-        let [dx, dy] = self.spacing().map(Length::si);
-        let of_smooth = dx / (self.size()[1] as f64 * dy);
+        let [dx, dy] = self.grid().spacing().map(Length::si);
+        let of_smooth = dx / (self.grid().size()[1] as f64 * dy);
         let done = |grid: &Grid, p: &[f64]| {
             let [flow, uneven] = sections(grid, p);
             uneven <= UNEVEN * flow + NO_FLOW / of_smooth
@@ -114,41 +86,37 @@ impl Patch {
             return Err(RegimeError::no_flow(uneven / flow, found.iterations));
         }
         let cubed = of_smooth * flow.max(0.0);
-        Ok(PatchFlow {
-            hydraulic_gap: Length::from_si(scale * cubed.cbrt()),
-            unevenness: uneven / flow,
-            iterations: found.iterations,
-        })
+        Ok(Length::from_si(scale * cubed.cbrt()))
     }
 
-    /// The largest gap between the mean planes at which no way along rolling is open.
+    /// The largest gap between the mean planes at which the open cells do not percolate along rolling.
     #[must_use]
-    pub fn closing_gap(&self) -> Length {
+    pub fn percolation_gap(&self) -> Length {
         let mut levels = self.heights().to_vec();
         levels.sort_by(f64::total_cmp);
-        let is_closed = |gap: &f64| self.open_ways(*gap).is_none();
+        let is_closed = |gap: &f64| self.percolating(*gap).is_none();
         let closed = levels.partition_point(is_closed);
         Length::from_si(levels[closed.max(1) - 1])
     }
 
-    /// The cells of ways that lead through the patch along rolling, `None` without any.
+    /// The cells of clusters that percolate along rolling, `None` without any.
     ///
-    /// A connected region leads through if it is in contact with itself one patch further.
-    fn open_ways(&self, gap: f64) -> Option<Vec<bool>> {
-        let [columns, rows] = self.size();
+    /// A cluster percolates if it is connected with itself one patch further.
+    fn percolating(&self, gap: f64) -> Option<Vec<bool>> {
+        let [columns, rows] = self.grid().size();
         let heights = self.heights();
         let mut place = vec![UNSEEN; heights.len()];
         let mut open = vec![false; heights.len()];
-        let (mut region, mut is_any_open) = (Vec::new(), false);
+        let (mut cluster, mut is_any) = (Vec::new(), false);
         for start in 0..heights.len() {
             if place[start] != UNSEEN || heights[start] >= gap {
                 continue;
             }
             place[start] = (start % columns) as i32;
-            region.clear();
-            region.push(start);
-            let (mut next, mut leads_through) = (0, false);
-            while let Some(&cell) = region.get(next) {
+            cluster.clear();
+            cluster.push(start);
+            let (mut next, mut percolates) = (0, false);
+            while let Some(&cell) = cluster.get(next) {
                 next += 1;
                 let (i, row) = (cell % columns, cell - cell % columns);
                 let (above, below) = ((row + columns) % heights.len(), row + (rows - 1) * columns);
@@ -165,28 +133,28 @@ impl Patch {
                     }
                     if place[neighbour] == UNSEEN {
                         place[neighbour] = at;
-                        region.push(neighbour);
+                        cluster.push(neighbour);
                     } else {
-                        leads_through |= place[neighbour] != at;
+                        percolates |= place[neighbour] != at;
                     }
                 }
             }
-            if leads_through {
-                is_any_open = true;
-                region.iter().for_each(|cell| open[*cell] = true);
+            if percolates {
+                is_any = true;
+                cluster.iter().for_each(|cell| open[*cell] = true);
             }
         }
-        is_any_open.then_some(open)
+        is_any.then_some(open)
     }
 
     /// Conductances between cells of these cubes of the gap, and the inflow of each by an even fall of the pressure by one a cell.
-    fn grid(&self, cubes: &[f64]) -> (Grid, Vec<f64>) {
+    fn conductances(&self, cubes: &[f64]) -> (Grid, Vec<f64>) {
         let face = |a: f64, b: f64| match a > 0.0 && b > 0.0 {
             true => 2.0 * a * b / (a + b),
             false => 0.0,
         };
-        let [columns, rows] = self.size();
-        let [dx, dy] = self.spacing().map(Length::si);
+        let [columns, rows] = self.grid().size();
+        let [dx, dy] = self.grid().spacing().map(Length::si);
         let (mut along, mut across) = (vec![0.0; cubes.len()], vec![0.0; cubes.len()]);
         let mut sources = vec![0.0; cubes.len()];
         for j in 0..rows {
@@ -199,7 +167,7 @@ impl Patch {
                 sources[next] += along[cell];
             }
         }
-        (Grid::new(self.size(), along, across), sources)
+        (Grid::new(self.grid().size(), along, across), sources)
     }
 }
 

@@ -46,9 +46,10 @@ impl PatchPair {
         let [first, second] = &patches;
         let rule = "must be at least one";
         DomainError::require(places > 0, "places of a patch", places as f64, "-", rule)?;
-        let ([dx, dy], size) = (first.spacing(), first.size());
+        let [grid, other] = [first.grid(), second.grid()];
+        let ([dx, dy], size) = (grid.spacing(), grid.size());
         let rule = "must be the same in both patches of a pair";
-        let (other, [other_x, other_y]) = (second.size(), second.spacing());
+        let (other, [other_x, other_y]) = (other.size(), other.spacing());
         for (held, expected) in [(other[0], size[0]), (other[1], size[1])] {
             DomainError::require(held == expected, "heights of a row", held as f64, "-", rule)?;
         }
@@ -80,7 +81,7 @@ impl PatchPair {
         let [first, second] = &self.patches;
         first
             .attenuated(attenuation)
-            .and(&second.attenuated(attenuation), offset)
+            .composite(&second.attenuated(attenuation), offset)
     }
 
     /// Pressures \[Pa\] that flatten both patches together as [`attenuated`](Self::attenuated) leaves them, row by row.
@@ -94,14 +95,14 @@ impl PatchPair {
         let [first, second] = &self.patches;
         let other = second.ripple(attenuation, modulus);
         let mut pressures = first.ripple(attenuation, modulus);
-        add_moved(&mut pressures, &other, first.size(), offset);
+        add_moved(&mut pressures, &other, first.grid().size(), offset);
         pressures
     }
 
     /// The second patch's offset at a place, which is one against the other.
     #[must_use]
     pub fn offset(&self, place: usize) -> [usize; 2] {
-        let size = self.patches[0].size();
+        let size = self.patches[0].grid().size();
         let part = |d: usize| (STEPS[d] * place as f64).fract();
         [0, 1].map(|d: usize| (part(d) * size[d] as f64) as usize)
     }
@@ -145,8 +146,9 @@ impl PatchPair {
     }
 
     fn table(&self, power: i32) -> Result<Arc<FlowTable>, RegimeError> {
-        let known = || self.tables.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(table) = known().get(&power) {
+        // Threads that need a table wait for the first one.
+        let mut known = self.tables.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(table) = known.get(&power) {
             return Ok(Arc::clone(table));
         }
         let attenuation = Attenuation::new(GapLaw::Inlet, f64::from(power).exp2())?;
@@ -155,10 +157,10 @@ impl PatchPair {
             first.attenuated(&attenuation),
             second.attenuated(&attenuation),
         );
-        let place = |place| first.clone().and(&second, self.offset(place));
+        let place = |place| first.clone().composite(&second, self.offset(place));
         let patches: Vec<Patch> = (0..self.places).map(place).collect();
         let made = Arc::new(FlowTable::of(&patches)?);
-        known().insert(power, Arc::clone(&made));
+        known.insert(power, Arc::clone(&made));
         Ok(made)
     }
 }

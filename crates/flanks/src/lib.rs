@@ -36,7 +36,7 @@ pub mod trace_sites;
 mod window_pair;
 
 pub use local_roughness::Roughness;
-pub use sheets::{FlattenedSheets, PatchPlace, Sheets};
+pub use sheets::{PatchPlace, Sheets};
 pub use surfaces::{Surfaces, Texture};
 pub use window_pair::{
     AVERAGING_WIDTH, LEAST_POINTS_PER_HALF_WIDTH, Window, WindowPair, is_substituted, row_place,

@@ -5,14 +5,19 @@
 //! | n, o | rows of a surface, and rows that its ends overlap by | - |
 //! | w | weight of the beginning of the surface | - |
 //! | ρ | correlation of both ends | - |
+//!
+//! All contacts of a case flatten the sheets by one family of curves, from the shortest inlet to the longest. The whole sheets are
+//! flattened for wavelength scales half an octave apart, each when it is first needed. A window between them is a cubic
+//! interpolation over the logarithm of the scale, which is right to 6e-5 of the height of each wave outside the contact.
 
-use std::sync::OnceLock;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use asperity_core::profile::mirrored_indices;
-use asperity_core::quantity::Length;
+use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, Profile, cite};
-use asperity_ehl_regime::{Lay, Patch, PatchPair, PatchSpectrum, RegimeError};
-use asperity_mixed_film::{Flattening, WindowRoughness};
+use asperity_ehl_regime::{Attenuation, GapLaw, Lay, Patch, PatchPair, PatchSpectrum, RegimeError};
+use asperity_mixed_film::{Flattening, PatchSample, WindowRoughness};
 use asperity_roughness::RoughnessError;
 use asperity_roughness::generate::surface_like;
 use asperity_roughness::surface_preparation::PreparedSurface;
@@ -29,6 +34,12 @@ const OVERLAP: usize = 8;
 const MOST_COLUMNS: usize = 256;
 /// Places of one sheet against the other whose flow is computed.
 const FLOW_PLACES: usize = 2;
+/// Wavelength scales in an octave for which sheets are flattened.
+const SCALES_OF_OCTAVE: f64 = 2.0;
+/// Logarithm to the base 2 of the largest scale \[1/m\] and of the smallest one: every wave of a flank is pressed flat, or none.
+const WIDEST: f64 = 60.0;
+/// Flattened sheets that are kept.
+const MOST_KEPT: usize = 8;
 /// Least rows that a sheet is made of.
 pub const LEAST_ROWS: usize = 16;
 
@@ -95,8 +106,15 @@ pub struct Sheets {
     columns: [usize; 2],
     rows: usize,
     spacings: [Length; 2],
-    /// Waves of both sheets, made at first need.
-    waves: OnceLock<SheetWaves>,
+    known: Known,
+}
+
+/// Results that both sheets keep, each made at first need.
+#[derive(Debug, Default)]
+struct Known {
+    waves: OnceLock<Result<SheetWaves, PositionError>>,
+    flattened: Mutex<BTreeMap<Inlet, Arc<FlattenedSheets>>>,
+    samples: Mutex<BTreeMap<(PatchPlace, Inlet), Arc<PatchSample>>>,
 }
 
 /// The waves of both sheets, each mirrored at the ends of its rows, so that it repeats without a jump.
@@ -115,15 +133,21 @@ impl PartialEq for Sheets {
     }
 }
 
-/// Both sheets as the inlet of a contact leaves them.
+/// An inlet for which whole sheets are flattened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Inlet {
+    /// Place of its wavelength scale among those that are computed.
+    scale: i32,
+    /// Bits of the reduced modulus, if the film ripples.
+    modulus: Option<u64>,
+}
+
+/// Both sheets as an inlet leaves them, in single precision.
 #[derive(Debug)]
-pub struct FlattenedSheets {
-    heights: [Vec<f64>; 2],
+struct FlattenedSheets {
+    heights: [Vec<f32>; 2],
     /// Pressures that flatten the heights \[Pa\], if the film needs them.
-    pressures: Option<[Vec<f64>; 2]>,
-    columns: [usize; 2],
-    rows: usize,
-    spacings: [Length; 2],
+    pressures: Option<[Vec<f32>; 2]>,
 }
 
 impl Sheets {
@@ -179,7 +203,7 @@ impl Sheets {
             columns,
             rows: kept,
             spacings: [along, across],
-            waves: OnceLock::new(),
+            known: Known::default(),
         })
     }
 
@@ -192,7 +216,7 @@ impl Sheets {
             columns: self.columns,
             rows: self.rows,
             spacings: self.spacings,
-            waves: OnceLock::new(),
+            known: Known::default(),
         }
     }
 
@@ -220,7 +244,7 @@ impl Sheets {
             columns: self.columns,
             rows: self.rows,
             spacings: self.spacings,
-            waves: OnceLock::new(),
+            known: Known::default(),
         })
     }
 
@@ -245,12 +269,51 @@ impl Sheets {
     /// Sums z₁ + z₂ \[m\] of both flanks in a patch, row by row; the flanks are mirrored beyond the ends of their rows.
     #[must_use]
     pub fn composite(&self, place: PatchPlace) -> Vec<f64> {
-        sums(
-            &self.heights,
-            (self.columns, self.columns),
-            self.rows,
-            place,
-        )
+        sums(&self.heights, self.columns, self.rows, place)
+    }
+
+    /// Number of rows of a patch that count as independent where a loss averages over `width` along rolling; 1 where ridges run
+    /// along the lead.
+    ///
+    /// ```text
+    /// m = n/Σ_y q(y),  q(y) = Σ_x (1 − |x|/b_e) r²(x, y)/Σ_x (1 − |x|/b_e) r²(x, 0)              [Sheet-rows]
+    /// ```
+    ///
+    /// r is the autocorrelation of both flanks together, y goes over all n rows. q is the correlation of the mean squares of normally
+    /// distributed heights in two rows of length b_e.
+    ///
+    /// # Errors
+    /// When a sheet refuses its numbers.
+    pub fn independent_rows(&self, width: Length) -> Result<f64, PositionError> {
+        cite!("Sheet-rows");
+        let points = width / self.spacings[0];
+        let least = self.columns[0].min(self.columns[1]);
+        let reach = (points.ceil().max(1.0) as usize).min(least / 2);
+        // Products of both flanks by rows, the distances along rolling from -reach to reach.
+        let mut products = vec![0.0; self.rows * (2 * reach + 1)];
+        for body in [0, 1] {
+            let columns = self.columns[body];
+            let size = [columns, self.rows];
+            let patch = Patch::new(self.heights[body].clone(), size, self.spacings)?;
+            let of_body = PatchSpectrum::new(&patch).autocorrelation();
+            let rows = products.chunks_exact_mut(2 * reach + 1);
+            for (sums, row) in rows.zip(of_body.chunks_exact(columns)) {
+                for (sum, x) in sums.iter_mut().zip(columns - reach..) {
+                    *sum += row[x % columns];
+                }
+            }
+        }
+        let weight = |x: usize| (1.0 - x.abs_diff(reach) as f64 / points.max(1.0)).max(0.0);
+        let square = |row: &[f64]| -> f64 {
+            let squares = row.iter().enumerate();
+            squares.map(|(x, r)| weight(x) * r * r).sum()
+        };
+        let squares: Vec<f64> = products.chunks_exact(2 * reach + 1).map(square).collect();
+        let all = squares.iter().sum::<f64>() / squares[0];
+        Ok(match all.is_finite() {
+            true => (self.rows as f64 / all).max(1.0),
+            false => 1.0,
+        })
     }
 
     /// Waves of both sheets.
@@ -258,9 +321,11 @@ impl Sheets {
     /// # Errors
     /// When a sheet refuses its numbers.
     fn waves(&self) -> Result<&SheetWaves, PositionError> {
-        if let Some(known) = self.waves.get() {
-            return Ok(known);
-        }
+        let waves = self.known.waves.get_or_init(|| self.transformed());
+        waves.as_ref().map_err(Clone::clone)
+    }
+
+    fn transformed(&self) -> Result<SheetWaves, PositionError> {
         let least = self.columns[0].min(self.columns[1]).min(MOST_COLUMNS);
         let spectrum = |body: usize, columns: std::ops::Range<usize>| {
             let mut mirrored = Vec::with_capacity(2 * columns.len() * self.rows);
@@ -276,14 +341,13 @@ impl Sheets {
             let first = (self.columns[body] - least) / 2;
             spectrum(body, first..first + least)
         };
-        let made = SheetWaves {
+        Ok(SheetWaves {
             whole: [
                 spectrum(0, 0..self.columns[0])?,
                 spectrum(1, 0..self.columns[1])?,
             ],
             passing: PatchPair::new([middle(0)?, middle(1)?], FLOW_PLACES)?,
-        };
-        Ok(self.waves.get_or_init(|| made))
+        })
     }
 
     /// The sheets as they pass each other in the inlet of a contact.
@@ -294,50 +358,115 @@ impl Sheets {
         Ok(&self.waves()?.passing)
     }
 
-    /// Both sheets as `flattening` leaves them.
+    /// Roughness of both flanks in a patch as `flattening` leaves it.
     ///
     /// # Errors
     /// When a sheet refuses its numbers.
-    pub fn flattened(&self, flattening: &Flattening) -> Result<FlattenedSheets, PositionError> {
+    pub fn window(
+        &self,
+        place: PatchPlace,
+        flattening: &Flattening,
+    ) -> Result<WindowRoughness, PositionError> {
+        cite!("Attenuated-patch");
+        cite!("Patch-wave");
+        cite!("Venner");
+        cite!("Gap-roughness");
+        if flattening.ripple_modulus.is_some() {
+            cite!("Patch-ripple");
+        }
+        let modulus = flattening
+            .ripple_modulus
+            .map(|modulus| modulus.si().to_bits());
+        let mut around = Vec::with_capacity(4);
+        for (scale, weight) in scales(flattening.attenuation.nabla_per_length()) {
+            around.push((self.sample(place, Inlet { scale, modulus })?, weight));
+        }
+        Ok(PatchSample::between(&around))
+    }
+
+    /// A patch as an inlet leaves it.
+    fn sample(&self, place: PatchPlace, inlet: Inlet) -> Result<Arc<PatchSample>, PositionError> {
+        let known = || {
+            self.known
+                .samples
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+        };
+        if let Some(sample) = known().get(&(place, inlet)) {
+            return Ok(Arc::clone(sample));
+        }
+        let FlattenedSheets { heights, pressures } = &*self.flattened(inlet)?;
+        let cut = |of| sums(of, self.columns, self.rows, place);
+        let pressures = pressures.as_ref().map(cut);
+        let made = Arc::new(PatchSample::of(&cut(heights), pressures.as_deref())?);
+        known().insert((place, inlet), Arc::clone(&made));
+        Ok(made)
+    }
+
+    /// Both sheets as an inlet leaves them. Threads that need them wait for the first one.
+    fn flattened(&self, inlet: Inlet) -> Result<Arc<FlattenedSheets>, PositionError> {
+        let known = &self.known.flattened;
+        let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(flattened) = known.get(&inlet) {
+            return Ok(Arc::clone(flattened));
+        }
+        let scale = (f64::from(inlet.scale) / SCALES_OF_OCTAVE).exp2();
+        let attenuation = Attenuation::new(GapLaw::Inlet, scale)?;
         let whole = &self.waves()?.whole;
-        let attenuation = &flattening.attenuation;
-        let pressures = flattening.ripple_modulus.map(|modulus| {
-            whole
-                .each_ref()
-                .map(|waves| waves.ripple(attenuation, modulus))
+        let of_flanks = |values: [Vec<f64>; 2]| {
+            // The mirror images are left out.
+            [0, 1].map(|body: usize| {
+                let columns = self.columns[body];
+                let rows = values[body].chunks_exact(2 * columns);
+                rows.flat_map(|row| row[..columns].iter().map(|z| *z as f32))
+                    .collect::<Vec<f32>>()
+            })
+        };
+        let ripple = |bits: u64| {
+            let modulus = Pressure::from_si(f64::from_bits(bits));
+            of_flanks([0, 1].map(|body: usize| whole[body].ripple(&attenuation, modulus)))
+        };
+        let heights = |body: usize| whole[body].attenuated(&attenuation).heights().to_vec();
+        let made = Arc::new(FlattenedSheets {
+            heights: of_flanks([0, 1].map(heights)),
+            pressures: inlet.modulus.map(ripple),
         });
-        let heights = whole
-            .each_ref()
-            .map(|waves| waves.attenuated(attenuation).heights().to_vec());
-        Ok(FlattenedSheets {
-            heights,
-            pressures,
-            columns: self.columns,
-            rows: self.rows,
-            spacings: self.spacings,
-        })
+        known.insert(inlet, Arc::clone(&made));
+        if known.len() > MOST_KEPT {
+            let distance = |of: &Inlet| of.scale.abs_diff(inlet.scale);
+            if let Some(farthest) = known.keys().copied().max_by_key(distance) {
+                known.remove(&farthest);
+            }
+        }
+        Ok(made)
     }
 }
 
-impl FlattenedSheets {
-    /// Roughness of both flanks in a patch.
-    ///
-    /// # Errors
-    /// When the patch refuses its numbers.
-    pub fn patch(&self, place: PatchPlace) -> Result<WindowRoughness, PositionError> {
-        let strides = self.columns.map(|columns| 2 * columns);
-        let cut = |of| sums(of, (self.columns, strides), self.rows, place);
-        let size = [place.points, self.rows];
-        let patch = Patch::new(cut(&self.heights), size, self.spacings)?;
-        let pressures = self.pressures.as_ref().map(cut);
-        Ok(WindowRoughness::of_patch(&patch, pressures.as_deref())?)
-    }
+/// The computed scales around `scale` \[1/m\] with their weights.
+///
+/// ```text
+/// f(t) = Σ w_k f_k,  w_k = Π_(l≠k) (t − l)/(k − l),  k, l = −1..2
+/// ```
+///
+/// t: two of the logarithm to the base 2 of the scale over its lower neighbour.
+fn scales(scale: f64) -> impl Iterator<Item = (i32, f64)> {
+    let place = SCALES_OF_OCTAVE * scale.log2().clamp(-WIDEST, WIDEST);
+    let below = place.floor();
+    let t = place - below;
+    let weights = [
+        -t * (t - 1.0) * (t - 2.0) / 6.0,
+        (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
+        -(t + 1.0) * t * (t - 2.0) / 2.0,
+        (t + 1.0) * t * (t - 1.0) / 6.0,
+    ];
+    let each = (below as i32 - 1..).zip(weights);
+    each.filter(|(_, weight)| *weight != 0.0)
 }
 
-/// Sums of both flanks in a patch, row by row, from rows that are `strides` values long and begin with the `columns` of a flank.
-fn sums(
-    of: &[Vec<f64>; 2],
-    (columns, strides): ([usize; 2], [usize; 2]),
+/// Sums of both flanks in a patch, row by row, from rows of `columns` values.
+fn sums<T: Copy + Into<f64>>(
+    of: &[Vec<T>; 2],
+    columns: [usize; 2],
     rows: usize,
     place: PatchPlace,
 ) -> Vec<f64> {
@@ -351,16 +480,16 @@ fn sums(
     });
     let mut sums = Vec::with_capacity(rows * points);
     for row in 0..rows {
-        let first = &of[0][row * strides[0]..][..columns[0]];
-        let second = &of[1][(row + shift) % rows * strides[1]..][..columns[1]];
+        let first = &of[0][row * columns[0]..][..columns[0]];
+        let second = &of[1][(row + shift) % rows * columns[1]..][..columns[1]];
         let both = places[0].iter().zip(&places[1]);
-        sums.extend(both.map(|(i, j)| first[*i] + second[*j]));
+        sums.extend(both.map(|(i, j)| first[*i].into() + second[*j].into()));
     }
     sums
 }
 
 /// Place of a patch on both sheets.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct PatchPlace {
     /// First points of the patch in the rows of pinion and wheel; negative beyond the ends of the rows.
     pub starts: [isize; 2],

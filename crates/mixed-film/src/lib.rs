@@ -77,9 +77,13 @@ pub use error::LoadShareError;
 pub use film_alone::FilmAlone;
 pub use point_contact::{PointContact, PointFilm};
 pub use position_film::gradient::{FlattenedGradient, Kinks, ShareGradient, Unflattening};
-pub use position_film::{InletSupply, LoadShareSettings, PositionFilm, SmoothFilm, SpotSpeed};
+pub use position_film::{
+    InletSupply, LoadShareSettings, PatchGap, PositionFilm, SmoothFilm, SpotSpeed,
+};
 pub use rough_contact::{ContactState, PatchWindow, RoughContact, RoughWindow};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};
 pub use spot_tree::Spot;
 pub use trace_spectra::TraceSpectra;
-pub use window_roughness::{FilmPressure, Flattening, GapRoughness, RipplePart, WindowRoughness};
+pub use window_roughness::{
+    FilmPressure, Flattening, GapRoughness, PatchSample, RipplePart, WindowRoughness,
+};

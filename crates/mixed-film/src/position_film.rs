@@ -67,6 +67,18 @@ pub enum InletSupply {
     Smooth,
 }
 
+/// Mean gap that the inlet supplies to patches: others than the computed one are for the interval of a loss.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum PatchGap {
+    /// By the computed flow.
+    #[default]
+    Computed,
+    /// This many times as wide.
+    Times(f64),
+    /// By the second order of the roughness over the gap, as of lines.
+    SecondOrder,
+}
+
 /// Film that a touching spot carries with it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -117,6 +129,8 @@ pub struct LoadShareSettings {
     pub film_pressure: FilmPressure,
     /// Heights that count in the supply.
     pub gap_roughness: GapRoughness,
+    /// Gap supplied to patches.
+    pub patch_gap: PatchGap,
     /// Factor on the asperity share after it is solved; 1, and ½ for the band.
     pub share_factor: f64,
     /// Nodes and heat of the film friction.
@@ -138,6 +152,7 @@ impl Default for LoadShareSettings {
             inner_boundary: INNER_BOUNDARY,
             film_pressure: FilmPressure::default(),
             gap_roughness: GapRoughness::default(),
+            patch_gap: PatchGap::Computed,
             share_factor: 1.0,
             film: FilmSettings::default(),
         }
@@ -491,13 +506,18 @@ impl<'a> PositionFilm<'a> {
     }
 
     fn inlet_factor(&self, attenuated_rms: Length) -> Result<f64, LoadShareError> {
-        Ok(match (self.settings.supply, &self.flow) {
-            (InletSupply::Smooth, _) => 1.0,
-            (InletSupply::Rough, Some(flow)) => flow.inlet_factor(attenuated_rms, self.supplied)?,
-            (InletSupply::Rough, None) => {
-                inlet_factor(attenuated_rms, self.supplied, self.settings.lay)?
-            }
-        })
+        let by_lay = || inlet_factor(attenuated_rms, self.supplied, self.settings.lay);
+        let by_flow = |flow: &FlowTable| flow.inlet_factor(attenuated_rms, self.supplied);
+        Ok(
+            match (self.settings.supply, &self.flow, self.settings.patch_gap) {
+                (InletSupply::Smooth, ..) => 1.0,
+                (InletSupply::Rough, Some(flow), PatchGap::Computed) => by_flow(flow)?,
+                (InletSupply::Rough, Some(flow), PatchGap::Times(factor)) => {
+                    factor * by_flow(flow)?
+                }
+                (InletSupply::Rough, _, _) => by_lay()?,
+            },
+        )
     }
 
     /// Flow through the roughness left in the contact over the flow of a smooth gap: 1/(1 + 6 t σ_d²/h²) of traces, whose inlet

@@ -1,9 +1,11 @@
 //! Roughness of a window as the inlet of its contact leaves it: how high it is, and where the film's pressure ripples.
 
+use std::sync::Arc;
+
 use asperity_core::numerics::{Lanes, add_times, vectorised};
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, cite};
-use asperity_ehl_regime::{Attenuation, Patch};
+use asperity_ehl_regime::Attenuation;
 use serde::{Deserialize, Serialize};
 
 use crate::error::LoadShareError;
@@ -118,23 +120,6 @@ impl WindowRoughness {
         }
     }
 
-    /// A flattened patch of both flanks, with the pressures \[Pa\] that flatten its heights if its film ripples.
-    ///
-    /// # Errors
-    /// When the numbers of pressures and heights differ.
-    pub fn of_patch(patch: &Patch, pressures: Option<&[f64]>) -> Result<Self, LoadShareError> {
-        if let Some(number) = pressures.map(<[f64]>::len) {
-            let rule = "must be as many as the heights of the patch";
-            let fits = number == patch.heights().len();
-            DomainError::require(fits, "pressures of a patch", number as f64, "-", rule)?;
-        }
-        Ok(Self::of(
-            [patch.heights()],
-            pressures.map(|pressures| [pressures]),
-            0.0,
-        ))
-    }
-
     /// Whether pressure flattens it anywhere.
     pub(crate) fn is_rippled(&self) -> bool {
         self.ripple.iter().any(|part| part.pressure != 0.0)
@@ -155,7 +140,60 @@ impl WindowRoughness {
     }
 }
 
+/// A flattened patch of both flanks: its deviation, and the places where its ripple is evaluated.
+#[derive(Debug, Clone)]
+pub struct PatchSample {
+    deviation: f64,
+    at: Option<AtPlaces>,
+}
+
+impl PatchSample {
+    /// The patch of these flattened heights \[m\], with the pressures \[Pa\] that flatten them if its film ripples.
+    ///
+    /// # Errors
+    /// When the numbers of pressures and heights differ.
+    pub fn of(heights: &[f64], pressures: Option<&[f64]>) -> Result<Self, LoadShareError> {
+        if let Some(number) = pressures.map(<[f64]>::len) {
+            let rule = "must be as many as the heights of the patch";
+            let fits = number == heights.len();
+            DomainError::require(fits, "pressures of a patch", number as f64, "-", rule)?;
+        }
+        Ok(Self {
+            deviation: deviation([heights], 0.0).si(),
+            at: pressures.map(|pressures| AtPlaces::of([heights], [pressures])),
+        })
+    }
+
+    /// Roughness of a patch between several flattenings, whose weights are one together.
+    #[must_use]
+    pub fn between(flattenings: &[(Arc<Self>, f64)]) -> WindowRoughness {
+        let weighted = |of: &dyn Fn(&Self) -> f64| -> f64 {
+            flattenings
+                .iter()
+                .map(|(one, weight)| weight * of(one))
+                .sum()
+        };
+        let places = flattenings
+            .iter()
+            .filter_map(|(one, weight)| Some((one.at.as_ref()?, *weight)));
+        let at = places.fold(None, |sums: Option<AtPlaces>, (at, weight)| {
+            let mut sums = sums.unwrap_or_else(|| AtPlaces {
+                pressures: vec![0.0; at.pressures.len()],
+                heights: vec![0.0; at.heights.len()],
+            });
+            add_times(&mut sums.pressures, weight, &at.pressures);
+            add_times(&mut sums.heights, weight, &at.heights);
+            Some(sums)
+        });
+        WindowRoughness {
+            deviation: Length::from_si(weighted(&|one| one.deviation).max(0.0)),
+            ripple: at.as_ref().map_or_else(Vec::new, ripple),
+        }
+    }
+}
+
 /// Sums of pressures and heights at the evaluated places of a window.
+#[derive(Debug, Clone)]
 struct AtPlaces {
     pressures: Vec<f64>,
     heights: Vec<f64>,

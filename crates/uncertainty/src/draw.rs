@@ -28,6 +28,8 @@ const FILM_LAW: usize = SECOND + FACTORS;
 const PRESSURE_LAW: usize = AXES.len() + FACTORS + 1;
 const FAR_LAY: usize = PRESSURE_LAW + 1;
 const HELD_THERMAL: usize = FAR_LAY + 1;
+const PATCH_GAP: usize = HELD_THERMAL + 1;
+const PATCH_LAW: usize = PATCH_GAP + 1;
 
 /// Place of the axis of constant `k` among the orders.
 const fn order(k: usize) -> usize {
@@ -63,6 +65,10 @@ pub struct Draw {
     pub far_lay: f64,
     /// Way from the held thermal reduction to the printed one, 0 to 1.
     pub held_thermal: f64,
+    /// Gap that the computed flow supplies to patches.
+    pub patch_gap: f64,
+    /// Way from the loss by the computed flow of patches to that by the flow of lines, 0 to 1.
+    pub patch_law: f64,
     /// Its part by the flanks.
     pub of_flanks: FlankDraw,
 }
@@ -95,6 +101,8 @@ impl Draw {
             pressure_law: 1.0,
             far_lay: 0.0,
             held_thermal: 0.0,
+            patch_gap: 0.0,
+            patch_law: 0.0,
             of_flanks: FlankDraw {
                 model: 0.0,
                 sampling: 0.0,
@@ -114,7 +122,7 @@ pub fn shared_draws() -> impl Iterator<Item = Draw> {
 
 /// The strata of all draws on every axis.
 pub fn orders(seed: u64) -> Vec<Vec<usize>> {
-    permutations(DRAWS, HELD_THERMAL + 1, seed)
+    permutations(DRAWS, PATCH_LAW + 1, seed)
 }
 
 /// The draws with their strata in these orders.
@@ -134,6 +142,8 @@ pub fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
             pressure_law: place(orders[PRESSURE_LAW][j]),
             far_lay: place(orders[FAR_LAY][j]),
             held_thermal: place(orders[HELD_THERMAL][j]),
+            patch_gap: normal[orders[PATCH_GAP][j]],
+            patch_law: place(orders[PATCH_LAW][j]),
             ..Draw::medians()
         }
     })

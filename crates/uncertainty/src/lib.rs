@@ -28,8 +28,8 @@ pub use expected::{Expected, Measurement, MeshDraws};
 pub use hypercube::{StudentOfNormal, latin_hypercube};
 pub use parameters::{AXES, Measured, Ranged, UncertainParameter, at_temperature, parameters};
 pub use predictive::{
-    COMPARED, Component, DrawnLoss, FilmLaw, InnerBoundary, OtherLaw, Predictive, RecordedRule,
-    model_deviation,
+    COMPARED, Component, DrawnLoss, FilmLaw, InnerBoundary, OtherLaw, PATCH_GAP_ERROR,
+    PatchFlowError, Predictive, RecordedRule, model_deviation,
 };
 pub use quantiles::{ENDS, PROBABILITIES, Quantiles, Watts, median_with_ends, sorted_quantiles};
 pub use relief::ReliefFactors;

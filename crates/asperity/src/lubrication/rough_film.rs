@@ -12,7 +12,7 @@ use crate::mesh::MeshPosition;
 use crate::result::PatchFields;
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
-use asperity_case::flanks::{FlattenedSheets, Surfaces, Window};
+use asperity_case::flanks::{Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
 use asperity_mixed_film::{
     AttenuatedTraces, FilmPressure, FlattenedGradient, Flattening, Kinks, LoadShareSettings,
@@ -28,8 +28,6 @@ pub(crate) struct RoughFilm<'a> {
     flattening: Option<Flattening>,
     /// Both whole traces, once a window was cut from them.
     traces: Option<AttenuatedTraces>,
-    /// Both whole surfaces, once a patch was cut from them.
-    sheets: Option<FlattenedSheets>,
 }
 
 impl<'a> RoughFilm<'a> {
@@ -65,6 +63,7 @@ impl<'a> RoughFilm<'a> {
             inner_boundary: model.inner_boundary,
             film_pressure: model.film_pressure,
             gap_roughness: model.gap_roughness,
+            patch_gap: case.laws.patch_gap,
             share_factor: model.asperity_share_factor,
             ..LoadShareSettings::default()
         };
@@ -81,7 +80,6 @@ impl<'a> RoughFilm<'a> {
             surfaces: surfaces.clone(),
             flattening: None,
             traces: None,
-            sheets: None,
         }))
     }
 
@@ -104,25 +102,17 @@ impl<'a> RoughFilm<'a> {
         window: Window,
     ) -> Result<Cow<'c, WindowRoughness>, PositionError> {
         let flattening = self.flattening()?;
+        if let Some((sheets, place)) = contact.patch(window)? {
+            return Ok(Cow::Owned(sheets.window(place, &flattening)?));
+        }
         if let Some((of, known)) = contact.flattened.get()
             && *of == flattening
         {
             known.cite_known();
             return Ok(Cow::Borrowed(known));
         }
-        let made = match contact.patch(window)? {
-            Some((sheets, place)) => {
-                let flattened = match self.sheets.take() {
-                    Some(known) => known,
-                    None => sheets.flattened(&flattening)?,
-                };
-                self.sheets.insert(flattened).patch(place)?
-            }
-            None => {
-                let window = (window.starts, window.points);
-                (self.surfaces).window(window, &flattening, &mut self.traces)?
-            }
-        };
+        let window = (window.starts, window.points);
+        let made = (self.surfaces).window(window, &flattening, &mut self.traces)?;
         let _ = contact.flattened.set((flattening, made.clone()));
         Ok(Cow::Owned(made))
     }

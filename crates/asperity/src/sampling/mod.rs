@@ -4,7 +4,7 @@ mod pairs;
 mod windows;
 
 pub use pairs::pair_sampling;
-pub use windows::{independent_windows, window_sampling};
+pub use windows::{Independent, independent_windows, window_sampling};
 
 pub(crate) use pairs::means_of_pairs;
 pub(crate) use windows::{Scatter, length_for, travel_sampling, windows_of_traces};

@@ -11,6 +11,7 @@
 //! | P_i | sliding loss of position i | W |
 //! | d_i | its standard deviation over the offsets | W |
 //! | φ | share of the load on the asperities | - |
+//! | m | independent rows of a patch, [`Sheets::independent_rows`] | - |
 //!
 //! Windows that overlap repeat each other: with growing K the mean converges to the mean of the trace, not of the flank.
 //! b_e = 1.6 a holds for a loss weighted with the pressure of Hertz.
@@ -19,7 +20,8 @@ use asperity_core::cite;
 use asperity_core::quantity::Length;
 
 use crate::result::loss_band::WindowSampling;
-use asperity_case::flanks::{AVERAGING_WIDTH, Surfaces};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::{AVERAGING_WIDTH, Sheets, Surfaces};
 
 /// Scatter of the whole loss over the sum of the scatters of its positions, which share places of the flank: 0.68 to
 /// 0.77 measured.
@@ -108,10 +110,53 @@ pub(crate) fn windows_of_traces(
     Some(teeth as f64 * independent_windows(free, half_width))
 }
 
-/// Sampling error of the mean loss over `offsets` offsets on traces with `windows` independent windows.
+/// Independent windows of flanks, and independent rows of each window.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Independent {
+    /// Along rolling.
+    pub windows: f64,
+    /// Along the lead; `None` of traces.
+    pub rows: Option<f64>,
+}
+
+impl Independent {
+    /// Independent windows of traces.
+    #[must_use]
+    pub fn of_traces(windows: f64) -> Self {
+        Self {
+            windows,
+            rows: None,
+        }
+    }
+
+    /// Under contacts of half width `half_width` with windows of `window` half-widths to each side; `None` if a flank was not
+    /// measured.
+    pub(crate) fn of(
+        surfaces: &Surfaces,
+        window: f64,
+        half_width: Length,
+    ) -> Result<Option<Self>, PositionError> {
+        let Some(windows) = windows_of_traces(surfaces, window, half_width) else {
+            return Ok(None);
+        };
+        let rows = |sheets: &Sheets| sheets.independent_rows(half_width * AVERAGING_WIDTH);
+        let rows = surfaces.sheets().map(|sheets| rows(sheets)).transpose()?;
+        Ok(Some(Self { windows, rows }))
+    }
+
+    /// s₀ at an asperity share. The prior of traces does not go back at shares near 1, which only patches reach.
+    fn expected_scatter(self, asperity_share: f64) -> f64 {
+        let of_trace = PRIOR[0] * asperity_share;
+        (self.rows).map_or(of_trace, |rows| {
+            of_trace * (1.0 - asperity_share) / rows.sqrt()
+        })
+    }
+}
+
+/// Sampling error of the mean loss over `offsets` offsets on flanks with `independent` windows.
 ///
 /// ```text
-/// s′ = 0.75 Σ d_i/Σ P_i,  n_e = min(K, n_max),  s₀ = φ/2
+/// s′ = 0.75 Σ d_i/Σ P_i,  n_e = min(K, n_max),  s₀ = φ/2, φ (1 − φ)/(2 √m)
 /// s_p² = (4 s₀² + (n_e − 1) s′²)/(3 + n_e),  SE = s_p/√n_e                   [Sampling-error]
 /// SE_num² = Σ d_i²/(K (Σ P_i)²)
 /// ```
@@ -119,16 +164,16 @@ pub(crate) fn windows_of_traces(
 /// `positions` are P_i and d_i of each. The error of ln loss has a t distribution with 3 + n_e degrees of freedom.
 ///
 /// ```
-/// use asperity::uncertainty::window_sampling;
+/// use asperity::uncertainty::{Independent, window_sampling};
 /// // One window says nothing of the scatter: SE = s₀.
-/// let found = window_sampling(&[[3.0, 0.3], [1.0, 0.4]], 16, 1.0, 0.2);
+/// let found = window_sampling(&[[3.0, 0.3], [1.0, 0.4]], 16, Independent::of_traces(1.0), 0.2);
 /// assert!((found.standard_error - 0.1).abs() < 1e-15 && found.freedom == 4.0);
 /// ```
 #[must_use]
 pub fn window_sampling(
     positions: &[[f64; 2]],
     offsets: usize,
-    windows: f64,
+    independent: Independent,
     asperity_share: f64,
 ) -> WindowSampling {
     cite!("Sampling-error");
@@ -136,7 +181,7 @@ pub fn window_sampling(
     let numerical = (scatter.squares / offsets as f64).sqrt();
     sampling(
         (offsets, COMMON * scatter.sum, numerical),
-        windows,
+        independent,
         asperity_share,
     )
 }
@@ -149,17 +194,19 @@ pub(crate) fn travel_sampling(
     asperity_share: f64,
 ) -> WindowSampling {
     let own = numerical_error * (passed as f64).sqrt();
-    sampling((passed, own, numerical_error), windows, asperity_share)
+    let independent = Independent::of_traces(windows);
+    sampling((passed, own, numerical_error), independent, asperity_share)
 }
 
 /// The sampling error where windows scatter by `own`, of which the prior is a part.
 fn sampling(
     (offsets, own, numerical_error): (usize, f64, f64),
-    windows: f64,
+    independent: Independent,
     asperity_share: f64,
 ) -> WindowSampling {
-    let effective = (offsets as f64).min(windows);
-    let [prior, weight] = [PRIOR[0] * asperity_share, PRIOR[1]];
+    let effective = (offsets as f64).min(independent.windows);
+    let prior = independent.expected_scatter(asperity_share);
+    let weight = PRIOR[1];
     let freedom = weight - 1.0 + effective;
     let variance = (weight * prior * prior + (effective - 1.0) * own * own) / freedom;
     WindowSampling {
@@ -184,9 +231,18 @@ mod tests {
     }
 
     #[test]
+    fn a_patch_is_expected_to_scatter_less_than_a_trace() {
+        let [trace, patch] = [None, Some(16.0)].map(|rows| {
+            let independent = Independent { windows: 1.0, rows };
+            window_sampling(&[[1.0, 0.4]], 4, independent, 0.2).standard_error
+        });
+        assert!((trace - 0.1).abs() < 1e-15 && (patch - 0.02).abs() < 1e-15);
+    }
+
+    #[test]
     fn many_windows_have_their_own_scatter() {
         // s′ = 0.75·0.4 = 0.3, s₀ = 0.1: (4·0.01 + 15·0.09)/19 over 16.
-        let many = window_sampling(&[[1.0, 0.4]], 16, 40.0, 0.2);
+        let many = window_sampling(&[[1.0, 0.4]], 16, Independent::of_traces(40.0), 0.2);
         assert!((many.standard_error.powi(2) - 1.39 / 19.0 / 16.0).abs() < 1e-15);
         assert!((many.numerical_error - 0.1).abs() < 1e-15);
         assert_eq!((many.effective_windows, many.freedom), (16.0, 19.0));

@@ -12,17 +12,18 @@ use crate::pipeline::{losses, losses_with};
 use crate::result::loss_band::WindowSampling;
 use crate::result::{Losses, OffsetRow, Outcome, OutsideInput, PairSampling, PositionRow, Summary};
 use crate::sampling::{
-    means_of_pairs, pair_sampling, travel_sampling, window_sampling, windows_of_traces,
+    Independent, means_of_pairs, pair_sampling, travel_sampling, window_sampling, windows_of_traces,
 };
 use asperity_case::case::{FullFilmName, LoadShareName, LoadedCase, cholesky};
 use asperity_case::error::{Error, PositionError};
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::thermal_reduction::GUPTA_HELD;
-use asperity_mixed_film::SpotSpeed;
+use asperity_mixed_film::{PatchGap, SpotSpeed};
 use asperity_tribo_friction::boundary::INNER_BOUNDARY_RANGE;
 use asperity_uncertainty::{
-    FilmLaw, InnerBoundary, OtherLaw, Predictive, QuadraticSurface, Ranged, ReliefFactors,
-    SamplingError, UncertainParameter, latin_hypercube, parameters,
+    FilmLaw, InnerBoundary, OtherLaw, PATCH_GAP_ERROR, PatchFlowError, Predictive,
+    QuadraticSurface, Ranged, ReliefFactors, SamplingError, UncertainParameter, latin_hypercube,
+    parameters,
 };
 
 /// Offsets of the evaluations: a ratio of losses, or of their changes, needs fewer than a loss.
@@ -31,6 +32,8 @@ pub(super) const OFFSETS: usize = 16;
 const HELD_OUT: usize = 4;
 /// Evaluations over β_i: two at each of four places.
 const INNER_BOUNDARY: usize = 8;
+/// Evaluations of other gaps supplied to patches.
+const OF_PATCHES: usize = 2;
 /// Standard deviations that the evaluations reach to either side.
 const REACH: f64 = 2.4;
 /// Seed of their places.
@@ -116,7 +119,11 @@ pub(super) fn count(loaded: &LoadedCase) -> usize {
                 } else {
                     0
                 }
-                + usize::from(matches!(loaded.lay_beyond_records(), Ok(Some(_))))
+                + match (loaded.surfaces.sheets(), loaded.lay_beyond_records()) {
+                    (Some(_), _) => OF_PATCHES,
+                    (None, Ok(Some(_))) => 1,
+                    (None, _) => 0,
+                }
         }
     }
 }
@@ -187,6 +194,7 @@ fn at_medians(
         recorded: None,
         far_lay: None,
         held_thermal: None,
+        patch_flow: None,
         relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
         gap_law: loaded.case.model.gap_law,
         roughness_over_film: path.roughness_over_film,
@@ -323,7 +331,9 @@ impl<'a> Fits<'a> {
             };
             predictive.held_thermal = Some([self.ratio(&found).exp(), rolling]);
         }
-        if loaded.lay_beyond_records().map_err(whole)?.is_some() {
+        if loaded.surfaces.sheets().is_some() {
+            predictive.patch_flow = Some(self.by_other_gaps()?);
+        } else if loaded.lay_beyond_records().map_err(whole)?.is_some() {
             let mut confirmed = base.loaded.clone();
             confirmed.case.model.lay = [Lay::CONFIRMED; 2];
             let found = evaluated(&confirmed, Some(base.contacts))?;
@@ -331,6 +341,28 @@ impl<'a> Fits<'a> {
             predictive.far_lay = Some(self.ratio(&found).exp());
         }
         Ok(())
+    }
+}
+
+impl Fits<'_> {
+    /// The loss of patches by other gaps than their computed flow supplies.
+    fn by_other_gaps(&self) -> Result<PatchFlowError, Error> {
+        let base = &self.base;
+        let with = |gap: PatchGap| {
+            let mut other = base.loaded.clone();
+            other.case.laws.patch_gap = gap;
+            let found = evaluated(&other, Some(base.contacts))?;
+            (base.done)(1 + base.number.fetch_add(1, Ordering::Relaxed));
+            Ok::<_, Error>(self.ratio(&found).exp())
+        };
+        let lay = base.loaded.surfaces.lay(base.loaded.case.model.lay);
+        let [lay, confirmed, known] =
+            [lay.map_err(whole)?, Lay::CONFIRMED, Lay::RECORDED].map(Lay::gamma);
+        let nearness = ((known - lay) / (known - confirmed)).clamp(0.0, 1.0);
+        Ok(PatchFlowError {
+            wider: with(PatchGap::Times(PATCH_GAP_ERROR.exp()))?,
+            by_lines: nearness * (with(PatchGap::SecondOrder)? - 1.0),
+        })
     }
 }
 
@@ -587,24 +619,26 @@ fn sampling_error(
     if shifts.is_some() {
         return Ok(of_place);
     }
-    let Some(windows) = windows_of_traces(
-        &loaded.surfaces,
-        loaded.case.model.window,
-        widest(nominal.path),
-    ) else {
-        return Ok(SamplingError::NONE);
-    };
-    let found = window_sampling(
-        &losses_of_positions(nominal.path),
-        nominal.summary.offsets,
-        windows,
-        asperity_share,
-    );
-    Ok(SamplingError {
+    let found = of_windows(loaded, nominal, asperity_share).map_err(whole)?;
+    Ok(found.map_or(SamplingError::NONE, |found| SamplingError {
         standard_error: found.standard_error,
         freedom: found.freedom,
         ..SamplingError::NONE
-    })
+    }))
+}
+
+/// Sampling error over the windows of one trace or scan of each flank; `None` without them.
+pub(super) fn of_windows(
+    loaded: &LoadedCase,
+    nominal: &Nominal<'_>,
+    asperity_share: f64,
+) -> Result<Option<WindowSampling>, PositionError> {
+    let (window, widest) = (loaded.case.model.window, widest(nominal.path));
+    let independent = Independent::of(&loaded.surfaces, window, widest)?;
+    let positions = losses_of_positions(nominal.path);
+    let offsets = nominal.summary.offsets;
+    Ok(independent
+        .map(|independent| window_sampling(&positions, offsets, independent, asperity_share)))
 }
 
 /// Sampling error of a loss by records: of the windows that passed through their contacts, and of no more than the traces have;

@@ -51,7 +51,7 @@ use asperity_uncertainty::{
     Component, Draw, InnerBoundary, Measured, Ranged, UncertainParameter as Constant,
 };
 
-pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
+pub use crate::sampling::{Independent, independent_windows, pair_sampling, window_sampling};
 pub use asperity_uncertainty::{
     Common, ENDS, Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter,
     median_with_ends, model_deviation, sorted_quantiles,
@@ -66,7 +66,7 @@ pub use difference::{
 pub use evaluations::has_band;
 pub use recorded::predictive;
 
-use evaluations::{Evaluated, Nominal, count, evaluated, losses_of_positions, travelled, widest};
+use evaluations::{Evaluated, Nominal, count, evaluated, of_windows, travelled, widest};
 use other_models::{OtherModel, by_formula, other_models};
 
 /// Error of ln loss by the interpolation of the draws that is worth a warning.
@@ -327,7 +327,7 @@ fn remedy_of(
         },
         Component::PressureLaw => "traction curves at further pressures",
         Component::Rolling => "a spin-loss measurement",
-        Component::FarLay | Component::Constants => RIG,
+        Component::FarLay | Component::PatchFlow | Component::Constants => RIG,
     };
     remedy.to_owned()
 }
@@ -352,7 +352,7 @@ fn parts(
             Component::Sampling => Some(Subject::Sampling),
             Component::Relief => Some(Subject::TipRelief),
             Component::Model if predictive.recorded.is_none() => Some(Subject::FastModel),
-            Component::FarLay => Some(Subject::Lay),
+            Component::FarLay | Component::PatchFlow => Some(Subject::Lay),
             Component::Constant(k) => constant(k)
                 .filter(|kind| *kind == Constant::PressureViscosity)
                 .map(|_| Subject::PressureViscosity),
@@ -407,18 +407,9 @@ fn sampling(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>)
     if let Some(changes) = misplaced_w {
         return SamplingPart::OnePair(changes);
     }
-    let Some(windows) = windows_of_traces(
-        &loaded.surfaces,
-        loaded.case.model.window,
-        widest(nominal.path),
-    ) else {
-        return SamplingPart::None("no traces, no sampling error".to_owned());
-    };
-    let offsets = nominal.summary.offsets;
-    SamplingPart::Windows(window_sampling(
-        &losses_of_positions(nominal.path),
-        offsets,
-        windows,
-        predictive.asperity_share,
-    ))
+    let found = of_windows(loaded, nominal, predictive.asperity_share);
+    match found.ok().flatten() {
+        Some(found) => SamplingPart::Windows(found),
+        None => SamplingPart::None("no traces, no sampling error".to_owned()),
+    }
 }

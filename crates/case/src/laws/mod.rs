@@ -35,6 +35,7 @@ use std::sync::Arc;
 
 use asperity_ehl_regime::FilmThicknessLaw;
 use asperity_gear::LoadDistribution;
+use asperity_mixed_film::PatchGap;
 use asperity_tribo_friction::FilmFriction;
 
 use load_share::LoadShare;
@@ -56,6 +57,8 @@ pub struct Laws {
     pub exact_contacts: bool,
     /// Gupta's thermal factor as printed, also at the loadings at which its steepness is held: for the interval of a loss.
     pub printed_thermal: bool,
+    /// Gap supplied to patches: for the interval of a loss.
+    pub patch_gap: PatchGap,
 }
 
 impl Laws {

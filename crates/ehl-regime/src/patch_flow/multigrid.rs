@@ -52,50 +52,40 @@ impl Grid {
         self.inverse.len()
     }
 
-    /// Calls a function with each cell of row `j`, its neighbours and their conductances.
+    /// Calls a function with every second cell of row `j` from `first` on, or with all of them, its neighbours and their conductances.
     #[inline(always)]
     fn visit(
         &self,
-        j: usize,
+        (j, first, step): (usize, usize, usize),
         is_reversed: bool,
         mut cell: impl FnMut(usize, [usize; 4], [f64; 4]),
     ) {
         let [columns, rows] = self.size;
         let row = j * columns;
         let (next, before) = ((j + 1) % rows * columns, (j + rows - 1) % rows * columns);
-        let last = columns - 1;
-        let mut at = |i: usize, left: usize, right: usize| {
-            let c = row + i;
+        let along = &self.along[row..row + columns];
+        let across = &self.across[row..row + columns];
+        let across_before = &self.across[before..before + columns];
+        let mut at = |i: usize| {
+            let left = if i == 0 { columns - 1 } else { i - 1 };
+            let right = if i + 1 == columns { 0 } else { i + 1 };
             cell(
-                c,
+                row + i,
                 [row + left, row + right, before + i, next + i],
-                [
-                    self.along[row + left],
-                    self.along[c],
-                    self.across[before + i],
-                    self.across[c],
-                ],
+                [along[left], along[i], across_before[i], across[i]],
             );
         };
-        if is_reversed {
-            at(last, last.saturating_sub(1), 0);
-            (1..last).rev().for_each(|i| at(i, i - 1, i + 1));
-            if last > 0 {
-                at(0, last, 1);
-            }
-        } else {
-            if last > 0 {
-                at(0, last, 1);
-            }
-            (1..last).for_each(|i| at(i, i - 1, i + 1));
-            at(last, last.saturating_sub(1), 0);
+        let cells = (first..columns).step_by(step);
+        match is_reversed {
+            true => cells.rev().for_each(&mut at),
+            false => cells.for_each(&mut at),
         }
     }
 
     /// `sources` less the outflow of each cell at the pressures `p`.
     pub fn residual(&self, sources: &[f64], p: &[f64], residual: &mut [f64]) {
         for j in 0..self.size[1] {
-            self.visit(j, false, |c, cells, faces| {
+            self.visit((j, 0, 1), false, |c, cells, faces| {
                 let mut value = sources[c];
                 for (n, face) in cells.into_iter().zip(faces) {
                     value += face * (p[n] - p[c]);
@@ -105,18 +95,21 @@ impl Grid {
         }
     }
 
-    /// One Gauss-Seidel pass.
+    /// One Gauss-Seidel pass, over the cells of one colour of a chessboard and then over the others: they do not wait for each other.
     fn relax(&self, sources: &[f64], p: &mut [f64], is_reversed: bool) {
         let rows = self.size[1];
-        for k in 0..rows {
-            let j = if is_reversed { rows - 1 - k } else { k };
-            self.visit(j, is_reversed, |c, cells, faces| {
-                let mut value = sources[c];
-                for (n, face) in cells.into_iter().zip(faces) {
-                    value += face * p[n];
-                }
-                p[c] = value * self.inverse[c];
-            });
+        for colour in [0, 1] {
+            for k in 0..rows {
+                let j = if is_reversed { rows - 1 - k } else { k };
+                let first = (j + colour + usize::from(is_reversed)) % 2;
+                self.visit((j, first, 2), is_reversed, |c, cells, faces| {
+                    let mut value = sources[c];
+                    for (n, face) in cells.into_iter().zip(faces) {
+                        value += face * p[n];
+                    }
+                    p[c] = value * self.inverse[c];
+                });
+            }
         }
     }
 }

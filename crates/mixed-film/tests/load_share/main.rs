@@ -13,7 +13,7 @@ mod point_contact;
 mod properties;
 
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use asperity_contact::{Boundary, PeriodicKernel, Solver, SolverSettings};
 use asperity_core::Profile;
@@ -31,8 +31,8 @@ use asperity_ehl_regime::{
 };
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, FilmPressure, GapRoughness, InletSupply, Kinks, LoadShareError,
-    LoadShareSettings, LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SmoothFilm,
-    SpotSpeed, TABLE_SHARES, WindowRoughness,
+    LoadShareSettings, LoadShareSolution, PatchSample, PositionFilm, RoughContact, RoughWindow,
+    SmoothFilm, SpotSpeed, TABLE_SHARES, WindowRoughness,
 };
 use asperity_oil::{BaseOil, FilmRheology, LubricantInput, TractionConstants, ViscosityLaw};
 use asperity_roughness::preparation::{Preparation, prepare};
@@ -677,12 +677,11 @@ fn patches_are_fed_by_their_computed_flow_and_lines_as_before() {
     let left = patches.attenuated(attenuation, offset);
     let pressures = patches.ripple(attenuation, contact.modulus, offset);
     let cut = |of: &[f64]| of[STARTS[0]..STARTS[0] + points(&contact)].repeat(2);
-    let size = [points(&contact), 2];
-    let piece = Patch::new(cut(left.heights()), size, [SPACING; 2]).unwrap();
-    let of_piece = WindowRoughness::of_patch(&piece, Some(&cut(&pressures))).unwrap();
+    let piece = PatchSample::of(&cut(left.heights()), Some(&cut(&pressures))).unwrap();
+    let of_piece = PatchSample::between(&[(Arc::new(piece), 1.0)]);
     assert!((of_piece.deviation / window.deviation - 1.0).abs() < 1e-9);
     assert_eq!(of_piece.ripple.len(), window.ripple.len());
-    assert!(WindowRoughness::of_patch(&piece, Some(&[0.0])).is_err());
+    assert!(PatchSample::of(&cut(left.heights()), Some(&[0.0])).is_err());
 
     let power = LoadShareSettings {
         gap_law: GapLaw::Power,
