@@ -38,7 +38,7 @@ const FLOW_PLACES: usize = 2;
 const SCALES_OF_OCTAVE: f64 = 2.0;
 /// Logarithm to the base 2 of the largest scale \[1/m\] and of the smallest one: every wave of a flank is pressed flat, or none.
 const WIDEST: f64 = 60.0;
-/// Flattened sheets that are kept.
+/// Most flattened sheets in memory.
 const MOST_KEPT: usize = 8;
 /// Least rows that a sheet is made of.
 pub const LEAST_ROWS: usize = 16;
