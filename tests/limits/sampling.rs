@@ -10,7 +10,7 @@ use asperity::case::{load, load_with};
 use asperity::flanks::{Texture, window_places};
 use asperity::losses;
 use asperity::pipeline::{contacts, contacts_beside, losses_with};
-use asperity::uncertainty::{independent_windows, window_sampling};
+use asperity::uncertainty::{Independent, independent_windows, window_sampling};
 use asperity_core::numerics::{real_transforms, student_t_quantile};
 use asperity_core::quantity::Length;
 use chacha20::ChaCha8Rng;
@@ -205,7 +205,8 @@ fn intervals_of_ninety_percent_cover_the_mean_of_the_flank() {
                     .iter()
                     .map(|one| [mean(one), deviation(one) / COMMON])
                     .collect();
-                let found = window_sampling(&positions, offsets, windows, share);
+                let found =
+                    window_sampling(&positions, offsets, Independent::of_traces(windows), share);
                 let half = found.standard_error * student_t_quantile(0.90, found.freedom);
                 (whole(&losses).ln() - truth).abs() <= half
             });
