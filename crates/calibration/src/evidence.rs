@@ -17,7 +17,7 @@ use asperity::{Contacts, LoadedCase, Run};
 use asperity_report::chart::{Axis, Drawing, Interval, Tornado};
 use asperity_report::{
     Cell, Report, Settings as _, StudyResult, StudySettings, Table, Watch, Work, columns, duration,
-    scans, settings,
+    scans, settings, with_scans,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -156,7 +156,7 @@ impl MiddleRows {
     /// The change by all rows, in words.
     fn line(&self) -> String {
         let loss = Digits::of_interval(self.loss.drawn.ends()).interval(self.loss.drawn);
-        let difference = scans::difference(&self.difference);
+        let difference = scans::difference(self.difference.watts);
         format!(
             "By the middle row of each scan alone the loss would be {loss} W. {} change it by {difference} W; in brackets 5 to 95 %.",
             capitalised(&self.taken)
@@ -574,7 +574,7 @@ impl StudyResult for EvidenceTable {
             .text(self.notes())
             .rows(TABLE, || &self.rows);
         let report = match &self.scans {
-            Some(scans) => scans::add(report.section(scans::SECTION), scans),
+            Some(scans) => with_scans(report.section(scans::SECTION), scans),
             None => report,
         };
         match &self.middle_rows {

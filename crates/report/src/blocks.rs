@@ -456,23 +456,6 @@ impl<'a> Report<'a> {
         blocks.map(|(_, block)| block)
     }
 
-    /// The report as a part of another page.
-    pub(crate) fn part_of_page(&self) -> Markup {
-        html! { @for block in self.on_pages() { (block.markup()) } }
-    }
-
-    /// Names and texts of the tables in its folder.
-    ///
-    /// # Errors
-    /// When a number is not finite.
-    pub(crate) fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, Fault> {
-        let tables = self.blocks.iter().filter_map(|(_, block)| match block {
-            Block::Table(table) if table.is_file() => Some(table.file_text()),
-            _ => None,
-        });
-        tables.collect()
-    }
-
     /// Writes the files of the report into `folder`.
     ///
     /// # Errors

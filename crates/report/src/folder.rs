@@ -155,7 +155,9 @@ fn texts_of(outcome: &Outcome, whole: &PageTables) -> Result<Vec<FileText>, Faul
         (PAGE_TABLES, page_tables.into_bytes()),
         (PAGE, html::render(result, &shown)?.into_bytes()),
     ];
-    files.extend(scans::report(result).tables()?);
+    for table in scans::tables(result) {
+        files.push(table.file_text()?);
+    }
     Ok(files)
 }
 

@@ -31,6 +31,7 @@ mod printed;
 pub mod profile_json;
 mod results;
 pub mod ridges;
+mod scan_report;
 pub mod scans;
 mod settings;
 mod study;
@@ -54,6 +55,7 @@ pub use folder::{
 pub use page_tables::PageTables;
 pub use printed::{duration, parts_of, stated, stated_parts};
 pub use results::{Results, check_place, texts, write_folder, write_load_points};
+pub use scan_report::with_scans;
 pub use settings::{SchemaOf, Setting, Settings, Stated, schema_of, taken};
 pub use study::StudyResult;
 pub use summary::{

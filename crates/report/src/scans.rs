@@ -2,13 +2,11 @@
 
 use asperity::result::loss_band::{Digits, PairSampling, rounded, without_interval};
 use asperity::result::{GapRow, RunResult, ScanComparison, ScanLoss, ToothTrace};
-use asperity::uncertainty::PairedDifference;
 use asperity_core::Estimate;
 
 use crate::chart::{Axis, Chart, Drawing, Line};
-use crate::summary::two_digits;
 use crate::tables::BODIES;
-use crate::{Cell, Report, Table, Value, columns};
+use crate::{Cell, Table, Value, columns};
 
 /// Name of the section of a page about scans.
 pub const SECTION: &str = "Scans";
@@ -20,38 +18,31 @@ pub const LOSSES: &str = "scans.csv";
 pub const GAPS: &str = "scan_gaps.csv";
 
 /// Explanation of the numbers.
-const NOTE: &str = "The rows are traces of the same scans, and their contact is solved in plane strain. At one gap a patch \
+pub(crate) const NOTE: &str = "The rows are traces of the same scans, and their contact is solved in plane strain. At one gap a patch \
     carries more, because its summits meet wherever they are along the lead and levelled rows do not contain the heights between \
     rows. The flow factor is the flow in the inlet over the flow of a smooth gap: computed through the patch; of rows by their height \
     and lay. Both are of the position with the highest pressure, each with the roughness that its inlet leaves.";
 
-/// The scans of a run as a report: patches against rows, or the loss of each row; empty without scans.
-pub fn report(result: &RunResult) -> Report<'_> {
-    let report = Report::new("", "");
-    if let Some(scans) = &result.scans {
-        return add(report, scans);
-    }
+/// The rows of scans of a run that are taken as lines, with their sampling; `None` without such rows.
+pub(crate) fn rows_of(result: &RunResult) -> Option<(Vec<RowOfScan<'_>>, &PairSampling)> {
     let rows = rows(result);
-    let Some(sampling) = result
-        .pairs
-        .as_ref()
-        .and_then(|pairs| pairs.sampling.as_ref())
-    else {
-        return report;
-    };
-    if rows.is_empty() {
-        return report;
+    let sampling = result.pairs.as_ref()?.sampling.as_ref()?;
+    (!rows.is_empty()).then_some((rows, sampling))
+}
+
+/// The tables of a run with scans, each with its file.
+pub(crate) fn tables(result: &RunResult) -> Vec<Table> {
+    if let Some(scans) = &result.scans {
+        return vec![losses(scans), gaps(scans)];
     }
-    let chart = rows_chart(&rows, sampling.mean_w);
-    report
-        .heading("Loss of each row, taken as a line")
-        .text([rows_line(sampling)])
-        .table(rows_table(&rows, sampling).in_file(ROWS))
-        .figures(move || chart.clone())
+    let rows = rows_of(result);
+    rows.map(|(rows, sampling)| rows_table(&rows, sampling))
+        .into_iter()
+        .collect()
 }
 
 /// A row of a scan with its flank.
-type RowOfScan<'a> = (&'static str, &'a ToothTrace);
+pub(crate) type RowOfScan<'a> = (&'static str, &'a ToothTrace);
 
 /// The rows of scans that are taken as lines.
 fn rows(result: &RunResult) -> Vec<RowOfScan<'_>> {
@@ -64,8 +55,11 @@ fn rows(result: &RunResult) -> Vec<RowOfScan<'_>> {
 }
 
 /// Mean and scatter of the losses of rows.
-fn rows_line(sampling: &PairSampling) -> String {
-    let [pinion, wheel] = sampling.between_w.map(two_digits);
+pub(crate) fn rows_line(sampling: &PairSampling) -> String {
+    let [pinion, wheel] = sampling.between_w.map(|watts| match watts > 0.0 {
+        true => rounded(watts, watts),
+        false => "0".to_owned(),
+    });
     format!(
         "Each row of one scan is computed with each of the other, as traces. Mean {} W. Standard deviation {pinion} W between the rows \
          of the pinion and {wheel} W between those of the wheel. Rows of one scan are of one tooth.",
@@ -74,7 +68,7 @@ fn rows_line(sampling: &PairSampling) -> String {
 }
 
 /// The rows with their losses, each a mean over its pairs.
-fn rows_table(rows: &[RowOfScan<'_>], sampling: &PairSampling) -> Table {
+pub(crate) fn rows_table(rows: &[RowOfScan<'_>], sampling: &PairSampling) -> Table {
     let watts = |loss: f64| rounded(loss, sampling.half_width_w);
     let change = |loss: f64| Digits::of_uncertainty(sampling.half_width_w).signed(loss);
     columns! { (body, trace) in rows;
@@ -84,10 +78,11 @@ fn rows_table(rows: &[RowOfScan<'_>], sampling: &PairSampling) -> Table {
         number loss_w "loss" "W" = Cell::number(trace.loss_w, watts);
         number deviation_w "from the mean" "W" = Cell::number(trace.loss_w.map(|loss| loss - sampling.mean_w), change);
     }
+    .in_file(ROWS)
 }
 
 /// Loss of each row over its place along the lead; `None` if places are unknown.
-fn rows_chart(rows: &[RowOfScan<'_>], mean_w: f64) -> Option<Drawing> {
+pub(crate) fn rows_chart(rows: &[RowOfScan<'_>], mean_w: f64) -> Option<Drawing> {
     let x = Axis::new("along the lead, from the first row of the scan", "mm");
     let title = "Loss of each row over the face";
     let mut chart = Chart::new("scan-rows", title, ROWS, x, Axis::new("loss", "W"));
@@ -105,30 +100,18 @@ fn rows_chart(rows: &[RowOfScan<'_>], mean_w: f64) -> Option<Drawing> {
     Some(Drawing::Curves(chart.level(mean_w, "mean")))
 }
 
-/// Adds the comparison to a report.
-pub fn add<'a>(report: Report<'a>, scans: &'a ScanComparison) -> Report<'a> {
-    report
-        .heading("Patches of the scans against their rows")
-        .text([verdict(scans)])
-        .table(losses(scans).in_file(LOSSES))
-        .figures(|| drawings(scans))
-        .table(gaps(scans).in_file(GAPS))
-        .in_folder()
-        .method([NOTE])
-}
-
 /// The loss by patches and by rows, and their difference, in words.
 #[must_use]
 pub fn verdict(scans: &ScanComparison) -> String {
     let [patches, lines] = [&scans.patches, &scans.lines].map(|of| loss(of).text().to_owned());
-    let difference = match &scans.difference {
-        Some(of) => difference(of),
+    let difference = match scans.difference_w {
+        Some([value, low, high]) => difference(Estimate::new(value, [low, high])),
         None => {
             let change = scans.patches.loss_w - scans.lines.loss_w;
             Digits::of_uncertainty(0.1 * change.abs()).signed(change)
         }
     };
-    let brackets = if scans.difference.is_some() {
+    let brackets = if scans.difference_w.is_some() {
         "; in brackets 5 to 95 %"
     } else {
         ""
@@ -142,8 +125,8 @@ pub fn verdict(scans: &ScanComparison) -> String {
 
 /// The difference of two drawn losses \[W\] with its interval.
 #[must_use]
-pub fn difference(of: &PairedDifference) -> String {
-    Digits::of_difference(of.watts.ends()).signed_interval(of.watts)
+pub fn difference(watts: Estimate) -> String {
+    Digits::of_difference(watts.ends()).signed_interval(watts)
 }
 
 /// Share of the load on the asperities \[%\].
@@ -199,6 +182,7 @@ pub fn losses(scans: &ScanComparison) -> Table {
         number attenuated_rms_um "roughness left" "µm" = Cell::number(of.attenuated_rms_um, |rms| format!("{rms:.2}"));
         number inlet_factor "gap supplied over smooth film" "" = Cell::number(of.inlet_factor, |psi| format!("{psi:.2}"));
     }
+    .in_file(LOSSES)
 }
 
 /// The contact over its gap.
@@ -210,6 +194,7 @@ pub fn gaps(scans: &ScanComparison) -> Table {
         number flow_patch "flow factor of the patch" "" = Cell::number(row.flow_patch, |flow| format!("{flow:.2}"));
         number flow_lines "of rows" "" = Cell::number(row.flow_lines, |flow| format!("{flow:.2}"));
     }
+    .in_file(GAPS)
 }
 
 /// Load carried and flow factor over the gap.

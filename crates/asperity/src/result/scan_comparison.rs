@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Outcome, Summary};
-use crate::uncertainty::PairedDifference;
 
 /// The mesh with patches of its scans in contact, and with rows of them as traces.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -15,9 +14,10 @@ pub struct ScanComparison {
     pub patches: ScanLoss,
     /// By the rows, otherwise the same case.
     pub lines: ScanLoss,
-    /// Loss by patches minus loss by the rows, draw by draw; `None` without draws.
+    /// Median of the loss by patches minus the loss by the rows, draw by draw, and its 5 and 95 % quantiles \[W\]; `None` without
+    /// draws.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub difference: Option<PairedDifference>,
+    pub difference_w: Option<[f64; 3]>,
     /// Number of the position, from A, whose contact is compared.
     pub position: usize,
     /// Its contact over the mean gap.

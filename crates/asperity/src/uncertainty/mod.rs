@@ -89,6 +89,9 @@ pub(crate) fn run_and_draw(
     known: &mut Vec<Contacts>,
     progress: Progress<'_>,
 ) -> Result<(Outcome, Option<Predictive>), Error> {
+    let by_rows = |rows: &LoadedCase, band: bool, contacts: &mut Vec<Contacts>| {
+        run_and_draw(rows, (None, band), contacts, &|_, _| {})
+    };
     // Each evaluation counts like a position.
     let more = if band { evaluations(loaded) } else { 0 };
     let before = AtomicUsize::new(0);
@@ -98,7 +101,12 @@ pub(crate) fn run_and_draw(
     };
     let (mut outcome, loaded, contacts) = outcome(loaded, pictures, known, &shown)?;
     if !band || !has_band(&loaded) {
-        scans::compare_with_rows(&mut outcome, None, (&loaded, &contacts), pictures)?;
+        scans::compare_with_rows(
+            &mut outcome,
+            None,
+            (&loaded, &contacts),
+            (pictures, &by_rows),
+        )?;
         known.push(contacts);
         return Ok((outcome, None));
     }
@@ -135,7 +143,12 @@ pub(crate) fn run_and_draw(
     outcome.result.uncertainty = Some(uncertainty);
     note(&mut outcome.result, &used.tags());
     let drawn = Some(&predictive);
-    scans::compare_with_rows(&mut outcome, drawn, (&loaded, &contacts), pictures)?;
+    scans::compare_with_rows(
+        &mut outcome,
+        drawn,
+        (&loaded, &contacts),
+        (pictures, &by_rows),
+    )?;
     known.push(contacts);
     Ok((outcome, Some(predictive)))
 }

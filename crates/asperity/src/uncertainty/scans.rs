@@ -2,12 +2,20 @@
 
 use asperity_core::cancel::checkpoint;
 
-use super::{Predictive, difference, run_and_draw};
+use super::difference::difference;
 use crate::contacts::Contacts;
 use crate::pipeline::{KeptFields, less_of_scans, over_gap};
 use crate::result::{GapRow, Outcome, ScanComparison, ScanLoss};
 use asperity_case::case::LoadedCase;
 use asperity_case::error::Error;
+use asperity_uncertainty::Predictive;
+
+/// Runs a case without pictures, with draws if they are requested, and adds its contacts.
+type Runs<'a> = &'a dyn Fn(
+    &LoadedCase,
+    bool,
+    &mut Vec<Contacts>,
+) -> Result<(Outcome, Option<Predictive>), Error>;
 
 /// Whether the result of a run has the comparison: patches are in contact, and its pictures are requested.
 fn is_due(loaded: &LoadedCase, pictures: Option<&KeptFields>) -> bool {
@@ -20,12 +28,12 @@ pub(super) fn compare_with_rows(
     outcome: &mut Outcome,
     drawn: Option<&Predictive>,
     (loaded, contacts): (&LoadedCase, &Contacts),
-    pictures: Option<&KeptFields>,
+    (pictures, run): (Option<&KeptFields>, Runs<'_>),
 ) -> Result<(), Error> {
     if !is_due(loaded, pictures) {
         return Ok(());
     }
-    outcome.result.scans = comparison(outcome, drawn, (loaded, contacts)).unwrap_or_default();
+    outcome.result.scans = comparison(outcome, drawn, (loaded, contacts), run).unwrap_or_default();
     // A cancelled run is not one without a result.
     Ok(checkpoint()?)
 }
@@ -34,6 +42,7 @@ fn comparison(
     outcome: &Outcome,
     drawn: Option<&Predictive>,
     patches: (&LoadedCase, &Contacts),
+    run: Runs<'_>,
 ) -> Result<Option<ScanComparison>, Error> {
     let loaded = patches.0;
     let Some(rows) = less_of_scans(loaded).filter(|scans| scans.are_patches) else {
@@ -41,8 +50,7 @@ fn comparison(
     };
     let rows = rows.case?;
     let mut contacts = Vec::new();
-    let (of_rows, drawn_of_rows) =
-        run_and_draw(&rows, (None, drawn.is_some()), &mut contacts, &|_, _| {})?;
+    let (of_rows, drawn_of_rows) = run(&rows, drawn.is_some(), &mut contacts)?;
     let number = outcome.fields.iter().find(|fields| fields.patch.is_some());
     let (Some(shown), Some(contacts)) = (number, contacts.pop()) else {
         return Ok(None);
@@ -71,8 +79,9 @@ fn comparison(
         rows: rows.surfaces.several_teeth().unwrap_or([1, 1]),
         patches: ScanLoss::new(outcome, patch.contact),
         lines: ScanLoss::new(&of_rows, lines.contact),
-        difference: both.map(|((drawn, own), (of_rows, other))| {
-            difference((&rows, of_rows, other), (loaded, drawn, own))
+        difference_w: both.map(|((drawn, own), (of_rows, other))| {
+            let watts = difference((&rows, of_rows, other), (loaded, drawn, own)).watts;
+            [watts.value, watts.low, watts.high]
         }),
         position: shown.position,
         gaps: gaps.collect(),

@@ -24,6 +24,7 @@ mod path;
 mod policy;
 mod relief;
 pub mod ridges;
+mod scans;
 mod temperatures;
 
 pub use along::{along, on_flank, points};
@@ -41,7 +42,7 @@ use asperity::result::RunResult;
 use maud::{Markup, html};
 
 use crate::page_tables::PageTables;
-use crate::scans::{SECTION, report};
+use crate::scans::SECTION;
 
 /// Renders the page of `result`, with the flanks and the mesh position of `tables`.
 ///
@@ -55,7 +56,6 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> 
         is_folded,
     };
     let chosen = contact::chosen(result, tables)?;
-    let scans = report(result).part_of_page();
     let sections = [
         section("Summary", overview::section(result), false),
         section("What to check", checks::section(result), false),
@@ -64,7 +64,7 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> 
             path::section(result, tables),
             false,
         ),
-        section(SECTION, scans, false),
+        section(SECTION, scans::section(result), false),
         section(
             "Ridges with the largest loss",
             ridges::section(result),

@@ -282,7 +282,7 @@ impl ContactTables {
             ),
             subsurface: self.subsurface.iter().filter(kept).copied().collect(),
             convergence: self.convergence.clone(),
-            patch: (self.patch.as_ref()).map(|patch| patch.thinned(at.half_width_um)),
+            patch: (self.patch.as_ref()).map(|patch| patch.thinned(near)),
         }
     }
 }

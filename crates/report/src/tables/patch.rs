@@ -8,7 +8,6 @@ use asperity_core::Fault;
 use asperity_table::own::OwnFault;
 use serde::{Deserialize, Serialize};
 
-use super::contact::NEAR;
 use super::csv_table::{check_field, read};
 use crate::error;
 use crate::units::{MEGA, MICRO};
@@ -139,9 +138,8 @@ impl PatchTable {
             })
     }
 
-    /// The cells near a contact with this half-width \[µm\], in blocks with the largest values of their cells.
-    pub(super) fn thinned(&self, half_width_um: f64) -> Self {
-        let near = NEAR * half_width_um;
+    /// The cells up to `near` \[µm\] from the middle of the contact, in blocks with the largest values of their cells.
+    pub(super) fn thinned(&self, near: f64) -> Self {
         let columns: Vec<usize> = (0..self.x_um.len())
             .filter(|i| self.x_um[*i].abs() <= near)
             .collect();
