@@ -275,6 +275,7 @@ fn a_surface_is_generated_like_a_measured_one() {
         .well()
         .json();
     assert_eq!(pieces["pieces"][0]["file"], "flank.sur");
+    assert_eq!(pieces["warnings"][0]["code"], "W461");
     assert_eq!(pieces["pieces"][0]["size_um"][1], 60.0, "{pieces}");
     like("4", "four.x3p");
     like("3", "again.x3p");

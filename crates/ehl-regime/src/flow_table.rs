@@ -189,6 +189,23 @@ impl FlowTable {
         Ok(Self { curves })
     }
 
+    /// The table through computed gaps K^⅓/σ_d over H/σ_d, both rising from the percolation gap, with the
+    /// coefficient of (σ_d/H)² in a wide gap: a published law of the flow.
+    ///
+    /// # Errors
+    /// When there are fewer than three points, or they do not rise.
+    pub fn through(points: &[[f64; 2]], second_order: f64) -> Result<Self, RegimeError> {
+        let number = points.len();
+        let rises = |pair: &[[f64; 2]]| pair[1][0] > pair[0][0] && pair[1][1] > pair[0][1];
+        let fits = number > 2 && points[0][1] >= 0.0 && points.windows(2).all(rises);
+        let rule = "must be three at least, and rise";
+        DomainError::require(fits, "points of a flow table", number as f64, "-", rule)?;
+        let curve = FlowCurve::through(points, second_order);
+        Ok(Self {
+            curves: vec![(Arc::new(curve), 1.0)],
+        })
+    }
+
     /// The table between two others, linear in K^⅓: `part` 0 is the first.
     pub(crate) fn between(first: &Self, second: &Self, part: f64) -> Self {
         let weighted = |table: &Self, weight: f64| {
@@ -291,40 +308,4 @@ fn inlet_integral(smooth_gap: impl Fn(f64) -> f64) -> f64 {
         }
     }
     sum
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Patir and Cheng's factors 1 - C exp(-r H/σ).
-    fn patir_cheng([c, r]: [f64; 2]) -> FlowTable {
-        let threshold = c.ln().max(0.0) / r;
-        let gaps =
-            (0..=400).map(|i| threshold + (9.0 - threshold) * (f64::from(i) / 400.0).powi(2));
-        let smooth = |gap: f64| gap * (1.0 - c * (-r * gap).exp()).max(0.0).cbrt();
-        let points: Vec<[f64; 2]> = gaps.map(|gap| [gap, smooth(gap)]).collect();
-        FlowTable {
-            curves: vec![(Arc::new(FlowCurve::through(&points, 0.0)), 1.0)],
-        }
-    }
-
-    #[test]
-    fn the_inlet_of_published_factors_is_known() {
-        // Psi at s = 1, 1.5, 2, 3 of lays 1 and 3: a numpy program's solutions of the same integrals, given to three digits.
-        for (factors, expected) in [
-            ([0.9, 0.56], [1.20, 1.32, 1.42, 1.58]),
-            ([1.18, 0.42], [1.39, 1.61, 1.80, 2.16]),
-        ] {
-            let table = patir_cheng(factors);
-            for (s, expected) in [1.0, 1.5, 2.0, 3.0].into_iter().zip(expected) {
-                let [sigma, film] = [s, 1.0].map(Length::from_si);
-                let factor = table.inlet_factor(sigma, film).unwrap();
-                assert!(
-                    (factor - expected).abs() < 0.006,
-                    "{factors:?} {s}: {factor}"
-                );
-            }
-        }
-    }
 }

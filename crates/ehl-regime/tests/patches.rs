@@ -430,3 +430,30 @@ proptest! {
         prop_assert!(cubed >= least - slack && cubed <= most + slack, "{least} {cubed} {most}");
     }
 }
+
+/// A table of Patir and Cheng's factors 1 - C exp(-r H/σ).
+fn patir_cheng_table([c, r]: [f64; 2]) -> FlowTable {
+    let threshold = c.ln().max(0.0) / r;
+    let gaps = (0..=400).map(|i| threshold + (9.0 - threshold) * (f64::from(i) / 400.0).powi(2));
+    let smooth = |gap: f64| gap * (1.0 - c * (-r * gap).exp()).max(0.0).cbrt();
+    let points: Vec<[f64; 2]> = gaps.map(|gap| [gap, smooth(gap)]).collect();
+    FlowTable::through(&points, 0.0).unwrap()
+}
+
+#[test]
+fn the_inlet_of_published_factors_is_known() {
+    // Psi at s = 1, 1.5, 2, 3 of lays 1 and 3: a numpy program's solutions of the same integrals, given to three digits.
+    for (factors, expected) in [
+        ([0.9, 0.56], [1.20, 1.32, 1.42, 1.58]),
+        ([1.18, 0.42], [1.39, 1.61, 1.80, 2.16]),
+    ] {
+        let table = patir_cheng_table(factors);
+        for (s, expected) in [1.0, 1.5, 2.0, 3.0].into_iter().zip(expected) {
+            let factor = table.inlet_factor(um(s), um(1.0)).unwrap();
+            assert!(
+                (factor - expected).abs() < 0.006,
+                "{factors:?} {s}: {factor}"
+            );
+        }
+    }
+}

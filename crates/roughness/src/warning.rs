@@ -54,12 +54,12 @@ pub enum Warning {
         /// Evaluation length.
         length: Length,
     },
-    /// Traces are made of pieces of a single one.
+    /// Traces or surfaces are made of pieces of a single one.
     #[error(
-        "all pieces are of one trace of {length:.4}: how flanks differ from each other is not in them"
+        "all pieces are of one trace or surface of {length:.4}: how flanks differ from each other is not in them"
     )]
     OneTrace {
-        /// Length of the trace.
+        /// Length of the trace, or of a row of the surface.
         length: Length,
     },
     /// Heights differ as between finishes.

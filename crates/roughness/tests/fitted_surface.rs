@@ -6,7 +6,9 @@ use asperity_core::quantity::Length;
 use asperity_roughness::Parameters;
 use asperity_roughness::areal::parameters;
 use asperity_roughness::autocorrelation::{autocorrelation, lengths};
-use asperity_roughness::generate::{FittedSurface, LikeSurface, SelfAffine, surface_like};
+use asperity_roughness::generate::{
+    FittedSurface, LikeSurface, SelfAffine, SurfacePieces, surface_like,
+};
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::lay::lay_of_rows;
 use asperity_roughness::preparation::{Preparation, RoughnessFilter, prepare};
@@ -203,11 +205,12 @@ fn surfaces_of_pieces_keep_their_dimples() {
         for other in &repeated.pieces[..k] {
             let common =
                 |d: usize| one.size[d].saturating_sub(one.first[d].abs_diff(other.first[d]));
-            let is_new = one.surface != other.surface
-                || 4 * common(0) * common(1) < one.size[0] * one.size[1];
+            let is_new = one.surface != other.surface || 4 * common(0) * common(1) < 225 * 225;
             assert!(is_new, "{one:?} {other:?}");
         }
     }
+    let rows_apart = [Length::from_si(1e-6), Length::from_si(160e-6)];
+    assert!(SurfacePieces::to(given, COLUMNS, rows_apart).is_err());
     let heights: Vec<_> = made.into_iter().map(|made| made.heights).collect();
     let off = different(&heights, left_out);
     assert!(off.len() <= 2, "{off:?}");

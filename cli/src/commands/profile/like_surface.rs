@@ -12,7 +12,7 @@ use asperity_roughness::generate::{LONG_WAVES, LikeSurface, MadeSurface, Method}
 use asperity_roughness::lay::bridged;
 use serde_json::json;
 
-use super::evaluated::{opened_surface, synthetic};
+use super::evaluated::{Note, opened_surface, synthetic};
 use super::surface_facts::areal_line;
 use crate::args::{Common, ProfileGenerateArgs};
 use crate::failure::Failure;
@@ -55,6 +55,12 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
     let heights: Vec<Vec<f64>> = heights.collect::<Result<_, _>>()?;
     let refused = |error| Failure::new(Code::E120, format!("{}: {error}", first.name));
     let like = LikeSurface::to(&heights, first.columns, spacings, args.method).map_err(refused)?;
+    let warnings: Vec<_> = like
+        .warnings
+        .iter()
+        .map(Note::Evaluated)
+        .map(|note| json!({ "code": note.code(), "text": note.to_string() }))
+        .collect();
     let made = like.generate(args.seed);
     let z = &made.heights;
     let bytes = write_surface(z, first.columns, spacings, &synthetic(args.seed))
@@ -66,6 +72,7 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
             "like": surfaces.iter().map(|surface| &surface.name).collect::<Vec<_>>(),
             "seed": args.seed,
             "method": made.method,
+            "warnings": warnings,
             "pieces": pieces(&made, args, spacings),
             "columns": first.columns,
             "rows": first.rows,
@@ -75,27 +82,36 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
             "output": name,
         }));
     }
-    let text = format!(
+    let mut text = format!(
         "{name}: {} rows of {} points, achieved {}\n{}\n",
         first.rows,
         first.columns,
         areal_line(&areal),
-        source(&made, surfaces.len())
+        source(&made, surfaces.len(), like.has_long_waves())
     );
+    for note in like.warnings.iter().map(Note::Evaluated) {
+        text += &format!("{} {note}\n", note.code());
+    }
     print_text(common, &text)
 }
 
 /// What the surface is made of.
-fn source(made: &MadeSurface, surfaces: usize) -> String {
+fn source(made: &MadeSurface, surfaces: usize, has_long_waves: bool) -> String {
     let surfaces = match surfaces {
         1 => "one surface".to_owned(),
         several => format!("{several} surfaces"),
     };
     match made.method {
-        Method::Pieces => format!(
-            "{} pieces of {surfaces}: waves up to {LONG_WAVES:.1} and rare dales are those of the surfaces given; longer waves are random, with their spectrum",
-            made.pieces.len()
-        ),
+        Method::Pieces => {
+            let long = match has_long_waves {
+                true => "; longer waves are random, with their spectrum",
+                false => "",
+            };
+            format!(
+                "{} pieces of {surfaces}: waves up to {LONG_WAVES:.1} and rare dales are those of the surfaces given{long}",
+                made.pieces.len()
+            )
+        }
         Method::Spectrum => format!("spectrum and heights of {surfaces}"),
     }
 }

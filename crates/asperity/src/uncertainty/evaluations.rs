@@ -610,11 +610,28 @@ fn sampling_error(
     };
     if let Some(teeth) = surfaces.several_teeth() {
         let found = pair_sampling(&logs, teeth).filter(|found| found.standard_error_w > 0.0);
-        return Ok(found.map_or(of_place, |found| SamplingError {
+        let of_pairs = found.map_or(of_place, |found| SamplingError {
             standard_error: found.standard_error_w,
             freedom: found.freedom,
             ..of_place
-        }));
+        });
+        // Rows of one scan resemble each other: they scatter less than teeth, and do not say more than the windows along them.
+        let of_scan = loaded.sampled.as_ref().filter(|sampled| {
+            let mut traces = sampled.traces.iter().flatten();
+            traces.any(|trace| trace.row.is_some())
+        });
+        let of_windows = match of_scan {
+            Some(_) => of_windows(loaded, nominal, asperity_share).map_err(whole)?,
+            None => None,
+        };
+        return Ok(match of_windows {
+            Some(windows) if windows.standard_error > of_pairs.standard_error => SamplingError {
+                standard_error: windows.standard_error,
+                freedom: windows.freedom,
+                ..of_pairs
+            },
+            _ => of_pairs,
+        });
     }
     if shifts.is_some() {
         return Ok(of_place);

@@ -59,10 +59,15 @@ enum Maker {
 
 /// Maker of surfaces like measured ones.
 #[derive(Debug, Clone)]
-pub enum LikeSurface {
-    /// Of pieces.
+pub struct LikeSurface {
+    maker: SurfaceMaker,
+    /// Doubts about the surfaces.
+    pub warnings: Vec<Warning>,
+}
+
+#[derive(Debug, Clone)]
+enum SurfaceMaker {
     Pieces(SurfacePieces),
-    /// Of spectrum and heights.
     Spectrum(FittedSurface),
 }
 
@@ -109,33 +114,50 @@ impl LikeSurface {
         spacings: [Length; 2],
         method: Option<Method>,
     ) -> Result<Self, RoughnessError> {
-        let of_rows = || {
-            let mut rows = Vec::new();
-            for z in surfaces {
-                let count = z.len() / columns.max(1);
-                for row in z
-                    .chunks(columns.max(1))
-                    .step_by(count.div_ceil(ROWS).max(1))
-                {
-                    // A flat row has no shape.
-                    if row.iter().any(|z| *z != row[0]) {
-                        rows.push(Profile::new(spacings[0], row.to_vec())?);
-                    }
-                }
+        let (mut rows, mut middles) = (Vec::new(), Vec::new());
+        for z in surfaces {
+            let all = z.chunks_exact(columns.max(1));
+            let profile = |row: &[f64]| Profile::new(spacings[0], row.to_vec());
+            // A flat row has no shape.
+            let shaped = all.clone().filter(|row| row.iter().any(|z| *z != row[0]));
+            let step = all.len().div_ceil(ROWS).max(1);
+            for row in shaped.step_by(step) {
+                rows.push(profile(row)?);
             }
-            chosen(&rows)
+            middles.extend(all.clone().nth(all.len() / 2).map(profile).transpose()?);
+        }
+        let chosen = method.map_or_else(|| chosen(&rows), Ok)?;
+        let mut warnings = Vec::new();
+        if let Some((first, others)) = middles.split_first() {
+            warnings.extend(different(&levelled(first, others)?));
+            if others.is_empty() && chosen == Method::Pieces {
+                let length = first.length();
+                warnings.push(Warning::OneTrace { length });
+            }
+        }
+        let maker = match chosen {
+            Method::Pieces => SurfaceMaker::Pieces(SurfacePieces::to(surfaces, columns, spacings)?),
+            Method::Spectrum => {
+                SurfaceMaker::Spectrum(FittedSurface::to(surfaces, columns, spacings)?)
+            }
         };
-        Ok(match method.map_or_else(of_rows, Ok)? {
-            Method::Pieces => Self::Pieces(SurfacePieces::to(surfaces, columns, spacings)?),
-            Method::Spectrum => Self::Spectrum(FittedSurface::to(surfaces, columns, spacings)?),
-        })
+        Ok(Self { maker, warnings })
+    }
+
+    /// Whether long waves are made anew beside the pieces.
+    #[must_use]
+    pub fn has_long_waves(&self) -> bool {
+        match &self.maker {
+            SurfaceMaker::Pieces(maker) => maker.has_long_waves(),
+            SurfaceMaker::Spectrum(_) => false,
+        }
     }
 
     /// A surface of the size of those given.
     #[must_use]
     pub fn generate(&self, seed: u64) -> MadeSurface {
-        match self {
-            Self::Pieces(maker) => {
+        match &self.maker {
+            SurfaceMaker::Pieces(maker) => {
                 let made = maker.generate(seed);
                 MadeSurface {
                     heights: made.heights,
@@ -143,7 +165,7 @@ impl LikeSurface {
                     pieces: made.pieces,
                 }
             }
-            Self::Spectrum(maker) => MadeSurface {
+            SurfaceMaker::Spectrum(maker) => MadeSurface {
                 heights: maker.generate(seed),
                 method: Method::Spectrum,
                 pieces: Vec::new(),

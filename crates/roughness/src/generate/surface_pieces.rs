@@ -15,7 +15,7 @@
 //! A surface of n points costs 256 n sums over a tenth of the points of an overlap at most, whatever the number of surfaces given.
 
 use asperity_core::quantity::Length;
-use asperity_core::{Profile, cite};
+use asperity_core::{DomainError, Profile, cite};
 use serde::Serialize;
 
 use super::fitted_surface::{FittedSurface, levelled};
@@ -60,7 +60,7 @@ pub struct SurfacePiece {
     pub surface: usize,
     /// Its first point along a row, and its first row.
     pub first: [usize; 2],
-    /// Points along a row, and rows.
+    /// Its points along a row, and its rows; fewer at the ends of the surface.
     pub size: [usize; 2],
 }
 
@@ -84,7 +84,7 @@ impl SurfacePieces {
     /// Prepares `surfaces`, heights \[m\] row by row, all of the same size and spacings.
     ///
     /// # Errors
-    /// When a surface has too few or too many points, heights are missing, or the sizes differ.
+    /// When a surface has too few or too many points, heights are missing, the sizes differ, or a spacing exceeds half an overlap.
     ///
     /// ```
     /// use asperity_core::quantity::Length;
@@ -107,6 +107,11 @@ impl SurfacePieces {
         columns: usize,
         spacings: [Length; 2],
     ) -> Result<Self, RoughnessError> {
+        for spacing in spacings {
+            let rule = "must not exceed half of the overlap of 20 um";
+            let is_fine = spacing.si() <= 0.5 * OVERLAP;
+            DomainError::require(is_fine, "spacing", spacing.si(), "m", rule)?;
+        }
         let mut short = levelled(surfaces, columns, spacings)?;
         let size = [columns, short.first().map_or(0, Vec::len) / columns.max(1)];
         let mut long = Vec::new();
@@ -135,6 +140,12 @@ impl SurfacePieces {
         })
     }
 
+    /// Whether waves longer than [`LONG_WAVES`] are made anew.
+    #[must_use]
+    pub fn has_long_waves(&self) -> bool {
+        self.long.is_some()
+    }
+
     /// A surface of the size of those given.
     #[must_use]
     pub fn generate(&self, seed: u64) -> PiecedSurface {
@@ -158,7 +169,10 @@ impl SurfacePieces {
                 }
                 let piece = self.best(&laid, place, &pieces, &mut random);
                 self.lay(&mut laid, place, piece);
-                pieces.push(piece);
+                pieces.push(SurfacePiece {
+                    size: self.extent(place),
+                    ..piece
+                });
             }
         }
         let mut heights = laid.z;
