@@ -58,8 +58,7 @@ pub(crate) fn sheets_of(
         }
         scans += 1;
         let whole = whole(body, (listed, flank), &keys[body], context)?;
-        warnings.extend(bridged(&flank.report, whole.bridged));
-        Ok(SheetSource::Scan(whole.prepared))
+        Ok(SheetSource::Scan(whole))
     };
     let both = [of_body(0)?, of_body(1)?];
     if scans == 0 {
@@ -125,13 +124,6 @@ pub(crate) fn bridged(report: &FlankReport, share: f64) -> Option<Warning> {
     (share > 0.0).then(|| Warning::new(Code::W460, text))
 }
 
-/// A scan, prepared.
-pub(crate) struct Whole {
-    pub prepared: PreparedSurface,
-    /// Share of its points without a height.
-    pub bridged: f64,
-}
-
 /// The scan of pinion or wheel, prepared as its trace was, seen as both flanks face each other.
 ///
 /// A turn about the lead reverses the points of the rows and leaves their order; a mirror image reverses one of both. The wheel faces the
@@ -142,7 +134,7 @@ pub(crate) fn whole(
     (listed, flank): (&Listed, &Flank),
     keys: &Keys,
     context: Context<'_>,
-) -> Result<Whole, CaseError> {
+) -> Result<PreparedSurface, CaseError> {
     let section = Section::of(context.source, "surface");
     let input = &listed.input;
     let missing = || section.conflict("contact", "patch needs a scan of each flank as file");
@@ -158,8 +150,7 @@ pub(crate) fn whole(
         None => context.scan(input, file, keys)?.ok_or_else(missing)?,
     };
     let (surface, name) = (&scan.surface, scan.surface.name.clone());
-    let bridged = scan.missing();
-    if bridged > 0.0 && input.gaps == Some(Gaps::Refuse) {
+    if scan.missing() > 0.0 && input.gaps == Some(Gaps::Refuse) {
         let rule = "refuse: the scan has points without a height; leave gaps out, and lines between their neighbours are in their place";
         return Err(Section::of(context.source, keys.table).conflict("gaps", rule));
     }
@@ -178,7 +169,7 @@ pub(crate) fn whole(
         return Err(missing());
     };
     let along = reading.profile.spacing();
-    // The range that is stated; a trace may also lack points at its ends.
+    // The range that is stated.
     let (first, last) = match &reading.cut {
         None => (0, columns),
         Some(cut) => {
@@ -202,8 +193,5 @@ pub(crate) fn whole(
     }
     let refused = |error| CaseError::preparation(&name, error);
     let prepared = prepare_surface(&z, columns, [along, across], &record.recipe);
-    Ok(Whole {
-        prepared: prepared.map_err(refused)?,
-        bridged,
-    })
+    prepared.map_err(refused)
 }
