@@ -16,7 +16,7 @@ use super::flank_trace::{Context, Keys, Known, flank, keys_of, traces_of};
 use super::generated::generated;
 use super::lay::{Lays, lays, median_lay};
 use super::scans::Scans;
-use super::sheets::{bridged, lay_of_trace, sheets_of, whole};
+use super::sheets::{bridged, sheets_of, whole};
 use super::surrogates::surrogates_of;
 use crate::input::case_input::FlankInput;
 use crate::input::contact_name::ContactName;
@@ -121,19 +121,19 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     }
     let left_open = surrogates.as_ref().map(|(_, left_open)| left_open.clone());
     let mut assumed = left_open.unwrap_or_default();
-    assumed.extend(named.taken_by_lay(context, is_scan, is_patch));
+    let lays = lays(context, &named.lists, &flanks, &named.keys, &mut warnings);
+    assumed.extend(named.taken_by_lay(context, is_scan, is_patch, &lays));
     for default in follow.into_iter().take(named.stated()).flatten().flatten() {
         if !assumed.contains(&default) {
             assumed.push(default);
         }
     }
-    let lays = lays(context, &named.lists, &flanks, &named.keys, &mut warnings);
     let sheets = match is_patch {
         true => Some(sheets_of(
             context,
             &named.lists,
             &mut flanks,
-            &named.keys,
+            (&named.keys, is_scan, &lays),
             &mut warnings,
         )?),
         false => None,
@@ -197,7 +197,7 @@ fn taken(
             .as_ref()
             .is_err_and(|error| error.code() == Code::E119)
         {
-            is_scan[body] = named.take_middle_row(body, context);
+            is_scan[body] = named.take_middle_row(body, context)?;
         }
         *known = match is_scan[body] {
             false => found?,
@@ -340,25 +340,23 @@ impl NamedTraces {
     }
 
     /// Names the middle row of a flank whose file is a scan, and of which the case names no line; whether it is one.
-    fn take_middle_row(&mut self, body: usize, context: Context<'_>) -> bool {
+    fn take_middle_row(&mut self, body: usize, context: Context<'_>) -> Result<bool, CaseError> {
         let keys = &self.keys[body];
         let [alone] = self.lists[body].as_mut_slice() else {
-            return false;
+            return Ok(false);
         };
-        let file = alone
-            .input
-            .file
-            .as_ref()
-            .filter(|_| alone.is_without_line());
-        let scan = file.and_then(|file| context.scan(&alone.input, file, keys).ok()?);
+        let scan = match &alone.input.file {
+            Some(file) if alone.is_without_line() => context.scan(&alone.input, file, keys)?,
+            _ => None,
+        };
         let Some(scan) = scan.filter(|scan| scan.apart().is_some()) else {
-            return false;
+            return Ok(false);
         };
         alone.input.row = Some(scan.row_of_part(0, 1));
         // Optical instruments miss some points of nearly every scan.
         alone.input.gaps.get_or_insert(Gaps::Interpolate);
         alone.scan = Some(scan);
-        true
+        Ok(true)
     }
 
     /// Number of flanks with keys: a wheel without any has those of the pinion.
@@ -372,6 +370,7 @@ impl NamedTraces {
         context: Context<'_>,
         is_scan: [bool; 2],
         is_patch: bool,
+        lays: &Lays,
     ) -> Vec<DefaultUsed> {
         let default = |key: Cow<'static, str>, value: String, source: &'static str| DefaultUsed {
             key,
@@ -392,7 +391,10 @@ impl NamedTraces {
         let scans = (0..self.stated()).filter(|body| is_scan[*body] && !is_patch);
         let rows = scans.map(|body| {
             let key = format!("{}.rows", self.keys[body].table).into();
-            let source = "as many as have the sampling error of the whole scan, at most 8";
+            let source = match (0..2).any(|body| is_scan[body] && lays.measured(body).is_none()) {
+                true => "at most 8, with the sampling error of the whole scan; a scan does not show its lay, assumed 0 to 1/6",
+                false => "as many as have the sampling error of the whole scan, at most 8",
+            };
             default(key, self.lists[body].len().to_string(), source)
         });
         rows.collect()
@@ -477,9 +479,11 @@ fn takes_patch(
     }
     let lay_of = |body: usize| {
         let (listed, (flank, _)) = (named.lists[body].first()?, known[body].first()?);
-        match is_scan[body] {
-            true => median_lay(listed, flank, &named.keys[body], context),
-            false => Some(lay_of_trace(context, body)),
+        let measured = || median_lay(listed, flank, &named.keys[body], context);
+        match (is_scan[body], context.inputs.lay) {
+            (true, _) => measured(),
+            (false, Some(lay)) => Some(lay[body]),
+            (false, None) => Some(measured().unwrap_or(Lay::ACROSS)),
         }
     };
     let [Some(pinion), Some(wheel)] = [0, 1].map(lay_of) else {
