@@ -138,13 +138,18 @@ fn case_of(flanks: [String; 2], keys: &str) -> Result<LoadedCase, Error> {
 
 fn case_with(flanks: [String; 2], keys: &str, model: &str) -> Result<LoadedCase, Error> {
     let [pinion, wheel] = flanks;
+    let flanks = format!("pinion = {{ {pinion} }}\nwheel = {{ {wheel} }}");
+    case_text(&flanks, keys, model)
+}
+
+fn case_text(flanks: &str, keys: &str, model: &str) -> Result<LoadedCase, Error> {
     let text = format!(
         "gears = {{ teeth = [23, 68], module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\" }}\n\
          material.pinion = {{ elastic_limit = \"1500 MPa\", flow_pressure = \"7 GPa\" }}\n\
          operation = {{ torque = \"30 N m\", speed = \"6000 1/min\", bulk_temperature = \"90 degC\" }}\n\
          lubricant = {{ viscosity = {{ law = \"astm-d341\", at_40 = \"30.8 mm2/s\", at_100 = \"5.9 mm2/s\" }}, density = \"845 kg/m3\", base_oil = \"pao\" }}\n\
          model = {{ positions = 2, offsets = 1, depths = 0{model} }}\n\
-         [surface]\ncutoff = \"0.08 mm\"\n{keys}\npinion = {{ {pinion} }}\nwheel = {{ {wheel} }}\n"
+         [surface]\ncutoff = \"0.08 mm\"\n{keys}\n{flanks}\n"
     );
     from_text("case.toml", &text, &|name| Ok(scan(name)))
 }
@@ -184,6 +189,41 @@ fn scans_are_taken_by_their_lay() {
     );
     let by_hand = case(["60-200-1", "60-200-9"], "contact = \"patch\"").unwrap();
     assert!(by_hand.surfaces.sheets().is_some());
+}
+
+#[test]
+fn rows_that_are_chosen_count_as_stated_ones() {
+    let lines = "contact = \"lines\"";
+    let scan = || "file = \"gaps 1-200-1\"".to_owned();
+    let said = |case: &LoadedCase, code: Code| {
+        let of_code = case.warnings.iter().filter(|warning| warning.code == code);
+        of_code.count()
+    };
+    // At most 64 pairs with a list of traces.
+    let traces: Vec<String> = (0..20).map(|k| format!("\"trace 1-200-{k}\"")).collect();
+    let traces = format!("traces = [{}]", traces.join(", "));
+    let case = case_of([scan(), traces], lines).unwrap();
+    let pairs = case.surfaces.pairs();
+    assert!((32..=64).contains(&pairs), "{pairs}");
+    assert_eq!(
+        [Code::W427, Code::W447, Code::W460].map(|code| said(&case, code)),
+        [1; 3]
+    );
+    // Of both flanks one scan, which the case names once.
+    let case = case_text("pinion = { file = \"1-200-1\" }", lines, "").unwrap();
+    let rows = case
+        .case
+        .defaults
+        .iter()
+        .filter(|default| default.key.ends_with(".rows"));
+    assert_eq!((rows.count(), said(&case, Code::W447)), (1, 1));
+    let stated = format!("{}, rows = 2, gaps = \"interpolate\"", scan());
+    let wheel = "file = \"trace 1-200-9\"".to_owned();
+    let case = case_of([stated, wheel], lines).unwrap();
+    assert_eq!(
+        [Code::W447, Code::W460].map(|code| said(&case, code)),
+        [1; 2]
+    );
 }
 
 #[test]
@@ -299,7 +339,8 @@ fn rows_of_a_scan_err_as_the_whole_scan_does() {
     const WIDTH: usize = 400;
     const HEIGHT: usize = 40;
     let spacing = Length::from_si(1e-6);
-    for keeps in [0.95_f64, 0.8, 0.3] {
+    // Eight rows are the most: of rows that resemble each other little their error is larger.
+    for (keeps, rows, wanted) in [(0.95_f64, 4, 1.095), (0.8, 8, 1.280), (0.3, 8, 2.170)] {
         let mut errors = [0.0; 2];
         let mut count = 0;
         for seed in 0..60 {
@@ -339,9 +380,8 @@ fn rows_of_a_scan_err_as_the_whole_scan_does() {
             errors[1] += mean((0..count).map(|k| middle(k, count, HEIGHT)).collect()).powi(2);
         }
         let ratio = (errors[1] / errors[0]).sqrt();
-        println!("{keeps}: {count} rows, error {ratio:.2} of all");
-        // Sixty surfaces leave an error of 5 % of the ratio; eight rows are the most.
-        assert!(ratio < 1.25 || count == 8, "{keeps}: {count} rows, {ratio}");
+        assert_eq!(count, rows, "{keeps}: {ratio}");
+        assert!((ratio - wanted).abs() < 0.005, "{keeps}: {ratio}");
     }
 }
 
@@ -376,7 +416,12 @@ fn scans_with_faults_are_used_as_without() {
         );
         match fault {
             "gaps" => told(&case, Code::W460, "10.0 %"),
-            "ends" => told(&case, Code::W460, "6.7 %"),
+            "ends" => {
+                told(&case, Code::W460, "6.7 %");
+                // A row keeps its places in the scan.
+                let reading = case.flanks[0].reading.as_ref().unwrap();
+                assert_eq!((reading.points, reading.gaps_filled), (COLUMNS, 100));
+            }
             "spikes" => told(&case, Code::W130, "replaced as outliers"),
             _ => {}
         }
@@ -444,6 +489,35 @@ fn a_trace_faces_a_scan_as_a_surface() {
             .iter()
             .find(|warning| warning.code == Code::W458);
         assert!(said.is_some_and(|said| said.to_string().contains(text)));
+    }
+    // A row that is named is a trace of a flank whose lay is measured.
+    let row = || "file = \"1-200-9\", row = 3".to_owned();
+    let measured = case_of(["file = \"1-200-1\"".to_owned(), row()], "").unwrap();
+    let made = measured.flanks[1].made_sheet.unwrap();
+    assert!(made.seed.is_some() && measured.flanks[0].made_sheet.is_none());
+    let across = case_with([row(), row()], "contact = \"patch\"", "").map(|_| ());
+    assert!(
+        across
+            .unwrap_err()
+            .to_string()
+            .contains("a scan of at least one flank")
+    );
+    let slight = case_with(flanks(), "contact = \"patch\"", ", lay = [0.1, 0.1]").unwrap();
+    for (case, text) in [
+        (&measured, format!("the measured lay {:.2}", made.lay)),
+        (
+            &slight,
+            "the stated lay 0.1: ridges across the face".to_owned(),
+        ),
+    ] {
+        let said = case
+            .warnings
+            .iter()
+            .find(|warning| warning.code == Code::W458);
+        assert!(
+            said.is_some_and(|said| said.to_string().contains(&text)),
+            "{said:?}"
+        );
     }
     // By roughness values alone there is no row to begin with.
     let flanks = [

@@ -56,7 +56,7 @@ pub fn without_spikes(
 }
 
 /// Least number of rows, spread evenly, whose mean loss has an error of at most 1.1 times the error of the mean loss of all rows: 1,
-/// or 4 to 8.
+/// or 4 to 8. Where 8 are too few, 8 with a larger error.
 ///
 /// ```text
 /// v_n = (1/n²) Σ_ij ρ_|i−j|²,  v_n ≤ 1.1² v_N                                               [Scan-rows]

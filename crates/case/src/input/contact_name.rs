@@ -10,6 +10,6 @@ use serde::{Deserialize, Serialize};
 pub enum ContactName {
     /// Two traces, as ridges without an end along the lead.
     Lines,
-    /// Two scans with all of their rows.
+    /// Two surfaces with all of their rows: scans, or one scan and a surface made from the other trace.
     Patch,
 }

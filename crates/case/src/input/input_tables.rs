@@ -437,7 +437,7 @@ table! {
     separator: Option<Separator>;
     /// Text encoding.
     encoding: Option<Encoding>;
-    /// Missing points: `refuse` or `interpolate`; default `refuse`, of a scan without `row` or `line` `interpolate`.
+    /// Missing points: `refuse` or `interpolate`; default `refuse`, of a scan without `row`, `line` or `rows` `interpolate`.
     gaps: Option<Gaps>;
     /// Number of the profile in a file that holds several (a row of a surface), counted from 1.
     row: Option<usize> = "" usual [1.0, 10_000.0] possible [1.0, 1e7];

@@ -16,7 +16,7 @@ use super::flank_trace::{Context, Keys, Known, flank, keys_of, traces_of};
 use super::generated::generated;
 use super::lay::{Lays, lays, median_lay};
 use super::scans::Scans;
-use super::sheets::{bridged, lay_of_trace, sheets_of, whole};
+use super::sheets::{bridged, sheets_of, whole};
 use super::surrogates::surrogates_of;
 use crate::input::case_input::FlankInput;
 use crate::input::contact_name::ContactName;
@@ -98,6 +98,8 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         is_scan,
         is_patch,
     } = taken(&mut named, context, known_of, &mut warnings)?;
+    let of_teeth = named.lists.iter().zip(&named.keys).take(named.stated());
+    warnings.extend(of_teeth.filter_map(of_one_tooth));
     let is_several = named.lists.iter().any(|list| list.len() > 1);
     let mut flanks: [Vec<Flank>; 2] = Default::default();
     let mut follow: [Vec<Vec<DefaultUsed>>; 2] = Default::default();
@@ -119,20 +121,19 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     }
     let left_open = surrogates.as_ref().map(|(_, left_open)| left_open.clone());
     let mut assumed = left_open.unwrap_or_default();
-    assumed.extend(named.taken_by_lay(context, is_scan, is_patch));
-    let stated = if named.has_own_wheel { 2 } else { 1 };
-    for default in follow.into_iter().take(stated).flatten().flatten() {
+    let lays = lays(context, &named.lists, &flanks, &named.keys, &mut warnings);
+    assumed.extend(named.taken_by_lay(context, is_scan, is_patch, &lays));
+    for default in follow.into_iter().take(named.stated()).flatten().flatten() {
         if !assumed.contains(&default) {
             assumed.push(default);
         }
     }
-    let lays = lays(context, &named.lists, &flanks, &named.keys, &mut warnings);
     let sheets = match is_patch {
         true => Some(sheets_of(
             context,
             &named.lists,
             &mut flanks,
-            &named.keys,
+            (&named.keys, is_scan, &lays),
             &mut warnings,
         )?),
         false => None,
@@ -196,7 +197,7 @@ fn taken(
             .as_ref()
             .is_err_and(|error| error.code() == Code::E119)
         {
-            is_scan[body] = named.take_middle_row(body, context);
+            is_scan[body] = named.take_middle_row(body, context)?;
         }
         *known = match is_scan[body] {
             false => found?,
@@ -204,20 +205,35 @@ fn taken(
         };
     }
     let is_patch = takes_patch(context, named, &known, is_scan, warnings);
-    for (body, known) in known.iter_mut().enumerate() {
+    let mut is_anew = [false; 2];
+    for (body, known) in known.iter().enumerate() {
         if is_scan[body] && !is_patch {
-            let rows = scan_of_lines((body, named), known, context, warnings)?;
+            let rows = scan_of_lines((body, named), known, context)?;
             if rows > 1 {
                 named.take_rows(body, rows, context.source)?;
-                // The middle row need not be among them.
-                doubts[body].clear();
-                *known = known_of(named, body, &mut doubts[body])?;
+                is_anew[body] = true;
             }
         }
     }
+    if is_anew != [false; 2] && named.pair(context.source, warnings)? {
+        is_anew = [true; 2];
+    }
+    for (body, known) in known.iter_mut().enumerate() {
+        if is_anew[body] {
+            // The traces known before need not be among these.
+            doubts[body].clear();
+            *known = known_of(named, body, &mut doubts[body])?;
+        }
+    }
     warnings.extend(doubts.into_iter().flatten());
-    let scans = named.lists.iter().filter_map(|list| list[0].scan.as_ref());
-    warnings.extend(scans.filter_map(|scan| scan.spikes.clone()));
+    for (list, known) in named.lists.iter().zip(&known) {
+        if let (Some(scan), Some((flank, _))) = (&list[0].scan, known.first()) {
+            if list[0].input.gaps == Some(Gaps::Interpolate) {
+                warnings.extend(bridged(&flank.report, scan.missing()));
+            }
+            warnings.extend(scan.spikes.clone());
+        }
+    }
     Ok(Taken {
         known,
         is_scan,
@@ -286,61 +302,66 @@ impl NamedTraces {
                 rule: "the pinion has several traces, and the wheel's flanks are others: give traces of the wheel, or one file",
             });
         }
-        let mut lists = [
+        let lists = [
             named(pinion_input, &keys[0], context, warnings)?,
             named(&wheel_input, &keys[1], context, warnings)?,
         ];
-        let named = [0, 1].map(|body: usize| teeth_of(&sites_of(&lists[body])));
-        let teeth = paired(named);
-        let stated = [pinion_input, &wheel_input];
-        for (body, list) in lists.iter_mut().enumerate() {
-            match stated[body].rows {
-                // Fewer rows, still spread evenly.
-                Some(rows) if rows > teeth[body] => {
-                    let fewer = FlankInput {
-                        rows: Some(teeth[body]),
-                        ..stated[body].clone()
-                    };
-                    *list = traces_of(&fewer, &keys[body], context)?;
-                }
-                _ => list.retain(|trace| trace.site.tooth < teeth[body]),
-            }
-        }
-        if teeth != named {
-            let of_rows = stated.map(|input| input.rows.is_some());
-            warnings.push(left_out(named, teeth, of_rows));
-        }
-        warnings.extend(lists.iter().zip(&keys).filter_map(of_one_tooth));
-        Ok(Self {
-            sites: lists.each_ref().map(|list| sites_of(list)),
+        let mut found = Self {
+            sites: Default::default(),
             has_own_wheel: own_wheel.is_some(),
             keys,
             lists,
-            named,
-            teeth,
-        })
+            named: [0; 2],
+            teeth: [0; 2],
+        };
+        found.pair(source, warnings)?;
+        Ok(found)
+    }
+
+    /// Counts the teeth, and leaves those that are paired; whether these are fewer.
+    fn pair(&mut self, source: &Source, warnings: &mut Vec<Warning>) -> Result<bool, CaseError> {
+        let named = [0, 1].map(|body: usize| teeth_of(&sites_of(&self.lists[body])));
+        let teeth = paired(named);
+        let of_rows = self.lists.each_ref().map(|list| list[0].site.row.is_some());
+        for body in [0, 1] {
+            match of_rows[body] {
+                // Fewer rows, still spread evenly.
+                true if named[body] > teeth[body] => self.take_rows(body, teeth[body], source)?,
+                _ => self.lists[body].retain(|trace| trace.site.tooth < teeth[body]),
+            }
+        }
+        let is_fewer = teeth != named;
+        if is_fewer {
+            warnings.push(left_out(named, teeth, of_rows));
+        }
+        self.sites = self.lists.each_ref().map(|list| sites_of(list));
+        (self.named, self.teeth) = (named, teeth);
+        Ok(is_fewer)
     }
 
     /// Names the middle row of a flank whose file is a scan, and of which the case names no line; whether it is one.
-    fn take_middle_row(&mut self, body: usize, context: Context<'_>) -> bool {
+    fn take_middle_row(&mut self, body: usize, context: Context<'_>) -> Result<bool, CaseError> {
         let keys = &self.keys[body];
         let [alone] = self.lists[body].as_mut_slice() else {
-            return false;
+            return Ok(false);
         };
-        let file = alone
-            .input
-            .file
-            .as_ref()
-            .filter(|_| alone.is_without_line());
-        let scan = file.and_then(|file| context.scan(&alone.input, file, keys).ok()?);
+        let scan = match &alone.input.file {
+            Some(file) if alone.is_without_line() => context.scan(&alone.input, file, keys)?,
+            _ => None,
+        };
         let Some(scan) = scan.filter(|scan| scan.apart().is_some()) else {
-            return false;
+            return Ok(false);
         };
         alone.input.row = Some(scan.row_of_part(0, 1));
         // Optical instruments miss some points of nearly every scan.
         alone.input.gaps.get_or_insert(Gaps::Interpolate);
         alone.scan = Some(scan);
-        true
+        Ok(true)
+    }
+
+    /// Number of flanks with keys: a wheel without any has those of the pinion.
+    fn stated(&self) -> usize {
+        if self.has_own_wheel { 2 } else { 1 }
     }
 
     /// Contact and rows of scans without a line, where the case leaves them to the lay.
@@ -349,6 +370,7 @@ impl NamedTraces {
         context: Context<'_>,
         is_scan: [bool; 2],
         is_patch: bool,
+        lays: &Lays,
     ) -> Vec<DefaultUsed> {
         let default = |key: Cow<'static, str>, value: String, source: &'static str| DefaultUsed {
             key,
@@ -366,16 +388,19 @@ impl NamedTraces {
                 source,
             )];
         }
-        let scans = (0..2).filter(|body| is_scan[*body] && !is_patch);
+        let scans = (0..self.stated()).filter(|body| is_scan[*body] && !is_patch);
         let rows = scans.map(|body| {
             let key = format!("{}.rows", self.keys[body].table).into();
-            let source = "as many as have the sampling error of the whole scan";
+            let source = match (0..2).any(|body| is_scan[body] && lays.measured(body).is_none()) {
+                true => "at most 8, with the sampling error of the whole scan; a scan does not show its lay, assumed 0 to 1/6",
+                false => "as many as have the sampling error of the whole scan, at most 8",
+            };
             default(key, self.lists[body].len().to_string(), source)
         });
         rows.collect()
     }
 
-    /// Names rows of the scan of a flank, as `rows` does, in place of its middle row.
+    /// Names rows of the scan of a flank, as `rows` does, in place of those named before.
     fn take_rows(&mut self, body: usize, rows: usize, source: &Source) -> Result<(), CaseError> {
         let section = Section::of(source, self.keys[body].table);
         let whole = FlankInput {
@@ -383,11 +408,7 @@ impl NamedTraces {
             ..self.lists[body][0].input.clone()
         };
         let scan = self.lists[body][0].scan.clone();
-        let list = flank_sample::rows(&whole, rows, scan.as_ref(), section)?;
-        self.sites[body] = sites_of(&list);
-        self.teeth[body] = teeth_of(&self.sites[body]);
-        self.named[body] = self.teeth[body];
-        self.lists[body] = list;
+        self.lists[body] = flank_sample::rows(&whole, rows, scan.as_ref(), section)?;
         Ok(())
     }
 
@@ -458,9 +479,11 @@ fn takes_patch(
     }
     let lay_of = |body: usize| {
         let (listed, (flank, _)) = (named.lists[body].first()?, known[body].first()?);
-        match is_scan[body] {
-            true => median_lay(listed, flank, &named.keys[body], context),
-            false => Some(lay_of_trace(context, body)),
+        let measured = || median_lay(listed, flank, &named.keys[body], context);
+        match (is_scan[body], context.inputs.lay) {
+            (true, _) => measured(),
+            (false, Some(lay)) => Some(lay[body]),
+            (false, None) => Some(measured().unwrap_or(Lay::ACROSS)),
         }
     };
     let [Some(pinion), Some(wheel)] = [0, 1].map(lay_of) else {
@@ -491,14 +514,12 @@ fn scan_of_lines(
     (body, named): (usize, &NamedTraces),
     known: &[Known],
     context: Context<'_>,
-    warnings: &mut Vec<Warning>,
 ) -> Result<usize, CaseError> {
     let ([listed], [(flank, _)]) = (named.lists[body].as_slice(), known) else {
         return Ok(1);
     };
     let whole = whole(body, (listed, flank), &named.keys[body], context)?;
-    warnings.extend(bridged(&flank.report, whole.bridged));
-    Ok(rows_needed(&whole.prepared))
+    Ok(rows_needed(&whole))
 }
 
 /// W447: traces of a list that are lines of one surface, which is of one tooth.

@@ -29,6 +29,14 @@ impl Lays {
         origin: String::new(),
     };
 
+    /// Median lay of a flank whose surface shows it.
+    pub(crate) fn measured(&self, body: usize) -> Option<Lay> {
+        let lay = self.of_flanks[body];
+        Lay::new(lay.at(0.0))
+            .ok()
+            .filter(|_| lay != FlankLay::ASSUMED)
+    }
+
     /// Uses the lays in a case that states none.
     pub(crate) fn enter(&self, case: &mut Case) {
         const KEY: &str = "model.lay";

@@ -11,12 +11,13 @@ use asperity_flanks::Sheets;
 use asperity_flanks::sheets::{MadeSheet, SheetSource};
 use asperity_flanks::surfaces::{FlankReport, Texture};
 use asperity_flanks::trace::Flank;
-use asperity_profile_io::read::{Gaps, TraceLine};
+use asperity_profile_io::read::Gaps;
 use asperity_roughness::RoughnessError;
 use asperity_roughness::surface_preparation::{PreparedSurface, prepare_surface};
 
 use super::flank_sample::Listed;
 use super::flank_trace::{Context, Keys};
+use super::lay::Lays;
 use crate::source::case_error::CaseError;
 use crate::source::section::Section;
 
@@ -28,7 +29,7 @@ pub(crate) fn sheets_of(
     context: Context<'_>,
     lists: &[Vec<Listed>; 2],
     flanks: &mut [Vec<Flank>; 2],
-    keys: &[Keys; 2],
+    (keys, is_scan, lays): (&[Keys; 2], [bool; 2], &Lays),
     warnings: &mut Vec<Warning>,
 ) -> Result<Arc<Sheets>, CaseError> {
     let section = Section::of(context.source, "surface");
@@ -49,17 +50,26 @@ pub(crate) fn sheets_of(
         };
         // Its rows have the common spacing of traces.
         along = row.spacing();
-        if !is_of_scan(listed, &keys[body], context) {
-            let lay = lay_of_trace(context, body);
-            let made = MadeSheet::of(body, lay.gamma());
-            warnings.push(made_from_trace(body, (&flank.report, made), context));
+        if !is_scan[body] {
+            let measured = lays.measured(body);
+            let stated = context.inputs.lay.map(|lay| lay[body]);
+            let lay = stated.or(measured).unwrap_or(Lay::ACROSS).gamma();
+            let made = MadeSheet::of(body, lay);
+            let of = match (stated, measured) {
+                (Some(_), _) => ["stated", ""],
+                (None, Some(_)) => [
+                    "measured",
+                    ". Leave row and line out, and the file is taken whole",
+                ],
+                (None, None) => ["assumed", ". State model.lay, or scan this flank as well"],
+            };
+            warnings.push(made_from_trace(body, (&flank.report, made), of));
             flank.report.made_sheet = Some(made);
-            return Ok(SheetSource::Trace(row.clone(), lay.gamma()));
+            return Ok(SheetSource::Trace(row.clone(), lay));
         }
         scans += 1;
         let whole = whole(body, (listed, flank), &keys[body], context)?;
-        warnings.extend(bridged(&flank.report, whole.bridged));
-        Ok(SheetSource::Scan(whole.prepared))
+        Ok(SheetSource::Scan(whole))
     };
     let both = [of_body(0)?, of_body(1)?];
     if scans == 0 {
@@ -75,43 +85,24 @@ pub(crate) fn sheets_of(
     Ok(Arc::new(Sheets::of(both, along).map_err(refused)?))
 }
 
-/// Lay of a flank with a trace: as stated, or ridges across the face.
-pub(crate) fn lay_of_trace(context: Context<'_>, body: usize) -> Lay {
-    context.inputs.lay.map_or(Lay::ACROSS, |lay| lay[body])
-}
-
-/// Whether the file of a flank is a surface.
-fn is_of_scan(listed: &Listed, keys: &Keys, context: Context<'_>) -> bool {
-    if listed.scan.is_some() || listed.generated.is_some() {
-        return listed.scan.is_some();
-    }
-    let file = listed.input.file.as_ref();
-    let scan = file.and_then(|file| context.scan(&listed.input, file, keys).ok()?);
-    scan.is_some_and(|scan| scan.surface.rows > 1 && scan.surface.columns > 1)
-}
-
 /// W458: the surface of a flank that was made from its trace.
 fn made_from_trace(
     body: usize,
     (report, made): (&FlankReport, MadeSheet),
-    context: Context<'_>,
+    [origin, next]: [&str; 2],
 ) -> Warning {
     let file = report.file.as_deref().unwrap_or("the trace");
-    let (gear, lay) = (["pinion", "wheel"][body], made.lay);
+    let (gear, lay) = (
+        ["pinion", "wheel"][body],
+        (100.0 * made.lay).round() / 100.0,
+    );
     let how = match made.seed {
-        None => "the trace at every place along the lead".to_owned(),
+        None => "ridges across the face, the trace at every place along the lead".to_owned(),
         Some(seed) => format!("drawn with its heights and its autocorrelation (seed {seed})"),
     };
-    let of = match context.inputs.lay {
-        Some(_) => format!("the stated lay {lay}"),
-        None => "ridges across the face, which is assumed".to_owned(),
-    };
-    let next = match context.inputs.lay {
-        Some(_) => "",
-        None => ". State model.lay, or scan this flank as well",
-    };
-    let text =
-        format!("{file}: the surface of the {gear} is made from its trace with {of}: {how}{next}");
+    let text = format!(
+        "{file}: the surface of the {gear} is made from its trace with the {origin} lay {lay}: {how}{next}"
+    );
     Warning::new(Code::W458, text)
 }
 
@@ -125,60 +116,38 @@ pub(crate) fn bridged(report: &FlankReport, share: f64) -> Option<Warning> {
     (share > 0.0).then(|| Warning::new(Code::W460, text))
 }
 
-/// A scan, prepared.
-pub(crate) struct Whole {
-    pub prepared: PreparedSurface,
-    /// Share of its points without a height.
-    pub bridged: f64,
-}
-
 /// The scan of pinion or wheel, prepared as its trace was, seen as both flanks face each other.
 ///
 /// A turn about the lead reverses the points of the rows and leaves their order; a mirror image reverses one of both. The wheel faces the
-/// pinion: seen from the side of the pinion its points are reversed. Of a flank that is read from its other end, and of columns that are
-/// read as rows, the order changes once more.
+/// pinion: seen from the side of the pinion its points are reversed. Of a flank that is read from its other end the order changes once more.
 pub(crate) fn whole(
     body: usize,
     (listed, flank): (&Listed, &Flank),
     keys: &Keys,
     context: Context<'_>,
-) -> Result<Whole, CaseError> {
+) -> Result<PreparedSurface, CaseError> {
     let section = Section::of(context.source, "surface");
     let input = &listed.input;
     let missing = || section.conflict("contact", "patch needs a scan of each flank as file");
-    let (Some(file), Some(reading), Some(record)) = (
-        input.file.as_ref(),
+    let (Some(reading), Some(record)) = (
         flank.report.reading.as_ref(),
         flank.report.preparation.as_ref(),
     ) else {
         return Err(missing());
     };
-    let scan = match &listed.scan {
-        Some(scan) => scan.clone(),
-        None => context.scan(input, file, keys)?.ok_or_else(missing)?,
-    };
+    let scan = listed.scan.as_ref().ok_or_else(missing)?;
     let (surface, name) = (&scan.surface, scan.surface.name.clone());
-    let bridged = scan.missing();
-    if bridged > 0.0 && input.gaps == Some(Gaps::Refuse) {
+    if scan.missing() > 0.0 && input.gaps == Some(Gaps::Refuse) {
         let rule = "refuse: the scan has points without a height; leave gaps out, and lines between their neighbours are in their place";
         return Err(Section::of(context.source, keys.table).conflict("gaps", rule));
     }
-    let line = input.line.unwrap_or_default();
-    if matches!(line, TraceLine::Mean | TraceLine::MeanColumn) {
-        let rule = "patch takes all rows of a scan; leave line = \"mean\" out";
-        return Err(section.conflict("contact", rule));
-    }
-    let is_column = line == TraceLine::Column;
-    let (mut z, columns, across) = match is_column {
-        true => (Cow::Owned(surface.by_columns()), surface.rows, surface.dx),
-        false => (Cow::Borrowed(&*surface.z), surface.columns, surface.dy),
-    };
+    let (mut z, columns) = (Cow::Borrowed(&*surface.z), surface.columns);
     let rows = z.len().checked_div(columns).unwrap_or(0);
-    let (Some(across), true) = (across, rows > 1) else {
+    let (Some(across), true) = (surface.dy, rows > 1) else {
         return Err(missing());
     };
     let along = reading.profile.spacing();
-    // The range that is stated; a trace may also lack points at its ends.
+    // The range that is stated.
     let (first, last) = match &reading.cut {
         None => (0, columns),
         Some(cut) => {
@@ -197,13 +166,10 @@ pub(crate) fn whole(
         let rows = z.to_mut().chunks_exact_mut(columns);
         rows.for_each(<[f64]>::reverse);
     }
-    if mirrored ^ is_column ^ (body == 1) {
+    if mirrored ^ (body == 1) {
         z = Cow::Owned(z.rchunks_exact(columns).flatten().copied().collect());
     }
     let refused = |error| CaseError::preparation(&name, error);
     let prepared = prepare_surface(&z, columns, [along, across], &record.recipe);
-    Ok(Whole {
-        prepared: prepared.map_err(refused)?,
-        bridged,
-    })
+    prepared.map_err(refused)
 }

@@ -279,14 +279,33 @@ pub(super) fn heights(
     Ok((heights, filled))
 }
 
-/// Heights with bridges over missing ones, if at most the share `most` of the points between the ends lacks one, and the number of
-/// points bridged. Missing points at the ends are cut off.
-pub(super) fn bridged(z: &[f64], most: f64) -> (Vec<f64>, usize) {
-    let (filled, _, heights) = interpolate(z);
-    match heights.is_empty() || filled as f64 > most * heights.len() as f64 {
-        true => (z.to_vec(), 0),
-        false => (heights, filled),
-    }
+/// Heights with bridges over missing ones, level at the ends, so that every row keeps its places; and the number of points bridged.
+/// Refused if more than the share `most` of the points is missing.
+pub(super) fn bridged(
+    z: &[f64],
+    most: f64,
+    options: &ReadOptions,
+) -> Result<(Vec<f64>, usize), ReadFault> {
+    let (_, _, inner) = interpolate(z);
+    let missing = z.iter().filter(|z| !z.is_finite()).count();
+    let known = z.iter().position(|z| z.is_finite()).unwrap_or(0);
+    let (Some(&first), Some(&last), true) = (
+        inner.first(),
+        inner.last(),
+        missing as f64 <= most * z.len() as f64,
+    ) else {
+        let gap = z.iter().position(|z| !z.is_finite()).unwrap_or(0);
+        let first = node(gap, options);
+        return Err(ReadFault::missing_points(
+            (None, &first),
+            [missing, z.len()],
+            false,
+        ));
+    };
+    let mut heights = vec![first; known];
+    heights.extend(inner);
+    heights.resize(z.len(), last);
+    Ok((heights, missing))
 }
 
 /// Removes missing points from a trace with individual positions, if they may be interpolated; returns their number.
@@ -357,5 +376,13 @@ mod tests {
         let none = f64::NAN;
         let z = [none, 1.0, none, none, 4.0, none];
         assert_eq!(interpolate(&z), (2, 2, vec![1.0, 2.0, 3.0, 4.0]));
+        let (row, options) = ([1.0, 1.0, 2.0, 3.0, 4.0, 4.0], ReadOptions::default());
+        assert_eq!(bridged(&z, 0.7, &options).unwrap(), (row.to_vec(), 4));
+        let refused = bridged(&z, 0.6, &options).unwrap_err().in_file("a.sur");
+        assert!(
+            refused
+                .to_string()
+                .contains("4 of 6 points have no height, the first is point 1: too many")
+        );
     }
 }

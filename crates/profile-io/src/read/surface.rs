@@ -103,7 +103,7 @@ impl Surface {
     }
 
     /// The row that `options` name, as [`read`](super::read) reads it. With [`Gaps::Interpolate`] up to a quarter of
-    /// its points may lack a height; those at the ends are cut off.
+    /// its points may lack a height; bridges at the ends are level.
     ///
     /// # Errors
     /// When no row of several is named, the row does not exist, or it cannot be read as a profile.
@@ -123,10 +123,11 @@ impl Surface {
         let row = grid::chosen_row(options.row, self.rows, self.columns);
         let row = row.map_err(|fault| fault.in_file(&self.name))?;
         let known = self.row(row).unwrap_or_default();
-        let (heights, bridged) = match options.gaps {
-            Gaps::Interpolate => grid::bridged(known, MOST_BRIDGED),
-            Gaps::Refuse => (known.to_vec(), 0),
+        let row = match options.gaps {
+            Gaps::Interpolate => grid::bridged(known, MOST_BRIDGED, options),
+            Gaps::Refuse => Ok((known.to_vec(), 0)),
         };
+        let (heights, bridged) = row.map_err(|fault| fault.in_file(&self.name))?;
         let facts = &self.facts;
         let source = match self.format {
             Format::PointText => SpacingSource::XColumn,
