@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use asperity::case::{LoadedCase, from_text};
 use asperity::core::Code;
-use asperity::core::quantity::Length;
+use asperity::core::quantity::{Length, Torque};
 use asperity::pipeline::{KeptFields, less_of_scans};
 use asperity::roughness::form::Form;
 use asperity::roughness::preparation::Preparation;
@@ -184,6 +184,24 @@ fn scans_are_taken_by_their_lay() {
     );
     let by_hand = case(["60-200-1", "60-200-9"], "contact = \"patch\"").unwrap();
     assert!(by_hand.surfaces.sheets().is_some());
+}
+
+#[test]
+fn middle_rows_are_of_the_loaded_flanks_and_bridge_their_gaps() {
+    let drive = case_of(
+        ["1-200-1", "1-200-9"].map(|name| format!("file = \"hole {name}\", rows = 4")),
+        "",
+    );
+    let less = less_of_scans(&drive.unwrap()).unwrap();
+    assert_eq!(less.case.unwrap().surfaces.pairs(), 1);
+    let coast = "coast = { pinion = { file = \"1-200-1\", rows = 4 }, wheel = { file = \"1-200-9\", rows = 4 } }";
+    let drive = ["1-200-1", "1-200-9"].map(|name| format!("file = \"{name}\", rows = 3"));
+    let coast = case_of(drive, coast).unwrap().with(|input| {
+        input.operation.torque = Torque::from_si(-30.0);
+    });
+    let less = less_of_scans(&coast.unwrap()).unwrap();
+    assert_eq!(less.taken, "4 × 4 rows of the scans");
+    assert_eq!(less.case.unwrap().surfaces.pairs(), 1);
 }
 
 #[test]
