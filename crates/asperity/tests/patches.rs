@@ -256,6 +256,20 @@ fn a_run_with_patches_has_the_losses_of_their_spots_and_what_rows_would_lose() {
 }
 
 #[test]
+fn scans_are_compared_where_no_asperities_touch_and_at_the_highest_pressure() {
+    let loaded = case(["1-0.1-1", "1-0.1-9"], "").unwrap();
+    let run = Run::new(&loaded).fields(&KeptFields::All);
+    let result = run.execute().unwrap().result;
+    assert_eq!(result.no_scans, None);
+    let pressures = result.path.iter().map(|row| {
+        let pressure = row.p_max_mpa.unwrap_or(row.hertz_pressure_mpa);
+        (pressure, row.position)
+    });
+    let highest = pressures.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+    assert_eq!(result.scans.unwrap().position, highest.1);
+}
+
+#[test]
 fn a_patch_of_some_rows_is_refused() {
     let flanks = ["1-200-1", "1-200-9"].map(|name| format!("file = \"{name}\", rows = 3"));
     let error = case_of(flanks, "contact = \"patch\"")

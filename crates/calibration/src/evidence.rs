@@ -212,6 +212,9 @@ pub struct EvidenceTable {
     /// Comparison of patches of the scans with rows of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scans: Option<ScanComparison>,
+    /// Why patches of the scans are not compared with rows of them, if it was tried.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub no_scans: Option<String>,
     /// Loss by only the middle rows of the scans, if rows of them are taken.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub middle_rows: Option<MiddleRows>,
@@ -255,6 +258,9 @@ impl EvidenceTable {
         checkpoint().map_err(|stopped| named(stopped.into()))?;
         let mut meshes = outcome.meshes;
         let only = meshes.pop().filter(|_| meshes.is_empty());
+        let (scans, no_scans) = only.map_or((None, None), |only| {
+            (only.result.scans, only.result.no_scans)
+        });
         let operation =
             |mesh: &LoadedCase| mesh.case.input.operation.temperature_deviation.is_some();
         Ok(Self {
@@ -267,7 +273,8 @@ impl EvidenceTable {
             loss,
             no_curves,
             is_temperature_drawn: train.meshes().any(|mesh| operation(&mesh.case)),
-            scans: only.and_then(|only| only.result.scans),
+            scans,
+            no_scans,
             middle_rows,
             no_middle_rows,
             rows,
@@ -483,6 +490,7 @@ impl EvidenceTable {
         }
         let curves = self.no_curves.as_ref();
         notes.extend(curves.map(|why| format!("Traction curves have no line: {why}.")));
+        notes.extend(self.no_scans.as_deref().map(scans::without));
         let rows = self.no_middle_rows.as_ref();
         notes.extend(
             rows.map(|why| {
