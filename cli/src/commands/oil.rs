@@ -98,14 +98,17 @@ impl Given for OilOfCase {
     const NAMED_BY: &'static str = OfOil::NAMED_BY;
 
     fn read(args: &GivenOilOfCase, set: &SetArgs) -> Result<Subject<Self>, Failure> {
-        let NamedOil { oil, name, case } = base(&args.oil, set, ConstantsOf::Family)?;
-        let case = match &args.case {
-            Some(path) => Some(load_case(path, set, None)?),
-            None => case,
-        };
-        refuse_keys(set, case.as_ref())?;
+        let NamedOil {
+            oil,
+            name,
+            case: of,
+        } = base(&args.oil, set, ConstantsOf::Family)?;
+        let case = args.case.as_ref();
+        let case = case.map(|path| load_case(path, set, None)).transpose()?;
+        let input = Self::new(oil, of, case);
+        refuse_keys(set, input.case.as_ref())?;
         Ok(Subject {
-            input: Self { oil, case },
+            input,
             name,
             file: None,
         })

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use asperity::case::{LoadedCase, from_text};
 use asperity::core::Code;
-use asperity::core::quantity::Length;
+use asperity::core::quantity::{Length, Torque};
 use asperity::pipeline::{KeptFields, less_of_scans};
 use asperity::roughness::form::Form;
 use asperity::roughness::preparation::Preparation;
@@ -227,6 +227,24 @@ fn rows_that_are_chosen_count_as_stated_ones() {
 }
 
 #[test]
+fn middle_rows_are_of_the_loaded_flanks_and_bridge_their_gaps() {
+    let drive = case_of(
+        ["1-200-1", "1-200-9"].map(|name| format!("file = \"hole {name}\", rows = 4")),
+        "",
+    );
+    let less = less_of_scans(&drive.unwrap()).unwrap();
+    assert_eq!(less.case.unwrap().surfaces.pairs(), 1);
+    let coast = "coast = { pinion = { file = \"1-200-1\", rows = 4 }, wheel = { file = \"1-200-9\", rows = 4 } }";
+    let drive = ["1-200-1", "1-200-9"].map(|name| format!("file = \"{name}\", rows = 3"));
+    let coast = case_of(drive, coast).unwrap().with(|input| {
+        input.operation.torque = Torque::from_si(-30.0);
+    });
+    let less = less_of_scans(&coast.unwrap()).unwrap();
+    assert_eq!(less.taken, "4 × 4 rows of the scans");
+    assert_eq!(less.case.unwrap().surfaces.pairs(), 1);
+}
+
+#[test]
 fn summits_carry_more_in_a_patch_than_in_its_rows() {
     let names = ["1-25-1", "1-25-9"];
     let [patch, lines] =
@@ -275,6 +293,20 @@ fn a_run_with_patches_has_the_losses_of_their_spots_and_what_rows_would_lose() {
             .iter()
             .any(|row| row.share_patch > 1.5 * row.share_lines)
     );
+}
+
+#[test]
+fn scans_are_compared_where_no_asperities_touch_and_at_the_highest_pressure() {
+    let loaded = case(["1-0.1-1", "1-0.1-9"], "").unwrap();
+    let run = Run::new(&loaded).fields(&KeptFields::All);
+    let result = run.execute().unwrap().result;
+    assert_eq!(result.no_scans, None);
+    let pressures = result.path.iter().map(|row| {
+        let pressure = row.p_max_mpa.unwrap_or(row.hertz_pressure_mpa);
+        (pressure, row.position)
+    });
+    let highest = pressures.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+    assert_eq!(result.scans.unwrap().position, highest.1);
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Measurements that would narrow the interval of the loss of a case, with the interval that each is expected to leave.
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::{Code, Estimate, Fault, capitalised};
 use std::convert::Infallible;
 use std::str::FromStr;
@@ -211,9 +212,15 @@ pub struct EvidenceTable {
     /// Comparison of patches of the scans with rows of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scans: Option<ScanComparison>,
+    /// Why patches of the scans are not compared with rows of them, if it was tried.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub no_scans: Option<String>,
     /// Loss by only the middle rows of the scans, if rows of them are taken.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub middle_rows: Option<MiddleRows>,
+    /// Why the loss by the middle rows is not known, if rows are taken and it is not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub no_middle_rows: Option<String>,
     /// Measurements, the one that leaves the narrowest interval first.
     pub rows: Vec<EvidenceRow>,
 }
@@ -243,9 +250,17 @@ impl EvidenceTable {
         else {
             return Err(none());
         };
-        let middle_rows = MiddleRows::of(&outcome).map_err(named)?;
+        let (middle_rows, no_middle_rows) = match MiddleRows::of(&outcome) {
+            Ok(rows) => (rows, None),
+            Err(error) => (None, Some(error.to_string())),
+        };
+        // A cancelled run is not one without a result.
+        checkpoint().map_err(|stopped| named(stopped.into()))?;
         let mut meshes = outcome.meshes;
         let only = meshes.pop().filter(|_| meshes.is_empty());
+        let (scans, no_scans) = only.map_or((None, None), |only| {
+            (only.result.scans, only.result.no_scans)
+        });
         let operation =
             |mesh: &LoadedCase| mesh.case.input.operation.temperature_deviation.is_some();
         Ok(Self {
@@ -258,8 +273,10 @@ impl EvidenceTable {
             loss,
             no_curves,
             is_temperature_drawn: train.meshes().any(|mesh| operation(&mesh.case)),
-            scans: only.and_then(|only| only.result.scans),
+            scans,
+            no_scans,
             middle_rows,
+            no_middle_rows,
             rows,
         })
     }
@@ -473,6 +490,13 @@ impl EvidenceTable {
         }
         let curves = self.no_curves.as_ref();
         notes.extend(curves.map(|why| format!("Traction curves have no line: {why}.")));
+        notes.extend(self.no_scans.as_deref().map(scans::without));
+        let rows = self.no_middle_rows.as_ref();
+        notes.extend(
+            rows.map(|why| {
+                format!("The loss by the middle rows of the scans is not known: {why}.")
+            }),
+        );
         notes
     }
 

@@ -63,11 +63,8 @@ impl Given for OilOfCase {
     fn read(given: &Bound<'_, PyTuple>) -> PyResult<Self> {
         let (oil, case): (Oil<'_>, Option<PyRef<'_, Case>>) = given.extract()?;
         let (oil, own) = oil.base(ConstantsOf::Family)?;
-        let case = match case {
-            Some(case) => Some(case.only()?.clone()),
-            None => own,
-        };
-        Ok(Self { oil, case })
+        let case = case.map(|case| case.only().cloned()).transpose()?;
+        Ok(Self::new(oil, own, case))
     }
 }
 

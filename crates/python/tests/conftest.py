@@ -124,7 +124,7 @@ def quantities_as_text(value, within=""):
     """Paths of texts that are a number with a unit, but not what a case, a recipe or the library states."""
     if isinstance(value, dict):
         for name, item in value.items():
-            if name not in ("input", "inputs", "defaults", "changes", "recipe", "preset", "from", "to"):
+            if name not in ("input", "inputs", "defaults", "changes", "recipe", "preset", "from", "to", "title", "name", "names"):
                 yield from quantities_as_text(item, f"{within}.{name}")
     elif isinstance(value, list):
         for item in value:

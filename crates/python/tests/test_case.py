@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import asperity
+from asperity._quantity import in_numbers
 from conftest import CASES, PROFILES, SETS, small, trace
 
 
@@ -305,6 +306,16 @@ def test_a_gear_train_is_compared_and_swept_as_a_whole():
     rows = asperity.sweep(case, {"mesh.a.gears.face_width": ["25 mm", "30 mm"]}).to_dict()
     assert rows[0]["loss_w"] == pytest.approx(case.run().loss_w, rel=1e-12)
     assert rows[0]["mesh.z.loss_w"] == rows[1]["mesh.z.loss_w"] and rows[0]["mesh.a.loss_w"] != rows[1]["mesh.a.loss_w"]
+
+
+def test_names_that_read_like_quantities_stay_text(case):
+    titled = case.replace({"title": "50 N m"})
+    assert titled.run("losses").title == "50 N m"
+    finishes = {"0.1 um": PROFILES / "superfinished.csv", "0.3 um": PROFILES / "ground_pinion.csv"}
+    found = asperity.compare(titled, finishes, offsets=2)
+    assert [row["name"] for row in found.finishes.to_dict()] == [*finishes] and found.to_pandas().loc["0.3 um", "loss_w"] > 0.0
+    several = in_numbers({"mixed": ["1 um", "2 N"], "films": ["1 um", "2 um"], "my key": "3 um"})
+    assert several == {"mixed": ["1 um", "2 N"], "films_um": [1.0, 2.0], "my key": "3 um"}
 
 
 def test_a_case_file_takes_its_files_from_another_folder(tmp_path):

@@ -19,9 +19,16 @@ pub const GAPS: &str = "scan_gaps.csv";
 
 /// Explanation of the numbers.
 pub(crate) const NOTE: &str = "The rows are traces of the same scans, and their contact is solved in plane strain. At one gap a patch \
-    carries more, because its summits meet wherever they are along the lead and levelled rows do not contain the heights between \
-    rows. The flow factor is the flow in the inlet over the flow of a smooth gap: computed through the patch; of rows by their height \
-    and lay. Both are of the position with the highest pressure, each with the roughness that its inlet leaves.";
+    carries more. Its summits meet wherever they are along the lead, and levelled rows do not contain the heights between rows. The \
+    flow factor is the flow in the inlet over the flow of a smooth gap. It is computed through the patch, and of rows by their height \
+    and lay. Both are of the position with the highest pressure, each with the roughness that its inlet leaves. The patch is one \
+    place there; the rows are a mean over their windows.";
+
+/// Words in place of the comparison of patches with rows.
+#[must_use]
+pub fn without(why: &str) -> String {
+    format!("The patches of the scans are not compared with rows of them: {why}.")
+}
 
 /// The rows of scans of a run that are taken as lines, with their sampling; `None` without such rows.
 pub(crate) fn rows_of(result: &RunResult) -> Option<(Vec<RowOfScan<'_>>, &PairSampling)> {
@@ -55,15 +62,29 @@ fn rows(result: &RunResult) -> Vec<RowOfScan<'_>> {
 }
 
 /// Mean and scatter of the losses of rows.
-pub(crate) fn rows_line(sampling: &PairSampling) -> String {
-    let [pinion, wheel] = sampling.between_w.map(|watts| match watts > 0.0 {
-        true => rounded(watts, watts),
-        false => "0".to_owned(),
-    });
+pub(crate) fn rows_line(rows: &[RowOfScan<'_>], sampling: &PairSampling) -> String {
+    let count = |body: &str| rows.iter().filter(|(of, _)| *of == body).count();
+    let several = |k: &usize| count(BODIES[*k]) > 1;
+    let taken: Vec<String> = (0..2)
+        .filter(|k| count(BODIES[*k]) > 0)
+        .map(|k| format!("{} of the {}", count(BODIES[k]), BODIES[k]))
+        .collect();
+    let scatter: Vec<String> = (0..2)
+        .filter(several)
+        .map(|k| {
+            let watts = match sampling.between_w[k] {
+                watts if watts > 0.0 => rounded(watts, watts),
+                _ => "0".to_owned(),
+            };
+            format!("{watts} W between the rows of the {}", BODIES[k])
+        })
+        .collect();
     format!(
-        "Each row of one scan is computed with each of the other, as traces. Mean {} W. Standard deviation {pinion} W between the rows \
-         of the pinion and {wheel} W between those of the wheel. Rows of one scan are of one tooth.",
-        rounded(sampling.mean_w, sampling.half_width_w)
+        "Rows of scans are computed as traces: {}. Each is computed with each trace of the other flank. Mean {} W. Standard deviation \
+         {}. Rows of one scan are of one tooth.",
+        taken.join(", "),
+        rounded(sampling.mean_w, sampling.half_width_w),
+        scatter.join(" and ")
     )
 }
 
@@ -185,10 +206,17 @@ pub fn losses(scans: &ScanComparison) -> Table {
     .in_file(LOSSES)
 }
 
+/// A length with three significant digits.
+fn three_digits(um: f64) -> String {
+    let power = if um > 0.0 { um.log10().floor() } else { 0.0 };
+    let decimals = (2.0 - power).clamp(0.0, 6.0) as usize;
+    format!("{um:.decimals$}")
+}
+
 /// The contact over its gap.
 pub fn gaps(scans: &ScanComparison) -> Table {
     columns! { row in &scans.gaps;
-        number gap_um "gap" "µm" = Cell::number(row.gap_um, |gap| format!("{gap:.2}"));
+        number gap_um "gap" "µm" = Cell::number(row.gap_um, three_digits);
         number share_patch "load carried by the patch" "" = Cell::number(row.share_patch, |share| format!("{share:.2}"));
         number share_lines "by rows" "" = Cell::number(row.share_lines, |share| format!("{share:.2}"));
         number flow_patch "flow factor of the patch" "" = Cell::number(row.flow_patch, |flow| format!("{flow:.2}"));
@@ -231,4 +259,16 @@ pub fn drawings(scans: &ScanComparison) -> Vec<Drawing> {
             [|row| row.flow_patch, |row| row.flow_lines],
         ),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::three_digits;
+
+    #[test]
+    fn gaps_of_thin_films_differ() {
+        assert_eq!(three_digits(0.0123), "0.0123");
+        assert_eq!(three_digits(1.234), "1.23");
+        assert_eq!(three_digits(0.0), "0.00");
+    }
 }

@@ -252,6 +252,7 @@ fn details(result: &RunResult, columns: usize) -> String {
     );
     lines.extend(result.micropitting.as_ref().map(micropitting_text));
     lines.extend(result.scans.as_ref().map(scans::verdict));
+    lines.extend(result.no_scans.as_deref().map(scans::without));
     lines.extend(relief_text(result));
     lines.push(convergence(result));
     lines.extend(solver_notes(result));

@@ -118,6 +118,7 @@ impl Solved<'_> {
             run_in: None,
             ridges: None,
             no_ridges: None,
+            no_scans: None,
             scans: None,
             summary,
             warnings,

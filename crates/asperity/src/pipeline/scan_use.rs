@@ -2,6 +2,7 @@
 
 use asperity_case::case::{ContactName, LoadedCase};
 use asperity_case::error::Error;
+use asperity_profile_io::read::Gaps;
 
 /// Use of the scans of a case, and the same case with less of them.
 #[derive(Debug)]
@@ -30,21 +31,20 @@ pub fn less_of_scans(loaded: &LoadedCase) -> Option<ScanUse> {
         });
     }
     let sampled = loaded.sampled.as_ref()?;
-    let middle = |body: usize| {
-        let traces = &sampled.traces[body];
-        let is_scan = traces.len() > 1 && traces.iter().all(|trace| trace.row.is_some());
-        traces.get(traces.len() / 2)?.row.filter(|_| is_scan)
-    };
-    let rows = [0, 1].map(middle);
-    if rows.iter().all(Option::is_none) {
+    let are_rows = sampled
+        .traces
+        .each_ref()
+        .map(|traces| traces.len() > 1 && traces.iter().all(|trace| trace.row.is_some()));
+    if are_rows == [false; 2] {
         return None;
     }
     let case = loaded.with(|input| {
-        let surface = &mut input.surface;
-        let flanks = [Some(&mut surface.pinion), surface.wheel.as_mut()];
-        for (flank, row) in flanks.into_iter().zip(rows) {
-            if let (Some(flank), Some(row)) = (flank, row) {
-                (flank.rows, flank.row) = (None, Some(row.number));
+        let (pinion, wheel) = input.surface.loaded_flanks_mut(loaded.case.torque);
+        for (flank, are_rows) in [Some(pinion), wheel.as_mut()].into_iter().zip(are_rows) {
+            if let Some(flank) = flank.filter(|_| are_rows) {
+                // The row in the middle can lack points that the rows taken do not.
+                flank.gaps = Some(Gaps::Interpolate);
+                (flank.rows, flank.row) = (Some(1), None);
             }
         }
     });

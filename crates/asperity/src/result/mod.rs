@@ -104,6 +104,9 @@ pub struct RunResult {
     /// Comparison of patches of the scans with rows of them; `None` without patches or without pictures.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scans: Option<ScanComparison>,
+    /// Why patches of the scans cannot be compared with rows of them, if it was tried.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub no_scans: Option<String>,
     /// Warnings.
     pub warnings: Vec<Warning>,
     /// The flanks as read and prepared, each by its first trace.

@@ -5,7 +5,7 @@ use asperity_core::cancel::checkpoint;
 use super::difference::difference;
 use crate::contacts::Contacts;
 use crate::pipeline::{KeptFields, less_of_scans, over_gap};
-use crate::result::{GapRow, Outcome, ScanComparison, ScanLoss};
+use crate::result::{GapRow, Outcome, PositionRow, ScanComparison, ScanLoss};
 use asperity_case::case::LoadedCase;
 use asperity_case::error::Error;
 use asperity_uncertainty::Predictive;
@@ -22,8 +22,8 @@ fn is_due(loaded: &LoadedCase, pictures: Option<&KeptFields>) -> bool {
     pictures.is_some_and(|kept| *kept != KeptFields::Nothing) && loaded.surfaces.sheets().is_some()
 }
 
-/// Adds to the `outcome` of a case with patches the comparison with rows of the scans. Rows without a result, as of a scan that is
-/// too short, leave it out.
+/// Adds to the `outcome` of a case with patches the comparison with rows of the scans. Of rows without a result, as of a scan that is
+/// too short, it has the reason.
 pub(super) fn compare_with_rows(
     outcome: &mut Outcome,
     drawn: Option<&Predictive>,
@@ -33,7 +33,14 @@ pub(super) fn compare_with_rows(
     if !is_due(loaded, pictures) {
         return Ok(());
     }
-    outcome.result.scans = comparison(outcome, drawn, (loaded, contacts), run).unwrap_or_default();
+    match comparison(outcome, drawn, (loaded, contacts), run) {
+        Ok(Some(scans)) => outcome.result.scans = Some(scans),
+        Ok(None) => {
+            let why = "the load on the asperities does not follow from the contact";
+            outcome.result.no_scans = Some(why.to_owned());
+        }
+        Err(error) => outcome.result.no_scans = Some(error.to_string()),
+    }
     // A cancelled run is not one without a result.
     Ok(checkpoint()?)
 }
@@ -51,8 +58,10 @@ fn comparison(
     let rows = rows.case?;
     let mut contacts = Vec::new();
     let (of_rows, drawn_of_rows) = run(&rows, drawn.is_some(), &mut contacts)?;
-    let number = outcome.fields.iter().find(|fields| fields.patch.is_some());
-    let (Some(shown), Some(contacts)) = (number, contacts.pop()) else {
+    let pressure = |row: &PositionRow| row.p_max_mpa.unwrap_or(row.hertz_pressure_mpa);
+    let path = outcome.result.path.iter();
+    let highest = path.max_by(|a, b| pressure(a).total_cmp(&pressure(b)));
+    let (Some(shown), Some(contacts)) = (highest, contacts.pop()) else {
         return Ok(None);
     };
     let Some(patch) = over_gap(patches, shown.position, None)? else {

@@ -28,7 +28,7 @@ impl StudySettings for OilPlanSettings {
         let plan = OilPlan::of(&given.oil, given.case.as_ref(), &self.plan()?)?;
         let remaining_width = match given.case {
             // The interval of a case has the constants of its oil.
-            Some(case) if case.case.title == given.oil.name => {
+            Some(case) if given.is_of_case => {
                 EvidenceTable::of_standard_plan(case, watch.progress)?
             }
             _ => None,

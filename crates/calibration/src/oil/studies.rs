@@ -26,6 +26,25 @@ pub struct OilOfCase {
     pub oil: OilBase,
     /// The case.
     pub case: Option<LoadedCase>,
+    /// Whether the oil is of the case.
+    pub is_of_case: bool,
+}
+
+impl OilOfCase {
+    /// `oil`, which is of the case `of` if it is of one, and the case whose loss is to be narrowed: `case`, or else `of`.
+    #[must_use]
+    pub fn new(oil: OilBase, of: Option<LoadedCase>, case: Option<LoadedCase>) -> Self {
+        let is_of_case = match (&of, &case) {
+            (Some(of), Some(case)) => of.case.input == case.case.input,
+            (of, _) => of.is_some(),
+        };
+        let case = case.or(of);
+        Self {
+            oil,
+            case,
+            is_of_case,
+        }
+    }
 }
 
 /// Curves of a machine, measured with an oil.

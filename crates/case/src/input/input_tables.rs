@@ -564,14 +564,22 @@ impl SurfaceInput {
         self.wheel = wheel.map(|file| of_wheel.on_file(file));
     }
 
+    /// The flanks of pinion and wheel on the side that carries `torque`.
+    pub fn loaded_flanks_mut(
+        &mut self,
+        torque: Torque,
+    ) -> (&mut FlankInput, &mut Option<FlankInput>) {
+        let side = self.loaded_side(torque);
+        match (&mut self.coast, side) {
+            (Some(coast), Side::Coast) => (&mut coast.pinion, &mut coast.wheel),
+            _ => (&mut self.pinion, &mut self.wheel),
+        }
+    }
+
     /// Replaces the flank of `gear` on the side that carries `torque` by `traces` in memory, with their places; the other flank keeps
     /// its trace. A trace without a place has the direction of the flank.
     pub fn put_measured(&mut self, gear: Gear, torque: Torque, traces: Vec<TraceInput>) {
-        let side = self.loaded_side(torque);
-        let (pinion, wheel) = match (&mut self.coast, side) {
-            (Some(coast), Side::Coast) => (&mut coast.pinion, &mut coast.wheel),
-            _ => (&mut self.pinion, &mut self.wheel),
-        };
+        let (pinion, wheel) = self.loaded_flanks_mut(torque);
         let of_wheel = wheel.get_or_insert_with(|| pinion.for_wheel());
         let flank = match gear {
             Gear::Pinion => pinion,

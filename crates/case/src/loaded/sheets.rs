@@ -76,7 +76,7 @@ pub(crate) fn sheets_of(
         let rule = "patch needs a scan of at least one flank, a file with the heights of an area; the other flank may have a trace";
         return Err(section.conflict("contact", rule));
     }
-    let text = "patches of whole surfaces are in contact; fields and pictures of one contact, and roughness parameters, are of the middle row of each scan";
+    let text = "patches of whole surfaces are in contact; flanks, stress and roughness parameters are of the middle row of each scan";
     warnings.push(Warning::new(Code::W459, text));
     let refused = |error| match error {
         RoughnessError::Domain(error) => section.domain("contact")(error),

@@ -117,6 +117,14 @@ _NAMED: dict[str, tuple[str, float]] = {
 _STATED = ("input", "inputs", "defaults", "changes", "recipe", "from", "to")
 """Values that are as a case or a recipe states them, and stay text."""
 
+_WORDS = frozenset((
+    "title", "name", "names", "key", "keys", "label", "kind", "id", "tag", "file", "files", "folder", "case_file", "oil_file", "source", "text", "mesh",
+    "finish", "finishes", "fitted_to", "oil", "base_oil", "what", "value", "values", "of", "code", "parameter", "assembly", "assemblies", "shaft", "shafts",
+    "sets", "columns", "command", "program", "notes", "note", "message", "warnings", "measurement", "group", "part", "other", "taken", "stage", "stages",
+    "flank", "flanks", "contact", "contacts",
+))
+"""Names and words, which stay text also where they read like a quantity."""
+
 
 def _number(value: object, mm: bool) -> Optional[tuple[float, str]]:
     """Number and end of the name of text with a unit; lengths in mm or µm."""
@@ -136,7 +144,7 @@ def _number(value: object, mm: bool) -> Optional[tuple[float, str]]:
 def in_numbers(value: Any, mm: bool = False) -> Any:
     """Values of a JSON text whose quantities are numbers in the unit that ends their names: ``"90 °C"`` as ``temperature_c`` 90.
 
-    Lengths of gears are in mm, all others in µm.
+    Lengths of gears are in mm, all others in µm. Names and words stay text, and so do lists of several units and keys that a user has named.
     """
     if isinstance(value, list):
         return [in_numbers(item, mm) for item in value]
@@ -150,7 +158,8 @@ def in_numbers(value: Any, mm: bool = False) -> Any:
         is_mm = mm or name == "gears"
         every = [_number(one, is_mm) for one in (item if isinstance(item, list) else [item])]
         numbers = [one for one in every if one is not None]
-        if not numbers or len(numbers) < len(every):
+        is_quantity = name not in _WORDS and name.isidentifier() and len({end for _, end in numbers}) == 1
+        if not is_quantity or len(numbers) < len(every):
             found[name] = in_numbers(item, is_mm)
             continue
         plain = [number for number, _ in numbers]

@@ -1238,6 +1238,7 @@ class ResultValues:
     ridges: Any
     no_ridges: Any
     scans: Any
+    no_scans: Any
     flanks: Any
     pairs: Any
     gears: Any

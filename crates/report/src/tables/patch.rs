@@ -55,6 +55,11 @@ fn rounded(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
 }
 
+/// A place \[µm\] to a nanometre.
+fn place(um: f64) -> f64 {
+    (1e3 * um).round() / 1e3
+}
+
 impl PatchTable {
     /// The table of a contact; `None` of a line.
     pub(super) fn of(fields: &PositionFields) -> Option<Self> {
@@ -65,8 +70,8 @@ impl PatchTable {
         let row = |(cell, (p, spot)): (usize, (&f64, &Option<u32>))| {
             let loss = spot.and_then(|spot| patch.spot_losses.get(spot as usize));
             PatchRow {
-                x_um: rounded(MICRO * patch.x[cell % columns]),
-                lead_um: rounded(MICRO * patch.y[cell / columns]),
+                x_um: place(MICRO * patch.x[cell % columns]),
+                lead_um: place(MICRO * patch.y[cell / columns]),
                 pressure_mpa: rounded(MEGA * (p + patch.pressure_fluid[cell % columns])),
                 spot: spot.map_or(0, |spot| spot + 1),
                 spot_loss_mw: rounded(MILLI * loss.copied().unwrap_or_default()),
@@ -150,7 +155,7 @@ impl PatchTable {
         };
         let (across, along) = (blocks(&columns, SHOWN[0]), blocks(&rows, SHOWN[1]));
         let middle = |places: &[f64], block: &Vec<usize>| {
-            rounded(0.5 * (places[block[0]] + places[block[block.len() - 1]]))
+            place(0.5 * (places[block[0]] + places[block[block.len() - 1]]))
         };
         let highest = |values: &[f64]| -> Vec<f64> {
             let of_block = |rows: &Vec<usize>, columns: &Vec<usize>| {
@@ -179,5 +184,15 @@ impl PatchTable {
             spot_loss_mw: highest(&self.spot_loss_mw),
             ..*self
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::place;
+
+    #[test]
+    fn places_far_from_the_middle_keep_their_distance() {
+        assert_eq!([123.456_4, 123.206_4].map(place), [123.456, 123.206]);
     }
 }
