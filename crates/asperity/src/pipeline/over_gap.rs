@@ -56,7 +56,7 @@ fn at_position(
     let count = windows.len();
     let shown = match lubrication.surfaces.sheets() {
         Some(_) => &windows[..count.min(1)],
-        None => &windows[..],
+        None => windows,
     };
     let (mut shares, mut flows, mut contact) = (Vec::new(), Vec::new(), [0.0; 3]);
     let mut at_gaps = gaps.map(<[Length]>::to_vec).unwrap_or_default();
