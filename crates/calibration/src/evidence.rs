@@ -212,13 +212,13 @@ pub struct EvidenceTable {
     /// Comparison of patches of the scans with rows of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scans: Option<ScanComparison>,
-    /// Why patches of the scans are not compared with rows of them, if it was tried.
+    /// Reason for which patches of the scans are not compared with rows of them, if it was tried.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub no_scans: Option<String>,
     /// Loss by only the middle rows of the scans, if rows of them are taken.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub middle_rows: Option<MiddleRows>,
-    /// Why the loss by the middle rows is not known, if rows are taken and it is not.
+    /// Reason for which the loss by the middle rows is not known, if rows are taken and it is not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub no_middle_rows: Option<String>,
     /// Measurements, the one that leaves the narrowest interval first.

@@ -95,7 +95,7 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
     print_text(common, &text)
 }
 
-/// What the surface is made of.
+/// Source of the surface, as a sentence.
 fn source(made: &MadeSurface, surfaces: usize, has_long_waves: bool) -> String {
     let surfaces = match surfaces {
         1 => "one surface".to_owned(),
