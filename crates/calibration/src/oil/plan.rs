@@ -161,8 +161,8 @@ pub struct OilPlan {
     /// Changes of the logarithm of its loss by a standard deviation of each constant before any test.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss_slopes: Option<[f64; CONSTANTS]>,
-    /// Width of the interval of ln loss that the standard plan leaves, over its present width, as [`EvidenceTable`](crate::EvidenceTable)
-    /// has it; `None` without a case whose loss has an interval.
+    /// Width of the interval of ln loss that the standard plan leaves, over its present width, as `asperity evidence`
+    /// prints it; `None` without a case whose loss has an interval.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub remaining_width: Option<f64>,
     /// Root mean square roughness of both specimens \[nm\].
