@@ -71,6 +71,7 @@ MORE = [
      'asperity.cycle(losses, "demo/urban.csv")', 'trace = {"time_s": [0, 60, 120], "torque_nm": [60, 190, 205], "speed_rpm": [900, 4000, 9000], "gear": [1, 1, 1]}',
      "asperity.cycle(asperity.map(case.replace({'vehicle': None}), torque_nm=[-60, 60], speed_rpm=[500, 9000]), trace, allow_outside=True)"],
     [SMALL, 'asperity.oil_plan("m100", case, simulate=1)'],
+    [SMALL, 'asperity.oil_plan(case)'],
     ['flank = asperity.generate(points=8000, spacing=0.5e-6, rq=0.4e-6, hurst=0.8, roll_off=50e-6, short_cut=2e-6, seed=1)', 'asperity.profile_change([flank[:6000], flank[1000:]], [flank[100:5000], flank[1200:6000]])'],
     [SMALL, 'before = asperity.read_profile("demo/ground_pinion.csv").prepare()', 'worn = asperity.Profile(before.heights.clip(max=0.3e-6)[200:], before.spacing, name="worn")',
      'settings = {"flank": "pinion", "engagements": 1e6}', 'asperity.profile_change(before, worn, case, **settings)', 'asperity.profile_change(before, before, case, **settings)',

@@ -146,8 +146,8 @@ Uneven = Literal[
 ResultName = Literal[
     "schema_version", "program", "title", "case_file", "mesh", "formulation", "summary", "published_laws", "load",
     "path", "points", "records", "uncertainty", "bulk", "gearbox", "micropitting", "running_in", "run_in", "ridges",
-    "no_ridges", "scans", "no_scans", "warnings", "flanks", "pairs", "gears", "lubricant", "film_constants", "inputs", "defaults",
-    "equations", "references",
+    "no_ridges", "scans", "no_scans", "warnings", "flanks", "pairs", "gears", "lubricant", "film_constants", "inputs",
+    "defaults", "equations", "references",
 ]
 
 
