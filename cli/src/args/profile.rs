@@ -159,7 +159,8 @@ pub struct ProfileGenerateArgs {
     /// pieces, or spectrum where heights, slopes and curvatures are Gaussian]
     #[arg(long, value_name = "METHOD", value_parser = choice::<Method>, requires = "like")]
     pub method: Option<Method>,
-    /// Trace of the place of each --like after a test, in the same order; flanks are made of pieces of both
+    /// Trace of the place of each --like after a test, in the same order, of several stages one stage after the other; flanks are
+    /// made of pieces of all
     #[arg(
         long,
         value_name = "FILE",
@@ -167,14 +168,21 @@ pub struct ProfileGenerateArgs {
         conflicts_with = "method"
     )]
     pub after: Vec<PathBuf>,
-    /// State of the flank from before the test, 0, to after it, 1
+    /// State of the flank from before the test, 0, to after it, 1 [default: 1]
+    #[arg(long, requires = "after", allow_hyphen_values = true)]
+    pub state: Option<f64>,
+    /// Engagements of a tooth at each stage of the test: "1e4,1e6"
     #[arg(
         long,
-        default_value_t = 1.0,
+        value_name = "NUMBERS",
+        value_delimiter = ',',
         requires = "after",
-        allow_hyphen_values = true
+        conflicts_with = "state"
     )]
-    pub state: f64,
+    pub stages: Vec<f64>,
+    /// Engagements of a tooth after which the flank is made, in place of --state [default: those of the last stage]
+    #[arg(long, value_name = "NUMBER", requires = "stages")]
+    pub engagements: Option<f64>,
     /// File to write; its extension (csv, x3p, smd) chooses the format
     #[arg(long, short)]
     pub output: PathBuf,

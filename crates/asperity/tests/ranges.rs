@@ -129,6 +129,8 @@ fn usual_cases() -> Vec<Value> {
             "range": "0.2 mm .. 2.9 mm", "at": { "diameter": "44 mm" } }], "file": null } } }),
         json!({ "surface": { "pinion": { "file": null, "like": ["../profiles/ground_pinion.csv"],
             "after": ["../profiles/ground_pinion.csv"], "state": 0.5 } } }),
+        json!({ "surface": { "pinion": { "file": null, "like": ["../profiles/ground_pinion.csv"],
+            "after": [{ "file": "../profiles/ground_pinion.csv", "engagements": 1e4 }], "engagements": 5e3 } } }),
         json!({ "model": { "load_share": "lambda-star" }, "surface": {
             "pinion": { "file": null, "rq": "0.4 um", "ra": "0.32 um", "rz": "2.4 um", "rpk": "0.3 um", "asperity_radius": "20 um" },
             "wheel": { "file": null, "mirrored": null, "rq": "0.4 um" }

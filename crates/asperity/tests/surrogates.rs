@@ -303,9 +303,63 @@ fn generated_flanks_are_teeth_of_their_own_and_never_called_measured() {
             "like = [{ file = \"../profiles/ground_pinion.csv\", tooth = 1 }]",
             "without a tooth",
         ),
+        (
+            "like = [\"../profiles/ground_pinion.csv\"], engagements = 1e4",
+            "needs after",
+        ),
+        (
+            "traces = [{ file = \"../profiles/ground_pinion.csv\", engagements = 1e4 }]",
+            "belong to after",
+        ),
+        (
+            "like = [\"../profiles/ground_pinion.csv\"], after = [\"../profiles/ground_pinion.csv\"], engagements = 1e4",
+            "states no engagements",
+        ),
+        (
+            "like = [\"../profiles/ground_pinion.csv\"], after = [\"../profiles/ground_pinion.csv\", \"../profiles/ground_wheel.csv\"]",
+            "a trace for each of like",
+        ),
+        (
+            "like = [\"../profiles/ground_pinion.csv\"], after = [{ file = \"../profiles/ground_pinion.csv\", engagements = 1e4 }], engagements = 2e4",
+            "last stage",
+        ),
+        (
+            "like = [\"../profiles/ground_pinion.csv\"], after = [{ file = \"../profiles/ground_pinion.csv\", engagements = 1e4 }], engagements = 5e3, state = 0.5",
+            "engagements instead",
+        ),
     ] {
         let refused = try_case("e-drive", &[("surface.pinion", &format!("{{ {keys} }}"))]);
         let error = refused.unwrap_err().to_string();
         assert!(error.contains(rule), "{error}");
+    }
+}
+
+/// The record of flanks between the stages of a test has the engagements of flank and traces.
+#[test]
+fn flanks_between_stages_have_their_engagements() {
+    let keys = "like = [\"../profiles/ground_pinion.csv\"], after = [{ file = \"../profiles/ground_*n.csv\", engagements = 1e4 }]";
+    let of = |stated: &str| {
+        let flank = format!("{{ {keys}{stated} }}");
+        let case = case(
+            "e-drive",
+            &[("surface.pinion", &flank), ("surface.wheel", &flank)],
+        );
+        case.all_traces().next().unwrap().clone()
+    };
+    for (stated, words) in [
+        (", engagements = 5e3", "after 5000 engagements"),
+        (", state = 0.5", "in state 0.5 from before"),
+        ("", "in state 1 from before"),
+    ] {
+        let flank = of(stated);
+        assert!(
+            flank.file.as_deref().unwrap().contains(words),
+            "{:?}",
+            flank.file
+        );
+        let record = flank.generated.unwrap();
+        assert_eq!(record.after.len(), 1);
+        assert_eq!(record.after[0].engagements, Some(1e4));
+        assert_eq!(record.engagements.is_some(), stated.contains("engagements"));
     }
 }

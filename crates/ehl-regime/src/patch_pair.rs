@@ -16,8 +16,11 @@ use crate::gap_law::GapLaw;
 use crate::patch::{Patch, PatchSpectrum, add_moved};
 use crate::rough_inlet::{PairSpectrum, RoughInlet};
 
-/// Offsets of successive places in lengths of the patch: multiples of 1/g and 1/g², g³ = g + 1, fill a square evenly (Roberts 2018).
-const STEPS: [f64; 2] = [0.754_877_666_246_693, 0.569_840_290_998_053];
+/// Offset along the lead of successive places in lengths of the patch: multiples of the golden section are spread evenly.
+const STEP: f64 = 0.618_033_988_749_895;
+/// Offset along rolling of the first place, in distances of successive ones. Never a patch that was mirrored at the ends of its rows
+/// lies on its image in the other: such a patch has even pressures at both ends, and passes more.
+const FIRST: f64 = 0.25;
 /// Scale of the shortest inlet over the longest wave, and of the longest inlet over the shortest wave: no wave is flattened, and
 /// every wave is in the same proportion.
 const SCALES: [f64; 2] = [0.01, 1000.0];
@@ -103,8 +106,9 @@ impl PatchPair {
     #[must_use]
     pub fn offset(&self, place: usize) -> [usize; 2] {
         let size = self.patches[0].grid().size();
-        let part = |d: usize| (STEPS[d] * place as f64).fract();
-        [0, 1].map(|d: usize| (part(d) * size[d] as f64) as usize)
+        let along = (place as f64 + FIRST) / self.places as f64;
+        let parts = [along.fract(), (STEP * place as f64).fract()];
+        [0, 1].map(|d: usize| (parts[d] * size[d] as f64) as usize)
     }
 
     /// Flow table of the flanks as an inlet leaves them.

@@ -1,6 +1,6 @@
 //! Record of a flank that was generated like measured traces.
 
-use asperity_roughness::generate::{Method, Piece};
+use asperity_roughness::generate::{Method, Piece, state_words};
 use serde::{Deserialize, Serialize};
 
 /// Generation of a flank.
@@ -14,6 +14,9 @@ pub struct GeneratedRecord {
     /// State from before the test, 0, to after it, 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub state: Option<f64>,
+    /// Engagements of a tooth after which they are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub engagements: Option<f64>,
     /// Pieces of them, or their spectrum and heights.
     pub method: Method,
     /// The pieces in order.
@@ -26,12 +29,15 @@ pub struct GeneratedRecord {
 }
 
 /// A measured trace that others were generated like.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MeasuredTrace {
     /// Its file, as the case names it.
     pub file: String,
     /// SHA-256 of the file.
     pub sha256: String,
+    /// Engagements of a tooth until it was measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub engagements: Option<f64>,
 }
 
 impl std::fmt::Display for GeneratedRecord {
@@ -42,8 +48,8 @@ impl std::fmt::Display for GeneratedRecord {
             several => format!("{several} traces"),
         };
         write!(f, "generated from {traces}")?;
-        if let Some(state) = self.state {
-            write!(f, " in state {state} from before to after a test")?;
+        if let Some(words) = state_words(self.state, self.engagements) {
+            write!(f, " {words}")?;
         }
         write!(f, ", flank {number} of {all}, seed {}", self.seed)
     }

@@ -12,7 +12,7 @@ use asperity_roughness::resampling::respaced;
 
 use crate::LEAST_POINTS_PER_HALF_WIDTH;
 use crate::placement::{FULL_COVERAGE, Placement};
-use crate::surfaces::{FlankReport, PairsOfTeeth, Surfaces, Texture};
+use crate::surfaces::{FlankReport, LikeMeasured, PairsOfTeeth, Surfaces, Texture};
 use crate::trace::Flank;
 use crate::trace_sites::{TraceSite, nearest};
 
@@ -25,6 +25,8 @@ pub struct Meeting<'a> {
     pub noise_cutoff: Option<Length>,
     /// Whether the place of every trace is known and used.
     pub is_placed: bool,
+    /// Flanks that were generated like measured traces.
+    pub like: LikeMeasured,
 }
 
 impl Meeting<'_> {
@@ -60,7 +62,7 @@ impl Meeting<'_> {
             _ => None,
         };
         let surfaces = Surfaces::new(textures, noise_cutoff, same_trace).with_rz(rz);
-        surfaces.placed(placement)
+        surfaces.placed(placement).like_measured(self.like)
     }
 
     /// Every tooth of the pinion with every tooth of the wheel; in each zone of the face the traces nearest to it.

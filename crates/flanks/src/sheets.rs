@@ -398,7 +398,9 @@ impl Sheets {
         let FlattenedSheets { heights, pressures } = &*self.flattened(inlet)?;
         let cut = |of| sums(of, self.columns, self.rows, place);
         let pressures = pressures.as_ref().map(cut);
-        let made = Arc::new(PatchSample::of(&cut(heights), pressures.as_deref())?);
+        let heights = cut(heights);
+        let columns = heights.len() / self.rows;
+        let made = Arc::new(PatchSample::of(&heights, columns, pressures.as_deref())?);
         known().insert((place, inlet), Arc::clone(&made));
         Ok(made)
     }

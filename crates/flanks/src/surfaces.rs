@@ -54,6 +54,7 @@ impl PartialEq for Surfaces {
             && self.placement == other.placement
             && self.same_trace == other.same_trace
             && self.sample == other.sample
+            && self.like == other.like
             && self.has_sheets_of(other)
     }
 }
@@ -66,6 +67,15 @@ pub struct PairsOfTeeth {
     /// The traces in contact in each zone of the face, pair by pair: a tooth of the pinion on all teeth of
     /// the wheel, then the next tooth.
     pub met: Vec<Vec<Surfaces>>,
+}
+
+/// Flanks that were generated like measured traces, a sample of their finish.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct LikeMeasured {
+    /// Whether pinion and wheel were.
+    pub flanks: [bool; 2],
+    /// Whether both are like the same traces.
+    pub is_same: bool,
 }
 
 /// Both flanks on a common spacing.
@@ -85,6 +95,7 @@ pub struct Surfaces {
     sample: Option<Arc<PairsOfTeeth>>,
     /// Both flanks as surfaces, where the contact is that of patches; the traces are then rows of them.
     sheets: Option<Arc<Sheets>>,
+    like: LikeMeasured,
     /// Both flanks come from the same trace.
     pub same_trace: bool,
 }
@@ -102,6 +113,7 @@ impl Surfaces {
             placement: None,
             sample: None,
             sheets: None,
+            like: LikeMeasured::default(),
             same_trace,
         }
     }
@@ -121,6 +133,18 @@ impl Surfaces {
     #[must_use]
     pub fn placed(self, placement: Option<Placement>) -> Self {
         Self { placement, ..self }
+    }
+
+    /// Sets which flanks were generated like measured ones.
+    #[must_use]
+    pub fn like_measured(self, like: LikeMeasured) -> Self {
+        Self { like, ..self }
+    }
+
+    /// Flanks that were generated like measured ones.
+    #[must_use]
+    pub fn like(&self) -> LikeMeasured {
+        self.like
     }
 
     /// Sets the surfaces of both flanks.

@@ -31,6 +31,17 @@ fn places(points: usize) -> impl Iterator<Item = usize> + Clone {
     (begin..points - begin).step_by(stride)
 }
 
+/// Rows of a patch of which places are evaluated.
+const ROWS: usize = 8;
+
+/// The evaluated places of a patch, row by row: those of a window in rows spread evenly.
+fn places_of_patch(points: usize, columns: usize) -> impl Iterator<Item = usize> + Clone {
+    let rows = points / columns.max(1);
+    let taken = rows.min(ROWS);
+    let row = move |k: usize| (2 * k + 1) * rows / (2 * taken);
+    (0..taken).flat_map(move |k| places(columns).map(move |x| row(k) * columns + x))
+}
+
 /// Heights that count in the gap that the inlet of rough flanks supplies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -148,11 +159,18 @@ pub struct PatchSample {
 }
 
 impl PatchSample {
-    /// The patch of these flattened heights \[m\], with the pressures \[Pa\] that flatten them if its film ripples.
+    /// The patch of these flattened heights \[m\] in rows of `columns`, with the pressures \[Pa\] that flatten them if its film ripples.
     ///
     /// # Errors
-    /// When the numbers of pressures and heights differ.
-    pub fn of(heights: &[f64], pressures: Option<&[f64]>) -> Result<Self, LoadShareError> {
+    /// When the numbers of pressures and heights differ, or the rows are not whole.
+    pub fn of(
+        heights: &[f64],
+        columns: usize,
+        pressures: Option<&[f64]>,
+    ) -> Result<Self, LoadShareError> {
+        let rule = "must divide the number of heights";
+        let is_whole = columns > 0 && heights.len().is_multiple_of(columns);
+        DomainError::require(is_whole, "columns of a patch", columns as f64, "-", rule)?;
         if let Some(number) = pressures.map(<[f64]>::len) {
             let rule = "must be as many as the heights of the patch";
             let fits = number == heights.len();
@@ -160,7 +178,10 @@ impl PatchSample {
         }
         Ok(Self {
             deviation: deviation([heights], 0.0).si(),
-            at: pressures.map(|pressures| AtPlaces::of([heights], [pressures])),
+            at: pressures.map(|pressures| {
+                let all = places_of_patch(heights.len(), columns);
+                AtPlaces::at(all, [heights], [pressures])
+            }),
         })
     }
 
@@ -201,10 +222,17 @@ struct AtPlaces {
 
 impl AtPlaces {
     fn of<const N: usize>(heights: [&[f64]; N], pressures: [&[f64]; N]) -> Self {
-        let points = heights[0].len();
+        Self::at(places(heights[0].len()), heights, pressures)
+    }
+
+    fn at<const N: usize>(
+        all: impl Iterator<Item = usize> + Clone,
+        heights: [&[f64]; N],
+        pressures: [&[f64]; N],
+    ) -> Self {
         let sums = |of: [&[f64]; N]| {
             let sum = |i: usize| of.iter().map(|values| values[i]).sum();
-            places(points).map(sum).collect()
+            all.clone().map(sum).collect()
         };
         Self {
             pressures: sums(pressures),
@@ -543,6 +571,36 @@ mod tests {
                 "{points}: {}",
                 found.len()
             );
+        }
+    }
+
+    /// A patch of equal rows ripples as its line, whatever its numbers of rows and columns.
+    #[test]
+    fn a_patch_of_equal_rows_has_the_parts_of_its_line() {
+        for (columns, rows) in [(600, 1), (603, 64), (601, 192), (603, 192), (1207, 256)] {
+            let heights = wave(columns);
+            let pressures: Vec<f64> = (heights.iter().enumerate())
+                .map(|(i, z)| 3.0 * z + (0.7 * i as f64).sin())
+                .collect();
+            let line = ripple(&heights, &pressures);
+            let (z, p) = (heights.repeat(rows), pressures.repeat(rows));
+            let sample = Arc::new(PatchSample::of(&z, columns, Some(&p)).unwrap());
+            let patch = PatchSample::between(&[(sample, 1.0)]).ripple;
+            assert_eq!(patch.len(), line.len());
+            for (a, b) in patch.iter().zip(&line) {
+                for (a, b) in [
+                    (a.length, b.length),
+                    (a.pressure, b.pressure),
+                    (a.height, b.height),
+                ] {
+                    assert!((a - b).abs() < 1e-12, "{columns} {rows}: {a} {b}");
+                }
+            }
+            let all: Vec<usize> = places_of_patch(columns * rows, columns).collect();
+            assert!(all.iter().all(|i| *i < columns * rows));
+            let taken: std::collections::BTreeSet<usize> =
+                all.iter().map(|i| i / columns).collect();
+            assert_eq!(taken.len(), rows.min(ROWS));
         }
     }
 

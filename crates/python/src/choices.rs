@@ -14,7 +14,7 @@ use asperity::result::{
     PositionRow, Regime, RunResult, SamplingPart, Scope, Summary, Trust, Uncertainty,
 };
 use asperity::roughness::gaussian_filter::Ends;
-use asperity::roughness::generate::{Amplitudes, Surface};
+use asperity::roughness::generate::{Amplitudes, Method, Surface};
 use asperity::roughness::height_parameters::Mode;
 use asperity::tribo_friction::friction_law::FrictionLaw;
 use asperity_calibration::oil::Probe;
@@ -174,6 +174,7 @@ pub fn choices() -> Vec<Listed> {
         listed::<RoughnessParameter>("RoughnessParameter"),
         listed::<WornFlank>("WornFlank"),
         listed::<Surface>("SurfaceKind"),
+        listed::<Method>("LikeMethod"),
         listed::<Amplitudes>("Amplitudes"),
         listed::<LengthUnit>("LengthUnit"),
         listed::<DecimalSign>("DecimalSign"),

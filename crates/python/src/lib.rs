@@ -57,7 +57,7 @@ mod _asperity {
     #[pymodule_export]
     use super::sweep::Cases;
     #[pymodule_export]
-    use super::trace::{Trace, generate, read_profile};
+    use super::trace::{Trace, generate, generate_like, read_profile};
 
     use pyo3::prelude::*;
 

@@ -11,7 +11,7 @@ use asperity::quantity::Length;
 use asperity::roughness::autocorrelation::autocorrelation;
 use asperity::roughness::form::Form;
 use asperity::roughness::gaussian_filter::{Ends, mean_line};
-use asperity::roughness::generate::{Achieved, Recipe};
+use asperity::roughness::generate::{Achieved, Like, Method, Recipe, State, Surface};
 use asperity::roughness::height_parameters::Mode;
 use asperity::roughness::involute::{Involute, form_left, remove};
 use asperity::roughness::material_ratio::{abbott_curve, material_ratio_percent};
@@ -23,6 +23,7 @@ use asperity_report::profile_json::{heights, material, spectral, um};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::arrays::{Input, columns, copied, owned};
@@ -447,6 +448,49 @@ pub fn generate(py: Python<'_>, recipe: &str) -> PyResult<Trace> {
             "recipe": recipe, "achieved": of_achieved(&made.achieved), "synthetic": true, "warnings": [],
         });
         Ok(Trace::made(made.profile, about))
+    })
+}
+
+/// A flank wanted like traces.
+#[derive(Deserialize)]
+struct Wanted {
+    method: Option<Method>,
+    state: Option<f64>,
+    engagements: Option<f64>,
+    /// Engagements at the stages of a test.
+    stages: Vec<f64>,
+    seed: u64,
+}
+
+/// A profile like `before`, or in a state of the test after whose stages `after` were measured, one stage after the other.
+#[pyfunction]
+pub fn generate_like(
+    py: Python<'_>,
+    before: Vec<Trace>,
+    after: Vec<Trace>,
+    wanted: &str,
+) -> PyResult<Trace> {
+    let wanted: Wanted = failure::asked(wanted)?;
+    let profiles = |traces: Vec<Trace>| -> Vec<Profile> {
+        traces.into_iter().map(|trace| trace.profile).collect()
+    };
+    let (before, after) = (profiles(before), profiles(after));
+    alone(py, || {
+        let like = match after.is_empty() {
+            true => Like::to(&before[0], &before[1..], wanted.method)?,
+            false => {
+                let state = State::stated(wanted.state, wanted.engagements, &wanted.stages)?;
+                Like::of_stages(&before, &after, state)?
+            }
+        };
+        let made = like.generate(wanted.seed)?;
+        let recipe = made.recipe.map(Surface::Fitted).map(Recipe::of);
+        let warnings: Vec<Value> = like.warnings.iter().map(of_roughness).collect();
+        let about = json!({
+            "recipe": recipe, "method": made.method, "pieces": made.pieces,
+            "achieved": of_achieved(&made.generated.achieved), "synthetic": true, "warnings": warnings,
+        });
+        Ok(Trace::made(made.generated.profile, about))
     })
 }
 

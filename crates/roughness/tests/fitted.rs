@@ -5,7 +5,9 @@ use asperity_core::Profile;
 use asperity_core::numerics::mean;
 use asperity_core::quantity::Length;
 use asperity_roughness::Warning;
-use asperity_roughness::generate::{Ground, Like, Method, SelfAffine, lower_envelope, truncated};
+use asperity_roughness::generate::{
+    Ground, Like, Method, Pieces, SelfAffine, State, lower_envelope, truncated,
+};
 use asperity_roughness::relocation::{Bounds, relocate};
 
 use crate::common::compared::{NAMES, different, parameters};
@@ -169,14 +171,14 @@ fn worn(before: &Profile) -> [Profile; 2] {
 #[test]
 fn flanks_between_two_states_are_those_of_pairs_left_out() {
     let [given, left_out] = traces(&honed());
-    let pairs: Vec<[Profile; 2]> = given.iter().map(worn).collect();
+    let after: Vec<Profile> = given.iter().map(|trace| worn(trace)[1].clone()).collect();
     let left_out = left_out.iter().map(|before| {
         let [before, after] = worn(before);
         relocate(&before, &after, Bounds::default()).unwrap()
     });
     let left_out: Vec<_> = left_out.collect();
     for state in [0.0, 0.5, 1.0] {
-        let like = Like::of_pairs(&pairs[0], &pairs[1..], state).unwrap();
+        let like = Like::of_stages(&given, &after, State::of_one_stage(state).unwrap()).unwrap();
         let made = (1..=8).map(|seed| parameters(&like.generate(seed).unwrap().generated.profile));
         let kept = left_out.iter().map(|pair| {
             let both = pair.before.heights().iter().zip(pair.after.heights());
@@ -187,6 +189,59 @@ fn flanks_between_two_states_are_those_of_pairs_left_out() {
         let off: Vec<_> = off.into_iter().map(|k| NAMES[k]).collect();
         assert!(off.is_empty(), "{state}: {off:?}");
     }
-    let error = Like::of_pairs(&pairs[0], &[], 1.5).unwrap_err();
+    let error = State::of_one_stage(1.5).unwrap_err();
     assert!(error.to_string().contains("from 0 to 1"), "{error}");
+    let error = Like::of_stages(&given, &after[1..], State::of_one_stage(1.0).unwrap());
+    let error = error.unwrap_err().to_string();
+    assert!(error.contains("one for each trace"), "{error}");
+}
+
+/// The stages begin at other places than the trace before, and than each other.
+#[test]
+fn flanks_between_stages_have_lost_what_was_cut() {
+    let given = &traces(&ground())[0][..3];
+    let cut = |part: f64, from: usize| -> Vec<Profile> {
+        let each = given.iter().map(|before| {
+            let after = truncated(before, part).unwrap().0;
+            after.slice(from..before.len()).unwrap()
+        });
+        each.collect()
+    };
+    let after = [cut(0.1, 150), cut(0.3, 220)].concat();
+    let stages = [1e4, 1e6];
+    let at = |engagements: f64| {
+        let state = State::after(engagements, &stages).unwrap();
+        let pieces = Pieces::of_stages(given, &after, state).unwrap();
+        let made = pieces.generate(10 * POINTS, 1).unwrap();
+        made.generated.profile.heights().to_vec()
+    };
+    let [start, first, between, last] = [0.0, 1e4, 2.575e5, 1e6].map(at);
+    for (k, z) in between.iter().enumerate() {
+        assert!((z - 0.75 * first[k] - 0.25 * last[k]).abs() < 1e-12);
+    }
+    let lost = |part: f64| {
+        let each = given.iter().map(|before| {
+            let after = truncated(before, part).unwrap().0;
+            mean(
+                before
+                    .heights()
+                    .iter()
+                    .zip(after.heights())
+                    .map(|(a, b)| a - b),
+            )
+        });
+        mean(each)
+    };
+    let removed = |after: &[f64]| mean(start.iter().zip(after).map(|(a, b)| a - b));
+    for (part, after) in [(0.1, &first), (0.3, &last)] {
+        let ratio = removed(after) / lost(part);
+        assert!((ratio - 1.0).abs() < 0.1, "{part}: {ratio}");
+        // No dale is deeper and no peak is left where traces are shifted on each other.
+        let gained = start
+            .iter()
+            .zip(after)
+            .map(|(a, b)| b - a)
+            .fold(0.0, f64::max);
+        assert!(gained < 0.2 * lost(part), "{part}: {gained}");
+    }
 }

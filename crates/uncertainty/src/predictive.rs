@@ -175,9 +175,9 @@ impl RecordedRule {
 }
 
 /// Standard deviation of ln of the gap that the computed flow supplies to patches: 0.02 by the wavelengths at which waves are flattened
-/// alike, which are known to 12 to 16 %, 0.04 from one sample of isotropic heights to another, and 0.03 by which it lies below the gap
-/// with Patir and Cheng's factors.
-pub const PATCH_GAP_ERROR: f64 = 0.05;
+/// alike, which are known to 12 to 16 %, 0.04 from one sample of isotropic heights to another, and 0.043, the root mean square by which
+/// it lies below the gap with Patir and Cheng's factors for isotropic heights of 1 to 3 smooth gaps (docs/model/film.md).
+pub const PATCH_GAP_ERROR: f64 = 0.06;
 
 /// Sliding loss of patches with other gaps, over that with the gap that their computed flow supplies.
 ///

@@ -7,7 +7,7 @@ use asperity_profile_io::read::{FilterState, Metadata};
 use asperity_report::Report;
 use asperity_report::profile_json::um;
 use asperity_roughness::RoughnessError;
-use asperity_roughness::generate::{LONG_WAVES, Like, MadeLike, Method, Recipe, Surface};
+use asperity_roughness::generate::{LONG_WAVES, Like, MadeLike, Method, Recipe, State, Surface};
 use serde_json::json;
 
 use super::evaluated::{Note, achieved, made_points, opened, save, synthetic, to_digits};
@@ -15,13 +15,8 @@ use crate::args::{Common, ProfileGenerateArgs};
 use crate::failure::Failure;
 use crate::output::print_report;
 
-/// Writes a trace like those in `files`.
-pub(super) fn generate(
-    files: (&PathBuf, &[PathBuf]),
-    args: &ProfileGenerateArgs,
-    common: &Common,
-) -> Result<(), Failure> {
-    let (first, others) = files;
+/// Writes a trace like those that `args` name.
+pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failure> {
     let mut warnings = Vec::new();
     let mut read = |file: &Path| -> Result<Profile, Failure> {
         let reading = opened(file, &args.reading, None)?;
@@ -29,32 +24,24 @@ pub(super) fn generate(
         warnings.extend(notes.map(|note| (note.code(), note.to_string())));
         Ok(reading.profile)
     };
-    let trace = read(first)?;
-    let others = others.iter().map(|file| read(file));
-    let others: Vec<Profile> = others.collect::<Result<_, _>>()?;
-    let after = args.after.iter().map(|file| read(file));
-    let after: Vec<Profile> = after.collect::<Result<_, _>>()?;
-    let refused =
-        |error: RoughnessError| Failure::new(Code::E120, format!("{}: {error}", first.display()));
-    let like = match after.split_first() {
-        None => Like::to(&trace, &others, args.method).map_err(refused)?,
-        Some((_, more)) if more.len() != others.len() => {
-            let text = "--after: each --like needs its trace after the test, in the same order";
-            return Err(Failure::new(Code::E205, text));
-        }
-        Some((second, more)) => {
-            let pairs = others.iter().zip(more);
-            let pairs = pairs.map(|(before, after)| [before.clone(), after.clone()]);
-            let first = [trace.clone(), second.clone()];
-            Like::of_pairs(&first, &pairs.collect::<Vec<_>>(), args.state)?
-        }
+    let mut all = |files: &[PathBuf]| -> Result<Vec<Profile>, Failure> {
+        files.iter().map(|file| read(file)).collect()
+    };
+    let (traces, after) = (all(&args.like)?, all(&args.after)?);
+    let refused = |error: RoughnessError| {
+        Failure::new(Code::E120, format!("{}: {error}", args.like[0].display()))
+    };
+    let state = state(args)?;
+    let like = match state {
+        None => Like::to(&traces[0], &traces[1..], args.method).map_err(refused)?,
+        Some(state) => Like::of_stages(&traces, &after, state)?,
     };
     let notes = like.warnings.iter().map(Note::Evaluated);
     warnings.extend(notes.map(|note| (note.code(), note.to_string())));
     let made = like.generate(args.seed).map_err(refused)?;
     let mut source = source(&made, args.like.len());
-    if !args.after.is_empty() {
-        source += &format!(" in state {} from before to after a test", args.state);
+    if let Some(state) = state {
+        source += &format!(" {state}");
     }
     let metadata = synthetic(args.seed);
     let metadata = match made.method {
@@ -80,7 +67,7 @@ pub(super) fn generate(
             .map(|(code, text)| json!({ "code": code, "text": text }));
         let recipe = made.recipe.clone().map(Surface::Fitted).map(Recipe::of);
         json!({
-            "recipe": recipe, "method": made.method, "pieces": pieces(&made, args, trace.spacing().si()),
+            "recipe": recipe, "method": made.method, "pieces": pieces(&made, args, traces[0].spacing().si()),
             "achieved": a, "output": output,
             "warnings": warnings.collect::<Vec<_>>(),
         })
@@ -92,6 +79,26 @@ pub(super) fn generate(
             .warning(warnings.iter().map(|(code, text)| format!("{code} {text}")))
     };
     print_report(common, json, report, None)
+}
+
+/// The state wanted, if there are traces after a test.
+fn state(args: &ProfileGenerateArgs) -> Result<Option<State>, Failure> {
+    if args.after.is_empty() {
+        return Ok(None);
+    }
+    let needed = args.stages.len().max(1) * args.like.len();
+    if args.after.len() != needed {
+        let text = format!(
+            "--after: each --like needs its trace after each stage, in the same order: {needed} traces, not {}",
+            args.after.len()
+        );
+        return Err(Failure::new(Code::E205, text));
+    }
+    Ok(Some(State::stated(
+        args.state,
+        args.engagements,
+        &args.stages,
+    )?))
 }
 
 /// The method of a generated trace, and the number of traces given.

@@ -196,8 +196,8 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
 /// `asperity profile generate`
 pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failure> {
     let common = &besides_file(&args.output, common)?;
-    if let Some((first, others)) = args.like.split_first() {
-        return match like_trace::generate((first, others), args, common) {
+    if !args.like.is_empty() {
+        return match like_trace::generate(args, common) {
             // A file of several traces of which none is chosen is a surface.
             Err(failure) if failure.is_of_several() && args.reading.row.is_none() => {
                 like_surface::generate(args, common)

@@ -40,7 +40,7 @@ use crate::result::{
     PositionRow, RecordRow, Regime, RunInFlanks, RunResult, RunningIn, SCHEMA_VERSION, Scope,
     Summary, ToothTrace, TracePairs,
 };
-use crate::sampling::{means_of_pairs, pair_sampling};
+use crate::sampling::{means_of_pairs, sampling_of_teeth};
 use asperity_case::balance::{efficiency, finite, sum};
 use asperity_case::case::{BulkReport, Case, CaseInput};
 use asperity_case::error::PositionError;
@@ -176,11 +176,11 @@ impl Solved<'_> {
 
     /// Loss of each pair of teeth and the error of their mean, if there are several; none of one trace for each flank.
     fn pairs(&self) -> Option<(Vec<f64>, Option<PairSampling>)> {
-        let teeth = self.loaded.surfaces.teeth()?;
+        let surfaces = &self.loaded.surfaces;
+        surfaces.teeth()?;
         let losses: Vec<f64> = self.meshes.iter().map(|m| m.flow.loss.si()).collect();
-        let losses = means_of_pairs(&losses, self.loaded.surfaces.pairs());
-        let sampling = pair_sampling(&losses, teeth);
-        Some((losses, sampling))
+        let sampling = sampling_of_teeth(&losses, surfaces);
+        Some((means_of_pairs(&losses, surfaces.pairs()), sampling))
     }
 
     fn trace_pairs(&self) -> Option<TracePairs> {
@@ -222,10 +222,7 @@ impl Solved<'_> {
             .iter()
             .map(|o| sliding * o.friction_force)
             .collect();
-        let surfaces = &self.loaded.surfaces;
-        let teeth = surfaces.teeth();
-        let between = teeth
-            .and_then(|teeth| pair_sampling(&means_of_pairs(&forces, surfaces.pairs()), teeth));
+        let between = sampling_of_teeth(&forces, &self.loaded.surfaces);
         PositionRow {
             sliding_standard_error_w_per_m: between.map(|found| found.standard_error_w),
             sliding_error_freedom: between.map(|found| found.freedom),

@@ -27,7 +27,7 @@ pub(crate) struct OverGap {
     pub contact: [f64; 3],
 }
 
-/// The contact of position `number` at `gaps`, or at gaps up to the first touch: of the first patch, or as a mean over all windows
+/// The contact of position `number` at `gaps`, or at gaps up to the first touch of the first window: a mean over all patches or windows
 /// of traces. `None` if the load share does not follow from the contact.
 ///
 /// # Errors
@@ -54,14 +54,10 @@ fn at_position(
     let windows = stages.contacts.at(at)?;
     let position = lubrication.position(at, windows)?;
     let count = windows.len();
-    let shown = match lubrication.surfaces.sheets() {
-        Some(_) => &windows[..count.min(1)],
-        None => windows,
-    };
     let (mut shares, mut flows, mut contact) = (Vec::new(), Vec::new(), [0.0; 3]);
     let mut at_gaps = gaps.map(<[Length]>::to_vec).unwrap_or_default();
     let mut film = None;
-    for (k, window) in shown.iter().enumerate() {
+    for (k, window) in windows.iter().enumerate() {
         let Some(solved) = position.offsets[k].solved else {
             return Ok(None);
         };
@@ -81,7 +77,7 @@ fn at_position(
         };
         shares.resize(at_gaps.len(), 0.0);
         flows.resize(at_gaps.len(), 0.0);
-        let part = 1.0 / shown.len() as f64;
+        let part = 1.0 / count as f64;
         let sums = shares.iter_mut().zip(&mut flows);
         for ((share, flow), gap) in sums.zip(&at_gaps) {
             *share += part * window.share_at_gap(*gap)?;

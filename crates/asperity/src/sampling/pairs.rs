@@ -9,9 +9,11 @@
 //! | V₁, V₂ | variance of the row means and of the column means | W² |
 //! | M | mean square of the residuals P_ij − P_i· − P_·j + P_·· | W² |
 //! | d | degrees of freedom | - |
+//! | s₁, s₂ | standard deviations between teeth, √max(V₁ − M/n₂, 0) and √max(V₂ − M/n₁, 0) | W |
 //!
 //! Where one flank has a single trace, its part is not in the error, which is then a lower bound.
 
+use asperity_case::flanks::surfaces::{LikeMeasured, Surfaces};
 use asperity_core::cite;
 use asperity_core::numerics::student_t_quantile;
 
@@ -84,6 +86,49 @@ pub fn pair_sampling(losses: &[f64], teeth: [usize; 2]) -> Option<PairSampling> 
     })
 }
 
+/// Standard error of the mean over the pairs of `surfaces` of `values`, one at each offset. Flanks that were generated like as many
+/// measured traces scatter about these, which are themselves a sample of the finish: what they have in common adds up in the
+/// sum over both flanks where both are like the same traces.
+///
+/// ```text
+/// SE² + (s₁/√n₁ + s₂/√n₂)² like the same traces, SE² + Σ s_b²/n_b over generated flanks b otherwise   [Given-traces]
+/// ```
+pub(crate) fn sampling_of_teeth(values: &[f64], surfaces: &Surfaces) -> Option<PairSampling> {
+    let found = pair_sampling(&means_of_pairs(values, surfaces.pairs()), surfaces.teeth()?)?;
+    let LikeMeasured { flanks, is_same } = surfaces.like();
+    if flanks == [false; 2] {
+        return Some(found);
+    }
+    cite!("Given-traces");
+    let errors =
+        [0, 1].map(|body: usize| found.between_w[body] / (found.traces[body] as f64).sqrt());
+    let square = match is_same {
+        true => (errors[0] + errors[1]).powi(2),
+        false => {
+            let of_given = errors.iter().zip(flanks).filter(|(_, is_made)| *is_made);
+            of_given.map(|(error, _)| error * error).sum()
+        }
+    };
+    let standard_error_w = (found.standard_error_w.powi(2) + square).sqrt();
+    let wider = match found.standard_error_w > 0.0 {
+        true => standard_error_w / found.standard_error_w,
+        false => 1.0,
+    };
+    Some(PairSampling {
+        standard_error_w,
+        half_width_w: wider * found.half_width_w,
+        ..found
+    })
+}
+
+/// Standard error over the windows of one generated trace of each flank, over that of measured traces; of equal parts of both.
+pub(crate) fn wider_like_measured(surfaces: &Surfaces) -> f64 {
+    let LikeMeasured { flanks, is_same } = surfaces.like();
+    let generated = flanks.into_iter().filter(|is_made| *is_made).count() as f64;
+    let of_given = if is_same { 2.0 } else { 0.5 * generated };
+    f64::sqrt(1.0 + of_given)
+}
+
 /// Means of `values`, one at each offset, over the offsets of each of `pairs` pairs.
 pub(crate) fn means_of_pairs(values: &[f64], pairs: usize) -> Vec<f64> {
     let each = (values.len() / pairs.max(1)).max(1);
@@ -119,6 +164,10 @@ fn freedom(parts: [f64; 2], teeth: [usize; 2]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use asperity_case::flanks::surfaces::{PairsOfTeeth, Texture};
+    use chacha20::ChaCha8Rng;
+    use rand_core::{Rng, SeedableRng};
+
     use super::*;
 
     fn found(losses: &[f64], teeth: [usize; 2]) -> PairSampling {
@@ -182,6 +231,69 @@ mod tests {
         let turned = found(&[4.0, 2.5, 1.5, 3.0, 9.0, 7.0], [3, 2]);
         assert!((a.standard_error_w - turned.standard_error_w).abs() < 1e-12);
         assert!((a.between_w[0] - turned.between_w[1]).abs() < 1e-12);
+    }
+
+    /// A standard normal deviate.
+    fn normal(random: &mut ChaCha8Rng) -> f64 {
+        let mut uniform = || ((random.next_u64() >> 11) as f64 + 0.5) / (1_u64 << 53) as f64;
+        let (a, b) = (uniform(), uniform());
+        (-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos()
+    }
+
+    /// Flanks scatter about the mean of `n` traces, which scatter about 0: the losses of all pairs of `n` flanks each, like the same
+    /// traces or like others.
+    fn share_of_intervals_that_hold_the_finish(n: usize, is_same: bool) -> [f64; 2] {
+        const REPEATS: usize = 2000;
+        let values = Texture::Values {
+            rq: 1e-6,
+            ra: 1e-6,
+            rz: 1e-6,
+            rpk: None,
+            asperity_radius: None,
+        };
+        let one = Surfaces::new([values.clone(), values], None, false);
+        let like = LikeMeasured {
+            flanks: [true; 2],
+            is_same,
+        };
+        let surfaces = [LikeMeasured::default(), like].map(|like| {
+            let met = vec![vec![one.clone().like_measured(like)]; n * n];
+            let teeth = Some([n, n]);
+            Surfaces::of_pairs(PairsOfTeeth { teeth, met }).unwrap()
+        });
+        let mut random = ChaCha8Rng::seed_from_u64(20261128);
+        let mut held = [0.0; 2];
+        for _ in 0..REPEATS {
+            let mut flanks =
+                |about: f64| -> Vec<f64> { (0..n).map(|_| about + normal(&mut random)).collect() };
+            let given = flanks(0.0);
+            let of_pinion = given.iter().sum::<f64>() / n as f64;
+            let other = flanks(0.0);
+            let of_wheel = match is_same {
+                true => of_pinion,
+                false => other.iter().sum::<f64>() / n as f64,
+            };
+            let (rows, columns) = (flanks(of_pinion), flanks(of_wheel));
+            let pairs = rows
+                .iter()
+                .flat_map(|row| columns.iter().map(move |column| row + column));
+            let losses: Vec<f64> = pairs.collect();
+            for (held, surfaces) in held.iter_mut().zip(&surfaces) {
+                let found = sampling_of_teeth(&losses, surfaces).unwrap();
+                *held += f64::from(u8::from(found.mean_w.abs() <= found.half_width_w));
+            }
+        }
+        held.map(|held| held / REPEATS as f64)
+    }
+
+    /// Without the error of the traces given, a third of the intervals do not hold the mean of the finish.
+    #[test]
+    fn intervals_of_generated_flanks_hold_the_mean_of_the_finish() {
+        for (n, is_same) in [(4, true), (6, true), (6, false)] {
+            let [without, with] = share_of_intervals_that_hold_the_finish(n, is_same);
+            assert!((0.93..0.985).contains(&with), "{n} {is_same}: {with}");
+            assert!(without < 0.89, "{n} {is_same}: {without}");
+        }
     }
 
     #[test]

@@ -15,7 +15,7 @@ use super::recorded::predictive;
 use crate::contacts::Contacts;
 use crate::pipeline::losses_with;
 use crate::result::{Losses, PositionRow};
-use crate::sampling::{means_of_pairs, pair_sampling, windows_of_traces};
+use crate::sampling::{sampling_of_teeth, wider_like_measured, windows_of_traces};
 use asperity_case::case::LoadedCase;
 use asperity_case::error::Error;
 use asperity_uncertainty::{
@@ -151,13 +151,14 @@ pub fn sampling_error_of_changes(
     differences: &[f64],
 ) -> Option<[f64; 2]> {
     let surfaces = &loaded.surfaces;
-    if let Some(teeth) = surfaces.several_teeth() {
-        let found = pair_sampling(&means_of_pairs(differences, surfaces.pairs()), teeth)?;
+    if surfaces.several_teeth().is_some() {
+        let found = sampling_of_teeth(differences, surfaces)?;
         return Some([found.standard_error_w, found.freedom]);
     }
     let windows = windows_of_traces(&loaded.surfaces, loaded.case.model.window, widest(path))?;
     let effective = windows.min(differences.len() as f64).max(2.0);
-    Some([deviation(differences)? / effective.sqrt(), effective - 1.0])
+    let error = wider_like_measured(surfaces) * deviation(differences)? / effective.sqrt();
+    Some([error, effective - 1.0])
 }
 
 #[cfg(test)]

@@ -12,7 +12,8 @@ use crate::pipeline::{losses, losses_with};
 use crate::result::loss_band::WindowSampling;
 use crate::result::{Losses, OffsetRow, Outcome, OutsideInput, PairSampling, PositionRow, Summary};
 use crate::sampling::{
-    Independent, means_of_pairs, pair_sampling, travel_sampling, window_sampling, windows_of_traces,
+    Independent, means_of_pairs, sampling_of_teeth, travel_sampling, wider_like_measured,
+    window_sampling, windows_of_traces,
 };
 use asperity_case::case::{FullFilmName, LoadShareName, LoadedCase, cholesky};
 use asperity_case::error::{Error, PositionError};
@@ -608,8 +609,8 @@ fn sampling_error(
         shifts,
         ..SamplingError::NONE
     };
-    if let Some(teeth) = surfaces.several_teeth() {
-        let found = pair_sampling(&logs, teeth).filter(|found| found.standard_error_w > 0.0);
+    if surfaces.several_teeth().is_some() {
+        let found = sampling_of_teeth(&logs, surfaces).filter(|found| found.standard_error_w > 0.0);
         let of_pairs = found.map_or(of_place, |found| SamplingError {
             standard_error: found.standard_error_w,
             freedom: found.freedom,
@@ -654,8 +655,13 @@ pub(super) fn of_windows(
     let independent = Independent::of(&loaded.surfaces, window, widest)?;
     let positions = losses_of_positions(nominal.path);
     let offsets = nominal.summary.offsets;
-    Ok(independent
-        .map(|independent| window_sampling(&positions, offsets, independent, asperity_share)))
+    let found = independent
+        .map(|independent| window_sampling(&positions, offsets, independent, asperity_share));
+    let wider = wider_like_measured(&loaded.surfaces);
+    Ok(found.map(|found| WindowSampling {
+        standard_error: wider * found.standard_error,
+        ..found
+    }))
 }
 
 /// Sampling error of a loss by records: of the windows that passed through their contacts, and of no more than the traces have;

@@ -13,7 +13,7 @@ use asperity_profile_io::read::conditions_of;
 use asperity_storage::whole_file;
 
 use super::case_input::CaseInput;
-use super::trace_list::{TraceEntry, TraceList, is_pattern, matches};
+use super::trace_list::{TraceList, is_pattern, matches};
 use crate::fingerprint::sha256;
 use crate::source::case_error::CaseError;
 use crate::source::source_text::Source;
@@ -129,13 +129,10 @@ pub(crate) fn named(input: &CaseInput) -> Vec<Named> {
         for (name, list) in lists {
             let key = format!("{table}.{name}");
             let listed = list.iter().flat_map(TraceList::entries);
-            named.extend(listed.map(|entry| match entry {
-                TraceEntry::Table(trace) => Named::file(key.clone(), &trace.file),
-                TraceEntry::Pattern(text) => Named {
-                    key: key.clone().into(),
-                    is_pattern: is_pattern(&text),
-                    name: text.into(),
-                },
+            named.extend(listed.map(|entry| Named {
+                key: key.clone().into(),
+                is_pattern: is_pattern(&entry.file),
+                name: entry.file,
             }));
         }
     }
@@ -203,7 +200,7 @@ impl Files {
         let Some(wanted) = pattern.file_name().map(OsStr::to_string_lossy) else {
             return Vec::new();
         };
-        if is_pattern(&parent.to_string_lossy()) {
+        if is_pattern(parent) {
             return Vec::new();
         }
         let is_meant = |name: &OsStr| matches(&wanted, &name.to_string_lossy());

@@ -404,12 +404,17 @@ table! {
     /// traces, each of a tooth of its own, so that the loss has the scatter of generated flanks.
     #[serde(skip_serializing_if = "Option::is_none")]
     like: Option<TraceList> => table;
-    /// Traces of the places of `like` after a test, in the same order; flanks are then made of pieces of both.
+    /// Traces of the places of `like` after a test, in the same order; flanks are then made of pieces of both. Traces after several
+    /// stages of a test state their `engagements`: `[{ file = "run1_*.csv", engagements = 1e4 }, ...]`.
     #[serde(skip_serializing_if = "Option::is_none")]
     after: Option<TraceList> => table;
     /// State of the generated flanks from before the test, 0, to `after` it, 1, which is the default; heights are lost in proportion.
     #[serde(skip_serializing_if = "Option::is_none")]
     state: Option<f64> = "" usual [0.0, 1.0] possible [0.0, 1.0];
+    /// Engagements of a tooth after which the flanks are generated, in place of `state`; default those of the last stage. Heights are
+    /// lost in proportion to engagements between two stages of `after`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    engagements: Option<f64> = "" usual [0.0, 1e10] possible [0.0, 1e15];
     /// Seed of the flanks that are generated like others; default 1. Pinion and wheel differ with equal seeds, meshes of a train
     /// do not.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -514,6 +519,7 @@ impl FlankInput {
             like: None,
             after: None,
             state: None,
+            engagements: None,
             seed: None,
             finish: None,
             rq: None,

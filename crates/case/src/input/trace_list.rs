@@ -1,6 +1,6 @@
 //! Keys of several traces of one flank: a list, a pattern, or a table for each.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::TraceRange;
@@ -38,7 +38,7 @@ table! {
     #[derive(Default)]
     TraceInput;
 
-    /// File of the trace, relative to the case file.
+    /// File of the trace, relative to the case file, or a pattern.
     file: PathBuf;
     /// Number of the tooth; default: a tooth of its own for every trace.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -58,6 +58,9 @@ table! {
     /// Part of the trace that is used, where it is not that of the flank.
     #[serde(skip_serializing_if = "Option::is_none")]
     range: Option<TraceRange> = "mm" usual [0.001, 100.0] possible [1e-5, 10_000.0];
+    /// Engagements of a tooth until the trace was measured; of `after`, whose stages it tells apart.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    engagements: Option<f64> = "" usual [1.0, 1e10] possible [1e-3, 1e15];
 }
 
 impl Ranged for TraceList {
@@ -79,11 +82,21 @@ impl Ranged for TraceEntry {
 }
 
 impl TraceList {
-    /// The entries in order.
-    pub(crate) fn entries(&self) -> Vec<TraceEntry> {
+    /// The entries in order; their files may be patterns.
+    pub(crate) fn entries(&self) -> Vec<TraceInput> {
+        let file = |text: &String| TraceInput {
+            file: text.into(),
+            ..TraceInput::default()
+        };
         match self {
-            Self::Pattern(text) => vec![TraceEntry::Pattern(text.clone())],
-            Self::List(entries) => entries.clone(),
+            Self::Pattern(text) => vec![file(text)],
+            Self::List(entries) => {
+                let entries = entries.iter().map(|entry| match entry {
+                    TraceEntry::Pattern(text) => file(text),
+                    TraceEntry::Table(table) => table.clone(),
+                });
+                entries.collect()
+            }
         }
     }
 }
@@ -143,9 +156,9 @@ impl<'de> Visitor<'de> for EntryVisitor {
     }
 }
 
-/// Whether `text` is a pattern rather than the name of a file.
-pub(crate) fn is_pattern(text: &str) -> bool {
-    text.contains(['*', '?'])
+/// Whether `name` is a pattern rather than the name of a file.
+pub(crate) fn is_pattern(name: &Path) -> bool {
+    name.to_string_lossy().contains(['*', '?'])
 }
 
 /// Whether `name` is of `pattern`, in which `*` stands for any characters and `?` for one.

@@ -11,7 +11,7 @@ use asperity_profile_io::read::Reading;
 use super::scans::Scan;
 use crate::input::case_input::FlankInput;
 use crate::input::files::Reader;
-use crate::input::trace_list::{TraceEntry, TraceInput, TraceList, is_pattern};
+use crate::input::trace_list::{TraceInput, TraceList, is_pattern};
 use crate::source::case_error::CaseError;
 use crate::source::section::Section;
 
@@ -26,6 +26,8 @@ pub(crate) struct Listed {
     pub has_own_place: bool,
     /// Its tooth, and its place across the face.
     pub site: TraceSite,
+    /// Engagements until it was measured.
+    pub engagements: Option<f64>,
     /// The trace, if it was generated.
     pub generated: Option<Generated>,
     /// The scan that it is a row of, if this was read for its rows.
@@ -59,6 +61,7 @@ impl Listed {
             is_of_a_list: false,
             has_own_place: false,
             site: TraceSite::default(),
+            engagements: None,
             generated: None,
             scan: None,
         }
@@ -75,19 +78,17 @@ pub(crate) fn listed(
     let conflict = |rule| section.conflict(key, rule);
     let mut named: Vec<TraceInput> = Vec::new();
     for entry in list.entries() {
-        match entry {
-            TraceEntry::Table(table) => named.push(table),
-            TraceEntry::Pattern(text) => {
-                let files = matching(&text, (key, section), files)?.into_iter();
-                named.extend(files.map(|file| TraceInput {
-                    file,
-                    ..TraceInput::default()
-                }));
-            }
-        }
+        let files = matching(&entry.file, (key, section), files)?.into_iter();
+        named.extend(files.map(|file| TraceInput {
+            file,
+            ..entry.clone()
+        }));
     }
     if named.is_empty() {
         return Err(conflict("names no trace; give at least one, or file"));
+    }
+    if key != "after" && named.iter().any(|trace| trace.engagements.is_some()) {
+        return Err(conflict("is not after a test; engagements belong to after"));
     }
     let mut teeth: Vec<Option<u32>> = Vec::new();
     let mut traces: Vec<Listed> = Vec::with_capacity(named.len());
@@ -129,6 +130,7 @@ pub(crate) fn listed(
                 traces: None,
                 like: None,
                 after: None,
+                engagements: None,
                 from: trace.from.or(flank.from),
                 at: trace.at.or(flank.at),
                 row: trace.row.or(flank.row),
@@ -143,6 +145,7 @@ pub(crate) fn listed(
                 y: trace.y,
                 row: None,
             },
+            engagements: trace.engagements,
             generated: None,
             scan: None,
         });
@@ -186,17 +189,17 @@ pub(crate) fn rows(
 
 /// Files whose names match `text`, sorted.
 fn matching(
-    text: &str,
+    path: &Path,
     (key, section): (&str, Section<'_>),
     reader: &Reader<'_>,
 ) -> Result<Vec<PathBuf>, CaseError> {
-    if !is_pattern(text) {
-        return Ok(vec![text.into()]);
+    if !is_pattern(path) {
+        return Ok(vec![path.to_owned()]);
     }
     let refused = |folder: Option<String>| {
-        CaseError::no_traces(section.place(key), section.key(key), text, folder)
+        let pattern = path.display();
+        CaseError::no_traces(section.place(key), section.key(key), pattern, folder)
     };
-    let path = Path::new(text);
     let parent = path.parent().unwrap_or(Path::new(""));
     let Some(folder) = reader.files.folder() else {
         return Err(refused(None));

@@ -507,6 +507,7 @@ pub(crate) fn read_options(input: &FlankInput) -> ReadOptions {
         like: _,
         after: _,
         state: _,
+        engagements: _,
         seed: _,
         mirrored: _,
         from: _,

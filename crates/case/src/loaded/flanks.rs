@@ -1,6 +1,7 @@
 //! The two flanks of a case: traces read and prepared, or roughness values.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use asperity_core::provenance::Provenance;
@@ -31,7 +32,7 @@ use asperity_flanks::meeting::{
 };
 use asperity_flanks::scan::rows_needed;
 use asperity_flanks::sheets::{LEAST_ROWS, rows_of_patches};
-use asperity_flanks::surfaces::{FlankReport, Surfaces, Texture};
+use asperity_flanks::surfaces::{FlankReport, LikeMeasured, Surfaces, Texture};
 use asperity_flanks::surrogates::Surrogates;
 use asperity_flanks::trace::Flank;
 use asperity_flanks::trace_pairs::{SampledFlanks, SampledTrace};
@@ -243,7 +244,7 @@ fn taken(
 
 /// Leaves each warning once.
 fn keep_first(warnings: &mut Vec<Warning>) {
-    let mut seen = std::collections::BTreeSet::new();
+    let mut seen = BTreeSet::new();
     warnings.retain(|warning| seen.insert(warning.to_string()));
 }
 
@@ -261,6 +262,7 @@ fn named(
                 ("seed", input.seed.is_some()),
                 ("after", input.after.is_some()),
                 ("state", input.state.is_some()),
+                ("engagements", input.engagements.is_some()),
             ];
             match stated.into_iter().find(|(_, is_stated)| *is_stated) {
                 Some((key, _)) => {
@@ -437,11 +439,25 @@ impl NamedTraces {
             noise_cutoff: inputs.preparation.lambda_s,
             flanks,
             is_placed,
+            like: self.like(),
         };
         let is_several = flanks.iter().any(|flanks| flanks.len() > 1);
         let pairs = is_several.then(|| meeting.pairs(sites, self.teeth, (&zones, width)));
         let surfaces = pairs.and_then(Surfaces::of_pairs);
         Ok((surfaces.unwrap_or_else(|| meeting.surfaces([0, 0])), zones))
+    }
+
+    /// Flanks that were generated like measured traces.
+    fn like(&self) -> LikeMeasured {
+        let sums = self.lists.each_ref().map(|list| {
+            let made = list.first().and_then(|trace| trace.generated.as_ref())?;
+            let like = made.record.like.iter().map(|trace| &trace.sha256);
+            Some(like.collect::<BTreeSet<_>>())
+        });
+        LikeMeasured {
+            flanks: sums.each_ref().map(Option::is_some),
+            is_same: sums[0].is_some() && sums[0] == sums[1],
+        }
     }
 
     /// All traces with their teeth.

@@ -1,5 +1,6 @@
 //! Flanks that are generated like measured traces.
 
+use std::cmp::Ordering;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -9,7 +10,7 @@ use asperity_flanks::generated_record::{GeneratedRecord, MeasuredTrace};
 use asperity_flanks::trace::{TraceContent, TraceInputs, measured};
 use asperity_flanks::trace_sites::TraceSite;
 use asperity_profile_io::read::Reading;
-use asperity_roughness::generate::{Like, Method};
+use asperity_roughness::generate::{Like, Method, State};
 
 use super::flank_sample::{Generated, Listed, listed};
 use super::flank_trace::{Context, Keys, gear_of, placed, read_options};
@@ -23,8 +24,13 @@ use crate::source::section::Section;
 
 /// Seed that is not stated.
 const SEED: u32 = 1;
-/// State that is not stated: after the test.
-const AFTER: f64 = 1.0;
+
+/// The flanks wanted between the measured stages of a test.
+struct Wanted {
+    /// Traces after each stage, in the order of the stages.
+    after: Vec<Measured>,
+    state: State,
+}
 
 /// A measured trace as it is read.
 struct Measured {
@@ -49,13 +55,10 @@ pub(crate) fn generated(
         return Err(section.conflict("like", rule));
     }
     let before = measured_traces(input, ("like", list), keys, context)?;
-    let after = match &input.after {
-        Some(list) => measured_traces(input, ("after", list), keys, context)?,
-        None => Vec::new(),
-    };
+    let wanted = wanted(input, before.len(), keys, context)?;
     let refused =
         |fault: &Fault| CaseError::not_generated(section.place("like"), section.key("like"), fault);
-    let like = maker(input, &before, &after, section)?;
+    let like = maker(&before, wanted.as_ref()).map_err(|fault| refused(&fault))?;
     for warning in &like.warnings {
         let message = format!("{}: {warning}", section.key("like"));
         let message = with_keys(&message, &warning.remedy(), keys.table);
@@ -76,11 +79,15 @@ pub(crate) fn generated(
             .iter()
             .map(|measured| measured.trace.clone())
             .collect(),
-        after: after
+        after: wanted
             .iter()
+            .flat_map(|wanted| &wanted.after)
             .map(|measured| measured.trace.clone())
             .collect(),
-        state: (!after.is_empty()).then(|| input.state.unwrap_or(AFTER)),
+        state: wanted.as_ref().and_then(|wanted| wanted.state.part()),
+        engagements: wanted
+            .as_ref()
+            .and_then(|wanted| wanted.state.engagements()),
         method: like.method(),
         pieces: Vec::new(),
         seed,
@@ -103,6 +110,7 @@ pub(crate) fn generated(
                 ..TraceSite::default()
             },
             scan: None,
+            engagements: None,
             generated: Some(Generated {
                 heights: Arc::new(made.generated.profile),
                 reading: reading.clone(),
@@ -117,34 +125,62 @@ pub(crate) fn generated(
     (0..count).map(flank).collect()
 }
 
-/// The maker of flanks like traces, or like pairs of traces before and after a test.
-fn maker(
-    input: &FlankInput,
-    before: &[Measured],
-    after: &[Measured],
-    section: Section<'_>,
-) -> Result<Like, CaseError> {
-    let refused =
-        |fault: Fault| CaseError::not_generated(section.place("like"), section.key("like"), &fault);
-    let Some((first, others)) = before.split_first() else {
-        return Err(section.conflict("like", "names no trace; give at least one"));
+/// The maker of flanks like traces, or of those of a test.
+fn maker(before: &[Measured], wanted: Option<&Wanted>) -> Result<Like, Fault> {
+    let profiles = |traces: &[Measured]| -> Vec<Profile> {
+        traces.iter().map(|trace| trace.profile.clone()).collect()
     };
-    if input.after.is_none() {
-        if input.state.is_some() {
-            return Err(section.conflict("state", "needs after, the traces after the test"));
-        }
-        let others = others.iter().map(|trace| trace.profile.clone());
-        let like = Like::to(&first.profile, &others.collect::<Vec<_>>(), None);
-        return like.map_err(|error| refused(error.into()));
+    let before = profiles(before);
+    match wanted {
+        Some(wanted) => Like::of_stages(&before, &profiles(&wanted.after), wanted.state),
+        None => Ok(Like::to(&before[0], &before[1..], None)?),
     }
-    if after.len() != before.len() {
-        let rule = "needs a trace for each of like, in the same order";
+}
+
+/// The flanks wanted of a test at whose start the traces of `places` were measured, if there was one.
+fn wanted(
+    input: &FlankInput,
+    places: usize,
+    keys: &Keys,
+    context: Context<'_>,
+) -> Result<Option<Wanted>, CaseError> {
+    let section = Section::of(context.source, keys.table);
+    let Some(list) = &input.after else {
+        let rule = "needs after, the traces after the test";
+        return match (input.state, input.engagements) {
+            (Some(_), _) => Err(section.conflict("state", rule)),
+            (_, Some(_)) => Err(section.conflict("engagements", rule)),
+            _ => Ok(None),
+        };
+    };
+    let mut after = measured_traces(input, ("after", list), keys, context)?;
+    let stated = |trace: &Measured| trace.trace.engagements;
+    after.sort_by(|a, b| stated(a).partial_cmp(&stated(b)).unwrap_or(Ordering::Equal));
+    let by_stage: Vec<&[Measured]> = after.chunk_by(|a, b| stated(a) == stated(b)).collect();
+    if by_stage.iter().any(|stage| stage.len() != places) {
+        let rule = "needs a trace for each of like and stage, in the same order; traces of several stages state their engagements";
         return Err(section.conflict("after", rule));
     }
-    let pairs = before.iter().zip(after);
-    let pairs = pairs.map(|(before, after)| [before.profile.clone(), after.profile.clone()]);
-    let pairs: Vec<[Profile; 2]> = pairs.collect();
-    Like::of_pairs(&pairs[0], &pairs[1..], input.state.unwrap_or(AFTER)).map_err(refused)
+    let stages: Vec<Option<f64>> = by_stage.iter().map(|stage| stated(&stage[0])).collect();
+    let stages: Option<Vec<f64>> = stages.into_iter().collect();
+    if input.state.is_some() && (input.engagements.is_some() || by_stage.len() > 1) {
+        let rule = "is of a test with one stage; state engagements instead";
+        return Err(section.conflict("state", rule));
+    }
+    let is_by_engagements = input.engagements.is_some() || by_stage.len() > 1;
+    let (key, stages) = match (is_by_engagements, stages) {
+        (false, _) => ("state", Vec::new()),
+        (true, Some(stages)) => ("engagements", stages),
+        (true, None) => {
+            let rule = "states no engagements of its traces; state them as { file = \"run1_*.csv\", engagements = 1e4 }";
+            return Err(section.conflict("after", rule));
+        }
+    };
+    let state = State::stated(input.state, input.engagements, &stages);
+    Ok(Some(Wanted {
+        state: state.map_err(section.domain(key))?,
+        after,
+    }))
 }
 
 /// The traces that the list at a key names.
@@ -168,8 +204,7 @@ fn measured_traces(
         ..keys.clone()
     };
     let each = traces.iter();
-    each.map(|trace| read(&trace.input, &keys, context))
-        .collect()
+    each.map(|trace| read(trace, &keys, context)).collect()
 }
 
 /// Seed of flank `k` of a table of a mesh: pinion and wheel differ, and so do drive and coast flanks.
@@ -180,7 +215,8 @@ fn seed_of(seed: u32, table: &str, k: usize) -> u64 {
 }
 
 /// Reads a measured trace.
-fn read(input: &FlankInput, keys: &Keys, context: Context<'_>) -> Result<Measured, CaseError> {
+fn read(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Measured, CaseError> {
+    let input = &listed.input;
     let file = input.file.as_deref().unwrap_or(Path::new(""));
     let name = file.display().to_string();
     let (content, sum) = context
@@ -208,6 +244,7 @@ fn read(input: &FlankInput, keys: &Keys, context: Context<'_>) -> Result<Measure
         trace: MeasuredTrace {
             file: name,
             sha256: sum,
+            engagements: listed.engagements,
         },
         reading,
     })

@@ -677,11 +677,17 @@ fn patches_are_fed_by_their_computed_flow_and_lines_as_before() {
     let left = patches.attenuated(attenuation, offset);
     let pressures = patches.ripple(attenuation, contact.modulus, offset);
     let cut = |of: &[f64]| of[STARTS[0]..STARTS[0] + points(&contact)].repeat(2);
-    let piece = PatchSample::of(&cut(left.heights()), Some(&cut(&pressures))).unwrap();
+    let piece = PatchSample::of(
+        &cut(left.heights()),
+        points(&contact),
+        Some(&cut(&pressures)),
+    )
+    .unwrap();
     let of_piece = PatchSample::between(&[(Arc::new(piece), 1.0)]);
     assert!((of_piece.deviation / window.deviation - 1.0).abs() < 1e-9);
     assert_eq!(of_piece.ripple.len(), window.ripple.len());
-    assert!(PatchSample::of(&cut(left.heights()), Some(&[0.0])).is_err());
+    assert!(PatchSample::of(&cut(left.heights()), points(&contact), Some(&[0.0])).is_err());
+    assert!(PatchSample::of(&cut(left.heights()), points(&contact) - 1, None).is_err());
 
     let power = LoadShareSettings {
         gap_law: GapLaw::Power,

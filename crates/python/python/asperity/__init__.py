@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from ._library import RexsCase, demo, from_rexs, gears, oils, rexs_contents, steels
     from ._map import Cycle, Map, read_map
     from ._oil import OilFit, OilPlan, Stribeck, Traction
-    from ._profile import Parameters, Parts, Profile, generate, read_profile
+    from ._profile import Parameters, Parts, Profile, generate, generate_like, read_profile
     from ._record import Record, Table
     from ._result import Fields, Path, Regime, RunResult, Summary
     from ._profile_change import ProfileChange
@@ -55,7 +55,7 @@ else:
         "_library": "RexsCase demo from_rexs gears oils rexs_contents steels",
         "_map": "Cycle Map read_map",
         "_oil": "OilFit OilPlan Stribeck Traction",
-        "_profile": "Parameters Parts Profile generate read_profile",
+        "_profile": "Parameters Parts Profile generate generate_like read_profile",
         "_record": "Record Table",
         "_result": "Fields Path Regime RunResult Summary",
         "_profile_change": "ProfileChange",
@@ -126,6 +126,7 @@ __all__ = [
     "from_rexs",
     "gears",
     "generate",
+    "generate_like",
     "hertz",
     "oils",
     "press_flanks",

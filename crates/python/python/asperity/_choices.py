@@ -98,6 +98,11 @@ SurfaceKind = Literal[
 ]
 
 
+LikeMethod = Literal[
+    "pieces", "spectrum",
+]
+
+
 Amplitudes = Literal[
     "fixed", "random",
 ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from os import PathLike, fspath
 from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, Union, cast
 
@@ -21,13 +21,14 @@ from ._choices import (
     Form,
     Gaps,
     LengthUnit,
+    LikeMethod,
     Separator,
     Standard,
     SurfaceKind,
     TraceLine,
     Uneven,
 )
-from ._errors import AsperityError, Code, brief, json_text, warn
+from ._errors import AsperityError, Code, brief, json_text, warn, wrong_kind
 from ._files import on_disk
 from ._fixed import Fixed, UnknownName, unknown
 from ._html import Chart, page, shown
@@ -581,3 +582,78 @@ def generate(
         "mirrored": mirrored,
     }
     return Profile._of(_in_memory(_asperity.generate, json_text(whole)), name or f"{surface}, synthetic")
+
+
+OneTrace = Union[str, PathLike[str], Profile]
+Traces = Union[OneTrace, Sequence[OneTrace]]
+
+
+def listed_profiles(name: str, traces: Traces) -> list[tuple[OneTrace, Profile]]:
+    """What an argument lists, each with its profile, which is read where a file is named."""
+    found: list[tuple[OneTrace, Profile]] = []
+    for trace in traces if isinstance(traces, (list, tuple)) else [traces]:
+        profile = read_profile(trace) if isinstance(trace, (str, PathLike)) else trace
+        if not isinstance(profile, Profile):
+            raise wrong_kind(name, trace, "a profile, the path of one, or a list of them")
+        found.append((trace, profile))
+    return found
+
+
+def generate_like(
+    traces: Traces,
+    *,
+    after: Union[None, Traces, Mapping[float, Traces]] = None,
+    state: Optional[float] = None,
+    engagements: Optional[float] = None,
+    method: Optional[LikeMethod] = None,
+    seed: int = 1,
+    name: Optional[str] = None,
+) -> Profile:
+    """A profile like measured ones of one finish, or like them in a state of a test; it has as many points as the first of them.
+
+    It is made of pieces of the traces where heights, slopes or curvatures are not Gaussian, elsewhere of their spectrum and heights.
+
+    Parameters:
+        traces: profiles of one finish and spacing, or their paths.
+        after: traces of the same places after a test, in the same order; of several stages ``{engagements: traces}``.
+        state: part of the way from before the test, 0, to after it, 1, the default.
+        engagements: engagements of a tooth of the flank wanted, in place of ``state``; default those of the last stage.
+        method: ``"pieces"`` or ``"spectrum"``, for traces without ``after``.
+        seed: equal seeds give equal heights.
+        name: name for charts and messages.
+
+    Returns:
+        The `Profile`; ``about`` has its ``method``, its ``pieces`` (number of the trace, first point, points) or its recipe, and what
+        was achieved.
+
+    Raises:
+        AsperityError: traces that are too short or of different spacing (E120), a state out of its domain (E209), or a trace that is not
+            of the place of the one before it (E143), or arguments that exclude each other (E205).
+
+    Example:
+        >>> flank = asperity.generate(points=8000, spacing=0.5e-6, rq="0.4 um", hurst=0.8, roll_off=50e-6, short_cut=2e-6, seed=1)
+        >>> worn = asperity.Profile(np.minimum(flank.heights, 0.2e-6), flank.spacing, name="worn")
+        >>> between = asperity.generate_like(flank, after={1e4: worn}, engagements=5e3)
+        >>> between.about.method
+        'pieces'
+    """
+    stages: Mapping[float, Traces] = after if isinstance(after, Mapping) else {}
+    is_by_stage = isinstance(after, Mapping)
+    is_of_place = state is not None or engagements is not None
+    for excluded, text, help in (
+        (after is None and is_of_place, "state and engagements are of a test", "Give after, the traces after it."),
+        (after is not None and method is not None, "flanks in a state of a test are made of pieces", "Leave method out."),
+        (is_by_stage and state is not None, "after has engagements", "Give engagements in place of state."),
+        (not is_by_stage and engagements is not None, "after has no engagements", "Give after as {engagements: traces}."),
+    ):
+        if excluded:
+            raise AsperityError(f"generate_like: {text}", Code.E205, help)
+    rising = sorted(stages)
+    of_stages: list[Traces] = [stages[stage] for stage in rising] if stages else [] if after is None else [cast("Traces", after)]
+    worn = [profile._raw for traces_of in of_stages for _, profile in listed_profiles("after", traces_of)]
+    wanted = {"method": method, "state": state, "engagements": engagements, "stages": rising, "seed": seed}
+    before = [profile._raw for _, profile in listed_profiles("traces", traces)]
+    if not before:
+        raise AsperityError("traces: no profile is named", Code.E205, "Give at least one.")
+    raw = _in_memory(_asperity.generate_like, before, worn, json_text(wanted))
+    return Profile._of(raw, name or f"like {len(before)} measured")._warned()

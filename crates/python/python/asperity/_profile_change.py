@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Union
+from typing import TYPE_CHECKING
 
 from . import _asperity
-from ._compare import Trace
-from ._errors import wrong_kind
-from ._profile import Profile, read_profile
+from ._profile import Traces, listed_profiles
 from ._study import Study
 from ._values import ProfileChangeMaterialRatioTable, ProfileChangePairTable, ProfileChangeParameterTable, ProfileChangeValues
 
@@ -17,14 +14,11 @@ if TYPE_CHECKING:
     import pandas
 
 
-def raw_traces(traces: Union[Trace, Sequence[Trace]]) -> list[tuple[str, _asperity.Trace]]:
+def raw_traces(traces: Traces) -> list[tuple[str, _asperity.Trace]]:
     """Names and traces as the compiled part takes them."""
     found = []
-    for number, trace in enumerate(traces if isinstance(traces, (list, tuple)) else [traces], 1):
-        profile = read_profile(trace) if isinstance(trace, (str, PathLike)) else trace
-        if not isinstance(profile, Profile):
-            raise wrong_kind("traces", trace, "a profile, the path of one, or a list of them")
-        name = fspath(trace) if isinstance(trace, (str, PathLike)) else profile.name or f"trace {number}"
+    for number, (given, profile) in enumerate(listed_profiles("traces", traces), 1):
+        name = fspath(given) if isinstance(given, (str, PathLike)) else profile.name or f"trace {number}"
         found.append((name, profile._raw))
     return found
 

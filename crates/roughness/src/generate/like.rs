@@ -10,13 +10,14 @@
 
 use asperity_core::numerics::range;
 use asperity_core::quantity::Length;
-use asperity_core::{DomainError, Fault, Profile, cite};
+use asperity_core::{Fault, Profile, cite};
 use serde::{Deserialize, Serialize};
 
 use super::achieved::Generated;
 use super::fitted::{Fitted, levelled};
 use super::fitted_surface::FittedSurface;
 use super::pieces::{Piece, Pieces};
+use super::state::State;
 use super::surface_pieces::{SurfacePiece, SurfacePieces};
 use crate::Warning;
 use crate::autocorrelation::autocorrelation;
@@ -45,8 +46,6 @@ pub enum Method {
 #[derive(Debug, Clone)]
 pub struct Like {
     maker: Maker,
-    /// State from before a test, 0, to after it, 1.
-    state: f64,
     /// Doubts about the traces.
     pub warnings: Vec<Warning>,
 }
@@ -126,7 +125,12 @@ impl LikeSurface {
             }
             middles.extend(all.clone().nth(all.len() / 2).map(profile).transpose()?);
         }
-        let chosen = method.map_or_else(|| chosen(&rows), Ok)?;
+        let chosen = match (method, rows.split_first()) {
+            (Some(method), _) => method,
+            // A tilt would hide the shape of the heights.
+            (None, Some((first, others))) => chosen(&levelled(first, others)?)?,
+            (None, None) => chosen(&rows)?,
+        };
         let mut warnings = Vec::new();
         if let Some((first, others)) = middles.split_first() {
             warnings.extend(different(&levelled(first, others)?));
@@ -226,48 +230,39 @@ impl Like {
             Method::Pieces => Maker::Pieces(Pieces::to(first, others)?),
             Method::Spectrum => Maker::Spectrum(Fitted::to(first, others, 0)?),
         };
-        Ok(Self {
-            maker,
-            state: 0.0,
-            warnings,
-        })
+        Ok(Self { maker, warnings })
     }
 
-    /// Prepares `first` and `others`, pairs of traces before and after a test, for flanks in a `state` from before it, 0, to after
-    /// it, 1. They are made of pieces.
+    /// Prepares traces `before` a test for flanks in a `state` of it. `after` are the traces of the same places in the same order after
+    /// a stage, one stage after the other. The flanks are made of pieces.
     ///
     /// # Errors
-    /// As [`to`](Self::to), when a pair is not of one place, or the state is outside its domain.
+    /// As [`to`](Self::to), and when a trace after a stage is missing or not of its place.
     ///
     /// ```
     /// use asperity_core::quantity::Length;
-    /// use asperity_roughness::generate::{Like, SelfAffine, truncated};
+    /// use asperity_roughness::generate::{Like, SelfAffine, State, truncated};
     /// let before = SelfAffine {
     ///     points: 4096, spacing: Length::from_si(0.5e-6), rq: Length::from_si(0.3e-6), hurst: 0.8,
     ///     roll_off: Length::from_si(50e-6), short_cut: Length::from_si(5e-6), seed: 7,
     /// }.generate()?;
-    /// let pair = [before.clone(), truncated(&before, 0.2)?.0];
-    /// let rq = |state| -> Result<f64, asperity_core::Fault> {
-    ///     Ok(Like::of_pairs(&pair, &[], state)?.generate(1)?.generated.achieved.rq.si())
+    /// let stages = [truncated(&before, 0.1)?.0, truncated(&before, 0.2)?.0];
+    /// let before = [before];
+    /// let rq = |engagements| -> Result<f64, asperity_core::Fault> {
+    ///     let state = State::after(engagements, &[1e4, 1e6])?;
+    ///     Ok(Like::of_stages(&before, &stages, state)?.generate(1)?.generated.achieved.rq.si())
     /// };
-    /// assert!(rq(0.0)? > rq(0.5)? && rq(0.5)? > rq(1.0)?);
+    /// assert!(rq(0.0)? > rq(1e4)? && rq(1e4)? > rq(3e5)? && rq(3e5)? > rq(1e6)?);
     /// # Ok::<(), asperity_core::Fault>(())
     /// ```
-    pub fn of_pairs(
-        first: &[Profile; 2],
-        others: &[[Profile; 2]],
-        state: f64,
-    ) -> Result<Self, Fault> {
-        let rule = "must be from 0 to 1";
-        DomainError::require((0.0..=1.0).contains(&state), "state", state, "-", rule)?;
-        let before: Vec<Profile> = others.iter().map(|pair| pair[0].clone()).collect();
-        let traces = levelled(&first[0], &before)?;
-        let one = others.is_empty().then(|| Warning::OneTrace {
-            length: first[0].length(),
+    pub fn of_stages(before: &[Profile], after: &[Profile], state: State) -> Result<Self, Fault> {
+        let pieces = Pieces::of_stages(before, after, state)?;
+        let traces = levelled(&before[0], &before[1..])?;
+        let one = (before.len() == 1).then(|| Warning::OneTrace {
+            length: before[0].length(),
         });
         Ok(Self {
-            maker: Maker::Pieces(Pieces::of_pairs(first, others)?),
-            state,
+            maker: Maker::Pieces(pieces),
             warnings: one.into_iter().chain(different(&traces)).collect(),
         })
     }
@@ -289,7 +284,7 @@ impl Like {
         let method = self.method();
         Ok(match &self.maker {
             Maker::Pieces(pieces) => {
-                let made = pieces.generate(pieces.points(), seed, self.state)?;
+                let made = pieces.generate(pieces.points(), seed)?;
                 MadeLike {
                     generated: made.generated,
                     method,

@@ -7,16 +7,18 @@
 //! piece is drawn twice before all were. The long waves are a Gaussian profile with the spectrum that was removed. The traces given
 //! therefore decide all shorter waves and rare dales.
 //!
-//! Of pairs of traces before and after a test, the second relocated on the first, flanks are made in any state between: pieces are drawn
-//! as pairs, and a part of the heights that were lost is taken off. Relocation leaves no waves shorter than 2.5 µm.
+//! Of traces before a test and after one or several stages of it, which are relocated on the first, flanks are made in any state between:
+//! pieces are drawn from all traces of a place, and a part of the heights that were lost is taken off. Relocation leaves no waves
+//! shorter than 2.5 µm.
 //!
 //! A trace of n points costs at most 16 · 441 m sums over an overlap for its m pieces, whatever the length of the traces given.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | z, z_c | last heights of the trace, heights before a drawn piece | m |
-//! | z_b, z_a | heights before and after a test | m |
-//! | s | state | - |
+//! | z_b, z_a | heights before a test and in a state of it | m |
+//! | Δ_i | heights lost until stage i; Δ₀ = 0 | m |
+//! | s | part of the way from stage i to i + 1, in engagements n of a tooth | - |
 
 use asperity_core::numerics::good_fft_length;
 use asperity_core::quantity::Length;
@@ -27,6 +29,7 @@ use super::achieved::Generated;
 use super::fitted::{MICRO, bands, gaussian, levelled, mean_square, parent_of};
 use super::random::Random;
 use super::scaling::check_points;
+use super::state::State;
 use crate::error::RoughnessError;
 use crate::gaussian_filter::{Ends, mean_line, transmission};
 use crate::relocation::{Bounds, relocate};
@@ -55,7 +58,7 @@ pub struct Pieces {
     points: usize,
     /// Heights without long waves \[m\] of each trace.
     traces: Vec<Vec<f64>>,
-    /// Heights \[m\] that each trace lost in a test; none without traces after it.
+    /// Heights \[m\] that each trace lost until the state; none without traces after a test.
     lost: Vec<Vec<f64>>,
     /// Spectrum of the long waves, as [`Fitted::spectrum`](super::Fitted::spectrum).
     spectrum: Vec<[f64; 2]>,
@@ -113,7 +116,7 @@ impl Pieces {
     ///     roll_off: Length::from_si(50e-6), short_cut: Length::from_si(5e-6), seed: 7,
     /// }.generate()?;
     /// let plateaus = truncated(&measured, 0.3)?.0;
-    /// let made = Pieces::to(&plateaus, &[])?.generate(4096, 1, 0.0)?;
+    /// let made = Pieces::to(&plateaus, &[])?.generate(4096, 1)?;
     /// assert!(made.pieces.len() >= 7 && made.generated.achieved.rsk.unwrap() < -0.5);
     /// # Ok::<(), asperity_roughness::RoughnessError>(())
     /// ```
@@ -158,26 +161,42 @@ impl Pieces {
         })
     }
 
-    /// Prepares `first` and `others`, pairs of traces before and after a test, of one finish; each second trace is relocated on its
-    /// first.
+    /// Prepares traces of one finish `before` a test for flanks in a `state` of it. `after` are the traces of the same places in the same
+    /// order after a stage, one stage after the other; each is relocated on its trace before.
     ///
     /// # Errors
-    /// As [`to`](Self::to), and when a pair is not of one place.
-    pub fn of_pairs(first: &[Profile; 2], others: &[[Profile; 2]]) -> Result<Self, Fault> {
-        let spacing = first[0].spacing();
-        let (mut traces, mut lost) = (Vec::new(), Vec::new());
-        for [before, after] in std::iter::once(first).chain(others) {
-            let found = relocate(before, after, Bounds::default())?;
-            let before = respaced(&found.before, spacing)?;
-            let after = respaced(&found.after, spacing)?;
-            let both = before.heights().iter().zip(after.heights());
-            lost.push(both.map(|(before, after)| before - after).collect());
-            traces.push(before);
+    /// As [`to`](Self::to), when the places of a stage are not those before the test, or a trace is not of its place.
+    ///
+    /// ```text
+    /// z_a = z_b − (1 − s) Δ_i − s Δ_(i+1),  s = (n − n_i)/(n_(i+1) − n_i)                       [Pieces-2]
+    /// ```
+    pub fn of_stages(before: &[Profile], after: &[Profile], state: State) -> Result<Self, Fault> {
+        cite!("Pieces-2");
+        let rule = "must be one for each trace before the test and each stage";
+        let (n, traces) = (before.len(), after.len());
+        let is_full = n > 0 && traces == n * state.stages();
+        DomainError::require(
+            is_full,
+            "number of traces after it",
+            traces as f64,
+            "-",
+            rule,
+        )?;
+        let spacing = before[0].spacing();
+        let weights = state.weights();
+        let (mut starts, mut lost) = (Vec::new(), Vec::new());
+        for (k, place) in before.iter().enumerate() {
+            let stages = after.iter().skip(k).step_by(n);
+            let found = stages.map(|stage| stage_of(place, stage, spacing));
+            let found: Vec<Stage> = found.collect::<Result<_, Fault>>()?;
+            let (start, lost_until) = common(&found, &weights)?;
+            starts.push(start);
+            lost.push(lost_until);
         }
         Ok(Self {
-            points: first[0].len(),
+            points: before[0].len(),
             lost,
-            ..Self::to(&traces[0], &traces[1..])?
+            ..Self::to(&starts[0], &starts[1..])?
         })
     }
 
@@ -187,27 +206,19 @@ impl Pieces {
         self.points
     }
 
-    /// A trace of `points` points in a `state` from before a test, 0, to after it, 1; other than 0 only of pairs.
+    /// A trace of `points` points, of stages in their state.
     ///
     /// # Errors
-    /// When the number of points or the state is outside its domain.
-    ///
-    /// ```text
-    /// z = z_b − s (z_b − z_a)                                                                   [Pieces-2]
-    /// ```
-    pub fn generate(&self, points: usize, seed: u64, state: f64) -> Result<Pieced, DomainError> {
-        cite!("Pieces-2");
-        let last = if self.lost.is_empty() { 0.0 } else { 1.0 };
-        let rule = "must be from 0 to 1, and 0 without traces after a test";
-        DomainError::require((0.0..=last).contains(&state), "state", state, "-", rule)?;
+    /// When the number of points is outside its domain.
+    pub fn generate(&self, points: usize, seed: u64) -> Result<Pieced, DomainError> {
         let n = check_points(points)?;
         let mut random = Random::new(seed);
         let pieces = self.drawn(n, &mut random);
         let mut heights = self.joined(&pieces, &self.traces);
         heights.truncate(n);
-        if state > 0.0 {
+        if !self.lost.is_empty() {
             let lost = self.joined(&pieces, &self.lost);
-            (heights.iter_mut().zip(lost)).for_each(|(z, lost)| *z -= state * lost);
+            (heights.iter_mut().zip(lost)).for_each(|(z, lost)| *z -= lost);
         }
         // A flat profile has no long waves.
         if self.square > f64::EPSILON * mean_square(&heights) {
@@ -351,6 +362,54 @@ impl Pieces {
     }
 }
 
+/// Heights of a place before a test, and lost until a stage of it, over the part that both traces have.
+struct Stage {
+    /// Distance of its first point from the first point of the trace before.
+    start: Length,
+    before: Profile,
+    lost: Vec<f64>,
+}
+
+fn stage_of(before: &Profile, after: &Profile, spacing: Length) -> Result<Stage, Fault> {
+    let found = relocate(before, after, Bounds::default())?;
+    let before = respaced(&found.before, spacing)?;
+    let after = respaced(&found.after, spacing)?;
+    let both = before.heights().iter().zip(after.heights());
+    Ok(Stage {
+        start: found.start,
+        lost: both.map(|(before, after)| before - after).collect(),
+        before,
+    })
+}
+
+/// Heights before the test over the part that all `stages` have, and the sum of those lost with `weights`.
+fn common(stages: &[Stage], weights: &[f64]) -> Result<(Profile, Vec<f64>), DomainError> {
+    let start = |k: usize| stages[k].start.si();
+    let by_start = |a: &usize, b: &usize| start(*a).total_cmp(&start(*b));
+    let last = &stages[(0..stages.len()).max_by(by_start).unwrap_or_default()];
+    let dx = last.before.spacing().si();
+    // Points of a stage before the common part, seldom a whole number of them.
+    let skipped = |stage: &Stage| (last.start.si() - stage.start.si()) / dx;
+    let has = |stage: &Stage| (stage.lost.len() as f64 - skipped(stage)).floor() as usize;
+    let n = stages.iter().map(has).min().unwrap_or_default();
+    let rule = "must be two at least";
+    let name = "points that all stages of a trace have";
+    DomainError::require(n > 1, name, n as f64, "-", rule)?;
+    let before = last.before.heights()[..n].to_vec();
+    let before = Profile::new(last.before.spacing(), before)?;
+    let mut lost = vec![0.0; n];
+    for (stage, weight) in stages.iter().zip(weights) {
+        let first = skipped(stage);
+        let (whole, part) = (first.floor() as usize, first.fract());
+        let next = |i: usize| stage.lost[(whole + i + 1).min(stage.lost.len() - 1)];
+        for (i, sum) in lost.iter_mut().enumerate() {
+            let here = stage.lost[whole + i];
+            *sum += weight * (here + part * (next(i) - here));
+        }
+    }
+    Ok((before, lost))
+}
+
 /// First of `seam` points at which `tail` and `head` differ least.
 fn least_seam(tail: &[f64], head: &[f64], seam: usize) -> usize {
     let squares: Vec<f64> = tail
@@ -385,9 +444,9 @@ mod tests {
         let source = Pieces::to(&trace(1), &[trace(2)]).unwrap();
         let overlap = source.count(OVERLAP);
         let all: usize = source.traces.iter().map(|z| z.len() - overlap).sum();
-        let made = source.generate(3 * all, 1, 0.0).unwrap();
-        assert_eq!(made, source.generate(3 * all, 1, 0.0).unwrap());
-        assert_ne!(made, source.generate(3 * all, 2, 0.0).unwrap());
+        let made = source.generate(3 * all, 1).unwrap();
+        assert_eq!(made, source.generate(3 * all, 1).unwrap());
+        assert_ne!(made, source.generate(3 * all, 2).unwrap());
         let heights = source.joined(&made.pieces, &source.traces);
         let mut used: Vec<Vec<i32>> = source.traces.iter().map(|z| vec![0; z.len()]).collect();
         let mut at = 0;

@@ -22,6 +22,11 @@ impl Random {
         low + (high - low) * self.uniform()
     }
 
+    /// A seed of another stream.
+    pub(super) fn seed(&mut self) -> u64 {
+        self.0.next_u64()
+    }
+
     /// One of the numbers below `count`.
     pub(super) fn below(&mut self, count: usize) -> usize {
         (self.between(0.0, count as f64) as usize).min(count.saturating_sub(1))

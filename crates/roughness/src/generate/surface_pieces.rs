@@ -177,7 +177,7 @@ impl SurfacePieces {
         }
         let mut heights = laid.z;
         if let Some(long) = &self.long {
-            let waves = long.generate(seed);
+            let waves = long.generate(random.seed());
             heights
                 .iter_mut()
                 .zip(waves)
