@@ -176,6 +176,7 @@ fn is_count(key: &str) -> bool {
         "z",
         "records",
         "cells",
+        "engagements",
         "per_planet",
         "seed",
     ];
