@@ -198,6 +198,7 @@ fn read(input: &FlankInput, keys: &Keys, context: Context<'_>) -> Result<Measure
         outliers: context.inputs.surface.outliers,
         place: stated_place(None, None, None),
         filters: context.inputs.filters(),
+        of_scan: None,
         shortest_form: None,
     };
     let gears = (&context.inputs.gears, gear_of(keys.table));
