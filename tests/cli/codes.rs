@@ -19,6 +19,9 @@ const NOT_PROVOKED: &[(&str, &str)] = &[
     ("W459", "crates/asperity/tests/patches.rs loads such scans"),
     ("W460", "crates/asperity/tests/patches.rs loads such a scan"),
     ("W464", "crates/asperity/tests/patches.rs loads such a scan"),
+    ("W465", "crates/asperity/tests/patches.rs loads such a scan"),
+    ("W467", "crates/asperity/tests/patches.rs loads such a scan"),
+    ("W466", "crates/asperity/tests/patches.rs loads such a scan"),
     (
         "E140",
         "is of cases that Python pickles: crates/python/tests/test_case.py",

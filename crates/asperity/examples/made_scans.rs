@@ -1,9 +1,10 @@
 //! Scans of made flanks for a comparison of patches with rows: `cargo run --release -p asperity --example made_scans -- crossed`
-//! writes `crossed-pinion.sdf` and `crossed-wheel.sdf`, text of ISO 25178-71.
+//! writes `crossed-pinion.sdf` and `crossed-wheel.sdf`, text of ISO 25178-71. A number behind the finish writes another pair.
 //!
 //! | finish | heights |
 //! |---|---|
-//! | `isotropic` | summits without a lay, Rq 0.3 µm |
+//! | `isotropic`, `fine` | summits without a lay, Rq 0.3 and 0.1 µm |
+//! | `short` | ridges three times as long as wide along the lead, Rq 0.3 µm |
 //! | `ridges-0`, `ridges-30`, `ridges-90` | ridges ten times as long as wide, at this angle to the lead, Rq 0.3 µm |
 //! | `crossed` | two sets of such ridges, at 30° to both sides of the lead |
 //! | `dimpled` | summits with Rq 0.1 µm, and dimples 2 µm deep and 60 µm wide on a tenth of the area |
@@ -82,6 +83,8 @@ fn heights(finish: &str, seed: u32) -> Option<Vec<f64>> {
     let half = 300.0 / 2.0_f64.sqrt();
     match finish {
         "isotropic" => add_waves(&mut heights, seed, [1.0, 0.0, 300.0]),
+        "fine" => add_waves(&mut heights, seed, [1.0, 0.0, 100.0]),
+        "short" => add_waves(&mut heights, seed, [3.0, 0.0, 300.0]),
         "ridges-0" => add_waves(&mut heights, seed, [10.0, 0.0, 300.0]),
         "ridges-30" => add_waves(&mut heights, seed, [10.0, 30.0, 300.0]),
         "ridges-90" => add_waves(&mut heights, seed, [10.0, 90.0, 300.0]),
@@ -100,10 +103,13 @@ fn heights(finish: &str, seed: u32) -> Option<Vec<f64>> {
 
 /// Writes both scans of the finish that is named.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let finish = std::env::args().nth(1).unwrap_or_default();
+    let mut arguments = std::env::args().skip(1);
+    let finish = arguments.next().unwrap_or_default();
+    let pair = arguments.next().unwrap_or_default();
+    let other = 10_000 * pair.parse().unwrap_or(0);
     for (body, seed) in [("pinion", 1000), ("wheel", 5000)] {
-        let heights =
-            heights(&finish, seed).ok_or("name a finish, as in the table of this program")?;
+        let heights = heights(&finish, seed + other)
+            .ok_or("name a finish, as in the table of this program")?;
         let [points, rows] = SIZE;
         let mut text = format!(
             "aISO-1.0\nManufacID   = made\nCreateDate  = 271120260000\nModDate     = 271120260000\nNumPoints   = {points}\n\
@@ -116,7 +122,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
             text.push('\n');
         }
-        std::fs::write(format!("{finish}-{body}.sdf"), text + "*\n")?;
+        std::fs::write(format!("{finish}{pair}-{body}.sdf"), text + "*\n")?;
     }
     Ok(())
 }

@@ -9,6 +9,7 @@ use asperity::core::Code;
 use asperity::core::quantity::{Length, Torque};
 use asperity::pipeline::{KeptFields, less_of_scans};
 use asperity::roughness::form::Form;
+use asperity::roughness::gaussian_filter::Ends;
 use asperity::roughness::preparation::Preparation;
 use asperity::roughness::surface_preparation::prepare_surface;
 use asperity::{Error, Run, losses};
@@ -27,8 +28,10 @@ fn scan(name: &str) -> Vec<u8> {
         let height = waves(name);
         return match fault {
             "trace" => trace(height),
-            "short" => file_of((120, ROWS), "2E-06", height),
-            "narrow" => file_of((COLUMNS, ROWS), "1E-07", height),
+            "tiny" => file_of((120, ROWS), ["1E-06", "2E-06"], height),
+            "short" => file_of((420, ROWS), ["1E-06", "2E-06"], height),
+            "coarse" => file_of((COLUMNS, ROWS), ["3E-06", "3E-06"], height),
+            "narrow" => file_of((COLUMNS, ROWS), ["1E-06", "1E-07"], height),
             _ => file(with_fault(fault.to_owned(), height)),
         };
     }
@@ -63,6 +66,7 @@ fn with_fault(fault: String, height: impl Fn(f64, f64) -> f64) -> impl Fn(f64, f
             "tilted" => z + 20.0 * x - 50.0 * y,
             "round" => z - 0.02 * (x - 700.0).powi(2),
             "step" if x > 700.0 => z + 4000.0,
+            "edges" if !(400.0..1100.0).contains(&x) => f64::NAN,
             _ => z,
         }
     }
@@ -100,18 +104,18 @@ fn trace(height: impl Fn(f64, f64) -> f64) -> Vec<u8> {
 
 /// A scan of heights \[nm\] with all points and rows.
 fn file(height: impl Fn(f64, f64) -> f64) -> Vec<u8> {
-    file_of((COLUMNS, ROWS), "2E-06", height)
+    file_of((COLUMNS, ROWS), ["1E-06", "2E-06"], height)
 }
 
 /// A scan of heights \[nm\]; values that are not numbers are missing.
 fn file_of(
     (columns, rows): (usize, usize),
-    apart: &str,
+    [along, apart]: [&str; 2],
     height: impl Fn(f64, f64) -> f64,
 ) -> Vec<u8> {
     let mut text = format!(
         "aISO-1.0\nManufacID   = made\nCreateDate  = 271120260000\nModDate     = 271120260000\nNumPoints   = {columns}\n\
-         NumProfiles = {rows}\nXscale      = 1E-06\nYscale      = {apart}\nZscale      = 1E-09\nZresolution = -1\n\
+         NumProfiles = {rows}\nXscale      = {along}\nYscale      = {apart}\nZscale      = 1E-09\nZresolution = -1\n\
          Compression = 0\nDataType    = 7\nCheckType   = 0\n*\n"
     );
     for row in 0..rows {
@@ -470,7 +474,26 @@ fn scans_with_faults_are_used_as_without() {
     };
     refused("holes", Code::E107, "too many");
     refused("spikes", Code::E131, "spikes");
-    refused("short", Code::E120, "needs at least 160 um");
+    refused("tiny", Code::E120, "needs at least");
+    refused("edges", Code::E107, "too many");
+    // Points without a height count where they are used.
+    let range = |gaps: &str| {
+        let part = "range = \"0.42 mm .. 1.08 mm\"";
+        let flanks = [
+            format!("file = \"edges 1-200-1\", {part}{gaps}"),
+            format!("file = \"1-200-9\", {part}"),
+        ];
+        case_of(flanks, "").unwrap()
+    };
+    for gaps in ["", ", gaps = \"refuse\""] {
+        let case = range(gaps);
+        assert!(case.surfaces.sheets().is_some());
+        assert!(
+            case.warnings
+                .iter()
+                .all(|warning| warning.code != Code::W460)
+        );
+    }
     let refused = pair("gaps", "").is_ok() && {
         let flanks =
             ["gaps 1-200-1", "1-200-9"].map(|name| format!("file = \"{name}\", gaps = \"refuse\""));
@@ -563,4 +586,107 @@ fn a_trace_faces_a_scan_as_a_surface() {
         refused.to_string().contains("leave rq, ra and rz out"),
         "{refused}"
     );
+}
+
+#[test]
+fn filters_that_a_case_leaves_open_follow_the_scan() {
+    let told = |case: &LoadedCase, code: Code| {
+        let all = case.warnings.iter();
+        all.filter(|warning| warning.code == code).count()
+    };
+    let recipe = |case: &LoadedCase| case.flanks[0].preparation.as_ref().unwrap().recipe;
+    let value = |case: &LoadedCase, key: &str| {
+        let mut defaults = case.case.defaults.iter();
+        defaults
+            .find(|default| default.key == key)
+            .unwrap()
+            .value
+            .clone()
+    };
+    // Half a cut-off at both ends would leave less than the contacts need.
+    let scan = "pinion = { file = \"short 1-25-1\" }";
+    let short = case_text(scan, "", "").unwrap();
+    assert_eq!(recipe(&short).ends, Ends::Reg1);
+    assert_eq!(
+        (told(&short, Code::W465), value(&short, "surface.ends")),
+        (1, "\"reg1\"".into())
+    );
+    assert!(short.surfaces.sheets().is_some() && losses(&short).is_ok());
+    let stated = case_text(scan, "ends = \"cut\"", "").unwrap();
+    assert_eq!(
+        (recipe(&stated).ends, told(&stated, Code::W465)),
+        (Ends::Cut, 0)
+    );
+    assert_eq!(losses(&stated).unwrap_err().code(), Code::E122);
+    // Points 3 um apart do not show waves of 2.5 um.
+    let coarse = case_text("pinion = { file = \"coarse 1-25-1\" }", "", "").unwrap();
+    assert_eq!(recipe(&coarse).lambda_s, Some(Length::from_si(15e-6)));
+    assert_eq!(told(&coarse, Code::W466), 1);
+    assert_eq!(value(&coarse, "surface.noise_cutoff"), "\"15.0000 µm\"");
+    let stated = case_text(
+        "pinion = { file = \"coarse 1-25-1\" }",
+        "noise_cutoff = \"20 um\"",
+        "",
+    );
+    let stated = stated.unwrap();
+    assert_eq!(
+        (recipe(&stated).lambda_s, told(&stated, Code::W466)),
+        (Some(Length::from_si(20e-6)), 0)
+    );
+    let long = case(["1-25-1", "1-25-9"], "").unwrap();
+    assert_eq!(
+        (recipe(&long).ends, recipe(&long).lambda_s),
+        (Ends::Cut, Preparation::default().lambda_s)
+    );
+}
+
+#[test]
+fn ends_that_remain_change_height_and_loss_little() {
+    // One part of each scan, once with half a cut-off more at both ends that is dropped, once with ends by regression.
+    let cut = "ends = \"cut\"";
+    let regression = "ends = \"reg1\"";
+    let part = |from: f64, to: f64| format!("range = \"{from} um .. {to} um\"");
+    for seed in [1, 3, 5, 7] {
+        let of = |ends: &str, part: &str| {
+            let flanks = [seed, seed + 8].map(|seed| format!("file = \"1-25-{seed}\", {part}"));
+            let case = case_of(flanks, ends).unwrap();
+            let loss = losses(&case).unwrap().summary.loss_w;
+            (height_of(&case, 0), loss)
+        };
+        let (whole, loss) = of(cut, &part(100.0, 600.0));
+        let (kept, of_kept) = of(regression, &part(140.0, 560.0));
+        println!("{seed}: {} {}", kept / whole - 1.0, of_kept / loss - 1.0);
+        assert!(
+            (kept / whole - 1.0).abs() < 0.05,
+            "{seed}: {kept} nm, {whole} nm"
+        );
+        assert!(
+            (of_kept / loss - 1.0).abs() < 0.05,
+            "{seed}: {of_kept} W, {loss} W"
+        );
+    }
+}
+
+#[test]
+fn a_stated_lay_decides_about_a_scan() {
+    let names = ["1-200-1", "1-200-9"].map(|name| format!("file = \"{name}\""));
+    let of = |lay: &str| case_with(names.clone(), "", &format!(", lay = {lay}")).unwrap();
+    assert!(of("[0.1, 0.1]").surfaces.sheets().is_none());
+    let ridged = ["60-200-1", "60-200-9"].map(|name| format!("file = \"{name}\""));
+    let stated = case_with(ridged, "", ", lay = [0.8, 0.8]").unwrap();
+    assert!(stated.surfaces.sheets().is_some());
+    assert!(
+        stated
+            .warnings
+            .iter()
+            .all(|warning| warning.code != Code::W444)
+    );
+}
+
+#[test]
+fn one_scan_for_both_flanks_has_a_middle_row() {
+    let case = case_text("pinion = { file = \"1-200-1\" }", "contact = \"lines\"", "").unwrap();
+    assert!(case.surfaces.pairs() > 1);
+    let less = less_of_scans(&case).unwrap();
+    assert_eq!(less.case.unwrap().surfaces.pairs(), 1);
 }

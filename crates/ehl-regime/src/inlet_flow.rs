@@ -189,6 +189,25 @@ pub fn inlet_factor(
     Ok((1.0 + INLET_SLOPE * lay.factor() * (sigma / h).powi(2)).sqrt())
 }
 
+/// Flow through a gap between ridges over the flow of the smooth gap; the inlet factor is its limit for a small σ_d.
+///
+/// ```text
+/// φ_x = 1/(1 + 6 t (σ_d/h)²)                                                [Line-flow]
+/// ```
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_ehl_regime::inlet_flow::{Lay, flow_of_lines};
+/// let flow = flow_of_lines(Length::from_si(0.3e-6), Length::from_si(0.1e-6), Lay::ACROSS);
+/// assert!((flow - 0.6).abs() < 1e-12);
+/// ```
+#[must_use]
+pub fn flow_of_lines(gap: Length, attenuated_rms: Length, lay: Lay) -> f64 {
+    cite!("Line-flow");
+    let ratio = attenuated_rms / gap;
+    1.0 / (1.0 + 6.0 * lay.factor() * ratio * ratio)
+}
+
 /// Mean gap supplied to a contact whose asperities carry a share of the load.
 ///
 /// ```text

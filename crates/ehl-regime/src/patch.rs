@@ -114,20 +114,15 @@ impl Patch {
     }
 
     /// Composite of this patch and another one, which is moved by whole numbers of heights: the flanks as they face each other.
-    pub(crate) fn composite(mut self, other: &Self, offset: [usize; 2]) -> Self {
-        add_moved(&mut self.heights, &other.heights, self.grid.size, offset);
-        self
-    }
-}
-
-/// Adds the values `others` of a grid, moved by whole numbers of them.
-pub(crate) fn add_moved(values: &mut [f64], others: &[f64], size: [usize; 2], [x, y]: [usize; 2]) {
-    let [columns, rows] = size;
-    for (j, row) in values.chunks_exact_mut(columns).enumerate() {
-        let from = &others[(j + y) % rows * columns..][..columns];
-        for (i, z) in row.iter_mut().enumerate() {
-            *z += from[(i + x) % columns];
+    pub(crate) fn composite(mut self, other: &Self, [x, y]: [usize; 2]) -> Self {
+        let [columns, rows] = self.grid.size;
+        for (j, row) in self.heights.chunks_exact_mut(columns).enumerate() {
+            let from = &other.heights[(j + y) % rows * columns..][..columns];
+            for (i, z) in row.iter_mut().enumerate() {
+                *z += from[(i + x) % columns];
+            }
         }
+        self
     }
 }
 

@@ -6,14 +6,14 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use asperity_core::quantity::{Length, Pressure};
+use asperity_core::quantity::Length;
 use asperity_core::{DomainError, cite};
 
 use crate::attenuation::Attenuation;
 use crate::error::RegimeError;
 use crate::flow_table::FlowTable;
 use crate::gap_law::GapLaw;
-use crate::patch::{Patch, PatchSpectrum, add_moved};
+use crate::patch::{Patch, PatchSpectrum};
 use crate::rough_inlet::{PairSpectrum, RoughInlet};
 
 /// Offset along the lead of successive places in lengths of the patch: multiples of the golden section are spread evenly.
@@ -76,30 +76,6 @@ impl PatchPair {
     #[must_use]
     pub fn waves(&self) -> &PairSpectrum {
         &self.waves
-    }
-
-    /// Both patches together as the inlet leaves them, the second moved by whole numbers of heights.
-    #[must_use]
-    pub fn attenuated(&self, attenuation: &Attenuation, offset: [usize; 2]) -> Patch {
-        let [first, second] = &self.patches;
-        first
-            .attenuated(attenuation)
-            .composite(&second.attenuated(attenuation), offset)
-    }
-
-    /// Pressures \[Pa\] that flatten both patches together as [`attenuated`](Self::attenuated) leaves them, row by row.
-    #[must_use]
-    pub fn ripple(
-        &self,
-        attenuation: &Attenuation,
-        modulus: Pressure,
-        offset: [usize; 2],
-    ) -> Vec<f64> {
-        let [first, second] = &self.patches;
-        let other = second.ripple(attenuation, modulus);
-        let mut pressures = first.ripple(attenuation, modulus);
-        add_moved(&mut pressures, &other, first.grid().size(), offset);
-        pressures
     }
 
     /// The second patch's offset at a place, which is one against the other.

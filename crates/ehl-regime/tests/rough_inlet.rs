@@ -10,7 +10,9 @@ use asperity_core::quantity::{
 };
 use asperity_ehl_regime::attenuation::{Attenuation, MoesNumbers, TraceSpectrum};
 use asperity_ehl_regime::film_line::moes;
-use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay, inlet_factor, supplied_gap};
+use asperity_ehl_regime::inlet_flow::{
+    CentralFilm, Lay, flow_of_lines, inlet_factor, supplied_gap,
+};
 use asperity_ehl_regime::published_shares::{johnson_greenwood_poon, masjedi_khonsari};
 use asperity_ehl_regime::{FilmConditions, FilmGroups, GapLaw, PairSpectrum, RoughInlet};
 use proptest::prelude::*;
@@ -212,6 +214,17 @@ fn inlet_factor_is_the_small_roughness_limit_of_grubins_inlet() {
     assert!((slope / 2.342 - 1.0).abs() < 0.015, "{slope}");
     let factor = inlet_factor(um(s), um(1.0), Lay::ACROSS).unwrap();
     assert!((factor - (1.0 + 2.342 * s * s).sqrt()).abs() < 1e-15);
+    // Ridges across the motion, a wave of this standard deviation: 1/⟨(h/H)⁻³⟩.
+    let cubes = |i: i32| {
+        let z = 2.0_f64.sqrt() * s * (f64::from(i) * std::f64::consts::TAU / 64.0).sin();
+        (1.0 + z).powi(-3)
+    };
+    let flow = 64.0 / (0..64).map(cubes).sum::<f64>();
+    let found = flow_of_lines(um(1.0), um(s), Lay::ACROSS);
+    assert!(
+        ((1.0 - found) / (1.0 - flow) - 1.0).abs() < 1e-3,
+        "{found} {flow}"
+    );
 }
 
 #[test]

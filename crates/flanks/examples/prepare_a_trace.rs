@@ -35,6 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             ends: None,
             form: None,
         },
+        of_scan: None,
         shortest_form: None,
     };
     let prepared = prepared_trace(inputs, (&gears, Gear::Pinion));

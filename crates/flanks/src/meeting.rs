@@ -10,11 +10,11 @@ use asperity_gear::{FlankPoint, Gear, GearPair};
 use asperity_roughness::RoughnessError;
 use asperity_roughness::resampling::respaced;
 
-use crate::LEAST_POINTS_PER_HALF_WIDTH;
 use crate::placement::{FULL_COVERAGE, Placement};
 use crate::surfaces::{FlankReport, LikeMeasured, PairsOfTeeth, Surfaces, Texture};
 use crate::trace::Flank;
 use crate::trace_sites::{TraceSite, nearest};
+use crate::{AVERAGING_WIDTH, LEAST_POINTS_PER_HALF_WIDTH};
 
 /// The traces of both flanks, read and prepared once, from which pairs are formed.
 #[derive(Debug, Clone, Copy)]
@@ -128,6 +128,24 @@ pub fn at_pitch(gears: &GearPair, torque: Torque) -> (f64, f64) {
     (load, radius)
 }
 
+/// Half-width \[m\] at the pitch point with the whole load on one pair of teeth.
+fn half_width_at_pitch(gears: &GearPair, torque: Torque, modulus: Pressure) -> f64 {
+    let (load, radius) = at_pitch(gears, torque);
+    (4.0 * load * radius / (PI * modulus.si())).sqrt()
+}
+
+/// Length of a prepared trace that holds windows of `window` half-widths to each side at places that differ, by the half-width at the
+/// pitch point with the whole load on one pair of teeth: more than the contacts need where several pairs share the load.
+#[must_use]
+pub fn needed_length(
+    gears: &GearPair,
+    (torque, modulus): (Torque, Pressure),
+    window: f64,
+) -> Length {
+    let half_width = half_width_at_pitch(gears, torque, modulus);
+    Length::from_si((2.0 * window + AVERAGING_WIDTH) * half_width)
+}
+
 /// Usual spacing of a stylus instrument \[m\].
 const USUAL_SPACING: f64 = 0.5e-6;
 /// Half-width at the pitch point, with the whole load on one pair of teeth, over the narrowest on the path: more than gears have.
@@ -144,9 +162,8 @@ const NARROWER_ON_THE_PATH: f64 = 4.0;
 #[must_use]
 pub fn largest_spacing(gears: &GearPair, torque: Torque, modulus: Pressure) -> Length {
     cite!("Common-spacing");
-    let (load, radius) = at_pitch(gears, torque);
-    let half_width = (4.0 * load * radius / (PI * modulus.si())).sqrt();
-    let of_contacts = half_width / (NARROWER_ON_THE_PATH * LEAST_POINTS_PER_HALF_WIDTH);
+    let of_contacts = half_width_at_pitch(gears, torque, modulus)
+        / (NARROWER_ON_THE_PATH * LEAST_POINTS_PER_HALF_WIDTH);
     Length::from_si(of_contacts.min(USUAL_SPACING))
 }
 

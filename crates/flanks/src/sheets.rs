@@ -8,7 +8,7 @@
 //!
 //! All contacts of a case flatten the sheets by one family of curves, from the shortest inlet to the longest. The whole sheets are
 //! flattened for wavelength scales half an octave apart, each when it is first needed. A window between them is a cubic
-//! interpolation over the logarithm of the scale, which is right to 6e-5 of the height of each wave outside the contact.
+//! interpolation over the logarithm of the scale, which is right to 2.1e-4 of the height of each wave outside the contact.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -20,13 +20,13 @@ use asperity_ehl_regime::{Attenuation, GapLaw, Lay, Patch, PatchPair, PatchSpect
 use asperity_mixed_film::{Flattening, PatchSample, WindowRoughness};
 use asperity_roughness::RoughnessError;
 use asperity_roughness::generate::surface_like;
+use asperity_roughness::resampling::points_after;
 use asperity_roughness::surface_preparation::PreparedSurface;
 use serde::{Deserialize, Serialize};
 
 use crate::error::PositionError;
 
-/// Most rows of a sheet: of a wider surface the middle. A patch of more costs in proportion, and its load scatters by less than a
-/// hundredth.
+/// Most rows of a sheet: of a wider surface the middle. A patch of more costs in proportion.
 const MOST_ROWS: usize = 256;
 /// Part of its rows by which the ends of a surface overlap.
 const OVERLAP: usize = 8;
@@ -40,6 +40,8 @@ const SCALES_OF_OCTAVE: f64 = 2.0;
 const WIDEST: f64 = 60.0;
 /// Most flattened sheets in memory.
 const MOST_KEPT: usize = 8;
+/// Most patches in memory as inlets leave them, 12 kB each: a case has some hundred for every torque.
+const MOST_SAMPLES: usize = 4096;
 /// Least rows that a sheet is made of.
 pub const LEAST_ROWS: usize = 16;
 
@@ -93,10 +95,12 @@ impl MadeSheet {
 }
 
 /// Rows of a scan with rows `apart` at the distance of rows of patches, whose points are `along` apart.
-#[must_use]
-pub fn rows_of_patches(rows: usize, apart: Length, along: Length) -> usize {
-    let across = apart.si().max(along.si());
-    (rows.saturating_sub(1) as f64 * apart.si() / across) as usize + 1
+///
+/// # Errors
+/// When a distance is not positive.
+pub fn rows_of_patches(rows: usize, apart: Length, along: Length) -> Result<usize, DomainError> {
+    let across = if along > apart { along } else { apart };
+    points_after(rows, apart, across)
 }
 
 /// Prepared surfaces of pinion and wheel with the same distances of points and rows, and the same number of rows.
@@ -398,10 +402,16 @@ impl Sheets {
         let FlattenedSheets { heights, pressures } = &*self.flattened(inlet)?;
         let cut = |of| sums(of, self.columns, self.rows, place);
         let pressures = pressures.as_ref().map(cut);
-        let heights = cut(heights);
-        let columns = heights.len() / self.rows;
-        let made = Arc::new(PatchSample::of(&heights, columns, pressures.as_deref())?);
-        known().insert((place, inlet), Arc::clone(&made));
+        let made = Arc::new(PatchSample::of(
+            &cut(heights),
+            place.points,
+            pressures.as_deref(),
+        )?);
+        let mut known = known();
+        if known.len() >= MOST_SAMPLES {
+            known.clear();
+        }
+        known.insert((place, inlet), Arc::clone(&made));
         Ok(made)
     }
 
@@ -533,4 +543,66 @@ fn repeated(surface: &PreparedSurface, n: usize) -> Vec<f64> {
         }
     }
     kept
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity_roughness::preparation::Preparation;
+    use asperity_roughness::surface_preparation::prepare_surface;
+
+    use super::*;
+
+    #[test]
+    fn a_wave_between_two_scales_is_right_to_a_part_of_its_height() {
+        // Every wave of a sheet is multiplied by a number of its own: a window is right to what this number is.
+        let wave = Length::from_si(20e-6);
+        let ratio = |scale: f64| Attenuation::new(GapLaw::Inlet, scale).map(|of| of.ratio(wave));
+        let mut worst = 0.0_f64;
+        for k in -2000..2000 {
+            // Ripples across the wave from 1e-6 to 1e6, unevenly between the computed scales.
+            let scale = 10.0_f64.powf(0.003 * f64::from(k)) / wave.si();
+            let of = |(at, weight): (i32, f64)| {
+                weight * ratio((f64::from(at) / SCALES_OF_OCTAVE).exp2()).unwrap()
+            };
+            let between: f64 = scales(scale).map(of).sum();
+            worst = worst.max((between - ratio(scale).unwrap()).abs());
+        }
+        assert!(worst < 2.1e-4, "{worst:e}");
+        // The weights are one together, and one at a computed scale.
+        let sum: f64 = scales(3.7e5).map(|(_, weight)| weight).sum();
+        assert!((sum - 1.0).abs() < 1e-12);
+        assert_eq!(scales(2.0_f64.powi(20)).collect::<Vec<_>>(), [(40, 1.0)]);
+    }
+
+    #[test]
+    fn patches_in_memory_are_bounded_and_found_again() {
+        let height = |k: usize| 1e-7 * ((k % 300) as f64 * 0.3 + (k / 300) as f64).sin();
+        let z: Vec<f64> = (0..300 * 20).map(height).collect();
+        let recipe = Preparation {
+            lambda_s: None,
+            lambda_c: None,
+            ..Preparation::default()
+        };
+        let um = Length::from_si(1e-6);
+        let surface = prepare_surface(&z, 300, [um; 2], &recipe).unwrap();
+        let sheets = Sheets::of([surface.clone(), surface], um).unwrap();
+        let flattening = Flattening::from(Attenuation::new(GapLaw::Inlet, 3.7e5).unwrap());
+        let window = |start: isize, shift: usize| {
+            let place = PatchPlace {
+                starts: [start, 3],
+                points: 9,
+                shift,
+            };
+            sheets.window(place, &flattening).unwrap()
+        };
+        let first = window(0, 0);
+        for start in 0..200 {
+            for shift in 0..8 {
+                window(start, shift);
+            }
+        }
+        let kept = sheets.known.samples.lock().unwrap().len();
+        assert!(kept > 0 && kept <= MOST_SAMPLES, "{kept}");
+        assert_eq!(window(0, 0), first);
+    }
 }

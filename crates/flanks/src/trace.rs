@@ -49,6 +49,8 @@ pub struct TraceInputs<'a> {
     pub place: StatedPlace,
     /// Filters.
     pub filters: StatedFilters,
+    /// Length that the contacts need, of the row of a scan.
+    pub of_scan: Option<Length>,
     /// Shortest wave of the form, if the relief of the gear is taken from the trace.
     pub shortest_form: Option<Length>,
 }
@@ -170,6 +172,9 @@ pub fn prepared_trace(
     let mut filters = Filters::of(inputs.filters, read.reading.as_ref().or(of_others));
     if place.is_some_and(|place| place.reference.is_some()) {
         filters.keep_ends(inputs.filters);
+    }
+    if let Some(needed) = inputs.of_scan {
+        filters.fit_scan(inputs.filters, &raw, needed);
     }
     let form_cutoff = inputs
         .shortest_form

@@ -1,9 +1,10 @@
 //! Filters of a trace: as stated, from its file, or by default.
 
+use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::{FilterState, Reading};
 use asperity_roughness::form::Form;
-use asperity_roughness::gaussian_filter::Ends;
+use asperity_roughness::gaussian_filter::{Ends, shortest_noise_cutoff};
 use asperity_roughness::preparation::Preparation;
 
 use crate::flank_form::FormError;
@@ -32,6 +33,10 @@ pub struct Filters {
     pub overridden: [Option<Length>; 2],
     /// Whether the ends remain since the trace is placed.
     pub keeps_ends: bool,
+    /// Whether the ends remain since the trace is of a scan that is too short without them.
+    pub keeps_ends_of_scan: bool,
+    /// Cut-off λs that follows the spacing of a scan whose points are farther apart than the default.
+    pub of_spacing: Option<Length>,
     /// Whether the form stays in the trace although the case does not state so.
     pub keeps_form: bool,
     /// Cut-off between form and roughness that is longer than λc, the second value.
@@ -48,6 +53,8 @@ impl Filters {
             of_file: [None; 2],
             overridden: [None; 2],
             keeps_ends: false,
+            keeps_ends_of_scan: false,
+            of_spacing: None,
             keeps_form: false,
             parted: None,
         };
@@ -75,6 +82,26 @@ impl Filters {
             }
         }
         filters
+    }
+
+    /// Fits filters that are not stated to the row of a scan, of which the contacts need the length `needed`: λs follows points that are
+    /// farther apart, and the ends remain where too little would be left.
+    pub(crate) fn fit_scan(&mut self, stated: StatedFilters, row: &Profile, needed: Length) {
+        let preparation = &mut self.preparation;
+        let spacing = row.spacing();
+        let is_open = stated.cutoffs[1].is_none() && self.of_file[1].is_none();
+        if is_open && preparation.lambda_s.is_some_and(|cutoff| cutoff < spacing) {
+            self.of_spacing = Some(shortest_noise_cutoff(spacing));
+            preparation.lambda_s = self.of_spacing;
+        }
+        let (Some(cutoff), None) = (preparation.lambda_c, stated.ends) else {
+            return;
+        };
+        let left = row.length() - cutoff;
+        if preparation.ends == Ends::Cut && (left < needed || left < cutoff) {
+            preparation.ends = Ends::Reg1;
+            self.keeps_ends_of_scan = true;
+        }
     }
 
     /// Keeps the ends of a placed trace in filtering, unless their treatment is stated.

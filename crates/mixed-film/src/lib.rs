@@ -66,6 +66,7 @@ mod point_contact;
 mod position_film;
 mod rough_contact;
 mod solution;
+mod spot_ellipse;
 mod spot_tree;
 mod spots;
 mod trace_spectra;

@@ -8,7 +8,7 @@ use asperity_core::numerics::{Solved, secant_root};
 use asperity_core::quantity::{Length, LineEnergy, Pressure, Speed, Temperature};
 use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 use asperity_ehl_regime::inlet_flow::{
-    CentralFilm, LARGEST_SHARE, Lay, inlet_factor, supplied_gap,
+    CentralFilm, LARGEST_SHARE, Lay, flow_of_lines, inlet_factor, supplied_gap,
 };
 use asperity_ehl_regime::light_load::LightLoad;
 use asperity_ehl_regime::{
@@ -520,16 +520,12 @@ impl<'a> PositionFilm<'a> {
         )
     }
 
-    /// Flow through the roughness left in the contact over the flow of a smooth gap: 1/(1 + 6 t σ_d²/h²) of traces, whose inlet
-    /// factor is the limit of this for a small σ_d, and of patches as computed.
+    /// Flow through the roughness left in the contact over the flow of a smooth gap: of traces by their lay, of patches as computed.
     #[must_use]
     pub fn flow_factor(&self, gap: Length, attenuated_rms: Length) -> f64 {
         match &self.flow {
             Some(flow) => flow.factor(gap, attenuated_rms),
-            None => {
-                let ratio = attenuated_rms / gap;
-                1.0 / (1.0 + 6.0 * self.settings.lay.factor() * ratio * ratio)
-            }
+            None => flow_of_lines(gap, attenuated_rms, self.settings.lay),
         }
     }
 

@@ -4,8 +4,9 @@
 //! |---|---|---|
 //! | f_k | load of a spot | N/m |
 //! | F_k, b_k | load and width of the contact that it is part of | N/m, m |
-//! | l_k | its extent along the lead, infinite on a line | m |
-//! | R_k | radius of the Hertz line contact with that load and width; of an ellipse -26 % (l_k/b_k = ½) to +18 % (long) of its radius along rolling | m |
+//! | l_k | its axis along the lead, infinite on a line | m |
+//! | F_m,k | load through its middle; F_k on a line | N/m |
+//! | R_k | radius along rolling of the flanks of the Hertz contact with these axes and this load | m |
 //! | h_k | film thickness of that contact by Moes, at the surface temperature of the whole contact | m |
 //! | u_m, a | entrainment speed and half width of the whole contact | m/s, m |
 //! | k | part of its way through the contact in which a spot is one that formed in the inlet | - |
@@ -16,6 +17,7 @@
 use std::f64::consts::PI;
 
 use asperity_core::cite;
+use asperity_core::numerics::CompleteElliptic;
 use asperity_core::quantity::{Length, Temperature};
 use asperity_ehl_regime::FilmGroups;
 use asperity_ehl_regime::film_elliptic::hamrock_dowson_central;
@@ -108,22 +110,53 @@ struct Contact {
     load: f64,
     /// Width \[m\].
     width: f64,
-    /// Extent along the lead \[m\].
-    length: f64,
+    /// Its load through the middle \[N/m\] and the ratio of its axes l_k/b_k, of an ellipse.
+    ellipse: Option<[f64; 2]>,
 }
 
 impl Contact {
     fn of(spot: &Spot) -> Self {
+        let ratio = spot.length / spot.width;
         Self {
             load: spot.joint_load.si(),
             width: spot.width.si(),
-            length: spot.length.si(),
+            ellipse: ratio.is_finite().then(|| [spot.middle_load.si(), ratio]),
         }
     }
 
     /// Mean pressure \[Pa\].
     fn pressure(self) -> f64 {
         self.load / self.width
+    }
+
+    /// Load \[N/m\] and radius \[m\] of the line contact with the largest pressure and the radius along rolling of the ellipse.
+    ///
+    /// ```text
+    /// R_k = Φ π E* (b_k/2)²/(4 F_m,k),  line of the load Φ F_m,k,
+    /// Φ = 1/(K − D) for l_k ≥ b_k, else b_k/(l_k D),  D = (K − E)/m                             [Spot-radius]
+    /// ```
+    ///
+    /// K, E: complete elliptic integrals of the parameter m = 1 − (shorter/longer axis)². Φ is 4/π of a circle and 1 of a line.
+    fn line_through_middle(self, modulus: f64) -> (f64, f64) {
+        let (load, factor) = match self.ellipse {
+            None => (self.load, 1.0),
+            Some([middle, ratio]) => {
+                cite!("Spot-radius");
+                (middle, radius_over_line(ratio))
+            }
+        };
+        let radius = PI * modulus * 0.25 * self.width * self.width / (4.0 * load);
+        (load * factor, radius * factor)
+    }
+}
+
+/// Φ of the ratio of the axes l/b.
+fn radius_over_line(ratio: f64) -> f64 {
+    let shorter = ratio.min(1.0 / ratio);
+    let of = CompleteElliptic::of(shorter * shorter);
+    match ratio >= 1.0 {
+        true => 1.0 / (of.first - of.difference),
+        false => 1.0 / (ratio * of.difference),
     }
 }
 
@@ -508,8 +541,7 @@ impl SpotConditions<'_> {
     ) -> Result<[f64; LANES], LoadShareError> {
         let modulus = 2.0 * self.modulus;
         let groups_of = |contact: &Contact| {
-            let Contact { load, width, .. } = *contact;
-            let radius = PI * self.modulus * 0.25 * width * width / (4.0 * load);
+            let (load, radius) = contact.line_through_middle(self.modulus);
             let groups = FilmGroups {
                 material: state.pressure_viscosity.si() * modulus,
                 speed: state.viscosity.si() * speed / (modulus * radius),
@@ -531,8 +563,8 @@ impl SpotConditions<'_> {
         }
         let mut films = moes_of_each(inputs);
         for (contact, film) in contacts.iter().zip(&mut films) {
-            if contact.length.is_finite() {
-                *film *= side_flow(&groups_of(contact).0, contact.length / contact.width)?;
+            if let Some([_, ratio]) = contact.ellipse {
+                *film *= side_flow(&groups_of(contact).0, ratio)?;
             }
             if !(film.is_finite() && *film > 0.0) {
                 // It names what is wrong.
@@ -546,6 +578,10 @@ impl SpotConditions<'_> {
 
 #[cfg(test)]
 mod tests {
+    use asperity_contact::hertz_line::HertzLine;
+    use asperity_contact::hertz_point::HertzPoint;
+    use asperity_core::quantity::{Force, LineLoad, Pressure};
+
     use super::*;
 
     #[test]
@@ -559,6 +595,33 @@ mod tests {
         assert_eq!(factor(1e3), 1.0);
         assert!((factor(1.0) - (1.0 - 0.61 * (-0.73f64).exp())).abs() < 1e-12);
         assert!(factor(0.5) < factor(1.0));
+    }
+
+    #[test]
+    fn a_spot_has_the_radius_of_the_elliptical_hertz_contact_with_its_axes() {
+        let modulus = Pressure::from_si(115e9);
+        for radii in [[1e-3, 1e-3], [1e-3, 0.4e-3], [1e-3, 8e-3], [1e-3, 50.0]] {
+            let of_radii = radii.map(Length::from_si);
+            let hertz = HertzPoint::new(Force::from_si(0.4), of_radii, modulus).unwrap();
+            let [a, c] = hertz.half_axes.map(Length::si);
+            let middle = 0.5 * PI * a * hertz.max_pressure.si();
+            let contact = Contact {
+                load: 0.0,
+                width: 2.0 * a,
+                ellipse: Some([middle, c / a]),
+            };
+            let (load, radius) = contact.line_through_middle(modulus.si());
+            assert!(
+                (radius / radii[0] - 1.0).abs() < 1e-12,
+                "{radii:?}: {radius}"
+            );
+            // The line has the largest pressure of the ellipse.
+            let line = LineLoad::from_si(load);
+            let line = HertzLine::new(line, Length::from_si(radius), modulus).unwrap();
+            assert!((line.max_pressure / hertz.max_pressure - 1.0).abs() < 1e-12);
+        }
+        // A ridge that becomes even along the lead.
+        assert!((radius_over_line(1e4) - 1.0).abs() < 1e-6);
     }
 
     #[test]

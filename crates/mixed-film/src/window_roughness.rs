@@ -31,15 +31,18 @@ fn places(points: usize) -> impl Iterator<Item = usize> + Clone {
     (begin..points - begin).step_by(stride)
 }
 
-/// Rows of a patch of which places are evaluated.
-const ROWS: usize = 8;
+/// Places of a patch for each place of a window of lines.
+const OF_PATCH: usize = 4;
+/// The golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// The evaluated places of a patch, row by row: those of a window in rows spread evenly.
-fn places_of_patch(points: usize, columns: usize) -> impl Iterator<Item = usize> + Clone {
-    let rows = points / columns.max(1);
-    let taken = rows.min(ROWS);
-    let row = move |k: usize| (2 * k + 1) * rows / (2 * taken);
-    (0..taken).flat_map(move |k| places(columns).map(move |x| row(k) * columns + x))
+/// The evaluated places of a patch, spread evenly over rows and columns: the rows follow each other, the columns by the golden section.
+fn places_of_patch(columns: usize, rows: usize) -> impl Iterator<Item = usize> + Clone {
+    let count = (OF_PATCH * PLACES).min(columns * rows);
+    (0..count).map(move |k| {
+        let column = (GOLDEN * (k as f64 + 0.5)).fract() * columns as f64;
+        k * rows / count * columns + (column as usize).min(columns - 1)
+    })
 }
 
 /// Heights that count in the gap that the inlet of rough flanks supplies.
@@ -145,7 +148,7 @@ impl WindowRoughness {
         Self {
             deviation: deviation(heights, peak_weight),
             ripple: pressures.map_or_else(Vec::new, |pressures| {
-                ripple(&AtPlaces::of(heights, pressures))
+                ripple(&AtPlaces::of(heights, pressures, places(heights[0].len())))
             }),
         }
     }
@@ -159,18 +162,21 @@ pub struct PatchSample {
 }
 
 impl PatchSample {
-    /// The patch of these flattened heights \[m\] in rows of `columns`, with the pressures \[Pa\] that flatten them if its film ripples.
+    /// The patch of these flattened heights \[m\] in rows of `columns`, with the pressures \[Pa\] that flatten them if its film
+    /// ripples.
     ///
     /// # Errors
-    /// When the numbers of pressures and heights differ, or the rows are not whole.
+    /// When the numbers of pressures and heights differ, or the heights are not whole rows.
     pub fn of(
         heights: &[f64],
         columns: usize,
         pressures: Option<&[f64]>,
     ) -> Result<Self, LoadShareError> {
-        let rule = "must divide the number of heights";
-        let is_whole = columns > 0 && heights.len().is_multiple_of(columns);
-        DomainError::require(is_whole, "columns of a patch", columns as f64, "-", rule)?;
+        let rows = heights.len().checked_div(columns).unwrap_or(0);
+        let rule = "must be whole rows";
+        let fits = rows > 0 && rows * columns == heights.len();
+        let number = heights.len() as f64;
+        DomainError::require(fits, "heights of a patch", number, "-", rule)?;
         if let Some(number) = pressures.map(<[f64]>::len) {
             let rule = "must be as many as the heights of the patch";
             let fits = number == heights.len();
@@ -179,8 +185,7 @@ impl PatchSample {
         Ok(Self {
             deviation: deviation([heights], 0.0).si(),
             at: pressures.map(|pressures| {
-                let all = places_of_patch(heights.len(), columns);
-                AtPlaces::at(all, [heights], [pressures])
+                AtPlaces::of([heights], [pressures], places_of_patch(columns, rows))
             }),
         })
     }
@@ -221,18 +226,14 @@ struct AtPlaces {
 }
 
 impl AtPlaces {
-    fn of<const N: usize>(heights: [&[f64]; N], pressures: [&[f64]; N]) -> Self {
-        Self::at(places(heights[0].len()), heights, pressures)
-    }
-
-    fn at<const N: usize>(
-        all: impl Iterator<Item = usize> + Clone,
+    fn of<const N: usize>(
         heights: [&[f64]; N],
         pressures: [&[f64]; N],
+        places: impl Iterator<Item = usize> + Clone,
     ) -> Self {
         let sums = |of: [&[f64]; N]| {
             let sum = |i: usize| of.iter().map(|values| values[i]).sum();
-            all.clone().map(sum).collect()
+            places.clone().map(sum).collect()
         };
         Self {
             pressures: sums(pressures),
@@ -441,7 +442,7 @@ pub(crate) fn part_gradient(
 ) -> [Vec<f64>; 2] {
     cite!("Ripple-gradient");
     let mut gradient = [0, 1].map(|_| vec![0.0; pressures.len()]);
-    let at = AtPlaces::of([heights], [pressures]);
+    let at = AtPlaces::of([heights], [pressures], places(heights.len()));
     let scale = Scale::of(&at.pressures);
     if scale.deviation == 0.0 {
         return gradient;
@@ -496,7 +497,55 @@ mod tests {
     use super::*;
 
     fn ripple(heights: &[f64], pressures: &[f64]) -> Vec<RipplePart> {
-        super::ripple(&AtPlaces::of([heights], [pressures]))
+        super::ripple(&AtPlaces::of([heights], [pressures], places(heights.len())))
+    }
+
+    #[test]
+    fn places_of_a_patch_are_in_every_column_and_row_alike() {
+        for (columns, rows) in [(601, 192), (603, 64), (605, 256), (50, 7), (3, 5)] {
+            let found: Vec<usize> = places_of_patch(columns, rows).collect();
+            let count = found.len();
+            assert_eq!(count, (OF_PATCH * PLACES).min(columns * rows));
+            // In any twelfth of the columns as many as in any other, but for two.
+            let twelfth = |part: usize| {
+                let within = |i: &&usize| **i % columns * 12 / columns == part;
+                found.iter().filter(within).count()
+            };
+            let expected = count as f64 / 12.0;
+            if columns > 100 {
+                for part in 0..12 {
+                    assert!(
+                        (twelfth(part) as f64 - expected).abs() < 4.0,
+                        "{columns} {rows}"
+                    );
+                }
+            }
+            let of_row = |row: usize| found.iter().filter(|i| **i / columns == row).count();
+            let least = count / rows;
+            assert!((0..rows).all(|row| (least..=least + 1).contains(&of_row(row))));
+        }
+    }
+
+    #[test]
+    fn a_patch_constant_along_the_lead_ripples_as_its_line() {
+        let line = wave(603);
+        let pressures: Vec<f64> = line.iter().map(|z| 3.0 * z + 7.0).collect();
+        let moment = |parts: &[RipplePart]| -> f64 {
+            parts
+                .iter()
+                .map(|part| part.length * part.pressure * part.height)
+                .sum()
+        };
+        let expected = moment(&ripple(&line, &pressures));
+        // 192 rows had all of their places in one column.
+        for rows in [4, 64, 192, 256] {
+            let patch = PatchSample::of(&line.repeat(rows), 603, Some(&pressures.repeat(rows)));
+            let found = PatchSample::between(&[(Arc::new(patch.unwrap()), 1.0)]);
+            assert!(
+                (moment(&found.ripple) / expected - 1.0).abs() < 0.01,
+                "{rows}"
+            );
+        }
     }
 
     fn wave(points: usize) -> Vec<f64> {
@@ -571,36 +620,6 @@ mod tests {
                 "{points}: {}",
                 found.len()
             );
-        }
-    }
-
-    /// A patch of equal rows ripples as its line, whatever its numbers of rows and columns.
-    #[test]
-    fn a_patch_of_equal_rows_has_the_parts_of_its_line() {
-        for (columns, rows) in [(600, 1), (603, 64), (601, 192), (603, 192), (1207, 256)] {
-            let heights = wave(columns);
-            let pressures: Vec<f64> = (heights.iter().enumerate())
-                .map(|(i, z)| 3.0 * z + (0.7 * i as f64).sin())
-                .collect();
-            let line = ripple(&heights, &pressures);
-            let (z, p) = (heights.repeat(rows), pressures.repeat(rows));
-            let sample = Arc::new(PatchSample::of(&z, columns, Some(&p)).unwrap());
-            let patch = PatchSample::between(&[(sample, 1.0)]).ripple;
-            assert_eq!(patch.len(), line.len());
-            for (a, b) in patch.iter().zip(&line) {
-                for (a, b) in [
-                    (a.length, b.length),
-                    (a.pressure, b.pressure),
-                    (a.height, b.height),
-                ] {
-                    assert!((a - b).abs() < 1e-12, "{columns} {rows}: {a} {b}");
-                }
-            }
-            let all: Vec<usize> = places_of_patch(columns * rows, columns).collect();
-            assert!(all.iter().all(|i| *i < columns * rows));
-            let taken: std::collections::BTreeSet<usize> =
-                all.iter().map(|i| i / columns).collect();
-            assert_eq!(taken.len(), rows.min(ROWS));
         }
     }
 

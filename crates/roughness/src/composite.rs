@@ -123,7 +123,7 @@ pub fn spaced(profile: &Profile, spacing: Length) -> Result<Profile, DomainError
 /// When the spacing is not positive, or the profile would have more than a hundred million points.
 pub fn resampled(profile: &Profile, spacing: Length) -> Result<Profile, DomainError> {
     let z = profile.heights();
-    let count = points_after(profile, spacing)?;
+    let count = points_after(profile.len(), profile.spacing(), spacing)?;
     let ratio = spacing / profile.spacing();
     let at = |i: usize| {
         let position = i as f64 * ratio;

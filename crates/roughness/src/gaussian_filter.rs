@@ -43,6 +43,18 @@ pub enum Ends {
     Reflect,
 }
 
+/// Points per cut-off λs, which sample the weights of the filter with an error of 0.1 % (the sum of the neglected aliases).
+pub(crate) const POINTS_PER_LAMBDA_S: f64 = 5.0;
+
+/// Shortest cut-off λs of points `spacing` apart, five times that, rounded up to 0.1 µm.
+#[must_use]
+pub fn shortest_noise_cutoff(spacing: Length) -> Length {
+    const STEPS_PER_METRE: f64 = 1e7;
+    let steps = POINTS_PER_LAMBDA_S * spacing.si() * STEPS_PER_METRE;
+    // Round-off adds no step.
+    Length::from_si((steps * (1.0 - 1e-9)).ceil() / STEPS_PER_METRE)
+}
+
 /// α = √(ln 2/π)                                                            [Gauss-1]
 ///
 /// With this constant the filter transmits half the amplitude at its cut-off.

@@ -44,6 +44,7 @@ pub mod section_heights;
 pub mod spectral;
 pub mod summits;
 pub mod surface_preparation;
+pub mod surface_step;
 mod warning;
 
 pub use error::RoughnessError;

@@ -12,9 +12,9 @@ use serde::{Deserialize, Serialize};
 use crate::dominant::dominant;
 use crate::error::RoughnessError;
 use crate::form::{self, Form};
-use crate::gaussian_filter::{Ends, alpha, mean_line, mean_line_gradient};
+use crate::gaussian_filter::{Ends, POINTS_PER_LAMBDA_S, alpha, mean_line, mean_line_gradient};
 use crate::robust_filter::{RobustEvidence, robust_mean_line};
-use crate::warning::{POINTS_PER_LAMBDA_S, Warning};
+use crate::warning::Warning;
 
 /// λ_s of the default recipe (ISO 3274 for λ_c = 0.25 and 0.8 mm).
 pub const LAMBDA_S: Length = Length::from_si(2.5e-6);

@@ -48,7 +48,7 @@ const STEEPNESS: f64 = 8.0;
 pub fn respaced(profile: &Profile, spacing: Length) -> Result<Profile, DomainError> {
     cite!("Band-limited");
     let z = profile.heights();
-    let count = points_after(profile, spacing)?;
+    let count = points_after(profile.len(), profile.spacing(), spacing)?;
     let ratio = ratio(profile.spacing(), spacing);
     let height = |i: usize| {
         let mut sum = 0.0;
@@ -90,15 +90,23 @@ fn ratio(from: Length, to: Length) -> f64 {
     }
 }
 
-/// Number of points `spacing` apart on a profile.
+/// Number of points `spacing` apart on a profile of `points` points `from` apart.
 ///
 /// # Errors
 /// When the spacing is not positive, or the profile would have more than a hundred million points.
-pub(crate) fn points_after(profile: &Profile, spacing: Length) -> Result<usize, DomainError> {
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_roughness::resampling::points_after;
+/// let um = |value: f64| Length::from_si(value * 1e-6);
+/// assert_eq!(points_after(16, um(0.31), um(0.5))?, 10);
+/// # Ok::<(), asperity_core::DomainError>(())
+/// ```
+pub fn points_after(points: usize, from: Length, spacing: Length) -> Result<usize, DomainError> {
     /// Maximum number of points, as in the generators: 800 MB.
     const MAX_POINTS: f64 = 1e8;
     let d = DomainError::positive("spacing", spacing)?;
-    let intervals = (profile.len() - 1) as f64 / ratio(profile.spacing(), spacing);
+    let intervals = points.saturating_sub(1) as f64 / ratio(from, spacing);
     let rule = "is too fine: the profile would have more than a hundred million points";
     DomainError::require(intervals < MAX_POINTS, "spacing", d, "m", rule)?;
     Ok((intervals * (1.0 + f64::EPSILON)).floor() as usize + 1)

@@ -5,6 +5,8 @@ use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{Code, number};
 use serde::{Deserialize, Serialize};
 
+use crate::gaussian_filter::shortest_noise_cutoff;
+
 /// A warning with a stable code.
 ///
 /// ```
@@ -142,17 +144,6 @@ pub enum Warning {
 /// Height of a section over the median of all from which it is outside of the texture of the others.
 pub(crate) const OUTSIDE: f64 = 3.0;
 
-/// Points per cut-off λs, which sample the weights of the filter with an error of 0.1 % (the sum of the neglected aliases).
-pub(crate) const POINTS_PER_LAMBDA_S: f64 = 5.0;
-
-/// Shortest cut-off λs of a trace, rounded up to 0.1 µm.
-fn shortest_lambda_s(spacing: Length) -> Length {
-    const STEPS_PER_METRE: f64 = 1e7;
-    let steps = POINTS_PER_LAMBDA_S * spacing.si() * STEPS_PER_METRE;
-    // Round-off adds no step.
-    Length::from_si((steps * (1.0 - 1e-9)).ceil() / STEPS_PER_METRE)
-}
-
 impl Warning {
     /// Remedy; empty if only a better measurement helps.
     pub fn remedy(&self) -> Remedy {
@@ -160,7 +151,7 @@ impl Warning {
             Self::FormNotRemoved { .. } => Remedy::set(Setting::Form, Value::This("poly2".into())),
             Self::CoarseForLambdaS { spacing, .. } => Remedy::act("measure finer").or_set(
                 Setting::NoiseCutoff,
-                Value::This(shortest_lambda_s(*spacing).to_string().into()),
+                Value::This(shortest_noise_cutoff(*spacing).to_string().into()),
             ),
             Self::InvoluteLeft { .. } => {
                 Remedy::act("check base radius and roll length").or_do("take it as crowning")

@@ -144,19 +144,16 @@ impl Independent {
         Ok(Some(Self { windows, rows }))
     }
 
-    /// s₀ at an asperity share. The prior of traces does not go back at shares near 1, which only patches reach.
+    /// s₀ at an asperity share: a patch is the mean of its independent rows, each of which scatters as a trace does.
     fn expected_scatter(self, asperity_share: f64) -> f64 {
-        let of_trace = PRIOR[0] * asperity_share;
-        (self.rows).map_or(of_trace, |rows| {
-            of_trace * (1.0 - asperity_share) / rows.sqrt()
-        })
+        PRIOR[0] * asperity_share / self.rows.unwrap_or(1.0).sqrt()
     }
 }
 
 /// Sampling error of the mean loss over `offsets` offsets on flanks with `independent` windows.
 ///
 /// ```text
-/// s′ = 0.75 Σ d_i/Σ P_i,  n_e = min(K, n_max),  s₀ = φ/2, φ (1 − φ)/(2 √m)
+/// s′ = 0.75 Σ d_i/Σ P_i,  n_e = min(K, n_max),  s₀ = φ/(2 √m), m = 1 of traces
 /// s_p² = (4 s₀² + (n_e − 1) s′²)/(3 + n_e),  SE = s_p/√n_e                   [Sampling-error]
 /// SE_num² = Σ d_i²/(K (Σ P_i)²)
 /// ```
@@ -236,7 +233,7 @@ mod tests {
             let independent = Independent { windows: 1.0, rows };
             window_sampling(&[[1.0, 0.4]], 4, independent, 0.2).standard_error
         });
-        assert!((trace - 0.1).abs() < 1e-15 && (patch - 0.02).abs() < 1e-15);
+        assert!((trace - 0.1).abs() < 1e-15 && (patch - 0.025).abs() < 1e-15);
     }
 
     #[test]

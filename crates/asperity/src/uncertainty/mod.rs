@@ -89,15 +89,22 @@ pub(crate) fn run_and_draw(
     known: &mut Vec<Contacts>,
     progress: Progress<'_>,
 ) -> Result<(Outcome, Option<Predictive>), Error> {
-    let by_rows = |rows: &LoadedCase, band: bool, contacts: &mut Vec<Contacts>| {
-        run_and_draw(rows, (None, band), contacts, &|_, _| {})
-    };
-    // Each evaluation counts like a position.
+    // Each evaluation counts like a position, and the run of the rows like the run of the patches.
     let more = if band { evaluations(loaded) } else { 0 };
     let before = AtomicUsize::new(0);
+    let runs = if scans::is_due(loaded, pictures) {
+        2
+    } else {
+        1
+    };
+    let by_rows = |rows: &LoadedCase, band: bool, contacts: &mut Vec<Contacts>| {
+        let patches = before.load(Ordering::Relaxed) + more;
+        let shown = |done, total| progress(patches + done, patches + total);
+        run_and_draw(rows, (None, band), contacts, &shown)
+    };
     let shown = |done, total| {
         before.store(total, Ordering::Relaxed);
-        progress(done, total + more);
+        progress(done, runs * (total + more));
     };
     let (mut outcome, loaded, contacts) = outcome(loaded, pictures, known, &shown)?;
     if !band || !has_band(&loaded) {
@@ -111,8 +118,8 @@ pub(crate) fn run_and_draw(
         return Ok((outcome, None));
     }
     let used = Provenance::new();
-    let before = before.into_inner();
-    let done = |evaluated| progress(before + evaluated, before + more);
+    let positions = before.load(Ordering::Relaxed);
+    let done = |evaluated| progress(positions + evaluated, runs * (positions + more));
     let found = used.collect(|| uncertainty(&loaded, &outcome, &contacts, &done));
     let (uncertainty, predictive) = found?;
     let warnings = &mut outcome.result.warnings;

@@ -18,7 +18,7 @@ type Runs<'a> = &'a dyn Fn(
 ) -> Result<(Outcome, Option<Predictive>), Error>;
 
 /// Whether the result of a run has the comparison: patches are in contact, and its pictures are requested.
-fn is_due(loaded: &LoadedCase, pictures: Option<&KeptFields>) -> bool {
+pub(super) fn is_due(loaded: &LoadedCase, pictures: Option<&KeptFields>) -> bool {
     pictures.is_some_and(|kept| *kept != KeptFields::Nothing) && loaded.surfaces.sheets().is_some()
 }
 

@@ -3,7 +3,7 @@
 use asperity_core::quantity::Length;
 use asperity_ehl_regime::{GapLaw, Lay};
 use asperity_flanks::flank_form::{FormError, shortest_form};
-use asperity_flanks::meeting::largest_spacing;
+use asperity_flanks::meeting::{largest_spacing, needed_length};
 use asperity_flanks::trace_filters::StatedFilters;
 use asperity_gear::{Gear, GearPair};
 use asperity_roughness::preparation::Preparation;
@@ -28,6 +28,8 @@ pub(crate) struct FlankInputs {
     pub shortest_form: Result<Option<Length>, FormError>,
     /// Largest spacing of the traces that the contacts admit.
     pub largest_spacing: Length,
+    /// Length of a scan that their windows need.
+    pub needed_length: Length,
     pub preparation: Preparation,
     /// Lay of pinion and wheel, if the case states it.
     pub lay: Option<[Lay; 2]>,
@@ -58,6 +60,11 @@ impl FlankInputs {
                 _ => form().map(Some),
             },
             largest_spacing: largest_spacing(&case.gears, case.torque, case.modulus),
+            needed_length: needed_length(
+                &case.gears,
+                (case.torque, case.modulus),
+                case.model.window,
+            ),
             preparation: case.preparation,
             lay: case.input.model.lay.map(OneOrTwo::both),
             solves_contact: solves && (law.supply().is_some() || law == LoadShareName::Ehl),

@@ -169,7 +169,7 @@ pub(crate) fn rows(
     DomainError::require((1..=has).contains(&rows), name, rows as f64, "-", rule)
         .map_err(section.domain("rows"))?;
     let listed = |k: usize| {
-        let row = scan.map_or(1, |scan| scan.row_of_part(k, rows));
+        let row = scan.map_or(1, |scan| scan.row_of_part(k, rows, flank.range));
         let mut trace = Listed::alone(&FlankInput {
             row: Some(row),
             rows: None,

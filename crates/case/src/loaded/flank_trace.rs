@@ -7,7 +7,7 @@ use std::sync::Arc;
 use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::Remedy;
-use asperity_core::{Code, DomainError};
+use asperity_core::{Code, DomainError, Profile};
 use asperity_flanks::flank_form::FormError;
 use asperity_flanks::read_place::PlaceError;
 use asperity_flanks::surfaces::{FlankReport, Texture};
@@ -244,6 +244,7 @@ fn trace(
         outliers: inputs.surface.outliers,
         place: stated_place(input.from, input.at, input.mirrored),
         filters: inputs.filters(),
+        of_scan: listed.scan.as_ref().map(|_| inputs.needed_length),
         shortest_form: match inputs.has_form_of_trace(gear) {
             false => None,
             true => {
@@ -282,6 +283,11 @@ fn trace(
     }
     warnings.extend(overridden(&filters, inputs.filters(), short));
     warnings.extend(parted(&filters, gear));
+    let raw = flank.raw.as_ref();
+    warnings.extend(
+        raw.into_iter()
+            .flat_map(|raw| of_scan(&filters, raw, short)),
+    );
     Ok((flank, stated(&filters, assumed_from, short, keys)))
 }
 
@@ -360,6 +366,18 @@ fn stated(filters: &Filters, assumed_from: bool, file: &str, keys: &Keys) -> Vec
             source: Some("a placed trace keeps its ends".into()),
         });
     }
+    if filters.keeps_ends_of_scan {
+        stated.push(DefaultUsed {
+            key: "surface.ends".into(),
+            value: "\"reg1\"".to_owned(),
+            source: Some(format!("{file} is too short to drop its ends").into()),
+        });
+    }
+    stated.extend(filters.of_spacing.map(|cutoff| DefaultUsed {
+        key: CUTOFFS[1].into(),
+        value: format!("\"{cutoff:.4}\""),
+        source: Some(format!("five times the distance of the points of {file}").into()),
+    }));
     if assumed_from {
         stated.push(DefaultUsed {
             key: format!("{}.from", keys.table).into(),
@@ -396,6 +414,26 @@ fn overridden(filters: &Filters, stated: StatedFilters, file: &str) -> Option<Wa
             format!("{file}: the file states {}", others.join("; ")),
         )
     })
+}
+
+/// W465 and W466: filters of a scan that differ from the filters of a trace.
+fn of_scan(filters: &Filters, row: &Profile, file: &str) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if filters.keeps_ends_of_scan {
+        let text = format!(
+            "{file}: the scan is {:.3} long, too short to drop half a cut-off at both ends. Its ends remain, filtered by regression: heights there are less certain",
+            row.length()
+        );
+        warnings.push(Warning::new(Code::W465, text));
+    }
+    if let Some(cutoff) = filters.of_spacing {
+        let text = format!(
+            "{file}: the points are {:.4} apart. The noise cut-off is {cutoff:.4}, and shorter waves of the flank are not in the loss",
+            row.spacing()
+        );
+        warnings.push(Warning::new(Code::W466, text));
+    }
+    warnings
 }
 
 /// W434: a cut-off between form and roughness that is longer than stated.

@@ -1,43 +1,33 @@
 //! The two flanks of a case: traces read and prepared, or roughness values.
 
-use std::borrow::Cow;
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use asperity_core::message::Warning;
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Length;
 use asperity_core::{Code, DomainError};
-use asperity_ehl_regime::Lay;
+use asperity_flanks::meeting::{Meeting, Refined, longer_than_active, on_common_spacing};
+use asperity_flanks::surfaces::{FlankReport, Surfaces};
+use asperity_flanks::surrogates::Surrogates;
+use asperity_flanks::trace::Flank;
+use asperity_flanks::trace_pairs::SampledFlanks;
+use asperity_flanks::trace_sites::{TraceSite, zones as zones_of};
 use asperity_gear::MeasuredForm;
 
 use super::flank_inputs::FlankInputs;
-use super::flank_sample;
 use super::flank_sample::Listed;
-use super::flank_trace::{Context, Keys, Known, flank, keys_of, traces_of};
-use super::generated::generated;
-use super::lay::{Lays, lays, median_lay};
+use super::flank_trace::{Context, Keys, Known, flank};
+use super::lay::{Lays, lays};
+use super::named_traces::NamedTraces;
+use super::scan_choice::{Taken, taken};
 use super::scans::Scans;
-use super::sheets::{bridged, sheets_of, whole};
+use super::sheets::sheets_of;
 use super::surrogates::surrogates_of;
-use crate::input::case_input::FlankInput;
-use crate::input::contact_name::ContactName;
 use crate::input::files::{FileSums, Files, Reader};
 use crate::source::case_error::CaseError;
 use crate::source::defaults::DefaultUsed;
-use crate::source::section::{Section, domain};
+use crate::source::section::domain;
 use crate::source::source_text::Source;
-use asperity_core::message::Warning;
-use asperity_flanks::meeting::{
-    Meeting, Refined, longer_than_active, on_common_spacing, spacing_of,
-};
-use asperity_flanks::scan::rows_needed;
-use asperity_flanks::sheets::{LEAST_ROWS, rows_of_patches};
-use asperity_flanks::surfaces::{FlankReport, LikeMeasured, Surfaces, Texture};
-use asperity_flanks::surrogates::Surrogates;
-use asperity_flanks::trace::Flank;
-use asperity_flanks::trace_pairs::{SampledFlanks, SampledTrace};
-use asperity_flanks::trace_sites::{TraceSite, paired, teeth as teeth_of, zones as zones_of};
-use asperity_profile_io::read::Gaps;
 
 /// Both flanks with the records of their reading and preparation, and the warnings.
 #[derive(Debug, Clone)]
@@ -148,7 +138,7 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         // Once for the shared file.
         keep_first(&mut warnings);
     }
-    let (surfaces, zones) = named.met(context, &flanks, surrogates, &mut warnings)?;
+    let (surfaces, zones) = met(&named, context, &flanks, surrogates, &mut warnings)?;
     let surfaces = surfaces.with_sheets(sheets);
     let forms = flanks.each_ref().map(|flanks| {
         let forms = flanks.iter().filter_map(|flank| flank.report.form.as_ref());
@@ -173,369 +163,10 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     })
 }
 
-/// The flanks with the rows of scans that are computed.
-struct Taken {
-    known: [Vec<Known>; 2],
-    /// Whether the flank is a scan of which the case names no line.
-    is_scan: [bool; 2],
-    /// Whether patches are in contact.
-    is_patch: bool,
-}
-
-/// Reads the flanks by `known_of`; of a scan without a line the rows, as traces or as a surface, follow from its lay.
-fn taken(
-    named: &mut NamedTraces,
-    context: Context<'_>,
-    known_of: impl Fn(&NamedTraces, usize, &mut Vec<Warning>) -> Result<Vec<Known>, CaseError>,
-    warnings: &mut Vec<Warning>,
-) -> Result<Taken, CaseError> {
-    let mut known: [Vec<Known>; 2] = Default::default();
-    let mut is_scan = [false; 2];
-    let mut doubts: [Vec<Warning>; 2] = Default::default();
-    for (body, known) in known.iter_mut().enumerate() {
-        let found = known_of(named, body, &mut doubts[body]);
-        if found
-            .as_ref()
-            .is_err_and(|error| error.code() == Code::E119)
-        {
-            is_scan[body] = named.take_middle_row(body, context)?;
-        }
-        *known = match is_scan[body] {
-            false => found?,
-            true => known_of(named, body, &mut doubts[body])?,
-        };
-    }
-    let is_patch = takes_patch(context, named, &known, is_scan, warnings);
-    let mut is_anew = [false; 2];
-    for (body, known) in known.iter().enumerate() {
-        if is_scan[body] && !is_patch {
-            let rows = scan_of_lines((body, named), known, context)?;
-            if rows > 1 {
-                named.take_rows(body, rows, context.source)?;
-                is_anew[body] = true;
-            }
-        }
-    }
-    if is_anew != [false; 2] && named.pair(context.source, warnings)? {
-        is_anew = [true; 2];
-    }
-    for (body, known) in known.iter_mut().enumerate() {
-        if is_anew[body] {
-            // The traces known before need not be among these.
-            doubts[body].clear();
-            *known = known_of(named, body, &mut doubts[body])?;
-        }
-    }
-    warnings.extend(doubts.into_iter().flatten());
-    for (list, known) in named.lists.iter().zip(&known) {
-        if let (Some(scan), Some((flank, _))) = (&list[0].scan, known.first()) {
-            if list[0].input.gaps == Some(Gaps::Interpolate) {
-                warnings.extend(bridged(&flank.report, scan.missing()));
-            }
-            warnings.extend(scan.spikes.clone());
-        }
-    }
-    Ok(Taken {
-        known,
-        is_scan,
-        is_patch,
-    })
-}
-
 /// Leaves each warning once.
 fn keep_first(warnings: &mut Vec<Warning>) {
-    let mut seen = BTreeSet::new();
+    let mut seen = std::collections::BTreeSet::new();
     warnings.retain(|warning| seen.insert(warning.to_string()));
-}
-
-/// The traces that the keys of a flank name, or traces generated like them.
-fn named(
-    input: &FlankInput,
-    keys: &Keys,
-    context: Context<'_>,
-    warnings: &mut Vec<Warning>,
-) -> Result<Vec<Listed>, CaseError> {
-    match &input.like {
-        Some(list) => generated(input, list, keys, context, warnings),
-        None => {
-            let stated = [
-                ("seed", input.seed.is_some()),
-                ("after", input.after.is_some()),
-                ("state", input.state.is_some()),
-                ("engagements", input.engagements.is_some()),
-            ];
-            match stated.into_iter().find(|(_, is_stated)| *is_stated) {
-                Some((key, _)) => {
-                    let section = Section::of(context.source, keys.table);
-                    Err(section.conflict(key, "needs like, the traces to generate others like"))
-                }
-                None => traces_of(input, keys, context),
-            }
-        }
-    }
-}
-
-/// The traces that the keys of both flanks name.
-struct NamedTraces {
-    keys: [Keys; 2],
-    /// Whether the wheel has keys of its own.
-    has_own_wheel: bool,
-    lists: [Vec<Listed>; 2],
-    sites: [Vec<TraceSite>; 2],
-    /// Teeth that are named, and teeth that are paired.
-    named: [usize; 2],
-    teeth: [usize; 2],
-}
-
-impl NamedTraces {
-    /// Lists the traces; of too many teeth those that are paired.
-    fn of(context: Context<'_>, warnings: &mut Vec<Warning>) -> Result<Self, CaseError> {
-        let Context { inputs, source, .. } = context;
-        let (pinion_input, own_wheel) = inputs.surface.of_side(inputs.side);
-        // Flanks face each other: a wheel without a trace has the trace of the pinion, mirrored.
-        let wheel_input = own_wheel.cloned();
-        let wheel_input = wheel_input.unwrap_or_else(|| pinion_input.for_wheel());
-        let keys = keys_of(inputs.side, own_wheel.is_some());
-        let is_list = pinion_input.traces.is_some() || pinion_input.rows.is_some();
-        if is_list && own_wheel.is_none() {
-            return Err(CaseError::Conflict {
-                place: source.place_of(&keys[0].traces()),
-                key: keys[1].table.into(),
-                rule: "the pinion has several traces, and the wheel's flanks are others: give traces of the wheel, or one file",
-            });
-        }
-        let lists = [
-            named(pinion_input, &keys[0], context, warnings)?,
-            named(&wheel_input, &keys[1], context, warnings)?,
-        ];
-        let mut found = Self {
-            sites: Default::default(),
-            has_own_wheel: own_wheel.is_some(),
-            keys,
-            lists,
-            named: [0; 2],
-            teeth: [0; 2],
-        };
-        found.pair(source, warnings)?;
-        Ok(found)
-    }
-
-    /// Counts the teeth, and leaves those that are paired; whether these are fewer.
-    fn pair(&mut self, source: &Source, warnings: &mut Vec<Warning>) -> Result<bool, CaseError> {
-        let named = [0, 1].map(|body: usize| teeth_of(&sites_of(&self.lists[body])));
-        let teeth = paired(named);
-        let of_rows = self.lists.each_ref().map(|list| list[0].site.row.is_some());
-        for body in [0, 1] {
-            match of_rows[body] {
-                // Fewer rows, still spread evenly.
-                true if named[body] > teeth[body] => self.take_rows(body, teeth[body], source)?,
-                _ => self.lists[body].retain(|trace| trace.site.tooth < teeth[body]),
-            }
-        }
-        let is_fewer = teeth != named;
-        if is_fewer {
-            warnings.push(left_out(named, teeth, of_rows));
-        }
-        self.sites = self.lists.each_ref().map(|list| sites_of(list));
-        (self.named, self.teeth) = (named, teeth);
-        Ok(is_fewer)
-    }
-
-    /// Names the middle row of a flank whose file is a scan, and of which the case names no line; whether it is one.
-    fn take_middle_row(&mut self, body: usize, context: Context<'_>) -> Result<bool, CaseError> {
-        let keys = &self.keys[body];
-        let [alone] = self.lists[body].as_mut_slice() else {
-            return Ok(false);
-        };
-        let scan = match &alone.input.file {
-            Some(file) if alone.is_without_line() => context.scan(&alone.input, file, keys)?,
-            _ => None,
-        };
-        let Some(scan) = scan.filter(|scan| scan.apart().is_some()) else {
-            return Ok(false);
-        };
-        alone.input.row = Some(scan.row_of_part(0, 1));
-        // Optical instruments miss some points of nearly every scan.
-        alone.input.gaps.get_or_insert(Gaps::Interpolate);
-        alone.scan = Some(scan);
-        Ok(true)
-    }
-
-    /// Number of flanks with keys: a wheel without any has those of the pinion.
-    fn stated(&self) -> usize {
-        if self.has_own_wheel { 2 } else { 1 }
-    }
-
-    /// Contact and rows of scans without a line, where the case leaves them to the lay.
-    fn taken_by_lay(
-        &self,
-        context: Context<'_>,
-        is_scan: [bool; 2],
-        is_patch: bool,
-        lays: &Lays,
-    ) -> Vec<DefaultUsed> {
-        let default = |key: Cow<'static, str>, value: String, source: &'static str| DefaultUsed {
-            key,
-            value,
-            source: Some(source.into()),
-        };
-        if is_patch && context.inputs.surface.contact.is_none() {
-            let source = match is_scan {
-                [true, true] => "both flanks are scans, and the lay of one is above 1/6",
-                _ => "a flank is a scan, and the lay of one flank is above 1/6",
-            };
-            return vec![default(
-                "surface.contact".into(),
-                "\"patch\"".to_owned(),
-                source,
-            )];
-        }
-        let scans = (0..self.stated()).filter(|body| is_scan[*body] && !is_patch);
-        let rows = scans.map(|body| {
-            let key = format!("{}.rows", self.keys[body].table).into();
-            let source = match (0..2).any(|body| is_scan[body] && lays.measured(body).is_none()) {
-                true => "at most 8, with the sampling error of the whole scan; a scan does not show its lay, assumed 0 to 1/6",
-                false => "as many as have the sampling error of the whole scan, at most 8",
-            };
-            default(key, self.lists[body].len().to_string(), source)
-        });
-        rows.collect()
-    }
-
-    /// Names rows of the scan of a flank, as `rows` does, in place of those named before.
-    fn take_rows(&mut self, body: usize, rows: usize, source: &Source) -> Result<(), CaseError> {
-        let section = Section::of(source, self.keys[body].table);
-        let whole = FlankInput {
-            row: None,
-            ..self.lists[body][0].input.clone()
-        };
-        let scan = self.lists[body][0].scan.clone();
-        self.lists[body] = flank_sample::rows(&whole, rows, scan.as_ref(), section)?;
-        Ok(())
-    }
-
-    /// The flanks in contact, and the places y/b between the zones of the face.
-    fn met(
-        &self,
-        context: Context<'_>,
-        flanks: &[Vec<Flank>; 2],
-        surrogates: Option<(Surrogates, Vec<DefaultUsed>)>,
-        warnings: &mut Vec<Warning>,
-    ) -> Result<(Surfaces, Vec<f64>), CaseError> {
-        let inputs = context.inputs;
-        let is_placed = all_placed(flanks, warnings);
-        if !is_placed {
-            let tables = self.keys.each_ref().map(|keys| keys.table);
-            warnings.extend(too_long(longer_than_active(&inputs.gears, flanks), tables));
-        }
-        let width = inputs.gears.face_width;
-        let sites = self.sites.each_ref().map(Vec::as_slice);
-        let zones = zones_of(sites, width);
-        check_across(inputs, sites, &zones, &self.keys, context.source)?;
-        if let Some((surrogates, _)) = surrogates {
-            return Ok((surrogates.surfaces, zones));
-        }
-        let meeting = Meeting {
-            noise_cutoff: inputs.preparation.lambda_s,
-            flanks,
-            is_placed,
-            like: self.like(),
-        };
-        let is_several = flanks.iter().any(|flanks| flanks.len() > 1);
-        let pairs = is_several.then(|| meeting.pairs(sites, self.teeth, (&zones, width)));
-        let surfaces = pairs.and_then(Surfaces::of_pairs);
-        Ok((surfaces.unwrap_or_else(|| meeting.surfaces([0, 0])), zones))
-    }
-
-    /// Flanks that were generated like measured traces.
-    fn like(&self) -> LikeMeasured {
-        let sums = self.lists.each_ref().map(|list| {
-            let made = list.first().and_then(|trace| trace.generated.as_ref())?;
-            let like = made.record.like.iter().map(|trace| &trace.sha256);
-            Some(like.collect::<BTreeSet<_>>())
-        });
-        LikeMeasured {
-            flanks: sums.each_ref().map(Option::is_some),
-            is_same: sums[0].is_some() && sums[0] == sums[1],
-        }
-    }
-
-    /// All traces with their teeth.
-    fn sampled(&self, flanks: &[Vec<Flank>; 2]) -> SampledFlanks {
-        let of = |body: usize| {
-            let traces = self.sites[body].iter().zip(&flanks[body]);
-            let traces = traces.map(|(site, flank)| SampledTrace::new(*site, flank.report.clone()));
-            traces.collect()
-        };
-        SampledFlanks::new([of(0), of(1)], self.named)
-    }
-}
-
-/// Whether patches are in contact: as stated, or where a flank is a scan, the other a scan or a trace, and the ridges of one run less
-/// across the face than those with which the contact of lines is confirmed.
-fn takes_patch(
-    context: Context<'_>,
-    named: &NamedTraces,
-    known: &[Vec<Known>; 2],
-    is_scan: [bool; 2],
-    warnings: &mut Vec<Warning>,
-) -> bool {
-    if let Some(stated) = context.inputs.surface.contact {
-        return stated == ContactName::Patch;
-    }
-    let is_traced = |known: &[Known]| match known {
-        [(flank, _)] => matches!(flank.texture, Texture::Trace(_)),
-        _ => false,
-    };
-    if is_scan == [false; 2]
-        || !context.inputs.has_patches
-        || !known.iter().all(|known| is_traced(known))
-    {
-        return false;
-    }
-    let lay_of = |body: usize| {
-        let (listed, (flank, _)) = (named.lists[body].first()?, known[body].first()?);
-        let measured = || median_lay(listed, flank, &named.keys[body], context);
-        match (is_scan[body], context.inputs.lay) {
-            (true, _) => measured(),
-            (false, Some(lay)) => Some(lay[body]),
-            (false, None) => Some(measured().unwrap_or(Lay::ACROSS)),
-        }
-    };
-    let [Some(pinion), Some(wheel)] = [0, 1].map(lay_of) else {
-        return false;
-    };
-    if pinion <= Lay::CONFIRMED && wheel <= Lay::CONFIRMED {
-        return false;
-    }
-    let reports = known.iter().flatten().map(|(flank, _)| &flank.report);
-    let along = spacing_of(context.inputs.largest_spacing, reports).unwrap_or_default();
-    let narrow = named.lists.iter().flatten().find_map(|listed| {
-        let scan = listed.scan.as_ref()?;
-        let rows = rows_of_patches(scan.surface.rows, scan.apart()?, along);
-        (rows < LEAST_ROWS).then_some((scan, rows))
-    });
-    if let Some((scan, rows)) = narrow {
-        let text = format!(
-            "{} has {rows} rows at the spacing of patches, which need {LEAST_ROWS}: its rows are taken as traces, though a lay above 1/6 asks for patches. Scan a wider part of the flank",
-            scan.surface.name
-        );
-        warnings.push(Warning::new(Code::W464, text));
-    }
-    narrow.is_none()
-}
-
-/// Number of the rows of the scan of a flank, known by its middle row, that are computed as traces.
-fn scan_of_lines(
-    (body, named): (usize, &NamedTraces),
-    known: &[Known],
-    context: Context<'_>,
-) -> Result<usize, CaseError> {
-    let ([listed], [(flank, _)]) = (named.lists[body].as_slice(), known) else {
-        return Ok(1);
-    };
-    let whole = whole(body, (listed, flank), &named.keys[body], context)?;
-    Ok(rows_needed(&whole))
 }
 
 /// W447: traces of a list that are lines of one surface, which is of one tooth.
@@ -561,28 +192,37 @@ fn of_one_tooth((list, keys): (&Vec<Listed>, &Keys)) -> Option<Warning> {
     Some(Warning::new(Code::W447, text))
 }
 
-/// W427: teeth that are in no pair.
-fn left_out(named: [usize; 2], teeth: [usize; 2], of_rows: [bool; 2]) -> Warning {
-    let which = |body: usize| match of_rows[body] {
-        true => format!("{} rows spread evenly", teeth[body]),
-        false => format!("the first {}", teeth[body]),
+/// The flanks in contact, and the places y/b between the zones of the face.
+fn met(
+    named: &NamedTraces,
+    context: Context<'_>,
+    flanks: &[Vec<Flank>; 2],
+    surrogates: Option<(Surrogates, Vec<DefaultUsed>)>,
+    warnings: &mut Vec<Warning>,
+) -> Result<(Surfaces, Vec<f64>), CaseError> {
+    let inputs = context.inputs;
+    let is_placed = all_placed(flanks, warnings);
+    if !is_placed {
+        let tables = named.keys.each_ref().map(|keys| keys.table);
+        warnings.extend(too_long(longer_than_active(&inputs.gears, flanks), tables));
+    }
+    let width = inputs.gears.face_width;
+    let sites = named.sites.each_ref().map(Vec::as_slice);
+    let zones = zones_of(sites, width);
+    check_across(inputs, sites, &zones, &named.keys, context.source)?;
+    if let Some((surrogates, _)) = surrogates {
+        return Ok((surrogates.surfaces, zones));
+    }
+    let meeting = Meeting {
+        noise_cutoff: inputs.preparation.lambda_s,
+        flanks,
+        is_placed,
+        like: named.like(),
     };
-    Warning::new(
-        Code::W427,
-        format!(
-            "{} traced teeth of the pinion and {} of the wheel make {} pairs: {} of the pinion and {} of the wheel are computed",
-            named[0],
-            named[1],
-            named[0] * named[1],
-            which(0),
-            which(1)
-        ),
-    )
-}
-
-/// Teeth and places of the traces of a list.
-fn sites_of(list: &[Listed]) -> Vec<TraceSite> {
-    list.iter().map(|trace| trace.site).collect()
+    let is_several = flanks.iter().any(|flanks| flanks.len() > 1);
+    let pairs = is_several.then(|| meeting.pairs(sites, named.teeth, (&zones, width)));
+    let surfaces = pairs.and_then(Surfaces::of_pairs);
+    Ok((surfaces.unwrap_or_else(|| meeting.surfaces([0, 0])), zones))
 }
 
 /// Whether the place of every trace is known; known places of only some traces raise a warning and are not used.

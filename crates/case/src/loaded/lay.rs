@@ -117,7 +117,8 @@ pub(crate) fn lays(
         let shared = measured[0] == measured[1];
         let of = if shared { "flanks" } else { name };
         let warning = found.as_ref().and_then(|found| found.warning(of));
-        warnings.extend(warning.filter(|_| body == 0 || !shared));
+        let is_needed = context.inputs.lay.is_none() && (body == 0 || !shared);
+        warnings.extend(warning.filter(|_| is_needed));
         texts.push(format!("{name} {text}"));
     }
     texts.dedup_by(|second, first| second.strip_prefix("wheel") == first.strip_prefix("pinion"));

@@ -8,6 +8,8 @@ pub mod flanks;
 mod generated;
 pub mod lay;
 pub mod loaded_case;
+mod named_traces;
+mod scan_choice;
 pub mod scans;
 pub mod sheets;
 pub mod surrogates;

@@ -9,7 +9,7 @@ use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
 use asperity_flanks::scan::{middle, without_spikes};
 use asperity_flanks::sheets::LEAST_ROWS;
-use asperity_profile_io::read::{ReadOptions, Surface, read_surface_bytes};
+use asperity_profile_io::read::{ReadOptions, Surface, TraceRange, read_surface_bytes};
 
 use crate::input::files::{Content, Reader};
 use crate::source::case_error::CaseError;
@@ -75,22 +75,21 @@ impl Scan {
         surface.dy.filter(|_| surface.rows >= LEAST_ROWS)
     }
 
-    /// Share of its points without a height.
-    pub(crate) fn missing(&self) -> f64 {
-        1.0 - self.surface.measured() as f64 / self.surface.mask.len().max(1) as f64
+    /// Share of its points in a range without a height.
+    pub(crate) fn missing(&self, range: Option<TraceRange>) -> f64 {
+        let points = self.surface.points_in(range);
+        let all = (points.len() * self.surface.rows).max(1);
+        1.0 - self.surface.measured_in(points).sum::<usize>() as f64 / all as f64
     }
 
-    /// The row, from 1, in part `k` of `count` equal parts that lacks the fewest heights, the nearest to its middle.
-    pub(crate) fn row_of_part(&self, k: usize, count: usize) -> usize {
+    /// The row, from 1, in part `k` of `count` equal parts that lacks the fewest heights in a range, the nearest to its middle.
+    pub(crate) fn row_of_part(&self, k: usize, count: usize, range: Option<TraceRange>) -> usize {
         let surface = &self.surface;
         let wanted = middle(k, count, surface.rows);
-        let missing = |row: usize| {
-            let first = row * surface.columns;
-            let known = surface.mask[first..first + surface.columns].iter();
-            known.filter(|known| !**known).count()
-        };
+        let points = surface.points_in(range);
+        let known: Vec<usize> = surface.measured_in(points).collect();
         let part = k * surface.rows / count..(k + 1) * surface.rows / count;
-        let best = part.min_by_key(|row| (missing(*row), row.abs_diff(wanted)));
+        let best = part.max_by_key(|row| (known[*row], std::cmp::Reverse(row.abs_diff(wanted))));
         best.unwrap_or(wanted) + 1
     }
 }

@@ -13,7 +13,9 @@ use asperity_flanks::surfaces::{FlankReport, Texture};
 use asperity_flanks::trace::Flank;
 use asperity_profile_io::read::Gaps;
 use asperity_roughness::RoughnessError;
+use asperity_roughness::preparation::LAMBDA_C;
 use asperity_roughness::surface_preparation::{PreparedSurface, prepare_surface};
+use asperity_roughness::surface_step::step;
 
 use super::flank_sample::Listed;
 use super::flank_trace::{Context, Keys};
@@ -69,6 +71,7 @@ pub(crate) fn sheets_of(
         }
         scans += 1;
         let whole = whole(body, (listed, flank), &keys[body], context)?;
+        warnings.extend(stepped(&whole, &flank.report));
         Ok(SheetSource::Scan(whole))
     };
     let both = [of_body(0)?, of_body(1)?];
@@ -76,7 +79,13 @@ pub(crate) fn sheets_of(
         let rule = "patch needs a scan of at least one flank, a file with the heights of an area; the other flank may have a trace";
         return Err(section.conflict("contact", rule));
     }
-    let text = "patches of whole surfaces are in contact; flanks, stress and roughness parameters are of the middle row of each scan";
+    let lines = match scans {
+        1 => "the trace and the middle row of the scan",
+        _ => "the middle row of each scan",
+    };
+    let text = format!(
+        "patches of whole surfaces are in contact; flanks, stress and roughness parameters are of {lines}. A scan is of one tooth: the scatter between teeth is not in the interval of the loss"
+    );
     warnings.push(Warning::new(Code::W459, text));
     let refused = |error| match error {
         RoughnessError::Domain(error) => section.domain("contact")(error),
@@ -104,6 +113,43 @@ fn made_from_trace(
         "{file}: the surface of the {gear} is made from its trace with the {origin} lay {lay}: {how}{next}"
     );
     Warning::new(Code::W458, text)
+}
+
+/// W467: a step across a scan, with the longer side of it.
+pub(crate) fn stepped(surface: &PreparedSurface, report: &FlankReport) -> Option<Warning> {
+    let step = step(surface)?;
+    let (file, height) = (report.file.as_deref().unwrap_or_default(), step.height);
+    let spacing = surface.spacings[0];
+    let text = match step.is_across_rows {
+        false => format!(
+            "{file}: the rows of the scan rise or fall by {height:.3} at once, as where two fields are joined. The step counts as roughness"
+        ),
+        true => {
+            let points = surface.record.points_before[0];
+            let mut at = surface.record.dropped_each_end as f64 + step.place / spacing;
+            if report.mirrored {
+                at = points as f64 - at;
+            }
+            let cut = report
+                .reading
+                .as_ref()
+                .and_then(|reading| reading.cut.as_ref());
+            let start = cut.map_or(Length::default(), |cut| cut.start);
+            // A side as long as a wave of the step from it.
+            let away = LAMBDA_C.si() / 10.0;
+            let mm = |at: f64| 1e3 * (start.si() + at);
+            let [step, end] = [at, points as f64].map(|at| at * spacing.si());
+            let (from, to) = match 2.0 * step > end {
+                true => (mm(0.0), mm(step - away)),
+                false => (mm(step + away), mm(end)),
+            };
+            format!(
+                "{file}: all rows of the scan rise or fall by {height:.3} at {:.2} mm, as where two fields are joined. The step counts as roughness. Set range to {from:.2} mm .. {to:.2} mm to use the longer side",
+                mm(step)
+            )
+        }
+    };
+    Some(Warning::new(Code::W467, text))
 }
 
 /// W460: points of a scan without a height.
@@ -137,7 +183,7 @@ pub(crate) fn whole(
     };
     let scan = listed.scan.as_ref().ok_or_else(missing)?;
     let (surface, name) = (&scan.surface, scan.surface.name.clone());
-    if scan.missing() > 0.0 && input.gaps == Some(Gaps::Refuse) {
+    if scan.missing(input.range) > 0.0 && input.gaps == Some(Gaps::Refuse) {
         let rule = "refuse: the scan has points without a height; leave gaps out, and lines between their neighbours are in their place";
         return Err(Section::of(context.source, keys.table).conflict("gaps", rule));
     }

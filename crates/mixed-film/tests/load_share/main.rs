@@ -645,7 +645,7 @@ fn patches_are_fed_by_their_computed_flow_and_lines_as_before() {
         let (size, heights) = ([row.len(), 2], row.repeat(2));
         PatchSpectrum::new(&Patch::new(heights, size, [SPACING; 2]).unwrap())
     });
-    let patches = PatchPair::new(spectra, 1).unwrap();
+    let patches = PatchPair::new(spectra.clone(), 1).unwrap();
     let same =
         patches.waves().roughness(&of_lines.attenuation) / lines.roughness(&of_lines.attenuation);
     assert!((same - 1.0).abs() < 1e-9);
@@ -672,22 +672,29 @@ fn patches_are_fed_by_their_computed_flow_and_lines_as_before() {
     assert_eq!(again.asperity_share, by_lines.asperity_share);
 
     // A window of a patch is the window of its trace.
-    let offset = [STARTS[1] - STARTS[0], 0];
     let attenuation = &flattening.attenuation;
-    let left = patches.attenuated(attenuation, offset);
-    let pressures = patches.ripple(attenuation, contact.modulus, offset);
-    let cut = |of: &[f64]| of[STARTS[0]..STARTS[0] + points(&contact)].repeat(2);
-    let piece = PatchSample::of(
-        &cut(left.heights()),
-        points(&contact),
-        Some(&cut(&pressures)),
-    )
-    .unwrap();
+    let both = |of: [Vec<f64>; 2]| -> Vec<f64> {
+        let cut = |k: usize| of[k][STARTS[k]..][..points(&contact)].iter();
+        let sums = cut(0).zip(cut(1)).map(|(a, b)| a + b);
+        sums.collect::<Vec<f64>>().repeat(2)
+    };
+    let left = both(
+        spectra
+            .each_ref()
+            .map(|of| of.attenuated(attenuation).heights().to_vec()),
+    );
+    let pressures = both(
+        spectra
+            .each_ref()
+            .map(|of| of.ripple(attenuation, contact.modulus)),
+    );
+    let columns = points(&contact);
+    let piece = PatchSample::of(&left, columns, Some(&pressures)).unwrap();
     let of_piece = PatchSample::between(&[(Arc::new(piece), 1.0)]);
     assert!((of_piece.deviation / window.deviation - 1.0).abs() < 1e-9);
     assert_eq!(of_piece.ripple.len(), window.ripple.len());
-    assert!(PatchSample::of(&cut(left.heights()), points(&contact), Some(&[0.0])).is_err());
-    assert!(PatchSample::of(&cut(left.heights()), points(&contact) - 1, None).is_err());
+    assert!(PatchSample::of(&left, columns, Some(&[0.0])).is_err());
+    assert!(PatchSample::of(&left, columns - 1, None).is_err());
 
     let power = LoadShareSettings {
         gap_law: GapLaw::Power,

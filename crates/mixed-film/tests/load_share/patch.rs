@@ -56,7 +56,7 @@ fn a_patch_constant_along_the_lead_is_its_line() {
         // Round-off gives a ridge several peaks along the lead; together they are the spot of the line.
         let mut loads = vec![0.0; one.spots.len()];
         for spot in &all.spots {
-            assert!(spot.length.si().is_infinite());
+            assert!(spot.length.si() > 1e3 * 16e-6);
             let same = one.spots.iter().position(|of_line| {
                 close(spot.joint_load.si(), of_line.joint_load.si())
                     && close(spot.width.si(), of_line.width.si())

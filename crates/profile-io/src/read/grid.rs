@@ -3,6 +3,8 @@
 //! The spacing is (x_last − x_first)/(n − 1). The mean or median of single differences is wrong
 //! by the rounding of x: a trace with dx = 0.0996 um written to 0.1 um has a median of 0.1 um.
 
+use std::ops::Range;
+
 use serde::{Deserialize, Serialize};
 
 use super::error::ReadFault;
@@ -279,26 +281,27 @@ pub(super) fn heights(
     Ok((heights, filled))
 }
 
-/// Heights with bridges over missing ones, level at the ends, so that every row keeps its places; and the number of points bridged.
-/// Refused if more than the share `most` of the points is missing.
+/// Heights with bridges over missing ones, level at the ends, so that every row keeps its places; and the number of points bridged
+/// among those that are used. Refused if more than the share `most` of these is missing.
 pub(super) fn bridged(
-    z: &[f64],
+    (z, used): (&[f64], Range<usize>),
     most: f64,
     options: &ReadOptions,
 ) -> Result<(Vec<f64>, usize), ReadFault> {
     let (_, _, inner) = interpolate(z);
-    let missing = z.iter().filter(|z| !z.is_finite()).count();
+    let of_used = &z[used.clone()];
+    let missing = of_used.iter().filter(|z| !z.is_finite()).count();
     let known = z.iter().position(|z| z.is_finite()).unwrap_or(0);
     let (Some(&first), Some(&last), true) = (
         inner.first(),
         inner.last(),
-        missing as f64 <= most * z.len() as f64,
+        missing as f64 <= most * of_used.len() as f64,
     ) else {
-        let gap = z.iter().position(|z| !z.is_finite()).unwrap_or(0);
-        let first = node(gap, options);
+        let gap = of_used.iter().position(|z| !z.is_finite()).unwrap_or(0);
+        let first = node(used.start + gap, options);
         return Err(ReadFault::missing_points(
             (None, &first),
-            [missing, z.len()],
+            [missing, of_used.len()],
             false,
         ));
     };

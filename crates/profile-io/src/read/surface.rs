@@ -1,5 +1,7 @@
 //! Measured surfaces: heights on an even grid, with missing points.
 
+use std::ops::Range;
+
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
@@ -9,7 +11,7 @@ use super::found::Found;
 use super::grid::{self, SpacingSource};
 use super::layout::TableLayout;
 use super::metadata::Metadata;
-use super::options::{Encoding, Gaps, LengthUnit, ReadOptions};
+use super::options::{Encoding, Gaps, LengthUnit, ReadOptions, TraceRange};
 use super::reading::Reading;
 use crate::warning::Warning;
 
@@ -103,7 +105,7 @@ impl Surface {
     }
 
     /// The row that `options` name, as [`read`](super::read) reads it. With [`Gaps::Interpolate`] up to a quarter of
-    /// its points may lack a height; bridges at the ends are level.
+    /// its points in the range may lack a height; bridges at the ends are level.
     ///
     /// # Errors
     /// When no row of several is named, the row does not exist, or it cannot be read as a profile.
@@ -124,7 +126,11 @@ impl Surface {
         let row = row.map_err(|fault| fault.in_file(&self.name))?;
         let known = self.row(row).unwrap_or_default();
         let row = match options.gaps {
-            Gaps::Interpolate => grid::bridged(known, MOST_BRIDGED, options),
+            Gaps::Interpolate => grid::bridged(
+                (known, self.points_in(options.range)),
+                MOST_BRIDGED,
+                options,
+            ),
             Gaps::Refuse => Ok((known.to_vec(), 0)),
         };
         let (heights, bridged) = row.map_err(|fault| fault.in_file(&self.name))?;
@@ -157,6 +163,26 @@ impl Surface {
         });
         let trace = trace.map_err(|fault| fault.in_file(&self.name))?;
         trace.reading(options.uneven)
+    }
+
+    /// Points of each row in a range along the rows; all of them without one.
+    #[must_use]
+    pub fn points_in(&self, range: Option<TraceRange>) -> Range<usize> {
+        let (Some(range), Some(dx)) = (range, self.dx) else {
+            return 0..self.columns;
+        };
+        let at = |end: Length| (end / dx).clamp(0.0, self.columns as f64);
+        // Rounding errors must not move an end that is at a point.
+        const SLACK: f64 = 1e-6;
+        let first = ((at(range.from) - SLACK).ceil() as usize).min(self.columns);
+        let end = (at(range.to) + SLACK).floor() as usize + 1;
+        first..end.clamp(first, self.columns)
+    }
+
+    /// Number of points with a height in each row, of those in `points`.
+    pub fn measured_in(&self, points: Range<usize>) -> impl Iterator<Item = usize> {
+        let rows = self.mask.chunks_exact(self.columns.max(1));
+        rows.map(move |row| row[points.clone()].iter().filter(|known| **known).count())
     }
 
     /// Heights `[m]` of a row, counted from 0; `None` if the row does not exist.
