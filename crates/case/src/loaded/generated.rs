@@ -6,15 +6,15 @@ use std::sync::Arc;
 use asperity_core::message::Warning;
 use asperity_core::{Code, Fault, Profile};
 use asperity_flanks::generated_record::{GeneratedRecord, MeasuredTrace};
+use asperity_flanks::statements::Statements;
 use asperity_flanks::trace::{TraceContent, TraceInputs, measured};
 use asperity_flanks::trace_sites::TraceSite;
-use asperity_profile_io::read::Reading;
 use asperity_roughness::generate::{Like, Method};
 
 use super::flank_sample::{Generated, Listed, listed};
 use super::flank_trace::{Context, Keys, gear_of, placed, read_options};
 use crate::input::case_input::FlankInput;
-use crate::input::files::Content;
+use crate::input::files::{Content, HeldTrace};
 use crate::input::flank_place::stated_place;
 use crate::input::trace_list::TraceList;
 use crate::key_words::with_keys;
@@ -30,8 +30,7 @@ const AFTER: f64 = 1.0;
 struct Measured {
     profile: Profile,
     trace: MeasuredTrace,
-    /// Statements of its file.
-    reading: Option<Reading>,
+    statements: Statements,
 }
 
 /// As many flanks as the list names traces, each of a tooth of its own.
@@ -86,8 +85,9 @@ pub(crate) fn generated(
         seed,
         number: [0, count],
     };
-    let reading = before.into_iter().find_map(|measured| measured.reading);
-    let reading = reading.map(Arc::new);
+    let first = before.into_iter().next();
+    let statements = first.map(|measured| measured.statements.without_warnings());
+    let statements = statements.unwrap_or_default();
     let flank = |k: usize| -> Result<Listed, CaseError> {
         let made = like.generate(seed_of(seed, keys.table, k));
         let made = made.map_err(|error| refused(&error.into()))?;
@@ -104,8 +104,10 @@ pub(crate) fn generated(
             },
             scan: None,
             generated: Some(Generated {
-                heights: Arc::new(made.generated.profile),
-                reading: reading.clone(),
+                heights: Arc::new(HeldTrace {
+                    profile: made.generated.profile,
+                    statements: statements.clone(),
+                }),
                 record: GeneratedRecord {
                     pieces: made.pieces,
                     number: [k + 1, count],
@@ -191,7 +193,7 @@ fn read(input: &FlankInput, keys: &Keys, context: Context<'_>) -> Result<Measure
         name: &name,
         content: match &content {
             Content::Bytes(bytes) => TraceContent::Bytes(bytes, conditions.as_deref()),
-            Content::Heights(profile) => TraceContent::Heights(profile),
+            Content::Heights(held) => TraceContent::Heights(&held.profile, &held.statements),
         },
         options: &read_options(input),
         is_line_stated: input.line.is_some(),
@@ -201,7 +203,7 @@ fn read(input: &FlankInput, keys: &Keys, context: Context<'_>) -> Result<Measure
         shortest_form: None,
     };
     let gears = (&context.inputs.gears, gear_of(keys.table));
-    let (profile, reading) =
+    let (profile, statements) =
         measured(inputs, gears).map_err(|error| placed(error, (&name, &name), keys, context))?;
     Ok(Measured {
         profile,
@@ -209,6 +211,6 @@ fn read(input: &FlankInput, keys: &Keys, context: Context<'_>) -> Result<Measure
             file: name,
             sha256: sum,
         },
-        reading,
+        statements,
     })
 }

@@ -312,8 +312,8 @@ class Case(Fixed):
 
     @property
     def warnings(self) -> Table:
-        """Warnings about the files: code and text."""
-        return Table(self._about["warnings"], ["code", "text"])
+        """All warnings that need no run, as ``asperity check`` lists them: code and text. Where a run cannot begin, those about the files alone."""
+        return Table(json.loads(self._raw.checked), ["code", "text"])
 
     @property
     def meshes(self) -> list[str]:
@@ -435,10 +435,10 @@ class Case(Fixed):
             raise AsperityError(f"profiles in memory: {names}; no file has them", Code.E205, "Name the folder that they are written into: to_toml(folder).")
         place, before = os.path.abspath(folder), fspath(content["folder"])
         renamed: dict[str, str] = {}
-        for name, spacing, heights in content["traces"]:
+        for name, spacing, heights, stated in content["traces"]:
             own = os.path.basename(fspath(name))
             renamed[fspath(name)] = file = f"{re.sub(r'[^a-zA-Z0-9.-]+', '_', own).strip('_')}.csv"
-            Profile(np.frombuffer(heights), spacing, name=own).write(os.path.join(place, file))
+            _asperity.Trace.of_case(np.frombuffer(heights), spacing, stated).write(os.path.join(place, file))
         files = {os.path.normpath(os.path.join(before, name)) for name, _ in content["files"]}
 
         def moved(value: Any) -> Any:

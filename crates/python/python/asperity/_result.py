@@ -96,7 +96,8 @@ class RunResult(Values, ResultValues):
     ``lubricant.temperature_c`` and ``gears.face_width_mm``. What the case states stays text: ``inputs``, ``defaults``. ``run("losses")`` has ``summary``, ``path``, ``offsets``,
     ``warnings`` and ``equations``; with contacts there are also ``formulation``, ``inputs``, ``defaults``, ``gears``, ``load``, ``flanks``,
     ``lubricant``, ``film_constants``, ``points``, ``running_in``, ``published_laws`` and ``references``, and where they were computed
-    ``uncertainty``, ``gearbox`` and ``micropitting``. A result of several meshes has ``shafts``, ``kinds`` and ``meshes``, each a result.
+    ``uncertainty``, ``bulk`` (temperatures of oil and flanks), ``gearbox``, ``micropitting``, ``run_in`` (the losses run in), ``records`` (of mixed lubrication),
+    ``pairs`` (of several traces), and with ``"fields"`` ``ridges`` and ``scans`` (rows or patches of areal scans), or why not: ``no_ridges``, ``no_scans``. A result of several meshes has ``shafts``, ``kinds`` and ``meshes``, each a result.
     """
 
     _outcome: Optional[_asperity.Outcome]
