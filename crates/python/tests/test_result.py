@@ -215,3 +215,14 @@ def test_a_folder_of_a_train_is_read_whole_or_refused(tmp_path):
     shutil.rmtree(mesh)
     with pytest.raises(AsperityError, match="has the meshes a, z, and the folder the results of [az]\n"):
         asperity.read_result(tmp_path / "train")
+
+
+def test_what_was_not_computed_is_none_and_each_name_is_described(case, result):
+    import re
+    import asperity._asperity as compiled
+
+    for run in (result, case.run("losses")):
+        assert run.scans is None and run.run_in is None and len(run.records) == 0 and "scans" not in run
+    described = re.findall(r"``(\w+)``", asperity.RunResult.__doc__)
+    names = next(of for name, _, of in compiled.choices() if name == "ResultName")
+    assert {*names} - {*described} <= {"schema_version", "program", "title", "case_file", "mesh"}

@@ -180,7 +180,8 @@ class Case(Fixed):
 
         A flank takes a `Profile` or the name of a file, which replaces all keys of that flank: ``mirrored``, ``range`` and roughness
         values of the trace before do not stay. Its ``file`` takes both, too, and the other keys stay:
-        ``case.replace({"surface.wheel.file": flank})`` reads the flank from its other end where the case has ``mirrored``.
+        ``case.replace({"surface.wheel.file": flank})`` reads the flank from its other end where the case has ``mirrored``. ``traces``, ``like`` and
+        ``rows`` take the place of ``file``: ``case.replace({"surface.pinion": {"file": None, "like": ["a.csv", "b.csv"]}})``.
 
         Parameters:
             changed: keys by their paths, or tables.
