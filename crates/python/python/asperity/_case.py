@@ -313,7 +313,7 @@ class Case(Fixed):
 
     @property
     def warnings(self) -> Table:
-        """All warnings that need no run, as ``asperity check`` lists them: code and text. Where a run cannot begin, those about the files alone."""
+        """All warnings that need no run, as ``asperity check`` lists them: code and text. If a run cannot begin, those about the files alone."""
         return Table(json.loads(self._raw.checked), ["code", "text"])
 
     @property
