@@ -13,6 +13,8 @@
 //!
 //! [`Train`] is a case of any number of meshes, [`LoadedCase`] that of one.
 
+pub use asperity_flanks::statements::Statements;
+
 pub use crate::input::bulk_input::{BulkInput, BulkLaw, Lubrication};
 pub use crate::input::calibration::cholesky;
 pub use crate::input::calibration::{
@@ -23,7 +25,7 @@ pub use crate::input::case_input::{
     OperationInput, SurfaceInput, VehicleInput,
 };
 pub use crate::input::contact_name::ContactName;
-pub use crate::input::files::{Content, FILE_KEYS, FileContents, FileSums};
+pub use crate::input::files::{Content, FILE_KEYS, FileContents, FileSums, HeldTrace};
 pub use crate::input::finish::FinishName;
 pub use crate::input::flank_place::{FlankPlaceInput, TraceStart};
 pub use crate::input::gear_input::{

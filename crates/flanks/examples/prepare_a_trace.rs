@@ -6,6 +6,7 @@ use std::error::Error;
 
 use asperity_core::Profile;
 use asperity_flanks::read_place::StatedPlace;
+use asperity_flanks::statements::Statements;
 use asperity_flanks::trace::{TraceContent, TraceInputs, prepared_trace};
 use asperity_flanks::trace_filters::StatedFilters;
 use asperity_gear::{Gear, GearPair, GearPairInput};
@@ -18,9 +19,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let drawing = ("1.8 mm".parse()?, "23.4 deg".parse()?, "32 mm".parse()?);
     let drawing = GearPairInput::standard([23, 68], drawing.0, drawing.1, drawing.2);
     let gears = GearPair::new(&drawing)?;
+    let nothing_stated = Statements::default();
     let inputs = TraceInputs {
         name: "a wave",
-        content: TraceContent::Heights(&trace),
+        content: TraceContent::Heights(&trace, &nothing_stated),
         options: &ReadOptions::default(),
         is_line_stated: false,
         outliers: None,

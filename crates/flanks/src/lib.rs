@@ -2,7 +2,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`trace`] | one trace: read, turned, placed, filtered ([`trace_filters`], [`read_place`], [`flank_form`]) |
+//! | [`trace`] | one trace: read, turned, placed, filtered ([`trace_filters`], [`read_place`], [`flank_form`]), with what is stated of it ([`statements`]) |
 //! | [`meeting`] | the traces of both flanks: common spacing, pairs of teeth ([`trace_sites`]) |
 //! | [`surrogates`] | generated flanks where only roughness values are known |
 //! | [`sheets`] | both flanks as surfaces, from which patches are cut |
@@ -25,6 +25,7 @@ pub mod placement;
 pub mod read_place;
 pub mod scan;
 pub mod sheets;
+pub mod statements;
 pub mod surface_lay;
 pub mod surfaces;
 pub mod surrogate_record;

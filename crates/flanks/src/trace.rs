@@ -16,20 +16,19 @@ use asperity_roughness::{Parameters, RoughnessError, Warning};
 use crate::flank_form::{self, FormError};
 use crate::placement::PlacedTrace;
 use crate::read_place::{PlaceError, ReadPlace, StatedPlace, read_place};
+use crate::statements::Statements;
 use crate::surfaces::{FlankReport, Texture};
 use crate::trace_filters::{Filters, StatedFilters};
 
 /// Source of a trace.
 #[derive(Debug, Clone, Copy)]
 pub enum TraceContent<'a> {
-    /// Heights in memory.
-    Heights(&'a Profile),
+    /// Heights in memory, and what is stated of them.
+    Heights(&'a Profile, &'a Statements),
     /// The bytes of a file, and the bytes of its measuring conditions.
     Bytes(&'a [u8], Option<&'a [u8]>),
     /// A scan that was read, of which the options name a row.
     Scan(&'a Surface),
-    /// Generated heights, and what the file of a measured trace of theirs states.
-    Generated(&'a Profile, Option<&'a Reading>),
 }
 
 /// A trace, and everything that its preparation follows from, except the gears.
@@ -77,7 +76,9 @@ pub struct PreparedTrace {
     pub filters: Filters,
     /// Whether the end at which the trace begins is assumed.
     pub assumed_from: bool,
-    /// Doubts about the trace.
+    /// What is stated of its heights.
+    pub statements: Statements,
+    /// Doubts about its preparation.
     pub warnings: Vec<Warning>,
 }
 
@@ -121,23 +122,24 @@ impl From<ReadError> for TraceError {
 struct ReadTrace {
     profile: Profile,
     reading: Option<Reading>,
+    statements: Statements,
     /// Distance of its first point from the first point measured.
     start: Length,
     /// Spikes replaced.
     outliers: Option<OutlierRecord>,
 }
 
-/// A trace of a flank of `gear` as measured, normal to the flank, with what its file states.
+/// A trace of a flank of `gear` as measured, normal to the flank, with what is stated of it.
 ///
 /// # Errors
 /// When the trace cannot be read or placed.
 pub fn measured(
     inputs: TraceInputs<'_>,
     (gears, gear): (&GearPair, Gear),
-) -> Result<(Profile, Option<Reading>), TraceError> {
+) -> Result<(Profile, Statements), TraceError> {
     let mut read = read_trace(inputs, inputs.options, own_radius((gears, gear)))?;
     place_of(inputs, &mut read, (gears, gear))?;
-    Ok((read.profile, read.reading))
+    Ok((read.profile, read.statements))
 }
 
 /// Base radius of `gear`, also of a ring.
@@ -165,11 +167,7 @@ pub fn prepared_trace(
     } else {
         read.profile.clone()
     };
-    let of_others = match inputs.content {
-        TraceContent::Generated(_, reading) => reading,
-        _ => None,
-    };
-    let mut filters = Filters::of(inputs.filters, read.reading.as_ref().or(of_others));
+    let mut filters = Filters::of(inputs.filters, &read.statements);
     if place.is_some_and(|place| place.reference.is_some()) {
         filters.keep_ends(inputs.filters);
     }
@@ -178,7 +176,7 @@ pub fn prepared_trace(
     }
     let form_cutoff = inputs
         .shortest_form
-        .map(|shortest| filters.part_form(inputs.filters, shortest, read.reading.as_ref()));
+        .map(|shortest| filters.part_form(inputs.filters, shortest, &read.statements));
     let form_cutoff = form_cutoff.transpose().map_err(TraceError::Form)?;
     let preparation = &filters.preparation;
     let (mut prepared, waviness) = match form_cutoff {
@@ -248,6 +246,7 @@ pub fn prepared_trace(
         },
         filters,
         assumed_from: place.is_some_and(|place| place.reference.is_some() && place.assumed_from),
+        statements: read.statements,
         warnings,
     })
 }
@@ -281,7 +280,7 @@ fn check_mean(
         Some(parameters.heights.rq.si().powi(2))
     };
     let across = match inputs.content {
-        TraceContent::Heights(_) | TraceContent::Generated(..) | TraceContent::Scan(_) => 1,
+        TraceContent::Heights(..) | TraceContent::Scan(_) => 1,
         TraceContent::Bytes(bytes, _) => {
             let surface = read_surface_bytes(inputs.name, bytes, inputs.options)?;
             lines_across(&surface, single)
@@ -348,7 +347,7 @@ fn read_trace(
             read_with_conditions(name, bytes, conditions, &with_radius)?
         }
         TraceContent::Scan(surface) => surface.reading(&with_radius)?,
-        TraceContent::Heights(profile) | TraceContent::Generated(profile, _) => {
+        TraceContent::Heights(profile, statements) => {
             let cut = options
                 .range
                 .map(|range| TraceCut::of_profile(name, profile, range));
@@ -376,6 +375,7 @@ fn read_trace(
             return Ok(ReadTrace {
                 profile,
                 reading: None,
+                statements: statements.clone(),
                 start,
                 outliers,
             });
@@ -399,6 +399,7 @@ fn read_trace(
     Ok(ReadTrace {
         profile: reading.profile.clone(),
         start: reading.cut.map_or(Length::default(), |cut| cut.start),
+        statements: Statements::from(&reading),
         reading: Some(reading),
         outliers,
     })

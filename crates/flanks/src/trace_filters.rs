@@ -2,12 +2,12 @@
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use asperity_profile_io::read::{FilterState, Reading};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::{Ends, shortest_noise_cutoff};
 use asperity_roughness::preparation::Preparation;
 
 use crate::flank_form::FormError;
+use crate::statements::Statements;
 
 /// Filters of the traces of a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,7 +45,7 @@ pub struct Filters {
 
 impl Filters {
     /// The stated filters, else the filters of the file, else the defaults.
-    pub(crate) fn of(stated: StatedFilters, reading: Option<&Reading>) -> Self {
+    pub(crate) fn of(stated: StatedFilters, of_heights: &Statements) -> Self {
         /// Cut-offs that differ by less are the same as printed.
         const SAME: f64 = 1e-6;
         let mut filters = Self {
@@ -59,15 +59,13 @@ impl Filters {
             parted: None,
         };
         // A roughness profile was filtered with the cut-offs of its file.
-        let unfiltered = reading.filter(|r| r.filter_state != FilterState::Roughness);
-        let Some(facts) = unfiltered.map(|reading| &reading.metadata) else {
+        if of_heights.is_roughness() {
             return filters;
-        };
+        }
         let preparation = &mut filters.preparation;
         let used = [&mut preparation.lambda_c, &mut preparation.lambda_s];
-        let of_file = [facts.lambda_c, facts.lambda_s];
         for (k, used) in used.into_iter().enumerate() {
-            let Some(of_file) = of_file[k] else {
+            let Some(of_file) = of_heights.cutoffs[k] else {
                 continue;
             };
             match stated.cutoffs[k] {
@@ -118,9 +116,9 @@ impl Filters {
         &mut self,
         stated: StatedFilters,
         shortest: Length,
-        reading: Option<&Reading>,
+        of_heights: &Statements,
     ) -> Result<Length, FormError> {
-        if reading.is_some_and(|reading| reading.filter_state == FilterState::Roughness) {
+        if of_heights.is_roughness() {
             return Err(FormError::Filtered);
         }
         match stated.form {

@@ -62,7 +62,7 @@ pub enum Warning {
     },
     /// The file holds the output of a roughness filter.
     #[error(
-        "the file says it holds an already filtered roughness profile; filtering it again changes it"
+        "the heights are stated to be an already filtered roughness profile; filtering them again changes them"
     )]
     AlreadyFiltered,
     /// A checksum in the file differs from the checksum of its content.

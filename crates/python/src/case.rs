@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use asperity::Remedy;
 use asperity::Run;
-use asperity::case::{self, Content, FileContents, LoadedCase, Source, Train, open_source};
+use asperity::case::{
+    self, Content, FileContents, HeldTrace, LoadedCase, Source, Train, open_source,
+};
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
 use asperity::core::number;
@@ -35,9 +37,9 @@ use crate::work::{alone, in_parallel};
 /// Traces in memory by the names that a case gives them.
 pub type Traces<'py> = Vec<(PathBuf, PyRef<'py, Trace>)>;
 
-fn profiles(traces: &Traces<'_>) -> Vec<(PathBuf, Profile)> {
+fn held_traces(traces: &Traces<'_>) -> Vec<(PathBuf, HeldTrace)> {
     let held = traces.iter();
-    held.map(|(name, trace)| (name.clone(), trace.profile.clone()))
+    held.map(|(name, trace)| (name.clone(), trace.held()))
         .collect()
 }
 
@@ -53,24 +55,28 @@ struct CaseContent {
     folder: PathBuf,
     /// Every file that was read.
     files: Vec<(PathBuf, Vec<u8>)>,
-    /// Traces in memory: spacing in m, and heights in m as little-endian bytes.
-    traces: Vec<(PathBuf, f64, Vec<u8>)>,
+    /// Traces in memory: spacing in m, heights in m as little-endian bytes, what is stated of them as JSON.
+    traces: Vec<(PathBuf, f64, Vec<u8>, String)>,
 }
 
 impl CaseContent {
     fn contents(
         files: Vec<(PathBuf, Vec<u8>)>,
-        traces: Vec<(PathBuf, f64, Vec<u8>)>,
+        traces: Vec<(PathBuf, f64, Vec<u8>, String)>,
     ) -> Result<FileContents, Failure> {
         let files = files.into_iter();
         let mut contents: FileContents = files
             .map(|(name, bytes)| (name, Content::Bytes(bytes.into())))
             .collect();
-        for (name, spacing, bytes) in traces {
+        for (name, spacing, bytes, stated) in traces {
             let (numbers, _) = bytes.as_chunks();
             let heights = numbers.iter().map(|number| f64::from_le_bytes(*number));
             let profile = Profile::new(Length::from_si(spacing), heights.collect())?;
-            contents.insert(name, Content::Heights(profile.into()));
+            let held = HeldTrace {
+                profile,
+                statements: failure::asked(&stated)?,
+            };
+            contents.insert(name, Content::Heights(held.into()));
         }
         Ok(contents)
     }
@@ -111,11 +117,11 @@ impl Case {
     fn of(
         source: Source,
         folder: &Path,
-        traces: &[(PathBuf, Profile)],
+        traces: &[(PathBuf, HeldTrace)],
         keys: &[(String, String)],
     ) -> Result<Self, Failure> {
-        let held = traces.iter().map(|(name, profile)| {
-            let content = Content::Heights(profile.clone().into());
+        let held = traces.iter().map(|(name, trace)| {
+            let content = Content::Heights(trace.clone().into());
             (name.clone(), content)
         });
         let loaded = Train::load_holding(source, Some(folder), held.collect(), keys, &|_| {})?;
@@ -167,7 +173,7 @@ impl Case {
         formulation: Option<&str>,
     ) -> PyResult<Self> {
         let keys: Vec<_> = formulation_key(formulation)?.into_iter().collect();
-        let held = profiles(&traces);
+        let held = held_traces(&traces);
         alone(py, || {
             let source = Source::new(name, text).map_err(asperity::Error::from)?;
             Self::of(source, &folder, &held, &keys)
@@ -185,10 +191,12 @@ impl Case {
             for (name, content) in contents {
                 match content {
                     Content::Bytes(bytes) => files.push((name, bytes.to_vec())),
-                    Content::Heights(profile) => {
+                    Content::Heights(held) => {
+                        let profile = &held.profile;
                         let heights = profile.heights().iter();
                         let bytes = heights.flat_map(|height| height.to_le_bytes());
-                        traces.push((name, profile.spacing().si(), bytes.collect()));
+                        let stated = failure::json(&held.statements)?;
+                        traces.push((name, profile.spacing().si(), bytes.collect(), stated));
                     }
                     other => {
                         let message = format!("{}: {other:?} cannot be pickled", name.display());
@@ -235,7 +243,7 @@ impl Case {
         keys: Vec<(String, Option<String>)>,
         traces: Traces<'_>,
     ) -> PyResult<Self> {
-        let held = profiles(&traces);
+        let held = held_traces(&traces);
         alone(py, || {
             let mut input = self.0.input.clone();
             for (key, value) in &keys {
@@ -257,7 +265,7 @@ impl Case {
         keys: Vec<(String, Option<String>)>,
         traces: Traces<'_>,
     ) -> PyResult<Self> {
-        let held = profiles(&traces);
+        let held = held_traces(&traces);
         alone(py, || {
             let base = Train::clone(&self.0).holding(&held);
             let (set, unset): (Vec<_>, Vec<_>) =
@@ -281,7 +289,7 @@ impl Case {
         wheel: Option<PathBuf>,
         traces: Traces<'_>,
     ) -> PyResult<Self> {
-        let held = profiles(&traces);
+        let held = held_traces(&traces);
         let loaded = self.only()?;
         alone(py, || {
             let changed = loaded.holding(&held).with(|input| {
@@ -334,6 +342,16 @@ impl Case {
             "warnings": self.0.all_warnings(),
         });
         Ok(failure::json(&about)?)
+    }
+
+    /// All warnings that need no run as JSON: those about the files, if a run cannot begin.
+    #[getter]
+    fn checked(&self, py: Python<'_>) -> PyResult<String> {
+        alone(py, || match train::check(&self.0) {
+            Ok(found) => failure::json(&found),
+            // The error of a run.
+            Err(_) => failure::json(&self.0.all_warnings()),
+        })
     }
 
     /// Warnings about the files as JSON.

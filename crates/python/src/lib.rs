@@ -51,7 +51,7 @@ mod _asperity {
     #[pymodule_export]
     use super::quantity::{si_units, to_si};
     #[pymodule_export]
-    use super::stored::{diff, read_result, summary};
+    use super::stored::{diff, read_result, read_whole, summary};
     #[pymodule_export]
     use super::study::{Study, keys_of, steps, studies, study};
     #[pymodule_export]

@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 use asperity::case::Trace as CaseTrace;
 use asperity::core::Profile;
 use asperity::message::{Code, Fault};
+use asperity::case::{HeldTrace, Statements};
+use asperity::profile_io::Warning as ReadWarning;
 use asperity::profile_io::read::{FilterState, Metadata, ReadOptions, Reading, read};
 use asperity::profile_io::write::{WrittenFormat, write_filtered};
 use asperity::quantity::Length;
@@ -44,6 +46,8 @@ pub struct Trace {
     stated: [Option<Length>; 2],
     /// Cut-off of the roughness filter that the heights have been through.
     cutoff: Option<Length>,
+    /// Doubts of the reader, which a case with these heights has, too.
+    doubts: Vec<ReadWarning>,
     about: Value,
 }
 
@@ -54,6 +58,7 @@ impl Trace {
             metadata: Metadata::default(),
             stated: [None, None],
             cutoff: None,
+            doubts: Vec::new(),
             about,
         }
     }
@@ -81,6 +86,7 @@ impl Trace {
                 [long, short]
             },
             cutoff: None,
+            doubts: reading.record.warnings,
             metadata: reading.record.metadata,
             profile: reading.profile,
             about,
@@ -99,6 +105,32 @@ impl Trace {
         }
     }
 
+    /// The trace as a case holds it.
+    pub fn held(&self) -> HeldTrace {
+        HeldTrace {
+            profile: self.profile.clone(),
+            statements: self.statements(),
+        }
+    }
+
+    fn statements(&self) -> Statements {
+        let filter_state = self.filter_state();
+        // The case judges the heights itself.
+        let is_of_reading = |warning: &&ReadWarning| !matches!(warning, ReadWarning::ImplausibleHeights { .. });
+        let mut warnings: Vec<ReadWarning> =
+            self.doubts.iter().filter(is_of_reading).cloned().collect();
+        if filter_state == FilterState::Roughness
+            && !warnings.contains(&ReadWarning::AlreadyFiltered)
+        {
+            warnings.push(ReadWarning::AlreadyFiltered);
+        }
+        Statements {
+            filter_state,
+            cutoffs: [self.cutoff.or(self.stated[0]), self.stated[1]],
+            warnings,
+        }
+    }
+
     fn prepared(&self, found: &Prepared, cutoff: Option<Length>, more: &[Warning]) -> Self {
         let warnings = found.warnings.iter().chain(more).map(of_roughness);
         let about = json!({
@@ -111,6 +143,7 @@ impl Trace {
             metadata: self.metadata.clone(),
             stated: self.stated,
             cutoff,
+            doubts: self.doubts.clone(),
             about,
         }
     }
@@ -208,7 +241,14 @@ impl Plan {
 }
 
 type Heights<'py> = Bound<'py, PyArray1<f64>>;
-type State<'py> = (Heights<'py>, f64, String, Option<f64>, [Option<f64>; 2]);
+type State<'py> = (
+    Heights<'py>,
+    f64,
+    String,
+    Option<f64>,
+    [Option<f64>; 2],
+    String,
+);
 type Reduced<'py> = (Bound<'py, PyAny>, State<'py>);
 
 #[pymethods]
@@ -225,7 +265,7 @@ impl Trace {
     }
 
     /// The profile that another process had: heights in m, spacing in m, what is known as JSON, cut-off that it has been
-    /// through, cut-offs that its file states.
+    /// through, cut-offs that its file states, doubts of the reader as JSON.
     #[staticmethod]
     fn restored(
         heights: Input<'_>,
@@ -233,6 +273,7 @@ impl Trace {
         about: &str,
         cutoff: Option<f64>,
         stated: [Option<f64>; 2],
+        doubts: &str,
     ) -> PyResult<Self> {
         let profile = Profile::new(Length::from_si(spacing), copied(&heights));
         let about: Value = failure::asked(about)?;
@@ -241,6 +282,7 @@ impl Trace {
             metadata: metadata.and_then(Result::ok).unwrap_or_default(),
             stated: stated.map(|length| length.map(Length::from_si)),
             cutoff: cutoff.map(Length::from_si),
+            doubts: failure::asked(doubts)?,
             ..Self::made(profile.map_err(Failure::from)?, about)
         })
     }
@@ -251,9 +293,10 @@ impl Trace {
         let stated = self.stated.map(|length| length.map(Length::si));
         let heights = self.heights(py);
         let about = self.about()?;
+        let doubts = failure::json(&self.doubts)?;
         Ok((
             restored,
-            (heights, self.spacing(), about, self.cutoff(), stated),
+            (heights, self.spacing(), about, self.cutoff(), stated, doubts),
         ))
     }
 
@@ -394,6 +437,38 @@ impl Trace {
             ("height_m", curve),
         ];
         columns(py, arrays)
+    }
+
+    /// Heights with what is stated of them as JSON, as a case holds them.
+    #[staticmethod]
+    fn of_case(heights: Input<'_>, spacing: f64, stated: &str) -> PyResult<Self> {
+        let profile = Profile::new(Length::from_si(spacing), copied(&heights));
+        let profile = profile.map_err(Failure::from)?;
+        let of_heights: Statements = failure::asked(stated)?;
+        let [lambda_c, lambda_s] = of_heights.cutoffs;
+        Ok(Self {
+            metadata: Metadata {
+                lambda_c,
+                lambda_s,
+                ..Metadata::default()
+            },
+            stated: of_heights.cutoffs,
+            doubts: of_heights.warnings,
+            ..Self::made(
+                profile,
+                json!({ "filter_state": of_heights.filter_state, "warnings": [] }),
+            )
+        })
+    }
+
+    /// What is stated of the heights as JSON; empty if nothing is.
+    #[getter]
+    fn statements_json(&self) -> PyResult<String> {
+        let stated = self.statements();
+        if stated == Statements::default() {
+            return Ok(String::new());
+        }
+        Ok(failure::json(&stated)?)
     }
 
     /// The same run from its other end.

@@ -1,5 +1,7 @@
 """Profiles: read, made, prepared, written."""
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -58,9 +60,14 @@ def test_what_is_written_reads_back(tmp_path, ending):
 
 def test_a_prepared_profile_says_so_in_a_case_and_in_its_file(tmp_path):
     rough = trace().prepare()
-    with pytest.warns(asperity.AsperityWarning, match="W118 .*filter it again"):
+    with pytest.warns(asperity.AsperityWarning, match="W118 .*filtering them again"):
         case = asperity.Case(small()).replace({"surface.pinion.file": rough})
-    assert case.run("losses").loss_w > 0
+    result = case.run("losses")
+    for found in (case, result, pickle.loads(pickle.dumps(case))):
+        assert "W118" in found.warnings.code
+    unfiltered = case.replace(surface={"cutoff": "0 mm", "noise_cutoff": "0 mm"})
+    assert "W118" not in unfiltered.warnings.code, "nothing filters it again"
+    assert "W118" not in case.replace({"surface.pinion": trace()}).warnings.code
     rough.write(tmp_path / "rough.csv")
     assert "# filter: roughness, lambda_c 250 um" in (tmp_path / "rough.csv").read_text()
     with pytest.warns(asperity.AsperityWarning, match="W118"):
@@ -179,3 +186,22 @@ def test_an_error_of_points_in_memory_names_the_remedy(make, code, words):
 def test_a_profile_is_an_array_of_its_heights():
     waves = trace()
     assert np.array_equal(np.asarray(waves), waves.heights) and np.std(waves) == waves.heights.std() and len(waves[100:500]) == 400
+
+
+def test_a_case_takes_a_profile_as_its_file(tmp_path):
+    file = tmp_path / "stated.csv"
+    rows = "".join(f"{0.5 * k:.1f},{z:.6f}\n" for k, z in enumerate(heights(6000)))
+    file.write_text(f"# filter: primary, lambda_c 0.8 mm\nx_um,z_um,remark\n{rows.replace(chr(10), ',-' + chr(10))}")
+    with pytest.warns(asperity.AsperityWarning, match="W454"):
+        flank = asperity.read_profile(file)
+    open_cutoff = {key: value for key, value in small().items() if key != "surface"}
+    surface = {"wheel": trace().mirrored()}
+    of_file = asperity.Case({**open_cutoff, "surface": {**surface, "pinion": {"file": str(file)}}})
+    of_profile = asperity.Case({**open_cutoff, "surface": {**surface, "pinion": flank}})
+    assert of_profile.run("losses").loss_w == of_file.run("losses").loss_w
+    assert sorted(of_profile.warnings.code) == sorted(of_file.warnings.code) and "W454" in of_file.warnings.code
+    cutoffs = [{row.value for row in case.defaults if row.key == "surface.cutoff"} for case in (of_file, of_profile)]
+    assert cutoffs[0] == cutoffs[1]
+    (tmp_path / "again.toml").write_text(of_profile.to_toml(tmp_path), encoding="utf-8")
+    again = asperity.Case(tmp_path / "again.toml")
+    assert again.run("losses").loss_w == of_file.run("losses").loss_w

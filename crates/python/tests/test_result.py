@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import shutil
 
 import numpy as np
 import pytest
@@ -175,7 +176,7 @@ def test_losses_alone_say_what_they_do_not_have(case, result, tmp_path):
     for copy in copies:
         assert copy == train and copy.meshes == train.meshes and copy.path == train.path and copy.warnings == train.warnings
     (tmp_path / "train" / "train.json").write_text("{")
-    with pytest.raises(AsperityError, match="is damaged"):
+    with pytest.raises(AsperityError, match="it is not JSON"):
         asperity.read_result(tmp_path / "train")
 
 
@@ -184,3 +185,44 @@ def test_a_run_of_several_meshes_warns_of_each():
     with pytest.warns(AsperityWarning) as seen:
         found = train.run("contacts")
     assert {one.message.code for one in seen} <= set(found.warnings.code) and set(found.warnings.mesh) == {"a", "z"}
+
+
+def test_a_folder_of_another_version_is_refused(result, tmp_path):
+    result.write(tmp_path / "run")
+    file = tmp_path / "run" / "result.json"
+    values = json.loads(file.read_text(encoding="utf-8"))
+    file.write_text(json.dumps({**values, "schema_version": values["schema_version"] - 1}), encoding="utf-8")
+    with pytest.raises(AsperityError, match="schema version 1, and this program reads 2; run the case again") as refused:
+        asperity.read_result(tmp_path / "run")
+    assert refused.value.code == "E402" and refused.value.message.count(str(file)) == 1
+    values["summary"]["loss_factor"] = values["summary"].pop("loss_factor_ohlendorf")
+    file.write_text(json.dumps(values), encoding="utf-8")
+    with pytest.raises(AsperityError, match="summary.*loss_factor_ohlendorf"):
+        asperity.read_result(tmp_path / "run")
+
+
+def test_a_folder_of_a_train_is_read_whole_or_refused(tmp_path):
+    train = asperity.Case(SETS["train"]).run("contacts")
+    train.write(tmp_path / "train")
+    file = tmp_path / "train" / "train.json"
+    text = file.read_text(encoding="utf-8")
+    file.write_text(text.replace('"loss_factor_local"', '"loss_factor"'), encoding="utf-8")
+    with pytest.raises(AsperityError, match="missing field `loss_factor_local`") as refused:
+        asperity.read_result(tmp_path / "train")
+    assert refused.value.code == "E402"
+    file.write_text(text, encoding="utf-8")
+    mesh = next(one for one in (tmp_path / "train").iterdir() if one.is_dir())
+    shutil.rmtree(mesh)
+    with pytest.raises(AsperityError, match="has the meshes a, z, and the folder the results of [az]\n"):
+        asperity.read_result(tmp_path / "train")
+
+
+def test_what_was_not_computed_is_none_and_each_name_is_described(case, result):
+    import re
+    import asperity._asperity as compiled
+
+    for run in (result, case.run("losses")):
+        assert run.scans is None and run.run_in is None and len(run.records) == 0 and "scans" not in run
+    described = re.findall(r"``(\w+)``", asperity.RunResult.__doc__)
+    names = next(of for name, _, of in compiled.choices() if name == "ResultName")
+    assert {*names} - {*described} <= {"schema_version", "program", "title", "case_file", "mesh"}

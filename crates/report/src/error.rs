@@ -1,6 +1,5 @@
 //! Errors of reading and writing results. No incomplete result is left behind.
 
-use std::fmt::Display;
 use std::path::Path;
 
 use asperity_core::{Code, Fault, Remedy, Setting};
@@ -30,12 +29,13 @@ pub(crate) fn of_train(path: &Path) -> Fault {
     )
 }
 
-/// A value of `result.json` is missing or damaged.
-pub(crate) fn damaged(path: &Path, key: impl Display, source: serde_json::Error) -> Fault {
+/// A value of `result.json` is missing or damaged; `key` is empty for the whole.
+pub(crate) fn damaged(path: &Path, key: &str, source: serde_json::Error) -> Fault {
+    let at = if key.is_empty() { "" } else { ": " };
     Fault::new(
         Code::E402,
         format!(
-            "{path}: not a result of asperity run: {key}: {source}",
+            "{path}: not a result of asperity run: {key}{at}{source}",
             path = path.display()
         ),
     )

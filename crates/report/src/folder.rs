@@ -7,10 +7,12 @@ use std::path::{Path, PathBuf};
 
 use asperity::UnsolvedContact;
 use asperity::pipeline::KeptFields;
-use asperity::result::{Outcome, RunResult};
+use asperity::result::{Outcome, RunResult, SCHEMA_VERSION};
+use asperity::train::Whole;
 use asperity_core::Fault;
 use asperity_storage::{check_written, json_line, save, whole_file, write_among};
-use serde::Serialize;
+use serde::de::Error as _;
+use serde::{Deserialize, Serialize};
 
 use crate::page_tables::{PageTables, shown_position};
 use crate::tables::{self, CONVERGENCE, ContactTables, FlankTables, PATCH, folder_of};
@@ -256,22 +258,29 @@ pub fn parse_result(json: &str) -> Result<RunResult, serde_json::Error> {
     parsed(json.as_bytes())
 }
 
-fn parsed(json: &[u8]) -> Result<RunResult, serde_json::Error> {
-    serde_json::from_slice(json).or_else(|error| older(json).ok_or(error))
+/// The version of the names and meanings in a result.
+#[derive(Deserialize)]
+struct Version {
+    schema_version: u32,
 }
 
-/// A result of before 0.1.0, whose loss factors have another name.
-fn older(json: &[u8]) -> Option<RunResult> {
-    let mut result: serde_json::Value = serde_json::from_slice(json).ok()?;
-    for (table, name) in [
-        ("summary", "loss_factor_ohlendorf"),
-        ("load", "loss_factor_local"),
-    ] {
-        let table = result.get_mut(table)?.as_object_mut()?;
-        let factor = table.remove("loss_factor")?;
-        table.insert(name.to_owned(), factor);
+fn parsed(json: &[u8]) -> Result<RunResult, serde_json::Error> {
+    if let Ok(Version { schema_version }) = serde_json::from_slice(json)
+        && schema_version != SCHEMA_VERSION
+    {
+        return Err(serde_json::Error::custom(format!(
+            "schema version {schema_version}, and this program reads {SCHEMA_VERSION}; run the case again"
+        )));
     }
-    serde_json::from_value(result).ok()
+    serde_json::from_slice(json)
+}
+
+/// Reads what `train.json` or `planetary.json` says of a gear train as a whole.
+///
+/// # Errors
+/// When there is no such file, or a value of it is missing or damaged.
+pub fn read_whole(file: &Path) -> Result<Whole, Fault> {
+    read_json(file, |bytes| serde_json::from_slice(bytes))
 }
 
 /// Reads a result from its folder or its `result.json`, and returns the folder and the result.
@@ -305,7 +314,7 @@ fn read_json<T>(
         _ => refused("there is no such file"),
     })?;
     parsed(&bytes).map_err(|error| match error.is_data() {
-        true => error::damaged(file, value_path(&bytes, &error), error),
+        true => error::damaged(file, &value_path(&bytes, &error), error),
         false => refused("it is not JSON"),
     })
 }

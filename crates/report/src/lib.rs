@@ -49,8 +49,8 @@ pub use blocks::{LeftOut, OF_MESHES, Report};
 pub use columns::{Cell, Column, Kind, Number, Table, Value};
 pub use described::{Described, Input, StudySettings, Watch, Work, schema_of_settings};
 pub use folder::{
-    Fields, PAGE, make_folder, parse_result, read_result, redraw, title_of, write_bytes,
-    write_json, write_text, write_unsolved,
+    Fields, PAGE, make_folder, parse_result, read_result, read_whole, redraw, title_of,
+    write_bytes, write_json, write_text, write_unsolved,
 };
 pub use page_tables::PageTables;
 pub use printed::{duration, parts_of, stated, stated_parts};

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity_core::Profile;
+use asperity_flanks::statements::Statements;
 use asperity_profile_io::read::conditions_of;
 use asperity_storage::whole_file;
 
@@ -61,7 +62,7 @@ pub enum Content {
     /// The bytes of a file.
     Bytes(Arc<[u8]>),
     /// A trace in memory.
-    Heights(Arc<Profile>),
+    Heights(Arc<HeldTrace>),
 }
 
 impl Content {
@@ -69,15 +70,34 @@ impl Content {
     fn sum(&self) -> String {
         match self {
             Self::Bytes(bytes) => sha256(bytes),
-            Self::Heights(profile) => {
-                let spacing = profile.spacing().si();
-                let numbers = std::iter::once(&spacing).chain(profile.heights());
-                sha256(
-                    &numbers
-                        .flat_map(|number| number.to_le_bytes())
-                        .collect::<Vec<u8>>(),
-                )
+            Self::Heights(trace) => {
+                let spacing = trace.profile.spacing().si();
+                let numbers = std::iter::once(&spacing).chain(trace.profile.heights());
+                let mut bytes: Vec<u8> = numbers.flat_map(|number| number.to_le_bytes()).collect();
+                if trace.statements != Statements::default() {
+                    bytes.extend(format!("{:?}", trace.statements).into_bytes());
+                }
+                sha256(&bytes)
             }
+        }
+    }
+}
+
+/// A trace in memory, with what is stated of its heights: a case takes it as the file that it was read from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeldTrace {
+    /// The heights.
+    pub profile: Profile,
+    /// What is stated of them.
+    pub statements: Statements,
+}
+
+impl From<Profile> for HeldTrace {
+    /// Heights of which nothing is stated.
+    fn from(profile: Profile) -> Self {
+        Self {
+            profile,
+            statements: Statements::default(),
         }
     }
 }

@@ -191,7 +191,7 @@ pub fn load_holding(
     change: Change<'_>,
 ) -> Result<LoadedCase, Error> {
     let held = traces.iter().map(|(name, trace)| {
-        let content = Content::Heights(Arc::new(trace.clone()));
+        let content = Content::Heights(Arc::new(trace.clone().into()));
         (name.clone(), content)
     });
     Train::load_holding(source, Some(folder), held.collect(), set, change)?.into_only_mesh()

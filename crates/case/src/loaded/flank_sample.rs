@@ -3,14 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use asperity_core::{DomainError, Profile};
+use asperity_core::DomainError;
 use asperity_flanks::generated_record::GeneratedRecord;
 use asperity_flanks::trace_sites::{ScanRow, TraceSite};
-use asperity_profile_io::read::Reading;
 
 use super::scans::Scan;
 use crate::input::case_input::FlankInput;
-use crate::input::files::Reader;
+use crate::input::files::{HeldTrace, Reader};
 use crate::input::trace_list::{TraceInput, TraceList, is_pattern};
 use crate::source::case_error::CaseError;
 use crate::source::section::Section;
@@ -37,9 +36,8 @@ pub(crate) struct Listed {
 /// A generated trace.
 #[derive(Debug, Clone)]
 pub(crate) struct Generated {
-    pub heights: Arc<Profile>,
-    /// Statements of the first measured trace.
-    pub reading: Option<Arc<Reading>>,
+    /// Its heights, with the filters of the first measured trace.
+    pub heights: Arc<HeldTrace>,
     pub record: GeneratedRecord,
 }
 

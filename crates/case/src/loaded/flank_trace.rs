@@ -17,7 +17,7 @@ use asperity_flanks::trace::{
 use asperity_flanks::trace_filters::{Filters, StatedFilters};
 use asperity_gear::Gear;
 use asperity_profile_io::Warning as ReadWarning;
-use asperity_profile_io::read::{Gaps, ReadOptions, Reading, TraceLine};
+use asperity_profile_io::read::{Gaps, ReadOptions, TraceLine};
 
 use super::flank_inputs::FlankInputs;
 use super::flank_sample::{self, Listed};
@@ -259,6 +259,7 @@ fn trace(
         mut flank,
         filters,
         assumed_from,
+        statements,
         warnings: doubts,
     } = prepared;
     flank.report.sha256 = source.sum;
@@ -272,8 +273,7 @@ fn trace(
         let message = format!("{short}: {warning}");
         warnings.push(Warning::new(code, with_keys(&message, &remedy, table)));
     };
-    let reading = flank.report.reading.iter();
-    for warning in reading.flat_map(|reading| &reading.warnings) {
+    for warning in &statements.warnings {
         if filters.preparation.lambda_c.is_some() || *warning != ReadWarning::AlreadyFiltered {
             warn(warning.code(), warning, warning.remedy());
         }
@@ -298,8 +298,6 @@ struct Opened {
     conditions: Option<Arc<[u8]>>,
     /// Sum of a file.
     sum: Option<String>,
-    /// Statements of a measured trace, which these were generated like.
-    of_others: Option<Option<Arc<Reading>>>,
 }
 
 impl Opened {
@@ -309,7 +307,6 @@ impl Opened {
                 source: Err(Content::Heights(generated.heights.clone())),
                 conditions: None,
                 sum: None,
-                of_others: Some(generated.reading.clone()),
             });
         }
         if let Some(scan) = &listed.scan {
@@ -317,7 +314,6 @@ impl Opened {
                 source: Ok(scan.clone()),
                 conditions: None,
                 sum: Some(scan.sum.to_string()),
-                of_others: None,
             });
         }
         let file = listed.input.file.as_deref().unwrap_or(Path::new(""));
@@ -330,21 +326,14 @@ impl Opened {
             conditions: is_file.then(conditions).flatten(),
             sum: is_file.then_some(sum),
             source: Err(content),
-            of_others: None,
         })
     }
 
     fn content(&self) -> TraceContent<'_> {
-        let content = match &self.source {
-            Ok(scan) => return TraceContent::Scan(&scan.surface),
-            Err(content) => content,
-        };
-        match (content, &self.of_others) {
-            (Content::Bytes(bytes), _) => TraceContent::Bytes(bytes, self.conditions.as_deref()),
-            (Content::Heights(profile), Some(reading)) => {
-                TraceContent::Generated(profile, reading.as_deref())
-            }
-            (Content::Heights(profile), None) => TraceContent::Heights(profile),
+        match &self.source {
+            Ok(scan) => TraceContent::Scan(&scan.surface),
+            Err(Content::Bytes(bytes)) => TraceContent::Bytes(bytes, self.conditions.as_deref()),
+            Err(Content::Heights(held)) => TraceContent::Heights(&held.profile, &held.statements),
         }
     }
 }

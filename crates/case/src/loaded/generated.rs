@@ -7,15 +7,15 @@ use std::sync::Arc;
 use asperity_core::message::Warning;
 use asperity_core::{Code, Fault, Profile};
 use asperity_flanks::generated_record::{GeneratedRecord, MeasuredTrace};
+use asperity_flanks::statements::Statements;
 use asperity_flanks::trace::{TraceContent, TraceInputs, measured};
 use asperity_flanks::trace_sites::TraceSite;
-use asperity_profile_io::read::Reading;
 use asperity_roughness::generate::{Like, Method, State};
 
 use super::flank_sample::{Generated, Listed, listed};
 use super::flank_trace::{Context, Keys, gear_of, placed, read_options};
 use crate::input::case_input::FlankInput;
-use crate::input::files::Content;
+use crate::input::files::{Content, HeldTrace};
 use crate::input::flank_place::stated_place;
 use crate::input::trace_list::TraceList;
 use crate::key_words::with_keys;
@@ -36,8 +36,7 @@ struct Wanted {
 struct Measured {
     profile: Profile,
     trace: MeasuredTrace,
-    /// Statements of its file.
-    reading: Option<Reading>,
+    statements: Statements,
 }
 
 /// As many flanks as the list names traces, each of a tooth of its own.
@@ -93,8 +92,9 @@ pub(crate) fn generated(
         seed,
         number: [0, count],
     };
-    let reading = before.into_iter().find_map(|measured| measured.reading);
-    let reading = reading.map(Arc::new);
+    let first = before.into_iter().next();
+    let statements = first.map(|measured| measured.statements.without_warnings());
+    let statements = statements.unwrap_or_default();
     let flank = |k: usize| -> Result<Listed, CaseError> {
         let made = like.generate(seed_of(seed, keys.table, k));
         let made = made.map_err(|error| refused(&error.into()))?;
@@ -112,8 +112,10 @@ pub(crate) fn generated(
             scan: None,
             engagements: None,
             generated: Some(Generated {
-                heights: Arc::new(made.generated.profile),
-                reading: reading.clone(),
+                heights: Arc::new(HeldTrace {
+                    profile: made.generated.profile,
+                    statements: statements.clone(),
+                }),
                 record: GeneratedRecord {
                     pieces: made.pieces,
                     number: [k + 1, count],
@@ -227,7 +229,7 @@ fn read(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Measured, 
         name: &name,
         content: match &content {
             Content::Bytes(bytes) => TraceContent::Bytes(bytes, conditions.as_deref()),
-            Content::Heights(profile) => TraceContent::Heights(profile),
+            Content::Heights(held) => TraceContent::Heights(&held.profile, &held.statements),
         },
         options: &read_options(input),
         is_line_stated: input.line.is_some(),
@@ -238,7 +240,7 @@ fn read(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Measured, 
         shortest_form: None,
     };
     let gears = (&context.inputs.gears, gear_of(keys.table));
-    let (profile, reading) =
+    let (profile, statements) =
         measured(inputs, gears).map_err(|error| placed(error, (&name, &name), keys, context))?;
     Ok(Measured {
         profile,
@@ -247,6 +249,6 @@ fn read(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Measured, 
             sha256: sum,
             engagements: listed.engagements,
         },
-        reading,
+        statements,
     })
 }

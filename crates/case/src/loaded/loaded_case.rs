@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use asperity_core::Code;
 use asperity_core::derived::Derived;
 use asperity_core::provenance::Provenance;
-use asperity_core::{Code, Profile};
 use asperity_tribo_friction::XuCalibration;
 
 use super::flank_inputs::FlankInputs;
@@ -14,7 +14,9 @@ use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::input::calibration::SIMULATED;
 use crate::input::case_input::CaseInput;
-use crate::input::files::{Content, FileContents, FileSums, Files, Reader, XU_COEFFICIENTS};
+use crate::input::files::{
+    Content, FileContents, FileSums, Files, HeldTrace, Reader, XU_COEFFICIENTS,
+};
 use crate::input::gearbox_input::GearboxInput;
 use crate::input::law_names::{FullFilmName, LoadShareName};
 use crate::laws::Laws;
@@ -250,10 +252,10 @@ impl LoadedCase {
 
     /// The case with further traces in memory, under names that [`Self::with`] can state as files.
     #[must_use]
-    pub fn holding(&self, traces: &[(PathBuf, Profile)]) -> Self {
+    pub fn holding<T: Clone + Into<HeldTrace>>(&self, traces: &[(PathBuf, T)]) -> Self {
         let mut files = Files::clone(&self.files);
         for (name, trace) in traces {
-            files.hold(name, Content::Heights(Arc::new(trace.clone())));
+            files.hold(name, Content::Heights(Arc::new(trace.clone().into())));
         }
         Self {
             files: files.into(),

@@ -51,7 +51,10 @@ impl Trace {
         }
         let profile = Profile::new(spacing, heights.to_vec())
             .map_err(|error| refused(impossible(error.name, error.value)))?;
-        Ok(Self::of(Some(Content::Heights(Arc::new(profile))), None))
+        Ok(Self::of(
+            Some(Content::Heights(Arc::new(profile.into()))),
+            None,
+        ))
     }
 
     /// The content of the file `name`, read with `options` when the case is built.

@@ -6,14 +6,13 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity_core::Profile;
 use asperity_core::quantity::Power;
 
 use super::train_parts::{MeshParts, TrainParts};
 use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::input::case_input::CaseInput;
-use crate::input::files::{FileContents, FileSums, Reader};
+use crate::input::files::{FileContents, FileSums, HeldTrace, Reader};
 use crate::loaded::loaded_case::LoadedCase;
 use crate::resolved::gearbox::Gearbox;
 use crate::resolved::resolve::Case;
@@ -296,7 +295,7 @@ impl Train {
 
     /// The train with further traces in memory, under names that a change can state as files.
     #[must_use]
-    pub fn holding(mut self, traces: &[(PathBuf, Profile)]) -> Self {
+    pub fn holding<T: Clone + Into<HeldTrace>>(mut self, traces: &[(PathBuf, T)]) -> Self {
         for mesh in self.stages.iter_mut().flat_map(|stage| &mut stage.meshes) {
             mesh.case = mesh.case.holding(traces);
         }

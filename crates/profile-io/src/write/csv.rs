@@ -57,16 +57,17 @@ pub(super) fn write(
     text.into_bytes()
 }
 
-/// "roughness, lambda_c 0.8 mm, lambda_s 2.5 um"; `None` if the state is not known.
+/// "roughness, lambda_c 0.8 mm, lambda_s 2.5 um", of a primary profile the cut-offs that it is to be filtered with; `None` if the state is not
+/// known.
 fn filter(metadata: &Metadata, state: FilterState) -> Option<String> {
-    let (name, lambda_c) = match state {
+    let name = match state {
         FilterState::Unknown => return None,
-        FilterState::Primary => ("primary", None),
-        FilterState::Roughness => ("roughness", metadata.lambda_c),
+        FilterState::Primary => "primary",
+        FilterState::Roughness => "roughness",
     };
     let cutoff =
         |name: &str, length: Option<_>| length.map_or(String::new(), |l| format!(", {name} {l}"));
-    let cutoffs = cutoff("lambda_c", lambda_c) + &cutoff("lambda_s", metadata.lambda_s);
+    let cutoffs = cutoff("lambda_c", metadata.lambda_c) + &cutoff("lambda_s", metadata.lambda_s);
     Some(format!("{name}{cutoffs}"))
 }
 

@@ -180,7 +180,8 @@ class Case(Fixed):
 
         A flank takes a `Profile` or the name of a file, which replaces all keys of that flank: ``mirrored``, ``range`` and roughness
         values of the trace before do not stay. Its ``file`` takes both, too, and the other keys stay:
-        ``case.replace({"surface.wheel.file": flank})`` reads the flank from its other end where the case has ``mirrored``.
+        ``case.replace({"surface.wheel.file": flank})`` reads the flank from its other end where the case has ``mirrored``. ``traces``, ``like`` and
+        ``rows`` take the place of ``file``: ``case.replace({"surface.pinion": {"file": None, "like": ["a.csv", "b.csv"]}})``.
 
         Parameters:
             changed: keys by their paths, or tables.
@@ -312,8 +313,8 @@ class Case(Fixed):
 
     @property
     def warnings(self) -> Table:
-        """Warnings about the files: code and text."""
-        return Table(self._about["warnings"], ["code", "text"])
+        """All warnings that need no run, as ``asperity check`` lists them: code and text. If a run cannot begin, those about the files alone."""
+        return Table(json.loads(self._raw.checked), ["code", "text"])
 
     @property
     def meshes(self) -> list[str]:
@@ -435,10 +436,10 @@ class Case(Fixed):
             raise AsperityError(f"profiles in memory: {names}; no file has them", Code.E205, "Name the folder that they are written into: to_toml(folder).")
         place, before = os.path.abspath(folder), fspath(content["folder"])
         renamed: dict[str, str] = {}
-        for name, spacing, heights in content["traces"]:
+        for name, spacing, heights, stated in content["traces"]:
             own = os.path.basename(fspath(name))
             renamed[fspath(name)] = file = f"{re.sub(r'[^a-zA-Z0-9.-]+', '_', own).strip('_')}.csv"
-            Profile(np.frombuffer(heights), spacing, name=own).write(os.path.join(place, file))
+            _asperity.Trace.of_case(np.frombuffer(heights), spacing, stated).write(os.path.join(place, file))
         files = {os.path.normpath(os.path.join(before, name)) for name, _ in content["files"]}
 
         def moved(value: Any) -> Any:

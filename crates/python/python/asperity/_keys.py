@@ -12,7 +12,7 @@ from typing import Any, Optional
 import numpy as np
 
 from . import _asperity
-from ._errors import not_finite, warn, wrong_kind
+from ._errors import not_finite, wrong_kind
 from ._profile import Profile
 from ._quantity import SI_UNITS, is_pint, si
 
@@ -84,11 +84,12 @@ def kind_of(keys: Iterable[str]) -> str:
 
 
 def named(profile: Profile) -> str:
-    """A name of a profile that no other heights have."""
+    """A name of a profile that no other heights have, nor the same ones with other statements of their file."""
     # At its first need: it takes longer to import than the package.
     import hashlib
 
-    digest = hashlib.sha256(profile.heights.tobytes() + np.float64(profile.spacing).tobytes()).hexdigest()[:12]
+    content = profile.heights.tobytes() + np.float64(profile.spacing).tobytes() + profile._raw.statements_json.encode()
+    digest = hashlib.sha256(content).hexdigest()[:12]
     return f"{profile.name or 'heights'} ({digest})"
 
 
@@ -114,9 +115,6 @@ def written(value: Any, schema: Schema, traces: Traces, name: str = "case") -> A
             value = np.asarray(value).tolist()
     if isinstance(value, Profile):
         name = named(value)
-        if "preparation" in value._about:
-            text = f"{name}: the profile was prepared, and the filters of the case filter it again"
-            warn([{"code": _asperity.Code.W118, "text": text}])
         traces.append((name, value._raw))
         return {"file": name}
     if isinstance(value, Mapping):

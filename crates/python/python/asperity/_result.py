@@ -95,9 +95,15 @@ class RunResult(Values, ResultValues):
     Units are in the names: ``summary.loss_w``, ``path.film_minimum_um``; also of quantities that the file has as text, as
     ``lubricant.temperature_c`` and ``gears.face_width_mm``. What the case states stays text: ``inputs``, ``defaults``. ``run("losses")`` has ``summary``, ``path``, ``offsets``,
     ``warnings`` and ``equations``; with contacts there are also ``formulation``, ``inputs``, ``defaults``, ``gears``, ``load``, ``flanks``,
-    ``lubricant``, ``film_constants``, ``points``, ``running_in``, ``published_laws`` and ``references``, and where they were computed
-    ``uncertainty``, ``gearbox`` and ``micropitting``. A result of several meshes has ``shafts``, ``kinds`` and ``meshes``, each a result.
+    ``lubricant``, ``film_constants``, ``points``, ``running_in``, ``published_laws`` and ``references``, and where they were computed, else None,
+    ``uncertainty``, ``bulk`` (temperatures of oil and flanks), ``gearbox``, ``micropitting``, ``run_in`` (the losses run in), ``records`` (of mixed lubrication),
+    ``pairs`` (of several traces, or rows of a scan), and with the interval of the loss ``scans`` (patches of areal scans beside their rows) or why not, ``no_scans``. Folders of the command have
+    ``ridges`` or ``no_ridges``, which `ridges` computes here. A result of several meshes has ``shafts``, ``kinds`` and ``meshes``, each a result.
     """
+
+    _absent = {name: None for name in (
+        "uncertainty", "bulk", "gearbox", "micropitting", "run_in", "ridges", "no_ridges", "scans", "no_scans", "pairs", "case_file", "mesh",
+    )} | {"records": []}
 
     _outcome: Optional[_asperity.Outcome]
     _json: str

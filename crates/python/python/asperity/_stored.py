@@ -19,26 +19,26 @@ _STUDIES = ("compare", "sensitivity", "ridges", "callout", "sweep", "calibration
 """Names of the JSON files of all studies except maps."""
 
 
-def _read(file: Path) -> tuple[str, Any]:
-    """The text of a JSON file, and what it holds."""
-    text = file.read_text(encoding="utf-8")
+def _study(file: Path) -> Record:
+    """The values of a study as its file has them."""
     try:
-        return text, json.loads(text)
+        return Record(in_numbers(json.loads(file.read_text(encoding="utf-8"))))
     except ValueError as error:
         raise AsperityError(f"{file}: is damaged: {error}", Code.E402) from error
 
 
 def _with_meshes(place: Path, file: Path) -> RunResult:
     """The result of several meshes, each read from its folder."""
-    text, values = _read(file)
-    for row in values["meshes"]:
-        # Its name in older results.
-        row.setdefault("loss_factor_local", row.pop("loss_factor", None))
-    made = RunResult(values)
+    text = _asperity.read_whole(fspath(file))
+    made = RunResult(json.loads(text))
     made._json = text
-    meshes = [one for one in map(read_result, sorted(one for one in place.iterdir() if (one / "result.json").is_file())) if isinstance(one, RunResult)]
+    found = [read_result(one) for one in place.iterdir() if (one / "result.json").is_file()]
+    meshes = {one._values["mesh"]: one for one in found if isinstance(one, RunResult)}
     order = [row["mesh"] for row in made._values["meshes"]]
-    made._meshes = sorted(meshes, key=lambda one: order.index(one._values["mesh"]))
+    if {*order} != {*meshes}:
+        text = f"{place}: {file.name} has the meshes {', '.join(order)}, and the folder the results of {', '.join(sorted(meshes)) or 'none'}"
+        raise AsperityError(text, Code.E402, "Run the case again.")
+    made._meshes = [meshes[name] for name in order]
     return made
 
 
@@ -72,7 +72,7 @@ def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Reco
                 return _with_meshes(place, file)
         for name in _STUDIES:
             if (place / f"{name}.json").is_file():
-                return Record(in_numbers(_read(place / f"{name}.json")[1]))
+                return _study(place / f"{name}.json")
     text = _asperity.read_result(fspath(folder))
     result = RunResult(json.loads(text))
     result._json = text

@@ -29,7 +29,7 @@ use super::point::{EXTENDED, FinishMap, Map, MapWarning, MeshPart, Numbers, Poin
 use crate::compare::{Finish, differs_by_flanks, files};
 
 /// Version of the structure of `map.json`.
-const SCHEMA_VERSION: u32 = 1;
+pub(crate) const SCHEMA_VERSION: u32 = 1;
 
 /// Computes the losses of every finish at every node of `axes`, with draws at the points of `band`. A point without a
 /// result has its error code.

@@ -9,6 +9,7 @@ use asperity_table::own::{self, OwnFault};
 
 use super::axes::Axes;
 use super::draws::DrawnNodes;
+use super::grid::SCHEMA_VERSION;
 use super::point::{Map, Point};
 use super::table::PointRow;
 
@@ -72,6 +73,12 @@ pub fn read(folder: &Path) -> Result<Map, Fault> {
 
 /// Checks the axes and the sizes of the parts.
 fn check(map: &Map) -> Result<(), String> {
+    if map.schema_version != SCHEMA_VERSION {
+        let other = map.schema_version;
+        return Err(format!(
+            "schema version {other}, and this program reads {SCHEMA_VERSION}; make the map again"
+        ));
+    }
     let axes = &map.axes;
     let rising = Axes::new(&axes.torque_nm, &axes.speed_rpm, &axes.temperature_c);
     if rising.map_err(|error| error.to_string())? != *axes {
