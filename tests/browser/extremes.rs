@@ -514,6 +514,37 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
             }
             None => table("points.csv").column("residual_sigma"),
         }),
+        ("measure/evidence.html", _) => {
+            let left = table("evidence.csv");
+            let now = numbers(&json(folder, "evidence.json")["loss"]["quantiles_w"]);
+            Some([now, left.column("low_w"), left.column("high_w")].concat())
+        }
+        ("planned/oil_plan.html", _) => {
+            const NAMES: [(&str, &str); 4] = [
+                ("Eyring stress", "eyring_stress"),
+                ("limiting shear stress over pressure", "limiting_shear"),
+                (
+                    "fall of the limiting shear stress",
+                    "limiting_shear_temperature",
+                ),
+                ("pressure-viscosity factor", "pressure_viscosity_factor"),
+            ];
+            let (_, key) = NAMES.iter().find(|(name, _)| *name == curve).unwrap();
+            let errors = table("expected_errors.csv").with("key", key);
+            let errors = errors.column("standard_deviation");
+            // The chosen points, which the table has last, are no stage of the standard plan.
+            let (_, stages) = errors.split_last().unwrap();
+            let before = stages[0];
+            Some(stages.iter().map(|error| 100.0 * error / before).collect())
+        }
+        ("rubbed/stribeck.html", _) => {
+            let rubbing_s = match curve {
+                "before rubbing" => "0",
+                _ => "3600",
+            };
+            let points = table("points.csv").with("rubbing_s", rubbing_s);
+            Some(points.column("traction"))
+        }
         ("change/change.html", "material-ratio") => {
             Some(table("material_ratio.csv").column(&format!("{curve}_um")))
         }

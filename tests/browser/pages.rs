@@ -200,7 +200,7 @@ vary."lubricant.viscosity.at_100" = { normal = ["5.9 mm2/s", "0.15 mm2/s"] }
 "#;
 
 /// Options of the commands that make the other pages, and the pages.
-const COMMANDS: [(&[&str], &[&str]); 13] = [
+const COMMANDS: [(&[&str], &[&str]); 16] = [
     (
         &[
             "compare",
@@ -315,6 +315,10 @@ const COMMANDS: [(&[&str], &[&str]); 13] = [
             "change",
             "pinion.csv",
             "worn.csv",
+            "--case",
+            "case.toml",
+            "--engagements",
+            "1e6",
             "-o",
             "change",
         ],
@@ -336,7 +340,41 @@ const COMMANDS: [(&[&str], &[&str]); 13] = [
         ],
         &["oil/oil_fit.html"],
     ),
+    (
+        &["evidence", "case.toml", "-o", "measure"],
+        &["measure/evidence.html"],
+    ),
+    (
+        &["oil", "plan", "--oil", "m100", "-o", "planned"],
+        &["planned/oil_plan.html"],
+    ),
+    (
+        &[
+            "oil",
+            "stribeck",
+            "stribeck.csv",
+            "--oil",
+            "m100",
+            "-o",
+            "rubbed",
+        ],
+        &["rubbed/stribeck.html"],
+    ),
 ];
+
+/// Stribeck curves of new and of rubbed specimens at 120 °C and 50 N.
+fn stribeck() -> String {
+    let head = "load_n,mean_speed_m_s,slide_roll_percent,temperature_c,rubbing_s,traction";
+    let points = [0, 3600].into_iter().flat_map(|rubbing_s| {
+        (0..12).map(move |k| {
+            let speed = 0.002 * 1.5_f64.powi(k);
+            let friction = 0.11 - 0.02 * f64::from(rubbing_s) / 3600.0 - 0.0005 * f64::from(k);
+            format!("50,{speed},50,120,{rubbing_s},{friction}")
+        })
+    });
+    let lines = std::iter::once(head.to_owned()).chain(points);
+    lines.collect::<Vec<String>>().join("\n")
+}
 
 fn studies(bench: &Bench) -> Vec<Page> {
     bench.write_flanks();
@@ -352,6 +390,7 @@ fn studies(bench: &Bench) -> Vec<Page> {
     bench.write("case.toml", E_DRIVE);
     bench.write("cycle.csv", CYCLE);
     bench.write("study.toml", STUDY);
+    bench.write("stribeck.csv", stribeck());
     let mut pages = Vec::new();
     for (arguments, made) in COMMANDS {
         let said = bench.run(arguments);

@@ -134,7 +134,7 @@ fn a_design_is_rehearsed_and_its_calibration_narrows_the_band_of_a_run() {
     let unread = "W454 columns of design/simulated.csv that are not read: Remark";
     assert!(text.contains(unread), "{text}");
     let before = text.find("identifiability by").unwrap();
-    assert!(before < text.find("2.5 to 97.5 %  ").unwrap(), "{text}");
+    assert!(before < text.find("  5 to 95 %  ").unwrap(), "{text}");
     assert!(
         text.contains("would help most") == text.contains("Measure next")
             && text.contains("SIMULATED"),

@@ -145,7 +145,7 @@ fn with_a_case_the_loss_of_height_has_a_wear_coefficient_and_a_paired_difference
         "{text}"
     );
     assert!(
-        text.contains("m in 1.000e6 engagements. Archard's wear coefficient k is "),
+        text.contains("m in 1e6 engagements. Archard's wear coefficient k is "),
         "{text}"
     );
     assert!(

@@ -1,7 +1,7 @@
 //! Scatter of a fit relative to the stated errors, and its effect on the bands.
 
 use asperity_core::cite;
-use asperity_core::numerics::{Z_975, student_t_quantile};
+use asperity_core::numerics::{standard_normal_quantile, student_t_quantile};
 
 /// Sum of the squared residuals of a fit with its degrees of freedom.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +30,7 @@ impl Scatter {
     /// let scatter = Scatter { chi_squared: 36.0, freedom: 9 };
     /// assert_eq!(scatter.ratio(), 2.0);
     /// // Student's t with nine degrees of freedom, 2.262, replaces 1.960.
-    /// assert!((scatter.quantile() - 2.262).abs() < 5e-4);
+    /// assert!((scatter.quantile(0.95) - 2.262).abs() < 5e-4);
     /// ```
     #[must_use]
     pub fn ratio(&self) -> f64 {
@@ -44,13 +44,13 @@ impl Scatter {
         self.ratio().max(1.0)
     }
 
-    /// Widened standard deviations from a value to an end of its 95 % band: normal if the stated errors hold, otherwise
-    /// Student's t, because the errors are then estimated from the residuals.
+    /// Widened standard deviations from a value to an end of its band with this confidence: normal if the stated errors
+    /// hold, otherwise Student's t, because the errors are then estimated from the residuals.
     #[must_use]
-    pub fn quantile(&self) -> f64 {
+    pub fn quantile(&self, confidence: f64) -> f64 {
         match self.ratio() > 1.0 {
-            true => student_t_quantile(0.95, self.freedom as f64),
-            false => Z_975,
+            true => student_t_quantile(confidence, self.freedom as f64),
+            false => standard_normal_quantile(0.5 * (1.0 + confidence)),
         }
     }
 }
@@ -137,14 +137,17 @@ mod tests {
                 is_settled: true,
             };
             refused += u32::from(fit.scatter().ratio() > Scatter::LARGEST_RATIO);
-            let (most, widening) = (fit.scatter().quantile().powi(2), fit.scatter().widening());
+            let (most, widening) = (
+                fit.scatter().quantile(0.95).powi(2),
+                fit.scatter().widening(),
+            );
             for (k, truth) in truth.iter().enumerate() {
                 let rise = fit.rise(k, *truth).unwrap();
                 held += u32::from(rise <= most);
                 plain += u32::from(rise * widening * widening <= Z_975.powi(2));
             }
             if seed == 0 {
-                for end in fit.band(0).unwrap().ends {
+                for end in fit.band(0, 0.95).unwrap().ends {
                     assert!((fit.rise(0, end).unwrap() / most - 1.0).abs() < 1e-4);
                 }
             }

@@ -29,7 +29,8 @@ pub fn block(
         .collect();
     let mut text = origin(source, is_simulated);
     for (_, parameter) in &included {
-        text.push_str(&constant(&parameter.key, parameter.fitted));
+        let written = Estimate::new(parameter.fitted.value, parameter.band);
+        text.push_str(&constant(&parameter.key, written));
         text.push('\n');
     }
     let numbers: Vec<usize> = included.iter().map(|(number, _)| *number).collect();
@@ -118,8 +119,8 @@ pub(crate) fn is_narrower(fitted: Estimate, before: Estimate) -> bool {
 /// A value in the unit of a case file.
 fn quantity(key: &str, value: f64) -> String {
     match unit_of(key) {
-        ("", ..) => digits(value),
-        (unit, factor, _) => format!("\"{} {unit}\"", digits(factor * value)),
+        ("", _) => digits(value),
+        (unit, factor) => format!("\"{} {unit}\"", digits(factor * value)),
     }
 }
 
@@ -141,8 +142,9 @@ mod tests {
         FittedParameter {
             key: key.to_owned(),
             name: key.to_owned(),
-            fitted: Estimate::new(value, [0.9 * value, 1.2 * value]),
-            profile_band: [0.9 * value, 1.2 * value],
+            fitted: Estimate::new(value, [0.92 * value, 1.15 * value]),
+            band: [0.9 * value, 1.2 * value],
+            profile_range: [0.92 * value, 1.15 * value],
             is_open: [false; 2],
             profile: Vec::new(),
             bootstrap: None,

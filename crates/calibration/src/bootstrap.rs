@@ -39,9 +39,9 @@ fn below(random: &mut ChaCha8Rng, count: usize) -> usize {
     ((even * count as f64) as usize).min(count.saturating_sub(1))
 }
 
-/// Interpolated 2.5 % and 97.5 % quantiles; `None` without values.
+/// Ends of the middle `share` of the values, interpolated; `None` without values.
 #[must_use]
-pub fn middle_95(values: &[f64]) -> Option<[f64; 2]> {
+pub fn middle(values: &[f64], share: f64) -> Option<[f64; 2]> {
     let mut values = values.to_vec();
     values.sort_by(f64::total_cmp);
     let last = values.len().checked_sub(1)?;
@@ -50,7 +50,7 @@ pub fn middle_95(values: &[f64]) -> Option<[f64; 2]> {
         let k = (position as usize).min(last.saturating_sub(1));
         values[k] + (position - k as f64) * (values[(k + 1).min(last)] - values[k])
     };
-    Some([quantile(0.025), quantile(0.975)])
+    Some([0.5 - 0.5 * share, 0.5 + 0.5 * share].map(quantile))
 }
 
 #[cfg(test)]
@@ -78,7 +78,7 @@ mod tests {
         let error = (variance / n).sqrt();
         assert!((spread / error - 1.0).abs() < 0.034, "{spread} {error}");
         assert!((estimates - mean).abs() < 4.0 * error / count.sqrt());
-        let [low, high] = middle_95(&means).unwrap();
+        let [low, high] = middle(&means, 0.95).unwrap();
         assert!(((high - low) / (2.0 * 1.96 * error) - 1.0).abs() < 0.06);
     }
 
@@ -89,7 +89,7 @@ mod tests {
         samples.dedup();
         assert_eq!(samples, [0, 1, 2]);
         assert_eq!(bootstrap(3, 10, 7, |_| None::<f64>), Vec::<f64>::new());
-        assert_eq!(middle_95(&[]), None);
-        assert_eq!(middle_95(&[4.0]), Some([4.0, 4.0]));
+        assert_eq!(middle(&[], 0.95), None);
+        assert_eq!(middle(&[4.0], 0.95), Some([4.0, 4.0]));
     }
 }

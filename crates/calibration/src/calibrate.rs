@@ -12,7 +12,7 @@ use nalgebra::DVector;
 
 use crate::birge::Scatter;
 use crate::block::{block, is_narrower};
-use crate::bootstrap::{bootstrap, middle_95};
+use crate::bootstrap::{bootstrap, middle};
 use crate::fit::Fit;
 use crate::identifiability::verdict;
 use crate::information::correlations;
@@ -32,6 +32,9 @@ use crate::summary::{BOOTSTRAPPED, before_the_fit};
 const SAMPLES: usize = 200;
 /// Seed of the bootstrap samples.
 const SEED: u64 = 18;
+/// Share of a constant's distribution in the interval that is shown, from 5 to 95 %, and in the band of a case file.
+const SHOWN: f64 = 0.9;
+const WRITTEN: f64 = 0.95;
 /// Number of assemblies from which the bootstrap may widen a band: fewer have too few distinct samples.
 const FEW_ASSEMBLIES: usize = 5;
 
@@ -234,22 +237,24 @@ impl Rig {
         let one = |k: usize| -> Result<FittedParameter, Fault> {
             let parameter = &self.parameters[k];
             let value = |logarithm: f64| parameter.default.value * logarithm.exp();
-            let profile = fit.band(k)?;
             let of_samples: Vec<f64> = samples.iter().map(|sample| value(sample[k])).collect();
-            let bootstrap = middle_95(&of_samples);
-            let profile_band = profile.ends.map(value);
-            let band = match bootstrap {
+            let of_both = |ends: [f64; 2], bootstrap: Option<[f64; 2]>| match bootstrap {
                 Some([low, high]) if assemblies >= FEW_ASSEMBLIES => {
-                    [profile_band[0].min(low), profile_band[1].max(high)]
+                    [ends[0].min(low), ends[1].max(high)]
                 }
-                _ => profile_band,
+                _ => ends,
             };
-            let fitted = Estimate::new(value(fit.minimum.x[k]), band);
+            let profile = fit.band(k, WRITTEN)?;
+            let band = of_both(profile.ends.map(value), middle(&of_samples, WRITTEN));
+            let bootstrap = middle(&of_samples, SHOWN);
+            let profile_range = fit.band(k, SHOWN)?.ends.map(value);
+            let fitted = Estimate::new(value(fit.minimum.x[k]), of_both(profile_range, bootstrap));
             Ok(FittedParameter {
                 key: parameter.name.key().to_owned(),
                 name: parameter.words().to_owned(),
                 fitted,
-                profile_band,
+                band,
+                profile_range,
                 is_open: profile.is_open,
                 profile: profile
                     .curve

@@ -4,7 +4,7 @@ use crate::error;
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 use asperity::message::Warning;
-use asperity_core::numerics::Z_975;
+use asperity_core::numerics::Z_95;
 use asperity_core::{Code, Estimate, EstimateKeys, Fault};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
@@ -15,7 +15,7 @@ use crate::information::{covariance, deviation_without_prior, information};
 use crate::optimal_design::d_optimal;
 use crate::parameters::Parameter;
 use crate::problem::{Observation, Problem};
-use crate::result::{Banded, IdentifiedParameter, SCHEMA_VERSION};
+use crate::result::{IdentifiedParameter, Ranged, SCHEMA_VERSION};
 use crate::rig::parameters;
 use crate::rig_model::{OperatingPoint, PointLosses, Progress, RigModel};
 use crate::simulate::{Simulated, losses};
@@ -95,8 +95,8 @@ pub struct ExpectedParameter {
     /// Key, standard deviation without its prior, verdict.
     #[serde(flatten)]
     pub identified: IdentifiedParameter,
-    /// Value of the case in SI units with its expected 95 % band, its prior included.
-    #[serde(flatten, with = "Banded")]
+    /// Value of the case in SI units with its expected 5 % and 95 % quantile, its prior included.
+    #[serde(flatten, with = "Ranged")]
     pub expected: Estimate,
     /// Range of a case without calibration.
     pub default_range: [f64; 2],
@@ -363,7 +363,7 @@ fn expected(
             },
             expected: Estimate::new(
                 parameter.default.value,
-                [-Z_975, Z_975].map(|z| parameter.default.value * (z * width).exp()),
+                [-Z_95, Z_95].map(|z| parameter.default.value * (z * width).exp()),
             ),
             default_range: parameter.default.ends(),
         }

@@ -591,11 +591,12 @@ impl StudyResult for EvidenceTable {
             .section("Measurements that narrow the interval")
             .verdict([format!("Loss {loss}.")])
             .verdict(self.best())
-            .text([PLANS, HOURS])
-            .at(&self.conditions)
             .figures(|| self.chart())
+            .text([PLANS])
+            .at(&self.conditions)
             .table(self.table().of_file(TABLE))
-            .text(self.notes())
+            .method([HOURS])
+            .method(self.notes())
             .rows(TABLE, || &self.rows);
         let report = match &self.scans {
             Some(scans) => with_scans(report.section(scans::SECTION), scans),

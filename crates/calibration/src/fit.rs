@@ -87,13 +87,13 @@ impl Fit {
         Ok(rise / self.scatter().widening().powi(2))
     }
 
-    /// Band of parameter `k` by its profile likelihood, widened by the [`Scatter`], in logarithms relative to its
-    /// centre.
+    /// Band of parameter `k` with this confidence by its profile likelihood, widened by the [`Scatter`], in logarithms
+    /// relative to its centre.
     ///
     /// # Errors
     /// When a fit of the profile does not converge.
-    pub fn band(&self, k: usize) -> Result<ProfileBand, Fault> {
-        let quantile = self.scatter().quantile();
+    pub fn band(&self, k: usize, confidence: f64) -> Result<ProfileBand, Fault> {
+        let quantile = self.scatter().quantile(confidence);
         profile_band(self.minimum.x[k], self.deviation(k), quantile, |value| {
             self.rise(k, value)
         })

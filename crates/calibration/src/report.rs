@@ -4,6 +4,7 @@
 use std::fmt::Write as _;
 
 use asperity::message::Warning;
+use asperity::result::loss_band::Digits;
 use asperity_core::numerics::{self, distinct};
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Column, Kind, Report, StudyResult, Table, columns};
@@ -14,7 +15,7 @@ use crate::oil::is_simulated_source;
 use crate::result::{Calibration, FittedParameter, FittedPoint, Verdict};
 use crate::rig_table::{SIMULATED, SIMULATED_COLUMN};
 use crate::summary::{
-    BOOTSTRAPPED, HELD_OUT, before_and_after, design_bands, design_points, fitted, held_out, range,
+    BOOTSTRAPPED, HELD_OUT, before_and_after, design_bands, design_points, fitted, held_out,
     scatter, shown, unit_of,
 };
 
@@ -77,8 +78,7 @@ impl StudyResult for Calibration {
             .table(nuisance(self))
             .on_page()
             .section("For the case")
-            .text(["For the case:"])
-            .in_terminal()
+            .heading(QUANTILES)
             .code(&self.block)
             .section("Provenance")
             .text(provenance(self))
@@ -183,23 +183,19 @@ fn verdicts(calibration: &Calibration) -> Vec<String> {
         let wanted = parameters.filter(|one| one.verdict == verdict).map(text);
         wanted.collect::<Vec<String>>().join(", ")
     };
-    let with_band = |one: &FittedParameter| {
-        let value = shown(&one.key, one.fitted.value);
-        format!(
-            "{} {value} {}",
-            one.name,
-            range(&one.key, one.fitted.ends())
-        )
-    };
+    let with_band = |one: &FittedParameter| format!("{} {}", one.name, shown(&one.key, one.fitted));
     let determined = of(Verdict::Identified, &with_band);
     let held = of(Verdict::Partly, &|one| {
-        let before = range(&one.key, one.default.ends());
-        format!("{}, before {before}", with_band(one))
+        format!(
+            "{}, before {}",
+            with_band(one),
+            shown(&one.key, one.default)
+        )
     });
     let others = of(Verdict::NotIdentified, &|one| one.name.clone());
     let mut verdicts = vec![match determined.is_empty() {
         true => "The points identify no parameter.".to_owned(),
-        false => format!("Identified by the points, in brackets 2.5 to 97.5 %: {determined}."),
+        false => format!("Identified by the points, in brackets 5 to 95 %: {determined}."),
     }];
     if !held.is_empty() {
         verdicts.push(format!("Identified in part: {held}."));
@@ -227,10 +223,11 @@ fn effect(calibration: &Calibration) -> Option<String> {
     let changes = points.map(|point| 100.0 * (point.calibrated_w / point.default_w - 1.0));
     let changes: Vec<f64> = changes.collect();
     let [low, high] = numerics::range(changes.iter().copied());
-    let mean = numerics::mean(changes);
+    let [mean, low, high] =
+        [numerics::mean(changes), low, high].map(|change| Digits::of_decimals(0).signed(change));
     calibration.parameters.iter().any(is_written).then(|| {
         format!(
-            "The constants for the case change the loss of the mesh at these points by {mean:+.0} % in the mean ({low:+.0} to {high:+.0} %)."
+            "The constants for the case change the loss of the mesh at these points by {mean} % in the mean ({low} to {high} %)."
         )
     })
 }
@@ -240,6 +237,10 @@ pub(crate) fn rehearsal(sources: &[[String; 2]]) -> Option<String> {
     let is_simulated = sources.iter().any(is_simulated_source);
     is_simulated.then(|| format!("{SIMULATED} curves: a rehearsal, not a measurement."))
 }
+
+/// Heading of the constants for a case.
+pub(crate) const QUANTILES: &str =
+    "A case file takes the 2.5 % and 97.5 % quantiles as low and high";
 
 /// The end of a report of curves: sentences and warnings.
 pub(crate) fn notes<'a>(
@@ -370,7 +371,7 @@ fn profiles(calibration: &Calibration) -> Vec<Drawing> {
         freedom: calibration.freedom,
     };
     let drawn = |one: &FittedParameter| {
-        let (unit, factor, _) = unit_of(&one.key);
+        let (unit, factor) = unit_of(&one.key);
         let x: Vec<f64> = one.profile.iter().map(|[at, _]| factor * at).collect();
         let y: Vec<f64> = one.profile.iter().map(|[_, rise]| *rise).collect();
         let chart = Chart::new(
@@ -380,7 +381,7 @@ fn profiles(calibration: &Calibration) -> Vec<Drawing> {
             Axis::new(&one.name, unit),
             Axis::new("rise of the sum of squares", "").from_zero(),
         );
-        let chart = chart.level(scatter.quantile().powi(2), "95 %");
+        let chart = chart.level(scatter.quantile(0.9).powi(2), "5 and 95 %");
         charted(chart, vec![Series::new(&one.name, Line::Dots, &x, &y)])
     };
     calibration.parameters.iter().map(drawn).collect()
@@ -394,7 +395,7 @@ fn by_derivatives(calibration: &Calibration) -> String {
     });
     format!(
         "{} operating points{range}. Standard deviations of the logarithms. Those expected are from the derivatives of the \
-        model at the values of the case, before the fit, each without its own prior. Those after the fit are from the 95 % bands, \
+        model at the values of the case, before the fit, each without its own prior. Those after the fit are from the intervals, \
         which include the priors. The priors are wider than the ranges without calibration, so that they decide only what the points \
         leave open.",
         design.points

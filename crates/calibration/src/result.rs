@@ -153,7 +153,7 @@ pub struct StageRow {
 }
 
 estimate_keys! {
-    pub(crate) Banded: "value" "band";
+    pub(crate) Ranged: "value" "range";
     Default: "default" "default_range";
 }
 
@@ -165,16 +165,18 @@ pub struct FittedParameter {
     pub key: String,
     /// Name in words.
     pub name: String,
-    /// Value with its 95 % band in the block.
-    #[serde(flatten, with = "Banded")]
+    /// Value with its 5 % and 95 % quantile, as printed.
+    #[serde(flatten, with = "Ranged")]
     pub fitted: Estimate,
-    /// 95 % band by the profile likelihood.
-    pub profile_band: [f64; 2],
-    /// Whether an end of that band was not reached.
+    /// 2.5 % and 97.5 % quantile, as the block states them.
+    pub band: [f64; 2],
+    /// 5 % and 95 % quantile by the profile likelihood.
+    pub profile_range: [f64; 2],
+    /// Whether an end of the band was not reached by the profile likelihood.
     pub is_open: [bool; 2],
     /// Values with the rise of the sum of squares over the square of the widening.
     pub profile: Vec<[f64; 2]>,
-    /// Middle 95 % of the bootstrap over assemblies; `None` with a single assembly.
+    /// 5 % and 95 % quantile of the bootstrap over assemblies; `None` with a single assembly.
     pub bootstrap: Option<[f64; 2]>,
     /// Default of the case with the range of a case without calibration.
     #[serde(flatten, with = "Default")]

@@ -3,43 +3,45 @@
 use std::fmt::Write as _;
 
 use asperity::result::loss_band::Digits;
+use asperity_core::Estimate;
+use asperity_core::numerics::Z_95;
 use asperity_report::{Cell, Column, Kind, Table, columns, wrapped};
 
 use crate::design::Design;
 use crate::result::{Calibration, Identifiability, IdentifiedParameter};
 
-/// Display unit of a key with its size in units of SI, and the decimals of its values.
-pub(crate) fn unit_of(key: &str) -> (&'static str, f64, usize) {
+/// Display unit of a key with its size in units of SI.
+pub(crate) fn unit_of(key: &str) -> (&'static str, f64) {
     match key {
-        "boundary_layer" => ("nm", 1e9, 2),
-        "eyring_stress" => ("MPa", 1e-6, 3),
-        _ => ("", 1.0, 4),
+        "boundary_layer" => ("nm", 1e9),
+        "eyring_stress" => ("MPa", 1e-6),
+        _ => ("", 1.0),
     }
 }
 
-/// A value with its display unit.
-pub(crate) fn shown(key: &str, value: f64) -> String {
-    let (unit, ..) = unit_of(key);
-    format!("{} {unit}", bare(key, value).text())
-        .trim_end()
-        .to_owned()
+/// A constant in its display unit, with its interval in brackets.
+pub(crate) fn shown(key: &str, constant: Estimate) -> String {
+    let (unit, factor) = unit_of(key);
+    let constant = constant.map(|value| factor * value);
+    let unit = match unit {
+        "" => String::new(),
+        unit => format!(" {unit}"),
+    };
+    Digits::of_interval(constant.ends()).interval_with(&unit, constant)
 }
 
-/// A value in its display unit, without the unit.
-fn bare(key: &str, value: f64) -> Cell {
-    let (_, factor, decimals) = unit_of(key);
-    Cell::number(factor * value, |value| format!("{value:.decimals$}"))
+/// The value in its display unit with the digits that its interval leaves, without the unit.
+fn bare(key: &str, constant: Estimate) -> Cell {
+    let constant = constant.map(|value| unit_of(key).1 * value);
+    let digits = Digits::of_interval(constant.ends());
+    Cell::number(constant.value, |value| digits.rounded(value))
 }
 
-/// An interval in the display unit, in brackets.
-pub(crate) fn range(key: &str, ends: [f64; 2]) -> String {
-    range_cell(key, Some(ends)).text().to_owned()
-}
-
-fn range_cell(key: &str, ends: Option<[f64; 2]>) -> Cell {
-    let (_, factor, decimals) = unit_of(key);
-    let ends = ends.map(|ends| ends.map(|end| factor * end));
-    Cell::range(ends, Digits::of_decimals(decimals as i32))
+/// An interval in the display unit, in brackets, with the digits that it leaves.
+fn range(key: &str, ends: Option<[f64; 2]>) -> Cell {
+    let ends = ends.map(|ends| ends.map(|end| unit_of(key).1 * end));
+    let digits = ends.map_or(Digits::of_decimals(0), Digits::of_interval);
+    Cell::range(ends, digits)
 }
 
 /// A name with its unit.
@@ -124,8 +126,7 @@ pub(crate) fn identified(parameters: &[IdentifiedParameter]) -> Table {
 /// The same with the standard deviations after the fit.
 pub(crate) fn before_and_after(calibration: &Calibration) -> Table {
     let after = calibration.parameters.iter().map(|one| {
-        let [low, high] = one.fitted.ends();
-        let deviation = (high / low).ln() / (2.0 * MIDDLE_95);
+        let deviation = one.fitted.log_width() / (2.0 * Z_95);
         Cell::number(share(deviation), |percent| format!("{percent:.0}"))
     });
     let after = Column::new(Kind::Number, "after the fit", "%", after);
@@ -136,9 +137,6 @@ pub(crate) fn before_and_after(calibration: &Calibration) -> Table {
 fn share(share: f64) -> f64 {
     100.0 * share
 }
-
-/// Half of the middle 95 % of a normal distribution, in its standard deviations.
-const MIDDLE_95: f64 = 1.959_964;
 
 /// Columns of the fitted parameters that the page has and the terminal has no room for.
 const FOLDED: [&str; 3] = ["profile likelihood", BOOTSTRAP, "default"];
@@ -153,12 +151,12 @@ pub(crate) fn fitted(calibration: &Calibration) -> Table {
     let table = columns! { one in &calibration.parameters;
         head parameter "parameter" "" = named(&one.name, &one.key);
         file unit = unit_of(&one.key).0;
-        number value "value" "" = bare(&one.key, one.fitted.value);
-        range band "2.5 to 97.5 %" "" = range_cell(&one.key, Some(one.fitted.ends()));
-        range profile_band "profile likelihood" "" = range_cell(&one.key, Some(one.profile_band));
-        range bootstrap "bootstrap over assemblies" "" = range_cell(&one.key, one.bootstrap);
-        number default "default" "" = bare(&one.key, one.default.value);
-        range default_range "5 to 95 % before" "" = range_cell(&one.key, Some(one.default.ends()));
+        number value "value" "" = bare(&one.key, one.fitted);
+        range range "5 to 95 %" "" = range(&one.key, Some(one.fitted.ends()));
+        range profile_range "profile likelihood" "" = range(&one.key, Some(one.profile_range));
+        range bootstrap "bootstrap over assemblies" "" = range(&one.key, one.bootstrap);
+        number default "default" "" = bare(&one.key, one.default);
+        range default_range "5 to 95 % before" "" = range(&one.key, Some(one.default.ends()));
         text verdict "by the points" "" = match one.is_open.contains(&true) {
             true => format!("{} (open)", one.verdict.text()),
             false => one.verdict.text().to_owned(),
@@ -213,8 +211,8 @@ pub(crate) fn design_bands(design: &Design) -> Table {
         head parameter "parameter" "" = named(&one.identified.name, &one.identified.key);
         file unit = unit_of(&one.identified.key).0;
         percent deviation "standard deviation" "%" "{:.0}" = one.identified.deviation;
-        range band "2.5 to 97.5 %" "" = range_cell(&one.identified.key, Some(one.expected.ends()));
-        range default_range "5 to 95 % before" "" = range_cell(&one.identified.key, Some(one.default_range));
+        range range "5 to 95 %" "" = range(&one.identified.key, Some(one.expected.ends()));
+        range default_range "5 to 95 % before" "" = range(&one.identified.key, Some(one.default_range));
         text verdict "verdict" "" = one.identified.verdict.text();
     };
     table.in_file("expected_bands.csv")

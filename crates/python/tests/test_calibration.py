@@ -93,7 +93,7 @@ def test_a_calibrated_case_has_a_narrower_band(found):
     written = [row for row in found.parameters if f"{row.key} = " in found.block]
     assert {"boundary_friction", "eyring_stress"} <= {row.key for row in written}
     for row in written:
-        width = math.log(row.band_high / row.band_low) / math.log(row.default_range_high / row.default_range_low)
+        width = math.log(row.range_high / row.range_low) / math.log(row.default_range_high / row.default_range_low)
         # The part of a constant is its range times its slope, which moves with the values: in the logarithm the part lies
         # nearer to what the new range makes of it than to what it was.
         assert width < 1 and new[row.name] < math.sqrt(width) * old[row.name], row.name

@@ -702,6 +702,10 @@ impl IntoIterator for Table {
 impl Render for Table {
     fn render(&self) -> Markup {
         let class = |column: &Column| column.kind.is_number().then_some("number");
+        /// Characters from which a text wraps into so many lines on a narrow screen that its cell is wider there.
+        const LONG: usize = 60;
+        let is_long = |cell: &Cell| cell.text().chars().count() > LONG;
+        let of_cell = |column, cell: &Cell| class(column).or(is_long(cell).then_some("long"));
         let file = (!self.file.is_empty()).then_some(self.file);
         let named =
             |column: &Column| (file.is_some() && !column.name.is_empty()).then_some(column.name);
@@ -715,7 +719,7 @@ impl Render for Table {
                 @let cell = column.cells.get(row).cloned().unwrap_or_default();
                 @match column.kind {
                     Kind::Head => th scope="row" { (cell) },
-                    _ => td class=[class(column)] { (cell) },
+                    _ => td class=[of_cell(column, &cell)] { (cell) },
                 }
             } } } }
         } } } }

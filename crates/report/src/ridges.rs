@@ -34,7 +34,7 @@ fn saving(ridges: &Ridges) -> String {
     let sampled = ridges.sampling_quantiles_w.map(|[low, high]| [-high, -low]);
     let quantiles = ridges.saving_quantiles_w.or(sampled);
     format!(
-        "these {} ridges to the mean line saves {}",
+        "the {} costliest ridges to the mean line saves {}",
         ridges.rows.len(),
         with_interval(saved, quantiles, " W")
     )

@@ -105,7 +105,7 @@ pub enum Measured {
 pub struct Ranged {
     /// The constant.
     pub kind: UncertainParameter,
-    /// Median with 5 % and 95 % quantiles, with 2.5 % and 97.5 % quantiles of a measured one.
+    /// Median with 5 % and 95 % quantiles; with 2.5 % and 97.5 % quantiles, as files state them, of a calibration or an oil file.
     #[serde(flatten)]
     pub estimate: Estimate,
     /// Measurements that state value and range.
@@ -184,7 +184,7 @@ impl UncertainParameter {
         found.unwrap_or(0.0)
     }
 
-    /// The value in a case, and the range that the band draws it from; `None` if the loss does not depend on it.
+    /// The value in a case with its 5 % and 95 % quantile; `None` if the loss does not depend on it.
     ///
     /// # Errors
     /// When the family of the oil is not known.
@@ -193,7 +193,7 @@ impl UncertainParameter {
             return Ok(None);
         }
         let ranged = self.ranged(loaded)?;
-        Ok(ranged.map(|ranged| ranged.estimate))
+        Ok(ranged.map(|ranged| ranged.quantiles()))
     }
 
     /// Standard deviation of its logarithm by the traction curves of an oil file; `None` if they do not state it.
@@ -339,6 +339,17 @@ pub fn parameters(loaded: &LoadedCase) -> Result<(Vec<Ranged>, Vec<String>), Pos
 }
 
 impl Ranged {
+    /// The median with the 5 % and 95 % quantile.
+    #[must_use]
+    pub fn quantiles(&self) -> Estimate {
+        match self.measured {
+            None | Some(Measured::Surfaces) => self.estimate,
+            Some(Measured::Calibration | Measured::OilFile) => {
+                Estimate::new(self.estimate.value, [-Z_95, Z_95].map(|z| self.at(z)))
+            }
+        }
+    }
+
     /// The value at `z` of the standard normal distribution of the constant.
     ///
     /// ```text

@@ -76,7 +76,7 @@ pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, Lubricant
         .collect())
 }
 
-/// A constant calibrated on a rig, with its 95 % band.
+/// A constant calibrated on a rig, with its 5 % and 95 % quantiles.
 fn calibrated(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
     let calibration = case.input.calibration.iter();
     calibration.flat_map(|calibration| {
@@ -90,9 +90,15 @@ fn calibrated(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
             };
             let source = calibration.source.as_deref();
             let source = source.unwrap_or("calibration of the case");
-            Some(FilmConstant::new(name, found, Mark::Calibrated, source))
+            let drawn = logarithmic(found);
+            Some(FilmConstant::new(name, drawn, Mark::Calibrated, source))
         })
     })
+}
+
+/// 5 % and 95 % quantiles of a lognormal constant with these 2.5 % and 97.5 % quantiles.
+fn logarithmic(found: Estimate) -> Estimate {
+    found.map(|end| found.value * (end / found.value).powf(Z_95 / Z_975))
 }
 
 /// A constant of the oil file that the case does not replace, with its 5 % and 95 % quantiles.
@@ -105,9 +111,11 @@ fn fitted(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
             let friction = &file.film_friction;
             let found = friction.of(name);
             let value = found.value;
-            let quantile = |end: f64| match name {
-                FittedName::LimitingShearTemperature => value + (end - value) * Z_95 / Z_975,
-                _ => value * (end / value).powf(Z_95 / Z_975),
+            let drawn = match name {
+                FittedName::LimitingShearTemperature => {
+                    found.map(|end| value + (end - value) * Z_95 / Z_975)
+                }
+                _ => logarithmic(found),
             };
             let name = match name {
                 FittedName::EyringStress => FilmConstantName::EyringStress,
@@ -115,7 +123,6 @@ fn fitted(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
                 FittedName::LimitingShearTemperature => FilmConstantName::LimitingShearTemperature,
                 FittedName::PressureViscosityFactor => FilmConstantName::PressureViscosityFactor,
             };
-            let drawn = Estimate::new(value, found.ends().map(quantile));
             let source = format!("traction curves: {}", friction.source);
             FilmConstant::new(name, drawn, Mark::Calibrated, source)
         })

@@ -160,9 +160,9 @@ pub struct DrawnConstant {
     pub name: String,
     /// The median, which the run uses.
     pub value: f64,
-    /// 5 % quantile; 2.5 % of a calibrated constant.
+    /// 5 % quantile.
     pub low: f64,
-    /// 95 % quantile; 97.5 % of a calibrated constant.
+    /// 95 % quantile.
     pub high: f64,
     /// Unit of these; "-" for a number.
     pub unit: String,

@@ -32,7 +32,6 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::cancel::checkpoint;
-use asperity_core::numerics::Z_95;
 use asperity_core::provenance::Provenance;
 
 use crate::assembly::{equations_used, far_lay, relief_warning, sources_used};
@@ -271,12 +270,7 @@ fn uncertainty(
 }
 
 fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
-    let Estimate { value, low, high } = match ranged.measured {
-        Some(Measured::OilFile) => {
-            Estimate::new(ranged.estimate.value, [-Z_95, Z_95].map(|z| ranged.at(z)))
-        }
-        _ => ranged.estimate,
-    };
+    let Estimate { value, low, high } = ranged.quantiles();
     DrawnConstant {
         name: ranged.kind.name().to_owned(),
         value,

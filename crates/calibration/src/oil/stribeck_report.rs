@@ -9,8 +9,8 @@ use asperity_report::{Cell, Report, StudyResult, Table, columns};
 use super::stribeck::{BoundaryState, Stribeck};
 use super::text::is_simulated_source;
 use super::traction::BOUNDARY_RATIO;
-use crate::block::{constant, digits, origin};
-use crate::report::{files, notes, rehearsal};
+use crate::block::{constant, origin};
+use crate::report::{QUANTILES, files, notes, rehearsal};
 
 const POINTS: &str = "points.csv";
 
@@ -27,7 +27,7 @@ impl StudyResult for Stribeck {
             .table(states(self));
         notes(report, sentences(self), &self.warnings)
             .section("For the case")
-            .heading("A case file takes the 2.5 % and 97.5 % quantiles as low and high")
+            .heading(QUANTILES)
             .code(self.block())
             .section("Provenance")
             .table(files(&self.sources))
@@ -63,11 +63,18 @@ fn named(state: &BoundaryState) -> String {
 
 /// Boundary friction before and after rubbing.
 fn states(stribeck: &Stribeck) -> Table {
-    let friction = |of: f64| Cell::shown(digits(of), of.into());
+    let friction = |state: &BoundaryState| {
+        let cell = |of: f64| {
+            Cell::number(of, |of| {
+                Digits::of_uncertainty(state.scatter * of).rounded(of)
+            })
+        };
+        Cell::optional(state.boundary_friction.map(cell))
+    };
     let table = columns! { state in &stribeck.states;
         head state "state" "" = named(state);
         file rubbing_s = state.rubbing_s;
-        number boundary_friction "boundary friction" "" = Cell::optional(state.boundary_friction.map(friction));
+        number boundary_friction "boundary friction" "" = friction(state);
         number points "points" "";
         percent scatter "scatter" "%" "{:.1}" = state.boundary_friction.map(|_| state.scatter);
         percent slope_per_decade "per decade of speed" "%" "{:+.1}" = state.slope_per_decade;

@@ -30,7 +30,7 @@ def with_units(parameters: list[dict[str, Any]]) -> list[dict[str, Any]]:
 class Calibration(Study, CalibrationValues):
     """Constants of boundary layer and film that no data sheet holds, fitted to measured losses, with their bands.
 
-    ``parameters`` (key, name, value, band, default, verdict ...; values in SI units), ``points`` (measured_w,
+    ``parameters`` (key, name, value, range of 5 to 95 %, default, verdict ...; values in SI units), ``points`` (measured_w,
     fitted_w, residual_sigma ...), ``nuisance``, ``correlations``, ``held_out``, ``identifiability``, ``block`` to
     paste into a case file.
     """
@@ -99,7 +99,7 @@ class Design(Study, DesignValues):
         return self.points.to_pandas()
 
     def _rows(self) -> list[tuple[str, str]]:
-        expected = [(one["name"], f"{one['value']:.4g} ({one['band_low']:.4g}..{one['band_high']:.4g}) {one['unit']}".strip()) for one in self.parameters]
+        expected = [(one["name"], f"{one['value']:.4g} ({one['range_low']:.4g}..{one['range_high']:.4g}) {one['unit']}".strip()) for one in self.parameters]
         return [("points", str(len(self._values["points"]))), *expected]
 
 

@@ -735,16 +735,16 @@ class DesignParameter(Values):
     prior: float
     verdict: str
     value: float
-    band_low: float
-    band_high: float
+    range_low: float
+    range_high: float
     default_range_low: float
     default_range_high: float
 
 
-class DesignParameterTable(TableOf[DesignParameter, Literal["deviation", "prior", "value", "band_low", "band_high", "default_range_low", "default_range_high"], Literal["key", "name", "unit", "verdict"]]):
+class DesignParameterTable(TableOf[DesignParameter, Literal["deviation", "prior", "value", "range_low", "range_high", "default_range_low", "default_range_high"], Literal["key", "name", "unit", "verdict"]]):
     _row = DesignParameter
     key: NDArray[Any]; name: NDArray[Any]; unit: NDArray[Any]; deviation: Floats; prior: Floats; verdict: NDArray[Any]
-    value: Floats; band_low: Floats; band_high: Floats; default_range_low: Floats; default_range_high: Floats
+    value: Floats; range_low: Floats; range_high: Floats; default_range_low: Floats; default_range_high: Floats
 
 
 class DesignValues(Values):
@@ -764,10 +764,12 @@ class CalibrationParameter(Values):
     name: str
     unit: str
     value: float
+    range_low: float
+    range_high: float
     band_low: float
     band_high: float
-    profile_band_low: float
-    profile_band_high: float
+    profile_range_low: float
+    profile_range_high: float
     is_open: list[Any]
     profile: list[Any]
     bootstrap_low: float
@@ -779,10 +781,11 @@ class CalibrationParameter(Values):
     verdict: str
 
 
-class CalibrationParameterTable(TableOf[CalibrationParameter, Literal["value", "band_low", "band_high", "profile_band_low", "profile_band_high", "bootstrap_low", "bootstrap_high", "default", "default_range_low", "default_range_high", "deviation"], Literal["key", "name", "unit", "is_open", "profile", "verdict"]]):
+class CalibrationParameterTable(TableOf[CalibrationParameter, Literal["value", "range_low", "range_high", "band_low", "band_high", "profile_range_low", "profile_range_high", "bootstrap_low", "bootstrap_high", "default", "default_range_low", "default_range_high", "deviation"], Literal["key", "name", "unit", "is_open", "profile", "verdict"]]):
     _row = CalibrationParameter
-    key: NDArray[Any]; name: NDArray[Any]; unit: NDArray[Any]; value: Floats; band_low: Floats; band_high: Floats
-    profile_band_low: Floats; profile_band_high: Floats; is_open: NDArray[Any]; profile: NDArray[Any]
+    key: NDArray[Any]; name: NDArray[Any]; unit: NDArray[Any]; value: Floats; range_low: Floats; range_high: Floats
+    band_low: Floats; band_high: Floats; profile_range_low: Floats; profile_range_high: Floats
+    is_open: NDArray[Any]; profile: NDArray[Any]
     bootstrap_low: Floats; bootstrap_high: Floats; default: Floats; default_range_low: Floats
     default_range_high: Floats; deviation: Floats; verdict: NDArray[Any]
 

@@ -1,6 +1,7 @@
 //! The values that an engineer checks first: gears, oil at its temperature, contact, and mesh.
 
 use asperity::oil::{FilmConstantName, Mark};
+use asperity::result::loss_band::Digits;
 use asperity::result::{FilmConstant, PositionRow, RunResult, Scope};
 use asperity::uncertainty::UncertainParameter as Constant;
 use asperity_core::quantity::{Angle, Length};
@@ -283,8 +284,13 @@ const fn shown(name: FilmConstantName) -> (&'static str, &'static str, f64) {
 /// Value and band of a constant as text.
 fn texts(FilmConstant { name, constant, .. }: &FilmConstant) -> [String; 2] {
     let (_, unit, factor) = shown(*name);
-    // Round-off of the conversion is not shown.
-    let number = |value: f64| (factor * value * 1e6).round() / 1e6;
+    let number = |value: f64| match (constant.mark, constant.low, constant.high) {
+        (Mark::Calibrated, Some(low), Some(high)) => {
+            Digits::of_interval([factor * low, factor * high]).rounded(factor * value)
+        }
+        // Round-off of the conversion is not shown.
+        _ => ((factor * value * 1e6).round() / 1e6).to_string(),
+    };
     let band = match (constant.low, constant.high) {
         (Some(low), Some(high)) => format!("{} to {}{unit}", number(low), number(high)),
         _ => "–".to_owned(),

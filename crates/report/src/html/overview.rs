@@ -35,13 +35,19 @@ pub(super) fn section(result: &RunResult) -> Markup {
         div.verdict {
             div {
                 @if let Some(uncertainty) = &result.uncertainty {
-                    (figure(&super::band::tornado(uncertainty))) (super::band::remedies(uncertainty)) (super::band::evidence(&uncertainty.evidence, &|loss| uncertainty.digits().rounded(loss)))
+                    (figure(&super::band::tornado(uncertainty))) (super::band::remedies(uncertainty))
                 }
                 (figure(&super::losses::along_the_path(result)))
             }
             @if let Some(mesh) = super::facing::in_mesh(result) { (mesh) }
         }
-        (warnings(&result.warnings.iter().map(|warning| priced(warning, result)).collect::<Vec<_>>()))
+        @let warnings = warnings(&result.warnings.iter().map(|warning| priced(warning, result)).collect::<Vec<_>>());
+        @if let Some(uncertainty) = &result.uncertainty {
+            div.verdict {
+                div { (super::band::evidence(&uncertainty.evidence, &|loss| uncertainty.digits().rounded(loss))) }
+                div { (warnings) }
+            }
+        } @else { (warnings) }
         @if let Some(gearbox) = &result.gearbox { (super::gearbox::section(gearbox, result.uncertainty.is_some())) }
         @if let Some(pairs) = &result.pairs { @if let Some(sampling) = &pairs.sampling {
             (super::pairs::section(pairs, sampling, &result.flanks))

@@ -49,16 +49,22 @@ fn wear(of: &FlankChange) -> String {
         true => "at this place",
         false => "wherever the trace lies on it,",
     };
-    let [low, high] = of.sliding_um.ends();
-    let sliding = match high - low > 1e-6 * high {
-        true => Digits::of_interval([low, high]).interval_with(" µm", of.sliding_um),
-        false => format!("{} µm", Digits::of_power(high).rounded(high)),
+    let is_range = of.sliding_um.half_width() > 5e-7 * of.sliding_um.high;
+    let digits_of = |sliding: Estimate| match is_range {
+        true => Digits::of_interval(sliding.ends()),
+        false => Digits::of_power(sliding.high),
+    };
+    let digits = digits_of(of.sliding_um);
+    let sliding = match is_range {
+        true => digits.interval_with(" µm", of.sliding_um),
+        false => format!("{} µm", digits.rounded(of.sliding_um.high)),
     };
     let slid = format!("The {flank} changed: {place} a point slides {sliding} per engagement");
     let Some((count, metres)) = of.engagements.zip(of.sliding_m) else {
         return format!("{slid}.");
     };
-    let metres = Digits::of_power(metres).rounded(metres);
+    let in_all = of.sliding_um.map(|um| um * metres / of.sliding_um.value);
+    let metres = digits_of(in_all).rounded(metres);
     let of_hardness = |k: f64| format!("K = k H is {k:.1e}");
     let coefficient = match (
         of.k_mm3_per_n_m,
@@ -84,12 +90,12 @@ fn wear(of: &FlankChange) -> String {
         }
         _ => {
             return format!(
-                "{slid}, {metres} m in {count:.3e} engagements. It gained height, so that no wear coefficient follows."
+                "{slid}, {metres} m in {count:e} engagements. It gained height, so that no wear coefficient follows."
             );
         }
     };
     format!(
-        "{slid}, {metres} m in {count:.3e} engagements. Archard's wear coefficient k {coefficient}."
+        "{slid}, {metres} m in {count:e} engagements. Archard's wear coefficient k {coefficient}."
     )
 }
 

@@ -76,6 +76,11 @@ impl StudyResult for Merged {
         let mut report = Report::new(&self.title, format!("sweep {}", self.name))
             .section("Results over the axes")
             .verdict(largest(self).or_else(|| extremes(self)))
+            .figures(move || charts.clone())
+            .text(over_axes)
+            .on_page()
+            .text(in_bars.then_some(IN_BARS))
+            .on_page()
             .text((has_losses && !is_drawn).then_some(NO_INTERVAL))
             .text([format!(
                 "{} cases, {} without a result.",
@@ -86,11 +91,6 @@ impl StudyResult for Merged {
             .text(has_oils.then_some(OTHER_OILS))
             .on_page()
             .text(outside)
-            .figures(move || charts.clone())
-            .text(over_axes)
-            .on_page()
-            .text(in_bars.then_some(IN_BARS))
-            .on_page()
             .text((has_losses || is_drawn).then_some(OF_MESHES))
             .on_page()
             .text(has_watts.then_some(NEXT))

@@ -136,6 +136,8 @@ pub(super) fn input_name(key: &str) -> String {
     let words = own.iter().map(|part| match *part {
         "0" => "of the pinion".to_owned(),
         "1" => "of the wheel".to_owned(),
+        "at_40" => "at 40 °C".to_owned(),
+        "at_100" => "at 100 °C".to_owned(),
         part => part.replace('_', " "),
     });
     words.collect::<Vec<_>>().join(" ") + &choice
@@ -165,7 +167,7 @@ mod tests {
         for (key, words) in [
             ("operation.torque", "torque"),
             ("gears.profile_shift.0", "profile shift of the pinion"),
-            ("lubricant.viscosity.at_100", "viscosity at 100"),
+            ("lubricant.viscosity.at_100", "viscosity at 100 °C"),
             ("finish: smooth", "finish: smooth"),
         ] {
             assert_eq!(input_name(key), words);
