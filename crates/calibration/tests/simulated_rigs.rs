@@ -85,7 +85,7 @@ fn bands_of_five_rigs_hold_their_truth() {
             .unwrap();
         assert!(fit.is_settled && fit.rounds <= 3, "{} rounds", fit.rounds);
         for (k, count) in held.iter_mut().enumerate() {
-            let [low, high] = fit.band(k).unwrap().ends;
+            let [low, high] = fit.band(k, 0.95).unwrap().ends;
             // Boundary friction within a tenth. A film that shears at its own pressure makes a quarter of the loss of these
             // flanks, so that its constants are known to a quarter only: at most .14, 1.1, .55 and .50 over five rigs.
             let widest = fit.scatter().widening() * [0.2, 1.4, 0.6, 0.55][k];
