@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use asperity::case::Trace as CaseTrace;
+use asperity::case::{HeldTrace, Statements};
 use asperity::core::Profile;
 use asperity::message::{Code, Fault};
-use asperity::case::{HeldTrace, Statements};
 use asperity::profile_io::Warning as ReadWarning;
 use asperity::profile_io::read::{FilterState, Metadata, ReadOptions, Reading, read};
 use asperity::profile_io::write::{WrittenFormat, write_filtered};
@@ -116,7 +116,8 @@ impl Trace {
     fn statements(&self) -> Statements {
         let filter_state = self.filter_state();
         // The case judges the heights itself.
-        let is_of_reading = |warning: &&ReadWarning| !matches!(warning, ReadWarning::ImplausibleHeights { .. });
+        let is_of_reading =
+            |warning: &&ReadWarning| !matches!(warning, ReadWarning::ImplausibleHeights { .. });
         let mut warnings: Vec<ReadWarning> =
             self.doubts.iter().filter(is_of_reading).cloned().collect();
         if filter_state == FilterState::Roughness
@@ -296,7 +297,14 @@ impl Trace {
         let doubts = failure::json(&self.doubts)?;
         Ok((
             restored,
-            (heights, self.spacing(), about, self.cutoff(), stated, doubts),
+            (
+                heights,
+                self.spacing(),
+                about,
+                self.cutoff(),
+                stated,
+                doubts,
+            ),
         ))
     }
 

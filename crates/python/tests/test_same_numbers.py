@@ -166,3 +166,9 @@ def test_ridges_that_cannot_leak_are_warned_about_as_by_the_command(command):
     found = asperity.ehl(slow_case, 0.25, cells=128, half_widths=1, start=0)
     assert [warning["code"] for warning in found["warnings"]] == ["W415"]
     assert [warning["text"] for warning in found["warnings"]] == [expected[0]["text"]]
+
+
+@pytest.mark.parametrize("name", FIXTURES)
+def test_the_warnings_of_a_case_are_those_of_check(name, command):
+    case = CASES / f"{name}.toml"
+    assert asperity.Case(case).warnings.to_dict() == [{"code": row["code"], "text": row["text"]} for row in json_of(command, "check", case)["warnings"]]
