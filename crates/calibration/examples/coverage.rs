@@ -59,7 +59,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 .map(|r| r * r)
                 .sum::<f64>();
             for k in 0..4 {
-                let band = fit.band(k)?;
+                let band = fit.band(k, 0.95)?;
                 let [low, high] = band.ends;
                 held[k] += u32::from((low..=high).contains(&truth[k]));
                 widths[k] += 0.5 * (high - low) / REPEATS as f64;
