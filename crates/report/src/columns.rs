@@ -702,7 +702,7 @@ impl IntoIterator for Table {
 impl Render for Table {
     fn render(&self) -> Markup {
         let class = |column: &Column| column.kind.is_number().then_some("number");
-        /// Characters from which a text wraps into so many lines on a narrow screen that its cell is wider there.
+        /// Characters of a text beyond which its cell is wider on a narrow screen.
         const LONG: usize = 60;
         let is_long = |cell: &Cell| cell.text().chars().count() > LONG;
         let of_cell = |column, cell: &Cell| class(column).or(is_long(cell).then_some("long"));
