@@ -380,8 +380,13 @@ mod tests {
         let z = [none, 1.0, none, none, 4.0, none];
         assert_eq!(interpolate(&z), (2, 2, vec![1.0, 2.0, 3.0, 4.0]));
         let (row, options) = ([1.0, 1.0, 2.0, 3.0, 4.0, 4.0], ReadOptions::default());
-        assert_eq!(bridged(&z, 0.7, &options).unwrap(), (row.to_vec(), 4));
-        let refused = bridged(&z, 0.6, &options).unwrap_err().in_file("a.sur");
+        assert_eq!(
+            bridged((&z, 0..6), 0.7, &options).unwrap(),
+            (row.to_vec(), 4)
+        );
+        let refused = bridged((&z, 0..6), 0.6, &options)
+            .unwrap_err()
+            .in_file("a.sur");
         assert!(
             refused
                 .to_string()
