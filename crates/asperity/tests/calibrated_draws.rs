@@ -3,6 +3,7 @@
 use asperity::case::{CalibratedName, CalibrationInput, CorrelationInput, LoadedCase, cholesky};
 use asperity::uncertainty::UncertainParameter;
 use asperity_core::Estimate;
+use asperity_core::numerics::{Z_95, Z_975};
 
 fn case(change: impl Fn(&mut CalibrationInput)) -> Result<LoadedCase, asperity::Error> {
     let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
@@ -29,19 +30,22 @@ fn calibrated_values_take_the_place_of_defaults_and_their_bands_of_the_ranges() 
     })
     .unwrap();
     assert_eq!(found.case.model.boundary_friction, 0.09);
-    let range = |name: UncertainParameter| name.range(&found).unwrap().unwrap();
-    assert_eq!(
-        range(UncertainParameter::BoundaryFriction),
-        Estimate::new(0.09, [0.08, 0.11])
-    );
-    assert_eq!(
-        range(UncertainParameter::EyringStress),
-        Estimate::new(4.4e6, [4.1e6, 4.8e6])
-    );
+    // 5 and 95 % quantiles of lognormal constants with these of 2.5 and 97.5 %.
+    for (name, value, ends) in [
+        (UncertainParameter::BoundaryFriction, 0.09, [0.08, 0.11]),
+        (UncertainParameter::EyringStress, 4.4e6, [4.1e6, 4.8e6]),
+    ] {
+        let range = name.range(&found).unwrap().unwrap();
+        assert_eq!(range.value, value);
+        for (end, band) in range.ends().into_iter().zip(ends) {
+            let expected = value * f64::powf(band / value, Z_95 / Z_975);
+            assert!((end / expected - 1.0).abs() < 1e-12, "{end} {expected}");
+        }
+    }
     // What is not calibrated keeps its range.
     assert_eq!(
-        range(UncertainParameter::BoundaryLayer),
-        Estimate::new(10e-9, [5e-9, 20e-9])
+        UncertainParameter::BoundaryLayer.range(&found).unwrap(),
+        Some(Estimate::new(10e-9, [5e-9, 20e-9]))
     );
     let key = "model.boundary_friction";
     assert!(found.case.defaults.iter().all(|default| default.key != key));

@@ -465,8 +465,10 @@ fn scans_with_faults_are_used_as_without() {
     // A step is not removed, and said to dominate the middle row.
     let step = case(["step 1-25-1", "1-25-9"], "").unwrap();
     told(&step, Code::W132, "a step");
+    told(&step, Code::W467, "step");
     let refused = |fault: &str, code: Code, text: &str| {
-        let error = pair(fault, "").map(|_| ()).unwrap_err();
+        let made = pair(fault, "").map(|_| ());
+        let error = made.expect_err(fault);
         assert!(
             error.code() == code && error.to_string().contains(text),
             "{fault}: {error}"

@@ -1,4 +1,4 @@
-//! What is stated of the heights of a trace, by their file or by whoever filtered them.
+//! Statements about the heights of a trace, by their file or by whoever filtered them.
 
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning;

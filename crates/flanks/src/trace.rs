@@ -76,7 +76,7 @@ pub struct PreparedTrace {
     pub filters: Filters,
     /// Whether the end at which the trace begins is assumed.
     pub assumed_from: bool,
-    /// What is stated of its heights.
+    /// Statements about its heights.
     pub statements: Statements,
     /// Doubts about its preparation.
     pub warnings: Vec<Warning>,

@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 use asperity_core::cite;
 use asperity_core::numerics::find_root;
 
-/// Part v below which its functions are those of a line to twelve digits.
+/// Part v below which its functions equal a line to twelve digits.
 const LEAST_PART: f64 = 1e-6;
 
 /// Spot of a patch as it was found.

@@ -28,7 +28,7 @@ pub fn diff(first: &str, second: &str) -> PyResult<String> {
     Ok(failure::json(&found)?)
 }
 
-/// What train.json or planetary.json says of a gear train as a whole, as JSON.
+/// Content of train.json or planetary.json about a gear train as a whole, as JSON.
 #[pyfunction]
 pub fn read_whole(py: Python<'_>, path: PathBuf) -> PyResult<String> {
     alone(py, || failure::json(&asperity_report::read_whole(&path)?))

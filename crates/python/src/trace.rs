@@ -469,7 +469,7 @@ impl Trace {
         })
     }
 
-    /// What is stated of the heights as JSON; empty if nothing is.
+    /// Statements about the heights as JSON; empty if nothing is stated.
     #[getter]
     fn statements_json(&self) -> PyResult<String> {
         let stated = self.statements();

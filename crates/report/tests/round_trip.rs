@@ -50,22 +50,6 @@ fn every_fixture_case_is_equal_after_a_round_trip_through_json() {
 }
 
 #[test]
-fn a_result_with_the_older_names_of_the_loss_factors_is_read() {
-    let result = smallest().result;
-    let mut older = serde_json::to_value(&result).unwrap();
-    for (table, now) in [
-        ("summary", "loss_factor_ohlendorf"),
-        ("load", "loss_factor_local"),
-    ] {
-        let table = older[table].as_object_mut().unwrap();
-        let value = table.remove(now).unwrap();
-        table.insert("loss_factor".to_owned(), value);
-    }
-    let text = serde_json::to_string(&older).unwrap();
-    assert_eq!(asperity_report::parse_result(&text).unwrap(), result);
-}
-
-#[test]
 fn the_files_in_memory_are_those_of_the_folder() {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("result");

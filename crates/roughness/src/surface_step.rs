@@ -175,12 +175,14 @@ mod tests {
                 "{found:?}"
             );
         }
-        let rows = step(&surface(
-            1.0,
-            1,
-            |_, y| if y > 120.0 { 0.4e-6 } else { 0.0 },
-        ))
-        .unwrap();
-        assert!(!rows.is_across_rows && (rows.place.si() * 1e6 - 120.0).abs() < 10.0);
+        // Along the rows of a wide surface.
+        let means: Vec<f64> = (0..1000)
+            .map(|k| 2e-8 * (0.3 * f64::from(k)).sin() + if k > 499 { 4e-7 } else { 0.0 })
+            .collect();
+        let (at, height) = highest(&means, Length::from_si(1e-6)).unwrap();
+        assert!(
+            at.abs_diff(500) < 4 && (height / 4e-7 - 1.0).abs() < 0.1,
+            "{at} {height}"
+        );
     }
 }

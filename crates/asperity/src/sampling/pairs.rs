@@ -121,7 +121,7 @@ pub(crate) fn sampling_of_teeth(values: &[f64], surfaces: &Surfaces) -> Option<P
     })
 }
 
-/// Standard error over the windows of one generated trace of each flank, over that of measured traces; of equal parts of both.
+/// Factor on the standard error over the windows of one generated trace of each flank, for equal parts of both.
 pub(crate) fn wider_like_measured(surfaces: &Surfaces) -> f64 {
     let LikeMeasured { flanks, is_same } = surfaces.like();
     let generated = flanks.into_iter().filter(|is_made| *is_made).count() as f64;

@@ -88,7 +88,7 @@ impl Content {
 pub struct HeldTrace {
     /// The heights.
     pub profile: Profile,
-    /// What is stated of them.
+    /// Statements about them.
     pub statements: Statements,
 }
 

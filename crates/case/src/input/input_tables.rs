@@ -411,7 +411,7 @@ table! {
     /// State of the generated flanks from before the test, 0, to `after` it, 1, which is the default; heights are lost in proportion.
     #[serde(skip_serializing_if = "Option::is_none")]
     state: Option<f64> = "" usual [0.0, 1.0] possible [0.0, 1.0];
-    /// Engagements of a tooth after which the flanks are generated, in place of `state`; default those of the last stage. Heights are
+    /// Engagements of a tooth after which the flanks are generated, in place of `state`; default the last stage. Heights are
     /// lost in proportion to engagements between two stages of `after`.
     #[serde(skip_serializing_if = "Option::is_none")]
     engagements: Option<f64> = "" usual [0.0, 1e10] possible [0.0, 1e15];

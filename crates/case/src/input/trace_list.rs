@@ -58,7 +58,7 @@ table! {
     /// Part of the trace that is used, where it is not that of the flank.
     #[serde(skip_serializing_if = "Option::is_none")]
     range: Option<TraceRange> = "mm" usual [0.001, 100.0] possible [1e-5, 10_000.0];
-    /// Engagements of a tooth until the trace was measured; of `after`, whose stages it tells apart.
+    /// Engagements of a tooth until the trace was measured, which separate the stages of `after`.
     #[serde(skip_serializing_if = "Option::is_none")]
     engagements: Option<f64> = "" usual [1.0, 1e10] possible [1e-3, 1e15];
 }

@@ -127,7 +127,7 @@ pub(crate) fn generated(
     (0..count).map(flank).collect()
 }
 
-/// The maker of flanks like traces, or of those of a test.
+/// The maker of flanks like traces before a test, or in a state of it.
 fn maker(before: &[Measured], wanted: Option<&Wanted>) -> Result<Like, Fault> {
     let profiles = |traces: &[Measured]| -> Vec<Profile> {
         traces.iter().map(|trace| trace.profile.clone()).collect()

@@ -2,7 +2,7 @@
 
 use asperity_core::{DomainError, number};
 
-/// Where a flank lies between two measured stages of a test that follow each other. Stage 0 is before the test.
+/// Place of a flank between two measured stages of a test that follow each other. Stage 0 is before the test.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Number of stages after the start of the test.
@@ -68,7 +68,7 @@ impl State {
         })
     }
 
-    /// A part of the way to the only stage, by default its end; or, of several stages, after `engagements`, by default those of the last.
+    /// A part of the way to the only stage, by default its end; or, of several stages, after `engagements`, by default at the last.
     ///
     /// # Errors
     /// As [`of_one_stage`](Self::of_one_stage) and [`after`](Self::after).
