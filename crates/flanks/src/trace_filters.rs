@@ -83,7 +83,8 @@ impl Filters {
     }
 
     /// Fits filters that are not stated to the row of a scan, of which the contacts need the length `needed`: λs follows points that are
-    /// farther apart, and the ends remain where too little would be left.
+    /// farther apart, and the ends remain where too little would be left. A row of less than one and a half cut-offs has no part that
+    /// its ends do not reach: it is left to be refused.
     pub(crate) fn fit_scan(&mut self, stated: StatedFilters, row: &Profile, needed: Length) {
         let preparation = &mut self.preparation;
         let spacing = row.spacing();
@@ -96,7 +97,8 @@ impl Filters {
             return;
         };
         let left = row.length() - cutoff;
-        if preparation.ends == Ends::Cut && (left < needed || left < cutoff) {
+        let is_long = left >= cutoff * 0.5;
+        if preparation.ends == Ends::Cut && is_long && (left < needed || left < cutoff) {
             preparation.ends = Ends::Reg1;
             self.keeps_ends_of_scan = true;
         }
