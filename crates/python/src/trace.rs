@@ -549,15 +549,15 @@ struct Wanted {
 #[pyfunction]
 pub fn generate_like(
     py: Python<'_>,
-    before: Vec<Trace>,
-    after: Vec<Trace>,
+    before: Vec<PyRef<'_, Trace>>,
+    after: Vec<PyRef<'_, Trace>>,
     wanted: &str,
 ) -> PyResult<Trace> {
     let wanted: Wanted = failure::asked(wanted)?;
-    let profiles = |traces: Vec<Trace>| -> Vec<Profile> {
-        traces.into_iter().map(|trace| trace.profile).collect()
+    let profiles = |traces: &[PyRef<'_, Trace>]| -> Vec<Profile> {
+        traces.iter().map(|trace| trace.profile.clone()).collect()
     };
-    let (before, after) = (profiles(before), profiles(after));
+    let (before, after) = (profiles(&before), profiles(&after));
     alone(py, || {
         let like = match after.is_empty() {
             true => Like::to(&before[0], &before[1..], wanted.method)?,
