@@ -13,7 +13,9 @@ use asperity::quantity::Length;
 use asperity::roughness::autocorrelation::autocorrelation;
 use asperity::roughness::form::Form;
 use asperity::roughness::gaussian_filter::{Ends, mean_line};
-use asperity::roughness::generate::{Achieved, Like, Method, Recipe, State, Surface};
+use asperity::roughness::generate::{
+    Achieved, Like, Method, Recipe, State as StateOfTest, Surface,
+};
 use asperity::roughness::height_parameters::Mode;
 use asperity::roughness::involute::{Involute, form_left, remove};
 use asperity::roughness::material_ratio::{abbott_curve, material_ratio_percent};
@@ -562,7 +564,7 @@ pub fn generate_like(
         let like = match after.is_empty() {
             true => Like::to(&before[0], &before[1..], wanted.method)?,
             false => {
-                let state = State::stated(wanted.state, wanted.engagements, &wanted.stages)?;
+                let state = StateOfTest::stated(wanted.state, wanted.engagements, &wanted.stages)?;
                 Like::of_stages(&before, &after, state)?
             }
         };
