@@ -106,7 +106,7 @@ struct Pairs {
     left_out: Vec<(Profile, Profile)>,
 }
 
-/// Traces whose peaks were cut by a fifth of the length; a place that cannot be told from another one is not taken.
+/// Traces whose peaks were cut by a fifth of the length; traces that relocation refuses are left out.
 fn cut_pairs(finish: finishes::Finish, seed: u64) -> Pairs {
     let all = traces(finish, GIVEN + 2 * PAIRS + SPARE, seed);
     let mut pairs = all.into_iter().filter_map(|before| {

@@ -644,7 +644,6 @@ fn ends_that_remain_change_height_and_loss_little() {
         };
         let (whole, loss) = of(cut, &part(100.0, 600.0));
         let (kept, of_kept) = of(regression, &part(140.0, 560.0));
-        println!("{seed}: {} {}", kept / whole - 1.0, of_kept / loss - 1.0);
         assert!(
             (kept / whole - 1.0).abs() < 0.05,
             "{seed}: {kept} nm, {whole} nm"

@@ -57,6 +57,7 @@ impl Scatter {
 
 #[cfg(test)]
 mod tests {
+    use asperity_core::numerics::Z_975;
     use chacha20::ChaCha8Rng;
     use nalgebra::DVector;
     use rand_core::{Rng, SeedableRng};
@@ -144,8 +145,7 @@ mod tests {
             for (k, truth) in truth.iter().enumerate() {
                 let rise = fit.rise(k, *truth).unwrap();
                 held += u32::from(rise <= most);
-                plain +=
-                    u32::from(rise * widening * widening <= asperity_core::numerics::Z_975.powi(2));
+                plain += u32::from(rise * widening * widening <= Z_975.powi(2));
             }
             if seed == 0 {
                 for end in fit.band(0, 0.95).unwrap().ends {

@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use asperity_core::numerics::GOLDEN_SECTION;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, cite};
 
@@ -16,10 +17,8 @@ use crate::gap_law::GapLaw;
 use crate::patch::{Patch, PatchSpectrum};
 use crate::rough_inlet::{PairSpectrum, RoughInlet};
 
-/// Offset along the lead of successive places in lengths of the patch: multiples of the golden section are spread evenly.
-const STEP: f64 = 0.618_033_988_749_895;
-/// Offset along rolling of the first place, in distances of successive ones. Never a patch that was mirrored at the ends of its rows
-/// lies on its image in the other: such a patch has even pressures at both ends, and passes more.
+/// Offset along rolling of the first place, in distances of successive ones. A patch that is mirrored at the ends of its rows then
+/// never faces its image in the other patch; there the pressure would be even at both ends, and more oil would pass.
 const FIRST: f64 = 0.25;
 /// Scale of the shortest inlet over the longest wave, and of the longest inlet over the shortest wave: no wave is flattened, and
 /// every wave is in the same proportion.
@@ -83,7 +82,7 @@ impl PatchPair {
     pub fn offset(&self, place: usize) -> [usize; 2] {
         let size = self.patches[0].grid().size();
         let along = (place as f64 + FIRST) / self.places as f64;
-        let parts = [along.fract(), (STEP * place as f64).fract()];
+        let parts = [along.fract(), (GOLDEN_SECTION * place as f64).fract()];
         [0, 1].map(|d: usize| (parts[d] * size[d] as f64) as usize)
     }
 

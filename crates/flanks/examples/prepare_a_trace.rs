@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             ends: None,
             form: None,
         },
-        of_scan: None,
+        needed_of_scan: None,
         shortest_form: None,
     };
     let prepared = prepared_trace(inputs, (&gears, Gear::Pinion));

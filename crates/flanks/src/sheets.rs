@@ -559,7 +559,7 @@ mod tests {
         let ratio = |scale: f64| Attenuation::new(GapLaw::Inlet, scale).map(|of| of.ratio(wave));
         let mut worst = 0.0_f64;
         for k in -2000..2000 {
-            // Ripples across the wave from 1e-6 to 1e6, unevenly between the computed scales.
+            // Scales from 1e-6 to 1e6 over the wave, at all places between the computed ones.
             let scale = 10.0_f64.powf(0.003 * f64::from(k)) / wave.si();
             let of = |(at, weight): (i32, f64)| {
                 weight * ratio((f64::from(at) / SCALES_OF_OCTAVE).exp2()).unwrap()

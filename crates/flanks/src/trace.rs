@@ -48,8 +48,8 @@ pub struct TraceInputs<'a> {
     pub place: StatedPlace,
     /// Filters.
     pub filters: StatedFilters,
-    /// Length that the contacts need, of the row of a scan.
-    pub of_scan: Option<Length>,
+    /// Length that the contacts need, if the trace is a row of a scan.
+    pub needed_of_scan: Option<Length>,
     /// Shortest wave of the form, if the relief of the gear is taken from the trace.
     pub shortest_form: Option<Length>,
 }
@@ -171,7 +171,7 @@ pub fn prepared_trace(
     if place.is_some_and(|place| place.reference.is_some()) {
         filters.keep_ends(inputs.filters);
     }
-    if let Some(needed) = inputs.of_scan {
+    if let Some(needed) = inputs.needed_of_scan {
         filters.fit_scan(inputs.filters, &raw, needed);
     }
     let form_cutoff = inputs

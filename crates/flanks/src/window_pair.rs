@@ -2,6 +2,7 @@
 
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_core::Profile;
+use asperity_core::numerics::GOLDEN_SECTION;
 use asperity_core::profile::mirrored_window;
 use asperity_core::quantity::{Length, Pressure};
 
@@ -56,8 +57,7 @@ pub fn window_places(k: usize, count: usize, cell: usize) -> [f64; 2] {
 #[must_use]
 pub fn row_place(k: usize, cell: usize) -> f64 {
     asperity_core::cite!("Row-place");
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    (radical_inverse(k + 1, 5) + cell as f64 * GOLDEN).fract()
+    (radical_inverse(k + 1, 5) + cell as f64 * GOLDEN_SECTION).fract()
 }
 
 /// The digits of `n` in `base` mirrored behind the point (van der Corput).

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity_core::numerics::{Lanes, add_times, vectorised};
+use asperity_core::numerics::{GOLDEN_SECTION, Lanes, add_times, vectorised};
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, cite};
 use asperity_ehl_regime::Attenuation;
@@ -33,14 +33,12 @@ fn places(points: usize) -> impl Iterator<Item = usize> + Clone {
 
 /// Places of a patch for each place of a window of lines.
 const OF_PATCH: usize = 4;
-/// The golden section.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// The evaluated places of a patch, spread evenly over rows and columns: the rows follow each other, the columns by the golden section.
 fn places_of_patch(columns: usize, rows: usize) -> impl Iterator<Item = usize> + Clone {
     let count = (OF_PATCH * PLACES).min(columns * rows);
     (0..count).map(move |k| {
-        let column = (GOLDEN * (k as f64 + 0.5)).fract() * columns as f64;
+        let column = (GOLDEN_SECTION * (k as f64 + 0.5)).fract() * columns as f64;
         k * rows / count * columns + (column as usize).min(columns - 1)
     })
 }

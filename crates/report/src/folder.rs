@@ -275,10 +275,10 @@ fn parsed(json: &[u8]) -> Result<RunResult, serde_json::Error> {
     serde_json::from_slice(json)
 }
 
-/// Reads what `train.json` or `planetary.json` says of a gear train as a whole.
+/// Reads `train.json` or `planetary.json`, the values of a gear train as a whole.
 ///
 /// # Errors
-/// When there is no such file, or a value of it is missing or damaged.
+/// When the file does not exist, or a value in it is missing or damaged.
 pub fn read_whole(file: &Path) -> Result<Whole, Fault> {
     read_json(file, |bytes| serde_json::from_slice(bytes))
 }

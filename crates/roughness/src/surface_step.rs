@@ -6,10 +6,10 @@
 //! | m(x) | mean of the heights over all lines | m |
 //! | w | length of a side, a twelfth of the usual cut-off | m |
 //! | S(x) | mean of m over the side behind x less the mean over the side before it | m |
-//! | s | robust standard deviation of S: its median magnitude over 0.6745 | m |
+//! | s | robust standard deviation of S: its median magnitude over the 75 % quantile of a normal distribution | m |
 
 use asperity_core::cite;
-use asperity_core::numerics::median;
+use asperity_core::numerics::{Z_75, median};
 use asperity_core::quantity::Length;
 
 use crate::preparation::LAMBDA_C;
@@ -101,7 +101,7 @@ fn highest(means: &[f64], spacing: Length) -> Option<(usize, f64)> {
     let steps: Vec<f64> = (0..=means.len() - 2 * side)
         .map(|k| of_side(k + side) - of_side(k))
         .collect();
-    let scatter = median(steps.iter().map(|step| step.abs()))? / 0.6745;
+    let scatter = median(steps.iter().map(|step| step.abs()))? / Z_75;
     let (at, most) = steps
         .iter()
         .enumerate()

@@ -2,6 +2,7 @@
 
 use asperity_contact::SolverSettings;
 use asperity_core::Profile;
+use asperity_core::numerics::GOLDEN_SECTION;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl::Record;
 use asperity_ehl_regime::published_shares::masjedi_khonsari;
@@ -24,8 +25,6 @@ use asperity_mixed_film::{
 pub const WINDOWS: usize = 8;
 /// Half width of a window in Hertz half-widths.
 const HALF_WINDOW: f64 = 3.0;
-/// The golden section, as the offsets of a run are spread.
-const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
 
 /// Solid share of one law.
 #[derive(Debug, Clone, PartialEq, Serialize)]

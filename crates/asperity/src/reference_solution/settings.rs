@@ -1,6 +1,7 @@
 //! From a case and a place on its path to the rough contact of the reference solution.
 
 use asperity_contact::hertz_line::HertzLine;
+use asperity_core::numerics::GOLDEN_SECTION;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, Profile};
 use asperity_ehl::{
@@ -38,7 +39,7 @@ const OFFSETS: [f64; 2] = [0.07, 0.44];
 
 /// Parts of the traces between one record and the next: multiples of them, minus their whole parts, fill the
 /// traces evenly and never the same pairs.
-const OFFSET_STEPS: [f64; 2] = [0.618_033_988_749_894_9, 0.414_213_562_373_095];
+const OFFSET_STEPS: [f64; 2] = [GOLDEN_SECTION, 0.414_213_562_373_095];
 
 /// Choices of the reference solution.
 #[derive(Debug, Clone, PartialEq)]

@@ -75,7 +75,7 @@ impl Content {
                 let numbers = std::iter::once(&spacing).chain(trace.profile.heights());
                 let mut bytes: Vec<u8> = numbers.flat_map(|number| number.to_le_bytes()).collect();
                 if trace.statements != Statements::default() {
-                    bytes.extend(format!("{:?}", trace.statements).into_bytes());
+                    bytes.extend(serde_json::to_vec(&trace.statements).unwrap_or_default());
                 }
                 sha256(&bytes)
             }

@@ -244,7 +244,7 @@ fn trace(
         outliers: inputs.surface.outliers,
         place: stated_place(input.from, input.at, input.mirrored),
         filters: inputs.filters(),
-        of_scan: listed.scan.as_ref().map(|_| inputs.needed_length),
+        needed_of_scan: listed.scan.as_ref().map(|_| inputs.needed_length),
         shortest_form: match inputs.has_form_of_trace(gear) {
             false => None,
             true => {

@@ -236,7 +236,7 @@ fn read(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Measured, 
         outliers: context.inputs.surface.outliers,
         place: stated_place(None, None, None),
         filters: context.inputs.filters(),
-        of_scan: None,
+        needed_of_scan: None,
         shortest_form: None,
     };
     let gears = (&context.inputs.gears, gear_of(keys.table));

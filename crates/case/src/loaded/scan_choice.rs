@@ -190,7 +190,7 @@ fn takes_patch(
     });
     if let Some((scan, rows)) = narrow {
         let text = format!(
-            "{} has {rows} rows at the spacing of patches, which need {LEAST_ROWS}: its rows are taken as traces, though a lay above 1/6 asks for patches. Scan a wider part of the flank",
+            "{} has {rows} rows at the spacing of patches, which need {LEAST_ROWS}: its rows are taken as traces, though a lay above 1/6 needs patches. Scan a wider part of the flank",
             scan.surface.name
         );
         warnings.push(Warning::new(Code::W464, text));

@@ -8,6 +8,14 @@
 /// ```
 pub const Z_95: f64 = 1.644_853_626_951_472_7;
 
+/// 75 % quantile: half of all values lie within this number of standard deviations of the mean.
+///
+/// ```
+/// use asperity_core::numerics::{Z_75, standard_normal_below};
+/// assert!((standard_normal_below(Z_75) - 0.75).abs() < 1e-15);
+/// ```
+pub const Z_75: f64 = 0.674_489_750_196_081_7;
+
 /// 97.5 % quantile: the ends of a band of 95 % of a normal distribution.
 ///
 /// ```

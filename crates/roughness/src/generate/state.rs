@@ -33,7 +33,7 @@ impl State {
     /// After a number of `engagements` of a tooth, of `stages` measured after these numbers, which rise.
     ///
     /// # Errors
-    /// When there is no stage, the stages do not rise from above 0, or the engagements are not from 0 to the last of them.
+    /// When no stage is given, the stages do not rise from above 0, or the engagements are not from 0 to the last of them.
     ///
     /// ```
     /// use asperity_roughness::generate::State;

@@ -1,7 +1,7 @@
 //! Shift, stretch, height and tilt of the second trace by robust least squares over the dales.
 
 use asperity_core::cancel::checkpoint;
-use asperity_core::numerics::Cholesky;
+use asperity_core::numerics::{Cholesky, Z_75};
 use asperity_core::{Code, Fault, cite};
 
 use super::noise::Noise;
@@ -13,8 +13,6 @@ use crate::error::RoughnessError;
 const TUKEY: f64 = 4.685;
 /// Residuals up to this number of standard deviations are noise.
 const NOISE: f64 = 3.0;
-/// Half the shortest interval with half of all values, in standard deviations of a normal distribution.
-const SHORTEST_HALF: f64 = 0.674_489_750_196_081_7;
 /// Least standard deviation \[m\]: rounding errors of equal traces are not noise.
 const LEAST_DEVIATION: f64 = 1e-12;
 /// Share of the points in a slice of the dales, and number of slices that are matched at most.
@@ -326,7 +324,7 @@ fn shortest_half(values: &[f64]) -> (f64, f64) {
     let width = |i: &usize| sorted[i + half] - sorted[*i];
     let shortest = (0..sorted.len() - half).min_by(|i, j| width(i).total_cmp(&width(j)));
     let i = shortest.unwrap_or(0);
-    let deviation = 0.5 * width(&i) / SHORTEST_HALF;
+    let deviation = 0.5 * width(&i) / Z_75;
     (
         0.5 * (sorted[i] + sorted[i + half]),
         deviation.max(LEAST_DEVIATION),

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use asperity::Error;
 use asperity::core::cancel::checkpoint;
 use asperity_core::Code;
+use asperity_core::numerics::GOLDEN_SECTION;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -32,15 +33,13 @@ const MOST_CORNERS: usize = 512;
 /// The cases among `numbers` (sorted) that are resolved before a run: all of them, of many the corners of the axes and a
 /// sample.
 pub(super) fn checked(list: &CaseList, numbers: &[usize]) -> Vec<usize> {
-    /// Fraction of the golden ratio, whose multiples spread evenly and are in step with no axis.
-    const GOLDEN: f64 = 0.618_033_988_749_895;
     if numbers.len() <= MOST {
         return numbers.to_vec();
     }
     let corners = list.corners().take(MOST_CORNERS);
     let corners = corners.filter(|number| numbers.binary_search(number).is_ok());
     let spread = (0..MOST).map(|k| {
-        let share = (GOLDEN * k as f64).fract();
+        let share = (GOLDEN_SECTION * k as f64).fract();
         numbers[(share * numbers.len() as f64) as usize]
     });
     let all: BTreeSet<usize> = corners.chain(spread).collect();
