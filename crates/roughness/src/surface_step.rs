@@ -134,9 +134,13 @@ mod tests {
         let waves: Vec<[f64; 3]> = (0..80).map(wave).collect();
         let mut z = vec![0.0; SIZE[0] * SIZE[1]];
         for [x, y, phase] in waves {
-            for (k, z) in z.iter_mut().enumerate() {
-                let [i, j] = [k % SIZE[0], k / SIZE[0]].map(|at| at as f64);
-                *z += 0.2e-6 / 40.0_f64.sqrt() * (x * i + y * j + phase).cos();
+            // The cosine of a sum of two angles: a table for each direction instead of half a million cosines.
+            let across: Vec<(f64, f64)> = (0..SIZE[0]).map(|i| (x * i as f64).sin_cos()).collect();
+            for (j, row) in z.chunks_exact_mut(SIZE[0]).enumerate() {
+                let (sine, cosine) = (y * j as f64 + phase).sin_cos();
+                for (z, of) in row.iter_mut().zip(&across) {
+                    *z += 0.2e-6 / 40.0_f64.sqrt() * (of.1 * cosine - of.0 * sine);
+                }
             }
         }
         for (k, z) in z.iter_mut().enumerate() {
