@@ -42,13 +42,23 @@ fn main() {
     let (cold, solution) = best(|| solve(&problem, &settings).unwrap());
     let certificate = solution.certificate;
     println!(
-        "{name} {points}: cold {:.3} ms, {} iterations, gap {:.1e}, penetration {:.1e}, load {:.1e}",
+        "{name} {}: cold {:.3} ms, {} iterations, gap {:.1e}, penetration {:.1e}, load {:.1e}",
+        peer.gap.len(),
         1e3 * cold,
         solution.iterations,
         certificate.duality_gap,
         certificate.penetration,
         certificate.load_error,
     );
+    if problem.lead.is_some() {
+        let mean = solution.gap.iter().sum::<f64>() / solution.gap.len() as f64;
+        println!(
+            "  largest pressure {:.6} GPa, mean gap {:.4} nm",
+            solution.max_pressure.si() * 1e-9,
+            mean * 1e9
+        );
+        return;
+    }
     let mut solver = Solver::new(points, problem.boundary).unwrap();
     let (kept, _) = best(|| solver.solve(&problem, &settings).unwrap());
     let lighter = ContactProblem {
