@@ -217,10 +217,11 @@
     if (svg.classList.contains("contour-chart")) {
       const bands = all(".field .band", svg).map((band) => band.getAttribute("d"));
       const levels = ticksOf(svg, "start").map((t) => t.value);
-      const values = data ? data.values.filter((v) => v !== null) : [];
+      const every = data ? data.values.flatMap((v) => (Array.isArray(v) ? Array(v[1]).fill(v[0]) : [v])) : [];
+      const values = every.filter((v) => v !== null);
       const [low, high] = data ? range(values) : [NaN, NaN];
-      return [{ chart: name, curve: "field", low, high, worth: 2e-5 * Math.max(Math.abs(low), Math.abs(high)), levels,
-        blank: data ? data.values.length - values.length : 0, empty: bands.filter((d) => d === "").length }];
+      return [{ chart: name, curve: "field", low, high, worth: 2e-4 * Math.max(Math.abs(low), Math.abs(high)), levels,
+        blank: every.length - values.length, empty: bands.filter((d) => d === "").length }];
     }
     if (svg.classList.contains("bar-chart")) {
       const x = axis(ticksOf(svg, "middle"));

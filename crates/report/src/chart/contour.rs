@@ -144,14 +144,26 @@ impl Contour {
              <g clip-path=\"url(#{clip})\"><g class=\"field\">",
             frame.left, frame.top, size[0], size[1]
         ));
+        if self.is_of_cells {
+            // One unit to a cell: a page with two of these fields is a fourth as large.
+            let counts = [self.columns.len(), self.rows.len()].map(|count| count.max(1) as f64);
+            let [wide, high] = [size[0] / counts[0], size[1] / counts[1]];
+            let (left, first) = (frame.left, frame.bottom - 0.5 * high);
+            canvas.raw(&format!(
+                "<g class=\"cells\" transform=\"translate({left:.2} {first:.2}) scale({wide:.4} -{high:.4})\">"
+            ));
+        }
         for (band, level) in levels.iter().enumerate() {
             // The first band includes all lower values.
             let from = if band == 0 { f64::NEG_INFINITY } else { *level };
             let outline = match self.is_of_cells {
-                true => self.cells_above(from, &frame),
+                true => self.cells_above(from),
                 false => self.region_above(from, &frame),
             };
             canvas.path(&format!("band {}", colour(band, &levels)), &outline);
+        }
+        if self.is_of_cells {
+            canvas.close();
         }
         if let Some(level) = self.isoline {
             canvas.path("isoline", &self.line_at(level, &frame));
@@ -207,19 +219,16 @@ impl Contour {
         canvas.upright("name", at, &self.scale_name());
     }
 
-    /// Outlines of the cells at or above `level`, in runs; an undefined cell stays blank.
-    fn cells_above(&self, level: f64, frame: &Frame) -> String {
-        let px: Vec<f64> = edges(&self.columns).iter().map(|x| frame.px(*x)).collect();
-        let py: Vec<f64> = edges(&self.rows).iter().map(|y| frame.py(*y)).collect();
+    /// Lines of the thickness of a row through the cells at or above `level`, in units of cells; an undefined cell stays blank.
+    fn cells_above(&self, level: f64) -> String {
         let mut d = String::new();
         for (j, row) in self.values.chunks(self.columns.len().max(1)).enumerate() {
             let mut from = 0;
             for run in row.chunk_by(|a, b| (*a >= level) == (*b >= level)) {
-                let to = from + run.len();
                 if run[0] >= level {
-                    block(&mut d, [px[from], px[to]], [py[j], py[j + 1]]);
+                    let _ = write!(d, "M{from} {j}h{}", run.len());
                 }
-                from = to;
+                from += run.len();
             }
         }
         d
@@ -354,8 +363,7 @@ impl Contour {
         data["value"] = json!(self.value);
         data["columns"] = json!(self.columns);
         data["rows"] = json!(self.rows);
-        // Five digits are more than a band shows.
-        data["values"] = json!(self.values.iter().map(|v| digits(*v)).collect::<Vec<_>>());
+        data["values"] = json!(runs(&self.values));
         data
     }
 }
@@ -372,10 +380,24 @@ fn edges(places: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Value with five digits; `None` if undefined.
-fn digits(value: f64) -> Option<f64> {
-    let text = format!("{value:.4e}");
-    text.parse().ok().filter(|value: &f64| value.is_finite())
+/// Values with four digits, more than a band shows; null if undefined. More than two equal ones are `[value, number]`.
+fn runs(values: &[f64]) -> Vec<Value> {
+    let digits = |value: &f64| {
+        let text = format!("{value:.3e}");
+        let value = text.parse::<f64>().ok().filter(|value| value.is_finite());
+        // A whole number without its ".0".
+        value.map(|value| match value.abs() < 1e6 && value.fract() == 0.0 {
+            true => json!(value as i64),
+            false => json!(value),
+        })
+    };
+    let digits: Vec<Option<Value>> = values.iter().map(digits).collect();
+    let runs = digits.chunk_by(|a, b| a == b);
+    let runs = runs.flat_map(|run| match run.len() {
+        0..=2 => run.iter().map(|value| json!(value)).collect(),
+        length => vec![json!([run[0], length])],
+    });
+    runs.collect()
 }
 
 fn block(d: &mut String, [x1, x2]: [f64; 2], [y1, y2]: [f64; 2]) {
@@ -517,13 +539,23 @@ mod tests {
             is_of_cells: true,
             ..Contour::default()
         };
+        assert_eq!(field.cells_above(4.0), "M1 0h1M0 1h3");
+        assert_eq!(field.cells_above(f64::NEG_INFINITY), "M0 0h2M0 1h3");
+        let drawing = field.svg(Dress::Page);
         let frame = field.frame(Dress::Page);
-        let above = field.cells_above(4.0, &frame);
-        assert_eq!(above.matches('M').count(), 2);
-        let starts = [0.5, -0.5].map(|x| format!("M{:.1} ", frame.px(x)));
-        assert!(above.starts_with(&starts[0]) && above.contains(&starts[1]));
-        let all = field.cells_above(f64::NEG_INFINITY, &frame);
-        assert!(all.contains(&format!("H{:.1}", frame.px(1.5))));
+        let (wide, high) = (
+            (frame.right - frame.left) / 3.0,
+            (frame.bottom - frame.top) / 2.0,
+        );
+        let scale = format!("scale({wide:.4} -{high:.4})");
+        assert!(drawing.contains(&scale) && (frame.px(0.5) - frame.px(-0.5) - wide).abs() < 1e-9);
+    }
+
+    #[test]
+    fn equal_values_of_a_field_are_counted() {
+        let values = [2.0, 2.0, 1.23456, 0.0, 0.0, 0.0, f64::NAN, f64::NAN];
+        let runs = serde_json::to_string(&runs(&values)).unwrap();
+        assert_eq!(runs, "[2,2,1.235,[0,3],null,null]");
     }
 
     #[test]

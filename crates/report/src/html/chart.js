@@ -39,6 +39,8 @@
       this.figure = figure;
       this.svg = figure.querySelector("svg.chart");
       this.data = JSON.parse(figure.querySelector("script").textContent);
+      // Equal values of a field are counted.
+      if (this.data.values) this.data.values = this.data.values.flatMap((v) => (Array.isArray(v) ? Array(v[1]).fill(v[0]) : [v]));
       this.read = document.createElement("output");
       this.read.className = "read";
       figure.append(this.read);

@@ -12,8 +12,8 @@ use super::csv_table::{check_field, read};
 use crate::error;
 use crate::units::{MEGA, MICRO};
 
-/// Most columns and rows of cells on a page.
-const SHOWN: [usize; 2] = [200, 140];
+/// Most columns and rows of cells on a page, so that it stays below 700 kB.
+const SHOWN: [usize; 2] = [120, 100];
 
 /// Contact of a patch, row by row along the lead.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
