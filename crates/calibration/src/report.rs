@@ -164,14 +164,23 @@ impl Design {
 
 /// Standard deviations of the parameters that the points leave, in words.
 fn deviations(design: &Design) -> String {
-    let parameters = design.parameters.iter().map(|one| &one.identified);
-    let left = parameters.filter_map(|one| {
-        let percent = 100.0 * one.deviation?;
-        Some(format!("{} {percent:.0} %", one.name))
-    });
-    format!(
-        "Standard deviations by these points alone, without the range known before: {}.",
+    let of = |is_identified: bool| {
+        let parameters = design.parameters.iter().map(|one| &one.identified);
+        let parameters =
+            parameters.filter(move |one| (one.verdict != Verdict::NotIdentified) == is_identified);
+        let left = parameters.filter_map(|one| {
+            let percent = 100.0 * one.deviation?;
+            Some(format!("{} {percent:.0} %", one.name))
+        });
         left.collect::<Vec<_>>().join(", ")
+    };
+    let others = match of(false) {
+        none if none.is_empty() => none,
+        others => format!("; not identified: {others}"),
+    };
+    format!(
+        "Standard deviations by these points alone, without the range known before: {}{others}.",
+        of(true)
     )
 }
 

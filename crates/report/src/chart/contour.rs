@@ -363,7 +363,7 @@ impl Contour {
         data["value"] = json!(self.value);
         data["columns"] = json!(self.columns);
         data["rows"] = json!(self.rows);
-        data["values"] = json!(runs(&self.values));
+        data["values"] = Value::Array(counted(&digits(&self.values)));
         data
     }
 }
@@ -380,21 +380,27 @@ fn edges(places: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Values with four digits, more than a band shows; null if undefined. More than two equal ones are `[value, number]`.
-fn runs(values: &[f64]) -> Vec<Value> {
+/// Values with four digits, more than a band shows; null if undefined.
+fn digits(values: &[f64]) -> Vec<Value> {
     let digits = |value: &f64| {
         let text = format!("{value:.3e}");
         let value = text.parse::<f64>().ok().filter(|value| value.is_finite());
         // A whole number without its ".0".
-        value.map(|value| match value.abs() < 1e6 && value.fract() == 0.0 {
-            true => json!(value as i64),
-            false => json!(value),
+        value.map_or(Value::Null, |value| {
+            match value.abs() < 1e6 && value.fract() == 0.0 {
+                true => json!(value as i64),
+                false => json!(value),
+            }
         })
     };
-    let digits: Vec<Option<Value>> = values.iter().map(digits).collect();
-    let runs = digits.chunk_by(|a, b| a == b);
+    values.iter().map(digits).collect()
+}
+
+/// More than two equal values that follow each other as `[value, number]`.
+pub(super) fn counted(values: &[Value]) -> Vec<Value> {
+    let runs = values.chunk_by(|a, b| a == b);
     let runs = runs.flat_map(|run| match run.len() {
-        0..=2 => run.iter().map(|value| json!(value)).collect(),
+        0..=2 => run.to_vec(),
         length => vec![json!([run[0], length])],
     });
     runs.collect()
@@ -554,7 +560,7 @@ mod tests {
     #[test]
     fn equal_values_of_a_field_are_counted() {
         let values = [2.0, 2.0, 1.23456, 0.0, 0.0, 0.0, f64::NAN, f64::NAN];
-        let runs = serde_json::to_string(&runs(&values)).unwrap();
+        let runs = Value::Array(counted(&digits(&values))).to_string();
         assert_eq!(runs, "[2,2,1.235,[0,3],null,null]");
     }
 

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::axis::{Axis, Range};
 use super::canvas::{Anchor, Canvas};
+use super::contour::counted;
 use super::dress::Dress;
 use super::frame::{
     RIGHT, TICK_BELOW, TICK_LEFT, TICKS_ACROSS, TICKS_UP, WIDTH, document, left_margin,
@@ -364,14 +365,12 @@ impl Facing {
     }
 }
 
-/// Differences of successive values, which keep the page small.
-fn steps(values: &[i64]) -> Vec<i64> {
+/// Differences of successive values, equal ones counted, which keep the page small.
+fn steps(values: &[i64]) -> Vec<Value> {
     let before = std::iter::once(&0).chain(values);
-    values
-        .iter()
-        .zip(before)
-        .map(|(value, before)| value - before)
-        .collect()
+    let steps = values.iter().zip(before);
+    let steps: Vec<Value> = steps.map(|(value, before)| json!(value - before)).collect();
+    counted(&steps)
 }
 
 fn line(xs: &[i64], ys: &[i64]) -> String {

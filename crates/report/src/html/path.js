@@ -42,7 +42,14 @@
     if (frames.length < 2) return frames[0].s;
     const slider = enabled(figure), caption = figure.querySelector(".caption");
     const part = (name) => figure.querySelector(`[data-part="${name}"]`);
-    const sums = (steps) => { let sum = 0; return steps.map((step) => (sum += step)); };
+    // Equal steps are counted.
+    const sums = (steps) => {
+      let sum = 0;
+      return steps.flatMap((step) => {
+        const [by, times] = Array.isArray(step) ? step : [step, 1];
+        return Array.from({ length: times }, () => (sum += by));
+      });
+    };
     const line = (xs, ys) => xs.map((x, k) => `${k ? "L" : "M"}${x} ${ys[k]}`).join("");
     let shown = Number(slider.value);
     const draw = (frame) => {

@@ -55,8 +55,9 @@ impl StudyResult for Comparison {
         };
         let report = compared(report, self);
         report
-            .section("Provenance")
+            .section("Warnings")
             .warning(warnings(self))
+            .section("Provenance")
             .table(provenance(self))
             .on_page()
     }

@@ -28,6 +28,8 @@ impl StudyResult for Sensitivity {
             .verdict(verdicts(self))
             .figures(|| chart(self, true))
             .text([headline(self)])
+            .text([OF_FINISH])
+            .on_page()
             .at(&self.conditions)
             .warning(left_aside(self))
             .section("What is not known well")
@@ -41,6 +43,10 @@ impl StudyResult for Sensitivity {
 
 /// Content of the interval of a change.
 const OF_SAMPLING: &str = ". The interval is of the sampling of the flanks only";
+
+/// Sentence on the heights.
+const OF_FINISH: &str =
+    "Heights are changed by a fifth. Another finish can change the loss by more: asperity compare.";
 
 /// Sentence on the change of an oil.
 const OF_OIL: &str = " The constants of another oil are as uncertain as the constants of this one: asperity compare has the interval with them.";
