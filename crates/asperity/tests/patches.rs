@@ -176,7 +176,11 @@ fn scans_are_taken_by_their_lay() {
     );
     assert!(less_of_scans(&ridged).is_none());
     let less = less_of_scans(&isotropic).unwrap();
-    assert!(less.are_patches && less.case.unwrap().surfaces.sheets().is_none());
+    let rows = less.case.unwrap().surfaces;
+    assert!(less.are_patches && rows.sheets().is_none() && rows.pairs() == 16);
+    let of_one = case_text("pinion = { file = \"gaps 1-200-1\" }", "", "").unwrap();
+    let less = less_of_scans(&of_one).unwrap().case.unwrap();
+    assert_eq!(less.surfaces.pairs(), 16);
     let by_hand = case(["1-200-1", "1-200-9"], "contact = \"lines\"").unwrap();
     let rows = by_hand.sampled.as_ref().unwrap().traces.each_ref();
     assert!(rows.iter().all(|rows| (4..=8).contains(&rows.len())));
@@ -284,9 +288,11 @@ fn a_run_with_patches_has_the_losses_of_their_spots_and_what_rows_would_lose() {
     let touching = patch.pressure.iter().map(|p| *p > 0.0);
     assert!(touching.eq(patch.spot.iter().map(Option::is_some)));
     let scans = result.scans.as_ref().unwrap();
-    assert!(scans.rows.iter().all(|rows| (4..=8).contains(rows)));
+    assert_eq!(scans.rows, [4, 4]);
     assert_eq!(scans.patches.loss_w, result.summary.loss_w);
-    assert_eq!(scans.lines.loss_w, loss(names, "contact = \"lines\""));
+    let by_rows = names.map(|name| format!("file = \"{name}\", rows = 4"));
+    let by_rows = losses(&case_of(by_rows, "").unwrap()).unwrap();
+    assert_eq!(scans.lines.loss_w, by_rows.summary.loss_w);
     assert_eq!(scans.position, fields.position);
     let falls = |of: &dyn Fn(usize) -> f64| (1..scans.gaps.len()).all(|k| of(k) <= of(k - 1));
     assert!(falls(&|k| scans.gaps[k].share_patch) && falls(&|k| scans.gaps[k].share_lines));
@@ -479,11 +485,13 @@ fn scans_with_faults_are_used_as_without() {
     refused("tiny", Code::E120, "needs at least");
     refused("edges", Code::E107, "too many");
     // Points without a height count where they are used.
-    let part = "range = \"0.42 mm .. 1.08 mm\"";
-    let flanks = ["edges 1-200-1", "1-200-9"].map(|name| format!("file = \"{name}\", {part}"));
-    let case = case_of(flanks, "").unwrap();
-    let mut warnings = case.warnings.iter();
-    assert!(warnings.all(|warning| warning.code != Code::W460));
+    for gaps in ["", ", gaps = \"refuse\""] {
+        let part = format!("range = \"0.42 mm .. 1.08 mm\"{gaps}");
+        let flanks = ["edges 1-200-1", "1-200-9"].map(|name| format!("file = \"{name}\", {part}"));
+        let case = case_of(flanks, "").unwrap();
+        let mut warnings = case.warnings.iter();
+        assert!(warnings.all(|warning| warning.code != Code::W460));
+    }
     let refused = pair("gaps", "").is_ok() && {
         let flanks =
             ["gaps 1-200-1", "1-200-9"].map(|name| format!("file = \"{name}\", gaps = \"refuse\""));
@@ -630,11 +638,37 @@ fn filters_that_a_case_leaves_open_follow_the_scan() {
 }
 
 #[test]
+fn ends_are_proposed_where_they_are_long_enough() {
+    let scan = "pinion = { file = \"short 1-25-1\" }";
+    let remedy = |keys: &str, window: f64| {
+        let model = format!(", window = {window}");
+        let case = case_text(scan, keys, &model).unwrap();
+        let error = losses(&case).map(|_| ()).unwrap_err();
+        assert_eq!(error.code(), Code::E122);
+        error.position().unwrap().remedy().to_string()
+    };
+    let ends = "set surface.ends to reg1";
+    let window = "set model.window to ";
+    let dropped = remedy("ends = \"cut\"", 4.0);
+    assert!(
+        dropped.contains(ends) && dropped.contains(window),
+        "{dropped}"
+    );
+    let remaining = remedy("", 9.0);
+    assert!(
+        !remaining.contains(ends) && remaining.contains(window),
+        "{remaining}"
+    );
+}
+
+#[test]
 fn ends_that_remain_change_height_and_loss_little() {
     // One part of each scan, once with half a cut-off more at both ends that is dropped, once with ends by regression.
     let cut = "ends = \"cut\"";
     let regression = "ends = \"reg1\"";
     let part = |from: f64, to: f64| format!("range = \"{from} um .. {to} um\"");
+    // A line fitted at the end of a row follows its waves, so that less is left: with the transmission of such lines in both directions
+    // 0.995 of Rq of these waves.
     for seed in [1, 3, 5, 7] {
         let of = |ends: &str, part: &str| {
             let flanks = [seed, seed + 8].map(|seed| format!("file = \"1-25-{seed}\", {part}"));
@@ -644,14 +678,9 @@ fn ends_that_remain_change_height_and_loss_little() {
         };
         let (whole, loss) = of(cut, &part(100.0, 600.0));
         let (kept, of_kept) = of(regression, &part(140.0, 560.0));
-        assert!(
-            (kept / whole - 1.0).abs() < 0.05,
-            "{seed}: {kept} nm, {whole} nm"
-        );
-        assert!(
-            (of_kept / loss - 1.0).abs() < 0.05,
-            "{seed}: {of_kept} W, {loss} W"
-        );
+        let ratios = [kept / whole, of_kept / loss];
+        assert!((ratios[0] - 1.0).abs() < 0.005, "{seed}: {ratios:?}");
+        assert!((ratios[1] - 1.0).abs() < 0.002, "{seed}: {ratios:?}");
     }
 }
 

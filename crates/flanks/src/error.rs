@@ -30,8 +30,12 @@ pub enum PositionError {
     TraceTooShort {
         /// Prepared length \[µm\].
         available_um: f64,
+        /// The same with the ends that filtering dropped \[µm\].
+        whole_um: f64,
         /// Window, with several of them the way that they need to differ \[µm\].
         needed_um: f64,
+        /// Most half-widths to each side for which it is long enough.
+        half_widths: f64,
     },
     /// A rough contact without solution, with the gap that it had to close.
     #[error(transparent)]
@@ -271,13 +275,33 @@ impl PositionError {
     pub fn remedy(&self) -> Remedy {
         let key = Setting::Key;
         match self.reason() {
-            Self::TraceTooShort { .. } => Remedy::act("measure a longer trace")
-                .or_set(Setting::Cutoff, Value::Any)
-                .because("to a shorter one")
-                .or_set(key("surface.ends"), Value::This("reg1".into()))
-                .because("to keep the ends that the filter drops")
-                .or_set(key("model.window"), Value::Any)
-                .because("to fewer half-widths"),
+            Self::TraceTooShort {
+                whole_um,
+                needed_um,
+                half_widths,
+                ..
+            } => {
+                /// Narrowest window of a contact.
+                const LEAST: f64 = 1.5;
+                let longer = Remedy::act("measure a longer trace");
+                // Filters can give back no more than the ends that they drop.
+                let with_ends = match whole_um >= needed_um {
+                    true => longer
+                        .or_set(Setting::Cutoff, Value::Any)
+                        .because("to a shorter one")
+                        .or_set(key("surface.ends"), Value::This("reg1".into()))
+                        .because("to keep the ends that the filter drops"),
+                    false => longer,
+                };
+                // Rounded down: so many fit.
+                let fitting = (half_widths * 100.0).floor() / 100.0;
+                match fitting >= LEAST {
+                    true => with_ends
+                        .or_set(key("model.window"), Value::This(fitting.to_string().into()))
+                        .because("half-widths"),
+                    false => with_ends,
+                }
+            }
             Self::Ehl(error) if error.is_unconverged() => {
                 Remedy::state(key("model.ehl.cells")).because("to more cells across the film")
             }

@@ -61,7 +61,13 @@ impl Meeting<'_> {
             }),
             _ => None,
         };
-        let surfaces = Surfaces::new(textures, noise_cutoff, same_trace).with_rz(rz);
+        let whole_lengths = flanks.map(|flank| {
+            let record = flank.report.preparation.as_ref()?;
+            Some(record.spacing * record.points_before.saturating_sub(1) as f64)
+        });
+        let surfaces = Surfaces::new(textures, noise_cutoff, same_trace)
+            .with_rz(rz)
+            .with_whole_lengths(whole_lengths);
         surfaces.placed(placement).like_measured(self.like)
     }
 

@@ -89,6 +89,8 @@ pub struct Surfaces {
     noise_cutoff: Option<Length>,
     /// Rz of the traces as roughness parameters; where it is not known, windows have the range of their heights.
     rz: [Option<Length>; 2],
+    /// Lengths of the traces with the ends that filtering dropped, where they are known.
+    whole_lengths: [Option<Length>; 2],
     /// Places of the traces on their flanks; `None` unless both are known.
     placement: Option<Placement>,
     /// Several pairs, of which this is the first; none of one trace for each flank.
@@ -110,6 +112,7 @@ impl Surfaces {
             whole: Arc::default(),
             noise_cutoff,
             rz: [None; 2],
+            whole_lengths: [None; 2],
             placement: None,
             sample: None,
             sheets: None,
@@ -127,6 +130,21 @@ impl Surfaces {
             whole: Arc::default(),
             ..self
         }
+    }
+
+    /// Sets the lengths of the traces with the ends that filtering dropped.
+    #[must_use]
+    pub fn with_whole_lengths(self, whole_lengths: [Option<Length>; 2]) -> Self {
+        Self {
+            whole_lengths,
+            ..self
+        }
+    }
+
+    /// Lengths of the traces with the ends that filtering dropped, where they are known.
+    #[must_use]
+    pub fn whole_lengths(&self) -> [Option<Length>; 2] {
+        self.whole_lengths
     }
 
     /// Sets the places of the traces on the flanks.

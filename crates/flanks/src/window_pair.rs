@@ -133,13 +133,21 @@ impl Window {
             }
             None => {
                 let [along, across] = window_places(k, count, position.cell);
-                // Several windows must differ.
-                let least = match count {
-                    1 => 0,
-                    _ => (AVERAGING_WIDTH * points).ceil() as usize,
+                let wanted = Wanted {
+                    points: n,
+                    // Several windows must differ.
+                    way: match count {
+                        1 => 0,
+                        _ => (AVERAGING_WIDTH * points).ceil() as usize,
+                    },
+                    half_width: points,
                 };
-                let start = |trace, place| start(trace, n, least, place);
-                [start(first, along)?, start(second, across)?]
+                let start = |flank, place| start(flank, wanted, place);
+                let [of_first, of_second] = surfaces.whole_lengths();
+                [
+                    start((first, of_first), along)?,
+                    start((second, of_second), across)?,
+                ]
             }
         };
         Ok(Some(Self { starts, points: n }))
@@ -263,13 +271,37 @@ impl WindowPair {
     }
 }
 
-/// First point of a window of `n` neighbouring points of `profile`, at the fraction `place` of where they can start,
-/// which is `least` points or more.
-fn start(profile: &Profile, n: usize, least: usize, place: f64) -> Result<isize, PositionError> {
-    let free = profile.len().checked_sub(n).filter(|free| *free >= least);
-    let free = free.ok_or(PositionError::TraceTooShort {
-        available_um: profile.length().si() * 1e6,
-        needed_um: profile.spacing().si() * (n + least - 1) as f64 * 1e6,
-    })?;
+/// Points of a window, and of a half-width of the contact.
+#[derive(Clone, Copy)]
+struct Wanted {
+    points: usize,
+    /// Least number of points that it can be moved by.
+    way: usize,
+    half_width: f64,
+}
+
+/// First point of a window on `profile`, at the fraction `place` of where it can start. `whole` is its length with the ends that
+/// filtering drops.
+fn start(
+    (profile, whole): (&Profile, Option<Length>),
+    wanted: Wanted,
+    place: f64,
+) -> Result<isize, PositionError> {
+    let Wanted {
+        points,
+        way,
+        half_width,
+    } = wanted;
+    let free = profile.len().checked_sub(points);
+    let Some(free) = free.filter(|free| *free >= way) else {
+        let length = profile.length();
+        let left = profile.len().saturating_sub(1 + way);
+        return Err(PositionError::TraceTooShort {
+            available_um: length.si() * 1e6,
+            whole_um: whole.unwrap_or(length).si() * 1e6,
+            needed_um: profile.spacing().si() * (points + way - 1) as f64 * 1e6,
+            half_widths: (left / 2) as f64 / half_width,
+        });
+    };
     Ok((place * free as f64).round() as isize)
 }

@@ -18,11 +18,10 @@ pub const LOSSES: &str = "scans.csv";
 pub const GAPS: &str = "scan_gaps.csv";
 
 /// Explanation of the numbers.
-pub(crate) const NOTE: &str = "The rows are traces of the same scans, and their contact is solved in plane strain. At one gap a patch \
-    carries more. Its summits meet wherever they are along the lead, and levelled rows do not contain the heights between rows. The \
-    flow factor is the flow in the inlet over the flow of a smooth gap. It is computed through the patch, and of rows by their height \
-    and lay. Both are of the position with the highest pressure, each with the roughness that its inlet leaves. The patch is one \
-    place there; the rows are a mean over their windows.";
+pub(crate) const NOTE: &str = "The rows are traces of the same scans, and their contact is solved in plane strain. The summits of a \
+    patch meet wherever they are along the lead, and levelled rows do not contain the heights between rows. The flow factor is the \
+    flow in the inlet over the flow of a smooth gap. It is computed through the patch, and of rows by their height and lay. Both are \
+    means over the places at the position with the highest pressure, each with the roughness that its inlet leaves.";
 
 /// Words in place of the comparison of patches with rows.
 #[must_use]

@@ -79,9 +79,14 @@ impl Mesh {
     }
 }
 
-/// Values of all mesh positions, in order; an error names its position.
+/// Values of all mesh positions, in order; an error names its position. Of traces that are too short it is the position that needs most.
 pub(crate) fn numbered<T>(of_positions: Vec<Result<T, PositionError>>) -> Result<Vec<T>, Error> {
     let count = of_positions.len();
+    let needed = |one: &Result<T, PositionError>| match one {
+        Err(PositionError::TraceTooShort { needed_um, .. }) => Some(*needed_um),
+        _ => None,
+    };
+    let most = of_positions.iter().filter_map(needed).fold(0.0, f64::max);
     let numbered = |(index, one): (usize, Result<T, PositionError>)| {
         one.map_err(|source| Error::Position {
             number: index + 1,
@@ -89,7 +94,11 @@ pub(crate) fn numbered<T>(of_positions: Vec<Result<T, PositionError>>) -> Result
             source: Box::new(source),
         })
     };
-    of_positions.into_iter().enumerate().map(numbered).collect()
+    let is_reported =
+        |one: &Result<T, PositionError>| needed(one).is_none_or(|of_one| of_one == most);
+    let positions = of_positions.into_iter().enumerate();
+    let reported = positions.filter(|(_, one)| is_reported(one));
+    reported.map(numbered).collect()
 }
 
 /// Position `number` at a place of a mesh at a speed of the pinion.

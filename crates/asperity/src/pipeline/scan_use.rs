@@ -18,6 +18,24 @@ pub struct ScanUse {
     pub case: Result<LoadedCase, Error>,
 }
 
+/// Most rows of each of two scans next to patches: the loss of more pairs takes longer than the loss of the patches.
+const ROWS_BESIDE: usize = 4;
+
+/// The case with rows of its scans in place of patches.
+fn beside_patches(loaded: &LoadedCase) -> Result<LoadedCase, Error> {
+    let rows = loaded.with(|input| input.surface.contact = Some(ContactName::Lines))?;
+    if rows.surfaces.pairs() <= ROWS_BESIDE * ROWS_BESIDE {
+        return Ok(rows);
+    }
+    rows.with(|input| {
+        let (pinion, wheel) = input.surface.loaded_flanks_mut(loaded.case.torque);
+        let wheel = wheel.get_or_insert_with(|| pinion.for_wheel());
+        for flank in [pinion, wheel] {
+            (flank.rows, flank.gaps) = (Some(ROWS_BESIDE), Some(Gaps::Interpolate));
+        }
+    })
+}
+
 /// The case with rows of its scans where patches are in contact, and with their middle rows where rows are taken; `None` without
 /// scans of several rows.
 #[must_use]
@@ -27,7 +45,7 @@ pub fn less_of_scans(loaded: &LoadedCase) -> Option<ScanUse> {
             taken: "patches of the scans".to_owned(),
             other: "rows of the scans",
             are_patches: true,
-            case: loaded.with(|input| input.surface.contact = Some(ContactName::Lines)),
+            case: beside_patches(loaded),
         });
     }
     let sampled = loaded.sampled.as_ref()?;

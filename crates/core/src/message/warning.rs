@@ -57,7 +57,7 @@ impl Warning {
 }
 
 /// Codes of warnings about gears, inputs or a solution that make the result doubtful, the gravest first.
-const DOUBTFUL: [Code; 23] = [
+const DOUBTFUL: [Code; 24] = [
     Code::W204,
     Code::W433,
     Code::W451,
@@ -67,6 +67,7 @@ const DOUBTFUL: [Code; 23] = [
     Code::W426,
     Code::W412,
     Code::W425,
+    Code::W467,
     Code::W452,
     Code::W405,
     Code::W441,

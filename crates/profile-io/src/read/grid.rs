@@ -13,6 +13,8 @@ use crate::warning::Warning;
 
 /// Maximum fraction of missing points that may be interpolated.
 const MOST_MISSING: f64 = 0.1;
+/// Largest share of the points of a row of a surface that is bridged. A scan lacks points on steep parts of most rows.
+const MOST_BRIDGED: f64 = 0.25;
 
 /// Maximum distance from an even grid, in spacings, of slightly uneven points, as of scanners.
 const UNEVENNESS: f64 = 0.25;
@@ -282,27 +284,24 @@ pub(super) fn heights(
 }
 
 /// Heights with bridges over missing ones, level at the ends, so that every row keeps its places; and the number of points bridged
-/// among those that are used. Refused if more than the share `most` of these is missing.
+/// among those that are used. Refused if more than a quarter of these is missing, or one with [`Gaps::Refuse`].
 pub(super) fn bridged(
     (z, used): (&[f64], Range<usize>),
-    most: f64,
     options: &ReadOptions,
 ) -> Result<(Vec<f64>, usize), ReadFault> {
     let (_, _, inner) = interpolate(z);
     let of_used = &z[used.clone()];
     let missing = of_used.iter().filter(|z| !z.is_finite()).count();
     let known = z.iter().position(|z| z.is_finite()).unwrap_or(0);
-    let (Some(&first), Some(&last), true) = (
-        inner.first(),
-        inner.last(),
-        missing as f64 <= most * of_used.len() as f64,
-    ) else {
+    let fillable = missing as f64 <= MOST_BRIDGED * of_used.len() as f64;
+    let is_refused = missing > 0 && (options.gaps == Gaps::Refuse || !fillable);
+    let (Some(&first), Some(&last), false) = (inner.first(), inner.last(), is_refused) else {
         let gap = of_used.iter().position(|z| !z.is_finite()).unwrap_or(0);
         let first = node(used.start + gap, options);
         return Err(ReadFault::missing_points(
             (None, &first),
             [missing, of_used.len()],
-            false,
+            fillable && !inner.is_empty(),
         ));
     };
     let mut heights = vec![first; known];
@@ -379,18 +378,28 @@ mod tests {
         let none = f64::NAN;
         let z = [none, 1.0, none, none, 4.0, none];
         assert_eq!(interpolate(&z), (2, 2, vec![1.0, 2.0, 3.0, 4.0]));
-        let (row, options) = ([1.0, 1.0, 2.0, 3.0, 4.0, 4.0], ReadOptions::default());
-        assert_eq!(
-            bridged((&z, 0..6), 0.7, &options).unwrap(),
-            (row.to_vec(), 4)
-        );
-        let refused = bridged((&z, 0..6), 0.6, &options)
-            .unwrap_err()
-            .in_file("a.sur");
+        let of = |z: &[f64], used: Range<usize>, gaps: Gaps| {
+            let options = ReadOptions {
+                gaps,
+                ..ReadOptions::default()
+            };
+            bridged((z, used), &options).map_err(|fault| fault.in_file("a.sur").to_string())
+        };
+        // Points that are not used are bridged and do not count.
+        let row = vec![1.0, 1.0, 2.0, 3.0, 4.0, 4.0];
+        for gaps in [Gaps::Interpolate, Gaps::Refuse] {
+            assert_eq!(of(&z, 1..2, gaps), Ok((row.clone(), 0)));
+            let all = "4 of 6 points have no height, the first is point 1: too many";
+            assert!(of(&z, 0..6, gaps).unwrap_err().contains(all));
+        }
+        let z = [1.0, none, 3.0, 4.0, none];
+        let row = vec![1.0, 2.0, 3.0, 4.0, 4.0];
+        assert_eq!(of(&z, 0..4, Gaps::Interpolate), Ok((row, 1)));
+        let refused = of(&z, 0..4, Gaps::Refuse).unwrap_err();
         assert!(
-            refused
-                .to_string()
-                .contains("4 of 6 points have no height, the first is point 1: too many")
+            refused.contains("1 of 4 points have no height, the first is point 2")
+                && !refused.contains("too many"),
+            "{refused}"
         );
     }
 }

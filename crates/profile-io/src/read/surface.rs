@@ -11,12 +11,9 @@ use super::found::Found;
 use super::grid::{self, SpacingSource};
 use super::layout::TableLayout;
 use super::metadata::Metadata;
-use super::options::{Encoding, Gaps, LengthUnit, ReadOptions, TraceRange};
+use super::options::{Encoding, LengthUnit, ReadOptions, TraceRange};
 use super::reading::Reading;
 use crate::warning::Warning;
-
-/// Largest share of the points of a row that is bridged. A scan lacks points on steep parts of most rows.
-const MOST_BRIDGED: f64 = 0.25;
 
 /// Facts about a file for the traces of its surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -104,8 +101,8 @@ impl Surface {
         }
     }
 
-    /// The row that `options` name, as [`read`](super::read) reads it. With [`Gaps::Interpolate`] up to a quarter of
-    /// its points in the range may lack a height; bridges at the ends are level.
+    /// The row that `options` name, as [`read`](super::read) reads it. With [`Gaps::Interpolate`](super::Gaps) up to a quarter of
+    /// its points in the range may lack a height, else none; bridges at the ends are level.
     ///
     /// # Errors
     /// When no row of several is named, the row does not exist, or it cannot be read as a profile.
@@ -125,14 +122,7 @@ impl Surface {
         let row = grid::chosen_row(options.row, self.rows, self.columns);
         let row = row.map_err(|fault| fault.in_file(&self.name))?;
         let known = self.row(row).unwrap_or_default();
-        let row = match options.gaps {
-            Gaps::Interpolate => grid::bridged(
-                (known, self.points_in(options.range)),
-                MOST_BRIDGED,
-                options,
-            ),
-            Gaps::Refuse => Ok((known.to_vec(), 0)),
-        };
+        let row = grid::bridged((known, self.points_in(options.range)), options);
         let (heights, bridged) = row.map_err(|fault| fault.in_file(&self.name))?;
         let facts = &self.facts;
         let source = match self.format {
