@@ -584,14 +584,18 @@ def generate(
     return Profile._of(_in_memory(_asperity.generate, json_text(whole)), name or f"{surface}, synthetic")
 
 
-OneTrace = Union[str, PathLike[str], Profile]
-Traces = Union[OneTrace, Sequence[OneTrace]]
+Trace = Union[Profile, str, PathLike[str]]
+"""A profile, or the path of one."""
+
+Traces = Union[Trace, Sequence[Trace]]
+"""A profile, the path of one, or a list of them."""
 
 
-def listed_profiles(name: str, traces: Traces) -> list[tuple[OneTrace, Profile]]:
+def listed_profiles(name: str, traces: Traces) -> list[tuple[Trace, Profile]]:
     """What an argument lists, each with its profile, which is read where a file is named."""
-    found: list[tuple[OneTrace, Profile]] = []
-    for trace in traces if isinstance(traces, (list, tuple)) else [traces]:
+    found: list[tuple[Trace, Profile]] = []
+    listed: Sequence[Trace] = traces if isinstance(traces, (list, tuple)) else [cast("Trace", traces)]
+    for trace in listed:
         profile = read_profile(trace) if isinstance(trace, (str, PathLike)) else trace
         if not isinstance(profile, Profile):
             raise wrong_kind(name, trace, "a profile, the path of one, or a list of them")
