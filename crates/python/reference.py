@@ -11,7 +11,7 @@ from pathlib import Path
 
 import asperity
 import columns
-from asperity import _asperity, _case, _columns, _compare, _oil, _own_laws, _progress, _quantity, _studies, _values
+from asperity import _asperity, _case, _columns, _compare, _oil, _own_laws, _profile, _progress, _quantity, _studies, _values
 
 FILE = Path(__file__).resolve().parents[2] / "docs" / "PYTHON_API.md"
 HEAD = """# Python API
@@ -24,7 +24,7 @@ Everything public of the module `asperity`; [PYTHON.md](PYTHON.md) has rules, ex
 TOPICS = {
     "Cases": "Case read_result demo from_rexs rexs_contents RexsCase",
     "Results of a case": "RunResult Summary Path Fields Regime",
-    "Profiles": "read_profile generate Profile Parts Parameters profile_change ProfileChange",
+    "Profiles": "read_profile generate generate_like Profile Parts Parameters profile_change ProfileChange",
     "Contacts": "solve_contact press_flanks subsurface_stress Contact Stress ehl EhlRecord",
     "Laws over arrays": "hertz film_thickness thermal_reduction friction_coefficient",
     "Studies": "compare Comparison map read_map Map cycle Cycle sensitivity Sensitivity ridges Ridges callout CallOut sweep Sweep",
@@ -35,7 +35,7 @@ TOPICS = {
     "Tables and charts": "Record Table Chart",
 }
 TYPES = {
-    _case: "CaseLike", _compare: "Finish Trace Variant", _columns: "Columns FrameLike", _oil: "OilLike", _own_laws: "Law", _progress: "Progress",
+    _case: "CaseLike", _profile: "Trace Traces", _compare: "Finish Variant", _columns: "Columns FrameLike", _oil: "OilLike", _own_laws: "Law", _progress: "Progress",
     _quantity: "Scalar Values Quantity Quantities Numbers Floats PintLike", asperity.keys: "CaseTables CaseKeys",
 }
 """Types of arguments and results by the module that has them."""

@@ -549,7 +549,7 @@ INPUTS = {
     "Map": ("Map", None, "map_of({0})"),
     "Cycle": ("Columns", None, 'table_of({0}, "cycle", Code.E101)'),
     "Option<Vehicle>": ("Optional[Mapping[str, Any]]", "None", "vehicle_keys({0})"),
-    "Vec<Trace>": ("Union[Trace, Sequence[Trace]]", None, "raw_traces({0})"),
+    "Vec<Trace>": ("Traces", None, "raw_traces({0})"),
     "Vec<Curves>": ("Union[Columns, Sequence[Columns]]", None, 'tables_of_curves({0}, "{0}")'),
 }
 """Arguments of what a study is about: type, default and value for the compiled part, none of an argument that another one takes."""
@@ -558,7 +558,7 @@ BY_NAME = ("Option<Cases>", "Option<Finishes>", "Option<Vehicle>")
 HOMES = {
     "CaseLike": "_case", "Code": "_errors", "Columns": "_columns", "Finish": "_compare", "Numbers": "_quantity", "OilLike": "_oil", "Progress": "_progress",
     "Quantities": "_quantity", "Quantity": "_quantity", "Study": "_study", "as_case": "_case", "cases_of": "_compare", "map_of": "_map", "nodes": "_quantity", "number": "_quantity",
-    "Trace": "_compare", "Variant": "_compare", "ran": "_study", "raw_oil": "_oil", "raw_traces": "_profile_change", "table_of": "_columns", "tables_of_curves": "_oil", "vehicle_keys": "_keys", "written": "_quantity",
+    "Traces": "_profile", "Variant": "_compare", "ran": "_study", "raw_oil": "_oil", "raw_traces": "_profile_change", "table_of": "_columns", "tables_of_curves": "_oil", "vehicle_keys": "_keys", "written": "_quantity",
 }
 """Modules of the names that the functions use."""
 

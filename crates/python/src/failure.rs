@@ -5,6 +5,8 @@ use asperity::message::{self, Code, Fault};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{IntoPyDict, PyType};
+use serde::de::DeserializeOwned;
+use serde_json::Value;
 
 /// An error as Python raises it.
 #[derive(Debug)]
@@ -64,15 +66,56 @@ fn raised(py: Python<'_>, fault: &Fault) -> PyResult<PyErr> {
     Ok(PyErr::from_value(error))
 }
 
-/// The settings in a text of JSON.
-pub fn asked<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Failure> {
-    // The user wrote no JSON, in which there would be such a line.
-    let of_value = |error: serde_json::Error| {
-        let place = format!(" at line {} column {}", error.line(), error.column());
-        let text = error.to_string();
-        text.strip_suffix(&place).unwrap_or(&text).to_owned()
+/// The settings in a text of JSON, or an error that names the setting and what it takes.
+pub fn asked<T: DeserializeOwned>(text: &str) -> Result<T, Failure> {
+    serde_json::from_str(text).map_err(|error| {
+        // The user wrote no JSON, in which an error has its line; one of a value has none.
+        let whole: Value = serde_json::from_str(text).unwrap_or_default();
+        let error = serde_json::from_value::<T>(whole.clone())
+            .err()
+            .unwrap_or(error);
+        Failure::new(Code::E204, in_words::<T>(&whole, &error.to_string()))
+    })
+}
+
+/// The message of serde in words of Python.
+fn in_words<T: DeserializeOwned>(whole: &Value, message: &str) -> String {
+    if message.contains(" field `") {
+        // Keywords of Python.
+        return message.replace('-', "_");
+    }
+    let (seen, expected) = message.split_once(", expected ").unwrap_or((message, ""));
+    let takes = match expected {
+        "" => String::new(),
+        "u64" | "usize" => ", expected a whole number, 0 or more".to_owned(),
+        "f64" => ", expected a number".to_owned(),
+        other => format!(", expected {other}"),
     };
-    serde_json::from_str(text).map_err(|error| Failure::new(Code::E204, of_value(error)))
+    let name = refused::<T>(whole, message).map_or(String::new(), |name| format!("{name}: "));
+    format!("{name}{seen}{takes}")
+}
+
+/// Name of the innermost setting without which the settings do not have this error.
+fn refused<T: DeserializeOwned>(whole: &Value, message: &str) -> Option<String> {
+    let (mut place, mut name) = (String::new(), None);
+    while let Some(Value::Object(table)) = whole.pointer(&place) {
+        let is_cause = |key: &&String| {
+            let mut others = whole.clone();
+            if let Some(Value::Object(table)) = others.pointer_mut(&place) {
+                table.remove(*key);
+            }
+            let error = serde_json::from_value::<T>(others).err();
+            error.is_none_or(|error| error.to_string() != message)
+        };
+        // A choice is a key in JSON, too: its name is in the message.
+        let is_quoted = |key: &String| message.contains(&format!("`{key}`"));
+        let Some(key) = table.keys().find(is_cause).filter(|key| !is_quoted(key)) else {
+            break;
+        };
+        place = format!("{place}/{}", key.replace('~', "~0").replace('/', "~1"));
+        name = Some(key.replace('-', "_"));
+    }
+    name
 }
 
 /// A value as JSON text.

@@ -6,13 +6,18 @@ use pyo3::prelude::*;
 
 use crate::failure::Failure;
 
-/// The number in SI units that a text with a unit means; `quantity` is a name of `si_units`.
+/// The number in SI units that a text with a unit means; `quantity` is a name of `si_units`, `name` that of the argument, if it is
+/// known.
 #[pyfunction]
-pub fn to_si(quantity: &str, text: &str) -> PyResult<f64> {
+pub fn to_si(quantity: &str, text: &str, name: &str) -> PyResult<f64> {
     let known = QUANTITIES.iter().find(|known| known.type_name == quantity);
     let known =
         known.ok_or_else(|| Failure::new(Code::E501, format!("{quantity}: no such quantity")))?;
-    Ok((known.read)(text).map_err(Failure::from)?)
+    let found = (known.read)(text).map_err(Failure::from);
+    Ok(match name {
+        "" => found,
+        name => found.map_err(|failure| failure.about(name)),
+    }?)
 }
 
 /// Name and SI unit of every quantity.

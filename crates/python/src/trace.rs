@@ -381,10 +381,15 @@ impl Trace {
         &self,
         py: Python<'_>,
         standard: &str,
-        sections: Option<usize>,
+        sections: Option<i64>,
         cutoff: Option<f64>,
     ) -> PyResult<String> {
         let mode: Mode = named("standard", standard)?;
+        let sections = sections.map(|count| {
+            let few = || Failure::new(Code::E209, format!("sections = {count}: must be 1 or more"));
+            usize::try_from(count).map_err(|_| few())
+        });
+        let sections = sections.transpose()?;
         alone(py, || {
             let length = cutoff.map(Length::from_si).or(self.cutoff);
             let found = match (sections, length) {

@@ -14,7 +14,7 @@ import numpy as np
 from . import _asperity
 from ._choices import Detail, Formulation
 from ._contact import Contact
-from ._errors import AsperityError, Code, checked_number, json_text, warn, wrong_kind
+from ._errors import AsperityError, Code, checked_or_none, json_text, warn, wrong_kind
 from ._files import is_read, text_of
 from ._fixed import Fixed
 from ._html import page
@@ -363,23 +363,23 @@ class Case(Fixed):
             True
         """
         with Steps(progress, self.title) as steps:
-            found = RunResult._of(self._raw.run(detail, band, checked_number("threads", threads, int), steps))
+            found = RunResult._of(self._raw.run(detail, checked_or_none("band", band, bool), checked_or_none("threads", threads, int), steps))
         warn(found._doubts(), self._about["warnings"])
         return found
 
     def regime(self, *, threads: Optional[int] = None) -> Regime:
         """Film thickness, Λ* and regime along the path of contact; of several meshes, the first."""
-        meshes = json.loads(self._raw.regime(checked_number("threads", threads, int)))
+        meshes = json.loads(self._raw.regime(checked_or_none("threads", threads, int)))
         return Regime(meshes)
 
     def contact(self, position: Optional[float] = None) -> Contact:
         """The flanks pressed dry against each other at a place of the path, 0 at A and 1 at E; default the pitch point."""
-        return warned(Contact(*self._raw.contact(checked_number("position", position, float))))
+        return warned(Contact(*self._raw.contact(checked_or_none("position", position, float))))
 
     def film(self, position: Optional[float] = None) -> Record:
         """Pressure difference across films from 1 nm to 1 mm at a place of the path; default the pitch point: ``rows`` (thickness_m,
         reynolds_cross_pa ...), with ``path_fraction``, ``hertz_pressure_pa`` and ``film_central_m``."""
-        return Record(json.loads(self._raw.film(checked_number("position", position, float))))
+        return Record(json.loads(self._raw.film(checked_or_none("position", position, float))))
 
     def gear(self) -> Record:
         """Geometry (``gears``), loss factors and transmission error of the gears under their load, without a run.

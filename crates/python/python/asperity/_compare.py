@@ -12,7 +12,7 @@ import numpy as np
 from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._errors import of_several, wrong_kind
-from ._profile import Profile
+from ._profile import Trace
 from ._record import Table, drawn, variable
 from ._result import OF_OFFSETS
 from ._study import RawStudy, Study
@@ -22,9 +22,6 @@ from .keys import CaseKeys
 if TYPE_CHECKING:
     import pandas
     import xarray
-
-Trace = Union[Profile, str, PathLike[str]]
-"""A profile, or the path of one."""
 
 Finish = Union[Trace, tuple[Trace, Trace], Case]
 """A trace for both flanks, those of pinion and wheel, or a case."""

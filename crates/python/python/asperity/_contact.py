@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from . import _asperity
 from ._choices import Boundary
-from ._errors import AsperityError, Code, json_text, wrong_kind
+from ._errors import AsperityError, Code, checked, json_text, wrong_kind
 from ._html import Chart, page, shown
 from ._profile import Profile
 from ._quantity import Floats, Scalar, Values, line, si, si_array, si_or_none
@@ -256,14 +256,14 @@ def solve_contact(
         max_iterations,
         cascade,
         window,
-        spacing=si(spacing, "Length"),
+        spacing=si(spacing, "Length", "spacing"),
         rows=rows,
-        lead_spacing=si_or_none(lead_spacing, "Length"),
-        modulus=si(modulus, "Pressure"),
-        load=si_or_none(load, "LineLoad"),
-        approach=si_or_none(approach, "Length"),
-        datum=si_or_none(datum, "Length"),
-        pressure_limit=si_or_none(pressure_limit, "Pressure"),
+        lead_spacing=si_or_none(lead_spacing, "Length", "lead_spacing"),
+        modulus=si(modulus, "Pressure", "modulus"),
+        load=si_or_none(load, "LineLoad", "load"),
+        approach=si_or_none(approach, "Length", "approach"),
+        datum=si_or_none(datum, "Length", "datum"),
+        pressure_limit=si_or_none(pressure_limit, "Pressure", "pressure_limit"),
     )
     prescribed = optional(prescribed_pressure, "prescribed_pressure")
     found = _asperity.solve_contact(points, asked, prescribed, optional(start, "start"))
@@ -318,12 +318,12 @@ def press_flanks(
         True,
         True,
         spacing=first.spacing,
-        modulus=si(modulus, "Pressure"),
-        load=si(load, "LineLoad"),
-        pressure_limit=si_or_none(pressure_limit, "Pressure"),
+        modulus=si(modulus, "Pressure", "modulus"),
+        load=si(load, "LineLoad", "load"),
+        pressure_limit=si_or_none(pressure_limit, "Pressure", "pressure_limit"),
     )
-    plan = None if run_in is None else json_text({"passes": run_in, "first_share": first_share})
-    found = _asperity.press_flanks(first._raw, second._raw, si(radius, "Length"), asked, plan)
+    plan = None if run_in is None else json_text({"passes": checked("run_in", run_in, int), "first_share": first_share})
+    found = _asperity.press_flanks(first._raw, second._raw, si(radius, "Length", "radius"), asked, plan)
     return warned(Contact(*found))
 
 
@@ -360,6 +360,6 @@ def subsurface_stress(
     p = line(pressure, "Pressure", "pressure")
     q = None if traction is None else line(traction, "Pressure", "traction")
     below = si_array(depths, "Length", "depths").reshape(-1)
-    text, arrays = _asperity.subsurface_stress(p, q, si(spacing, "Length"), below, poisson)
+    text, arrays = _asperity.subsurface_stress(p, q, si(spacing, "Length", "spacing"), below, checked("poisson", poisson, float))
     shaped = {name: array if name == "depths" else array.reshape(len(below), len(p)) for name, array in arrays.items()}
     return Stress({**json.loads(text), **shaped})

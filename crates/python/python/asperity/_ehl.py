@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Optional
 
 from . import _asperity
 from ._case import CaseLike, as_case
-from ._errors import checked_number, json_text
+from ._errors import checked_or_none, json_text
 from ._html import Chart, page, shown
 from ._progress import Progress, Steps
 from ._quantity import Floats, Quantity, stated_or_none
@@ -109,5 +109,5 @@ def ehl(
         "compare": compare,
     }
     with Steps(progress, "half-widths travelled") as steps:
-        text, arrays = _asperity.ehl(as_case(case)._raw, json_text(asked), checked_number("threads", threads, int), steps)
+        text, arrays = _asperity.ehl(as_case(case)._raw, json_text(asked), checked_or_none("threads", threads, int), steps)
     return warned(EhlRecord({**json.loads(text), **arrays}))

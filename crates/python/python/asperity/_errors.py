@@ -11,7 +11,7 @@ from typing import Any, NamedTuple, Optional, TypeVar, Union
 
 from . import _asperity
 
-N = TypeVar("N", int, float)
+N = TypeVar("N", bound=float)
 
 Code = _asperity.Code
 """The stable codes by name, as the table of messages has them."""
@@ -133,12 +133,22 @@ def not_finite(name: str, value: float) -> AsperityError:
     return AsperityError(f"{name}: {value}: must be a finite number", Code.E209, "Give a finite number, or leave it out.")
 
 
-def checked_number(name: str, value: Any, kind: type[N]) -> Optional[N]:
-    """The number of an argument that can be missing, of the kind int or float."""
+_KINDS = {float: "a number", int: "a number without decimals", bool: "True or False"}
+
+
+def checked(name: str, value: Any, kind: type[N]) -> N:
+    """The value of an argument, of the kind int, float or bool."""
     try:
-        return value if value is None else kind(index(value)) if kind is int else kind(value)
+        if kind is bool and value not in (True, False):
+            raise TypeError
+        return kind(index(value)) if kind is int else kind(value)
     except (TypeError, ValueError):
-        raise wrong_kind(name, value, "a number" if kind is float else "a number without decimals") from None
+        raise wrong_kind(name, value, _KINDS[kind]) from None
+
+
+def checked_or_none(name: str, value: Any, kind: type[N]) -> Optional[N]:
+    """The same of an argument that can be missing."""
+    return None if value is None else checked(name, value, kind)
 
 
 Row = Union[str, Mapping[str, Any]]

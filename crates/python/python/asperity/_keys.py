@@ -147,7 +147,7 @@ def _text(value: Any, quantity: str) -> str:
     found = si(value, quantity)
     try:
         text = f"{float(value.magnitude)!r} {value.units:~}"
-        is_same = math.isclose(_asperity.to_si(quantity, text), found, rel_tol=1e-12)
+        is_same = math.isclose(_asperity.to_si(quantity, text, ""), found, rel_tol=1e-12)
     except (AttributeError, TypeError, ValueError):
         text, is_same = "", False
     return text.replace(".0 ", " ") if is_same else f"{repr(found).removesuffix('.0')} {SI_UNITS[quantity]}"

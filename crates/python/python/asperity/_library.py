@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Optional, Union, overload
 
 from . import _asperity
 from ._case import Case
+from ._errors import checked, checked_or_none
 from ._html import page
 from ._record import Record, Table
 
@@ -122,7 +123,7 @@ def demo(
         >>> asperity.demo("drive").name
         'case.toml'
     """
-    return Path(_asperity.demo(None if folder is None else fspath(folder), gears, paper)) / "case.toml"
+    return Path(_asperity.demo(None if folder is None else fspath(folder), gears, checked("paper", paper, bool))) / "case.toml"
 
 
 class RexsCase(NamedTuple):
@@ -193,6 +194,6 @@ def from_rexs(
         True
     """
     flanks = [None if trace is None else os.path.abspath(fspath(trace)) for trace in (pinion, wheel)]
-    text, notes, not_read = _asperity.from_rexs(fspath(file), stage, load_case, (flanks[0], flanks[1]))
+    text, notes, not_read = _asperity.from_rexs(fspath(file), checked_or_none("stage", stage, int), checked("load_case", load_case, int), (flanks[0], flanks[1]))
     folder = os.path.dirname(os.path.abspath(fspath(file)))
     return RexsCase(Case._of(_asperity.Case.from_text("case.toml", text, folder, [], None)), text, notes, not_read)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Mapping, Sequence
+from numbers import Real
 from os import PathLike, fspath
 from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, Union, cast
 
@@ -28,7 +29,7 @@ from ._choices import (
     TraceLine,
     Uneven,
 )
-from ._errors import AsperityError, Code, brief, json_text, warn, wrong_kind
+from ._errors import AsperityError, Code, brief, checked, checked_or_none, json_text, warn, wrong_kind
 from ._files import on_disk
 from ._fixed import Fixed, UnknownName, unknown
 from ._html import Chart, page, shown
@@ -154,7 +155,7 @@ class Profile(Fixed):
     """
 
     def __init__(self, heights: ArrayLike, spacing: Scalar, *, name: Optional[str] = None) -> None:
-        values, distance = line(heights, "Length", "heights"), si(spacing, "Length")
+        values, distance = line(heights, "Length", "heights"), si(spacing, "Length", "spacing")
         made = _in_memory(_asperity.Trace.of, values, distance)
         _refuse_implausible(values, distance)
         self._set(made, name)
@@ -220,7 +221,7 @@ class Profile(Fixed):
             >>> len(flank)
             3001
         """
-        places = [round(si(place, "Length") / self.spacing) for place in (start, end) if place is not None]
+        places = [round(si(place, "Length", name) / self.spacing) for name, place in (("start", start), ("end", end)) if place is not None]
         if places[0] < 0 or places[-1] >= len(self) or places[0] > places[-1]:
             length = f"{(len(self) - 1) * self.spacing * 1e3:.6g} mm"
             text = f"{start!r} to {'the end' if end is None else repr(end)}: the profile is {length} long"
@@ -335,12 +336,12 @@ class Profile(Fixed):
         """Primary, waviness and roughness profile; arguments as of `prepare`."""
         plan = {
             "form": form,
-            "cutoff": si_or_none(cutoff, "Length"),
-            "noise_cutoff": si_or_none(noise_cutoff, "Length"),
+            "cutoff": si_or_none(cutoff, "Length", "cutoff"),
+            "noise_cutoff": si_or_none(noise_cutoff, "Length", "noise_cutoff"),
             "ends": ends,
             "robust": robust,
-            "base_radius": si_or_none(base_radius, "Length"),
-            "roll_length": si_or_none(roll_length, "Length"),
+            "base_radius": si_or_none(base_radius, "Length", "base_radius"),
+            "roll_length": si_or_none(roll_length, "Length", "roll_length"),
             "towards_root": towards_root,
         }
         primary, waviness, roughness = self._raw.prepare(json_text(plan))
@@ -356,7 +357,7 @@ class Profile(Fixed):
 
     def mean_line(self, cutoff: Scalar, *, robust: bool = False, ends: Ends = "reg1") -> Profile:
         """Mean line of the Gaussian filter, or of the robust one; cut-off in m."""
-        return Profile._of(self._raw.mean_line(si(cutoff, "Length"), robust, ends), self.name)
+        return Profile._of(self._raw.mean_line(si(cutoff, "Length", "cutoff"), robust, ends), self.name)
 
     def parameters(
         self,
@@ -388,9 +389,10 @@ class Profile(Fixed):
         """
         is_prepared = "preparation" in self._about
         trace = self
+        prepare = checked_or_none("prepare", prepare, bool)
         if prepare or (prepare is None and not is_prepared):
             trace = self.prepare() if cutoff is None else self.prepare(cutoff=cutoff)
-        found = json.loads(trace._raw.parameters(standard, sections, si_or_none(cutoff, "Length")))
+        found = json.loads(trace._raw.parameters(standard, checked_or_none("sections", sections, int), si_or_none(cutoff, "Length", "cutoff")))
         every = {**found["heights"], **found["material_ratio"], **found["spectral"], "section_um": found["section_um"]}
         values = {name: every[name] for name in (*_FIRST, *(name for name in every if name not in _FIRST))}
         rows = [*trace._about["warnings"], *found["warnings"]]
@@ -489,10 +491,10 @@ def read_profile(
         >>> flank.unit, 0.1 < flank.parameters().ra_um < 1
         ('um', True)
     """
-    if isinstance(columns, int):
-        chosen: Optional[dict[str, int]] = {"z": columns}
-    else:
-        chosen = None if columns is None else {"x": columns[0], "z": columns[1]}
+    given = columns if isinstance(columns, (tuple, list)) else [] if columns is None else [columns]
+    if len(given) > 2:
+        raise wrong_kind("columns", columns, "the number of a column, or two of them")
+    chosen = dict(zip(("z", "x"), [checked("columns", one, int) for one in reversed(given)])) or None
     options = {
         "x-unit": x_unit,
         "z-unit": z_unit,
@@ -584,14 +586,18 @@ def generate(
     return Profile._of(_in_memory(_asperity.generate, json_text(whole)), name or f"{surface}, synthetic")
 
 
-OneTrace = Union[str, PathLike[str], Profile]
-Traces = Union[OneTrace, Sequence[OneTrace]]
+Trace = Union[Profile, str, PathLike[str]]
+"""A profile, or the path of one."""
+
+Traces = Union[Trace, Sequence[Trace]]
+"""A profile, the path of one, or a list of them."""
 
 
-def listed_profiles(name: str, traces: Traces) -> list[tuple[OneTrace, Profile]]:
+def listed_profiles(name: str, traces: Traces) -> list[tuple[Trace, Profile]]:
     """What an argument lists, each with its profile, which is read where a file is named."""
-    found: list[tuple[OneTrace, Profile]] = []
-    for trace in traces if isinstance(traces, (list, tuple)) else [traces]:
+    found: list[tuple[Trace, Profile]] = []
+    listed: Sequence[Trace] = traces if isinstance(traces, (list, tuple)) else [cast("Trace", traces)]
+    for trace in listed:
         profile = read_profile(trace) if isinstance(trace, (str, PathLike)) else trace
         if not isinstance(profile, Profile):
             raise wrong_kind(name, trace, "a profile, the path of one, or a list of them")
@@ -648,6 +654,8 @@ def generate_like(
     ):
         if excluded:
             raise AsperityError(f"generate_like: {text}", Code.E205, help)
+    if not all(isinstance(stage, Real) for stage in stages):
+        raise wrong_kind("after", after, "traces by engagements that are numbers")
     rising = sorted(stages)
     of_stages: list[Traces] = [stages[stage] for stage in rising] if stages else [] if after is None else [cast("Traces", after)]
     worn = [profile._raw for traces_of in of_stages for _, profile in listed_profiles("after", traces_of)]

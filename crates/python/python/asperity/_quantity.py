@@ -85,22 +85,23 @@ def in_unit(value: Any, quantity: str, unit: Optional[str] = None) -> Any:
         raise AsperityError(text, Code.E204, f"Give a quantity that has the dimension of {unit or '1'}.") from error
 
 
-def si(value: Scalar, quantity: str) -> float:
-    """The value in SI units."""
+def si(value: Scalar, quantity: str, name: str = "") -> float:
+    """The value in SI units; ``name`` is that of the argument."""
     if isinstance(value, str):
-        return _asperity.to_si(quantity, value)
+        return _asperity.to_si(quantity, value, name)
     if is_pint(value):
         value = in_unit(value, quantity)
     try:
         return float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError) as error:
-        text = f"{brief(value)}: is not a {quantity}; a number in {SI_UNITS[quantity]} or text with a unit is expected"
+        seen = f"{name}: {brief(value)}" if name else f"{brief(value)}:"
+        text = f"{seen} is not a {quantity}; a number in {SI_UNITS[quantity]} or text with a unit is expected"
         raise AsperityError(text, Code.E204, 'Write text with a unit, e.g. "1.8 mm", or a number.') from error
 
 
-def si_or_none(value: Scalar | None, quantity: str) -> float | None:
+def si_or_none(value: Scalar | None, quantity: str, name: str = "") -> float | None:
     """The same, where there is a value."""
-    return None if value is None else si(value, quantity)
+    return None if value is None else si(value, quantity, name)
 
 
 _NAMED: dict[str, tuple[str, float]] = {
@@ -188,7 +189,7 @@ class Operating(NamedTuple):
                     return float(text.removesuffix(unit))
                 except ValueError:
                     pass  # Read, or refused, below.
-            return _asperity.to_si(self.quantity, value) * self.scale + self.offset
+            return _asperity.to_si(self.quantity, value, "") * self.scale + self.offset
         if is_pint(value):
             return float(in_unit(value, self.quantity, self.pint))
         raise _without_unit(name, value, self.quantity)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 
 from . import _asperity
-from ._errors import AsperityError, Code, Row, checked_number, of_several, wrong_kind
+from ._errors import AsperityError, Code, Row, checked_or_none, of_several, wrong_kind
 from ._html import Chart, page, shown
 from ._quantity import Floats, in_numbers
 from ._record import Record, Table, Values, drawn, variable
@@ -97,7 +97,7 @@ class RunResult(Values, ResultValues):
     ``warnings`` and ``equations``; with contacts there are also ``formulation``, ``inputs``, ``defaults``, ``gears``, ``load``, ``flanks``,
     ``lubricant``, ``film_constants``, ``points``, ``running_in``, ``published_laws`` and ``references``, and where they were computed, else None,
     ``uncertainty``, ``bulk`` (temperatures of oil and flanks), ``gearbox``, ``micropitting``, ``run_in`` (the losses run in), ``records`` (of mixed lubrication),
-    ``pairs`` (of several traces, or rows of a scan), and with the interval of the loss ``scans`` (patches of areal scans beside their rows) or why not, ``no_scans``. Folders of the command have
+    ``pairs`` (of several traces, or rows of a scan), and where patches of areal scans are in contact, with the interval of the loss, ``scans`` (patches beside their rows) or why not, ``no_scans``. Folders of the command have
     ``ridges`` or ``no_ridges``, which `ridges` computes here. A result of several meshes has ``shafts``, ``kinds`` and ``meshes``, each a result.
     """
 
@@ -217,7 +217,7 @@ class RunResult(Values, ResultValues):
         self._beyond_losses("fields", "fields")
         if not self._outcome.positions():
             raise AsperityError("this result holds no fields", Code.E402, 'Run the case with detail = "fields".')
-        position = checked_number("position", position, int)
+        position = checked_or_none("position", position, int)
         if position is None:
             highest = self.path["p_max_mpa"]
             position = int(np.nanargmax(highest)) + 1 if np.isfinite(highest).any() else 1

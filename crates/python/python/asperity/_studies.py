@@ -14,11 +14,12 @@ from ._callout import CallOut
 from ._case import CaseLike, as_case
 from ._choices import Band, CalibratedParameter, ExportFormat, RoughnessParameter, TemperatureColumn, WornFlank, Zero
 from ._columns import Columns, table_of
-from ._compare import Comparison, Trace, Variant, cases_of
+from ._compare import Comparison, Variant, cases_of
 from ._errors import Code
 from ._keys import vehicle_keys
 from ._map import Cycle, Map, map_of
 from ._oil import OilFit, OilLike, OilPlan, Stribeck, Traction, raw_oil, tables_of_curves
+from ._profile import Traces
 from ._profile_change import ProfileChange, raw_traces
 from ._progress import Progress
 from ._quantity import Numbers, Quantities, Quantity, nodes, number, written
@@ -316,8 +317,8 @@ def callout(
 
 
 def profile_change(
-    before: Union[Trace, Sequence[Trace]],
-    after: Union[Trace, Sequence[Trace]],
+    before: Traces,
+    after: Traces,
     case: Optional[CaseLike] = None,
     *,
     max_shift: Quantity = "0.5 mm",

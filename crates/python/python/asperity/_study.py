@@ -9,7 +9,7 @@ from os import PathLike, fspath
 from typing import Any, Optional, Protocol, TypeVar, Union
 
 from . import _asperity
-from ._errors import AsperityError, Code, checked_number, json_text, not_finite, warn
+from ._errors import AsperityError, Code, checked_or_none, json_text, not_finite, warn
 from ._html import page
 from ._progress import Progress, Steps
 from ._quantity import in_numbers
@@ -128,6 +128,6 @@ def ran(
 ) -> S:
     """The study ``name`` of what is given, by its settings, after a warning of each doubt that the cases do not have."""
     with Steps(progress, _asperity.steps(name)) as steps:
-        found = kind(_asperity.study(name, given, as_json(settings), checked_number("threads", threads, int), steps))
+        found = kind(_asperity.study(name, given, as_json(settings), checked_or_none("threads", threads, int), steps))
     warn(found._doubts(), (warning for case in _cases(given) for warning in json.loads(case.warnings)))
     return found

@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _asperity
 from ._case import Case, CaseLike, Laws, as_case
-from ._errors import AsperityError, Code, checked_number, json_text, warn, wrong_kind
+from ._errors import AsperityError, Code, checked_or_none, json_text, warn, wrong_kind
 from ._fixed import Fixed
 from ._keys import Schema, Traces, kind_of, written
 from ._progress import Progress, Steps
@@ -109,7 +109,7 @@ class Sweep(Fixed, Iterator[Record]):
             raise AsperityError(text, Code.E140, "Read the study again.")
         self._raw.check_values()
         self._source = source
-        self._threads = checked_number("threads", threads, int)
+        self._threads = checked_or_none("threads", threads, int)
         self._steps = Steps(progress, "cases")
         self._rows = rows or []
         self._given = 0

@@ -784,9 +784,8 @@ class CalibrationParameter(Values):
 class CalibrationParameterTable(TableOf[CalibrationParameter, Literal["value", "range_low", "range_high", "band_low", "band_high", "profile_range_low", "profile_range_high", "bootstrap_low", "bootstrap_high", "default", "default_range_low", "default_range_high", "deviation"], Literal["key", "name", "unit", "is_open", "profile", "verdict"]]):
     _row = CalibrationParameter
     key: NDArray[Any]; name: NDArray[Any]; unit: NDArray[Any]; value: Floats; range_low: Floats; range_high: Floats
-    band_low: Floats; band_high: Floats; profile_range_low: Floats; profile_range_high: Floats
-    is_open: NDArray[Any]; profile: NDArray[Any]
-    bootstrap_low: Floats; bootstrap_high: Floats; default: Floats; default_range_low: Floats
+    band_low: Floats; band_high: Floats; profile_range_low: Floats; profile_range_high: Floats; is_open: NDArray[Any]
+    profile: NDArray[Any]; bootstrap_low: Floats; bootstrap_high: Floats; default: Floats; default_range_low: Floats
     default_range_high: Floats; deviation: Floats; verdict: NDArray[Any]
 
 
