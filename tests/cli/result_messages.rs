@@ -45,7 +45,7 @@ fn a_trace_shorter_than_the_contact_is_refused() {
     let says = [
         "position ",
         "2750 um is shorter than the",
-        "set model.window to ",
+        "set model.window = 11.06 half-widths",
     ];
     run_is_refused(&bench, &[], 2, "E122", &says);
 }

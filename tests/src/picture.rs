@@ -224,8 +224,15 @@ pub fn animated(page: &str) -> String {
     const CROPPED: f64 = 300.0;
     let [mesh, facing] = ["mesh", "facing"].map(|id| Figure::of(page, id));
     let number = |value: &Value| value.as_f64().unwrap();
-    let list =
-        |value: &Value| -> Vec<f64> { value.as_array().unwrap().iter().map(number).collect() };
+    // Equal values are counted: `[value, number]`.
+    let list = |value: &Value| -> Vec<f64> {
+        let values = value.as_array().unwrap().iter();
+        let runs = values.flat_map(|value| match value.as_array() {
+            Some(run) => vec![number(&run[0]); number(&run[1]) as usize],
+            None => vec![number(value)],
+        });
+        runs.collect()
+    };
     let motion = &mesh.data;
     let [path, along, place] = ["path", "along", "place"].map(|name| list(&motion[name]));
     let [pitch, step] = ["pitch", "step"].map(|name| number(&motion[name]));

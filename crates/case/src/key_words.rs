@@ -102,7 +102,8 @@ fn written(settings: &[Setting], value: &str) -> String {
             Some((x, z)) => format!("{{ x = {x}, z = {z} }}"),
             None => format!("{{ z = {value} }}"),
         },
-        [Setting::Row | Setting::Rows | Setting::Outliers | Setting::Invert] => value.to_owned(),
+        [Setting::Row | Setting::Rows | Setting::Invert] => value.to_owned(),
+        _ if value.parse::<f64>().is_ok() => value.to_owned(),
         _ => format!("\"{value}\""),
     }
 }
