@@ -174,13 +174,12 @@ fn deviations(design: &Design) -> String {
         });
         left.collect::<Vec<_>>().join(", ")
     };
-    let others = match of(false) {
-        none if none.is_empty() => none,
-        others => format!("; not identified: {others}"),
-    };
+    let others = of(false);
+    let others = (!others.is_empty()).then(|| format!("not identified: {others}"));
+    let parts = [Some(of(true)).filter(|found| !found.is_empty()), others];
     format!(
-        "Standard deviations by these points alone, without the range known before: {}{others}.",
-        of(true)
+        "Standard deviations by these points alone, without the range known before: {}.",
+        parts.into_iter().flatten().collect::<Vec<_>>().join("; ")
     )
 }
 

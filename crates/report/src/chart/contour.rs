@@ -45,7 +45,7 @@ pub struct Contour {
     pub isoline: Option<f64>,
     /// Height of the box in units of the drawing.
     pub height: f64,
-    /// Whether each value is of a whole cell around its place, without a slope between cells.
+    /// Whether each value is of a whole cell around its place, without a slope between cells. All cells are drawn equally large.
     pub is_of_cells: bool,
 }
 

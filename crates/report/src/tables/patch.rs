@@ -143,7 +143,8 @@ impl PatchTable {
             })
     }
 
-    /// The cells up to `near` \[µm\] from the middle of the contact, in blocks with the largest values of their cells.
+    /// The cells up to `near` \[µm\] from the middle of the contact, in blocks with the largest values of their cells. The last block
+    /// of a row or column can have fewer cells; it is drawn as large as the others.
     pub(super) fn thinned(&self, near: f64) -> Self {
         let columns: Vec<usize> = (0..self.x_um.len())
             .filter(|i| self.x_um[*i].abs() <= near)

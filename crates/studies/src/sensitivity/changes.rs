@@ -13,7 +13,7 @@ use asperity_roughness::RoughnessError;
 use super::bands::{edges, wavelength_bands};
 
 /// Factors on the heights, reciprocal to each other.
-const HEIGHTS: [f64; 2] = [0.8, 1.25];
+pub(super) const HEIGHTS: [f64; 2] = [0.8, 1.25];
 /// Factor on one wavelength band.
 const BAND: f64 = 0.5;
 /// Step of the coefficient of boundary friction.

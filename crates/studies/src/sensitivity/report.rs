@@ -6,7 +6,7 @@ use asperity_core::{Code, Estimate};
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::{Cell, Report, StudyResult, Table, Value, columns};
 
-use super::changes::SCANS;
+use super::changes::{HEIGHTS, SCANS};
 use super::study::{Effect, Sensitivity, SensitivityRow, SensitivitySettings};
 use asperity_report::StudySettings as _;
 
@@ -28,7 +28,7 @@ impl StudyResult for Sensitivity {
             .verdict(verdicts(self))
             .figures(|| chart(self, true))
             .text([headline(self)])
-            .text([OF_FINISH])
+            .text([of_finish()])
             .on_page()
             .at(&self.conditions)
             .warning(left_aside(self))
@@ -43,10 +43,6 @@ impl StudyResult for Sensitivity {
 
 /// Content of the interval of a change.
 const OF_SAMPLING: &str = ". The interval is of the sampling of the flanks only";
-
-/// Sentence on the heights.
-const OF_FINISH: &str =
-    "Heights are changed by a fifth. Another finish can change the loss by more: asperity compare.";
 
 /// Sentence on the change of an oil.
 const OF_OIL: &str = " The constants of another oil are as uncertain as the constants of this one: asperity compare has the interval with them.";
@@ -211,6 +207,14 @@ fn left_aside(study: &Sensitivity) -> Option<Warning> {
 }
 
 /// The loss that the changes are relative to, at given windows and constants.
+/// Sentence on the heights.
+fn of_finish() -> String {
+    let [low, high] = HEIGHTS;
+    format!(
+        "Heights are multiplied by {low} and {high}. Another finish can change the loss by more: asperity compare."
+    )
+}
+
 fn headline(study: &Sensitivity) -> String {
     let loss = without_interval(study.loss_w);
     format!("Loss {loss} W at the medians of all constants, and how it changes.")
