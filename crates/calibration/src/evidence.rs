@@ -573,7 +573,7 @@ impl EvidenceTable {
 }
 
 /// Meaning of the numbers.
-const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median. In brackets: the 5 and 95 % quantiles of the loss. Remaining width: the width of this interval over its present width, both of ln loss. A measurement also moves the median. A second set has the same gears with other flanks. Traction curves do not narrow the film thickness and the error of its law.";
+const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median. In brackets: the 5 and 95 % quantiles of the loss. Remaining width: the width of this interval over its present width, both of ln loss. A measurement also moves the median. Traction curves do not narrow the film thickness and the error of its law.";
 /// Commands that plan a measurement.
 const PLANS: &str = "These measurements narrow the interval of the loss of this case. Constants for other points and gears need more points: asperity design plans them on a rig, asperity oil plan on a traction machine.";
 /// Meaning of the hours.

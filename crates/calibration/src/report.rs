@@ -7,7 +7,7 @@ use asperity::message::Warning;
 use asperity::result::loss_band::Digits;
 use asperity_core::numerics::{self, distinct};
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
-use asperity_report::{Column, Kind, Report, StudyResult, Table, columns};
+use asperity_report::{Column, Kind, Report, StudyResult, Table, columns, duration};
 
 use crate::birge::Scatter;
 use crate::design::Design;
@@ -100,9 +100,10 @@ impl StudyResult for Design {
         )
         .section("Points")
         .verdict([format!(
-            "Measure these {} points with each of {} assemblies (D-optimal, of {} candidates).",
+            "Measure these {} points with each of {} assemblies, in {} without heating (D-optimal, of {} candidates).",
             self.size() / limits.assemblies.max(1),
             limits.assemblies,
+            duration(limits.minutes_per_point * self.size() as f64),
             self.candidates
         )])
         .verdict([deviations(self)])

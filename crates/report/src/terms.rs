@@ -255,6 +255,11 @@ pub const TERMS: &[Term] = &[
         "transient solution of the mixed contact at one place, the reference of the fast model",
     ),
     term(
+        "second set of gears",
+        &["second set"],
+        "other gears of the same drawing and finish, whose flanks are other samples of it",
+    ),
+    term(
         "standard error",
         &["standard errors"],
         "standard deviation of a mean",

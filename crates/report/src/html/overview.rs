@@ -2,13 +2,16 @@
 
 use asperity::key_words::advice;
 use asperity::message::{Code, Warning, outside_codes};
-use asperity::result::loss_band::{Trust, Uncertainty};
+use asperity::result::loss_band::{Trust, Uncertainty, rounded};
 use asperity::result::{FlankHeights, RunInFlanks, RunResult, Summary};
+use asperity_core::quantity::Length;
+use asperity_roughness::Parameters;
 use maud::{Markup, html};
 
 use super::page::{figure, source};
 use crate::printed::{PrintedLoss, PrintedPart, of_mesh};
 use crate::summary::priced;
+use crate::units::MICRO;
 use crate::{columns, other_models};
 
 /// The first screen: headline, parts, band, losses along the path, and the pair in mesh; then what the case requests.
@@ -73,12 +76,30 @@ fn own_finish(result: &RunResult) -> Markup {
         @match result.uncertainty.as_ref().map(|uncertainty| uncertainty.trust) {
             Some(Trust::Surrogates) => "The loss is for flanks generated from the stated roughness",
             Some(Trust::RoughnessValues) => "The loss is for the stated roughness values",
-            _ => "The loss is for these two flanks as stated",
+            _ => { "The loss is for these two flanks as stated" (heights(result).unwrap_or_default()) }
         }
         @if let Some(share) = printed(result).asperity_share { ": " (share) " of it arises where asperities touch" }
         ". "
         code { "asperity compare" } " computes what another finish would save."
     }
+}
+
+/// Ra and Rz of both flanks in brackets; `None` without a trace of each.
+fn heights(result: &RunResult) -> Option<String> {
+    let [pinion, wheel] = result.flanks.each_ref();
+    let of = [pinion.parameters.as_ref()?, wheel.parameters.as_ref()?];
+    let both = |name: &str, height: fn(&Parameters) -> Length| {
+        let [pinion, wheel] = of.map(|of| {
+            let um = height(of).si() * MICRO;
+            rounded(um, 0.05 * um)
+        });
+        format!("{name} {pinion} and {wheel} µm")
+    };
+    let [ra, rz] = [
+        both("Ra", |of| of.heights.ra),
+        both("Rz", |of| of.heights.rz),
+    ];
+    Some(format!(" ({ra}, {rz})"))
 }
 
 /// Mark of a warning that makes the result doubtful.
@@ -113,18 +134,28 @@ pub(crate) fn trust(warnings: &[Warning], level: Option<String>) -> Markup {
     html! { @if !parts.is_empty() { p.sub { "Trust: " (parts.join("; ")) "." } } }
 }
 
-/// The warnings, each of which opens to its cause and its remedy.
+/// The warnings. The first of a code opens to its cause and its remedy.
 pub(crate) fn warnings(warnings: &[Warning]) -> Markup {
+    let is_first = |at: usize| {
+        warnings[..at]
+            .iter()
+            .all(|other| other.code != warnings[at].code)
+    };
     html! {
         @if !warnings.is_empty() {
             h3 { "Warnings" }
-            ul.warnings { @for warning in warnings { li.grave[warning.code.doubt().is_some()] {
-                @let text = html! { code { (warning.code.as_str()) } " " (warning.text) };
-                details {
-                    summary { @if warning.code.doubt().is_some() { strong { (DOUBTFUL) } " " } (text) }
-                    p { b { "Why: " } (warning.code.explain().meaning) }
-                    p { b { "What to do: " } (advice(warning.code)) }
-                }
+            ul.warnings { @for (at, warning) in warnings.iter().enumerate() { li.grave[warning.code.doubt().is_some()] {
+                @let text = html! {
+                    @if warning.code.doubt().is_some() { strong { (DOUBTFUL) } " " }
+                    code { (warning.code.as_str()) } " " (warning.text)
+                };
+                @if is_first(at) {
+                    details {
+                        summary { (text) }
+                        p { b { "Why: " } (warning.code.explain().meaning) }
+                        p { b { "What to do: " } (advice(warning.code)) }
+                    }
+                } @else { (text) }
             } } }
         }
     }

@@ -1,6 +1,6 @@
 //! Several traces of a flank: loss of every pair of teeth, and contributions to the error of their mean.
 
-use asperity::result::loss_band::{PairSampling, rounded};
+use asperity::result::loss_band::{Digits, PairSampling, rounded};
 use asperity::result::{FlankRecord, ToothTrace, TracePairs};
 use asperity::roughness::Parameters;
 use asperity_core::quantity::Length;
@@ -40,10 +40,11 @@ fn losses(pairs: &TracePairs, wheel: usize) -> Table {
     let pinions = (1..=pairs.losses_w.len()).map(|tooth| format!("pinion {tooth}"));
     let names = Column::new(Kind::Head, "loss", "W", pinions);
     let of_wheel = (0..wheel).map(|tooth| {
-        let losses = pairs
-            .losses_w
-            .iter()
-            .map(|row| Cell::number(row.get(tooth), |loss| format!("{loss:.2}")));
+        let losses = pairs.losses_w.iter().map(|row| {
+            Cell::number(row.get(tooth).copied(), |loss| {
+                Digits::of_power(loss).rounded(loss)
+            })
+        });
         Column::new(Kind::Number, &format!("wheel {}", tooth + 1), "", losses)
     });
     Table::new(std::iter::once(names).chain(of_wheel))

@@ -28,11 +28,11 @@ impl StudyResult for CallOut {
     fn report(&self) -> Report<'_> {
         Report::new(&self.title, "call-out")
             .section("Limit")
-            .verdict(self.limits.iter().map(limit_line))
+            .verdict(self.limits.iter().map(limit_line).chain([headline(self)]))
             .text([inspection(self)])
             .figures(|| self.limits.iter().map(|row| symbol(self, row)))
             .figures(|| [curve_chart(self)])
-            .text(headline(self))
+            .text([conditions(self)])
             .text([losses(self)])
             .text(above(self))
             .on_page()
@@ -141,23 +141,24 @@ fn number(value: f64) -> String {
     }
 }
 
-fn headline(study: &CallOut) -> [String; 2] {
-    [
-        format!(
-            "At the limit {:.0} % of the lots lose at most {}, with every constant at its median and without running-in.",
-            100.0 * study.confidence,
-            match &study.change {
-                None => Power::from_si(study.loss_w).to_string(),
-                Some(change) =>
-                    format!("{} ({change} than flanks like these)", power(study.loss_w)),
-            }
-        ),
-        format!(
-            "At {}. The heights of a lot scatter by {:.0} %.",
-            study.conditions,
-            100.0 * study.scatter
-        ),
-    ]
+/// The loss that the limit permits.
+fn headline(study: &CallOut) -> String {
+    format!(
+        "At the limit {:.0} % of the lots lose at most {}, with every constant at its median and without running-in.",
+        100.0 * study.confidence,
+        match &study.change {
+            None => Power::from_si(study.loss_w).to_string(),
+            Some(change) => format!("{} ({change} than flanks like these)", power(study.loss_w)),
+        }
+    )
+}
+
+fn conditions(study: &CallOut) -> String {
+    format!(
+        "At {}. The heights of a lot scatter by {:.0} %.",
+        study.conditions,
+        100.0 * study.scatter
+    )
 }
 
 /// Relative scatter of the height of a lot about a limit by inspection, which leaves the digits of the limit.

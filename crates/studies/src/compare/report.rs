@@ -159,7 +159,10 @@ const NO_TRACE: &str = "The flanks are given only by roughness values: no trace 
 /// Sections of a comparison of pairs.
 fn of_pairs<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
     let report = report
-        .figures(|| [parts(comparison), along_the_path(comparison)])
+        .figures(|| [parts(comparison)])
+        .text(film_instead_of_asperities(comparison))
+        .on_page()
+        .figures(|| [along_the_path(comparison)])
         .rows("parts.csv", || tables::parts(comparison))
         .rows("offsets.csv", || tables::offsets(comparison))
         .rows("path.csv", || tables::path(comparison));
@@ -473,6 +476,27 @@ fn parts(comparison: &Comparison) -> Drawing {
         source: "parts.csv".to_owned(),
         axis: Axis::new("loss", "W"),
         bars: bars.collect(),
+    })
+}
+
+/// The finishes that lose more in the film than the first and less in all, in words.
+fn film_instead_of_asperities(comparison: &Comparison) -> Option<String> {
+    /// Least rise of the loss of the film, in parts of the whole loss.
+    const LEAST: f64 = 0.02;
+    let film = |pair: &PairOfFinish| pair.result.summary.film_w;
+    let mut pairs = comparison.pairs();
+    let (first, of_first) = pairs.next()?;
+    let risen = pairs.filter(|(finish, pair)| {
+        let is_lower = finish.loss_w < first.loss_w;
+        is_lower && film(pair) - film(of_first) > LEAST * first.loss_w
+    });
+    let names: Vec<&str> = risen.map(|(finish, _)| &*finish.name).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "With {} the film loses more: it carries load that asperities carry with {}.",
+            names.join(" and "),
+            first.name
+        )
     })
 }
 

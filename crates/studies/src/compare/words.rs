@@ -306,8 +306,8 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
             models.join(", ")
         ),
         _ => {
-            let [low, high] = difference.watts.ends().map(|end| digits.rounded(end));
-            format!("{other} against {first}: undecided, between {low} and +{high} W")
+            let change = digits.signed_interval(difference.watts);
+            format!("Undecided: with {other} the loss differs from {first} by {change} W")
         }
     }
 }

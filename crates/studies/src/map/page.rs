@@ -25,7 +25,7 @@ const TYPICAL: [&str; 2] = [
 ];
 /// What a page about losses at many operating points leaves to studies of one.
 pub(crate) const HELPFUL: &str = "The command asperity sensitivity lists changes that lower the loss; asperity evidence lists \
-    measurements that narrow its interval.";
+    measurements that narrow its interval at the operating point of the case.";
 
 /// File of the efficiencies as drawn.
 pub(super) const EFFICIENCIES: &str = "efficiency.csv";

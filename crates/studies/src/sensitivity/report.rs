@@ -34,6 +34,8 @@ impl StudyResult for Sensitivity {
             .warning(left_aside(self))
             .section("What is not known well")
             .figures(|| chart(self, false))
+            .text([OTHER_CONSTANTS])
+            .on_page()
             .section("Parts")
             .table(table(self))
             .text(refused(self))
@@ -45,7 +47,11 @@ impl StudyResult for Sensitivity {
 const OF_SAMPLING: &str = ". The interval is of the sampling of the flanks only";
 
 /// Sentence on the change of an oil.
-const OF_OIL: &str = " The constants of another oil are as uncertain as the constants of this one: asperity compare has the interval with them.";
+const OF_OIL: &str = " Its viscosity is the same. The constants of another oil are as uncertain as the constants of this one: asperity compare has the interval with them.";
+
+/// Constants without a change.
+const OTHER_CONSTANTS: &str =
+    "The constants of the oil and of the model are components of the interval of asperity run.";
 
 /// A change with its effect.
 type Changed<'a> = (&'a SensitivityRow, &'a Effect);

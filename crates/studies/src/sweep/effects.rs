@@ -29,6 +29,8 @@ pub struct Effect {
     pub low: f64,
     /// Result at the mean of the highest quarter, or with the choice.
     pub high: f64,
+    /// Values of the input there; none of a choice.
+    pub between: Option<[f64; 2]>,
     /// Difference between the two with its 5 % and 95 % quantiles.
     #[serde(flatten, serialize_with = "Difference::serialize")]
     pub difference: Estimate,
@@ -99,12 +101,14 @@ pub fn effects(inputs: &[Regressor], y: &[f64]) -> Vec<Option<Effect>> {
     let left = (square - explained).max(0.0) / (n - varied.len() - 1) as f64;
     let mut found = none();
     for (at, &i) in varied.iter().enumerate() {
-        let ends = ends(&inputs[i]).map(|x| (x - moments[i].0) / moments[i].1.sqrt());
+        let between = ends(&inputs[i]);
+        let ends = between.map(|x| (x - moments[i].0) / moments[i].1.sqrt());
         let [low, high] = ends.map(|x| mean + slopes[at] * x);
         let error = (left * inverse[(at, at)]).sqrt() * (ends[1] - ends[0]);
         found[i] = Some(Effect {
             low,
             high,
+            between: (!inputs[i].is_choice).then_some(between),
             difference: Estimate::new(high - low, [-Z_95, Z_95].map(|z| high - low + z * error)),
             correlation: right[at] / square.sqrt(),
         });

@@ -1,9 +1,10 @@
 //! Results and inputs of a study in words, with their units.
 
-use asperity::result::loss_band::Digits;
+use asperity::result::loss_band::{Digits, rounded};
 use asperity_core::Estimate;
 use asperity_report::{Cell, Table, columns};
 
+use super::columns::InputValues;
 use super::effects::Effect;
 use super::merged::Merged;
 
@@ -95,6 +96,9 @@ pub(super) fn table(merged: &Merged) -> Table {
         text output "result" "" = Cell::shown(output.name.clone(), row.output.as_str().into());
         shown words "input" "" = input_name(&row.input);
         code input "key" "" = &row.input;
+        shown between "between" "" = between(merged, &row.input, effect);
+        file input_low = Cell::optional(effect.and_then(|effect| effect.between).map(|of| of[0]));
+        file input_high = Cell::optional(effect.and_then(|effect| effect.between).map(|of| of[1]));
         file low = Cell::optional(effect.map(|effect| effect.low));
         file high = Cell::optional(effect.map(|effect| effect.high));
         interval difference "change" "" = Cell::estimate(
@@ -119,7 +123,25 @@ pub(super) fn table(merged: &Merged) -> Table {
         true => indices,
         false => indices.unshown_of(&["first index", "total index"]),
     };
-    table.with(indices).brief(&["input"]).in_file(EFFECTS)
+    table
+        .with(indices)
+        .brief(&["input", "between"])
+        .in_file(EFFECTS)
+}
+
+/// The values of an input between which a result changes, with their unit; "-" of a choice.
+fn between(merged: &Merged, input: &str, effect: Option<&Effect>) -> String {
+    let Some(ends) = effect.and_then(|effect| effect.between) else {
+        return "-".to_owned();
+    };
+    let column = merged.inputs.iter().find(|column| column.name == input);
+    let unit = match column.map(|column| &column.values) {
+        Some(InputValues::Numbers { unit, .. }) => unit,
+        _ => "",
+    };
+    let largest = ends[0].abs().max(ends[1].abs());
+    let [low, high] = ends.map(|end| rounded(end, 0.01 * largest));
+    format!("{low} and {high} {unit}").trim_end().to_owned()
 }
 
 /// An input in words: the parts of its key after the table, indices of lists as the gears.
@@ -175,6 +197,7 @@ mod tests {
         let effect = Effect {
             low: 0.0,
             high: 0.0,
+            between: None,
             difference: Estimate::new(-130.4, [-141.0, -120.0]),
             correlation: 0.0,
         };
