@@ -8,6 +8,8 @@ use asperity_efficiency::EfficiencyError;
 use asperity_ehl::EhlError;
 use asperity_mixed_film::LoadShareError;
 
+use crate::NARROWEST_WINDOW;
+
 /// Errors at a mesh position.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
@@ -281,8 +283,6 @@ impl PositionError {
                 half_widths,
                 ..
             } => {
-                /// Narrowest window of a contact.
-                const LEAST: f64 = 1.5;
                 let longer = Remedy::act("measure a longer trace");
                 // Filters can give back no more than the ends that they drop.
                 let with_ends = match whole_um >= needed_um {
@@ -295,7 +295,7 @@ impl PositionError {
                 };
                 // Rounded down: so many fit.
                 let fitting = (half_widths * 100.0).floor() / 100.0;
-                match fitting >= LEAST {
+                match fitting >= NARROWEST_WINDOW {
                     true => with_ends
                         .or_set(key("model.window"), Value::This(fitting.to_string().into()))
                         .because("half-widths"),

@@ -9,6 +9,7 @@ use asperity_efficiency::swept::HYSTERESIS;
 use asperity_ehl_regime::GapLaw;
 use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
+use asperity_flanks::NARROWEST_WINDOW;
 use asperity_gear::{GearPair, LoadLaw, LoadMapSettings};
 use asperity_ns_film::FluidModel;
 use asperity_oil::PressureLaw;
@@ -53,7 +54,7 @@ choices! {
         check("offsets", |n| (1.0..=10_000.0).contains(&n), "must be 1 to 10000");
     /// Half-width of the contact window, in Hertz half-widths; default 3.
     window: f64 = default(3.0) usual "" [1.5, 50.0],
-        check("window", |w| (1.5..=100.0).contains(&w), "must be 1.5 to 100 Hertz half-widths");
+        check("window", |w| (NARROWEST_WINDOW..=100.0).contains(&w), "must be 1.5 to 100 Hertz half-widths");
     /// Law of the load distribution over the teeth in contact; default `elastic` (`paper`: `mean-length`).
     load_distribution: LoadLaw = default(LoadLaw::Elastic) => table;
     /// Correction factor C_M of the tooth stiffness, theoretical to measured; default 0.8.

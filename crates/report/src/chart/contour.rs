@@ -8,6 +8,7 @@ use super::axis::{Axis, Range, Scale};
 use super::canvas::{Anchor, Canvas};
 use super::dress::Dress;
 use super::frame::{Frame, RIGHT, WIDTH, document, upright_room};
+use super::steps::{block, in_tenths, polygon, step};
 use super::text_width::{DESCENT, NAME, TICK, name_lines, widest};
 
 /// Number of bands of the colour scale.
@@ -348,8 +349,9 @@ impl Contour {
                     }
                 }
                 for pair in crossings.chunks_exact(2) {
-                    let [[x1, y1], [x2, y2]] = [pair[0], pair[1]];
-                    let _ = write!(d, "M{x1:.1} {y1:.1}L{x2:.1} {y2:.1}");
+                    let [from, to] = [pair[0], pair[1]].map(|place: [f64; 2]| place.map(in_tenths));
+                    step(&mut d, None, from);
+                    step(&mut d, Some(from), to);
                 }
             }
         }
@@ -406,33 +408,23 @@ pub(super) fn counted(values: &[Value]) -> Vec<Value> {
     runs.collect()
 }
 
-fn block(d: &mut String, [x1, x2]: [f64; 2], [y1, y2]: [f64; 2]) {
-    let _ = write!(d, "M{x1:.1} {y1:.1}H{x2:.1}V{y2:.1}H{x1:.1}z");
-}
-
 /// Appends the part of a cell where the field, linear along its edges, is at or above `level`.
 fn part_above(d: &mut String, places: &[[f64; 2]; 4], corners: &[f64; 4], level: f64) {
-    let mut command = 'M';
-    let mut go = |[x, y]: [f64; 2]| {
-        let _ = write!(d, "{command}{x:.1} {y:.1}");
-        command = 'L';
-    };
+    let mut outline = Vec::with_capacity(8);
     for k in 0..4 {
         let next = (k + 1) % 4;
         let (a, b) = (corners[k], corners[next]);
         if a >= level {
-            go(places[k]);
+            outline.push(places[k]);
         }
         if (a >= level) != (b >= level) {
             let share = (level - a) / (b - a);
             let between =
                 |axis: usize| places[k][axis] + share * (places[next][axis] - places[k][axis]);
-            go([between(0), between(1)]);
+            outline.push([between(0), between(1)]);
         }
     }
-    if command == 'L' {
-        d.push('z');
-    }
+    polygon(d, outline);
 }
 
 /// Whether the bands reach below zero, so that they have the colours of differences.
@@ -465,7 +457,7 @@ mod tests {
         let mut d = String::new();
         let places = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
         part_above(&mut d, &places, &[0.0, 4.0, 4.0, 0.0], 1.0);
-        assert_eq!(d, "M2.5 0.0L10.0 0.0L10.0 10.0L2.5 10.0z");
+        assert_eq!(d, "M2.5 0l7.5 0l0 10l-7.5 0z");
     }
 
     #[test]
@@ -507,7 +499,12 @@ mod tests {
         };
         let frame = field.frame(Dress::Page);
         assert!(!field.svg(Dress::Page).contains("NaN"));
-        let [blank, left] = [0.0, 1.0].map(|x| format!("M{:.1} ", frame.px(x)));
+        let begin = |x: f64| {
+            let mut d = String::new();
+            step(&mut d, None, [frame.px(x), 0.0].map(in_tenths));
+            d.trim_end_matches('0').to_owned()
+        };
+        let [blank, left] = [0.0, 1.0].map(begin);
         for level in [none, 90.0] {
             let region = field.region_above(level, &frame);
             assert!(

@@ -14,6 +14,7 @@ use super::frame::{
     upright_room,
 };
 use super::spread::spread;
+use super::steps::in_tenths;
 use super::xy::Mark;
 
 /// The contact at one position.
@@ -103,10 +104,6 @@ struct FramePaths {
     at: i64,
 }
 
-fn tenths(value: f64) -> i64 {
-    (10.0 * value).round() as i64
-}
-
 fn between([top, bottom]: [f64; 2], share: f64) -> f64 {
     bottom - share * (bottom - top)
 }
@@ -160,7 +157,7 @@ impl Facing {
 
     fn placed(&self, frame: &FacingFrame, scales: &Scales) -> FramePaths {
         let rows = |panel: [f64; 2], range: &Range, values: &[f64]| -> Vec<i64> {
-            let row = |value: &f64| tenths(between(panel, range.share(*value)));
+            let row = |value: &f64| in_tenths(between(panel, range.share(*value)));
             values.iter().map(row).collect()
         };
         let ellipse = (0..=ELLIPSE).map(|k| {
@@ -172,14 +169,14 @@ impl Facing {
             x: frame
                 .x
                 .iter()
-                .map(|x| tenths(scales.px(&scales.x, *x)))
+                .map(|x| in_tenths(scales.px(&scales.x, *x)))
                 .collect(),
             lower: rows(FLANKS, &scales.height, &frame.lower),
             upper: rows(FLANKS, &scales.height, &frame.upper),
             solid: rows(PRESSURES, &scales.pressure, &frame.solid),
             fluid: rows(PRESSURES, &scales.pressure, &frame.fluid),
             hertz: rows(PRESSURES, &scales.pressure, &ellipse),
-            at: tenths(scales.px(&scales.path, frame.at)),
+            at: in_tenths(scales.px(&scales.path, frame.at)),
         }
     }
 
@@ -217,7 +214,7 @@ impl Facing {
     }
 
     fn draw(&self, canvas: &mut Canvas, placed: &FramePaths) {
-        let [top, bottom] = FLANKS.map(tenths);
+        let [top, bottom] = FLANKS.map(in_tenths);
         let lower = line(&placed.x, &placed.lower);
         let upper = line(&placed.x, &placed.upper);
         let ends = placed.x.first().zip(placed.x.last());
@@ -272,7 +269,8 @@ impl Facing {
 
     fn ellipse_places(&self) -> Vec<i64> {
         let scales = self.scales();
-        let place = |k: usize| tenths(scales.px(&scales.x, 2.0 * k as f64 / ELLIPSE as f64 - 1.0));
+        let place =
+            |k: usize| in_tenths(scales.px(&scales.x, 2.0 * k as f64 / ELLIPSE as f64 - 1.0));
         (0..=ELLIPSE).map(place).collect()
     }
 
@@ -361,7 +359,7 @@ impl Facing {
                     "hertz": placed.hertz})
             })
             .collect();
-        json!({"ellipse": self.ellipse_places(), "top": tenths(FLANKS[0]), "bottom": tenths(FLANKS[1]), "frames": frames})
+        json!({"ellipse": self.ellipse_places(), "top": in_tenths(FLANKS[0]), "bottom": in_tenths(FLANKS[1]), "frames": frames})
     }
 }
 

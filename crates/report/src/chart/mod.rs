@@ -16,6 +16,7 @@ mod frame;
 mod mesh;
 mod spread;
 mod stacked;
+mod steps;
 mod strip;
 mod symbol;
 mod text_width;

@@ -9,6 +9,7 @@ use super::axis::{Axis, Range, Scale};
 use super::canvas::{Anchor, Canvas};
 use super::dress::Dress;
 use super::frame::{Frame, WIDTH, document, title_room};
+use super::steps::{in_tenths, step};
 use super::text_width::{NAME_ALONE, TICK, width};
 use crate::thin::{BINS, thin};
 
@@ -470,13 +471,9 @@ fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
             before = None;
             continue;
         }
-        let at = [px, py].map(|coordinate| (10.0 * coordinate).round() as i64);
+        let at = [px, py].map(in_tenths);
         if line != Line::Scatter {
-            // Differences between points take half the text of coordinates.
-            let (command, from) = before.map_or(('M', [0, 0]), |before| ('l', before));
-            let [x, y] = [0, 1].map(|k| tenths(at[k] - from[k]));
-            let between = if y.starts_with('-') { "" } else { " " };
-            let _ = write!(d, "{command}{x}{between}{y}");
+            step(&mut d, before, at);
         }
         if let Some(r) = radius {
             let (left, wide) = (px - r, 2.0 * r);
@@ -491,17 +488,6 @@ fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
         d.push('Z');
     }
     d + &dots
-}
-
-/// A number of tenths in the shortest form of a path: 14 is "1.4", -3 "-.3", 20 "2".
-fn tenths(count: i64) -> String {
-    let sign = if count < 0 { "-" } else { "" };
-    let (whole, tenth) = (count.abs() / 10, count.abs() % 10);
-    match (whole, tenth) {
-        (whole, 0) => format!("{sign}{whole}"),
-        (0, tenth) => format!("{sign}.{tenth}"),
-        (whole, tenth) => format!("{sign}{whole}.{tenth}"),
-    }
 }
 
 /// Value with five significant digits; null if it is not finite.
@@ -557,7 +543,6 @@ mod tests {
             at = [at[0] + steps[0], at[1] + steps[1]];
             assert!((at[0] - frame.px(x)).abs() < 0.051 && (at[1] - frame.py(y)).abs() < 0.051);
         }
-        assert_eq!([-13, -3, 0, 20].map(tenths), ["-1.3", "-.3", "0", "2"]);
     }
 
     #[test]
