@@ -128,6 +128,9 @@ impl Smooth {
     }
 }
 
+/// Verdict of a travel whose halves differ.
+const TOO_SHORT: &str = "The travel is too short for an answer. ";
+
 /// Reason for the friction at the pitch point.
 const AT_PITCH_POINT: &str = "Here the flanks roll with almost no sliding. The friction of the boundary layer does not depend on the \
     sliding speed, so that the coefficient is not 0. Almost no loss follows from it.";
@@ -171,7 +174,8 @@ impl Recorded {
         let mut page = page_of(about, contact, &smooth.value)?;
         let share = &record.solid_share;
         page.verdict = format!(
-            "Share of the load on films below {:.0} nm: {}.",
+            "{}Share of the load on films below {:.0} nm: {}.",
+            self.doubt().map_or("", |_| TOO_SHORT),
             self.solid_film.si() * 1e9,
             self.shown(share.mean, share.standard_error)
         );

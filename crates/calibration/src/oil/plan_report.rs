@@ -201,10 +201,10 @@ fn verdict(plan: &OilPlan) -> Option<String> {
     );
     if let Some([from, to]) = errors(|stage| stage.loss_deviation) {
         let with_law = to.hypot(100.0 * law_error(0.0));
+        let whole = plan.remaining_width.map_or(String::new(), whole_interval);
         return Some(format!(
-            "{takes} the standard deviation of the loss by these constants from {from:.1} to {to:.1} %. With the error of the law, \
-             {with_law:.1} % remain.{}",
-            plan.remaining_width.map_or(String::new(), whole_interval)
+            "{whole}{takes} the standard deviation of the loss by these constants from {from:.1} to {to:.1} %. With the error of the law, \
+             {with_law:.1} % remain."
         ));
     }
     let [from, to] = errors(|stage| Some(stage.constants.first()?.deviation))?;
@@ -216,13 +216,15 @@ fn verdict(plan: &OilPlan) -> Option<String> {
 
 /// The width that the standard plan leaves of the whole interval of the loss.
 fn whole_interval(width: f64) -> String {
-    match (100.0 * width).round() as u32 {
-        ..100 => format!(
-            " The whole interval of the loss keeps {:.0} % of its width.",
-            100.0 * width
-        ),
-        _ => " The whole interval of the loss keeps its width: other components decide it."
-            .to_owned(),
+    /// Width above which other measurements are worth more.
+    const LITTLE: f64 = 0.9;
+    let keeps = format!(
+        "the whole interval keeps {:.0} % of its width",
+        100.0 * width
+    );
+    match width > LITTLE {
+        true => format!("Traction curves help the loss of this case little: {keeps}. "),
+        false => format!("With traction curves {keeps}. "),
     }
 }
 

@@ -116,7 +116,8 @@ impl Axis {
         if self.zero {
             (low, high) = (low.min(0.0), high.max(0.0));
         }
-        if high == low {
+        // Values that differ by round-off are one.
+        if high - low <= EDGE * low.abs().max(high.abs()) {
             let half = if low == 0.0 { 1.0 } else { 0.5 * low.abs() };
             (low, high) = if self.zero {
                 (low.min(0.0), low + half)
@@ -265,5 +266,7 @@ mod tests {
             assert!(range.low < value && value < range.high);
             assert!(!range.ticks(5).is_empty());
         }
+        let of_round_off = Axis::new("temperature", "°C").range([90.0, 90.0 + 1e-13].into_iter());
+        assert!(of_round_off.high - of_round_off.low > 1.0);
     }
 }

@@ -42,7 +42,7 @@ pub(crate) fn evidence(rows: &[EvidenceRow], loss: &dyn Fn(f64) -> String) -> Ma
             head measurement "measurement" "";
             number hours "duration" "" = duration(60.0 * row.hours);
             number width "remaining width" "" = row.width_percent();
-            number loss "loss" "W" = row.interval().map(loss).join(" to ");
+            number loss "loss" "W" = row.interval().map(loss).join("..");
         })
         p.note { "Remaining width: expected interval of ln loss over the present one. Duration: measuring with preparation, without the making of parts. " code { "asperity evidence" } " has all measurements." }
     } }

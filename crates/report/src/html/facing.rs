@@ -113,7 +113,7 @@ fn facing(result: &RunResult, tables: &PageTables) -> Option<Facing> {
     let exaggeration = facing.exaggeration();
     let texts: Vec<String> = pairs
         .iter()
-        .map(|(_, row)| caption(result, row, exaggeration * row.half_width_um))
+        .map(|(view, row)| caption(result, (view, row), exaggeration * row.half_width_um))
         .collect();
     for (frame, text) in facing.frames.iter_mut().zip(texts) {
         frame.text = text;
@@ -134,8 +134,19 @@ fn frame(view: &ContactView, row: &PositionRow) -> FacingFrame {
     }
 }
 
+/// Load on asperities over the whole load, of points that are evenly spaced.
+fn asperity_share(view: &ContactView) -> f64 {
+    let [solid, fluid] = [&view.pressure_solid_mpa, &view.pressure_fluid_mpa]
+        .map(|pressure| pressure.iter().filter(|p| p.is_finite()).sum::<f64>());
+    solid / (solid + fluid)
+}
+
 /// Caption of a position: position, contact, and exaggeration of the heights.
-fn caption(result: &RunResult, row: &PositionRow, exaggeration: f64) -> String {
+fn caption(
+    result: &RunResult,
+    (view, row): (&ContactView, &PositionRow),
+    exaggeration: f64,
+) -> String {
     let mut parts = vec![
         format!("Position {} of {}", row.position, result.path.len()),
         format!("{:.2} mm from T₁", row.s_mm),
@@ -145,10 +156,14 @@ fn caption(result: &RunResult, row: &PositionRow, exaggeration: f64) -> String {
     if let Some(gap) = row.mean_gap_um {
         parts.push(format!("mean gap {gap:.3} µm"));
     }
-    parts.push(format!(
-        "{:.0} % of the load on asperities",
-        100.0 * (1.0 - row.film_share)
-    ));
+    let mean = format!("{:.0} %", 100.0 * (1.0 - row.film_share));
+    parts.push(match result.summary.offsets {
+        1 => format!("{mean} of the load on asperities"),
+        offsets => format!(
+            "{:.0} % of the load on asperities here, {mean} in the mean of {offsets} offsets",
+            100.0 * asperity_share(view)
+        ),
+    });
     let contact = temperatures::bulk(result) + row.flash_k;
     parts.push(format!("mean contact temperature {contact:.0} °C"));
     format!(

@@ -30,6 +30,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
             }
         }
         @if let Some(gears) = result.mesh.as_deref().and_then(gears_of) { p.sub { (gears) } }
+        (of_scans(result))
         p.sub { (own_finish(result)) }
         (trust(&result.warnings, result.uncertainty.as_ref().map(Uncertainty::trust_text)))
         @if let Some(outside) = result.uncertainty.as_ref().and_then(other_models::outside) {
@@ -67,6 +68,11 @@ fn gears_of(mesh: &str) -> Option<String> {
     Some(format!(
         "On this page, and in its keys, the {first} is the pinion and the {second} the wheel."
     ))
+}
+
+/// The loss by patches of scans next to their rows; empty without patches.
+fn of_scans(result: &RunResult) -> Markup {
+    html! { @if let Some(scans) = &result.scans { p { (crate::scans::verdict(scans)) } } }
 }
 
 /// The scope of the loss as to the finish: the power that these flanks lose on their asperities, and where another finish

@@ -4,16 +4,13 @@ use asperity::result::RunResult;
 use maud::{Markup, html};
 
 use super::page::figure;
-use crate::scans::{
-    NOTE, drawings, losses, rows_chart, rows_line, rows_of, rows_table, verdict, without,
-};
+use crate::scans::{NOTE, drawings, losses, rows_chart, rows_line, rows_of, rows_table, without};
 
 /// The section of a run; empty without scans.
 pub(super) fn section(result: &RunResult) -> Markup {
     html! {
         @if let Some(scans) = &result.scans {
             h3 { "Patches of the scans against their rows" }
-            p { (verdict(scans)) }
             (losses(scans))
             div.charts { @for drawing in &drawings(scans) { (figure(drawing)) } }
             p.note { (NOTE) }

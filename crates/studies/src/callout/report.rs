@@ -59,7 +59,7 @@ fn traces_chart(study: &CallOut) -> Drawing {
     Drawing::Curves(chart.with(Series::through("limit", Line::Dots, points)))
 }
 
-/// Loss by the height, with the scatter of the lots; the limit of the mean is the inspected height.
+/// Loss by the height, with the scatter of the lots.
 fn curve_chart(study: &CallOut) -> Drawing {
     let (x, y) = (
         Axis::new("height over the present height of these flanks", ""),
@@ -90,18 +90,16 @@ fn curve_chart(study: &CallOut) -> Drawing {
             &high,
         ))
         .level(study.loss_w, "permitted loss");
-    if let Some(row) = study.limits.first() {
-        chart = chart.marked(&[
-            Mark {
-                at: row.limit / row.recipe,
-                label: "limit".to_owned(),
-            },
-            Mark {
-                at: 1.0,
-                label: "these flanks".to_owned(),
-            },
-        ]);
-    }
+    chart = chart.marked(&[
+        Mark {
+            at: study.height_at_limit,
+            label: "limit".to_owned(),
+        },
+        Mark {
+            at: 1.0,
+            label: "these flanks".to_owned(),
+        },
+    ]);
     Drawing::Curves(chart)
 }
 
@@ -144,11 +142,14 @@ fn number(value: f64) -> String {
 /// The loss that the limit permits.
 fn headline(study: &CallOut) -> String {
     format!(
-        "At the limit {:.0} % of the lots lose at most {}, with every constant at its median and without running-in.",
+        "Of the lots whose mean is at the limit, {:.0} % lose at most {}. Every constant is at its median, and no flank is run in.",
         100.0 * study.confidence,
         match &study.change {
             None => Power::from_si(study.loss_w).to_string(),
-            Some(change) => format!("{} ({change} than flanks like these)", power(study.loss_w)),
+            Some(change) => format!(
+                "{} ({change} than flanks like these)",
+                power(study, study.loss_w)
+            ),
         }
     )
 }
@@ -221,16 +222,15 @@ fn losses(study: &CallOut) -> String {
     format!(
         "Mean loss of lots: {} at the limit, {} with flanks like these, {} with smooth flanks. The two traces of the case are one \
         sample of such flanks; their own loss differs.",
-        power(study.mean_loss_w),
-        power(study.recipe_loss_w),
-        power(study.smooth_loss_w)
+        power(study, study.mean_loss_w),
+        power(study, study.recipe_loss_w),
+        power(study, study.smooth_loss_w)
     )
 }
 
 /// Upper end of the band at the limit, if it is above the permitted loss.
 fn above(study: &CallOut) -> Option<String> {
-    let row = study.limits.first()?;
-    let height = row.limit / row.recipe;
+    let height = study.height_at_limit;
     let ends: Vec<[f64; 2]> = study
         .curve
         .iter()
@@ -242,15 +242,16 @@ fn above(study: &CallOut) -> Option<String> {
     let high = below[1] + part * (above[1] - below[1]);
     (high > study.loss_w).then(|| {
         format!(
-            "The shaded band at the limit ends above the permitted loss: 5 % of the lots of this height lose more than {}.",
-            power(high)
+            "The shaded band at the limit ends above the permitted loss: before inspection 5 % of the lots of this height lose more than {}.",
+            power(study, high)
         )
     })
 }
 
-/// A loss with the digits of the stated one.
-fn power(loss_w: f64) -> String {
-    format!("{} W", rounded(loss_w, SCATTER * loss_w))
+/// A loss with the digits that the scatter leaves of the largest one.
+fn power(study: &CallOut, loss_w: f64) -> String {
+    let largest = study.recipe_loss_w.max(study.loss_w);
+    format!("{} W", rounded(loss_w, SCATTER * largest))
 }
 
 /// The limit by every parameter, with the standard deviations of ln(limit) and of single traces about their flank.

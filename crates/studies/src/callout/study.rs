@@ -147,6 +147,9 @@ pub struct CallOut {
     /// Shortest and longest wavelength to which the parameter refers, the cut-offs of the case \[µm\]; `None` if the case
     /// applies no such filter.
     pub wavelengths_um: [Option<f64>; 2],
+    /// Height of lots whose inspected mean is at the limit, over the height of the recipe.
+    #[serde(skip)]
+    pub height_at_limit: f64,
     /// Mean loss of lots at the limit \[W\].
     pub mean_loss_w: f64,
     /// Mean loss of lots of the recipe of the case \[W\].
@@ -297,6 +300,7 @@ fn of_process(
         standard_error: quantile.error * quantile.limit * values[chosen],
         recipe: values[chosen],
     });
+    let ln_height = curve.height.ln() + quantile.below;
     let case = &process.case.case;
     let preparation = &case.preparation;
     let cutoffs = [preparation.lambda_s, preparation.lambda_c];
@@ -311,7 +315,8 @@ fn of_process(
         traces,
         limits: limits.collect(),
         wavelengths_um: cutoffs.map(|cutoff| cutoff.map(|cutoff| 1e6 * cutoff.si())),
-        mean_loss_w: curve.loss_at(curve.height.ln() + quantile.below),
+        height_at_limit: ln_height.exp(),
+        mean_loss_w: curve.loss_at(ln_height),
         recipe_loss_w: curve.loss_at(0.0),
         smooth_loss_w: curve.smooth,
         parameters: parameters

@@ -5,7 +5,7 @@ use asperity_core::Estimate;
 use asperity_report::Cell;
 
 /// Last place that a measured trace leaves of a height \[nm\].
-pub(super) const LEAST_NM: f64 = 0.01;
+pub(super) const LEAST_NM: f64 = 0.1;
 
 /// Digits of an interval, which traces without noise narrow to less than `least`, the last place that a measured trace leaves.
 pub(super) fn digits(estimate: Estimate, least: f64) -> Digits {

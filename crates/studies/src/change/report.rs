@@ -39,6 +39,7 @@ impl StudyResult for TraceChange {
             .verdict(moved(&self.mean))
             .verdict([parameters_line(self)])
             .verdict(self.in_case.iter().flat_map(worth::wear_lines))
+            .text(without_noise(self))
             .text(self.in_case.iter().filter_map(worth::run_in))
             .figures(|| charts(self))
             .warning(&self.warnings)
@@ -49,6 +50,8 @@ impl StudyResult for TraceChange {
         };
         let mut report = report
             .section("Roughness parameters")
+            .text([OF_CORE])
+            .on_page()
             .table(parameters(self))
             .section("Material ratio curve")
             .figures(|| [curve_chart(self)])
@@ -62,6 +65,24 @@ impl StudyResult for TraceChange {
         }
         report
     }
+}
+
+/// Meaning of a change of Rk and Rvk.
+const OF_CORE: &str = "Rk and Rvk are heights from a line through the core. It moves where peaks are lost, so that Rvk can change \
+    with the same valleys: the levels of the material ratio show the valleys themselves.";
+
+/// Least noise of an instrument \[nm\].
+const LEAST_NOISE_NM: f64 = 0.05;
+
+/// That the traces have no noise, as computed ones.
+fn without_noise(study: &TraceChange) -> Option<&'static str> {
+    let all = study
+        .pairs
+        .iter()
+        .all(|pair| pair.noise_nm < LEAST_NOISE_NM);
+    all.then_some(
+        "The traces agree to less than the noise of any instrument, as computed traces do. The intervals say nothing of an instrument.",
+    )
 }
 
 fn trace_file(pair: usize) -> String {
@@ -254,9 +275,9 @@ fn traces(id: &str, title: &str, pair: usize, points: &[PointRow]) -> Drawing {
         Axis::new("height above the mean line before", "µm"),
     );
     let chart = chart
-        .with(Series::area("lost", &x, &lower, &before))
         .curve("before", Line::Solid, &x, &before)
-        .curve("after", Line::Solid, &x, &after);
+        .curve("after", Line::Solid, &x, &after)
+        .with(Series::area("lost", &x, &lower, &before));
     Drawing::Curves(chart)
 }
 

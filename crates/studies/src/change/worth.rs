@@ -106,8 +106,12 @@ pub(super) fn run_in(of: &ChangeInCase) -> Option<String> {
     }
     let [before, predicted, after] = [BEFORE, RUN_IN, AFTER].map(|name| of.loss(name));
     let losses = [before?, predicted?, after?];
-    let digits = Digits::of_decimals(1);
-    let [before, predicted, after] = losses.map(|loss| digits.rounded(loss.loss_w));
+    let [before, predicted, after] =
+        losses.map(|loss| Digits::of_power(loss.loss_w).rounded(loss.loss_w));
+    let both = match of.flanks.len() {
+        1 => " It runs in both flanks, and one was measured.",
+        _ => "",
+    };
     let heights = of.flanks.iter().filter_map(|flank| {
         let predicted = flank.run_in_rq_um?;
         Some(format!(
@@ -120,7 +124,7 @@ pub(super) fn run_in(of: &ChangeInCase) -> Option<String> {
     let heights: Vec<String> = heights.collect();
     Some(format!(
         "The flanks before the test lose {before} W, and run in by model.run_in {predicted} W. The flanks measured after the test lose \
-         {after} W. All three are at the medians of the constants. With the filters of the case, model.run_in predicts {}.",
+         {after} W. All three are at the medians of the constants. With the filters of the case, model.run_in predicts {}.{both}",
         heights.join("; ")
     ))
 }

@@ -400,7 +400,7 @@ pub(super) fn note(comparison: &Comparison) -> String {
     match is_drawn.then(Predictive::count) {
         None => "Without an uncertainty of the loss.".to_owned(),
         Some(draws) => format!(
-            "Medians of {draws} draws, in brackets their 5 and 95 % quantiles. Two variants share the draws of what is the same in both."
+            "Medians of {draws} draws, in brackets their 5 and 95 % quantiles. Two variants share the draws of what is the same in both. The median of a difference is not the difference of the medians."
         ),
     }
 }

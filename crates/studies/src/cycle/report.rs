@@ -122,14 +122,22 @@ fn in_pairs(result: &CycleResult) -> Option<&'static str> {
 
 /// Shares outside of the map and below the resolved torque.
 fn outside(result: &CycleResult) -> String {
+    let outside = match result.outside_share > 0.0 {
+        true => format!(
+            "Outside of the map, with the ratio of loss to torque at its edge: {:.1} % of the energy ({:.1} % of the moving time). ",
+            100.0 * result.outside_energy_share,
+            100.0 * result.outside_share,
+        ),
+        false => String::new(),
+    };
     format!(
-        "Outside of the map, with the ratio of loss to torque at its edge: {:.1} % of the energy ({:.1} % of the moving time). \
-        Below the torque that the traces resolve, with a scaled sliding loss: {:.1} % of the moving time.",
-        100.0 * result.outside_energy_share,
-        100.0 * result.outside_share,
+        "{outside}Below the torque that the traces resolve, with a scaled sliding loss: {:.1} % of the moving time.",
         100.0 * result.extended_share
     )
 }
+
+/// Content of the interval of an energy.
+const NOT_IN_INTERVAL: &str = " The interval does not widen with it.";
 
 /// Share of the lost energy from which its extrapolation is part of the verdict.
 const MOST: f64 = 0.5;
@@ -149,9 +157,10 @@ fn extrapolated(result: &CycleResult) -> [Vec<String>; 2] {
         let beyond = energies.zip(beyond).filter(|(_, is_beyond)| *is_beyond);
         let beyond: f64 = beyond.map(|(energy, _)| energy).sum();
         let sentence = format!(
-            "Of the energy lost with {}, {} % is where the model is extrapolated further than at the operating point of the case.",
+            "Of the energy lost with {}, {} % is where the model is extrapolated further than at the operating point of the case.{}",
             in_words(&own.name),
-            decimals(100.0 * beyond / all, 0)
+            decimals(100.0 * beyond / all, 0),
+            own.lost_drawn_wh.map_or("", |_| NOT_IN_INTERVAL)
         );
         (beyond > 0.0).then_some((beyond >= MOST * all, sentence))
     };
@@ -239,6 +248,10 @@ fn table(result: &CycleResult) -> Table {
         file wh_per_100_km = Cell::optional(finish.wh_per_100_km);
         file difference_wh = Cell::optional(finish.difference_wh);
         interval difference_median_wh "minus the first" "Wh" = Cell::estimate(difference(finish), finish.difference_drawn_wh);
+    };
+    let table = match result.finishes.len() {
+        1 => table.unshown_of(&["minus the first"]),
+        _ => table,
     };
     table
         .renamed("finish", result.map.noun())

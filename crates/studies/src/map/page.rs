@@ -141,9 +141,12 @@ fn with_common_levels(mut fields: Vec<Contour>, levels: Levels) -> Vec<Contour> 
 pub(super) fn fields<'a>(report: Report<'a>, map: &'a Map, visited: &'a [[f64; 2]]) -> Report<'a> {
     let [pinion, wheel] = map.shafts();
     let axes = format!(
-        "Loss of the {} over torque and speed of the {pinion}. At a negative torque the {wheel} drives. All pictures have the \
-        same colours. The efficiency is blank where the loss exceeds the power, next to 0 N m.",
-        map.scope
+        "Loss of the {} over torque and speed of the {pinion}. At a negative torque the {wheel} drives.{} The efficiency is blank where the loss exceeds the power, next to 0 N m.",
+        map.scope,
+        match map.finishes.len() {
+            1 => "",
+            _ => " The pictures of a quantity have the same colours.",
+        }
     );
     report
         .text(

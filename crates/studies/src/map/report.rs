@@ -7,10 +7,6 @@ use super::point::Map;
 use super::summary::{bands, extremes, left_aside, notes, of_meshes, verdicts};
 use super::table;
 
-/// Meaning of the loss torque.
-const LOSS_TORQUE: &str =
-    "The loss torque is the loss over the speed of the pinion, in a gear train of the input shaft.";
-
 impl StudyResult for Map {
     const KIND: &'static str = "map";
     const NAME: &'static str = "map";
@@ -39,10 +35,13 @@ impl Map {
         )
         .section("Loss")
         .verdict(verdicts(self));
+        let [shaft, _] = self.shafts();
         let report = page::fields(report, self, visited)
             .text([points])
             .table(extremes(self))
-            .text([LOSS_TORQUE])
+            .text([format!(
+                "The loss torque is the loss over the speed of the {shaft}."
+            )])
             .on_page()
             .table(of_meshes(self))
             .warning(left_aside(self))

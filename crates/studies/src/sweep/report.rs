@@ -12,7 +12,7 @@ use super::columns::{InputColumn, InputValues};
 use super::known_columns::DRAWN;
 use super::merged::{EffectRow, Merged};
 use super::settings::OILS;
-use super::words::{Output, input_name, table};
+use super::words::{Output, between, input_name, table};
 
 /// How the effects are computed.
 const METHOD: &str = "Change of a result from the mean of the lowest quarter of an input to the mean of the highest quarter. A choice is \
@@ -82,10 +82,10 @@ impl StudyResult for Merged {
             .text(in_bars.then_some(IN_BARS))
             .on_page()
             .text((has_losses && !is_drawn).then_some(NO_INTERVAL))
-            .text([format!(
-                "{} cases, {} without a result.",
-                self.cases, self.failed
-            )])
+            .text([match self.failed {
+                0 => format!("{} cases.", self.cases),
+                failed => format!("{} cases, {failed} without a result.", self.cases),
+            }])
             .text((!self.conditions.is_empty()).then(|| format!("At {}.", self.conditions)))
             .text(settings(self))
             .text(has_oils.then_some(OTHER_OILS))
@@ -264,11 +264,15 @@ fn largest(merged: &Merged) -> Option<String> {
     let (name, _) = merged.outputs.first()?;
     let output = Output::of(name);
     let row = *by_size(merged, name).first()?;
+    let effect = row.effect?;
+    let between = between(merged, &row.input, &effect).map_or(String::new(), |[low, high]| {
+        format!(" from {low} to {high}")
+    });
     Some(format!(
-        "{} changes most with {}: {}; interval of the regression only, not of the model.",
+        "{} changes most with {}{between}: {}. The interval is of the regression, not of the model.",
         output.name,
         input_name(&row.input),
-        output.change(&row.effect?)
+        output.change(&effect)
     ))
 }
 
@@ -335,7 +339,10 @@ fn tornado(merged: &Merged, name: &str) -> Option<Drawing> {
     let bar = |row: &&EffectRow| {
         let effect = row.effect?;
         Some(Bar {
-            name: input_name(&row.input),
+            name: match between(merged, &row.input, &effect) {
+                Some([low, high]) => format!("{}, {low} to {high}", input_name(&row.input)),
+                None => input_name(&row.input),
+            },
             value: Some(output.factor * effect.difference.value),
             spread: Some(effect.difference.ends().map(|end| output.factor * end)),
             text: output.change(&effect),

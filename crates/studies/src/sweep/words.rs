@@ -96,7 +96,9 @@ pub(super) fn table(merged: &Merged) -> Table {
         text output "result" "" = Cell::shown(output.name.clone(), row.output.as_str().into());
         shown words "input" "" = input_name(&row.input);
         code input "key" "" = &row.input;
-        shown between "between" "" = between(merged, &row.input, effect);
+        shown between "between" "" = effect
+            .and_then(|effect| between(merged, &row.input, effect))
+            .map_or("-".to_owned(), |ends| ends.join(" and "));
         file input_low = Cell::optional(effect.and_then(|effect| effect.between).map(|of| of[0]));
         file input_high = Cell::optional(effect.and_then(|effect| effect.between).map(|of| of[1]));
         file low = Cell::optional(effect.map(|effect| effect.low));
@@ -129,11 +131,9 @@ pub(super) fn table(merged: &Merged) -> Table {
         .in_file(EFFECTS)
 }
 
-/// The values of an input between which a result changes, with their unit; "-" of a choice.
-fn between(merged: &Merged, input: &str, effect: Option<&Effect>) -> String {
-    let Some(ends) = effect.and_then(|effect| effect.between) else {
-        return "-".to_owned();
-    };
+/// The values of an input between which a result changes, the second with their unit; `None` of a choice.
+pub(super) fn between(merged: &Merged, input: &str, effect: &Effect) -> Option<[String; 2]> {
+    let ends = effect.between?;
     let column = merged.inputs.iter().find(|column| column.name == input);
     let unit = match column.map(|column| &column.values) {
         Some(InputValues::Numbers { unit, .. }) => unit,
@@ -141,7 +141,7 @@ fn between(merged: &Merged, input: &str, effect: Option<&Effect>) -> String {
     };
     let largest = ends[0].abs().max(ends[1].abs());
     let [low, high] = ends.map(|end| rounded(end, 0.01 * largest));
-    format!("{low} and {high} {unit}").trim_end().to_owned()
+    Some([low, format!("{high} {unit}").trim_end().to_owned()])
 }
 
 /// An input in words: the parts of its key after the table, indices of lists as the gears.
