@@ -8,7 +8,8 @@ use asperity_efficiency::EfficiencyError;
 use asperity_ehl::EhlError;
 use asperity_mixed_film::LoadShareError;
 
-use crate::NARROWEST_WINDOW;
+/// Narrowest window of a contact in Hertz half-widths.
+pub const NARROWEST_WINDOW: f64 = 1.5;
 
 /// Errors at a mesh position.
 #[derive(Debug, Clone, thiserror::Error)]

@@ -15,9 +15,6 @@ use crate::{Surfaces, Texture};
 /// Least points per Hertz half-width at which a contact is resolved.
 pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
 
-/// Narrowest window of a contact in Hertz half-widths.
-pub const NARROWEST_WINDOW: f64 = 1.5;
-
 /// Width b_e in half-widths of a contact over which the loss averages, which is weighted with the pressure of Hertz.
 pub const AVERAGING_WIDTH: f64 = 1.6;
 

@@ -9,7 +9,7 @@ use asperity_efficiency::swept::HYSTERESIS;
 use asperity_ehl_regime::GapLaw;
 use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
-use asperity_flanks::NARROWEST_WINDOW;
+use asperity_flanks::error::NARROWEST_WINDOW;
 use asperity_gear::{GearPair, LoadLaw, LoadMapSettings};
 use asperity_ns_film::FluidModel;
 use asperity_oil::PressureLaw;

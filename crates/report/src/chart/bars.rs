@@ -4,7 +4,7 @@ use super::axis::{Axis, Range};
 use super::canvas::{Anchor, Canvas, LINE};
 use super::dress::Dress;
 use super::frame::{RIGHT, TICK_BELOW, WIDTH, document, right_end};
-use super::text_width::{NAME, name_lines, widest, width};
+use super::text_width::{NAME, TICK, name_lines, widest, width};
 use super::xy::COLOURS;
 
 /// Bar.
@@ -218,7 +218,7 @@ fn drawn(
     let right = right_of(rows, left, &range);
     let px = |value: f64| left + range.share(value) * (right - left);
     let mut canvas = Canvas::default();
-    for (value, label) in range.ticks(TICKS) {
+    for (value, label) in ticks(&range, right - left) {
         canvas.line("grid", [px(value), top], [px(value), bottom]);
         canvas.label(
             "tick",
@@ -260,6 +260,19 @@ fn drawn(
     let below = [0.5 * (left + right), height - 8.0];
     canvas.label("name", below, Anchor::Middle, &axis.text());
     document(dress, kind, title, height, &canvas.into_text())
+}
+
+/// The ticks of an axis of this length: as many as their labels leave room for.
+fn ticks(range: &Range, length: f64) -> Vec<(f64, String)> {
+    let fit = |ticks: &Vec<(f64, String)>| {
+        let mut pairs = ticks.iter().zip(ticks.iter().skip(1));
+        pairs.all(|(before, after)| {
+            let apart = length * (range.share(after.0) - range.share(before.0));
+            apart > GAP + 0.5 * (width(&before.1, TICK) + width(&after.1, TICK))
+        })
+    };
+    let mut all = (1..=TICKS).rev().map(|count| range.ticks(count));
+    all.find(fit).unwrap_or_default()
 }
 
 /// Right end of the axis, such that the text of every row and the label of every tick fit.
