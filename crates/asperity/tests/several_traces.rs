@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity::case::{LoadedCase, Source, from_text, load, load_holding};
+use asperity::case::{LoadedCase, Source, from_contents, from_text, load, load_holding};
 use asperity::core::Profile;
 use asperity::core::numerics::student_t_quantile;
 use asperity::message::Warning;
@@ -397,6 +397,10 @@ fn patterns_take_the_files_of_a_folder_by_name() {
     assert!(text.contains("traces = \"pinion_*.csv\""), "{text}");
     let again: asperity::CaseInput = text.parse().unwrap();
     assert_eq!(again, several.case.input);
+    // So is the case of its content, whose files are in memory.
+    let contents = several.contents().unwrap();
+    let held = from_contents(several.name(), &text, contents).unwrap();
+    assert_eq!(held.fingerprint(), several.fingerprint());
 }
 
 #[test]
