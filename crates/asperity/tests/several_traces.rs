@@ -404,6 +404,29 @@ fn patterns_take_the_files_of_a_folder_by_name() {
 }
 
 #[test]
+fn traces_give_way_to_other_keys_one_after_the_other() {
+    let mut input = case_of(
+        "23.4",
+        "traces = [\"0\", \"1\"]",
+        "wheel = { traces = [\"2\"] }",
+    )
+    .unwrap()
+    .case
+    .input;
+    input.unset("surface.pinion.traces").unwrap();
+    input.unset("surface.wheel.traces").unwrap();
+    input.set("model.positions", "4").unwrap();
+    input.set("surface.pinion.rq", "0.2 um").unwrap();
+    input.set("surface.wheel.rq", "0.3 um").unwrap();
+    let surface = input.surface;
+    let rq = |flank: asperity::case::FlankInput| flank.rq.unwrap().si();
+    assert_eq!(
+        (rq(surface.pinion), rq(surface.wheel.unwrap())),
+        (0.2e-6, 0.3e-6)
+    );
+}
+
+#[test]
 fn what_several_traces_cannot_mean_is_refused() {
     let refused = |pinion: &str, wheel: &str| {
         let error = case_of("23.4", pinion, wheel).unwrap_err();
