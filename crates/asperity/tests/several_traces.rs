@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity::case::{LoadedCase, Source, from_text, load, load_holding};
+use asperity::case::{LoadedCase, Source, from_contents, from_text, load, load_holding};
 use asperity::core::Profile;
 use asperity::core::numerics::student_t_quantile;
 use asperity::message::Warning;
@@ -397,6 +397,33 @@ fn patterns_take_the_files_of_a_folder_by_name() {
     assert!(text.contains("traces = \"pinion_*.csv\""), "{text}");
     let again: asperity::CaseInput = text.parse().unwrap();
     assert_eq!(again, several.case.input);
+    // So is the case of its content, whose files are in memory.
+    let contents = several.contents().unwrap();
+    let held = from_contents(several.name(), &text, contents).unwrap();
+    assert_eq!(held.fingerprint(), several.fingerprint());
+}
+
+#[test]
+fn traces_give_way_to_other_keys_one_after_the_other() {
+    let mut input = case_of(
+        "23.4",
+        "traces = [\"0\", \"1\"]",
+        "wheel = { traces = [\"2\"] }",
+    )
+    .unwrap()
+    .case
+    .input;
+    input.unset("surface.pinion.traces").unwrap();
+    input.unset("surface.wheel.traces").unwrap();
+    input.set("model.positions", "4").unwrap();
+    input.set("surface.pinion.rq", "0.2 um").unwrap();
+    input.set("surface.wheel.rq", "0.3 um").unwrap();
+    let surface = input.surface;
+    let rq = |flank: asperity::case::FlankInput| flank.rq.unwrap().si();
+    assert_eq!(
+        (rq(surface.pinion), rq(surface.wheel.unwrap())),
+        (0.2e-6, 0.3e-6)
+    );
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Errors of the library as Python's `AsperityError`: code, help and place.
 
 use asperity::Remedy;
+use asperity::core::in_plain_words;
 use asperity::message::{self, Code, Fault};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -84,15 +85,8 @@ fn in_words<T: DeserializeOwned>(whole: &Value, message: &str) -> String {
         // Keywords of Python.
         return message.replace('-', "_");
     }
-    let (seen, expected) = message.split_once(", expected ").unwrap_or((message, ""));
-    let takes = match expected {
-        "" => String::new(),
-        "u64" | "usize" => ", expected a whole number, 0 or more".to_owned(),
-        "f64" => ", expected a number".to_owned(),
-        other => format!(", expected {other}"),
-    };
     let name = refused::<T>(whole, message).map_or(String::new(), |name| format!("{name}: "));
-    format!("{name}{seen}{takes}")
+    format!("{name}{}", in_plain_words(message))
 }
 
 /// Name of the innermost setting without which the settings do not have this error.

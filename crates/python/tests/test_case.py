@@ -189,6 +189,12 @@ def test_a_pickled_case_is_its_content_and_not_its_path(on_disk, edit):
     assert pickle.loads(pickle.dumps(again)).replace(hot).run("losses").loss_w == again.replace(hot).run("losses").loss_w
 
 
+@pytest.mark.parametrize("flank", [{"traces": "ground_*.csv"}, {"like": "ground_*.csv"}, {"like": "ground_*.csv", "after": [{"file": "ground_*.csv", "engagements": 1e4}]}])
+def test_a_pickled_case_has_the_files_of_its_patterns(on_disk, flank):
+    case = asperity.Case(on_disk).replace({"surface.pinion": {"file": None, **flank}})
+    assert pickle.loads(pickle.dumps(case)) == case
+
+
 @pytest.mark.parametrize("edit", [edit_trace, remove_all])
 def test_a_case_whose_files_have_changed_is_not_pickled(on_disk, edit):
     case = asperity.Case(on_disk)

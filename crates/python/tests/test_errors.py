@@ -334,6 +334,8 @@ def test_a_wrong_name_or_number_is_told_by_what_was_called(case):
         (lambda case: trace().parameters(cutoff=[1, 2]), "cutoff: [1, 2] is not a Length"),
         (lambda case: trace().prepare(cutoff="0.25"), "cutoff: "),
         (lambda case: trace().prepare(ends="cut off"), "ends: unknown variant `cut off`, expected one of `cut`"),
+        (lambda case: asperity.callout(case, "600 W", lots="many"), 'lots: invalid type: string "many", expected a whole number, 0 or more'),
+        (lambda case: asperity.compare(case, {"hot": {"temperature": "120 °C"}}, offsets=2.5), "offsets: invalid type: floating point `2.5`, expected a whole number, 0 or more"),
         (lambda case: asperity.ehl(case, cells="many"), 'cells: invalid type: string "many", expected a whole number, 0 or more'),
         (lambda case: asperity.solve_contact(GAP, 1e-6, 1e11, 1e5, tolerance="low"), 'tolerance: invalid type: string "low", expected a number'),
         (lambda case: asperity.subsurface_stress([1e9] * 9, 1e-6, [0.0], poisson="0.3 mm"), "poisson: a number"),

@@ -1,6 +1,6 @@
 //! Settings of studies, each stated once; the faces make options, arguments and documents from them.
 
-use asperity_core::{Code, Fault};
+use asperity_core::{Code, Fault, in_plain_words};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -131,8 +131,12 @@ pub fn taken<T: DeserializeOwned>(
     default: Option<Value>,
 ) -> Result<T, Fault> {
     if let Some(value) = stated.remove(name).or(default) {
-        return serde_json::from_value(value)
-            .map_err(|error| Fault::new(Code::E204, format!("{name}: {error}")));
+        return serde_json::from_value(value).map_err(|error| {
+            Fault::new(
+                Code::E204,
+                format!("{name}: {}", in_plain_words(&error.to_string())),
+            )
+        });
     }
     let mut absent = [Value::Null, json!(false), json!([])].into_iter();
     absent

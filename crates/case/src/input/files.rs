@@ -171,6 +171,8 @@ pub(crate) fn named(input: &CaseInput) -> Vec<Named> {
 pub(crate) struct Files {
     /// Folder that names are relative to; `None` if all files are in memory.
     folder: Option<PathBuf>,
+    /// Whether those in memory are all files of the case, and not those that a resolver gave for single names.
+    are_all_held: bool,
     pub(crate) held: FileContents,
 }
 
@@ -179,6 +181,7 @@ impl Files {
     pub(crate) fn holding(folder: Option<&Path>, held: FileContents) -> Self {
         Self {
             folder: folder.map(Path::to_owned),
+            are_all_held: folder.is_none(),
             held,
         }
     }
@@ -197,10 +200,7 @@ impl Files {
 
     /// Files on disk, relative to `folder`.
     pub(crate) fn in_folder(folder: &Path) -> Self {
-        Self {
-            folder: Some(folder.to_owned()),
-            held: BTreeMap::new(),
-        }
+        Self::holding(Some(folder), FileContents::new())
     }
 
     /// Folder that names are relative to; `None` if all files are in memory.
@@ -213,14 +213,14 @@ impl Files {
         self.folder().unwrap_or(Path::new("")).join(name)
     }
 
-    /// Files below the folder and traces in memory whose names match `pattern`, sorted by name. Empty if the folder of
-    /// the pattern is itself a pattern.
+    /// Files below the folder and files in memory whose names match `pattern`, sorted by name. Empty if the folder of
+    /// the pattern is itself a pattern, and where neither a folder nor all files are known.
     pub(crate) fn matching(&self, pattern: &Path) -> Vec<PathBuf> {
         let parent = pattern.parent().unwrap_or(Path::new(""));
         let Some(wanted) = pattern.file_name().map(OsStr::to_string_lossy) else {
             return Vec::new();
         };
-        if is_pattern(parent) {
+        if is_pattern(parent) || (self.folder.is_none() && !self.are_all_held) {
             return Vec::new();
         }
         let is_meant = |name: &OsStr| matches(&wanted, &name.to_string_lossy());

@@ -185,7 +185,7 @@ pub(crate) fn rows(
     Ok((0..rows).map(listed).collect())
 }
 
-/// Files whose names match `text`, sorted.
+/// Files whose names match `path`, sorted.
 fn matching(
     path: &Path,
     (key, section): (&str, Section<'_>),
@@ -194,23 +194,17 @@ fn matching(
     if !is_pattern(path) {
         return Ok(vec![path.to_owned()]);
     }
-    let refused = |folder: Option<String>| {
-        let pattern = path.display();
-        CaseError::no_traces(section.place(key), section.key(key), pattern, folder)
-    };
-    let parent = path.parent().unwrap_or(Path::new(""));
-    let Some(folder) = reader.files.folder() else {
-        return Err(refused(None));
-    };
-    let shown = folder.join(parent).display().to_string();
-    let shown = if shown.is_empty() {
-        ".".to_owned()
-    } else {
-        shown
-    };
-    let matching = reader.files.matching(path);
-    match matching.is_empty() {
-        true => Err(refused(Some(shown))),
-        false => Ok(matching),
+    let found = reader.files.matching(path);
+    if !found.is_empty() {
+        return Ok(found);
     }
+    let folder = reader.files.folder().map(|folder| {
+        let shown = folder.join(path.parent().unwrap_or(Path::new("")));
+        match shown.display().to_string() {
+            shown if shown.is_empty() => ".".to_owned(),
+            shown => shown,
+        }
+    });
+    let (place, key) = (section.place(key), section.key(key));
+    Err(CaseError::no_traces(place, key, path.display(), folder))
 }

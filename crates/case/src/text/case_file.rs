@@ -31,6 +31,11 @@ pub(crate) trait CaseFile: Serialize + DeserializeOwned {
         from_table(table)
     }
 
+    /// The table of its keys.
+    fn table(&self) -> Result<Table, toml::ser::Error> {
+        written::table(self)
+    }
+
     /// The case as the text states it.
     fn read(source: &Source) -> Result<Self, CaseError> {
         let schema = Self::schema_of(source);
@@ -235,6 +240,19 @@ impl CaseFile for CaseInput {
             Some(true) => Ok(input),
         }
     }
+
+    /// A flank whose keys were taken away stays a table, so that others can be set after it.
+    fn table(&self) -> Result<Table, toml::ser::Error> {
+        let mut root = written::table(self)?;
+        if !self.names_meshes() {
+            let empty = || Value::Table(Table::new());
+            let surface = root.entry("surface").or_insert_with(empty);
+            if let Value::Table(surface) = surface {
+                surface.entry("pinion").or_insert_with(empty);
+            }
+        }
+        Ok(root)
+    }
 }
 
 /// Valid values of the keys of a case, which replace wrong ones.
@@ -256,8 +274,9 @@ surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" }, sun = { rq = 
 "#;
 
 /// The table of the keys of a case.
-pub(crate) fn table_of<T: Serialize>(case: &T, place: &Place) -> Result<Table, CaseError> {
-    written::table(case).map_err(|error| CaseError::value(place.clone(), None, error))
+fn table_of<T: CaseFile>(case: &T, place: &Place) -> Result<Table, CaseError> {
+    case.table()
+        .map_err(|error| CaseError::value(place.clone(), None, error))
 }
 
 /// The case with `value` at `path`.

@@ -1,5 +1,6 @@
 //! Messages of the TOML and JSON parsers, in words of the case file instead of Rust.
 
+use asperity_core::type_in_words;
 use serde_json::Value;
 
 use super::known_keys::{property, required};
@@ -44,25 +45,12 @@ pub(crate) fn plain(schema: &Value, key: Option<&str>, message: &str) -> String 
                  {{ grade = 100, viscosity_index = 95 }}, or name an oil of the library"
             );
         }
-        return format!("{seen} does not fit, expected {}{meaning}", noun(expected));
+        return format!(
+            "{seen} does not fit, expected {}{meaning}",
+            type_in_words(expected)
+        );
     }
     message.to_owned()
-}
-
-/// Name of a Rust type in the words of a case file.
-fn noun(expected: &str) -> &str {
-    match expected {
-        "i32" | "i64" => "a whole number",
-        "u8" | "u32" | "usize" | "u64" => "a whole number, 0 or more",
-        "f64" => "a number",
-        "an array of length 2" => "two values, e.g. [first, second]",
-        "a boolean" => "true or false",
-        "path string" => "the name of a file in quotation marks",
-        name if name.starts_with("struct ") || name.starts_with("internally tagged enum ") => {
-            "a table, e.g. { key = value }"
-        }
-        other => other,
-    }
 }
 
 /// Description of a key in the schema, in brackets.

@@ -180,8 +180,9 @@ class Case(Fixed):
 
         A flank takes a `Profile` or the name of a file, which replaces all keys of that flank: ``mirrored``, ``range`` and roughness
         values of the trace before do not stay. Its ``file`` takes both, too, and the other keys stay:
-        ``case.replace({"surface.wheel.file": flank})`` reads the flank from its other end where the case has ``mirrored``. ``traces``, ``like`` and
-        ``rows`` take the place of ``file``: ``case.replace({"surface.pinion": {"file": None, "like": ["a.csv", "b.csv"]}})``.
+        ``case.replace({"surface.wheel.file": flank})`` reads the flank from its other end where the case has ``mirrored``. A flank
+        has one of ``file``, ``traces``, ``like`` and roughness values; in a table, as in a variant, None takes away the one that it had:
+        ``case.replace({"surface.pinion": {"file": None, "like": "ground_*.csv"}})``. ``rows`` goes with ``file``.
 
         Parameters:
             changed: keys by their paths, or tables.

@@ -607,6 +607,10 @@ mod tests {
         assert_eq!(found.confidence.value(), 0.9);
         let refused = |stated: Value| of(stated).unwrap_err();
         assert!(refused(json!({ "loss": "600 W", "lots": "many" })).contains("lots: "));
+        assert!(
+            refused(json!({ "loss": "600 W", "lots": -1 }))
+                .contains("expected a whole number, 0 or more")
+        );
         assert!(refused(json!({ "lots": 20 })).contains("`loss`"));
         assert!(refused(json!({ "loss": "600 W", "lot": 20 })).contains("`lot`"));
         assert!(refused(json!(["600 W"])).contains("not an object"));
