@@ -587,7 +587,7 @@ impl StudyResult for EvidenceTable {
 
     fn report(&self) -> Report<'_> {
         let loss = self.loss_text(self.loss.drawn.ends(), " W");
-        let report = Report::new(&self.title, format!("{} · evidence", self.program))
+        let report = Report::new(&self.title, "evidence")
             .section("Measurements that narrow the interval")
             .verdict([format!("Loss {loss}.")])
             .verdict(self.best())

@@ -34,22 +34,19 @@ impl StudyResult for Calibration {
         };
         let parameters = self.parameters.iter();
         let names: Vec<&str> = parameters.map(|one| one.name.as_str()).collect();
-        let report = Report::new(
-            &self.title,
-            format!("{} · {kind}, {}", self.program, self.table),
-        )
-        .section("Parameters")
-        .verdict(self.is_simulated.then_some(REHEARSAL))
-        .verdict(verdicts(self))
-        .verdict(effect(self))
-        .figures(|| [measured(self)])
-        .table(fitted(self))
-        .text([format!("Fit: {}.", scatter(self))])
-        .method([BANDS])
-        .heading("Correlations of the logarithms")
-        .on_page()
-        .table(correlations("parameter", &names, &self.correlations))
-        .on_page();
+        let report = Report::new(&self.title, format!("{kind}, {}", self.table))
+            .section("Parameters")
+            .verdict(self.is_simulated.then_some(REHEARSAL))
+            .verdict(verdicts(self))
+            .verdict(effect(self))
+            .figures(|| [measured(self)])
+            .table(fitted(self))
+            .text([format!("Fit: {}.", scatter(self))])
+            .method([BANDS])
+            .heading("Correlations of the logarithms")
+            .on_page()
+            .table(correlations("parameter", &names, &self.correlations))
+            .on_page();
         let report = match self.held_out.is_empty() {
             true => report,
             false => report.heading(HELD_OUT).table(held_out(self)),
@@ -96,7 +93,7 @@ impl StudyResult for Design {
         let limits = &self.limits;
         let report = Report::new(
             &self.title,
-            format!("{} · design of a calibration", self.program),
+            "design of a calibration",
         )
         .section("Points")
         .verdict([format!(

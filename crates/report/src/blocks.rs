@@ -155,13 +155,15 @@ impl Block<'_> {
 const HANGING: &str = "    ";
 /// Name of the section of a page with the method.
 const METHOD: &str = "Method";
+/// The program that writes a page.
+const PROGRAM: &str = concat!("asperity ", env!("CARGO_PKG_VERSION"));
 
 /// Scope of the losses of studies.
 pub const OF_MESHES: &str =
     "The losses are of the meshes only, without bearings, seals and churning.";
 
 impl<'a> Report<'a> {
-    /// A report with `title`; below it the page says which program made which kind of study.
+    /// A report with `title`; below it the page says which kind of study it is.
     pub fn new(title: &str, subtitle: impl Display) -> Self {
         Self {
             title: title.to_owned(),
@@ -446,7 +448,8 @@ impl<'a> Report<'a> {
             body: html! { @for line in method { p { (line) } } },
             ..Section::new(METHOD, true)
         });
-        page_of(&self.title, &self.subtitle, Some("study"), &sections)
+        let subtitle = format!("{PROGRAM} · {}", self.subtitle);
+        page_of(&self.title, &subtitle, Some("study"), &sections)
     }
 
     /// The blocks that a page shows.

@@ -27,22 +27,19 @@ impl StudyResult for TractionCurves {
             friction of {}, not a prediction; it is in no file.",
             self.boundary_friction
         );
-        Report::new(
-            &self.title,
-            format!("{} · predicted traction", self.program),
-        )
-        .section("Traction")
-        .verdict(verdict(self))
-        .text([conditions(self)])
-        .text([NEXT])
-        .on_page()
-        .figures(|| charts(self))
-        .text([guide])
-        .on_page()
-        .table(table(self))
-        .text(notes(self))
-        .rows(OVER_SLIDE, || &self.over_slide)
-        .rows(OVER_SPEED, || &self.over_speed)
+        Report::new(&self.title, "predicted traction")
+            .section("Traction")
+            .verdict(verdict(self))
+            .text([conditions(self)])
+            .text([NEXT])
+            .on_page()
+            .figures(|| charts(self))
+            .text([guide])
+            .on_page()
+            .table(table(self))
+            .text(notes(self))
+            .rows(OVER_SLIDE, || &self.over_slide)
+            .rows(OVER_SPEED, || &self.over_speed)
     }
 }
 

@@ -29,24 +29,21 @@ impl StudyResult for OilFit {
             Some(_) => ["simulated, not measured", NEXT_OF_REHEARSAL],
             None => ["measured", NEXT],
         };
-        let mut report = Report::new(
-            &self.title,
-            format!("{} · fit of traction curves", self.program),
-        )
-        .section("Constants")
-        .verdict(&simulated)
-        .verdict(self.verdicts())
-        .text([next])
-        .on_page()
-        .figures(|| curves(self))
-        .text([format!("Dots: {dots}. Lines: fitted, with gain and zero.")])
-        .on_page()
-        .table(
-            constants(&self.constants)
-                .with(further(self))
-                .brief(&FOLDED)
-                .in_file("constants.csv"),
-        );
+        let mut report = Report::new(&self.title, "fit of traction curves")
+            .section("Constants")
+            .verdict(&simulated)
+            .verdict(self.verdicts())
+            .text([next])
+            .on_page()
+            .figures(|| curves(self))
+            .text([format!("Dots: {dots}. Lines: fitted, with gain and zero.")])
+            .on_page()
+            .table(
+                constants(&self.constants)
+                    .with(further(self))
+                    .brief(&FOLDED)
+                    .in_file("constants.csv"),
+            );
         if !self.is_law_decided {
             report = report
                 .heading(format!(

@@ -52,7 +52,7 @@ impl StudyResult for OilPlan {
         let simulated =
             format!("{SIMULATED_TABLE} holds {SIMULATED} readings of the standard plan.");
         let choice = choice(self);
-        let report = Report::new(&self.title, format!("{} · traction plan", self.program))
+        let report = Report::new(&self.title, "traction plan")
             .section("Expected errors")
             .verdict(verdict(self))
             .verdict([format!("{choice}.")])

@@ -19,7 +19,7 @@ impl StudyResult for Stribeck {
     const NAME: &'static str = "stribeck";
 
     fn report(&self) -> Report<'_> {
-        let report = Report::new(&self.title, format!("{} · boundary friction", self.program))
+        let report = Report::new(&self.title, "boundary friction")
             .section("Boundary friction")
             .verdict(rehearsal(&self.sources))
             .verdict([verdict(self)])

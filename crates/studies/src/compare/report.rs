@@ -27,24 +27,21 @@ impl StudyResult for Comparison {
         let of_pair = self.finishes.iter().all(|finish| finish.pair.is_some());
         // Every variant is in the table as well, which a first screen would otherwise have no room for.
         let (surest, others) = surest(self);
-        let report = Report::new(
-            &self.title,
-            format!("{} · comparison of {}", self.program, names.join(", ")),
-        )
-        .section("Verdict")
-        .verdict(surest)
-        .figures(|| [bars(self)])
-        .text(others)
-        .text(narrowed_by(self))
-        .on_page()
-        .table(table(self))
-        .text(oils(self))
-        .in_terminal()
-        .text(narrowed_by(self))
-        .in_terminal()
-        .text([note(self)])
-        .text(run_in(self))
-        .text([scope(self)]);
+        let report = Report::new(&self.title, format!("comparison of {}", names.join(", ")))
+            .section("Verdict")
+            .verdict(surest)
+            .figures(|| [bars(self)])
+            .text(others)
+            .text(narrowed_by(self))
+            .on_page()
+            .table(table(self))
+            .text(oils(self))
+            .in_terminal()
+            .text(narrowed_by(self))
+            .in_terminal()
+            .text([note(self)])
+            .text(run_in(self))
+            .text([scope(self)]);
         let report = match of_pair {
             true => of_pairs(report, self),
             false => report

@@ -29,12 +29,9 @@ impl Map {
             counted(axes.temperature_c.len(), "temperature"),
             self.scope
         );
-        let report = Report::new(
-            &self.title,
-            format!("{} · map of {}", self.program, names.join(", ")),
-        )
-        .section("Loss")
-        .verdict(verdicts(self));
+        let report = Report::new(&self.title, format!("map of {}", names.join(", ")))
+            .section("Loss")
+            .verdict(verdicts(self));
         let [shaft, _] = self.shafts();
         let report = page::fields(report, self, visited)
             .text([points])
