@@ -97,7 +97,7 @@ fn verdict(stribeck: &Stribeck) -> String {
 fn sentences(stribeck: &Stribeck) -> Vec<String> {
     vec![
         format!(
-            "The boundary friction is the mean of the points with a film of at most {BOUNDARY_RATIO} times the roughness of {:.0} nm after the longest rubbing.",
+            "The boundary friction is the mean of points after the longest rubbing, with a film of at most {BOUNDARY_RATIO} times the roughness of {:.0} nm.",
             stribeck.roughness_nm
         ),
         format!(
