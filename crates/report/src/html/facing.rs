@@ -138,7 +138,12 @@ fn frame(view: &ContactView, row: &PositionRow) -> FacingFrame {
 fn asperity_share(view: &ContactView) -> f64 {
     let [solid, fluid] = [&view.pressure_solid_mpa, &view.pressure_fluid_mpa]
         .map(|pressure| pressure.iter().filter(|p| p.is_finite()).sum::<f64>());
-    solid / (solid + fluid)
+    // Without a load there is nothing to share.
+    if solid + fluid > 0.0 {
+        solid / (solid + fluid)
+    } else {
+        0.0
+    }
 }
 
 /// Caption of a position: position, contact, and exaggeration of the heights.

@@ -488,7 +488,7 @@ fn film_instead_of_asperities(comparison: &Comparison) -> Option<String> {
         is_lower && film(pair) - film(of_first) > LEAST * first.loss_w
     });
     let names: Vec<&str> = risen.map(|(finish, _)| &*finish.name).collect();
-    (!names.is_empty()).then(|| {
+    (comparison.are_finishes && !names.is_empty()).then(|| {
         format!(
             "With {} the film loses more: it carries load that asperities carry with {}.",
             names.join(" and "),

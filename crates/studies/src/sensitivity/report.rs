@@ -212,7 +212,6 @@ fn left_aside(study: &Sensitivity) -> Option<Warning> {
     })
 }
 
-/// The loss that the changes are relative to, at given windows and constants.
 /// Sentence on the heights.
 fn of_finish() -> String {
     let [low, high] = HEIGHTS;
@@ -221,6 +220,7 @@ fn of_finish() -> String {
     )
 }
 
+/// The loss that the changes are relative to, at given windows and constants.
 fn headline(study: &Sensitivity) -> String {
     let loss = without_interval(study.loss_w);
     format!("Loss {loss} W at the medians of all constants, and how it changes.")
