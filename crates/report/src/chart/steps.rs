@@ -7,7 +7,7 @@ pub(super) fn in_tenths(coordinate: f64) -> i64 {
     (10.0 * coordinate).round() as i64
 }
 
-/// Appends the step from `before` to `at`, or the begin of a path there. Differences between points take half the text of
+/// Appends the step from `before` to `at`, or the beginning of a path there. Differences between points take half the text of
 /// coordinates.
 pub(super) fn step(d: &mut String, before: Option<[i64; 2]>, at: [i64; 2]) {
     let (command, from) = before.map_or(('M', [0, 0]), |before| ('l', before));
