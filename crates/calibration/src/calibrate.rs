@@ -1,7 +1,7 @@
 //! The steps of a calibration.
 
 use crate::error;
-use asperity_core::{Code, Estimate, Fault};
+use asperity_core::{Code, Estimate, Fault, PROGRAM};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::CalibratedName;
@@ -132,7 +132,7 @@ fn report(
     let calibrated = calibrated(rig, fit, &parameters)?;
     Ok(Calibration {
         schema_version: SCHEMA_VERSION,
-        program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
+        program: PROGRAM.to_owned(),
         title: rig.title.clone(),
         table: table.name.clone(),
         sha256: sha256(text.as_bytes()),

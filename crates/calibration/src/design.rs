@@ -5,7 +5,7 @@ use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 use asperity::message::Warning;
 use asperity_core::numerics::Z_95;
-use asperity_core::{Code, Estimate, EstimateKeys, Fault};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, PROGRAM};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
@@ -211,7 +211,7 @@ pub fn plan(
     };
     Ok(Design {
         schema_version: SCHEMA_VERSION,
-        program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
+        program: PROGRAM.to_owned(),
         title: case.case.title.clone(),
         settings: settings_of(case),
         limits: limits.clone(),

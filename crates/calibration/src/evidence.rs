@@ -1,7 +1,7 @@
 //! Measurements that would narrow the interval of the loss of a case, with the interval that each is expected to leave.
 
 use asperity_core::cancel::checkpoint;
-use asperity_core::{Code, Estimate, Fault, capitalised};
+use asperity_core::{Code, Estimate, Fault, PROGRAM, capitalised};
 use std::convert::Infallible;
 use std::str::FromStr;
 
@@ -264,7 +264,7 @@ impl EvidenceTable {
         let operation =
             |mesh: &LoadedCase| mesh.case.input.operation.temperature_deviation.is_some();
         Ok(Self {
-            program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
+            program: PROGRAM.to_owned(),
             title: train.title.clone(),
             conditions: train
                 .only()

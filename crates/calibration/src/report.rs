@@ -117,6 +117,8 @@ impl StudyResult for Design {
             100.0 * limits.sigma
         ))
         .table(design_bands(self))
+        .text(self.kept_ranges())
+        .on_page()
         .warning(&self.warnings)
         .text(
             self.simulated_w
@@ -149,6 +151,15 @@ const BANDS: &str = "The bands include scatter and nuisance terms, but not the s
     listed with a run.";
 
 impl Design {
+    /// What becomes of the parameters that the points do not identify.
+    fn kept_ranges(&self) -> Option<&'static str> {
+        let mut parameters = self.parameters.iter().map(|one| &one.identified);
+        let is_any = parameters.any(|one| one.verdict == Verdict::NotIdentified);
+        is_any.then_some(
+            "The expected bands are by the points alone. A parameter that they do not identify keeps its range before.",
+        )
+    }
+
     /// The settings of the losses, in words; `None` of an older design.
     fn with_settings(&self) -> Option<String> {
         (!self.settings.is_empty()).then(|| {

@@ -7,6 +7,9 @@
 //!
 #![doc = include_str!("../README.md")]
 
+/// The program and its version, as results and files name it.
+pub const PROGRAM: &str = concat!("asperity ", env!("CARGO_PKG_VERSION"));
+
 pub mod cancel;
 pub mod checked;
 pub mod derived;

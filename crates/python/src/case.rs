@@ -9,6 +9,7 @@ use asperity::case::{
     self, Content, FileContents, HeldTrace, LoadedCase, Source, Train, open_source,
 };
 use asperity::contacts::dry_contact::dry_contact;
+use asperity::core::PROGRAM;
 use asperity::core::Profile;
 use asperity::core::number;
 use asperity::formulation::FormulationChoice;
@@ -384,9 +385,8 @@ impl Case {
             let shown = |done, total| told.tell(done, total);
             let found = match (detail, self.only()) {
                 (Detail::Losses, Ok(loaded)) => {
-                    let program = concat!("asperity ", env!("CARGO_PKG_VERSION"));
                     let losses = Run::new(loaded).progress(&shown).losses()?;
-                    Found::Losses(program, loaded.case.title.clone(), losses.into())
+                    Found::Losses(PROGRAM, loaded.case.title.clone(), losses.into())
                 }
                 // The losses of several meshes are of their contacts.
                 (Detail::Losses | Detail::Contacts, _) => {

@@ -19,7 +19,7 @@ use std::fmt::Display;
 use std::path::Path;
 
 use asperity_core::message::gravest_first;
-use asperity_core::{Code, Fault, capitalised};
+use asperity_core::{Code, Fault, PROGRAM, capitalised};
 use asperity_storage::one_line;
 use maud::{Markup, Render, html};
 use serde::Serialize;
@@ -155,8 +155,6 @@ impl Block<'_> {
 const HANGING: &str = "    ";
 /// Name of the section of a page with the method.
 const METHOD: &str = "Method";
-/// The program that writes a page.
-const PROGRAM: &str = concat!("asperity ", env!("CARGO_PKG_VERSION"));
 
 /// Scope of the losses of studies.
 pub const OF_MESHES: &str =

@@ -3,7 +3,7 @@
 use asperity::ehl::transient::Moment;
 use asperity::ehl::{RoughContact, Scales, SteadyFilm, SteadySettings, Window, steady};
 use asperity::reference_solution::formula_film;
-use asperity_core::{Code, Fault};
+use asperity_core::{Code, Fault, PROGRAM};
 use asperity_report::html::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };
@@ -31,8 +31,7 @@ fn page_of(
     Ok(LubricatedContact {
         title: about.title.to_owned(),
         subtitle: format!(
-            "asperity {} · half-width {:.4}, Hertz pressure {:.4}, slide-to-roll ratio {:.3}, Moes load {:.1}, Moes lubricant {:.1}",
-            env!("CARGO_PKG_VERSION"),
+            "{PROGRAM} · half-width {:.4}, Hertz pressure {:.4}, slide-to-roll ratio {:.3}, Moes load {:.1}, Moes lubricant {:.1}",
             scales.half_width,
             scales.max_pressure,
             // The sum turns −0 into 0.

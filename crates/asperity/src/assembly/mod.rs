@@ -19,10 +19,10 @@ pub(crate) use cycle::operation;
 pub(crate) use provenance::{equations_used, sources_used};
 pub(crate) use solved::Solved;
 
-use asperity_core::Fault;
 use asperity_core::message::gravest_first;
 use asperity_core::numerics::{deviation, mean, median};
 use asperity_core::quantity::Power;
+use asperity_core::{Fault, PROGRAM};
 use asperity_efficiency::output_torque::power_flow;
 use asperity_efficiency::{LossKind, MeshEfficiency, MeshOperation, equivalent_friction};
 use asperity_gear::EdgeContactNote;
@@ -100,7 +100,7 @@ impl Solved<'_> {
         let warnings = self.warnings(of_mesh, &pictures, &records)?;
         let result = RunResult {
             schema_version: SCHEMA_VERSION,
-            program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
+            program: PROGRAM.to_owned(),
             title: case.title.clone(),
             case_file: self.loaded.file_name(),
             mesh: None,

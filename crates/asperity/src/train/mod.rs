@@ -3,7 +3,7 @@
 #[doc(hidden)]
 pub mod heat;
 
-use asperity_core::Estimate;
+use asperity_core::{Estimate, PROGRAM};
 use std::collections::BTreeMap;
 
 use asperity_core::quantity::Power;
@@ -582,7 +582,7 @@ fn result(loaded: &Train, runs: &[MeshLosses<'_>]) -> Result<Whole, PositionErro
     let parts = gearbox.iter().flat_map(|report| &report.parts);
     warnings_of_gearbox(parts, &mut warnings);
     Ok(Whole {
-        program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
+        program: PROGRAM.to_owned(),
         title: loaded.title.clone(),
         scope: match gearbox {
             Some(_) => Scope::Gearbox,

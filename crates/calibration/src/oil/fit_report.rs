@@ -124,6 +124,16 @@ impl OilFit {
                 fitted.join(", ")
             ),
         }];
+        let unsigned = self.constants.iter().filter(|one| {
+            let [low, high] = one.fitted.ends();
+            one.is_identified && low < 0.0 && high > 0.0
+        });
+        verdicts.extend(unsigned.map(|one| {
+            format!(
+                "The sign of the {} is open: its interval holds 0.",
+                one.name
+            )
+        }));
         if !open.is_empty() {
             verdicts.push(format!("Not identified: {}.", open.join(", ")));
         }

@@ -1,7 +1,7 @@
 //! Oil constants from traction curves: selection, fit by both laws of pressure, decision, refusals and warnings.
 
 use super::error as oil_error;
-use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, PROGRAM, estimate_keys};
 use std::fmt::Write as _;
 
 use asperity::case::{DECISIVE, POORLY_EXPLAINED, STEEPEST_FALL, law_error};
@@ -237,7 +237,7 @@ impl OilFit {
         let by_other = constants(other, &before, &further);
         let values: Vec<f64> = fitted.iter().map(|one| one.fitted.value).collect();
         let found = Self {
-            program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
+            program: PROGRAM.to_owned(),
             title: Self::title_of(oil),
             lubricant: oil.lubricant.clone(),
             sources,

@@ -4,8 +4,8 @@
 //! The standard plan has three temperatures, two loads, two speeds and ten slide-to-roll ratios, both signs of each.
 
 use asperity::{Contacts, LoadedCase};
-use asperity_core::Fault;
 use asperity_core::quantity::Length;
+use asperity_core::{Fault, PROGRAM};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -273,7 +273,7 @@ impl OilPlan {
             .par_iter()
             .map(|(name, points)| planner.stage(name, points));
         Ok(Self {
-            program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
+            program: PROGRAM.to_owned(),
             title: Self::title_of(oil),
             oil: oil.name.clone(),
             case: case.map(|case| case.case.title.clone()),

@@ -9,7 +9,7 @@
 use super::error as oil_error;
 use asperity::message::Warning;
 use asperity_core::numerics::{Z_95, Z_975};
-use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, PROGRAM, estimate_keys};
 use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;
@@ -158,7 +158,7 @@ impl Stribeck {
         warnings.extend(texts.map(|text| Warning::new(Code::W441, text)));
         let roughness = found.first().map(|point| point.reading.machine.roughness);
         Ok(Self {
-            program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
+            program: PROGRAM.to_owned(),
             title: Self::title_of(oil),
             sources,
             roughness_nm: 1e9 * roughness.map_or(0.0, |roughness| roughness.si()),

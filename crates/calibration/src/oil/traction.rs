@@ -7,7 +7,7 @@
 use asperity::mixed_film::LoadShareError;
 use asperity_core::numerics::Z_95;
 use asperity_core::quantity::{Force, Length, Speed, Temperature};
-use asperity_core::{DomainError, Fault};
+use asperity_core::{DomainError, Fault, PROGRAM};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -164,7 +164,7 @@ impl TractionCurves {
             points.collect::<Vec<PredictedPoint>>()
         };
         Ok(Self {
-            program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
+            program: PROGRAM.to_owned(),
             title: Self::title_of(oil),
             pressure_law: oil.rheology.laws().1.name().to_owned(),
             max_pressure_gpa: 1e-9 * hertz.max_pressure.si(),

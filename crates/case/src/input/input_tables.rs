@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use asperity_core::decimals;
 use asperity_core::hardness::Hardness;
 use asperity_core::quantity::{
     Angle, AngularSpeed, Area, Density, Length, Mass, Pressure, Ratio, SpecificHeat, Temperature,
@@ -219,6 +220,23 @@ impl OperationInput {
         };
         let of_flanks = self.bulk_temperature.map(mean);
         of_flanks.or(self.oil_temperature).or(self.temperature)
+    }
+
+    /// Torque, speed and temperature in words.
+    #[must_use]
+    pub fn in_words(&self) -> String {
+        // The temperature of the flanks follows from the loss if that of the oil alone is stated.
+        let of_flanks = self.bulk_temperature.is_some() || self.temperature.is_some();
+        let body = if of_flanks { "flanks" } else { "oil" };
+        let temperature = match self.stated_temperature() {
+            Some(temperature) => format!("{body} at {} °C", decimals(temperature.celsius(), 0)),
+            None => "flanks at their equilibrium temperature".to_owned(),
+        };
+        format!(
+            "{} N m, {} 1/min, {temperature}",
+            decimals(self.torque.si(), 1),
+            decimals(self.speed.si() * 30.0 / std::f64::consts::PI, 0),
+        )
     }
 
     /// States another temperature by the name that the case uses; two flanks retain their difference.

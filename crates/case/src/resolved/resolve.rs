@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use asperity_core::material::{Material, reduced_modulus};
 use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
-use asperity_core::{DomainError, OutOfRange, decimals};
+use asperity_core::{DomainError, OutOfRange};
 use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
 use asperity_oil::{
     Assumption, FilmRheology, Lubricant, LubricantError, LubricantInput, LubricantState,
@@ -273,16 +273,7 @@ impl Case {
     /// Operating point, and numbers of positions and offsets, in words.
     #[must_use]
     pub fn conditions(&self) -> String {
-        let temperature = match self.input.operation.stated_temperature() {
-            Some(temperature) => format!("{} °C", decimals(temperature.celsius(), 0)),
-            None => "their equilibrium temperature".to_owned(),
-        };
-        format!(
-            "{} N m, {} 1/min, flanks at {temperature}, {}",
-            decimals(self.torque.si(), 1),
-            decimals(self.speed.si() * 30.0 / std::f64::consts::PI, 0),
-            self.sampling()
-        )
+        format!("{}, {}", self.input.operation.in_words(), self.sampling())
     }
 
     /// Numbers of positions and offsets in words: a run may choose more offsets if the case states none.

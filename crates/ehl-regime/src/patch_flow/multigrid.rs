@@ -3,7 +3,7 @@
 //! Conjugate gradients with one cycle over halved grids as preconditioner. A cell of a halved grid is two or four cells, and the
 //! conductance between two of them is the sum over their common faces, halved where the faces lie twice as far apart as before.
 
-use asperity_core::numerics::{add_times, dot};
+use asperity_core::numerics::{add_times, dot, vectorised};
 
 /// Cells of a grid that is small enough to be relaxed only.
 const FEWEST: usize = 16;
@@ -52,65 +52,90 @@ impl Grid {
         self.inverse.len()
     }
 
-    /// Calls a function with every second cell of row `j` from `first` on, or with all of them, its neighbours and their conductances.
+    /// Writes the inflow of every cell of row `j` at the pressures `p`, or without the outflow by its own pressure, to `sums`.
+    ///
+    /// One pass over the row for the faces of each side: each is a loop over equal shifts, which is compiled to vectors.
     #[inline(always)]
-    fn visit(
-        &self,
-        (j, first, step): (usize, usize, usize),
-        is_reversed: bool,
-        mut cell: impl FnMut(usize, [usize; 4], [f64; 4]),
-    ) {
-        let [columns, rows] = self.size;
-        let row = j * columns;
-        let (next, before) = ((j + 1) % rows * columns, (j + rows - 1) % rows * columns);
-        let along = &self.along[row..row + columns];
-        let across = &self.across[row..row + columns];
-        let across_before = &self.across[before..before + columns];
-        let mut at = |i: usize| {
-            let left = if i == 0 { columns - 1 } else { i - 1 };
-            let right = if i + 1 == columns { 0 } else { i + 1 };
-            cell(
-                row + i,
-                [row + left, row + right, before + i, next + i],
-                [along[left], along[i], across_before[i], across[i]],
-            );
+    fn inflow(&self, (j, is_net): (usize, bool), sources: &[f64], p: &[f64], sums: &mut [f64]) {
+        let [n, rows] = self.size;
+        let row_of = |j: usize| j * n..(j + 1) * n;
+        let [here, before, next] = [j, (j + rows - 1) % rows, (j + 1) % rows].map(row_of);
+        let (along, p_here) = (&self.along[here.clone()], &p[here.clone()]);
+        let add = |sums: &mut [f64], faces: &[f64], other: &[f64], p: &[f64]| {
+            let cells = sums.iter_mut().zip(faces).zip(other.iter().zip(p));
+            for ((sum, face), (other, p)) in cells {
+                *sum += face * if is_net { other - p } else { *other };
+            }
         };
-        let cells = (first..columns).step_by(step);
-        match is_reversed {
-            true => cells.rev().for_each(&mut at),
-            false => cells.for_each(&mut at),
-        }
+        sums.copy_from_slice(&sources[here.clone()]);
+        let last = n - 1;
+        add(
+            &mut sums[1..],
+            &along[..last],
+            &p_here[..last],
+            &p_here[1..],
+        );
+        add(
+            &mut sums[..1],
+            &along[last..],
+            &p_here[last..],
+            &p_here[..1],
+        );
+        add(
+            &mut sums[..last],
+            &along[..last],
+            &p_here[1..],
+            &p_here[..last],
+        );
+        add(
+            &mut sums[last..],
+            &along[last..],
+            &p_here[..1],
+            &p_here[last..],
+        );
+        add(sums, &self.across[before.clone()], &p[before], p_here);
+        add(sums, &self.across[here], &p[next], p_here);
     }
 
     /// `sources` less the outflow of each cell at the pressures `p`.
     pub fn residual(&self, sources: &[f64], p: &[f64], residual: &mut [f64]) {
-        for j in 0..self.size[1] {
-            self.visit((j, 0, 1), false, |c, cells, faces| {
-                let mut value = sources[c];
-                for (n, face) in cells.into_iter().zip(faces) {
-                    value += face * (p[n] - p[c]);
+        vectorised(
+            #[inline(always)]
+            || {
+                for (j, sums) in residual.chunks_exact_mut(self.size[0]).enumerate() {
+                    self.inflow((j, true), sources, p, sums);
                 }
-                residual[c] = value;
-            });
-        }
+            },
+        );
     }
 
     /// One Gauss-Seidel pass, over the cells of one colour of a chessboard and then over the others: they do not wait for each other.
-    fn relax(&self, sources: &[f64], p: &mut [f64], is_reversed: bool) {
-        let rows = self.size[1];
-        for colour in [0, 1] {
-            for k in 0..rows {
-                let j = if is_reversed { rows - 1 - k } else { k };
-                let first = (j + colour + usize::from(is_reversed)) % 2;
-                self.visit((j, first, 2), is_reversed, |c, cells, faces| {
-                    let mut value = sources[c];
-                    for (n, face) in cells.into_iter().zip(faces) {
-                        value += face * p[n];
+    /// `work` has room for a row.
+    fn relax(&self, sources: &[f64], p: &mut [f64], is_reversed: bool, work: &mut [f64]) {
+        let [n, rows] = self.size;
+        let sums = &mut work[..n];
+        vectorised(
+            #[inline(always)]
+            || {
+                for (colour, k) in (0..2 * rows).map(|k| (k / rows, k % rows)) {
+                    let j = if is_reversed { rows - 1 - k } else { k };
+                    let first = (j + colour + usize::from(is_reversed)) % 2;
+                    self.inflow((j, false), sources, p, sums);
+                    let (row, last) = (j * n, n - 1);
+                    let inverse = &self.inverse[row..row + n];
+                    // Both ends of a row with an odd number of cells have one colour and a common face: the later one waits.
+                    if n > 1 && first == 0 && last % 2 == 0 {
+                        let [early, late] = if is_reversed { [last, 0] } else { [0, last] };
+                        let change = sums[early] * inverse[early] - p[row + early];
+                        sums[late] += self.along[row + last] * change;
                     }
-                    p[c] = value * self.inverse[c];
-                });
-            }
-        }
+                    let cells = p[row..row + n].iter_mut().zip(sums.iter().zip(inverse));
+                    for (p, (sum, inverse)) in cells.skip(first).step_by(2) {
+                        *p = sum * inverse;
+                    }
+                }
+            },
+        );
     }
 }
 
@@ -142,6 +167,12 @@ impl Level {
             pressures,
             residual,
         }
+    }
+
+    /// One pass over the pressures.
+    fn relax(&mut self, is_reversed: bool) {
+        let (p, work) = (&mut self.pressures, &mut self.residual);
+        self.grid.relax(&self.sources, p, is_reversed, work);
     }
 
     /// Number of cells in a row and of rows of the halved grid.
@@ -261,16 +292,12 @@ impl Grids {
         level.pressures.fill(0.0);
         let Some(next) = coarser.first_mut() else {
             for _ in 0..ON_SMALLEST {
-                level
-                    .grid
-                    .relax(&level.sources, &mut level.pressures, false);
-                level.grid.relax(&level.sources, &mut level.pressures, true);
+                level.relax(false);
+                level.relax(true);
             }
             return;
         };
-        level
-            .grid
-            .relax(&level.sources, &mut level.pressures, false);
+        level.relax(false);
         let (grid, sources) = (&level.grid, &level.sources);
         grid.residual(sources, &level.pressures, &mut level.residual);
         next.sources.fill(0.0);
@@ -280,7 +307,7 @@ impl Grids {
         let (level, next) = (&mut finer[k], &coarser[0].pressures);
         let mut pressures = std::mem::take(&mut level.pressures);
         level.visit_next(|cell, of| pressures[cell] += next[of]);
-        level.grid.relax(&level.sources, &mut pressures, true);
         level.pressures = pressures;
+        level.relax(true);
     }
 }

@@ -198,15 +198,27 @@ pub(crate) fn round_ticks([low, high]: [f64; 2], count: usize) -> Vec<(f64, Stri
     ticks
 }
 
+/// Powers of ten that are written out where all of an axis are among them.
+const PLAIN: std::ops::RangeInclusive<i32> = -3..=3;
+
 fn log_ticks(low: f64, high: f64, count: usize) -> Vec<(f64, String)> {
     let (a, b) = (
         (low.log10() - EDGE).ceil() as i32,
         (high.log10() + EDGE).floor() as i32,
     );
     let stride = ((b - a + 1) as usize).div_ceil(count.max(1)).max(1);
+    let is_plain = PLAIN.contains(&a) && PLAIN.contains(&b);
+    let label = |power: i32| match is_plain {
+        true => format!(
+            "{:.*}",
+            power.min(0).unsigned_abs() as usize,
+            10f64.powi(power)
+        ),
+        false => power_of_ten(power),
+    };
     (a..=b)
         .step_by(stride)
-        .map(|power| (10f64.powi(power), power_of_ten(power)))
+        .map(|power| (10f64.powi(power), label(power)))
         .collect()
 }
 
@@ -246,7 +258,13 @@ mod tests {
         let range = Axis::new("error", "").log().range([3e-3, 0.7].into_iter());
         assert_eq!((range.low, range.high), (1e-3, 1.0));
         let labels: Vec<String> = range.ticks(6).into_iter().map(|(_, label)| label).collect();
-        assert_eq!(labels, ["10⁻³", "10⁻²", "10⁻¹", "10⁰"]);
+        assert_eq!(labels, ["0.001", "0.01", "0.1", "1"]);
+        let labels = |ends: [f64; 2]| -> Vec<String> {
+            let range = Axis::new("error", "").log().range(ends.into_iter());
+            range.ticks(6).into_iter().map(|(_, label)| label).collect()
+        };
+        assert_eq!(labels([2.0, 700.0]), ["1", "10", "100", "1000"]);
+        assert_eq!(labels([1e-4, 0.7])[..2], ["10⁻⁴", "10⁻³"]);
         assert!((range.share(1e-2) - 1.0 / 3.0).abs() < 1e-12);
     }
 

@@ -308,14 +308,15 @@ impl Contour {
 
     /// Small circles at the dots.
     fn dotted(&self, frame: &Frame) -> String {
-        const RADIUS: f64 = 2.0;
+        // A single point is marked; many leave the field visible.
+        let radius = if self.dots.len() == 1 { 5.0 } else { 2.0 };
         let mut d = String::new();
         for [x, y] in &self.dots {
-            let (x, y) = (frame.px(*x) - RADIUS, frame.py(*y));
-            let twice = 2.0 * RADIUS;
+            let (x, y) = (frame.px(*x) - radius, frame.py(*y));
+            let twice = 2.0 * radius;
             let _ = write!(
                 d,
-                "M{x:.1} {y:.1}a{RADIUS} {RADIUS} 0 1 0 {twice} 0a{RADIUS} {RADIUS} 0 1 0 -{twice} 0"
+                "M{x:.1} {y:.1}a{radius} {radius} 0 1 0 {twice} 0a{radius} {radius} 0 1 0 -{twice} 0"
             );
         }
         d

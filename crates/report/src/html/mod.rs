@@ -82,9 +82,10 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> 
     let formulation = result.formulation.name();
     let file = result.case_file.as_deref().map(|file| format!(" · {file}"));
     let subtitle = format!(
-        "{}{} · formulation {formulation}{}",
+        "{}{} · {} · formulation {formulation}{}",
         result.program,
         file.unwrap_or_default(),
+        result.inputs.operation.in_words(),
         chosen.unwrap_or_default()
     );
     Ok(page_of(&result.title, &subtitle, None, &sections))

@@ -1,32 +1,34 @@
 //! Charts along the path of contact, with the points A to E.
 
 use asperity::result::{PositionRow, RunResult};
+use asperity_core::number_with_unit;
 use maud::{Markup, html};
 
 use super::along::{SOURCE, along, points};
-use super::page::figure;
+use super::page::{figure, source};
 use super::{facing, load, relief, temperatures};
+use crate::axis::rounded_to;
 use crate::chart::{Axis, Chart, Drawing, Line, Strip};
 use crate::columns;
 use crate::page_tables::PageTables;
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     let marks = points(result);
-    let first = [
-        strip(result),
-        temperatures::along_the_path(result, along(), &marks),
-    ];
     let mut drawings = vec![load::along_the_path(result, along(), &marks)];
     drawings.extend(load::map(tables, along()));
-    drawings.extend(curves(result));
+    let first = match result.path.as_slice() {
+        [one] => at_one_position(result, one),
+        _ => {
+            drawings.extend(curves(result));
+            let temperatures = temperatures::along_the_path(result, along(), &marks);
+            html! { (figure(&strip(result))) (figure(&temperatures)) }
+        }
+    };
     drawings.extend(relief::along_the_path(result));
     html! {
-        @if result.path.len() < 2 {
-            p { "One position was computed; it is shown as a dot between A and E." }
-        }
         div.verdict {
             @if let Some(flanks) = facing::flanks(result, tables) { (flanks) }
-            div { @for drawing in &first { (figure(drawing)) } }
+            div { (first) }
         }
         div.charts { @for drawing in &drawings { (figure(drawing)) } }
         (records(result))
@@ -119,12 +121,40 @@ const CHARTS: &[Along] = &[
     },
 ];
 
+/// The values of the charts at a single position, to three digits.
+fn at_one_position(result: &RunResult, row: &PositionRow) -> Markup {
+    let of_chart = |chart: &'static Along| {
+        let (unit, title) = (chart.axis[1], chart.title);
+        chart.curves.iter().filter_map(move |(name, value)| {
+            let value = number_with_unit(rounded_to(value(row)?, 3), unit);
+            let name = match chart.curves.len() {
+                1 => title.to_owned(),
+                _ => format!("{title}: {name}"),
+            };
+            Some((name, value))
+        })
+    };
+    let contact = temperatures::bulk(result) + row.flash_k;
+    let temperature = (
+        "Mean contact temperature".to_owned(),
+        format!("{contact:.0} °C"),
+    );
+    let values = CHARTS.iter().flat_map(of_chart).chain([temperature]);
+    html! {
+        h3 { "At the one position that was computed" }
+        (columns! { (name, value) in values;
+            head quantity "quantity" "" = name;
+            number value "value" "" = value;
+        })
+        (source(SOURCE))
+    }
+}
+
 fn curves(result: &RunResult) -> Vec<Drawing> {
     let marks = points(result);
     let s: Vec<f64> = result.path.iter().map(|row| row.s_mm).collect();
-    let line = |number: usize| match (s.len(), number) {
-        (1, _) => Line::Scatter,
-        (_, 0) => Line::Solid,
+    let line = |number: usize| match number {
+        0 => Line::Solid,
         _ => Line::Dashed,
     };
     let draw = |along_path: &Along| {

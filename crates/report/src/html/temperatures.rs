@@ -48,8 +48,6 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis, marks: &[Mark]) -> 
         let of = |row| flash(row).map_or(f64::NAN, |flash| bulk + flash);
         rows.iter().map(of).collect()
     };
-    let is_one = rows.len() < 2;
-    let line = |kind: Line| if is_one { Line::Scatter } else { kind };
     let mut chart = Chart::new(
         "temperatures",
         "Temperatures of contact, flanks and oil",
@@ -63,10 +61,10 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis, marks: &[Mark]) -> 
         1 => "contact",
         _ => "contact, mean of the offsets",
     };
-    chart = chart.curve(name, line(Line::Solid), &s, &mean);
+    chart = chart.curve(name, Line::Solid, &s, &mean);
     let largest = above(|row| row.flash_max_k);
     if result.summary.offsets > 1 && largest.iter().any(|value| value.is_finite()) {
-        chart = chart.curve("contact, hottest offset", line(Line::Dashed), &s, &largest);
+        chart = chart.curve("contact, hottest offset", Line::Dashed, &s, &largest);
     }
     let path = &result.gears.path;
     let ends = [path.a, path.e].map(|end| 1e3 * end.si());

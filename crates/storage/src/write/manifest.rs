@@ -5,6 +5,7 @@ use std::fs::{self, Metadata};
 use std::io::{self, Read};
 use std::path::{Component, Path};
 
+use asperity_core::PROGRAM;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -31,7 +32,7 @@ impl Manifest {
     /// A manifest without files.
     pub fn new() -> Self {
         Self {
-            written_by: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
+            written_by: PROGRAM.to_owned(),
             sha256: BTreeMap::new(),
         }
     }

@@ -14,7 +14,7 @@ use asperity::uncertainty::{
     DecidingMeasurement, DrawnMesh, PairedDifference, Quantiles, deciding, difference_of_meshes,
 };
 use asperity::{Error, PositionError};
-use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys, unique};
+use asperity_core::{Code, Estimate, EstimateKeys, Fault, PROGRAM, estimate_keys, unique};
 use asperity_report::tables::FlankTables;
 use asperity_report::{Input, Setting, StudySettings, Watch, Work, settings};
 use serde::Serialize;
@@ -50,6 +50,9 @@ pub struct Comparison {
     /// Whether the variants differ by their flanks only.
     #[serde(skip)]
     pub(crate) are_finishes: bool,
+    /// Torque, speed and temperature in words; `None` if the variants differ in them.
+    #[serde(skip)]
+    pub(crate) operation: Option<String>,
     /// Rank correlations of roughness with the computed loss, strongest first; empty of fewer than three finishes, of variants that
     /// differ by more than their flanks, of a gear train, and if a finish has fewer than 5 windows.
     pub correlations: Vec<Correlation>,
@@ -359,9 +362,13 @@ pub fn compare<C: Clone + Into<Train>>(
             finish.changes = changes(&runs[0].1, case)?;
         }
     }
+    let operations = runs
+        .iter()
+        .map(|(_, case, _)| case.input.operation.in_words());
+    let operation = unique(operations);
     let pooled = |finish: &FinishResult| finish.roughness().len().min(finish.offsets.len());
     Ok(Comparison {
-        program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
+        program: PROGRAM.to_owned(),
         title,
         scope: match results.iter().any(|finish| finish.gearbox.is_some()) {
             true => Scope::Gearbox,
@@ -376,6 +383,10 @@ pub fn compare<C: Clone + Into<Train>>(
         windows: results.iter().map(pooled).sum(),
         finishes: results,
         are_finishes,
+        operation: match operation.as_slice() {
+            [one] => Some(one.clone()),
+            _ => None,
+        },
     })
 }
 

@@ -27,7 +27,13 @@ impl StudyResult for Comparison {
         let of_pair = self.finishes.iter().all(|finish| finish.pair.is_some());
         // Every variant is in the table as well, which a first screen would otherwise have no room for.
         let (surest, others) = surest(self);
-        let report = Report::new(&self.title, format!("comparison of {}", names.join(", ")))
+        let operation = self.operation.iter().map(|point| format!(" · {point}"));
+        let of = format!(
+            "comparison of {}{}",
+            names.join(", "),
+            operation.collect::<String>()
+        );
+        let report = Report::new(&self.title, of)
             .section("Verdict")
             .verdict(surest)
             .figures(|| [bars(self)])

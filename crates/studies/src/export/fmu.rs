@@ -5,7 +5,7 @@ use std::io::{Cursor, Write as _};
 use std::path::Path;
 use std::process::Command;
 
-use asperity_core::Fault;
+use asperity_core::{Fault, PROGRAM};
 use asperity_storage::{Draft, sha256, whole_file};
 use zip::ZipWriter;
 use zip::result::ZipResult;
@@ -259,7 +259,7 @@ fn description(fields: &[Field], has_library: bool) -> Result<String, Fault> {
     }
     Ok(format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-         <fmiModelDescription fmiVersion=\"2.0\" modelName=\"{MODEL}\" guid=\"{}\" description=\"{}; scope: {}{note}\" generationTool=\"asperity {}\" numberOfEventIndicators=\"0\">\n\
+         <fmiModelDescription fmiVersion=\"2.0\" modelName=\"{MODEL}\" guid=\"{}\" description=\"{}; scope: {}{note}\" generationTool=\"{PROGRAM}\" numberOfEventIndicators=\"0\">\n\
          \x20 <ModelExchange modelIdentifier=\"{MODEL}\" needsExecutionTool=\"false\">{sources}</ModelExchange>\n\
          \x20 <CoSimulation modelIdentifier=\"{MODEL}\" canHandleVariableCommunicationStepSize=\"true\" needsExecutionTool=\"false\">{sources}</CoSimulation>\n\
          \x20 <UnitDefinitions><Unit name=\"N.m\"><BaseUnit kg=\"1\" m=\"2\" s=\"-2\"/></Unit><Unit name=\"rad/s\"><BaseUnit s=\"-1\" rad=\"1\"/></Unit><Unit name=\"W\"><BaseUnit kg=\"1\" m=\"2\" s=\"-3\"/></Unit><Unit name=\"1\"><BaseUnit/></Unit><Unit name=\"degC\"><BaseUnit K=\"1\" offset=\"273.15\"/></Unit></UnitDefinitions>\n\
@@ -268,7 +268,6 @@ fn description(fields: &[Field], has_library: bool) -> Result<String, Fault> {
          </fmiModelDescription>\n",
         guid(fields),
         escaped(&Field::head_of(fields)),
-        escaped(&field.scope),
-        env!("CARGO_PKG_VERSION")
+        escaped(&field.scope)
     ))
 }

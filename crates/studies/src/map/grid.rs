@@ -16,7 +16,7 @@ use asperity::{Error, PositionError};
 use asperity_core::numerics::{deviation, distinct};
 use asperity_core::quantity::{AngularSpeed, Power};
 use asperity_core::unique;
-use asperity_core::{Code, Estimate, Fault};
+use asperity_core::{Code, Estimate, Fault, PROGRAM};
 use rayon::prelude::*;
 
 use super::axes::Axes;
@@ -89,7 +89,7 @@ pub fn map<C: Clone + Into<Train>>(
     let operation = case.shafting.operation();
     Ok(Map {
         schema_version: SCHEMA_VERSION,
-        program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
+        program: PROGRAM.to_owned(),
         title: case.title.clone(),
         scope: match case.only() {
             Some(_) => "mesh".to_owned(),

@@ -86,10 +86,15 @@ impl Quantity {
     }
 
     /// The quantity for every finish and the temperatures `drawn`, all with the same bands.
-    fn fields(&self, map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Vec<Drawing> {
+    fn common(&self, map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Vec<Contour> {
         let fields = each(map, drawn).map(|place| self.field(map, place, visited));
-        let fields = with_common_levels(fields.collect(), self.levels);
-        fields.into_iter().map(Drawing::Contour).collect()
+        with_common_levels(fields.collect(), self.levels)
+    }
+
+    /// The drawings of [`Self::common`].
+    fn fields(&self, map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Vec<Drawing> {
+        let fields = self.common(map, drawn, visited).into_iter();
+        fields.map(Drawing::Contour).collect()
     }
 }
 
@@ -159,6 +164,8 @@ pub(super) fn fields<'a>(report: Report<'a>, map: &'a Map, visited: &'a [[f64; 2
             "Each colour of the efficiency covers about a tenth of the points of the grid.",
         ])
         .on_page()
+        .text(case_point(map, visited).map(|_| "Dot: the operating point of the case."))
+        .on_page()
         .text(marks(map, !visited.is_empty()))
         .on_page()
         .text([HELPFUL])
@@ -191,12 +198,28 @@ pub(super) fn sections<'a>(
         .on_page()
 }
 
-/// Loss and efficiency of every finish and temperature, side by side.
+/// The operating point of the case, to be marked on a map without points of a cycle.
+fn case_point(map: &Map, visited: &[[f64; 2]]) -> Option<[f64; 2]> {
+    let is_marked = visited.is_empty() && map.has_typical();
+    map.operating_point.filter(|_| is_marked)
+}
+
+/// Loss and efficiency of every finish and temperature, side by side, with the operating point of the case unless those of a cycle
+/// are on them.
 fn loss_and_efficiency(map: &Map, visited: &[[f64; 2]]) -> Vec<Drawing> {
-    let losses = LOSS.fields(map, &drawn(&map.axes), visited);
+    let with_case = |field: Contour| match case_point(map, visited) {
+        Some(point) => Drawing::Contour(Contour {
+            dots: vec![point],
+            ..field
+        }),
+        None => Drawing::Contour(field),
+    };
+    let temperatures = drawn(&map.axes);
+    let losses = LOSS.common(map, &temperatures, visited).into_iter();
+    let losses = losses.map(with_case);
     let mut efficiencies = efficiencies(map, visited)
         .into_iter()
-        .map(|(_, field)| Drawing::Contour(field));
+        .map(|(_, field)| with_case(field));
     let both = losses
         .into_iter()
         .flat_map(|loss| [Some(loss), efficiencies.next()]);
