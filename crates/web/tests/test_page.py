@@ -209,6 +209,10 @@ def test_the_report_in_the_page_is_that_of_the_command(page, tmp_path):
     assert found == 1
     saved, left_out = re.subn(r"<h3>What would narrow the interval most</h3><p>.*?</p>", "", result(page, "report.html").decode())
     assert left_out == 1
+    # Nor does it need the terms of those measurements.
+    term = r"<dt>([^<]*)</dt><dd>[^<]*</dd>"
+    known = set(re.findall(term, saved))
+    written = re.sub(term, lambda found: found[0] if found[1] in known else "", written)
     pairs = list(zip(words(saved), words(written), strict=True))
     assert len(pairs) > 1000
     differing = [pair for pair in pairs if pair[0] != pair[1]]
