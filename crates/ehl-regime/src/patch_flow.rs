@@ -30,7 +30,7 @@ use multigrid::{Grid, Grids};
 /// the closing gap on, and to 2e-4 standard deviations below.
 const UNEVEN: f64 = 1e-3;
 const NO_FLOW: f64 = 1e-4;
-/// Iterations after which a solution is given up: 200 were the most that a patch at its closing gap took.
+/// Iterations after which a solution is given up: 60 were the most that a patch near its closing gap took.
 const MOST_ITERATIONS: usize = 2000;
 /// Closed cell of which the place along rolling is not known yet.
 const UNSEEN: i32 = i32::MIN;

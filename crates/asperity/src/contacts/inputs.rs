@@ -14,6 +14,8 @@ use asperity_case::flanks::Surfaces;
 
 /// Loosest tolerance of the contacts that decide the loss: at 1e-4 it would move by 3e-5.
 const LOOSEST_TOLERANCE: f64 = 1e-8;
+/// Tolerance of a patch over that of a line: the loss of isotropic scans moves by 3e-8, as a patch is a mean over its rows.
+const PATCH_TOLERANCE: f64 = 1e3;
 /// Offsets of each pair of surrogates of a case that states none: the pairs are many, and each is a sample of its own.
 const OFFSETS_OF_SURROGATES: usize = 4;
 /// Offsets of two scans of a case that states none: each patch holds as many windows as it has rows that differ, and the scatter
@@ -116,6 +118,7 @@ impl WindowInputs {
         (rows, spacings): (usize, [Length; 2]),
     ) -> Result<RoughContact, PositionError> {
         let [pinion, wheel] = self.flow_pressure.map(Pressure::si);
+        let of_line = self.tolerance.min(LOOSEST_TOLERANCE);
         Ok(RoughContact::of_patch(&PatchWindow {
             composite,
             columns: composite.len() / rows.max(1),
@@ -126,7 +129,7 @@ impl WindowInputs {
             modulus: self.modulus,
             flow_pressure: Pressure::from_si(pinion.min(wheel)),
             settings: SolverSettings {
-                tolerance: self.tolerance.min(LOOSEST_TOLERANCE),
+                tolerance: of_line * if rows > 1 { PATCH_TOLERANCE } else { 1.0 },
                 ..SolverSettings::default()
             },
         })?
