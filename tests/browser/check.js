@@ -170,21 +170,23 @@
   const raised = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   function tick(text) {
     const power = /^10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/.exec(text);
-    if (!power) return { log: false, value: Number(text.replace(/−/g, "-")) };
+    if (!power) return Number(text.replace(/−/g, "-"));
     const digits = power[1].replace("⁻", "-").replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹]/g, (d) => raised.indexOf(d));
-    return { log: true, value: Math.pow(10, Number(digits)) };
+    return Math.pow(10, Number(digits));
   }
   // From a place in the drawing to the value that the ticks of the axis give it.
   function axis(ticks) {
     if (ticks.length < 2) return null;
     const [a, b] = [ticks[0], ticks[ticks.length - 1]];
-    const scale = a.log ? Math.log : (v) => v, back = a.log ? Math.exp : (v) => v;
+    // Neighbours at equal steps of a linear axis are never ten times as high, but for zero.
+    const isPower = ticks.every((t, k) => t.value > 0 && (k === 0 || Math.abs(Math.log10(t.value / ticks[k - 1].value)) > 0.99));
+    const scale = isPower ? Math.log : (v) => v, back = isPower ? Math.exp : (v) => v;
     const slope = (scale(b.value) - scale(a.value)) / (b.at - a.at);
     return (at) => back(scale(a.value) + slope * (at - a.at));
   }
   const BASE = 4; // from the middle of a tick's letters to their base line
   const ticksOf = (svg, anchor) => all(`text.tick[text-anchor=${anchor}]`, svg).map((t) => ({
-    at: Number(t.getAttribute(anchor === "end" ? "y" : "x")) - (anchor === "end" ? BASE : 0), ...tick(t.textContent) }));
+    at: Number(t.getAttribute(anchor === "end" ? "y" : "x")) - (anchor === "end" ? BASE : 0), value: tick(t.textContent) }));
   // Points of a path: those of its line, or the middles of its dots.
   function points(d) {
     const dots = [...d.matchAll(/M(-?[\d.]+) (-?[\d.]+)a([\d.]+)/g)].map(([, x, y, r]) => [Number(x) + Number(r), Number(y)]);

@@ -14,7 +14,7 @@ use asperity_case::flanks::Surfaces;
 
 /// Loosest tolerance of the contacts that decide the loss: at 1e-4 it would move by 3e-5.
 const LOOSEST_TOLERANCE: f64 = 1e-8;
-/// Tolerance of a patch over that of a line: the loss of isotropic scans moves by 3e-8, as a patch is a mean over its rows.
+/// Ratio of the tolerances of a patch and a line: the loss of isotropic scans moves by 3e-8, as a patch is a mean over its rows.
 const PATCH_TOLERANCE: f64 = 1e3;
 /// Offsets of each pair of surrogates of a case that states none: the pairs are many, and each is a sample of its own.
 const OFFSETS_OF_SURROGATES: usize = 4;

@@ -199,7 +199,7 @@ pub(crate) fn round_ticks([low, high]: [f64; 2], count: usize) -> Vec<(f64, Stri
 }
 
 /// Powers of ten that are written out where all of an axis are among them.
-const PLAIN: std::ops::RangeInclusive<i32> = -3..=3;
+const PLAIN: std::ops::RangeInclusive<i32> = -3..=4;
 
 fn log_ticks(low: f64, high: f64, count: usize) -> Vec<(f64, String)> {
     let (a, b) = (

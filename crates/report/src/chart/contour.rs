@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use asperity_core::numerics::range;
 use serde_json::{Value, json};
 
 use super::axis::{Axis, Range, Scale};
@@ -172,10 +173,10 @@ impl Contour {
         if self.hatched.iter().any(|is_hatched| *is_hatched) {
             canvas.path("hatch", &self.hatching(&frame));
         }
+        canvas.raw("</g></g>");
         if !self.dots.is_empty() {
             canvas.path("dots", &self.dotted(&frame));
         }
-        canvas.raw("</g></g>");
         self.draw_scale(&mut canvas, &frame, &levels);
         document(
             dress,
@@ -306,12 +307,17 @@ impl Contour {
         d
     }
 
-    /// Small circles at the dots.
+    /// Small circles at the dots within the field, whole at its edges.
     fn dotted(&self, frame: &Frame) -> String {
         // A single point is marked; many leave the field visible.
-        let radius = if self.dots.len() == 1 { 5.0 } else { 2.0 };
+        let radius = if self.dots.len() == 1 { 7.0 } else { 2.0 };
+        let [columns, rows] = [&self.columns, &self.rows].map(|nodes| range(nodes.iter().copied()));
+        let is_within = |value: f64, [low, high]: [f64; 2]| low <= value && value <= high;
         let mut d = String::new();
         for [x, y] in &self.dots {
+            if !is_within(*x, columns) || !is_within(*y, rows) {
+                continue;
+            }
             let (x, y) = (frame.px(*x) - radius, frame.py(*y));
             let twice = 2.0 * radius;
             let _ = write!(
