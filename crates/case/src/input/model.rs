@@ -160,7 +160,7 @@ choices! {
     /// Load error at which the marching of `paper` stops; default 1 %.
     numerical_error: Ratio => f64 = default(Ratio::new(0.01)) usual "%" [0.01, 20.0],
         check("numerical error", |e| e > 0.0 && e <= 0.2, "must be above 0 and at most 20 %");
-    /// Tolerance of the contact solver's certificate; default 1e-8.
+    /// Tolerance of the contact solver's certificate on lines; of patches a thousand times as much; default 1e-8.
     tolerance: f64 = default(1e-8) usual "" [1e-10, 1e-6],
         check("tolerance", |t| (1e-16..=LOOSEST_TOLERANCE).contains(&t), "must be 1e-16 to 1e-4");
     /// Include the plastic work of running-in in the losses; default false.
