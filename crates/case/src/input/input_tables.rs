@@ -223,11 +223,23 @@ impl OperationInput {
     }
 
     /// Torque, speed and temperature in words.
+    ///
+    /// ```
+    /// use asperity_case::case::OperationInput;
+    /// use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
+    /// let speed = AngularSpeed::from_si(100.0 * std::f64::consts::PI);
+    /// let hot = Temperature::from_celsius(90.0);
+    /// let stated = OperationInput::new(Torque::from_si(145.0), speed, hot);
+    /// assert_eq!(stated.in_words(), "145.0 N m, 3000 1/min, flanks at 90 °C");
+    /// let mut of_oil = stated.clone();
+    /// (of_oil.bulk_temperature, of_oil.oil_temperature) = (None, Some(hot));
+    /// assert_eq!(of_oil.in_words(), "145.0 N m, 3000 1/min, oil at 90 °C");
+    /// ```
     #[must_use]
     pub fn in_words(&self) -> String {
-        // The temperature of the flanks follows from the loss if that of the oil alone is stated.
-        let of_flanks = self.bulk_temperature.is_some() || self.temperature.is_some();
-        let body = if of_flanks { "flanks" } else { "oil" };
+        // The temperature of the flanks follows from the loss if the case states the temperature of the oil.
+        let of_oil = self.oil_temperature.is_some() || self.bulk.is_some();
+        let body = if of_oil { "oil" } else { "flanks" };
         let temperature = match self.stated_temperature() {
             Some(temperature) => format!("{body} at {} °C", decimals(temperature.celsius(), 0)),
             None => "flanks at their equilibrium temperature".to_owned(),
