@@ -141,7 +141,9 @@ fn with_a_case_the_loss_of_height_has_a_wear_coefficient_and_a_paired_difference
         "{text}"
     );
     assert!(
-        text.contains("The pinion changed: wherever the trace lies on it, a point slides "),
+        text.contains(
+            "The pinion changed: in the mean over the trace, wherever it lies, a point slides "
+        ),
         "{text}"
     );
     assert!(

@@ -29,6 +29,8 @@ impl StudyResult for CallOut {
         Report::new(&self.title, "call-out")
             .section("Limit")
             .verdict(self.limits.iter().map(limit_line).chain([headline(self)]))
+            .text([OF_LOTS])
+            .on_page()
             .text([inspection(self)])
             .figures(|| self.limits.iter().map(|row| symbol(self, row)))
             .figures(|| [curve_chart(self)])
@@ -227,6 +229,9 @@ fn losses(study: &CallOut) -> String {
         power(study, study.smooth_loss_w)
     )
 }
+
+/// Uncertainty that the share of the lots leaves out.
+const OF_LOTS: &str = "This share of the lots does not contain the uncertainty of the model. The command asperity run states its interval.";
 
 /// Upper end of the band at the limit, if it is above the permitted loss.
 fn above(study: &CallOut) -> Option<String> {

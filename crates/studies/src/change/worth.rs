@@ -46,8 +46,8 @@ fn loss(of: &ChangeInCase, name: &str) -> Option<String> {
 fn wear(of: &FlankChange) -> String {
     let flank = of.flank.name();
     let place = match of.is_placed {
-        true => "at this place",
-        false => "wherever the trace lies on it,",
+        true => " at this place,",
+        false => ", wherever it lies,",
     };
     let is_range = of.sliding_um.half_width() > 5e-7 * of.sliding_um.high;
     let digits_of = |sliding: Estimate| match is_range {
@@ -59,7 +59,9 @@ fn wear(of: &FlankChange) -> String {
         true => digits.interval_with(" µm", of.sliding_um),
         false => format!("{} µm", digits.rounded(of.sliding_um.high)),
     };
-    let slid = format!("The {flank} changed: {place} a point slides {sliding} per engagement");
+    let slid = format!(
+        "The {flank} changed: in the mean over the trace{place} a point slides {sliding} per engagement"
+    );
     let Some((count, metres)) = of.engagements.zip(of.sliding_m) else {
         return format!("{slid}.");
     };
