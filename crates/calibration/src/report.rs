@@ -156,7 +156,7 @@ impl Design {
         let mut parameters = self.parameters.iter().map(|one| &one.identified);
         let is_any = parameters.any(|one| one.verdict == Verdict::NotIdentified);
         is_any.then_some(
-            "The expected bands are by the points alone. A parameter that they do not identify keeps its range before.",
+            "The expected bands are by the points alone. A parameter that they do not identify keeps the range that it had before.",
         )
     }
 
