@@ -121,7 +121,9 @@ class Window:
             gap = np.maximum(gap + self.operator(p) - approach, 0)
         else:
             gap = gap - gap.min()
-        return p, gap[np.abs(self.x) < 0.8 * self.a].mean()
+        # The part of each cell within 0.8 a.
+        part = np.clip((0.8 * self.a - np.abs(self.x)) / SPACING + 0.5, 0, 1)
+        return p, part @ gap / part.sum()
 
     def capped(self, gap, load, limit):
         """Pressures between 0 and `limit` that carry `load`, and the approach: the elastic contact by conjugate

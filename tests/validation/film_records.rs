@@ -822,11 +822,15 @@ fn friction_has_no_kink_over_torque_and_speed() {
 }
 
 #[test]
-#[ignore = "some three minutes"]
+#[ignore = "some five minutes"]
 fn friction_has_no_kink_over_torque_and_speed_in_fine_steps() {
-    let found = largest_bends(256, [60, 120]);
-    // .0062 over torque was seen, at places that differ with the number of windows.
-    assert!(found[0] < 0.0065 && found[1] < 0.006, "{found:?}");
+    // In steps of 7 % single windows touch within a step at the lowest torques: .0071.
+    let found = largest_bends(256, [120, 120]);
+    assert!(found.iter().all(|bend| *bend < 0.006), "{found:?}");
+    // A jump would stay where steps are finer; by whole cells one of .0049 did.
+    let found = largest_bends(256, [480, 480]);
+    assert!(found.iter().all(|bend| *bend < 0.002), "{found:?}");
+
 }
 
 #[test]

@@ -148,12 +148,13 @@ pub struct RoughContact {
 struct SmoothContact {
     /// Number of cells, and bits of spacing, load, radius and modulus.
     of: (usize, [u64; 4]),
-    /// Hertz pressure at the cell centres, scaled to the load \[Pa\].
+    /// Hertz pressure of the cells, scaled to the load \[Pa\].
     hertz: Vec<f64>,
     /// Displacement by it \[m\].
     displacement: Vec<f64>,
-    /// Columns over which the gap is averaged, and columns of the Hertz contact.
-    core: std::ops::Range<usize>,
+    /// First column over which the gap is averaged, and the weight of each column from there on.
+    core: (usize, Vec<f64>),
+    /// Columns of the Hertz contact.
     inside: std::ops::Range<usize>,
     max_hertz: f64,
 }
@@ -180,9 +181,13 @@ impl SmoothContact {
             .half_width
             .si();
         let place = |i: usize| place(i, n, dx);
-        let mut hertz: Vec<f64> = (0..n)
-            .map(|i| (1.0 - (place(i) / a).powi(2)).max(0.0).sqrt())
-            .collect();
+        // Means over the cells: of their middles the pressure would turn steeply where the contact grows by a cell.
+        let below = |x: f64| {
+            let x = (x / a).clamp(-1.0, 1.0);
+            0.5 * (x * (1.0 - x * x).sqrt() + x.asin())
+        };
+        let mean = |i: usize| below(place(i) + 0.5 * dx) - below(place(i) - 0.5 * dx);
+        let mut hertz: Vec<f64> = (0..n).map(mean).collect();
         let scale = w / (hertz.iter().sum::<f64>() * dx);
         for p in &mut hertz {
             *p *= scale;
@@ -206,12 +211,23 @@ impl SmoothContact {
             max_hertz: hertz.iter().fold(0.0, |m: f64, &p| m.max(p)),
             hertz,
             displacement,
-            core: within(CORE * a),
+            core: mean_over(&within(CORE * a + 0.5 * dx), |i| {
+                (CORE * a - place(i).abs()) / dx
+            }),
             inside: within(a),
         });
         LAST.set(Some(made.clone()));
         Ok(made)
     }
+}
+
+/// First of some columns, and the weight of each in a mean over a length: the part of its cell that lies within it, of a cell
+/// whose middle is `inside` cells from its end. By whole cells the mean would jump where the length grows by one.
+fn mean_over(columns: &std::ops::Range<usize>, inside: impl Fn(usize) -> f64) -> (usize, Vec<f64>) {
+    let part = |i: usize| (inside(i) + 0.5).clamp(0.0, 1.0);
+    let length: f64 = columns.clone().map(part).sum();
+    let weights = columns.clone().map(|i| part(i) / length).collect();
+    (columns.start, weights)
 }
 
 /// Place of cell `i` of `n`, `dx` apart, from the middle of the window.
@@ -309,8 +325,11 @@ impl RoughContact {
         let least = (0..self.undeformed.len())
             .map(gap)
             .fold(f64::INFINITY, f64::min);
-        let sum: f64 = self.within(&self.smooth.core).map(|i| gap(i) - least).sum();
-        Length::from_si(sum / self.core_points())
+        Length::from_si(
+            self.core()
+                .map(|(i, weight)| weight * (gap(i) - least))
+                .sum(),
+        )
     }
 
     /// Gap at a point under the whole film pressure \[m\].
@@ -325,9 +344,15 @@ impl RoughContact {
         rows.flat_map(move |first| first + columns.start..first + columns.end)
     }
 
-    /// Number of points over which the gap is averaged.
-    fn core_points(&self) -> f64 {
-        (self.smooth.core.len() * self.grid.rows) as f64
+    /// Points over which the gap is averaged, with their weights in the mean.
+    fn core(&self) -> impl Iterator<Item = (usize, f64)> {
+        let (first, weights) = &self.smooth.core;
+        let SpotGrid { columns, rows, .. } = self.grid;
+        let starts = (0..rows).map(move |row| row * columns + first);
+        starts.flat_map(move |start| {
+            let weights = weights.iter().zip(start..);
+            weights.map(move |(weight, i)| (i, weight / rows as f64))
+        })
     }
 
     /// The contact at one asperity share.
@@ -432,10 +457,8 @@ impl RoughContact {
     }
 
     fn state(&self, phi: f64, solution: ContactSolution) -> ContactState {
-        let core = self
-            .within(&self.smooth.core)
-            .map(|i| solution.gap[i].max(0.0));
-        let core: f64 = core.sum();
+        let core = self.core();
+        let core = core.map(|(i, weight)| weight * solution.gap[i].max(0.0));
         let inside = &self.smooth.inside;
         let touching = self.within(inside).filter(|&i| solution.pressure[i] > 0.0);
         let mut highest = Lanes::new([0.0]);
@@ -448,7 +471,7 @@ impl RoughContact {
         let [highest] = highest.reduce(|a, b| [a[0].max(b[0])]);
         ContactState {
             asperity_share: phi,
-            mean_gap: Length::from_si(core / self.core_points()),
+            mean_gap: Length::from_si(core.sum()),
             spots: spots_of(&solution.pressure, &self.grid),
             area: touching.count() as f64 / (inside.len() * self.grid.rows) as f64,
             max_pressure: Pressure::from_si(highest),
@@ -473,11 +496,12 @@ impl RoughContact {
     /// `by_gap` is ∂J/∂(mean gap), `by_spots` those over the spots.
     ///
     /// ```text
-    /// ∂J/∂p_i = Σ_k (∂J/∂f_k ∂f_k/∂p_i + ∂J/∂F_k ∂F_k/∂p_i + ∂J/∂b_k ∂b_k/∂p_i) + ∂J/∂g Σ_j A_ji/N
-    /// ∂J/∂z = −∂J/∂h,  ∂J/∂h_j = ∂J/∂g/N outside of the contact              [Share-contact-gradient]
+    /// ∂J/∂p_i = Σ_k (∂J/∂f_k ∂f_k/∂p_i + ∂J/∂F_k ∂F_k/∂p_i + ∂J/∂b_k ∂b_k/∂p_i) + ∂J/∂g Σ_j v_j A_ji
+    /// ∂J/∂z = −∂J/∂h,  ∂J/∂h_j = v_j ∂J/∂g outside of the contact              [Share-contact-gradient]
     /// ```
     ///
-    /// j are the points of the middle 0.8 of the Hertz contact that stay apart, N is the number of all its points.
+    /// j are the points of the middle 0.8 of the Hertz contact that stay apart, v_j are their weights in the mean gap: the cells at
+    /// its ends count with the part that lies within it.
     ///
     /// # Errors
     /// When the contact has too many touching points, or is one of a patch.
@@ -502,11 +526,10 @@ impl RoughContact {
             )
         };
         let sets = FixedSets::of(&problem, pressure)?;
-        let each = by_gap / self.smooth.core.len() as f64;
         let mut apart = vec![0.0; pressure.len()];
-        for i in self.smooth.core.clone() {
+        for (i, weight) in self.core() {
             if pressure[i] == 0.0 && state.solution.gap[i] > 0.0 {
-                apart[i] = each;
+                apart[i] = by_gap * weight;
             }
         }
         let by_approach: f64 = -apart.iter().sum::<f64>();
@@ -526,8 +549,8 @@ impl RoughContact {
     pub(crate) fn first_touch_gradient(&self, by_gap: f64) -> Vec<f64> {
         let gap = |i: usize| self.smooth_gap(i);
         let mut gradient = vec![0.0; self.undeformed.len()];
-        for i in self.within(&self.smooth.core) {
-            gradient[i] -= by_gap / self.core_points();
+        for (i, weight) in self.core() {
+            gradient[i] -= by_gap * weight;
         }
         let first = (0..gradient.len()).min_by(|i, j| gap(*i).total_cmp(&gap(*j)));
         if let Some(first) = first {

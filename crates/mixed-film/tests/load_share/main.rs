@@ -260,6 +260,27 @@ fn at(settings: &LoadShareSettings) -> LoadShareSolution {
     share(&e_drive(), ground(), ground_table(), STARTS, 90.0, settings)
 }
 
+/// Where the contact grows by a cell, the mean gap neither jumps nor turns: by whole cells, and by the Hertz pressure in the
+/// middle of each, its second differences over these steps are 6e-4 of it.
+#[test]
+fn the_mean_gap_is_steady_over_the_load() {
+    let flanks = ground();
+    // As many points for all loads, over which the half-width grows by two cells.
+    let composite = flanks.window([500, 2500], 1001);
+    let gap = |k: u32| {
+        let load = 143_793.0 * (1.0 + 4e-4 * f64::from(k));
+        let contact = line_contact(load, 0.003_627, [3.59, 9.27]);
+        let rough = rough(&contact, &composite, FLOW).unwrap();
+        rough.first_touch_gap().si()
+    };
+    let gaps: Vec<f64> = (0..40).map(gap).collect();
+    let bends = gaps
+        .windows(3)
+        .map(|of| (of[0] - 2.0 * of[1] + of[2]).abs() / of[1]);
+    let most = bends.fold(0.0, f64::max);
+    assert!(most < 3e-5, "{most:e}");
+}
+
 #[test]
 fn load_share_of_the_reference_windows() {
     let golden: Value = serde_json::from_str(include_str!("../golden/load_share.json")).unwrap();
@@ -324,7 +345,18 @@ fn load_share_of_the_reference_windows() {
             of("mu_a"),
             1e-4,
         );
-        near("spot film", solution.spot_film.si(), of("h_a"), 0.2e-9);
+        // The film of a single spot falls with the share to the power 1.4, so that the tolerance of the share acts in it.
+        let phi = of("phi");
+        let moved = match phi > 0.0 {
+            true => 1.5 * of("h_a") * (solution.asperity_share / phi - 1.0).abs(),
+            false => 0.0,
+        };
+        near(
+            "spot film",
+            solution.spot_film.si(),
+            of("h_a"),
+            0.2e-9 + moved,
+        );
         near("area", solution.area, of("area"), 2e-3);
         assert_eq!(state.is_some(), of("phi") > 0.0, "{name}");
         if let Some(state) = state {
