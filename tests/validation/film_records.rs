@@ -830,7 +830,6 @@ fn friction_has_no_kink_over_torque_and_speed_in_fine_steps() {
     // A jump would stay where steps are finer; by whole cells one of .0049 did.
     let found = largest_bends(256, [480, 480]);
     assert!(found.iter().all(|bend| *bend < 0.002), "{found:?}");
-
 }
 
 #[test]

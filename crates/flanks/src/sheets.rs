@@ -118,7 +118,8 @@ pub struct Sheets {
 struct Known {
     waves: OnceLock<Result<SheetWaves, PositionError>>,
     flattened: Mutex<BTreeMap<Inlet, Arc<FlattenedSheets>>>,
-    samples: Mutex<BTreeMap<(PatchPlace, Inlet), Arc<PatchSample>>>,
+    /// By the number of columns from the middle up to which the film is evaluated, too.
+    samples: Mutex<BTreeMap<(PatchPlace, Inlet, usize), Arc<PatchSample>>>,
 }
 
 /// The waves of both sheets, each mirrored at the ends of its rows, so that it repeats without a jump.
@@ -375,28 +376,34 @@ impl Sheets {
         cite!("Patch-wave");
         cite!("Venner");
         cite!("Gap-roughness");
-        if flattening.ripple_modulus.is_some() {
+        if flattening.ripple.is_some() {
             cite!("Patch-ripple");
         }
-        let modulus = flattening
-            .ripple_modulus
-            .map(|modulus| modulus.si().to_bits());
+        let film = flattening.ripple.as_ref();
+        let modulus = film.map(|film| film.modulus.si().to_bits());
+        let reach = film.map_or(0, |film| film.reach_in(self.spacings[0]));
         let mut around = Vec::with_capacity(4);
         for (scale, weight) in scales(flattening.attenuation.nabla_per_length()) {
-            around.push((self.sample(place, Inlet { scale, modulus })?, weight));
+            let inlet = Inlet { scale, modulus };
+            around.push((self.sample(place, inlet, reach)?, weight));
         }
         Ok(PatchSample::between(&around))
     }
 
     /// A patch as an inlet leaves it.
-    fn sample(&self, place: PatchPlace, inlet: Inlet) -> Result<Arc<PatchSample>, PositionError> {
+    fn sample(
+        &self,
+        place: PatchPlace,
+        inlet: Inlet,
+        reach: usize,
+    ) -> Result<Arc<PatchSample>, PositionError> {
         let known = || {
             self.known
                 .samples
                 .lock()
                 .unwrap_or_else(PoisonError::into_inner)
         };
-        if let Some(sample) = known().get(&(place, inlet)) {
+        if let Some(sample) = known().get(&(place, inlet, reach)) {
             return Ok(Arc::clone(sample));
         }
         let FlattenedSheets { heights, pressures } = &*self.flattened(inlet)?;
@@ -406,12 +413,13 @@ impl Sheets {
             &cut(heights),
             place.points,
             pressures.as_deref(),
+            reach,
         )?);
         let mut known = known();
         if known.len() >= MOST_SAMPLES {
             known.clear();
         }
-        known.insert((place, inlet), Arc::clone(&made));
+        known.insert((place, inlet, reach), Arc::clone(&made));
         Ok(made)
     }
 

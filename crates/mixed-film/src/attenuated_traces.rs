@@ -5,7 +5,9 @@ use asperity_core::profile::mirrored_window;
 use asperity_ehl_regime::TraceSpectrum;
 
 use crate::error::LoadShareError;
-use crate::window_roughness::{Flattening, WindowRoughness, deviation_gradient, part_gradient};
+use crate::window_roughness::{
+    Flattening, RipplingFilm, WindowRoughness, deviation_gradient, part_gradient,
+};
 
 /// Two prepared traces, attenuated for one contact, from which windows are cut.
 #[derive(Debug, Clone)]
@@ -13,6 +15,8 @@ pub struct AttenuatedTraces {
     heights: [Vec<f64>; 2],
     /// Pressures that flatten the heights \[Pa\], if the film needs them.
     pressures: Option<[Vec<f64>; 2]>,
+    /// Points from the middle of a window up to which its film is evaluated.
+    reach: usize,
     peak_weight: f64,
 }
 
@@ -22,10 +26,14 @@ impl AttenuatedTraces {
     #[must_use]
     pub fn new(traces: [&TraceSpectrum; 2], flattening: &Flattening) -> Self {
         let attenuation = &flattening.attenuation;
-        let ripple = |modulus| TraceSpectrum::ripple_pair(traces, attenuation, modulus);
+        let film = &flattening.ripple;
+        let ripple =
+            |film: &RipplingFilm| TraceSpectrum::ripple_pair(traces, attenuation, film.modulus);
+        let spacing = traces[0].spacing();
         Self {
             heights: TraceSpectrum::attenuated_pair(traces, attenuation),
-            pressures: flattening.ripple_modulus.map(ripple),
+            pressures: film.as_ref().map(ripple),
+            reach: film.map_or(0, |film| film.reach_in(spacing)),
             peak_weight: flattening.peak_weight,
         }
     }
@@ -54,6 +62,7 @@ impl AttenuatedTraces {
         Ok(WindowRoughness::of(
             cut(&self.heights),
             pressures,
+            self.reach,
             self.peak_weight,
         ))
     }
@@ -79,7 +88,7 @@ impl AttenuatedTraces {
     ) -> Option<[Vec<f64>; 2]> {
         let pressures = mirrored_sums(self.pressures.as_ref()?, starts, points);
         let heights = || mirrored_sums(&self.heights, starts, points);
-        (!by_parts.is_empty()).then(|| part_gradient(&heights(), &pressures, by_parts))
+        (!by_parts.is_empty()).then(|| part_gradient(&heights(), &pressures, self.reach, by_parts))
     }
 
     /// [`window`](Self::window) that may reach beyond the ends of the traces, where these are mirrored.
@@ -98,7 +107,12 @@ impl AttenuatedTraces {
         let sums = |of| mirrored_sums(of, starts, points);
         let (heights, pressures) = (sums(&self.heights), self.pressures.as_ref().map(sums));
         let pressures = pressures.as_ref().map(|sums| [sums.as_slice()]);
-        Ok(WindowRoughness::of([&heights], pressures, self.peak_weight))
+        Ok(WindowRoughness::of(
+            [&heights],
+            pressures,
+            self.reach,
+            self.peak_weight,
+        ))
     }
 }
 

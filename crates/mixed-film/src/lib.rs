@@ -86,5 +86,5 @@ pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};
 pub use spot_tree::Spot;
 pub use trace_spectra::TraceSpectra;
 pub use window_roughness::{
-    FilmPressure, Flattening, GapRoughness, PatchSample, RipplePart, WindowRoughness,
+    FilmPressure, Flattening, GapRoughness, PatchSample, RipplePart, RipplingFilm, WindowRoughness,
 };

@@ -24,11 +24,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::contact_table::ContactTable;
 use crate::error::LoadShareError;
-use crate::rough_contact::{ContactState, RoughContact};
+use crate::rough_contact::{CORE, ContactState, RoughContact};
 use crate::solution::{LineLosses, LoadShareSolution, ShareEvidence};
 use crate::spot_tree::Spot;
 use crate::spots::{Feed, SpotConditions, SpotFriction, SpotList};
-use crate::window_roughness::{FilmPressure, Flattening, GapRoughness, WindowRoughness};
+use crate::window_roughness::{
+    FilmPressure, Flattening, GapRoughness, RipplingFilm, WindowRoughness,
+};
 
 /// Relative step at which the secant iteration for friction ends: it leaves 2e-9 of the loss of the shipped e-drive case, 7e-8 at
 /// most of the loss at one of its offsets.
@@ -388,8 +390,10 @@ impl<'a> PositionFilm<'a> {
                 GapRoughness::Peaks => lay.clamp(0.0, 1.0),
                 GapRoughness::Rms => 0.0,
             },
-            ripple_modulus: (self.settings.film_pressure == FilmPressure::Rippled)
-                .then_some(self.contact.modulus),
+            ripple: (self.settings.film_pressure == FilmPressure::Rippled).then(|| RipplingFilm {
+                modulus: self.contact.modulus,
+                reach: self.hertz.half_width * CORE,
+            }),
         }
     }
 

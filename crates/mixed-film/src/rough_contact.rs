@@ -18,8 +18,8 @@ use asperity_core::{DomainError, cite};
 use crate::error::LoadShareError;
 use crate::spot_tree::{BySpot, Spot, SpotGrid, pressure_gradient, spot_of_cells, spots_of};
 
-/// Share of the Hertz half width over which the gap is averaged.
-const CORE: f64 = 0.8;
+/// Share of the Hertz half width over which the gap is averaged and the film between rough flanks is evaluated.
+pub(crate) const CORE: f64 = 0.8;
 /// Least flow pressure over the Hertz pressure.
 const LEAST_FLOW_PRESSURE: f64 = 1.5;
 /// Starts are kept this far below the pressure limit, so that no cell begins fixed.

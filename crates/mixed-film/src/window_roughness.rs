@@ -1,5 +1,6 @@
 //! Roughness of a window as the inlet of its contact leaves it: how high it is, and where the film's pressure ripples.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_core::numerics::{GOLDEN_SECTION, Lanes, add_times, vectorised};
@@ -15,9 +16,17 @@ const PARTS: usize = 24;
 /// Least number of places that are evaluated in a window, at even distances: eight a part.
 const PLACES: usize = 8 * PARTS;
 
-/// The evaluated places of a window: an odd number of points apart and as many points from both ends, so that the mirrored
-/// window has the same.
-fn places(points: usize) -> impl Iterator<Item = usize> + Clone {
+/// Points of a window up to `reach` on both sides of its middle.
+fn middle(points: usize, reach: usize) -> Range<usize> {
+    let aside = (points.saturating_sub(1) / 2).saturating_sub(reach);
+    aside..points - aside
+}
+
+/// The evaluated places among the points up to `reach` from the middle of a window: an odd number of points apart and as many
+/// points from both ends, so that the mirrored window has the same.
+fn places(points: usize, reach: usize) -> impl Iterator<Item = usize> + Clone {
+    let Range { start, end } = middle(points, reach);
+    let points = end - start;
     let stride = match points / PLACES {
         0 => 1,
         stride => stride - (stride + 1) % 2,
@@ -28,7 +37,27 @@ fn places(points: usize) -> impl Iterator<Item = usize> + Clone {
         // One place fewer.
         _ => (rest + stride) / 2,
     };
-    (begin..points - begin).step_by(stride)
+    (start + begin..end - begin).step_by(stride)
+}
+
+/// Distances of `count` places from their middle.
+fn distances(count: usize) -> impl Iterator<Item = f64> {
+    let middle = 0.5 * (count as f64 - 1.0);
+    (0..count).map(move |i| i as f64 - middle)
+}
+
+/// Takes the slope from values at even distances.
+fn level(values: &mut [f64]) {
+    let count = values.len();
+    let squares = distances(count).map(|x| x * x).sum::<f64>();
+    let products = distances(count).zip(&*values).map(|(x, p)| x * p);
+    let slope = match squares > 0.0 {
+        true => products.sum::<f64>() / squares,
+        false => 0.0,
+    };
+    for (p, x) in values.iter_mut().zip(distances(count)) {
+        *p -= slope * x;
+    }
 }
 
 /// Places of a patch for each place of a window of lines.
@@ -76,8 +105,25 @@ pub struct Flattening {
     pub attenuation: Attenuation,
     /// Weight of the heights above the mean line in σ_d².
     pub peak_weight: f64,
-    /// Reduced modulus of the contact, if its film ripples.
-    pub ripple_modulus: Option<Pressure>,
+    /// The film, if its pressure ripples.
+    pub ripple: Option<RipplingFilm>,
+}
+
+/// A film whose pressure ripples over the roughness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RipplingFilm {
+    /// Reduced modulus of the contact.
+    pub modulus: Pressure,
+    /// Distance from the middle of a window up to which the film is evaluated.
+    pub reach: Length,
+}
+
+impl RipplingFilm {
+    /// Number of points from the middle of a window up to its end.
+    #[must_use]
+    pub fn reach_in(&self, spacing: Length) -> usize {
+        (self.reach / spacing).round() as usize
+    }
 }
 
 impl From<Attenuation> for Flattening {
@@ -86,7 +132,7 @@ impl From<Attenuation> for Flattening {
         Self {
             attenuation,
             peak_weight: 0.0,
-            ripple_modulus: None,
+            ripple: None,
         }
     }
 }
@@ -137,16 +183,18 @@ impl WindowRoughness {
         self.ripple.iter().any(|part| part.pressure != 0.0)
     }
 
-    /// The window of the sums of `N` flattened heights \[m\], and of the pressures \[Pa\] that flatten them.
+    /// The window of the sums of `N` flattened heights \[m\], and of the pressures \[Pa\] that flatten them; its film is evaluated
+    /// up to `reach` points from its middle.
     pub(crate) fn of<const N: usize>(
         heights: [&[f64]; N],
         pressures: Option<[&[f64]; N]>,
+        reach: usize,
         peak_weight: f64,
     ) -> Self {
         Self {
             deviation: deviation(heights, peak_weight),
             ripple: pressures.map_or_else(Vec::new, |pressures| {
-                ripple(&AtPlaces::of(heights, pressures, places(heights[0].len())))
+                ripple(&AtPlaces::of(heights, pressures, reach))
             }),
         }
     }
@@ -161,7 +209,7 @@ pub struct PatchSample {
 
 impl PatchSample {
     /// The patch of these flattened heights \[m\] in rows of `columns`, with the pressures \[Pa\] that flatten them if its film
-    /// ripples.
+    /// ripples, which is evaluated up to `reach` columns from the middle. Each row is in balance as a line is.
     ///
     /// # Errors
     /// When the numbers of pressures and heights differ, or the heights are not whole rows.
@@ -169,6 +217,7 @@ impl PatchSample {
         heights: &[f64],
         columns: usize,
         pressures: Option<&[f64]>,
+        reach: usize,
     ) -> Result<Self, LoadShareError> {
         let rows = heights.len().checked_div(columns).unwrap_or(0);
         let rule = "must be whole rows";
@@ -182,9 +231,7 @@ impl PatchSample {
         }
         Ok(Self {
             deviation: deviation([heights], 0.0).si(),
-            at: pressures.map(|pressures| {
-                AtPlaces::of([heights], [pressures], places_of_patch(columns, rows))
-            }),
+            at: pressures.map(|pressures| AtPlaces::of_patch(heights, pressures, columns, reach)),
         })
     }
 
@@ -224,18 +271,36 @@ struct AtPlaces {
 }
 
 impl AtPlaces {
-    fn of<const N: usize>(
-        heights: [&[f64]; N],
-        pressures: [&[f64]; N],
-        places: impl Iterator<Item = usize> + Clone,
-    ) -> Self {
-        let sums = |of: [&[f64]; N]| {
+    fn of<const N: usize>(heights: [&[f64]; N], pressures: [&[f64]; N], reach: usize) -> Self {
+        let sums = |of: [&[f64]; N]| -> Vec<f64> {
             let sum = |i: usize| of.iter().map(|values| values[i]).sum();
-            places.clone().map(sum).collect()
+            places(of[0].len(), reach).map(sum).collect()
         };
+        let mut pressures = sums(pressures);
+        level(&mut pressures);
         Self {
-            pressures: sums(pressures),
+            pressures,
             heights: sums(heights),
+        }
+    }
+
+    fn of_patch(heights: &[f64], pressures: &[f64], columns: usize, reach: usize) -> Self {
+        let within = middle(columns, reach);
+        let middles = |of: &[f64], of_row: fn(&mut [f64])| {
+            let mut all = Vec::with_capacity(of.len() / columns * within.len());
+            for row in of.chunks_exact(columns) {
+                let start = all.len();
+                all.extend_from_slice(&row[within.clone()]);
+                of_row(&mut all[start..]);
+            }
+            all
+        };
+        let [heights, pressures] = [middles(heights, |_| {}), middles(pressures, level)];
+        let places = places_of_patch(within.len(), heights.len() / within.len());
+        let at = |of: &[f64]| places.clone().map(|i| of[i]).collect();
+        Self {
+            pressures: at(&pressures),
+            heights: at(&heights),
         }
     }
 
@@ -334,6 +399,7 @@ impl Scale {
     }
 
     /// ```text
+    /// p′ of |ξ| < 0.8 a, less its slope over ξ
     /// x = N (1/2 + u/(4 √(1 + u²/4))) − k − 1/2,  u = (p′ − mean p′)/sd p′
     /// w_k = 3/4 − x² for |x| < 1/2, else (3/2 − |x|)²/2 for |x| < 3/2              [Ripple-parts]
     /// ```
@@ -341,6 +407,9 @@ impl Scale {
     /// A place counts in three of the N parts, by the quadratic B-spline about their middles: the parts change steadily with the
     /// heights. What falls beyond the first or last part counts in it. At the mean a part is .17 standard deviations wide, at twice
     /// the deviation .47.
+    ///
+    /// ξ is the distance from the middle of the contact, whose middle 0.8 the mean gap has, too. Within it p′ carries no load, as the
+    /// whole load is given; and no moment, as a pressure that rises along rolling moves the contact until it is even.
     fn placed(self, pressure: f64) -> Placed {
         let (place, root) = self.place(pressure);
         let slope = 0.25 * PARTS as f64 / (root * root * root);
@@ -428,19 +497,20 @@ fn ripple(at: &AtPlaces) -> Vec<RipplePart> {
 ///
 /// ```text
 /// g_i = Σ_k (dw_ik/du_i) c_ik,  c_ik = J_l/n + (J_p (p_i − p_k) + J_y (y_i − y_k))/n_k
-/// ∂J/∂p_i = q_i − mean q,  q_i = Σ_k w_ik J_p/n_k + (g_i − u_i mean(g u))/sd p′               [Ripple-gradient]
+/// ∂J/∂p_i = q_i − mean q − x_i Σ x q/Σ x²,  q_i = Σ_k w_ik J_p/n_k + (g_i − u_i mean(g u))/sd p′     [Ripple-gradient]
 /// ```
 ///
 /// n_k, p_k, y_k are number of places, pressure and height of part k, J_l, J_p, J_y the derivatives over them, w_ik the share of
-/// place i in it.
+/// place i in it, x_i its distance from the middle.
 pub(crate) fn part_gradient(
     heights: &[f64],
     pressures: &[f64],
+    reach: usize,
     by_parts: &[[f64; 3]],
 ) -> [Vec<f64>; 2] {
     cite!("Ripple-gradient");
     let mut gradient = [0, 1].map(|_| vec![0.0; pressures.len()]);
-    let at = AtPlaces::of([heights], [pressures], places(heights.len()));
+    let at = AtPlaces::of([heights], [pressures], reach);
     let scale = Scale::of(&at.pressures);
     if scale.deviation == 0.0 {
         return gradient;
@@ -461,11 +531,10 @@ pub(crate) fn part_gradient(
         let of_means = by_pressure * (p - pressure / places) + by_height * (z - height / places);
         by_length / n + of_means / places
     };
-    let all = places(pressures.len());
+    let mut at_places = [0, 1].map(|_| vec![0.0; at.pressures.len()]);
     let mut by_scale = 0.0;
-    let [over_pressure, over_height] = &mut gradient;
-    for i in all.clone() {
-        let (p, z) = (pressures[i], heights[i]);
+    let [over_pressure, over_height] = &mut at_places;
+    for (i, (p, z)) in at.iter().enumerate() {
         let mut moved = 0.0;
         for (part, weight, slope) in scale.placed(p) {
             if sums[part][0] > 0.0 {
@@ -478,13 +547,14 @@ pub(crate) fn part_gradient(
         over_pressure[i] += moved / scale.deviation;
         by_scale += moved * scale.u(p);
     }
-    for i in all.clone() {
-        over_pressure[i] -= scale.u(pressures[i]) * by_scale / (n * scale.deviation);
+    for (over, p) in over_pressure.iter_mut().zip(&at.pressures) {
+        *over -= scale.u(*p) * by_scale / (n * scale.deviation);
     }
-    for of in &mut gradient {
-        let mean = all.clone().map(|i| of[i]).sum::<f64>() / n;
-        for i in all.clone() {
-            of[i] -= mean;
+    level(over_pressure);
+    for (of, at_places) in gradient.iter_mut().zip(&at_places) {
+        let mean = mean(at_places);
+        for (i, over) in places(of.len(), reach).zip(at_places) {
+            of[i] = over - mean;
         }
     }
     gradient
@@ -494,8 +564,11 @@ pub(crate) fn part_gradient(
 mod tests {
     use super::*;
 
+    /// Points from the middle of the windows of the tests up to their ends.
+    const REACH: usize = 220;
+
     fn ripple(heights: &[f64], pressures: &[f64]) -> Vec<RipplePart> {
-        super::ripple(&AtPlaces::of([heights], [pressures], places(heights.len())))
+        super::ripple(&AtPlaces::of([heights], [pressures], REACH))
     }
 
     #[test]
@@ -537,7 +610,12 @@ mod tests {
         let expected = moment(&ripple(&line, &pressures));
         // 192 rows had all of their places in one column.
         for rows in [4, 64, 192, 256] {
-            let patch = PatchSample::of(&line.repeat(rows), 603, Some(&pressures.repeat(rows)));
+            let patch = PatchSample::of(
+                &line.repeat(rows),
+                603,
+                Some(&pressures.repeat(rows)),
+                REACH,
+            );
             let found = PatchSample::between(&[(Arc::new(patch.unwrap()), 1.0)]);
             assert!(
                 (moment(&found.ripple) / expected - 1.0).abs() < 0.01,
@@ -590,7 +668,8 @@ mod tests {
 
     #[test]
     fn parts_of_a_window_keep_its_means_and_the_order_of_their_pressures() {
-        let heights = wave(1003);
+        // Even about the middle: no slope is taken.
+        let heights: Vec<f64> = wave(1003).iter().map(|z| z * z).collect();
         let pressures: Vec<f64> = heights.iter().map(|z| 3.0 * z + 7.0).collect();
         let parts = ripple(&heights, &pressures);
         let total = |of: &dyn Fn(&RipplePart) -> f64| parts.iter().map(of).sum::<f64>();
@@ -605,12 +684,21 @@ mod tests {
             assert!((part.pressure - 3.0 * part.height).abs() < 1e-12);
         }
         assert_eq!(ripple(&heights, &vec![7.0; heights.len()]), []);
+        // What rises along rolling moves the contact, and what is outside of it does not act.
+        let other = |i: usize| 0.5 * i as f64 + if i.abs_diff(501) > REACH { 9.0 } else { 0.0 };
+        let sloping: Vec<f64> = (pressures.iter().enumerate())
+            .map(|(i, p)| p + other(i))
+            .collect();
+        for (part, moved) in parts.iter().zip(ripple(&heights, &sloping)) {
+            assert!((part.pressure - moved.pressure).abs() < 1e-9);
+            assert!((part.length - moved.length).abs() < 1e-9);
+        }
     }
 
     #[test]
     fn a_mirrored_window_has_the_same_places() {
         for points in (1..2000).step_by(7).chain([1, 2, 3, 10_000, 10_001]) {
-            let found: Vec<usize> = places(points).collect();
+            let found: Vec<usize> = places(points, points).collect();
             let mirrored: Vec<usize> = found.iter().rev().map(|i| points - 1 - i).collect();
             assert_eq!(found, mirrored);
             assert!(
@@ -646,7 +734,7 @@ mod tests {
                 [p * p + sin, l * (2.0 * p + z * cos), l * p * cos]
             })
             .collect();
-        let gradient = part_gradient(&heights, &pressures, &by_parts);
+        let gradient = part_gradient(&heights, &pressures, REACH, &by_parts);
         // A wide bump moves many places between the parts.
         let bump = |i: usize| f64::exp(-((i as f64 - 200.0) / 60.0).powi(2));
         for (which, gradient) in gradient.iter().enumerate() {

@@ -685,7 +685,7 @@ fn patches_are_fed_by_their_computed_flow_and_lines_as_before() {
     let mut film = fresh(&settings);
     let flattening = film.patch_flattening(&patches).unwrap();
     assert_eq!(flattening.peak_weight, 0.0);
-    assert_eq!(flattening.ripple_modulus, of_lines.ripple_modulus);
+    assert_eq!(flattening.ripple, of_lines.ripple);
     let traces = AttenuatedTraces::new([first, second], &flattening);
     let window = traces.window(STARTS, points(&contact)).unwrap();
     let found = film.share(ground_table(), &window).unwrap().value;
@@ -721,12 +721,13 @@ fn patches_are_fed_by_their_computed_flow_and_lines_as_before() {
             .map(|of| of.ripple(attenuation, contact.modulus)),
     );
     let columns = points(&contact);
-    let piece = PatchSample::of(&left, columns, Some(&pressures)).unwrap();
+    let reach = flattening.ripple.unwrap().reach_in(SPACING);
+    let piece = PatchSample::of(&left, columns, Some(&pressures), reach).unwrap();
     let of_piece = PatchSample::between(&[(Arc::new(piece), 1.0)]);
     assert!((of_piece.deviation / window.deviation - 1.0).abs() < 1e-9);
     assert_eq!(of_piece.ripple.len(), window.ripple.len());
-    assert!(PatchSample::of(&left, columns, Some(&[0.0])).is_err());
-    assert!(PatchSample::of(&left, columns - 1, None).is_err());
+    assert!(PatchSample::of(&left, columns, Some(&[0.0]), reach).is_err());
+    assert!(PatchSample::of(&left, columns - 1, None, reach).is_err());
 
     let power = LoadShareSettings {
         gap_law: GapLaw::Power,
