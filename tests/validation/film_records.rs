@@ -733,7 +733,8 @@ fn the_fast_model_follows_the_93_records() {
     assert!(near(mean, 0.009) && near(rms, 0.07), "{mean} {rms}");
     let above = all.iter().filter(|row| !row.is_within_reference());
     let [mean, ..] = of_friction(above, DEFAULT);
-    assert!(near(mean, 0.069), "{mean}");
+    // .069 before ripples were in balance under the contact.
+    assert!(near(mean, 0.056), "{mean}");
     // Parts: the film alone, and what the boundary layer adds.
     let film = |rows: &mut dyn Iterator<Item = &Row>| {
         mean_and_rms(rows.map(|row| row.film_error(FILM_ONLY)))
@@ -778,7 +779,7 @@ fn the_interval_holds_the_unseen_half_at_part_load() {
         "{within:?}"
     );
     // Friction is too high where the share is: no rule was found that is better by .1.
-    for (rows, most) in [(&chosen, 0.25), (&unseen, 0.2)] {
+    for (rows, most) in [(&chosen, 0.21), (&unseen, 0.16)] {
         let [mean, rms] = mean_and_rms(rows.iter().map(Row::error));
         assert!(mean.abs() < 0.15 && rms < 0.32, "{mean} {rms}");
         let [mean, rms] = mean_and_rms(rows.iter().map(Row::passed_error));
@@ -786,7 +787,7 @@ fn the_interval_holds_the_unseen_half_at_part_load() {
     }
     // Scaled flanks: 64 windows of the traces have .2.
     let [_, rms] = mean_and_rms(rows(PART_LOAD).iter().map(Row::passed_error));
-    assert!(rms < 0.13, "{rms}");
+    assert!(rms < 0.085, "{rms}");
 }
 
 /// Largest second differences of ln μ over even steps of ln torque from 5 to 300 N m at 9000 1/min and of ln speed from 5 to
@@ -829,7 +830,7 @@ fn friction_has_no_kink_over_torque_and_speed_in_fine_steps() {
     assert!(found.iter().all(|bend| *bend < 0.006), "{found:?}");
     // A jump would stay where steps are finer; by whole cells one of .0049 did.
     let found = largest_bends(256, [480, 480]);
-    assert!(found.iter().all(|bend| *bend < 0.002), "{found:?}");
+    assert!(found.iter().all(|bend| *bend < 0.003), "{found:?}");
 }
 
 #[test]
@@ -838,7 +839,7 @@ fn the_second_blind_test_has_the_outcome_that_is_printed() {
     let rows = rows(SECOND_BLIND);
     assert_eq!(second_blind_conditions().len(), 24);
     // 18 when it was blind, one fewer than it asks for. Another number means that a record or the model has changed since.
-    assert_eq!((rows.len(), covered(&rows, true)), (24, 20));
+    assert_eq!((rows.len(), covered(&rows, true)), (24, 22));
 }
 
 #[test]
@@ -879,10 +880,11 @@ fn parts_of_friction_are_those_of_an_independent_program() {
             .iter()
             .find(|(name, _)| *name == condition.name);
         let (name, expected) = row.unwrap();
-        // Its film has Hertz's pressures and the thickness of the mass flow: friction differs by up to 2.1 %.
+        // Its film has Hertz's pressures, the thickness of the mass flow, and ripples of the whole window: friction differs by up to
+        // 2.7 %.
         for (found, expected) in found.iter().zip(expected) {
             assert!(
-                (found / expected - 1.0).abs() < 0.025,
+                (found / expected - 1.0).abs() < 0.03,
                 "{name}: {found} {expected}"
             );
         }
