@@ -451,6 +451,7 @@ mod tests {
         let largest = all.fold(0.0, |m: f64, g| m.max(g.abs()));
         let in_contact = in_contact(case);
         let mut errors = Vec::new();
+        let mut changed = 0;
         for touching in [true, false] {
             let points = drawn(gradient, count, |body, i| {
                 in_contact[body][i] == touching && gradient[body][i].abs() > 0.01 * largest
@@ -464,15 +465,16 @@ mod tests {
                     let cells = changed_cells(case, body, &shape, step);
                     println!("trace {body}, point {i}: {error:.1e}, {cells:?}");
                     assert!(!cells.is_empty());
+                    changed += 1;
                 }
                 errors.push(error);
             }
         }
         errors.sort_by(f64::total_cmp);
-        let [median, of_95_percent, largest] =
-            [count, 2 * count - 1 - count / 10, 2 * count - 1].map(|k: usize| errors[k]);
+        let [median, largest] = [count, 2 * count - 1].map(|k: usize| errors[k]);
         println!("median {median:.1e}, largest {largest:.1e}");
-        assert!(median < 1e-6 && of_95_percent < 2e-2, "{errors:?}");
+        // Where a cell enters or leaves within the step, the quotient is no slope.
+        assert!(median < 1e-6 && changed <= 1 + count / 10, "{errors:?}");
         let bumps = (2 * count).div_ceil(5);
         for k in 0..bumps {
             let body = k % 2;
