@@ -251,10 +251,13 @@ impl<'a> Folder<'a> {
                 );
                 assert!(!values.is_empty(), "{what}: no such column");
                 let of_text = numbers(text);
-                // Parts and their total share the last place.
-                let room = match PARTS.contains(&column.as_str()) {
-                    true => 2.0 * half_place(&of_watts),
-                    false => half_place(&of_text),
+                let is_zero = of_text.iter().all(|(number, _)| *number == 0.0);
+                let room = match (PARTS.contains(&column.as_str()), is_zero) {
+                    // Parts and their total share the last place.
+                    (true, _) => 2.0 * half_place(&of_watts),
+                    // A change in per cent that is nothing in the place that the interval of its watts allows.
+                    (_, true) if column.ends_with("percent") => half_place(&of_watts),
+                    _ => half_place(&of_text),
                 };
                 for (k, value) in values.iter().enumerate() {
                     let Ok(number) = value.parse::<f64>() else {

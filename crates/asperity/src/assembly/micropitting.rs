@@ -1,7 +1,7 @@
 //! The film of the micropitting rating along the path of contact, and the measured flanks at the same places.
 //!
-//! Pressure, speeds and friction are those of the run; the film and its temperature are those of ISO/TS 6336-22
-//! ([`asperity_ehl_regime::micropitting`]). No permissible value is known here: without the user's own there is no
+//! Pressure, speeds and friction come from the run, the film and its temperature from ISO/TS 6336-22
+//! ([`asperity_ehl_regime::micropitting`]). No permissible value is known here: without a stated one there is no
 //! safety factor, and in no case a verdict.
 
 use asperity_contact::plasticity::softer_flow_pressure;

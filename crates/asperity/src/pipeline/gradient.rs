@@ -280,7 +280,7 @@ mod tests {
     const BUMP_POINTS: [f64; 2] = [4.0, 400.0];
 
     /// Heights in contact that are compared, as many others, and a fifth of both as bumps; `ASPERITY_HEIGHTS=50` compares
-    /// those of the record in docs/records/load-share.md.
+    /// as many as the record in docs/records/load-share.md.
     fn heights_each() -> usize {
         const FEW: usize = 4;
         let wanted = std::env::var("ASPERITY_HEIGHTS").ok();

@@ -284,8 +284,8 @@ fn moving(trace: &Profile, offset: f64) -> Result<MovingProfile, DomainError> {
 }
 
 /// Standard deviation σ_d of the roughness that rough surfaces keep in a lubricated contact: the root of the
-/// sum of the mean squares of their attenuated traces, which pass each other and are unrelated. The coefficients are those of the
-/// gap law `power`, which describe these solutions.
+/// sum of the mean squares of their attenuated traces, which pass each other and are unrelated. The coefficients of the
+/// gap law `power` describe these solutions.
 ///
 /// # Errors
 /// When a number is outside its domain, or a height is not finite.
