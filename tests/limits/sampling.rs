@@ -233,7 +233,7 @@ fn part_load_takes_the_offsets_that_it_needs() {
         case.unwrap()
     };
     for (torque, expected, many) in [("145 N m", 16..48, 96), ("40 N m", 48..128, 192)] {
-        // The mean over many more offsets, which share the windows of the few, within 1.5 %.
+        // The mean over many more offsets, which share the windows of the few, within 2 %.
         let stated = case(torque, Some(many));
         let tables = contacts(&stated).unwrap();
         let many = losses_with(&tables, &stated).unwrap().summary.loss_w;
@@ -247,7 +247,7 @@ fn part_load_takes_the_offsets_that_it_needs() {
         );
         assert!(expected.contains(&found.offsets), "{}", found.offsets);
         assert!(
-            (found.loss_w / many - 1.0).abs() < 0.015,
+            (found.loss_w / many - 1.0).abs() < 0.02,
             "{torque}: {} {many}",
             found.loss_w
         );
