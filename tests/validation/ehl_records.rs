@@ -239,7 +239,8 @@ impl Windows {
         let [u1, u2] = [contact.position.motion.u1, contact.position.motion.u2];
         let mean = 0.5 * (u1 + u2).si();
         let middle = points_of_window(contact) / 2;
-        let settings = mixed_ehl_records::record_settings();
+        let settings = condition.settings(&mixed_ehl_records::record_settings());
+        let settings = settings.record;
         let travel = |k: usize| {
             let travelled = settings.start + settings.length * (k as f64 + 0.5) / count as f64;
             travelled * contact.position.hertz.half_width.si()

@@ -27,10 +27,10 @@ use crate::ehl_records::{Record, Windows, mean_and_rms, records};
 
 /// Windows that the parts are averaged over.
 const WINDOWS: usize = 64;
-/// Windows along the travel of a record: four a half-width.
-const PASSED_WINDOWS: usize = 56;
-/// Windows that a record travels over, about.
-const WINDOWS_OF_A_RECORD: f64 = 12.0;
+/// Windows on the travel of a record, a half-width.
+const PASSED_WINDOWS: f64 = 4.0;
+/// Half-widths of travel between windows that know nothing of each other, about.
+const TRAVEL_OF_A_WINDOW: f64 = 14.0 / 12.0;
 /// Conditions with the means of another program over the same windows: friction, asperity share, the boundary layer's part of the
 /// friction, gap in µm. Its film has other nodes, and its inner spots are sheared at the film of half the sliding speed.
 const OF_ANOTHER_PROGRAM: [(&str, [f64; 4]); 12] = [
@@ -298,6 +298,8 @@ fn stored() -> &'static (String, Stored) {
 /// A record beside the fast model.
 struct Row {
     name: String,
+    /// Travel of the record \[half-widths\].
+    travel: f64,
     record: Record,
     by: &'static BTreeMap<String, Windowed>,
 }
@@ -354,7 +356,7 @@ impl Row {
         if !with_sampling {
             return model;
         }
-        let windows = (1.0 / WINDOWS_OF_A_RECORD + 1.0 / WINDOWS as f64).sqrt();
+        let windows = (TRAVEL_OF_A_WINDOW / self.travel + 1.0 / WINDOWS as f64).sqrt();
         let of_windows = fast.deviation / fast.friction * windows;
         let of_record = self.record.friction_error / self.record.friction;
         model.hypot(of_windows).hypot(of_record)
@@ -382,6 +384,7 @@ fn rows(table: &str) -> Vec<Row> {
         Some(Row {
             by: &stored().1[&condition.name],
             name: condition.name,
+            travel: condition.travel,
             record,
         })
     });
@@ -778,8 +781,8 @@ fn the_interval_holds_the_unseen_half_at_part_load() {
         within.iter().all(|within| (28..=30).contains(within)),
         "{within:?}"
     );
-    // Friction is too high where the share is: no rule was found that is better by .1.
-    for (rows, most) in [(&chosen, 0.21), (&unseen, 0.16)] {
+    // Friction is too high where the share is: ehl-part-load.md has by what.
+    for (rows, most) in [(&chosen, 0.24), (&unseen, 0.21)] {
         let [mean, rms] = mean_and_rms(rows.iter().map(Row::error));
         assert!(mean.abs() < 0.15 && rms < 0.32, "{mean} {rms}");
         let [mean, rms] = mean_and_rms(rows.iter().map(Row::passed_error));
@@ -935,7 +938,8 @@ fn the_windows_of_every_record() {
             let settings = (model.make)(windows.settings());
             text += &stored_row(&condition, model.name, &Windowed::of(&windows, &settings));
         }
-        let passed = Windows::passed(&condition, PASSED_WINDOWS);
+        let count = (PASSED_WINDOWS * condition.travel) as usize;
+        let passed = Windows::passed(&condition, count);
         text + &stored_row(
             &condition,
             PASSED,

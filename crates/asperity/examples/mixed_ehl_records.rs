@@ -16,7 +16,7 @@
 //! be chosen, and `unseen`), or ten gear meshes with `short` waves. A row is printed as soon as it is
 //! solved; one that is not solved has no numbers.
 //! `list` prints slide-to-roll ratio, Hertz pressure in GPa and roughness over the film without a record. Keys: `hb` (contact film
-//! in nm), `cells`, `start` and `length` (travel in half-widths). Run it in the folder of the workspace.
+//! in nm), `cells`, `start` and `length` (least travel in half-widths). Run it in the folder of the workspace.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -46,6 +46,11 @@ const FZG_TURNS: f64 = 2166.0 / 8.3;
 pub const EYRING_STRESS: [Pressure; 2] = [Pressure::from_si(4e6), Pressure::from_si(5e6)];
 /// Boundary friction of the records.
 pub const BOUNDARY_FRICTION: f64 = 0.08;
+/// Travel of the records \[half-widths\].
+const TRAVEL: f64 = 14.0;
+/// Travel of the records of generated flanks at part load: their contact is so narrow that 14 half-widths are a few waves, and the
+/// start from smooth flanks still shows in them.
+const LIGHT_TRAVEL: f64 = 42.0;
 /// Spacing of the synthetic traces.
 const SPACING: Length = Length::from_si(0.5e-6);
 
@@ -229,6 +234,8 @@ pub struct Condition {
     pub shortest_wave: Option<Length>,
     /// Cells of its grid at least.
     least_cells: usize,
+    /// Travel of its record \[half-widths\].
+    pub travel: f64,
     /// Whether its window begins where the inlet is flooded, with cells as wide as in the window of the other records.
     is_flooded: bool,
 }
@@ -243,6 +250,7 @@ impl Condition {
             keys: vec![("operation.bulk_temperature", format!("{temperature} °C"))],
             shortest_wave: None,
             least_cells: 0,
+            travel: TRAVEL,
             is_flooded: false,
         }
     }
@@ -292,6 +300,7 @@ impl Condition {
             ],
             shortest_wave: None,
             least_cells: 0,
+            travel: TRAVEL,
             is_flooded: false,
         };
         match drive {
@@ -316,6 +325,7 @@ impl Condition {
             )],
             shortest_wave: None,
             least_cells: 0,
+            travel: TRAVEL,
             is_flooded: false,
         }
     }
@@ -325,6 +335,7 @@ impl Condition {
         ReferenceSettings {
             record: RecordSettings {
                 cells: record.cells.max(self.least_cells),
+                length: record.length.max(self.travel),
                 ..record.clone()
             },
             eyring_stress: Some(EYRING_STRESS[usize::from(self.case == FZG)]),
@@ -637,12 +648,14 @@ pub fn second_blind_conditions() -> Vec<Condition> {
 
 /// The conditions of the second blind test in windows with a flooded inlet.
 pub fn flooded_second_blind_conditions() -> Vec<Condition> {
-    flooded(second_blind_conditions())
+    flooded(second_blind_conditions(), TRAVEL)
 }
 
-fn flooded(conditions: Vec<Condition>) -> Vec<Condition> {
+/// With flooded inlets, and records of the `travel`.
+fn flooded(conditions: Vec<Condition>, travel: f64) -> Vec<Condition> {
     let flood = |condition| Condition {
         is_flooded: true,
+        travel,
         ..condition
     };
     conditions.into_iter().map(flood).collect()
@@ -721,7 +734,8 @@ pub fn chosen_conditions() -> Vec<Condition> {
         (FirstStage, RunIn, [1145, 1146], 130, 0.12, 3000, 14.0),
         (FirstStage, Lapped, [1155, 1156], 105, 0.40, 1400, 27.0),
     ];
-    flooded(rows.map(Condition::generated).into_iter().collect())
+    let conditions = rows.map(Condition::generated).into_iter();
+    flooded(conditions.collect(), LIGHT_TRAVEL)
 }
 
 /// Conditions at part load that are not looked at before the model is fixed, drawn as the chosen ones.
@@ -765,7 +779,8 @@ pub fn unseen_conditions() -> Vec<Condition> {
         (FzgA, RunIn, [2145, 2146], 45, 0.83, 4500, 20.0),
         (FirstStage, Lapped, [2155, 2156], 55, 0.61, 5500, 12.0),
     ];
-    flooded(rows.map(Condition::generated).into_iter().collect())
+    let conditions = rows.map(Condition::generated).into_iter();
+    flooded(conditions.collect(), LIGHT_TRAVEL)
 }
 
 /// Conditions of the gear meshes that are solved again with shorter waves.
@@ -798,10 +813,10 @@ pub fn short_wave_conditions() -> Vec<Condition> {
     finer.into_iter().flat_map(of).collect()
 }
 
-/// Settings of the records of a table: every step a frame, 14 half-widths.
+/// Settings of the records of a table: every step a frame, as long as the condition asks for.
 pub fn record_settings() -> RecordSettings {
     RecordSettings {
-        length: 14.0,
+        length: 0.0,
         frame_interval: Some(0.0),
         ..RecordSettings::default()
     }
