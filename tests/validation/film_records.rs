@@ -781,7 +781,7 @@ fn the_interval_holds_the_unseen_half_at_part_load() {
         within.iter().all(|within| (28..=30).contains(within)),
         "{within:?}"
     );
-    // Friction is too high where the share is: ehl-part-load.md has by what.
+    // Friction is too high where the share is: docs/records/ehl-part-load-causes.md.
     for (rows, most) in [(&chosen, 0.24), (&unseen, 0.21)] {
         let [mean, rms] = mean_and_rms(rows.iter().map(Row::error));
         assert!(mean.abs() < 0.15 && rms < 0.32, "{mean} {rms}");
