@@ -16,7 +16,7 @@
 //! be chosen, and `unseen`), or ten gear meshes with `short` waves. A row is printed as soon as it is
 //! solved; one that is not solved has no numbers.
 //! `list` prints slide-to-roll ratio, Hertz pressure in GPa and roughness over the film without a record. Keys: `hb` (contact film
-//! in nm), `cells`, `start` and `length` (least travel in half-widths). Run it in the folder of the workspace.
+//! in nm), `cells`, `start` and `length` (travel in half-widths). Run it in the folder of the workspace.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -335,7 +335,7 @@ impl Condition {
         ReferenceSettings {
             record: RecordSettings {
                 cells: record.cells.max(self.least_cells),
-                length: record.length.max(self.travel),
+                length: self.travel,
                 ..record.clone()
             },
             eyring_stress: Some(EYRING_STRESS[usize::from(self.case == FZG)]),
@@ -813,10 +813,9 @@ pub fn short_wave_conditions() -> Vec<Condition> {
     finer.into_iter().flat_map(of).collect()
 }
 
-/// Settings of the records of a table: every step a frame, as long as the condition asks for.
+/// Settings of the records of a table, whose travel their conditions state: every step is a frame.
 pub fn record_settings() -> RecordSettings {
     RecordSettings {
-        length: 0.0,
         frame_interval: Some(0.0),
         ..RecordSettings::default()
     }
@@ -937,6 +936,7 @@ fn roughness_over_film(loaded: &LoadedCase, contact: &ReferenceContact) -> Outco
 pub fn main() -> Outcome<()> {
     let (mut prefix, mut settings) = (String::new(), record_settings());
     let (mut table, mut is_list): (fn() -> Vec<Condition>, bool) = (conditions, false);
+    let mut travel = None;
     for word in std::env::args().skip(1) {
         match word.split_once('=') {
             Some(("hb", value)) => {
@@ -944,7 +944,7 @@ pub fn main() -> Outcome<()> {
             }
             Some(("cells", value)) => settings.cells = value.parse()?,
             Some(("start", value)) => settings.start = value.parse()?,
-            Some(("length", value)) => settings.length = value.parse()?,
+            Some(("length", value)) => travel = Some(value.parse()?),
             Some((key, _)) => return Err(format!("unknown key {key}").into()),
             None if word == "blind" => table = blind_conditions,
             None if word == "second" => table = second_blind_conditions,
@@ -957,7 +957,10 @@ pub fn main() -> Outcome<()> {
             None => prefix = word,
         }
     }
-    let conditions = table();
+    let mut conditions = table();
+    for condition in &mut conditions {
+        condition.travel = travel.unwrap_or(condition.travel);
+    }
     let chosen: Vec<&Condition> = conditions
         .iter()
         .filter(|condition| condition.name.starts_with(&prefix))
