@@ -50,7 +50,7 @@ const START_REACH: f64 = 2.0;
 /// ln(η γ̇/τ₀) above which arsinh is a logarithm to the last digit.
 const STEEP: f64 = 300.0;
 /// Points whose stresses are solved at a time.
-pub const LANES: usize = 8;
+pub const LANES: usize = 16;
 /// Highest stress over the unheated one where the limit does not rise, with its rounding.
 const ROUNDED: f64 = 1.0 + 1e-9;
 /// Steps after which points that are solved together have converged, or are solved each by itself within its bracket.
@@ -605,7 +605,8 @@ impl FilmRheology {
         };
         if self.shear == ShearLawName::Eyring && count > 0 && each[..count].iter().all(is_sheared) {
             cite!("Film-heat");
-            for k in 0..LANES {
+            lanes.count = count.next_multiple_of(4);
+            for k in 0..lanes.count {
                 // The first point fills the lanes that are left.
                 let (point, start) = each[if k < count { k } else { 0 }];
                 lanes.pressure[k] = point.pressure;
@@ -673,23 +674,27 @@ impl FilmRheology {
     }
 
     /// Newton's method until the last lane has converged.
+    ///
+    /// The loops go to a number that the compiler does not know: loops of a known few passes are unrolled before they can be
+    /// compiled to vectors.
     #[inline(always)]
     fn newton(
         &self,
         lanes: &Lanes,
         wall: f64,
-        log: impl Fn([f64; 2], f64, f64) -> [f64; 2],
+        log: impl Fn([f64; 2], f64, f64) -> [f64; 2] + Copy,
     ) -> Option<[[f64; 2]; LANES]> {
+        let count = lanes.count.min(LANES);
         let mut tau = lanes.start;
         let mut highest = [0.0; LANES];
-        for k in 0..LANES {
+        for k in 0..count {
             highest[k] = START_REACH * tau[k];
         }
-        if lanes.start.iter().any(|start| *start <= 0.0) {
+        if lanes.start[..count].iter().any(|start| *start <= 0.0) {
             // One Newton step from the unheated stress.
             let most = self.highest_over_cold();
-            let (cold, slope) = self.stresses(lanes, &[wall; LANES], &log);
-            for k in 0..LANES {
+            let (cold, slope) = self.stresses(lanes, &[wall; LANES], log);
+            for k in 0..count {
                 let is_new = lanes.start[k] <= 0.0;
                 let first = cold[k] / (1.0 - lanes.heating[k] * slope[k]);
                 tau[k] = if is_new { first } else { tau[k] };
@@ -698,13 +703,13 @@ impl FilmRheology {
         }
         for _ in 0..STEPS_TOGETHER {
             let mut temperature = [0.0; LANES];
-            for k in 0..LANES {
+            for k in 0..count {
                 temperature[k] = wall + lanes.heating[k] * tau[k];
             }
-            let (law, falls) = self.stresses(lanes, &temperature, &log);
+            let (law, falls) = self.stresses(lanes, &temperature, log);
             let (mut is_outside, mut is_far) = (0_u64, 0_u64);
             let mut slope = [0.0; LANES];
-            for k in 0..LANES {
+            for k in 0..count {
                 let steepness = 1.0 - lanes.heating[k] * falls[k];
                 let step = (tau[k] - law[k]) / steepness;
                 let next = tau[k] - step;
@@ -729,29 +734,36 @@ impl FilmRheology {
         &self,
         lanes: &Lanes,
         temperature: &[f64; LANES],
-        log_viscosity: impl Fn([f64; 2], f64, f64) -> [f64; 2],
+        log_viscosity: impl Fn([f64; 2], f64, f64) -> [f64; 2] + Copy,
     ) -> ([f64; LANES], [f64; LANES]) {
-        let (mut log, mut slope) = ([0.0; LANES], [0.0; LANES]);
-        for k in 0..LANES {
-            [log[k], slope[k]] = self.viscosity.at(temperature[k]);
-        }
-        let (mut free, mut limit) = ([[0.0; 2]; LANES], [[0.0; 2]; LANES]);
-        for k in 0..LANES {
-            let at_ambient = [log[k], slope[k]];
-            let [log, slope] = log_viscosity(at_ambient, lanes.pressure[k], lanes.growth[k]);
-            free[k] = self.eyring(log + lanes.log_rate[k], slope);
-            limit[k] = self.limit(lanes.pressure[k], temperature[k]);
-        }
-        let (mut stress, mut by_temperature) = ([0.0; LANES], [0.0; LANES]);
-        let mut limited = |power: f64| {
-            for k in 0..LANES {
-                [stress[k], by_temperature[k]] = limited_stress_by(power, free[k], limit[k]);
-            }
-        };
         match self.constants.limit_power {
             // A constant power is compiled without a logarithm.
-            LIMIT_POWER => limited(LIMIT_POWER),
-            power => limited(power),
+            LIMIT_POWER => self.limited_by(LIMIT_POWER, lanes, temperature, log_viscosity),
+            power => self.limited_by(power, lanes, temperature, log_viscosity),
+        }
+    }
+
+    /// [`stresses`](Self::stresses) with a power of the limit.
+    #[inline(always)]
+    fn limited_by(
+        &self,
+        power: f64,
+        lanes: &Lanes,
+        temperature: &[f64; LANES],
+        log_viscosity: impl Fn([f64; 2], f64, f64) -> [f64; 2],
+    ) -> ([f64; LANES], [f64; LANES]) {
+        let count = lanes.count.min(LANES);
+        let (mut log, mut slope) = ([0.0; LANES], [0.0; LANES]);
+        for k in 0..count {
+            [log[k], slope[k]] = self.viscosity.at(temperature[k]);
+        }
+        let (mut stress, mut by_temperature) = ([0.0; LANES], [0.0; LANES]);
+        for k in 0..count {
+            let at_ambient = [log[k], slope[k]];
+            let [log, slope] = log_viscosity(at_ambient, lanes.pressure[k], lanes.growth[k]);
+            let free = self.eyring(log + lanes.log_rate[k], slope);
+            let limit = self.limit(lanes.pressure[k], temperature[k]);
+            [stress[k], by_temperature[k]] = limited_stress_by(power, free, limit);
         }
         (stress, by_temperature)
     }
@@ -760,6 +772,7 @@ impl FilmRheology {
 /// Points that are sheared together, a quantity an array.
 #[derive(Default)]
 struct Lanes {
+    count: usize,
     pressure: [f64; LANES],
     growth: [f64; LANES],
     log_rate: [f64; LANES],

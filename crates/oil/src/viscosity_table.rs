@@ -83,26 +83,21 @@ impl ViscosityTable {
     }
 
     /// ln η₀ and d(ln η₀)/dT at a temperature \[K\].
+    #[inline(always)]
     pub(crate) fn at(&self, temperature: f64) -> [f64; 2] {
         let place = (temperature - self.first) / STEP;
         let last = self.entries.len() - 1;
-        if place <= 0.0 {
-            let [l, d] = self.entries[0];
-            return [l + d * place, d / STEP];
-        }
-        if place >= last as f64 {
-            let [l, d] = self.entries[last];
-            return [l + d * (place - last as f64), d / STEP];
-        }
-        let k = place as usize;
-        let t = place - k as f64;
+        // Beyond its ends the table goes on in a straight line.
+        let inside = place.clamp(0.0, last as f64);
+        let k = (inside as usize).min(last - 1);
+        let t = inside - k as f64;
         let ([l0, d0], [l1, d1]) = (self.entries[k], self.entries[k + 1]);
         let rise = l1 - l0;
         // l0 + d0 t + (3 rise − 2 d0 − d1) t² + (d0 + d1 − 2 rise) t³
         let (c2, c3) = (3.0 * rise - 2.0 * d0 - d1, d0 + d1 - 2.0 * rise);
         let value = l0 + t * (d0 + t * (c2 + t * c3));
         let slope = d0 + t * (2.0 * c2 + t * 3.0 * c3);
-        [value, slope / STEP]
+        [value + slope * (place - inside), slope / STEP]
     }
 }
 
