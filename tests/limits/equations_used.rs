@@ -14,7 +14,11 @@ use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadLaw, LoadMa
 const CASES: [&str; 4] = ["e-drive", "e-drive-superfinished", "fzg-c", "table2"];
 
 /// Equations of the film laws, of which each run uses those of one.
-const FILM: [(FilmLaw, &[&str]); 4] = [
+const FILM: [(FilmLaw, &[&str]); 5] = [
+    (
+        FilmLaw::Steady,
+        &["Steady-film", "Dowson-Toyoda", "Dowson-Higginson"],
+    ),
     (
         FilmLaw::DowsonToyoda,
         &["Dowson-Toyoda", "Dowson-Higginson"],

@@ -2,6 +2,7 @@
 //!
 //! | name | central | minimum |
 //! |---|---|---|
+//! | `steady` | steady solutions, as factors K(M, L) on Dowson–Toyoda | and K_m(M, L) on Dowson–Higginson |
 //! | `dowson-toyoda` | Dowson–Toyoda | Dowson–Higginson |
 //! | `moes` | Moes | Dowson–Higginson |
 //! | `ertel-grubin` | Ertel–Grubin | Dowson–Higginson |
@@ -17,6 +18,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dimensionless::{FilmConditions, FilmGroups};
 use crate::error::RegimeError;
+use crate::steady_film::steady_film;
 use crate::{film_elliptic, film_line};
 
 /// Central and minimum thickness of the smooth film.
@@ -62,8 +64,10 @@ macro_rules! film_laws {
 }
 
 film_laws! {
-    /// Line contact: Dowson–Toyoda central, Dowson–Higginson minimum film.
+    /// Line contact: this project's steady solutions, over the formulas of Dowson–Toyoda and Dowson–Higginson.
     #[default]
+    Steady "steady", film_line::DOWSON_TOYODA.speed, steady;
+    /// Line contact: Dowson–Toyoda central, Dowson–Higginson minimum film.
     DowsonToyoda "dowson-toyoda", film_line::DOWSON_TOYODA.speed, |at| line(film_line::dowson_toyoda, at);
     /// Line contact: Moes' four-regime central film, Dowson–Higginson minimum film.
     Moes "moes", MOES_EXPONENT, |at| line(film_line::moes, at);
@@ -130,6 +134,11 @@ fn line(
         central: central(&groups, at.radius)?,
         minimum: film_line::dowson_higginson(&groups, at.radius)?,
     }))
+}
+
+fn steady(at: &FilmConditions) -> Result<Checked<FilmThickness>, RegimeError> {
+    let [central, minimum] = steady_film(&at.line_groups()?, at.radius)?;
+    Ok(Checked::inside(FilmThickness { central, minimum }))
 }
 
 fn hamrock_dowson(at: &FilmConditions) -> Result<Checked<FilmThickness>, RegimeError> {

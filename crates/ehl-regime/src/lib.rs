@@ -42,6 +42,7 @@ pub mod published_shares;
 pub mod regime;
 pub mod rough_inlet;
 pub mod starvation;
+pub mod steady_film;
 pub mod thermal_reduction;
 
 pub use attenuation::{Attenuation, MoesNumbers, TraceSpectrum};

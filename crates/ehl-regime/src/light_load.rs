@@ -258,7 +258,7 @@ impl LightLoad {
 }
 
 /// Cubics through points, with the slope of the parabola through three of them at each.
-fn cubic<const N: usize>(x: &[f64; N], y: &[f64; N], at: f64) -> f64 {
+pub(crate) fn cubic<const N: usize>(x: &[f64; N], y: &[f64; N], at: f64) -> f64 {
     let chord = |k: usize| (y[k + 1] - y[k]) / (x[k + 1] - x[k]);
     let slope = |k: usize| {
         let middle = k.clamp(1, N - 2);

@@ -67,7 +67,8 @@ fn speed_exponents_are_those_of_the_central_films() {
     // Deep in the elastic piezoviscous regime (M = 10⁴, L = 100), where the slope of Moes'
     // form has come within a hundredth of its asymptote's; the others are power laws everywhere.
     let groups = groups_of(1e4, 100.0);
-    for &law in FilmLaw::ALL {
+    // The factor of the steady solutions on Dowson and Toyoda's film has no power.
+    for &law in FilmLaw::ALL.iter().filter(|law| **law != FilmLaw::Steady) {
         let central = |speed: f64| {
             let at = FilmGroups { speed, ..groups };
             let radius = Length::from_si(0.01);

@@ -145,7 +145,7 @@ impl Default for LoadShareSettings {
             boundary_friction: BOUNDARY_FRICTION,
             boundary_layer: BOUNDARY_LAYER,
             lay: Lay::GROUND,
-            film_law: FilmLaw::DowsonToyoda,
+            film_law: FilmLaw::Steady,
             thermal: ThermalLaw::Gupta,
             central_film: CentralFilm::MassFlow,
             supply: InletSupply::Rough,

@@ -24,7 +24,7 @@ def test_the_film_of_the_reference_pitch_point():
     assert paper.central == pytest.approx(1.366e-6, abs=1e-9) and paper.outside and paper.notes
 
 
-@pytest.mark.parametrize("law", ["dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson-line"])
+@pytest.mark.parametrize("law", ["steady", "dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson-line"])
 def test_films_grow_with_speed(law):
     found = asperity.film_thickness(law, **{**FILM, "entrainment": np.linspace(1, 20, 30)})
     assert np.all(np.diff(found.central) > 0) and np.all(found.minimum < found.central)

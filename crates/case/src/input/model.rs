@@ -127,8 +127,8 @@ choices! {
     /// Factor on the solved asperity load share, for the band; default 1.
     asperity_share_factor: f64 = default(1.0) usual "" [0.01, 1.0],
         check("factor on the asperity share", |k| k > 0.0 && k <= 1.0, "must be above 0 and at most 1");
-    /// Film thickness law; default `dowson-toyoda` (`paper`: `hamrock-dowson`).
-    film: FilmLaw = default(FilmLaw::DowsonToyoda);
+    /// Film thickness law; default `steady` (`paper`: `hamrock-dowson`).
+    film: FilmLaw = default(FilmLaw::Steady);
     /// Thermal reduction of the film and of rolling; default `gupta` (`paper`: `none`).
     thermal: ThermalLaw = default(ThermalLaw::Gupta);
     /// Feed the flash temperature back into the viscosity of the friction law; default false.

@@ -49,7 +49,7 @@ Boundary = Literal[
 
 
 FilmLaw = Literal[
-    "dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line",
+    "steady", "dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line",
 ]
 
 

@@ -91,7 +91,7 @@ _FILM = {
 
 
 def film_thickness(
-    law: FilmLaw = "dowson-toyoda",
+    law: FilmLaw = "steady",
     *,
     entrainment: Values,
     radius: Values,
@@ -104,7 +104,7 @@ def film_thickness(
     """Smooth isothermal films: ``central``, ``minimum`` (m), ``outside`` (bool), ``notes`` (what left its range).
 
     Parameters:
-        law: ``"dowson-toyoda"``, ``"moes"``, ``"ertel-grubin"``, ``"hamrock-dowson"`` or ``"hamrock-dowson-line"``;
+        law: ``"steady"``, ``"dowson-toyoda"``, ``"moes"``, ``"ertel-grubin"``, ``"hamrock-dowson"`` or ``"hamrock-dowson-line"``;
             sources in docs/EQUATIONS.md.
         entrainment: mean surface speed, m/s.
         radius: relative radius, m.

@@ -264,7 +264,7 @@ class ModelInput(TypedDict, total=False):
     edge_contact: Optional[bool]
     ehl: Optional[EhlInput]
     face_coupling: Optional[float]
-    film: Optional[Literal["dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line"]]
+    film: Optional[Literal["steady", "dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line"]]
     film_friction: Optional[Literal["eyring", "carreau", "newton", "xu", "benedict-kelley", "iso-14179-1", "iso-14179-2", "matsumoto", "doleschel", "eyring-arana", "constant"]]
     film_pressure: Optional[Literal["rippled", "own", "hertz"]]
     film_pressure_law: Optional[Literal["barus", "roelands"]]
@@ -794,7 +794,7 @@ CaseKeys = TypedDict(
         "model.ehl.records": "Optional[int]",
         "model.ehl.travel": "Optional[float]",
         "model.face_coupling": "Optional[float]",
-        "model.film": 'Optional[Literal["dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line"]]',
+        "model.film": 'Optional[Literal["steady", "dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line"]]',
         "model.film_friction": 'Optional[Literal["eyring", "carreau", "newton", "xu", "benedict-kelley", "iso-14179-1", "iso-14179-2", "matsumoto", "doleschel", "eyring-arana", "constant"]]',
         "model.film_pressure": 'Optional[Literal["rippled", "own", "hertz"]]',
         "model.film_pressure_law": 'Optional[Literal["barus", "roelands"]]',
