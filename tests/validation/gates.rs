@@ -21,7 +21,7 @@ use crate::measured_cases::{FZG_SPEEDS, Kept, Sampled, kept, measured, turns};
 use crate::share_laws::erf;
 
 /// Gates that do not pass. A verdict that changes fails the test: change the list, and say why in the commit.
-const NOT_PASSED: [(&str, Verdict); 11] = [
+const NOT_PASSED: [(&str, Verdict); 12] = [
     ("T1 FZG C-mod, mean μ at 0.5 m/s", Verdict::Fail),
     (
         "T1 loss over the source's law, coded anew, 0.5 m/s",
@@ -33,6 +33,10 @@ const NOT_PASSED: [(&str, Verdict); 11] = [
     ),
     (
         "T1 loss over the source's law, coded anew, 2.5 m/s",
+        Verdict::Undecided,
+    ),
+    (
+        "T1 loss over the source's law, coded anew, 8.3 m/s",
         Verdict::Undecided,
     ),
     (

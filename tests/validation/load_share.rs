@@ -49,18 +49,20 @@ pub fn summary(name: &str, keys: &[(&str, &str)]) -> Summary {
 /// Few offsets, as the reference computation took.
 pub const FEW: [(&str, &str); 2] = [("model.positions", "16"), ("model.offsets", "4")];
 
-/// Spots, pressure of the film and heights in the gap of the model before spots were carried through the contact.
-pub const FORMER: [(&str, &str); 3] = [
+/// Spots, film with its pressure, and heights in the gap of the model before spots were carried through the contact.
+pub const FORMER: [(&str, &str); 4] = [
+    ("model.film", "dowson-toyoda"),
     ("model.spot_speed", "entrainment"),
     ("model.film_pressure", "hertz"),
     ("model.gap_roughness", "rms"),
 ];
 
 /// Gap law, spots and film, boundary friction, lay, tip relief and load distribution of the reference computation.
-pub const REFERENCE: [(&str, &str); 9] = [
+pub const REFERENCE: [(&str, &str); 10] = [
     FORMER[0],
     FORMER[1],
     FORMER[2],
+    FORMER[3],
     ("model.gap_law", "power"),
     ("model.boundary_friction", "0.08"),
     ("model.lay", "0"),
