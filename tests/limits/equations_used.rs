@@ -17,7 +17,12 @@ const CASES: [&str; 4] = ["e-drive", "e-drive-superfinished", "fzg-c", "table2"]
 const FILM: [(FilmLaw, &[&str]); 5] = [
     (
         FilmLaw::Steady,
-        &["Steady-film", "Dowson-Toyoda", "Dowson-Higginson"],
+        &[
+            "Steady-film",
+            "Moes-numbers",
+            "Dowson-Toyoda",
+            "Dowson-Higginson",
+        ],
     ),
     (
         FilmLaw::DowsonToyoda,
@@ -196,8 +201,8 @@ fn another_law_changes_its_own_equations_alone() {
             own(FRICTION[1].1, FRICTION[k].1)
         );
     }
-    for k in 1..3 {
-        // All three are line contacts with the same groups.
+    for k in 1..4 {
+        // All four are line contacts with the same groups.
         assert_eq!(differ(&film[0], &film[k]), own(FILM[0].1, FILM[k].1));
     }
     for k in 1..THERMAL.len() {

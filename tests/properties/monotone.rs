@@ -96,7 +96,7 @@ proptest! {
     #[test]
     fn a_faster_mesh_lifts_a_thicker_isothermal_film(drawn in drawn(), factor in 1.1..5.0f64) {
         let at = |speed: f64| {
-            let case = drawn.case().with("model.thermal", "none");
+            let case = drawn.case().with("model.thermal", "none").with("model.film", "dowson-toyoda");
             case.with("operation.speed", format!("{speed} 1/min")).run().result
         };
         let (slow, fast) = (at(drawn.speed), at(factor * drawn.speed));

@@ -33,6 +33,8 @@ pub const LOADS: [f64; 19] = [
 pub const MATERIALS: [f64; 11] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.5, 9.5, 12.0, 16.0, 22.0];
 /// Powers of 1/M of both factors below the lowest M: the contact is rigid there, with a film in proportion to 1/M.
 const RIGID: [f64; 2] = [0.9, 0.87];
+/// Powers of 1/M of both factors above the highest M, as between the last solutions.
+const HEAVY: [f64; 2] = [0.09, 0.07];
 /// K and K_m of the solutions, by M, then by L.
 pub const FACTORS: [[[f64; 2]; MATERIALS.len()]; LOADS.len()] = [
     [
@@ -286,8 +288,8 @@ pub const FACTORS: [[[f64; 2]; MATERIALS.len()]; LOADS.len()] = [
 
 /// K and K_m.
 ///
-/// The logarithms are interpolated by cubics in ln M and ln L between the solutions, and held beyond them but for the rigid contact
-/// below M = 0.1.
+/// The logarithms are interpolated by cubics in ln M and ln L between the solutions. Beyond them they are powers of M, and do not depend
+/// on L.
 ///
 /// ```
 /// use asperity_ehl_regime::{MoesNumbers, steady_film::factors};
@@ -302,13 +304,13 @@ pub fn factors(numbers: &MoesNumbers) -> [f64; 2] {
     let within = |at: f64, nodes: &[f64]| at.ln().clamp(nodes[0], nodes[nodes.len() - 1]);
     let load = within(numbers.load, &loads);
     let material = within(numbers.material, &materials);
-    let below = (LOADS[0] / numbers.load).max(1.0);
+    let [below, above] = [LOADS[0], LOADS[LOADS.len() - 1]].map(|end| end / numbers.load);
     std::array::from_fn(|k| {
         let of_row = |row: &[[f64; 2]; MATERIALS.len()]| {
             cubic(&materials, &row.map(|factors| factors[k].ln()), material)
         };
         let factor = cubic(&loads, &FACTORS.each_ref().map(of_row), load).exp();
-        factor * below.powf(RIGID[k])
+        factor * below.max(1.0).powf(RIGID[k]) * above.min(1.0).powf(HEAVY[k])
     })
 }
 

@@ -9,4 +9,5 @@ mod properties;
 mod reference_case;
 mod rough_inlet;
 mod starvation;
+mod steady_film;
 mod validation;

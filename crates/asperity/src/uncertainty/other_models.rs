@@ -30,19 +30,19 @@ const DRY: [(&str, LoadShareName); 3] = [
         LoadShareName::MasjediKhonsari,
     ),
 ];
-const DRY_REFUTED: &str = "superfinishing the example drive would save 47 to 53 %; measured on other pairs: 15 to 35 %; by the default: 35 %";
+const DRY_REFUTED: &str = "superfinishing the example drive would save 47 to 53 %; measured on other pairs: 15 to 35 %; by the default: 36 %";
 
 /// Films of the spots, with their numbers in docs/records/ehl-friction-parts.md.
 const SPEEDS: [(&str, SpotSpeed, &str); 2] = [
     (
         "spots with the film of the inlet",
         SpotSpeed::Entrainment,
-        "ln friction is 0.14 below 85 records of mixed lubrication; by the default it differs by less than 0.01",
+        "ln friction is 0.14 below 85 records of mixed lubrication; by the default 0.01 below",
     ),
     (
         "spots with the film of half the sliding speed",
         SpotSpeed::HalfSliding,
-        "ln friction scatters by 0.094 about 85 records of mixed lubrication; by the default by 0.051",
+        "ln friction scatters by 0.094 about 85 records of mixed lubrication; by the default by 0.050",
     ),
 ];
 const HALVED: &str =
@@ -255,14 +255,13 @@ mod tests {
         let (_, [_, half_sliding]) = friction("half-sliding spots");
         let expected = [
             format!(
-                "ln friction is {:.2} below {count} records of mixed lubrication; by the default it differs by less than 0.01",
-                -inlet
+                "ln friction is {:.2} below {count} records of mixed lubrication; by the default {:.2} below",
+                -inlet, -default
             ),
             format!(
                 "ln friction scatters by {half_sliding:.3} about {count} records of mixed lubrication; by the default by {scatter:.3}"
             ),
         ];
-        assert!(default.abs() < 0.01, "{default}");
         assert_eq!(SPEEDS.map(|(_, _, evidence)| evidence.to_owned()), expected);
         let shares = records.iter().filter(|(name, _)| is_judged(name));
         let shares = shares.filter_map(|(name, row)| {
@@ -327,7 +326,7 @@ mod tests {
         let most = (within * 58.0 / 41.5 - of_records).sqrt();
         assert_eq!(
             [of_flanks, of_condition, most].map(|sd| format!("{sd:.3}")),
-            ["0.039", "0.000", "0.020"]
+            ["0.037", "0.000", "0.022"]
         );
         assert!((of_condition..most).contains(&OF_CONDITION));
     }

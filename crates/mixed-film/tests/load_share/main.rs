@@ -26,7 +26,7 @@ use asperity_core::quantity::{
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::light_load::LightLoad;
 use asperity_ehl_regime::{
-    Attenuation, FilmConditions, GapLaw, MoesNumbers, PairSpectrum, Patch, PatchPair,
+    Attenuation, FilmConditions, FilmLaw, GapLaw, MoesNumbers, PairSpectrum, Patch, PatchPair,
     PatchSpectrum, ThermalLaw, TraceSpectrum,
 };
 use asperity_mixed_film::{
@@ -245,10 +245,11 @@ fn ground_table() -> &'static ContactTable {
     TABLE.get_or_init(|| table(&e_drive(), ground(), STARTS, FLOW))
 }
 
-/// The laws that the independent program has: all spots with the film of the entrainment speed, the film at the Hertz pressure, all
-/// heights in the supply.
+/// The laws that the independent program has: the film of a formula and at the Hertz pressure, all spots with the film of the
+/// entrainment speed, all heights in the supply.
 fn former() -> LoadShareSettings {
     LoadShareSettings {
+        film_law: FilmLaw::DowsonToyoda,
         spot_speed: SpotSpeed::Entrainment,
         film_pressure: FilmPressure::Hertz,
         gap_roughness: GapRoughness::Rms,
