@@ -26,7 +26,7 @@ fn the_film_has_no_kink_over_load_and_material() {
             for k in 0..2 {
                 let [a, b, c] = [0, 1, 2].map(|i| three[i][k].ln());
                 // In steps of a hundredth of ln M or ln L.
-                assert!((a - 2.0 * b + c).abs() < 6e-4, "{three:?}");
+                assert!((a - 2.0 * b + c).abs() < 1e-3, "{three:?}");
             }
         }
     };
