@@ -36,6 +36,10 @@ const RIGID: [f64; 2] = [0.9, 0.87];
 /// Powers of 1/M of both factors above the highest M, as between the last solutions.
 const HEAVY: [f64; 2] = [0.09, 0.07];
 /// K and K_m of the solutions, by M, then by L.
+#[allow(
+    clippy::approx_constant,
+    reason = "solutions, some of which are near a constant"
+)]
 pub const FACTORS: [[[f64; 2]; MATERIALS.len()]; LOADS.len()] = [
     [
         [10.3001, 11.1147],
