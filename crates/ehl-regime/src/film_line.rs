@@ -179,33 +179,35 @@ pub fn moes(groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> 
     Ok(Length::from_si(film_of_moes([g, u, w, r])))
 }
 
-/// [`moes`] of as many contacts as there are `films` \[m\], in vector lanes: material, speed and load number, and radius \[m\]. Inputs are
-/// not checked: a film is positive and finite only if they are.
+/// [`moes`] of the first `count` of many contacts, in vector lanes: material, speed and load number, and radius \[m\]. Inputs are not
+/// checked: a film is positive and finite only if they are.
 ///
 /// ```
 /// use asperity_core::quantity::Length;
 /// use asperity_ehl_regime::{FilmGroups, film_line::{moes, moes_of_each}};
 /// let groups = FilmGroups { material: 4615.38, speed: 1.6599e-10, load: 4.22675e-5 };
 /// let film = moes(&groups, Length::from_si(11.6269e-3))?;
-/// let mut films = [0.0; 5];
-/// moes_of_each([&[4615.38; 5], &[1.6599e-10; 5], &[4.22675e-5; 5], &[11.6269e-3; 5]], &mut films);
-/// assert_eq!(films, [film.si(); 5]);
+/// let each = moes_of_each([[4615.38; 4], [1.6599e-10; 4], [4.22675e-5; 4], [11.6269e-3; 4]], 3);
+/// assert_eq!(each, [film.si(), film.si(), film.si(), 0.0]);
 /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
 /// ```
-///
-/// # Panics
-/// When an input is shorter than the films.
-pub fn moes_of_each(inputs: [&[f64]; 4], films: &mut [f64]) {
+#[must_use]
+pub fn moes_of_each<const N: usize>(
+    [material, speed, load, radius]: [[f64; N]; 4],
+    count: usize,
+) -> [f64; N] {
     cite!("Moes");
-    let [material, speed, load, radius] = inputs.map(|input| &input[..films.len()]);
     vectorised(
         #[inline(always)]
         || {
-            for (k, film) in films.iter_mut().enumerate() {
-                *film = film_of_moes([material[k], speed[k], load[k], radius[k]]);
+            let mut films = [0.0; N];
+            // A loop of a known few passes would be unrolled before it is compiled to vectors.
+            for k in 0..count.min(N) {
+                films[k] = film_of_moes([material[k], speed[k], load[k], radius[k]]);
             }
+            films
         },
-    );
+    )
 }
 
 /// h_c of G, U, W and R, in logarithms: a load share requires thousands of films of touching asperities, and powers would cost most of it.

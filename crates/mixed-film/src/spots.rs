@@ -562,12 +562,7 @@ impl SpotConditions<'_> {
             }
         }
         // Whole vectors: those that are left have inputs of 1.
-        let count = contacts.len().next_multiple_of(4);
-        let mut films = [1.0; LANES];
-        moes_of_each(
-            inputs.each_ref().map(|lanes| &lanes[..count]),
-            &mut films[..count],
-        );
+        let mut films = moes_of_each(inputs, contacts.len().next_multiple_of(4));
         for (contact, film) in contacts.iter().zip(&mut films) {
             if let Some([_, ratio]) = contact.ellipse {
                 *film *= side_flow(&groups_of(contact).0, ratio)?;
