@@ -95,11 +95,17 @@ proptest! {
 
     #[test]
     fn a_faster_mesh_lifts_a_thicker_isothermal_film(drawn in drawn(), factor in 1.1..5.0f64) {
-        let at = |speed: f64| {
-            let case = drawn.case().with("model.thermal", "none").with("model.film", "dowson-toyoda");
+        let by = |law: &str, speed: f64| {
+            let case = drawn.case().with("model.thermal", "none").with("model.film", law);
             case.with("operation.speed", format!("{speed} 1/min")).run().result
         };
-        let (slow, fast) = (at(drawn.speed), at(factor * drawn.speed));
+        let [slow, fast] = [1.0, factor].map(|factor| by("steady", factor * drawn.speed));
+        for (slow, fast) in slow.path.iter().zip(&fast.path) {
+            prop_assert!(fast.film_central_um > slow.film_central_um);
+            prop_assert!(fast.film_minimum_um > slow.film_minimum_um);
+            prop_assert!(fast.lambda_star > slow.lambda_star);
+        }
+        let [slow, fast] = [1.0, factor].map(|factor| by("dowson-toyoda", factor * drawn.speed));
         for (slow, fast) in slow.path.iter().zip(&fast.path) {
             // Dowson-Toyoda and Dowson-Higginson.
             let (central, minimum) = (

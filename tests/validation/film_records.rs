@@ -828,7 +828,7 @@ fn largest_bends(windows: usize, steps: [u32; 2]) -> [f64; 2] {
 fn friction_has_no_kink_over_torque_and_speed() {
     // Few windows leave the kinks of their own spots.
     let found = largest_bends(4, [20, 30]);
-    assert!(found[0] < 0.3 && found[1] < 0.06, "{found:?}");
+    assert!(found[0] < 0.3 && found[1] < 0.055, "{found:?}");
 }
 
 #[test]

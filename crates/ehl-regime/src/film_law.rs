@@ -95,7 +95,7 @@ impl FilmLaw {
         self.row().0
     }
 
-    /// The exponent X of the speed group U in the central film, which Λ* needs.
+    /// The exponent X of the speed group U in the central film, which Λ* needs; of `steady` that of its formula, without the factor's.
     pub fn speed_exponent(self) -> f64 {
         self.row().1
     }

@@ -11,9 +11,9 @@
 //!
 //! Source: 194 steady solutions of this project's own solver (flooded, isothermal, Newtonian, Roelands' viscosity with the exponent 0.6,
 //! Dowson and Higginson's density, α = 16/GPa, 2048 cells) for M from 0.1 to 1000 and L from 1 to 22, where the Hertz pressure is
-//! below 3.5 GPa; beyond, K is that of the largest L below it. With α = 12 or 20/GPa K is within 1.5 % above M = 1, and 3 % below.
-//! Gears at full load have M from 7 to 75 and L from 3 to 10, where K is 0.96 to 1.12; below M = 1 the formulas, which are powers,
-//! are up to 13 % too thick at large L and give half the film at small L.
+//! below 3.5 GPa; beyond, K is that of the largest L below it. With α = 12 or 20/GPa K is within 1.3 % from M = 1 on and 2.1 % below, K_m
+//! within 1.6 %. Gears at full load have M from 7 to 75 and L from 3 to 10, where K is 0.97 to 1.12 and K_m 0.94 to 1.04. Below M = 1 the
+//! formulas, which are powers, are up to 12 % too thick at large L and give half the film at small L.
 
 use asperity_core::cite;
 use asperity_core::quantity::Length;

@@ -17,7 +17,7 @@
 use std::f64::consts::PI;
 
 use asperity_core::cite;
-use asperity_core::numerics::CompleteElliptic;
+use asperity_core::numerics::{CompleteElliptic, VECTOR_WIDTH};
 use asperity_core::quantity::{Length, Temperature};
 use asperity_ehl_regime::FilmGroups;
 use asperity_ehl_regime::film_elliptic::hamrock_dowson_central;
@@ -562,7 +562,7 @@ impl SpotConditions<'_> {
             }
         }
         // Whole vectors: those that are left have inputs of 1.
-        let mut films = moes_of_each(inputs, contacts.len().next_multiple_of(4));
+        let mut films = moes_of_each(inputs, contacts.len().next_multiple_of(VECTOR_WIDTH));
         for (contact, film) in contacts.iter().zip(&mut films) {
             if let Some([_, ratio]) = contact.ellipse {
                 *film *= side_flow(&groups_of(contact).0, ratio)?;

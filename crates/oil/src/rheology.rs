@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 use asperity_core::cite;
 use asperity_core::numerics::elementary::{arsinh, exp};
-use asperity_core::numerics::{Solved, newton_root, vectorised};
+use asperity_core::numerics::{Solved, VECTOR_WIDTH, newton_root, vectorised};
 use asperity_core::quantity::{
     DynamicViscosity, Length, PerKelvin, Pressure, PressureViscosity, Speed, Temperature,
     ThermalConductivity,
@@ -605,7 +605,7 @@ impl FilmRheology {
         };
         if self.shear == ShearLawName::Eyring && count > 0 && each[..count].iter().all(is_sheared) {
             cite!("Film-heat");
-            lanes.count = count.next_multiple_of(4);
+            lanes.count = count.next_multiple_of(VECTOR_WIDTH);
             for k in 0..lanes.count {
                 // The first point fills the lanes that are left.
                 let (point, start) = each[if k < count { k } else { 0 }];
@@ -772,6 +772,7 @@ impl FilmRheology {
 /// Points that are sheared together, a quantity an array.
 #[derive(Default)]
 struct Lanes {
+    /// Lanes in use.
     count: usize,
     pressure: [f64; LANES],
     growth: [f64; LANES],

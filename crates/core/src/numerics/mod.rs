@@ -30,7 +30,7 @@ pub use root::{Root, RootError, find_root};
 pub use statistics::{deviation, distinct, mean, median, median_in_place};
 pub use student_t::{student_t_below, student_t_quantile, student_t_within};
 pub use sums::{add_times, dot, extremes, range, sum};
-pub use vectors::vectorised;
+pub use vectors::{VECTOR_WIDTH, vectorised};
 
 /// ∫ y dx by the trapezoidal rule over points `x`, `y` of equal number (fewer than two give 0).
 pub fn trapezoid(x: &[f64], y: &[f64]) -> f64 {
