@@ -13,6 +13,8 @@ pub(crate) struct Fluid {
     pub(crate) thinning: ShearThinning,
     /// λ of the Reynolds equation.
     pub(crate) speed: f64,
+    /// Standard deviation of the ridges across the flow, over the film scale.
+    pub(crate) roughness: f64,
 }
 
 impl Fluid {
@@ -30,6 +32,7 @@ impl Fluid {
             density: oil.density_law.relative(p_0),
             thinning,
             speed: scales.speed,
+            roughness: 0.0,
         }
     }
 

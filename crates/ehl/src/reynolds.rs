@@ -4,7 +4,7 @@
 //! upwind-biased interpolation QUICK (Leonard, Comput. Methods Appl. Mech. Eng. 19, 1979, 59-98): central differences
 //! oscillate in the stiff contact, where the pressure gradient carries no flow, and first-order upwinding smears the
 //! roughness. The Poiseuille part uses the mean fluidity that is exact for an exponential viscosity between two nodes,
-//! because η varies by decades from node to node.
+//! because η varies by decades from node to node. Between ridges that are much shorter than the contact it is the mean over them.
 //!
 //! | symbol | meaning |
 //! |---|---|
@@ -13,6 +13,7 @@
 //! | m | (1 − θ)·ρ·H, oil at a node |
 //! | φ | fluidity η₀/η |
 //! | λ | 12·u_m·η₀·R²/(a³·p₀) |
+//! | Σ | standard deviation of the ridges across the flow |
 
 use asperity_core::cite;
 
@@ -89,7 +90,7 @@ impl Reynolds {
     /// Flux through every face and its slopes.
     ///
     /// ```text
-    /// F = m̂ − (ρH³/λ)·φ·dP/dX,  m̂ = −m₋/8 + 3m/4 + 3m₊/8 on an even grid            [EHL-flux]
+    /// F = m̂ − (ρH³/λ)/(1 + 6 Σ²/H²)·φ·dP/dX,  m̂ = −m₋/8 + 3m/4 + 3m₊/8 on an even grid            [EHL-flux]
     /// ```
     pub(crate) fn evaluate(&mut self, grid: &Grid, fluid: &Fluid, fields: Fields) {
         cite!("EHL-flux");
@@ -109,11 +110,12 @@ impl Reynolds {
             self.log_viscosity[i] = fluid.viscosity.log(p);
             let [rho, rho_slope] = fluid.density.at(p);
             let open = h.max(LEAST_FILM);
-            let conductance = rho * open * open * open / fluid.speed;
+            let rough = 6.0 * (fluid.roughness / open).powi(2);
+            let conductance = rho * open * open * open / (fluid.speed * (1.0 + rough));
             self.conductance[i] = [
                 conductance,
                 conductance * rho_slope / rho,
-                3.0 * conductance / open,
+                (3.0 + 2.0 * rough / (1.0 + rough)) * conductance / open,
             ];
             self.mass[i] = (1.0 - void) * rho * h;
             self.mass_slopes[0][i] = (1.0 - void) * rho_slope * h;
@@ -220,6 +222,7 @@ mod tests {
             density: oil.density_law.relative(1.2e9),
             thinning,
             speed: 0.005,
+            roughness: 0.04,
         }
     }
 

@@ -5,8 +5,8 @@
 //! finest grid is solved from the Hertz pressure, then by continuation from a thicker film, whose inlet is less steep.
 
 use asperity_core::cancel::checkpoint;
-use asperity_core::cite;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_core::{DomainError, cite};
 use asperity_oil::PressureViscosityLaw;
 use serde::{Deserialize, Serialize};
 
@@ -97,7 +97,6 @@ impl Window {
     }
 
     fn check(self) -> Result<Self, EhlError> {
-        use asperity_core::DomainError;
         DomainError::require(
             self.inlet.is_finite() && self.inlet <= -1.2,
             "inlet",
@@ -196,8 +195,28 @@ pub fn solve(
     oil: &Oil,
     settings: &SteadySettings,
 ) -> Result<Solved<SteadyFilm>, EhlError> {
+    solve_over_ridges(contact, oil, settings, Length::from_si(0.0))
+}
+
+/// Steady mean film over ridges across the flow with a standard deviation `roughness` of both surfaces together.
+///
+/// The ridges are much shorter than the contact, as high on either surface and not flattened. To the second order in their height
+/// the flow is the mean over them, F of the flux.
+///
+/// # Errors
+/// As [`solve`], and when the roughness is negative.
+pub fn solve_over_ridges(
+    contact: &LineContact,
+    oil: &Oil,
+    settings: &SteadySettings,
+    roughness: Length,
+) -> Result<Solved<SteadyFilm>, EhlError> {
     let scales = contact.scales(oil)?;
-    let fluid = Fluid::new(oil, &scales);
+    let roughness = DomainError::non_negative("roughness", roughness)?;
+    let fluid = Fluid {
+        roughness: roughness / scales.film,
+        ..Fluid::new(oil, &scales)
+    };
     let window = settings
         .window
         .unwrap_or_else(|| Window::tabulated(&scales));
