@@ -119,7 +119,7 @@ struct Known {
     waves: OnceLock<Result<SheetWaves, PositionError>>,
     flattened: Mutex<BTreeMap<Inlet, Arc<FlattenedSheets>>>,
     /// By the number of columns from the middle up to which the film is evaluated, too.
-    samples: Mutex<BTreeMap<(PatchPlace, Inlet, usize), Arc<PatchSample>>>,
+    samples: Mutex<BTreeMap<(PatchPlace, Inlet, u64), Arc<PatchSample>>>,
 }
 
 /// The waves of both sheets, each mirrored at the ends of its rows, so that it repeats without a jump.
@@ -379,9 +379,8 @@ impl Sheets {
         if flattening.ripple.is_some() {
             cite!("Patch-ripple");
         }
-        let film = flattening.ripple.as_ref();
-        let modulus = film.map(|film| film.modulus.si().to_bits());
-        let reach = film.map_or(0, |film| film.reach_in(self.spacings[0]));
+        let modulus = flattening.ripple.map(|modulus| modulus.si().to_bits());
+        let reach = flattening.reach / self.spacings[0];
         let mut around = Vec::with_capacity(4);
         for (scale, weight) in scales(flattening.attenuation.nabla_per_length()) {
             let inlet = Inlet { scale, modulus };
@@ -395,7 +394,7 @@ impl Sheets {
         &self,
         place: PatchPlace,
         inlet: Inlet,
-        reach: usize,
+        reach: f64,
     ) -> Result<Arc<PatchSample>, PositionError> {
         let known = || {
             self.known
@@ -403,7 +402,7 @@ impl Sheets {
                 .lock()
                 .unwrap_or_else(PoisonError::into_inner)
         };
-        if let Some(sample) = known().get(&(place, inlet, reach)) {
+        if let Some(sample) = known().get(&(place, inlet, reach.to_bits())) {
             return Ok(Arc::clone(sample));
         }
         let FlattenedSheets { heights, pressures } = &*self.flattened(inlet)?;
@@ -419,7 +418,7 @@ impl Sheets {
         if known.len() >= MOST_SAMPLES {
             known.clear();
         }
-        known.insert((place, inlet, reach), Arc::clone(&made));
+        known.insert((place, inlet, reach.to_bits()), Arc::clone(&made));
         Ok(made)
     }
 

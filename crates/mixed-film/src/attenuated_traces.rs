@@ -5,9 +5,8 @@ use asperity_core::profile::mirrored_window;
 use asperity_ehl_regime::TraceSpectrum;
 
 use crate::error::LoadShareError;
-use crate::window_roughness::{
-    Flattening, RipplingFilm, WindowRoughness, deviation_gradient, part_gradient,
-};
+use crate::window_gap::middle_gradient;
+use crate::window_roughness::{Flattening, WindowRoughness, deviation_gradient, part_gradient};
 
 /// Two prepared traces, attenuated for one contact, from which windows are cut.
 #[derive(Debug, Clone)]
@@ -15,8 +14,8 @@ pub struct AttenuatedTraces {
     heights: [Vec<f64>; 2],
     /// Pressures that flatten the heights \[Pa\], if the film needs them.
     pressures: Option<[Vec<f64>; 2]>,
-    /// Points from the middle of a window up to which its film is evaluated.
-    reach: usize,
+    /// Points from the middle of a window up to which its film is.
+    reach: f64,
     peak_weight: f64,
 }
 
@@ -26,14 +25,11 @@ impl AttenuatedTraces {
     #[must_use]
     pub fn new(traces: [&TraceSpectrum; 2], flattening: &Flattening) -> Self {
         let attenuation = &flattening.attenuation;
-        let film = &flattening.ripple;
-        let ripple =
-            |film: &RipplingFilm| TraceSpectrum::ripple_pair(traces, attenuation, film.modulus);
-        let spacing = traces[0].spacing();
+        let ripple = |modulus| TraceSpectrum::ripple_pair(traces, attenuation, modulus);
         Self {
             heights: TraceSpectrum::attenuated_pair(traces, attenuation),
-            pressures: film.as_ref().map(ripple),
-            reach: film.map_or(0, |film| film.reach_in(spacing)),
+            pressures: flattening.ripple.map(ripple),
+            reach: flattening.reach / traces[0].spacing(),
             peak_weight: flattening.peak_weight,
         }
     }
@@ -67,14 +63,20 @@ impl AttenuatedTraces {
         ))
     }
 
-    /// Derivative of σ_d over the sum of the heights at each point of two windows, which are mirrored beyond the ends of their
-    /// traces; zero where σ_d is.
+    /// Derivatives over the sum of the heights at each point of two windows, which are mirrored beyond the ends of their traces, from
+    /// those over σ_d and over the mean height of the film's length.
     #[must_use]
-    pub fn rms_gradient(&self, starts: [isize; 2], points: usize) -> Vec<f64> {
-        deviation_gradient(
-            &mirrored_sums(&self.heights, starts, points),
-            self.peak_weight,
-        )
+    pub fn supply_gradient(
+        &self,
+        starts: [isize; 2],
+        points: usize,
+        [by_rms, by_middle]: [f64; 2],
+    ) -> Vec<f64> {
+        let sums = mirrored_sums(&self.heights, starts, points);
+        let of_rms = deviation_gradient(&sums, self.peak_weight);
+        let both = of_rms.iter().zip(middle_gradient(points, self.reach));
+        both.map(|(rms, middle)| by_rms * rms + by_middle * middle)
+            .collect()
     }
 
     /// Derivatives over the sums of the pressures and of the heights at each point of two windows, from those over lengths,

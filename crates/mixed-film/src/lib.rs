@@ -70,6 +70,7 @@ mod spot_ellipse;
 mod spot_tree;
 mod spots;
 mod trace_spectra;
+mod window_gap;
 mod window_roughness;
 
 pub use attenuated_traces::AttenuatedTraces;
@@ -86,5 +87,5 @@ pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};
 pub use spot_tree::Spot;
 pub use trace_spectra::TraceSpectra;
 pub use window_roughness::{
-    FilmPressure, Flattening, GapRoughness, PatchSample, RipplePart, RipplingFilm, WindowRoughness,
+    FilmPressure, Flattening, GapRoughness, PatchSample, RipplePart, WindowRoughness,
 };

@@ -11,6 +11,7 @@ use asperity_ehl_regime::inlet_flow::{
     CentralFilm, LARGEST_SHARE, Lay, flow_of_lines, inlet_factor, supplied_gap,
 };
 use asperity_ehl_regime::light_load::LightLoad;
+use asperity_ehl_regime::steady_film::flow_rise;
 use asperity_ehl_regime::{
     Attenuation, FilmConditions, FilmLaw, FlowTable, GapLaw, MoesNumbers, PairSpectrum, PatchPair,
     RoughInlet, ThermalLaw, thermal_loading,
@@ -28,9 +29,8 @@ use crate::rough_contact::{CORE, ContactState, RoughContact};
 use crate::solution::{LineLosses, LoadShareSolution, ShareEvidence};
 use crate::spot_tree::Spot;
 use crate::spots::{Feed, SpotConditions, SpotFriction, SpotList};
-use crate::window_roughness::{
-    FilmPressure, Flattening, GapRoughness, RipplingFilm, WindowRoughness,
-};
+use crate::window_gap::gap_under;
+use crate::window_roughness::{FilmPressure, Flattening, GapRoughness, WindowRoughness};
 
 /// Relative step at which the secant iteration for friction ends: it leaves 2e-9 of the loss of the shipped e-drive case, 7e-8 at
 /// most of the loss at one of its offsets.
@@ -62,9 +62,12 @@ const COMPARED: FittedRange = FittedRange::new(
 /// Mean gap that the inlet supplies without asperity contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum InletSupply {
-    /// More than the smooth film, by the attenuated roughness.
+    /// More than the smooth film, by the attenuated roughness. With the gap law `inlet` roughness counts more at light load, and a
+    /// window has the gap under its middle.
     #[default]
     Rough,
+    /// More than the smooth film by Grubin's inlet at any load, in every window by itself: what independent programs of the tests have.
+    Grubin,
     /// The smooth film, according to Johnson, Greenwood and Poon: the share law `jgp`.
     Smooth,
 }
@@ -191,6 +194,10 @@ pub struct PositionFilm<'a> {
     sheared: Length,
     /// Smooth film in the supply.
     supplied: Length,
+    /// Film over which roughness counts in Ψ.
+    roughness_film: Length,
+    /// Whether the gap of a window depends on the height of its middle.
+    knows_middles: bool,
     /// Smooth film as a mass flow.
     mass_flow: Length,
     thermal_factor: f64,
@@ -289,7 +296,7 @@ impl<'a> PositionFilm<'a> {
             FilmPressure::Rippled | FilmPressure::Own => read(CentralFilm::Gap)?,
         };
         let gap_law = match settings.supply {
-            InletSupply::Rough => settings.gap_law,
+            InletSupply::Rough | InletSupply::Grubin => settings.gap_law,
             InletSupply::Smooth => GapLaw::Power,
         };
         let supplied = match gap_law {
@@ -297,6 +304,11 @@ impl<'a> PositionFilm<'a> {
             GapLaw::Power => central,
         };
         let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
+        let knows_middles = settings.supply == InletSupply::Rough && gap_law == GapLaw::Inlet;
+        let roughness_film = match knows_middles {
+            true => supplied / flow_rise(&numbers).sqrt(),
+            false => supplied,
+        };
         let mut film = LoadedFilm::new(
             rheology,
             &FilmLineContact {
@@ -319,6 +331,8 @@ impl<'a> PositionFilm<'a> {
             central,
             sheared,
             supplied,
+            roughness_film,
+            knows_middles,
             mass_flow: smooth.central,
             thermal_factor: smooth.thermal_factor,
             nabla: numbers.nabla_per_length(hertz.half_width)?,
@@ -342,6 +356,12 @@ impl<'a> PositionFilm<'a> {
     #[must_use]
     pub fn supply_film(&self) -> Length {
         self.supplied
+    }
+
+    /// Film over which roughness counts in Ψ: the one of the supply, or thinner where roughness raises the gap more than at full load.
+    #[must_use]
+    pub fn roughness_film(&self) -> Length {
+        self.roughness_film
     }
 
     /// Flattening of the roughness in the inlet of this contact, for [`AttenuatedTraces`](crate::AttenuatedTraces). The
@@ -373,7 +393,7 @@ impl<'a> PositionFilm<'a> {
         }
         let smooth = Attenuation::new(self.gap_law, self.nabla)?;
         self.roughness_over_film = Some(patches.waves().roughness(&smooth) / self.mass_flow);
-        let inlet = patches.inlet(self.nabla, self.supplied)?;
+        let inlet = patches.inlet(self.nabla, self.roughness_film)?;
         self.flow = Some(patches.flow(&inlet.attenuation)?);
         Ok(Flattening {
             peak_weight: 0.0,
@@ -390,16 +410,20 @@ impl<'a> PositionFilm<'a> {
                 GapRoughness::Peaks => lay.clamp(0.0, 1.0),
                 GapRoughness::Rms => 0.0,
             },
-            ripple: (self.settings.film_pressure == FilmPressure::Rippled).then(|| RipplingFilm {
-                modulus: self.contact.modulus,
-                reach: self.hertz.half_width * CORE,
-            }),
+            reach: self.hertz.half_width * CORE,
+            ripple: (self.settings.film_pressure == FilmPressure::Rippled)
+                .then_some(self.contact.modulus),
         }
     }
 
     fn inlet(&self, traces: &PairSpectrum) -> Result<RoughInlet, LoadShareError> {
         let lay = self.settings.lay;
-        Ok(RoughInlet::of(traces, self.nabla, self.supplied, lay)?)
+        Ok(RoughInlet::of(
+            traces,
+            self.nabla,
+            self.roughness_film,
+            lay,
+        )?)
     }
 
     /// Central film of smooth flanks h_c.
@@ -425,7 +449,7 @@ impl<'a> PositionFilm<'a> {
         window: &WindowRoughness,
         contact: impl FnOnce() -> Result<RoughContact, E>,
     ) -> Result<(), E> {
-        let supply = self.supply_of(self.inlet_factor(window.deviation)?)?;
+        let supply = self.supply_of(self.inlet_factor(window.deviation)?, window)?;
         table.solve_for(&supply, contact)
     }
 
@@ -439,7 +463,7 @@ impl<'a> PositionFilm<'a> {
         window: &WindowRoughness,
     ) -> Result<Checked<LoadShareSolution>, LoadShareError> {
         let psi = self.inlet_factor(window.deviation)?;
-        let supply = self.supply_of(psi)?;
+        let supply = self.supply_of(psi, window)?;
         let found = table.at_supply(&supply)?;
         let touching = match &found {
             None => self.untouched(supply(0.0)),
@@ -472,7 +496,7 @@ impl<'a> PositionFilm<'a> {
         window: &WindowRoughness,
     ) -> Result<(Checked<LoadShareSolution>, Option<ContactState>), LoadShareError> {
         let psi = self.inlet_factor(window.deviation)?;
-        let supply = self.supply_of(psi)?;
+        let supply = self.supply_of(psi, window)?;
         let share = direct_share(contact, &supply)?;
         if share.value == 0.0 {
             let touching = self.untouched(supply(0.0));
@@ -510,16 +534,14 @@ impl<'a> PositionFilm<'a> {
     }
 
     fn inlet_factor(&self, attenuated_rms: Length) -> Result<f64, LoadShareError> {
-        let by_lay = || inlet_factor(attenuated_rms, self.supplied, self.settings.lay);
-        let by_flow = |flow: &FlowTable| flow.inlet_factor(attenuated_rms, self.supplied);
+        let by_lay = || inlet_factor(attenuated_rms, self.roughness_film, self.settings.lay);
+        let by_flow = |flow: &FlowTable| flow.inlet_factor(attenuated_rms, self.roughness_film);
         Ok(
             match (self.settings.supply, &self.flow, self.settings.patch_gap) {
                 (InletSupply::Smooth, ..) => 1.0,
-                (InletSupply::Rough, Some(flow), PatchGap::Computed) => by_flow(flow)?,
-                (InletSupply::Rough, Some(flow), PatchGap::Times(factor)) => {
-                    factor * by_flow(flow)?
-                }
-                (InletSupply::Rough, _, _) => by_lay()?,
+                (_, Some(flow), PatchGap::Computed) => by_flow(flow)?,
+                (_, Some(flow), PatchGap::Times(factor)) => factor * by_flow(flow)?,
+                _ => by_lay()?,
             },
         )
     }
@@ -547,13 +569,28 @@ impl<'a> PositionFilm<'a> {
         Ok(quotient.ln() / (2.0 * INLET_STEP * sigma))
     }
 
-    /// h̄(φ) \[m\] with its inputs checked once.
-    fn supply_of(&self, psi: f64) -> Result<impl Fn(f64) -> f64 + use<>, LoadShareError> {
+    /// h̄(φ) of a window \[m\] with its inputs checked once.
+    fn supply_of(
+        &self,
+        psi: f64,
+        window: &WindowRoughness,
+    ) -> Result<impl Fn(f64) -> f64 + use<>, LoadShareError> {
         let (law, film) = (self.gap_law, self.supplied);
         supplied_gap(law, film, psi, 0.0)?;
+        let middle = self.middle(window);
         Ok(move |phi: f64| {
-            supplied_gap(law, film, psi, phi.clamp(0.0, 1.0)).map_or(f64::NAN, Length::si)
+            let gap =
+                supplied_gap(law, film, psi, phi.clamp(0.0, 1.0)).map_or(f64::NAN, Length::si);
+            gap_under(gap, middle).0
         })
+    }
+
+    /// Height of the middle of a window, as far as it counts in the gap.
+    fn middle(&self, window: &WindowRoughness) -> f64 {
+        match self.knows_middles {
+            true => window.middle,
+            false => 0.0,
+        }
     }
 
     fn untouched(&self, gap: f64) -> Touching<'static> {

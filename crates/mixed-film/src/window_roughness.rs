@@ -10,6 +10,7 @@ use asperity_ehl_regime::Attenuation;
 use serde::{Deserialize, Serialize};
 
 use crate::error::LoadShareError;
+use crate::window_gap::middle_height;
 
 /// Parts into which a window is divided by the pressure that flattens it.
 const PARTS: usize = 24;
@@ -105,33 +106,19 @@ pub struct Flattening {
     pub attenuation: Attenuation,
     /// Weight of the heights above the mean line in σ_d².
     pub peak_weight: f64,
-    /// The film, if its pressure ripples.
-    pub ripple: Option<RipplingFilm>,
-}
-
-/// A film whose pressure ripples over the roughness.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RipplingFilm {
-    /// Reduced modulus of the contact.
-    pub modulus: Pressure,
-    /// Distance from the middle of a window up to which the film is evaluated.
+    /// Distance from the middle of a window up to which its film is: the mean gap is over this length.
     pub reach: Length,
-}
-
-impl RipplingFilm {
-    /// Number of points from the middle of a window up to its end.
-    #[must_use]
-    pub fn reach_in(&self, spacing: Length) -> usize {
-        (self.reach / spacing).round() as usize
-    }
+    /// Reduced modulus of the contact, if the pressure of its film ripples.
+    pub ripple: Option<Pressure>,
 }
 
 impl From<Attenuation> for Flattening {
-    /// σ_d of all heights, and no ripple.
+    /// σ_d of all heights, no mean gap of a part of the window, and no ripple.
     fn from(attenuation: Attenuation) -> Self {
         Self {
             attenuation,
             peak_weight: 0.0,
+            reach: Length::from_si(0.0),
             ripple: None,
         }
     }
@@ -153,6 +140,8 @@ pub struct RipplePart {
 pub struct WindowRoughness {
     /// σ_d
     pub deviation: Length,
+    /// Mean height of the film's length over the mean line of the trace \[m\].
+    pub middle: f64,
     /// Parts from the lowest pressure to the highest; none where the film does not ripple or no pressure flattens the window.
     pub ripple: Vec<RipplePart>,
 }
@@ -163,6 +152,7 @@ impl WindowRoughness {
     pub const fn even(deviation: Length) -> Self {
         Self {
             deviation,
+            middle: 0.0,
             ripple: Vec::new(),
         }
     }
@@ -172,6 +162,7 @@ impl WindowRoughness {
         cite!("Venner");
         cite!("Attenuated-trace");
         cite!("Gap-roughness");
+        cite!("Window-gap");
         if !self.ripple.is_empty() {
             cite!("Ripple-pressure");
             cite!("Ripple-parts");
@@ -183,18 +174,19 @@ impl WindowRoughness {
         self.ripple.iter().any(|part| part.pressure != 0.0)
     }
 
-    /// The window of the sums of `N` flattened heights \[m\], and of the pressures \[Pa\] that flatten them; its film is evaluated
-    /// up to `reach` points from its middle.
+    /// The window of the sums of `N` flattened heights \[m\], and of the pressures \[Pa\] that flatten them; its film reaches
+    /// `reach` points from its middle.
     pub(crate) fn of<const N: usize>(
         heights: [&[f64]; N],
         pressures: Option<[&[f64]; N]>,
-        reach: usize,
+        reach: f64,
         peak_weight: f64,
     ) -> Self {
         Self {
             deviation: deviation(heights, peak_weight),
+            middle: middle_height(heights, reach),
             ripple: pressures.map_or_else(Vec::new, |pressures| {
-                ripple(&AtPlaces::of(heights, pressures, reach))
+                ripple(&AtPlaces::of(heights, pressures, rounded(reach)))
             }),
         }
     }
@@ -204,12 +196,13 @@ impl WindowRoughness {
 #[derive(Debug, Clone)]
 pub struct PatchSample {
     deviation: f64,
+    middle: f64,
     at: Option<AtPlaces>,
 }
 
 impl PatchSample {
     /// The patch of these flattened heights \[m\] in rows of `columns`, with the pressures \[Pa\] that flatten them if its film
-    /// ripples, which is evaluated up to `reach` columns from the middle. Each row is in balance as a line is.
+    /// ripples. The film reaches `reach` columns from the middle. Each row is in balance as a line is.
     ///
     /// # Errors
     /// When the numbers of pressures and heights differ, or the heights are not whole rows.
@@ -217,7 +210,7 @@ impl PatchSample {
         heights: &[f64],
         columns: usize,
         pressures: Option<&[f64]>,
-        reach: usize,
+        reach: f64,
     ) -> Result<Self, LoadShareError> {
         let rows = heights.len().checked_div(columns).unwrap_or(0);
         let rule = "must be whole rows";
@@ -229,9 +222,13 @@ impl PatchSample {
             let fits = number == heights.len();
             DomainError::require(fits, "pressures of a patch", number as f64, "-", rule)?;
         }
+        let of_row = |row| middle_height([row], reach);
+        let middles: f64 = heights.chunks_exact(columns).map(of_row).sum();
+        let at = |pressures| AtPlaces::of_patch(heights, pressures, columns, rounded(reach));
         Ok(Self {
             deviation: deviation([heights], 0.0).si(),
-            at: pressures.map(|pressures| AtPlaces::of_patch(heights, pressures, columns, reach)),
+            middle: middles / rows as f64,
+            at: pressures.map(at),
         })
     }
 
@@ -258,6 +255,7 @@ impl PatchSample {
         });
         WindowRoughness {
             deviation: Length::from_si(weighted(&|one| one.deviation).max(0.0)),
+            middle: weighted(&|one| one.middle),
             ripple: at.as_ref().map_or_else(Vec::new, ripple),
         }
     }
@@ -308,6 +306,10 @@ impl AtPlaces {
         let pressures = self.pressures.iter().copied();
         pressures.zip(self.heights.iter().copied())
     }
+}
+
+fn rounded(reach: f64) -> usize {
+    reach.round() as usize
 }
 
 fn mean(values: &[f64]) -> f64 {
@@ -505,11 +507,12 @@ fn ripple(at: &AtPlaces) -> Vec<RipplePart> {
 pub(crate) fn part_gradient(
     heights: &[f64],
     pressures: &[f64],
-    reach: usize,
+    reach: f64,
     by_parts: &[[f64; 3]],
 ) -> [Vec<f64>; 2] {
     cite!("Ripple-gradient");
     let mut gradient = [0, 1].map(|_| vec![0.0; pressures.len()]);
+    let reach = rounded(reach);
     let at = AtPlaces::of([heights], [pressures], reach);
     let scale = Scale::of(&at.pressures);
     if scale.deviation == 0.0 {
@@ -565,10 +568,10 @@ mod tests {
     use super::*;
 
     /// Points from the middle of the windows of the tests up to their ends.
-    const REACH: usize = 220;
+    const REACH: f64 = 220.0;
 
     fn ripple(heights: &[f64], pressures: &[f64]) -> Vec<RipplePart> {
-        super::ripple(&AtPlaces::of([heights], [pressures], REACH))
+        super::ripple(&AtPlaces::of([heights], [pressures], rounded(REACH)))
     }
 
     #[test]
@@ -685,7 +688,14 @@ mod tests {
         }
         assert_eq!(ripple(&heights, &vec![7.0; heights.len()]), []);
         // What rises along rolling moves the contact, and what is outside of it does not act.
-        let other = |i: usize| 0.5 * i as f64 + if i.abs_diff(501) > REACH { 9.0 } else { 0.0 };
+        let other = |i: usize| {
+            0.5 * i as f64
+                + if i.abs_diff(501) > rounded(REACH) {
+                    9.0
+                } else {
+                    0.0
+                }
+        };
         let sloping: Vec<f64> = (pressures.iter().enumerate())
             .map(|(i, p)| p + other(i))
             .collect();

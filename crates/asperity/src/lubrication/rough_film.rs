@@ -240,15 +240,15 @@ impl RoughFilm<'_> {
         let spectra = self.surfaces.whole_spectra()?;
         let traces = (self.traces)
             .get_or_insert_with(|| AttenuatedTraces::new(spectra.each_ref(), &flattening));
-        let of_rms = traces.rms_gradient(starts, points);
+        let of_supply = traces.supply_gradient(starts, points, found.by_supply);
         let by_ripple = traces.ripple_gradient(starts, points, &found.by_parts);
         for body in [0, 1] {
             let [direct, flattened] = [&mut sums.direct[body], &mut sums.flattened.heights[body]];
             let places = mirrored_indices(direct.len(), starts[body], points);
             let places: Vec<usize> = places.collect();
-            for ((&i, by_height), by_sum) in places.iter().zip(&found.by_height).zip(&of_rms) {
+            for ((&i, by_height), by_sum) in places.iter().zip(&found.by_height).zip(&of_supply) {
                 direct[i] += force * by_height;
-                flattened[i] += force * found.by_rms * by_sum;
+                flattened[i] += force * by_sum;
             }
             let Some([by_pressure, by_height]) = &by_ripple else {
                 continue;

@@ -12,14 +12,14 @@
 //! | c | rise of the surface temperature per friction coefficient | K |
 //!
 //! The friction follows from the heights in three ways: through the rough contact, whose gaps decide the share and whose
-//! spots decide B, through σ_d, which decides the supply, and through the ripple of the film.
+//! spots decide B, through σ_d and the height ȳ of the middle, which decide the supply, and through the ripple of the film.
 //!
 //! ```text
 //! dφ = (dh̄ − Σ (∂g/∂g_j) dg_j)/(g′(φ) − h̄′(φ))
 //! dμ = φ (1 + κ) Σ w_r dB_r + M dφ + (s + κ) [∂F/∂h̄ dh̄ + Σ_j (∂F/∂L_j dL_j + ∂F/∂P_j dP_j + ∂F/∂Y_j dY_j)]
 //! M = (1 + κ) (B + φ Σ w_r′ B_r) + (s + κ) ∂F/∂φ
 //! κ = c [s ∂F/∂T + φ ∂B/∂T]/(1 − c [∂F/∂T + φ ∂B/∂T])
-//! dh̄/dσ_d = h̄ (Ψ² − 1)/(Ψ² σ_d)
+//! dh̄/dσ_d = ∂h̄/∂(h_g Ψ) h_g Ψ (Ψ² − 1)/(Ψ² σ_d)
 //! ```
 //!
 //! Each dg_j and dB_r is a linear function of the pressures of one contact, whose sets are held:
@@ -40,6 +40,7 @@ use crate::contact_table::{AtShare, ContactTable};
 use crate::error::LoadShareError;
 use crate::rough_contact::RoughContact;
 use crate::spots::SpotConditions;
+use crate::window_gap::gap_under;
 use crate::window_roughness::{FilmPressure, WindowRoughness};
 
 /// Slopes of the friction over gaps and spots of a contact.
@@ -98,8 +99,8 @@ impl AddAssign for Kinks {
 pub struct ShareGradient {
     /// Over each height of the composite window, through the rough contact \[1/m\].
     pub by_height: Vec<f64>,
-    /// Over σ_d of the window, through the supply \[1/m\].
-    pub by_rms: f64,
+    /// Over σ_d and the height of the middle of the window, through the supply \[1/m\].
+    pub by_supply: [f64; 2],
     /// Over length, pressure \[1/Pa\] and height \[1/m\] of each part of the window's ripple.
     pub by_parts: Vec<[f64; 3]>,
 }
@@ -200,7 +201,7 @@ impl PositionFilm<'_> {
         table: &ContactTable,
         window: &WindowRoughness,
     ) -> Result<Kinks, LoadShareError> {
-        let supply = self.supply_of(self.inlet_factor(window.deviation)?)?;
+        let supply = self.supply_of(self.inlet_factor(window.deviation)?, window)?;
         let is_next = |gap: Length, other: f64| (gap.si() - other).abs() < NEXT_TO;
         let mut kinks = Kinks {
             windows: 1,
@@ -229,7 +230,7 @@ impl PositionFilm<'_> {
     /// scaled by `film_scale`.
     ///
     /// ```text
-    /// dμ/dz = Σ_r (∂μ/∂g_r ∂g_r/∂z + ∂μ/∂B_r ∂B_r/∂z) + ∂μ/∂h̄ ∂h̄/∂σ_d ∂σ_d/∂z + Σ_j ∂μ/∂(L_j, P_j, Y_j) ∂(L_j, P_j, Y_j)/∂z          [Share-gradient]
+    /// dμ/dz = Σ_r (∂μ/∂g_r ∂g_r/∂z + ∂μ/∂B_r ∂B_r/∂z) + ∂μ/∂h̄ (∂h̄/∂σ_d ∂σ_d/∂z + ∂h̄/∂ȳ ∂ȳ/∂z) + Σ_j ∂μ/∂(L_j, P_j, Y_j) ∂(L_j, P_j, Y_j)/∂z          [Share-gradient]
     /// ```
     ///
     /// The last sum, over the parts of the window, is in the coefficients of [`ShareGradient::by_parts`].
@@ -248,14 +249,13 @@ impl PositionFilm<'_> {
         cite!("Share-gradient");
         let mut gradient = ShareGradient {
             by_height: vec![0.0; contact.points()],
-            by_rms: 0.0,
+            by_supply: [0.0; 2],
             by_parts: Vec::new(),
         };
         let attenuated_rms = window.deviation;
         let psi = self.inlet_factor(attenuated_rms)?;
-        let supply = self.supply_of(psi)?;
-        // Relative slope of the gap supplied over σ_d.
-        let by_deviation = self.inlet_slope(attenuated_rms, psi)?;
+        let supply = self.supply_of(psi, window)?;
+        let supply_slopes = self.supply_slopes(psi, window)?;
         let at = table.at_supply(&supply)?;
         let coefficient = self.share(table, window)?.value.coefficient;
         let c = match self.film.heat() == FilmHeat::Isothermal {
@@ -269,7 +269,7 @@ impl PositionFilm<'_> {
             let [_, slope] = self.film_part(window, state)?;
             let scale = film_scale + c * film_scale * slope / (1.0 - c * slope);
             let (by_gap, by_parts) = self.ripple_slopes(window, state, scale)?;
-            gradient.by_rms = by_gap * state.gap * by_deviation;
+            gradient.by_supply = supply_slopes(0.0).map(|slope| by_gap * slope);
             gradient.by_parts = by_parts;
             return Ok(gradient);
         };
@@ -320,7 +320,8 @@ impl PositionFilm<'_> {
             let supply_slope = (supply(root + step) - supply(root - step)) / (2.0 * step);
             m += by_supply * supply_slope;
             by_gap = m / (gap_slope - supply_slope);
-            gradient.by_rms = (by_gap + by_supply) * supply(root) * by_deviation;
+            let by_both = by_gap + by_supply;
+            gradient.by_supply = supply_slopes(root).map(|slope| by_both * slope);
         }
         let scales = RowScales {
             of_gap: -by_gap,
@@ -329,6 +330,26 @@ impl PositionFilm<'_> {
         };
         self.add_rows(contact, &at, &scales, &mut gradient.by_height)?;
         Ok(gradient)
+    }
+
+    /// Slopes of the gap supplied to a window over its σ_d and the height of its middle, at a share.
+    fn supply_slopes(
+        &self,
+        psi: f64,
+        window: &WindowRoughness,
+    ) -> Result<impl Fn(f64) -> [f64; 2] + use<>, LoadShareError> {
+        let relative = self.inlet_slope(window.deviation, psi)?;
+        let of_trace = self.supply_of(psi, &WindowRoughness::even(window.deviation))?;
+        let middle = self.middle(window);
+        let knows_middles = self.knows_middles;
+        Ok(move |phi: f64| {
+            let gap = of_trace(phi);
+            let (_, [by_gap, by_middle]) = gap_under(gap, middle);
+            [
+                by_gap * gap * relative,
+                if knows_middles { by_middle } else { 0.0 },
+            ]
+        })
     }
 
     /// Adds the gradients of the rows of the table over the heights: of their gaps, dg_j, and of their spots, dB_r.

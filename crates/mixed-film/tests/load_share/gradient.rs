@@ -35,7 +35,7 @@ fn gradient(flanks: &Flanks, settings: &LoadShareSettings) -> [Vec<f64>; 2] {
     let starts = STARTS.map(|start| start as isize);
     let window = traces.window(STARTS, n).unwrap();
     let found = film.gradient(&mut rough, &table, &window, 1.0).unwrap();
-    let of_rms = traces.rms_gradient(starts, n);
+    let of_supply = traces.supply_gradient(starts, n, found.by_supply);
     let none = || [0, 1].map(|body: usize| vec![0.0; flanks.heights[body].len()]);
     let by_ripple = traces.ripple_gradient(starts, n, &found.by_parts);
     let places = |body: usize| mirrored_indices(flanks.heights[body].len(), starts[body], n);
@@ -44,8 +44,8 @@ fn gradient(flanks: &Flanks, settings: &LoadShareSettings) -> [Vec<f64>; 2] {
         pressures: none(),
     };
     for body in [0, 1] {
-        for (i, of_rms) in places(body).zip(&of_rms) {
-            flattened.heights[body][i] += found.by_rms * of_rms;
+        for (i, of_supply) in places(body).zip(&of_supply) {
+            flattened.heights[body][i] += of_supply;
         }
         let Some([by_pressure, by_height]) = &by_ripple else {
             continue;

@@ -250,6 +250,7 @@ fn ground_table() -> &'static ContactTable {
 fn former() -> LoadShareSettings {
     LoadShareSettings {
         film_law: FilmLaw::DowsonToyoda,
+        supply: InletSupply::Grubin,
         spot_speed: SpotSpeed::Entrainment,
         film_pressure: FilmPressure::Hertz,
         gap_roughness: GapRoughness::Rms,
@@ -692,7 +693,7 @@ fn patches_are_fed_by_their_computed_flow_and_lines_as_before() {
     let found = film.share(ground_table(), &window).unwrap().value;
     let flow = patches.flow(&flattening.attenuation).unwrap();
     let factor = flow
-        .inlet_factor(window.deviation, film.supply_film())
+        .inlet_factor(window.deviation, film.roughness_film())
         .unwrap();
     assert_eq!(found.inlet_factor, factor);
     // The highest ridge of the whole length closes the gap that the second order keeps open.
@@ -722,10 +723,11 @@ fn patches_are_fed_by_their_computed_flow_and_lines_as_before() {
             .map(|of| of.ripple(attenuation, contact.modulus)),
     );
     let columns = points(&contact);
-    let reach = flattening.ripple.unwrap().reach_in(SPACING);
+    let reach = flattening.reach / SPACING;
     let piece = PatchSample::of(&left, columns, Some(&pressures), reach).unwrap();
     let of_piece = PatchSample::between(&[(Arc::new(piece), 1.0)]);
     assert!((of_piece.deviation / window.deviation - 1.0).abs() < 1e-9);
+    assert!((of_piece.middle / window.middle - 1.0).abs() < 1e-9);
     assert_eq!(of_piece.ripple.len(), window.ripple.len());
     assert!(PatchSample::of(&left, columns, Some(&[0.0]), reach).is_err());
     assert!(PatchSample::of(&left, columns - 1, None, reach).is_err());
