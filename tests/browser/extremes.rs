@@ -687,6 +687,8 @@ fn drawn_extremes_are_those_of_the_tables() {
                 (drawn - due).abs() <= 3.0 * number("worth").unwrap() + 1e-5 * due.abs()
             };
             let ends_are_near = match (number("low"), number("high")) {
+                // A block of cells has its largest loss, and can hide the smallest spot.
+                (Some(a), Some(b)) if chart == "patch-losses" => a >= low && near(b, high),
                 (Some(a), Some(b)) => near(a, low) && near(b, high),
                 // A field of a file of its own is read by its highest band.
                 _ => true,

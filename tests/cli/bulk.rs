@@ -42,7 +42,7 @@ fn a_run_says_which_temperature_the_flanks_reach() {
 fn a_mesh_that_keeps_no_temperature_from_a_hot_start_is_warned_of() {
     let settings = [
         "operation.oil_temperature=0 °C",
-        "operation.bulk={ law = \"network\", pinion_to_oil = \"0.3 W/K\", wheel_to_oil = \"0.3 W/K\" }",
+        "operation.bulk={ law = \"network\", pinion_to_oil = \"0.25 W/K\", wheel_to_oil = \"0.25 W/K\" }",
     ];
     let said = run(&Bench::new(), &settings).well();
     let text = said.unwrapped();

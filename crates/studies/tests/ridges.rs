@@ -133,12 +133,13 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
     let exact = [&case, &changed[0], &changed[1]].map(|case| gradient(case).unwrap());
     let pressed_w = exact[2].losses.summary.loss_w;
     assert!((pressed_w / found.pressed_loss_w - 1.0).abs() < 1e-9);
-    // Constants and model add in squares to a sampling error of several times theirs: by 1.04 at least in 20 ridges.
-    let wider = |[low, high]: [f64; 2], of_sampling: [f64; 2]| {
-        low < high && high - low > 1.03 * (of_sampling[1] - of_sampling[0])
+    // Constants and model add in squares to a sampling error of several times theirs; of a ridge that saves nothing in the mean, they
+    // add nothing.
+    let wider = |[low, high]: [f64; 2], of_sampling: [f64; 2], times: f64| {
+        low < high && high - low > times * (of_sampling[1] - of_sampling[0])
     };
     let of_saving = found.saving_quantiles_w.unwrap();
-    assert!(wider(of_saving, found.sampling_quantiles_w.unwrap()));
+    assert!(wider(of_saving, found.sampling_quantiles_w.unwrap(), 1.03));
     // Watts of a ridge at each offset, by the mean of the gradients.
     let by_window = |row: &RidgeRow, gradients: &[LossGradient; 3]| -> Vec<f64> {
         let one = pressed(&case, std::slice::from_ref(row), 1.0);
@@ -150,7 +151,12 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
         let sampled = by_window(row, &exact);
         let sampled = sampling_interval(&exact[0].case, &exact[0].losses, &sampled);
         let interval = [row.low_w.unwrap(), row.high_w.unwrap()];
-        assert!(wider(interval, sampled.unwrap()), "{row:?} {sampled:?}");
+        let is_costly = row.mean_gradient_w.abs() > 0.1 * (interval[1] - interval[0]);
+        let times = if is_costly { 1.03 } else { 1.0 };
+        assert!(
+            wider(interval, sampled.unwrap(), times),
+            "{row:?} {sampled:?}"
+        );
         (row, interval)
     });
     let of_rows: Vec<_> = of_rows.collect();

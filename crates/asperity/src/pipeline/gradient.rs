@@ -273,7 +273,7 @@ mod tests {
     use asperity_roughness::composite::resampled;
 
     /// Steps of the difference quotients, in the order in which neighbours are compared \[m\].
-    const STEPS: [f64; 5] = [3e-11, 1e-11, 1e-10, 3e-10, 1e-9];
+    const STEPS: [f64; 6] = [3e-11, 1e-11, 3e-12, 1e-10, 3e-10, 1e-9];
     /// Height of the bumps \[m\].
     const BUMP: f64 = 1e-9;
     /// Narrowest and widest bump, in points.

@@ -42,7 +42,7 @@ const SPEEDS: [(&str, SpotSpeed, &str); 2] = [
     (
         "spots with the film of half the sliding speed",
         SpotSpeed::HalfSliding,
-        "ln friction scatters by 0.094 about 85 records of mixed lubrication; by the default by 0.050",
+        "ln friction scatters by 0.094 about 85 records of mixed lubrication; by the default by 0.052",
     ),
 ];
 const HALVED: &str =
@@ -326,7 +326,7 @@ mod tests {
         let most = (within * 58.0 / 41.5 - of_records).sqrt();
         assert_eq!(
             [of_flanks, of_condition, most].map(|sd| format!("{sd:.3}")),
-            ["0.037", "0.000", "0.022"]
+            ["0.036", "0.014", "0.028"]
         );
         assert!((of_condition..most).contains(&OF_CONDITION));
     }
