@@ -42,7 +42,6 @@ fn weights(points: usize, reach: f64) -> impl Iterator<Item = (usize, f64)> + Cl
 }
 
 /// Mean height of a window up to `reach` points from its middle, over the mean line of the traces; 0 of no length.
-///
 pub(crate) fn middle_height<const N: usize>(heights: [&[f64]; N], reach: f64) -> f64 {
     let weighted = |(i, weight)| weight * heights.iter().map(|of| of[i]).sum::<f64>();
     weights(heights[0].len(), reach).map(weighted).sum()
