@@ -13,7 +13,7 @@
 //! Source: 194 steady solutions of this project's own solver (flooded, isothermal, Newtonian, Roelands' viscosity with the exponent 0.6,
 //! Dowson and Higginson's density, α = 16/GPa, 2048 cells) for M from 0.1 to 1000 and L from 1 to 22, where the Hertz pressure is
 //! below 3.5 GPa; beyond, K is that of the largest L below it. With α = 12 or 20/GPa K is within 1.3 % from M = 1 on and 2.1 % below, K_m
-//! within 1.6 %. Gears at full load have M from 7 to 75 and L from 3 to 10, where K is 0.97 to 1.12 and K_m 0.94 to 1.04. Below M = 1 the
+//! within 1.6 %, C within 2 %. Gears at full load have M from 7 to 75 and L from 3 to 10, where K is 0.97 to 1.12 and K_m 0.94 to 1.04. Below M = 1 the
 //! formulas, which are powers, are up to 12 % too thick at large L and give half the film at small L.
 
 use asperity_core::cite;
@@ -358,9 +358,9 @@ pub fn steady_film(groups: &FilmGroups, radius: Length) -> Result<[Length; 2], R
 /// ```
 ///
 /// Ridges raise the gap by the flow ⟨h⁻³⟩ = h⁻³ (1 + 6 σ²/h²). Where they do so only in an inlet before a stiff contact, which Grubin's Ψ
-/// describes, it is less than where oil is still displaced inside of the contact: f is 1.18 at M = 1, 1.07 in the rigid contact and .9
-/// to 1.1 at full load. For a small σ the solutions range more, from 1.6 to 2.9 for Grubin's 2.34, but Ψ is wanted for σ_d of .5 to 3
-/// times the film, where they have less of a rise than the records: C is of σ = h̄, and only its ratio is taken.
+/// describes, it is less than where oil is still displaced inside of the contact: f is 1.18 at M = 1, 1.07 in the rigid contact and .87
+/// to 1.08 at full load. For a small σ the solutions range from 1.6 to 2.9 for Grubin's 2.34. But Ψ is needed for σ_d of .5 to 3 times
+/// the film, where the solutions rise less than the records: C is for σ = h̄, and only its ratio is taken.
 ///
 /// ```
 /// use asperity_ehl_regime::{MoesNumbers, steady_film::flow_rise};

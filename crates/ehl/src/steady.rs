@@ -201,7 +201,7 @@ pub fn solve(
 /// Steady mean film over ridges across the flow with a standard deviation `roughness` of both surfaces together.
 ///
 /// The ridges are much shorter than the contact, as high on either surface and not flattened. To the second order in their height
-/// the flow is the mean over them, F of the flux.
+/// the flow is the mean over them (`EHL-flux`).
 ///
 /// # Errors
 /// As [`solve`], and when the roughness is negative.
