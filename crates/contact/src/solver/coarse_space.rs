@@ -13,6 +13,8 @@
 //! The preconditioner of this inner solution assumes evenly spaced patches, for which K is a
 //! convolution over their indices. It needs some ten iterations at any number of patches.
 //!
+//! Few patches are solved directly instead (`direct_patches`).
+//!
 //! | symbol | meaning |
 //! |---|---|
 //! | K_IJ | mean displacement of patch I by unit force on patch J, see `contact_patches` |
@@ -24,6 +26,7 @@ use rustfft::FftPlanner;
 
 use super::coarse_nodes::{Nodes, cubic_weights};
 use super::contact_patches::{Patch, PatchKernel};
+use super::direct_patches::DirectPatches;
 use crate::boundary::Boundary;
 use crate::convolution::{Buffers, Convolution, Run, parts};
 
@@ -63,6 +66,9 @@ pub(crate) struct CoarseSpace {
     /// The same difference for K_II.
     diagonal: Vec<f64>,
     solution: Inner,
+    direct: DirectPatches,
+    /// Whether the patches are solved directly.
+    is_direct: bool,
 }
 
 #[derive(Clone, Copy, Default)]
@@ -95,6 +101,11 @@ impl CoarseSpace {
         let count = self.patches.len();
         if count < MIN_PATCHES || count * MIN_CELLS_PER_PATCH > points {
             return false;
+        }
+        self.is_direct = self.direct.prepare(points, boundary, &self.patches);
+        if self.is_direct {
+            self.active = true;
+            return true;
         }
         let kernel = PatchKernel {
             period: matches!(boundary, Boundary::Periodic(_)).then_some(points),
@@ -132,6 +143,14 @@ impl CoarseSpace {
     /// Makes the nodes anew for the next patches.
     pub(crate) fn forget_nodes(&mut self) {
         self.grid = None;
+    }
+
+    /// The coarse space without what it has planned before: without its history.
+    pub(crate) fn anew(self) -> Self {
+        Self {
+            direct: self.direct,
+            ..Self::default()
+        }
     }
 
     /// Switches the coarse space off until the next [`prepare`](Self::prepare).
@@ -226,18 +245,46 @@ impl CoarseSpace {
     pub(crate) fn correct(&mut self, residual: &[f64], ascent: &mut [f64]) {
         let mut inner = std::mem::take(&mut self.solution);
         inner.residual.clear();
-        let mean = |patch: &Patch| {
-            residual[patch.listed_range()].iter().sum::<f64>() / patch.points() as f64
+        let means = self.patches.iter().map(|patch| patch.mean_of(residual));
+        inner.residual.extend(means);
+        if self.is_direct {
+            self.direct.solve(&inner.residual, &mut inner.force);
+        } else {
+            self.solve(&mut inner);
+        }
+        self.press(&inner.force, ascent);
+        self.solution = inner;
+    }
+
+    /// Adds to `ascent` the uniform pressures on the patches that remove the means of `residual` less the displacement by `ascent`
+    /// over them, without this displacement at every point; false where the patches are not solved directly.
+    ///
+    /// K and the displacement A are symmetric: the mean of A·z over a patch is the sum of z times the displacement by unit force on it.
+    pub(crate) fn correct_displaced(&mut self, residual: &[f64], ascent: &mut [f64]) -> bool {
+        if !self.is_direct {
+            return false;
+        }
+        let mut inner = std::mem::take(&mut self.solution);
+        inner.residual.clear();
+        let left = |(i, patch): (usize, &Patch)| {
+            patch.mean_of(residual) - self.direct.mean_displacement(i, ascent)
         };
-        inner.residual.extend(self.patches.iter().map(mean));
-        self.solve(&mut inner);
-        for (patch, force) in self.patches.iter().zip(&inner.force) {
+        let left = self.patches.iter().enumerate().map(left);
+        inner.residual.extend(left);
+        self.direct.solve(&inner.residual, &mut inner.force);
+        self.press(&inner.force, ascent);
+        self.solution = inner;
+        true
+    }
+
+    /// Adds uniform pressures with the `forces` of the patches.
+    fn press(&self, forces: &[f64], ascent: &mut [f64]) {
+        for (patch, force) in self.patches.iter().zip(forces) {
             let pressure = force / patch.points() as f64;
             for z in &mut ascent[patch.listed_range()] {
                 *z += pressure;
             }
         }
-        self.solution = inner;
     }
 
     /// Solves K f = y − λ with Σf = 0 by conjugate gradients; y is the residual at the start.

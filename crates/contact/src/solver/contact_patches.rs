@@ -38,6 +38,11 @@ impl Patch {
     pub(crate) fn listed_range(&self) -> std::ops::Range<usize> {
         self.listed..self.listed + self.points()
     }
+
+    /// Mean over the patch of numbers of the listed points.
+    pub(crate) fn mean_of(&self, listed: &[f64]) -> f64 {
+        listed[self.listed_range()].iter().sum::<f64>() / self.points() as f64
+    }
 }
 
 /// Constant term of the asymptotic series of G, computed by summing the kernel numerically.

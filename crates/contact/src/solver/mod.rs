@@ -14,6 +14,7 @@ mod cascadic_multigrid;
 mod coarse_nodes;
 mod coarse_space;
 mod contact_patches;
+mod direct_patches;
 mod discrete_problem;
 mod feasible_pressure;
 mod line_search;
@@ -43,7 +44,6 @@ use crate::problem::{
 use cascadic_multigrid::{
     Window, grids, is_smooth, prolong, prolong_rows, prolong_slopes, restrict,
 };
-use coarse_space::CoarseSpace;
 use discrete_problem::{DiscreteProblem, touching};
 use operators::Operators;
 use workspace::{Assessment, Task, Workspace};
@@ -97,7 +97,7 @@ impl Drop for Solver {
     fn drop(&mut self) {
         if self.shape.points <= LARGE_GRID {
             // Its planner has a history.
-            self.work.coarse = CoarseSpace::default();
+            self.work.coarse = std::mem::take(&mut self.work.coarse).anew();
             let own = (
                 self.shape,
                 std::mem::replace(&mut self.operators, Operators::of(self.shape.rows)),

@@ -183,20 +183,23 @@ fn deflate<G: Grid>(level: Level<G>, work: &mut Workspace, scale: f64) {
     cite!("Deflation-1");
     let (ascent, residual, runs) = (&mut work.ascent, &work.residual, &work.runs);
     let mean = ascent.iter().sum::<f64>() / ascent.len() as f64;
+    ascent.iter_mut().for_each(|z| *z -= mean);
+    let left = &mut work.trial;
+    left.clear();
+    left.extend(residual.iter().map(|r| r / scale));
+    if work.coarse.correct_displaced(left, ascent) {
+        return;
+    }
     let buffers = &mut work.single_buffers;
     let signal = buffers.signal(ascent.len());
-    for (to, z) in signal.iter_mut().zip(&mut *ascent) {
-        *z -= mean;
+    for (to, z) in signal.iter_mut().zip(&*ascent) {
         *to = *z as f32;
     }
     level.single.filter_runs(buffers, 1.0, runs);
     let change = &*buffers.signal(work.pressure.len());
-    let left = &mut work.trial;
-    left.resize(ascent.len(), 0.0);
     for (run, place) in parts(runs) {
-        let values = residual[place.clone()].iter().zip(&change[run]);
-        for (to, (r, u)) in left[place].iter_mut().zip(values) {
-            *to = r / scale - f64::from(*u);
+        for (left, u) in left[place].iter_mut().zip(&change[run]) {
+            *left -= f64::from(*u);
         }
     }
     work.coarse.correct(left, ascent);
