@@ -10,8 +10,8 @@
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 
-use super::evaluations::{OFFSETS, widest};
-use super::recorded::predictive;
+use super::evaluations::{Windows, widest};
+use super::recorded::predictive_of;
 use crate::contacts::Contacts;
 use crate::pipeline::losses_with;
 use crate::result::{Losses, PositionRow};
@@ -33,6 +33,9 @@ pub struct ChangeDraws {
     /// Standard normal number of the sampling.
     sampling: Vec<f64>,
 }
+
+/// Offsets of a change of a loss: it needs fewer than a loss.
+const OFFSETS: usize = 16;
 
 /// A case with the first of its offsets, and their contacts, which are shared with `contacts`.
 #[must_use]
@@ -65,7 +68,12 @@ impl ChangeDraws {
         for ((loaded, contacts), sign) in cases.into_iter().zip([1.0, -1.0]) {
             let (case, few) = few_offsets_of(loaded, contacts);
             let nominal = losses_with(&few, &case)?;
-            let Some(drawn) = predictive(&case, &nominal, Some(&few))? else {
+            // The ratios of two losses that are close have the windows of their difference.
+            let windows = Windows {
+                contacts: &few,
+                offsets: OFFSETS,
+            };
+            let Some(drawn) = predictive_of(&case, &nominal, windows)? else {
                 return Ok(None);
             };
             let drawn = Predictive {
@@ -200,7 +208,7 @@ mod tests {
         let after = gradient(&changed).unwrap();
         let at_medians = watts([&before, &after], &heights);
         let drawn = [&before, &after].map(|found| {
-            predictive(&found.case, &found.losses, Some(&found.contacts))
+            crate::uncertainty::predictive(&found.case, &found.losses, Some(&found.contacts))
                 .unwrap()
                 .unwrap()
         });

@@ -65,7 +65,7 @@ pub use difference::{
 pub use evaluations::has_band;
 pub use recorded::predictive;
 
-use evaluations::{Evaluated, Nominal, count, evaluated, of_windows, travelled, widest};
+use evaluations::{Evaluated, Nominal, Windows, count, evaluated, of_windows, travelled, widest};
 use other_models::{OtherModel, by_formula, other_models};
 
 /// Error of ln loss by the interpolation of the draws that is worth a warning.
@@ -190,7 +190,7 @@ fn uncertainty(
         of_positions,
         held,
         evaluations,
-    } = recorded::evaluate(loaded, &nominal, contacts, done)?;
+    } = recorded::evaluate(loaded, &nominal, Windows::few(contacts), done)?;
     let of_model = |(model, number): (OtherModel, usize)| {
         // A model without solution here is no error of the case.
         let found = evaluated(&model.case, Some(contacts)).ok();

@@ -7,7 +7,9 @@
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_uncertainty::{COMPARED, Predictive, RecordedRule, SamplingError};
 
-use super::evaluations::{Evaluated, Nominal, by_contacts, evaluated, has_band, travelled, widest};
+use super::evaluations::{
+    Evaluated, Nominal, Windows, by_contacts, evaluated, has_band, travelled, widest,
+};
 use super::other_models::step_rule_of;
 use crate::contacts::Contacts;
 use crate::pipeline::{contacts as contacts_of, settled};
@@ -47,8 +49,20 @@ pub fn predictive(
             &computed
         }
     };
-    let found = settled(loaded, Some(contacts))?;
-    let evaluated = evaluate(found.as_ref(), &Nominal::of(nominal), contacts, &|_| {})?;
+    predictive_of(loaded, nominal, Windows::few(contacts))
+}
+
+/// The draws of a loss that is known already, by some windows of its contacts.
+pub(super) fn predictive_of(
+    loaded: &LoadedCase,
+    nominal: &Losses,
+    windows: Windows<'_>,
+) -> Result<Option<Predictive>, Error> {
+    if !has_band(loaded) {
+        return Ok(None);
+    }
+    let found = settled(loaded, Some(windows.contacts))?;
+    let evaluated = evaluate(found.as_ref(), &Nominal::of(nominal), windows, &|_| {})?;
     Ok(Some(evaluated.predictive))
 }
 
@@ -56,12 +70,12 @@ pub fn predictive(
 pub(super) fn evaluate(
     loaded: &LoadedCase,
     nominal: &Nominal<'_>,
-    contacts: &Contacts,
+    windows: Windows<'_>,
     done: &(dyn Fn(usize) + Sync),
 ) -> Result<Evaluated, Error> {
     match nominal.summary.recorded_friction {
         Some(friction) => by_records(loaded, nominal, friction, done),
-        None => by_contacts(loaded, nominal, contacts, done),
+        None => by_contacts(loaded, nominal, windows, done),
     }
 }
 
@@ -80,7 +94,7 @@ fn by_records(
     let fast = by_solved_contacts(loaded);
     let contacts = contacts_of(&fast)?;
     let losses = evaluated(&fast, Some(&contacts))?;
-    let mut found = by_contacts(&fast, &Nominal::of(&losses), &contacts, done)?;
+    let mut found = by_contacts(&fast, &Nominal::of(&losses), Windows::few(&contacts), done)?;
     let mut across = fast;
     across.case.model.lay = [Lay::ACROSS; 2];
     let of_lay = match evaluated(&across, Some(&contacts))?.summary.sliding_w {
