@@ -1,6 +1,7 @@
 //! Sensitivity of the loss of a case to the constants of its oil.
 
 use asperity::pipeline::{coldest_losses_with, contacts};
+use asperity::uncertainty::few_offsets_of;
 use asperity::{Contacts, LoadedCase};
 use asperity_core::Fault;
 use nalgebra::DVector;
@@ -35,6 +36,9 @@ pub(super) fn loss_slopes(
             &solved
         }
     };
+    // A slope of ln loss needs fewer windows than a loss: those of a change. On the shipped cases all windows move the intervals
+    // expected of traction curves by at most 3e-4 of themselves.
+    let (case, contacts) = &few_offsets_of(&case, contacts);
     let law = oil.rheology.laws().1;
     let problem = TractionProblem::new(&oil, law, priors, Zero::None, &[]);
     let log_loss = |k: usize, step: f64| -> Result<f64, Fault> {
