@@ -167,7 +167,8 @@ impl Case {
         let smooth = transient::record(&rough(MovingProfile::smooth()), &settings)?;
         let film = smooth.value.smooth_film.si();
         let (length, amplitude, points) = (wave * self.half_width, AMPLITUDE * film, 256);
-        let heights = (0..points).map(|i| amplitude * (TAU * f64::from(i) / f64::from(points)).cos());
+        let heights =
+            (0..points).map(|i| amplitude * (TAU * f64::from(i) / f64::from(points)).cos());
         let spacing = Length::from_si(length / f64::from(points));
         let profile = Profile::new(spacing, heights.collect())?;
         let period = wave / self.speed();

@@ -12,6 +12,7 @@
 //! | f, y | forces of the patches, mean residuals of the patches |
 
 use asperity_core::cite;
+use asperity_core::numerics::Cholesky;
 
 use super::contact_patches::Patch;
 use crate::boundary::Boundary;
@@ -31,8 +32,8 @@ pub(crate) struct DirectPatches {
     listed: usize,
     /// u_I of every listed point, one patch after the other.
     displacements: Vec<f64>,
-    /// Cholesky factor of K with Σf = 0: rows of its lower triangle, of all patches but the last.
-    factor: Vec<f64>,
+    /// Factor of K with Σf = 0, of all patches but the last.
+    factor: Cholesky,
 }
 
 impl DirectPatches {
@@ -93,23 +94,11 @@ impl DirectPatches {
         let mean = |i: usize, j: usize| patches[j].mean_of(self.of_patch(i));
         let to_last: Vec<f64> = (0..last).map(|i| mean(i, last)).collect();
         let of_last = mean(last, last);
-        let mut factor = Vec::with_capacity(last * (last + 1) / 2);
-        for i in 0..last {
-            let row = factor.len();
-            let mut before = 0;
-            for j in 0..=i {
-                let product: f64 = (0..j).map(|k| factor[row + k] * factor[before + k]).sum();
-                let left = mean(i, j) - to_last[i] - to_last[j] + of_last - product;
-                factor.push(match j < i {
-                    true => left / factor[before + j],
-                    false if left > 0.0 => left.sqrt(),
-                    false => return false,
-                });
-                before += j + 1;
-            }
-        }
-        self.factor = factor;
-        true
+        let element = |i: usize, j: usize| mean(i, j) - to_last[i] - to_last[j] + of_last;
+        let factor = Cholesky::new(last, element, 0.0);
+        let is_definite = factor.is_some();
+        self.factor = factor.unwrap_or_default();
+        is_definite
     }
 
     fn of_patch(&self, patch: usize) -> &[f64] {
@@ -136,22 +125,8 @@ impl DirectPatches {
         let Some((of_last, means)) = means.split_last() else {
             return;
         };
-        let mut row = 0;
-        for (i, mean) in means.iter().enumerate() {
-            let factor = &self.factor[row..row + i + 1];
-            let known: f64 = factor.iter().zip(&*forces).map(|(l, f)| l * f).sum();
-            forces.push((mean - of_last - known) / factor[i]);
-            row += i + 1;
-        }
-        for i in (0..means.len()).rev() {
-            row -= i + 1;
-            let factor = &self.factor[row..row + i + 1];
-            let force = forces[i] / factor[i];
-            forces[i] = force;
-            for (left, l) in forces[..i].iter_mut().zip(factor) {
-                *left -= l * force;
-            }
-        }
+        forces.extend(means.iter().map(|mean| mean - of_last));
+        self.factor.solve(forces);
         forces.push(-forces.iter().sum::<f64>());
     }
 }
