@@ -36,7 +36,7 @@ pub(super) fn loss_slopes(
             &solved
         }
     };
-    // A slope of ln loss needs fewer windows than a loss: those of a change. On the shipped cases all windows move the intervals
+    // A slope of ln loss needs fewer windows than a loss: those of a change. On e-drive, fzg-c and table2 all windows move the intervals
     // expected of traction curves by at most 3e-4 of themselves.
     let (case, contacts) = &few_offsets_of(&case, contacts);
     let law = oil.rheology.laws().1;
