@@ -197,7 +197,7 @@ pub struct PositionFilm<'a> {
     /// Film over which roughness counts in Ψ.
     roughness_film: Length,
     /// Whether the gap of a window depends on the height of its middle.
-    knows_middles: bool,
+    has_gap_of_middle: bool,
     /// Smooth film as a mass flow.
     mass_flow: Length,
     thermal_factor: f64,
@@ -304,8 +304,8 @@ impl<'a> PositionFilm<'a> {
             GapLaw::Power => central,
         };
         let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
-        let knows_middles = settings.supply == InletSupply::Rough && gap_law == GapLaw::Inlet;
-        let roughness_film = match knows_middles {
+        let has_gap_of_middle = settings.supply == InletSupply::Rough && gap_law == GapLaw::Inlet;
+        let roughness_film = match has_gap_of_middle {
             true => supplied / flow_rise(&numbers).sqrt(),
             false => supplied,
         };
@@ -332,7 +332,7 @@ impl<'a> PositionFilm<'a> {
             sheared,
             supplied,
             roughness_film,
-            knows_middles,
+            has_gap_of_middle,
             mass_flow: smooth.central,
             thermal_factor: smooth.thermal_factor,
             nabla: numbers.nabla_per_length(hertz.half_width)?,
@@ -587,7 +587,7 @@ impl<'a> PositionFilm<'a> {
 
     /// Height of the middle of a window, as far as it counts in the gap.
     fn middle(&self, window: &WindowRoughness) -> f64 {
-        match self.knows_middles {
+        match self.has_gap_of_middle {
             true => window.middle,
             false => 0.0,
         }

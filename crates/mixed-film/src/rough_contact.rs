@@ -17,6 +17,7 @@ use asperity_core::{DomainError, cite};
 
 use crate::error::LoadShareError;
 use crate::spot_tree::{BySpot, Spot, SpotGrid, pressure_gradient, spot_of_cells, spots_of};
+use crate::window_gap::middle_weights;
 
 /// Share of the Hertz half width over which the gap is averaged and the film between rough flanks is evaluated.
 pub(crate) const CORE: f64 = 0.8;
@@ -201,33 +202,23 @@ impl SmoothContact {
                 line.displacement(cell, &hertz, &mut displacement)?;
             }
         }
-        let within = |limit: f64| {
-            let first = (0..n).find(|&i| place(i).abs() < limit).unwrap_or(0);
-            let count = (first..n).take_while(|&i| place(i).abs() < limit).count();
-            first..first + count
-        };
+        let first = (0..n).find(|&i| place(i).abs() < a).unwrap_or(0);
+        let count = (first..n).take_while(|&i| place(i).abs() < a).count();
+        let core: Vec<(usize, f64)> = middle_weights(n, CORE * a / dx).collect();
         let made = Arc::new(Self {
             of,
             max_hertz: hertz.iter().fold(0.0, |m: f64, &p| m.max(p)),
             hertz,
             displacement,
-            core: mean_over(&within(CORE * a + 0.5 * dx), |i| {
-                (CORE * a - place(i).abs()) / dx
-            }),
-            inside: within(a),
+            core: (
+                core.first().map_or(0, |(i, _)| *i),
+                core.iter().map(|(_, weight)| *weight).collect(),
+            ),
+            inside: first..first + count,
         });
         LAST.set(Some(made.clone()));
         Ok(made)
     }
-}
-
-/// First of some columns, and the weight of each in a mean over a length: the part of its cell that lies within it, of a cell
-/// whose middle is `inside` cells from its end. By whole cells the mean would jump where the length grows by one.
-fn mean_over(columns: &std::ops::Range<usize>, inside: impl Fn(usize) -> f64) -> (usize, Vec<f64>) {
-    let part = |i: usize| (inside(i) + 0.5).clamp(0.0, 1.0);
-    let length: f64 = columns.clone().map(part).sum();
-    let weights = columns.clone().map(|i| part(i) / length).collect();
-    (columns.start, weights)
 }
 
 /// Place of cell `i` of `n`, `dx` apart, from the middle of the window.

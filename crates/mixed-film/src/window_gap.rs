@@ -31,7 +31,10 @@ pub(crate) fn gap_under(gap: f64, middle: f64) -> (f64, [f64; 2]) {
 
 /// Points of a window up to `reach` points from its middle, with their weights in a mean over this length: a point at its end counts
 /// by the part of its cell within it, so that the mean is steady where the length grows. None of no length.
-fn weights(points: usize, reach: f64) -> impl Iterator<Item = (usize, f64)> + Clone {
+pub(crate) fn middle_weights(
+    points: usize,
+    reach: f64,
+) -> impl Iterator<Item = (usize, f64)> + Clone {
     let middle = 0.5 * (points as f64 - 1.0);
     let from_middle = move |i: usize| (i as f64 - middle).abs();
     let part = move |i: usize| (reach - from_middle(i) + 0.5).clamp(0.0, 1.0);
@@ -44,13 +47,13 @@ fn weights(points: usize, reach: f64) -> impl Iterator<Item = (usize, f64)> + Cl
 /// Mean height of a window up to `reach` points from its middle, over the mean line of the traces; 0 of no length.
 pub(crate) fn middle_height<const N: usize>(heights: [&[f64]; N], reach: f64) -> f64 {
     let weighted = |(i, weight)| weight * heights.iter().map(|of| of[i]).sum::<f64>();
-    weights(heights[0].len(), reach).map(weighted).sum()
+    middle_weights(heights[0].len(), reach).map(weighted).sum()
 }
 
 /// Derivative of the mean height over the height at each of `points`.
 pub(crate) fn middle_gradient(points: usize, reach: f64) -> Vec<f64> {
     let mut gradient = vec![0.0; points];
-    for (i, weight) in weights(points, reach) {
+    for (i, weight) in middle_weights(points, reach) {
         gradient[i] = weight;
     }
     gradient

@@ -747,7 +747,7 @@ pub fn model_deviation(
         GapLaw::Power => POWER_ERROR,
     };
     let light = max_pressure.map_or(0.0, |pressure| {
-        LIGHT_ERROR * (LIGHT_BELOW / pressure.si()).ln().max(0.0) * s / (s + LIGHT_ROUGHNESS)
+        LIGHT_ERROR * (LIGHT_BELOW / pressure.si()).ln().max(0.0) / (1.0 + LIGHT_ROUGHNESS / s)
     });
     [bias, error.hypot(light)]
 }

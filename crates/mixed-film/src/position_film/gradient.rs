@@ -341,13 +341,13 @@ impl PositionFilm<'_> {
         let relative = self.inlet_slope(window.deviation, psi)?;
         let of_trace = self.supply_of(psi, &WindowRoughness::even(window.deviation))?;
         let middle = self.middle(window);
-        let knows_middles = self.knows_middles;
+        let has_gap_of_middle = self.has_gap_of_middle;
         Ok(move |phi: f64| {
             let gap = of_trace(phi);
             let (_, [by_gap, by_middle]) = gap_under(gap, middle);
             [
                 by_gap * gap * relative,
-                if knows_middles { by_middle } else { 0.0 },
+                if has_gap_of_middle { by_middle } else { 0.0 },
             ]
         })
     }
