@@ -28,8 +28,8 @@ use asperity_uncertainty::{
 };
 
 /// Offsets of the evaluations: a ratio of losses needs fewer than a loss. With 8 instead of 16 the ends of the interval move by 1.5 W of
-/// 920 on the shipped e-drive case and by at most .1 % on three other cases (docs/records/performance-runs.md), where the surface
-/// through the evaluations misses the ratio by 1.8 and .5 %.
+/// 920 on the shipped e-drive case and by at most .5 W of 411 on three other cases (docs/records/performance-runs.md). The surface
+/// through the evaluations misses the ratio by 1.8 % on the first case, by at most .5 % on the others.
 const OFFSETS: usize = 8;
 /// Evaluations that the surface is not fitted to.
 const HELD_OUT: usize = 4;
