@@ -19,8 +19,8 @@
 
 use super::line_search::settle;
 use super::search_direction::{Search, choose_direction, remove_patch_means};
-use super::workspace::{Level, Task, Workspace};
-use crate::convolution::{Convolution, Lanes, Run, listed, parts, vectorised};
+use super::workspace::{BLOCK, Level, Task, Workspace};
+use crate::convolution::{Convolution, Lanes, Run, extend, listed, parts, vectorised};
 use crate::grid::Grid;
 use asperity_core::cancel::{Cancelled, checkpoint};
 use asperity_core::cite;
@@ -93,7 +93,7 @@ fn update_sets<G: Grid>(
                 .coarse
                 .prepare(work.pressure.len(), level.boundary, &work.runs))
         {
-            work.list_all();
+            work.list_loaded();
             break;
         }
         let most = task.max_iterations - iterations;
@@ -105,9 +105,7 @@ fn update_sets<G: Grid>(
             most.min(MAX_ITERATIONS_PER_SET),
         )?;
         work.update_set(task, forgiven);
-        // `settle` lists all points, so the next set waits in `held`. It restores the load that clipping
-        // changed and computes the opening in double precision.
-        std::mem::swap(&mut work.runs, &mut work.held);
+        // Restores the load that clipping changed and computes the opening in double precision.
         settle(level, work, task);
     }
     Ok(iterations)
@@ -245,35 +243,51 @@ impl Workspace {
 
     /// Whether a point has to leave or to join the set.
     fn has_to_change(&self, task: &Task, approach: f64, forgiven: f64) -> bool {
-        let (limit, mut any) = (task.limit, false);
-        let points = self.pressure.iter().zip(&self.opening);
+        let (limit, pressure, opening) = (task.limit, &self.pressure, &self.opening);
         vectorised(
             #[inline(always)]
             || {
-                for (&p, &v) in points {
-                    any |= (p < 0.0) | (p > limit) | joins(p, v - approach, limit, forgiven);
-                }
+                let mut blocks = pressure.chunks(BLOCK).zip(opening.chunks(BLOCK));
+                blocks.any(|(pressure, opening)| {
+                    pressure.iter().zip(opening).fold(false, |any, (&p, &v)| {
+                        any | (p < 0.0) | (p > limit) | joins(p, v - approach, limit, forgiven)
+                    })
+                })
             },
-        );
-        any
+        )
     }
 
     /// F' = {0 < p < p_max} ∪ {p = 0, g < 0} ∪ {p = p_max, g > 0}, p and g solving on F    `[Active-1]`
     ///
-    /// Sets the runs to F' and clips the pressure to its bounds.
+    /// Leaves F' in `held` and clips the pressure to its bounds.
     fn update_set(&mut self, task: &Task, forgiven: f64) {
         cite!("Active-1");
         let (approach, limit) = (self.measure_set().mean, task.limit);
-        self.next.clear();
-        let points = self.pressure.iter_mut().zip(&self.opening);
-        for (point, (p, v)) in points.enumerate() {
-            let stays = *p > 0.0 && *p < limit;
-            if stays || joins(*p, v - approach, limit, forgiven) {
-                Run::push(&mut self.next, point);
-            }
-            *p = p.clamp(0.0, limit);
+        self.held.clear();
+        let blocks = self
+            .pressure
+            .chunks_mut(BLOCK)
+            .zip(self.opening.chunks(BLOCK));
+        for (block, (pressure, opening)) in blocks.enumerate() {
+            let mut free = 0;
+            vectorised(
+                #[inline(always)]
+                || {
+                    let touches = |(p, v): (&f64, &f64)| (*p != 0.0) | (v - approach < -forgiven);
+                    let points = pressure.iter().zip(opening.iter()).map(touches);
+                    if !points.fold(false, |any, touches| any | touches) {
+                        return;
+                    }
+                    for (k, (p, v)) in pressure.iter_mut().zip(opening).enumerate() {
+                        let stays = (*p > 0.0) & (*p < limit);
+                        let is_free = stays | joins(*p, v - approach, limit, forgiven);
+                        free |= u64::from(is_free) << k;
+                        *p = p.clamp(0.0, limit);
+                    }
+                },
+            );
+            extend(&mut self.held, block * BLOCK, free);
         }
-        std::mem::swap(&mut self.runs, &mut self.next);
     }
 }
 

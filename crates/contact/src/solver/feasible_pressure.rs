@@ -43,31 +43,36 @@ fn shift_and_clip(pressure: &mut [f64], shift: f64, limit: f64) -> LoadCount {
 }
 
 /// Difference of loads that is within round-off.
-fn load_round_off(pressure: &[f64], sum: f64) -> f64 {
-    let count = pressure.len() as f64;
-    ROUND_OFF * sum * (0.1 * count.sqrt()).max(1.0)
+fn load_round_off(points: usize, sum: f64) -> f64 {
+    ROUND_OFF * sum * (0.1 * (points as f64).sqrt()).max(1.0)
 }
 
 /// Clips `pressure` to 0..`limit` and restores Σp = `sum` by shifting the points between the bounds.
 ///
 /// Points at the limit are left there: if they were shifted too, the iteration would never converge.
 pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
-    let round_off = load_round_off(pressure, sum);
+    let points = pressure.len();
+    if !shift_load((pressure, points), sum, limit) {
+        project(pressure, sum, limit);
+    }
+}
+
+/// The shifts of [`restore_load`]; false if they do not give the load, as all points in contact are at the limit. Of all `points`
+/// those without pressure may be left out.
+pub(crate) fn shift_load((pressure, points): (&mut [f64], usize), sum: f64, limit: f64) -> bool {
+    let round_off = load_round_off(points, sum);
     let mut count = shift_and_clip(pressure, 0.0, limit);
     for _ in 0..MAX_SHIFTS {
         let missing = sum - count.sum;
         if missing.abs() <= round_off {
-            return;
+            return true;
         }
         if count.interior == 0.0 {
             break;
         }
         count = shift_and_clip(pressure, missing / count.interior, limit);
     }
-    if (count.sum - sum).abs() > ACCEPTED * sum {
-        // All points in contact are at the limit.
-        project(pressure, sum, limit);
-    }
+    (count.sum - sum).abs() <= ACCEPTED * sum
 }
 
 /// Projects `pressure` onto the pressures within 0..`limit` with Σp = `sum`: all points are shifted by
@@ -76,7 +81,7 @@ pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
 /// The load is a piecewise linear function of the shift. Its root is found by Newton's method within a
 /// bracket, with a bisection where a Newton step leaves the bracket.
 pub(crate) fn project(pressure: &mut [f64], sum: f64, limit: f64) {
-    let round_off = load_round_off(pressure, sum);
+    let round_off = load_round_off(pressure.len(), sum);
     let least = pressure.iter().copied().fold(f64::INFINITY, f64::min);
     let most = pressure.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     // At one end no point carries pressure; at the other the lowest point alone carries the load.

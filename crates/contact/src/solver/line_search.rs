@@ -7,7 +7,7 @@
 //! | Δ = q − p, s | feasible step, its length by exact line search | Pa, - |
 //! | v, α, g | u + h, approach, gap v − α | m |
 
-use super::feasible_pressure::{clip, project, restore_load};
+use super::feasible_pressure::{clip, project, restore_load, shift_load};
 use super::workspace::{Level, Task, Workspace};
 use crate::convolution::{Convolution, Lanes, listed, parts, vectorised};
 use crate::grid::Grid;
@@ -24,18 +24,30 @@ const RESIDUE: f64 = 1e-15;
 /// 30 000 points are a tenth to a half of this.
 pub(crate) const SINGLE: f64 = 1e-6;
 
-/// Makes the pressure feasible and recomputes its displacement in double precision: both drift by round-off.
+/// Makes the pressure feasible and recomputes its displacement in double precision: both drift by round-off. Lists blocks of points
+/// with pressure.
 pub(crate) fn settle<G: Grid>(level: Level<G>, work: &mut Workspace, task: &Task) {
-    make_feasible(&mut work.pressure, task);
-    work.refresh(level.displacement, task);
-}
-
-/// Clips to the bounds and restores the load if it is controlled.
-pub(crate) fn make_feasible(pressure: &mut [f64], task: &Task) {
-    match task.sum {
-        Some(sum) => restore_load(pressure, sum, task.limit),
-        None => clip(pressure, task.limit),
+    work.list_loaded();
+    work.trial.resize(listed(&work.runs), 0.0);
+    for (run, place) in parts(&work.runs) {
+        work.trial[place].copy_from_slice(&work.pressure[run]);
     }
+    let points = work.pressure.len();
+    let lacking = match task.sum {
+        Some(sum) => (!shift_load((&mut work.trial, points), sum, task.limit)).then_some(sum),
+        None => {
+            clip(&mut work.trial, task.limit);
+            None
+        }
+    };
+    for (run, place) in parts(&work.runs) {
+        work.pressure[run].copy_from_slice(&work.trial[place]);
+    }
+    if let Some(sum) = lacking {
+        project(&mut work.pressure, sum, task.limit);
+        work.list_loaded();
+    }
+    work.refresh(level.displacement, task);
 }
 
 /// Sets the trial pressure q = p + τ·d, with τ = `reach`, and makes it feasible. Returns whether it was
@@ -63,7 +75,10 @@ pub(crate) fn try_step(work: &mut Workspace, task: &Task, reach: f64) -> bool {
         },
     );
     if outside {
-        make_feasible(&mut work.trial, task);
+        match task.sum {
+            Some(sum) => restore_load(&mut work.trial, sum, task.limit),
+            None => clip(&mut work.trial, task.limit),
+        }
     }
     outside
 }

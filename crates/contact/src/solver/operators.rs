@@ -86,6 +86,7 @@ impl<G: Grid> Levels<G> {
 
     fn refresh(&mut self, cells: Cells, boundary: Boundary, (work, task): (&mut Workspace, &Task)) {
         let displacement = self.displacement(cells, boundary, &mut work.buffers);
+        work.list_loaded();
         work.refresh(displacement, task);
     }
 

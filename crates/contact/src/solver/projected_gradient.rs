@@ -131,6 +131,7 @@ fn advance<G: Grid>(
         }
     };
     take_step(work, task, length);
-    search.drift += SINGLE * work.open(length, line.scale, line.datum);
+    work.open(length, line.scale, line.datum);
+    search.drift += SINGLE * (length * line.scale * work.largest_change());
     true
 }

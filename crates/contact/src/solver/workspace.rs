@@ -17,7 +17,7 @@ use crate::convolution::{Buffers, Convolution, Lanes, Run, extend, listed, parts
 use crate::grid::Grid;
 
 /// Points that are searched together for overlap: the bits of an integer mark those in contact.
-const BLOCK: usize = u64::BITS as usize;
+pub(crate) const BLOCK: usize = u64::BITS as usize;
 
 /// Operators of one grid.
 pub(crate) struct Level<'a, G: Grid> {
@@ -175,19 +175,21 @@ impl Workspace {
         }
     }
 
-    /// Recomputes v = A p + h in double precision and lists all points, with
+    /// Recomputes v = A p + h in double precision from the pressure on the runs, outside of which it is zero, with
     ///
     /// A p = (1/(π·E*))·Σⱼ C_ij·p_j  `[P1]`
     pub(crate) fn refresh(&mut self, displacement: &impl Convolution<f64>, task: &Task) {
         cite!("P1");
-        let points = self.pressure.len();
-        let (buffers, pressure) = (&mut self.buffers, &self.pressure);
-        displacement.filter(buffers, task.compliance, pressure);
+        let (buffers, pressure, runs) = (&mut self.buffers, &self.pressure, &self.runs);
+        let signal = buffers.signal(pressure.len());
+        for (run, place) in parts(runs) {
+            signal[place].copy_from_slice(&pressure[run]);
+        }
+        displacement.filter_runs(buffers, task.compliance, runs);
         let datum = task.datum_displacement(|| pressure.iter().sum());
-        let pairs = buffers.signal(points).iter().zip(task.gap);
+        let pairs = buffers.signal(pressure.len()).iter().zip(task.gap);
         self.opening.clear();
         self.opening.extend(pairs.map(|(u, h)| u + datum + h));
-        self.list_all();
     }
 
     /// Range of the deformation in m from half a contact width before the first column under pressure
@@ -230,18 +232,46 @@ impl Workspace {
         self.runs.push(Run::new(0, self.pressure.len()));
     }
 
+    /// Lists blocks that hold all points whose pressure is not zero. Sums over blocks in [`Lanes`] equal those over all points to
+    /// the last digit.
+    pub(crate) fn list_loaded(&mut self) {
+        let (pressure, runs) = (&self.pressure, &mut self.runs);
+        runs.clear();
+        vectorised(
+            #[inline(always)]
+            || {
+                for (block, values) in pressure.chunks(BLOCK).enumerate() {
+                    if values.iter().fold(false, |any, p| any | (*p != 0.0)) {
+                        let first = block * BLOCK;
+                        runs.push(Run::new(first, first + values.len()));
+                    }
+                }
+            },
+        );
+    }
+
     /// Updates v to v + s·(A Δ + `datum`), with A Δ the signal of the single-precision buffers times
-    /// `scale`; the pressure has been updated before. Returns the largest change.
-    pub(crate) fn open(&mut self, length: f64, scale: f64, datum: f64) -> f64 {
+    /// `scale`; the pressure has been updated before.
+    pub(crate) fn open(&mut self, length: f64, scale: f64, datum: f64) {
         let change = &*self.single_buffers.signal(self.opening.len());
         let (opening, slope, rise) = (&mut self.opening, length * scale, length * datum);
-        let (mut least, mut most) = ([0_f32; 8], [0_f32; 8]);
         vectorised(
             #[inline(always)]
             || {
                 for (v, &change) in opening.iter_mut().zip(change) {
                     *v += slope * f64::from(change) + rise;
                 }
+            },
+        );
+    }
+
+    /// Largest value of the signal of the single-precision buffers.
+    pub(crate) fn largest_change(&mut self) -> f64 {
+        let change = &*self.single_buffers.signal(self.opening.len());
+        let (mut least, mut most) = ([0_f32; 8], [0_f32; 8]);
+        vectorised(
+            #[inline(always)]
+            || {
                 for block in change.as_chunks::<8>().0 {
                     for lane in 0..8 {
                         least[lane] = if block[lane] < least[lane] {
@@ -262,7 +292,7 @@ impl Workspace {
             .iter()
             .zip(&least)
             .fold(0.0, |m, (a, b)| f32::max(m, a.max(-b)));
-        slope * f64::from(largest)
+        f64::from(largest)
     }
 
     /// α: mean of v over the points between the bounds; without such points the largest v under pressure.
