@@ -21,6 +21,7 @@ use asperity_core::quantity::{Length, Pressure};
 use serde::Serialize;
 
 use crate::boundary::{Boundary, PeriodicKernel};
+use crate::convolution::vectorised;
 use crate::error::ContactError;
 use crate::grid::plane_kernel;
 use crate::half_plane::cell_compliance;
@@ -175,12 +176,29 @@ impl DenseProblem {
 
     /// A y
     fn displacement(&self, y: &[f64]) -> Vec<f64> {
-        let pressed: Vec<usize> = (0..y.len()).filter(|&j| y[j] != 0.0).collect();
-        let row = |i: usize| {
-            let terms = pressed.iter().map(|&j| self.matrix.element(i, j) * y[j]);
-            terms.sum()
-        };
-        (0..y.len()).map(row).collect()
+        let (kernel, columns) = (&self.matrix.kernel, self.matrix.columns);
+        // The kernel over positive and negative lags along rolling, row after row: the displacement by a point is a part of each.
+        let rows = kernel.chunks_exact(columns);
+        let lags = rows.flat_map(|row| row[1..].iter().rev().chain(row));
+        let lags: Vec<f64> = lags.copied().collect();
+        let mut displacement = vec![0.0; y.len()];
+        let pressed = y.iter().enumerate().filter(|(_, y)| **y != 0.0);
+        vectorised(
+            #[inline(always)]
+            || {
+                for (j, &y) in pressed {
+                    let (row, column) = (j / columns, j % columns);
+                    let displaced = displacement.chunks_exact_mut(columns);
+                    for (other, displaced) in displaced.enumerate() {
+                        let first = (2 * columns - 1) * row.abs_diff(other) + columns - 1 - column;
+                        for (u, c) in displaced.iter_mut().zip(&lags[first..]) {
+                            *u += c * y;
+                        }
+                    }
+                }
+            },
+        );
+        displacement
     }
 
     /// p = π·E*·C⁻¹·(δ − h)                                                                 `[P3]`
