@@ -270,8 +270,6 @@ impl TraceSpectrum {
     }
 
     /// Heights \[m\] of two traces in the contact, as [`TraceSpectrum::attenuated`] gives each.
-    ///
-    /// Traces of as many points cost one transform together.
     #[must_use]
     pub fn attenuated_pair(
         [first, second]: [&Self; 2],
@@ -297,7 +295,12 @@ impl TraceSpectrum {
         })
     }
 
-    fn filtered_pair([first, second]: [&Self; 2], factor: impl Fn(Length) -> f64) -> [Vec<f64>; 2] {
+    /// [`filtered`](Self::filtered) of two traces, which cost one transform together if they have as many points.
+    #[must_use]
+    pub fn filtered_pair(
+        [first, second]: [&Self; 2],
+        factor: impl Fn(Length) -> f64,
+    ) -> [Vec<f64>; 2] {
         cite!("Attenuated-trace");
         if first.points == second.points && first.spacing == second.spacing {
             Self::transformed(first, Some(second), factor)

@@ -215,10 +215,12 @@ impl RoughInlet {
             false => 0.0,
         };
         let scale = -steepness / (1.0 + steepness * waves.roughness_slope(attenuation));
-        traces.map(|trace| {
-            let each = 2.0 * scale / trace.points() as f64;
-            let by_variance = |wave| each * waves.by_variance(attenuation, wave);
-            trace.filtered(by_variance)
-        })
+        let by_variance = |wave| waves.by_variance(attenuation, wave);
+        let mut gradient = TraceSpectrum::filtered_pair(traces, by_variance);
+        for of in &mut gradient {
+            let each = 2.0 * scale / of.len() as f64;
+            of.iter_mut().for_each(|value| *value *= each);
+        }
+        gradient
     }
 }

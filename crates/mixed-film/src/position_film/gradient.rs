@@ -120,7 +120,7 @@ pub struct Unflattening<'s> {
     spectra: &'s [TraceSpectrum; 2],
     attenuation: Attenuation,
     modulus: Pressure,
-    /// dz_d/d ln n and dp′/d ln n of both traces.
+    /// dz_d/d ln n of both traces, and dp′/d ln n.
     slopes: [[Vec<f64>; 2]; 2],
     /// d ln n/dz, if the flattening depends on the heights.
     by_height: Option<[Vec<f64>; 2]>,
@@ -149,7 +149,7 @@ impl Unflattening<'_> {
         let Some(by_height) = &self.by_height else {
             return gradient;
         };
-        let pairs = signals.iter().zip(&self.slopes);
+        let pairs = [heights, pressures].into_iter().zip(&self.slopes);
         let products = pairs.flat_map(|(of, slopes)| of.iter().zip(slopes));
         let by_scale: f64 = products.map(|(of, slopes)| dot(of, slopes)).sum();
         for (of_body, by_height) in gradient.iter_mut().zip(by_height) {
@@ -177,18 +177,16 @@ impl PositionFilm<'_> {
             Some(inlet) => inlet.attenuation,
             None => Attenuation::new(self.gap_law, self.nabla)?,
         };
-        let modulus = self.contact.modulus;
+        let (both, modulus) = (spectra.each_ref(), self.contact.modulus);
         Ok(Unflattening {
             spectra,
             attenuation,
             modulus,
-            slopes: spectra.each_ref().map(|own| {
-                [
-                    own.filtered(|wave| attenuation.slope(wave)),
-                    own.filtered(|wave| attenuation.ripple_slope(wave, modulus)),
-                ]
-            }),
-            by_height: inlet.map(|inlet| inlet.scale_gradient(pair, spectra.each_ref())),
+            slopes: [
+                TraceSpectrum::filtered_pair(both, |wave| attenuation.slope(wave)),
+                TraceSpectrum::filtered_pair(both, |wave| attenuation.ripple_slope(wave, modulus)),
+            ],
+            by_height: inlet.map(|inlet| inlet.scale_gradient(pair, both)),
         })
     }
 
