@@ -309,8 +309,9 @@ impl Contour {
 
     /// Small circles at the dots within the field, whole at its edges.
     fn dotted(&self, frame: &Frame) -> String {
-        // A single point is marked; many leave the field visible.
-        let radius = if self.dots.len() == 1 { 7.0 } else { 2.0 };
+        /// Radius of a single dot, which marks its point, and of one of many, which leave the field visible.
+        const RADII: [f64; 2] = [7.0, 2.0];
+        let radius = RADII[usize::from(self.dots.len() > 1)];
         let [columns, rows] = [&self.columns, &self.rows].map(|nodes| range(nodes.iter().copied()));
         let is_within = |value: f64, [low, high]: [f64; 2]| low <= value && value <= high;
         let mut d = String::new();
