@@ -163,6 +163,19 @@ mod tests {
     }
 
     #[test]
+    fn blocks_of_points_without_pressure_may_be_left_out() {
+        // Pressure in the second and the fifth of six blocks of 64 points, which are shifted alone and among all.
+        let loaded = |i: usize| matches!(i / 64, 1 | 4).then(|| (0.37 * i as f64).sin().max(0.0));
+        let mut all: Vec<f64> = (0..384).map(|i| loaded(i).unwrap_or(0.0)).collect();
+        let mut parts: Vec<f64> = (0..384).filter_map(loaded).collect();
+        assert!(shift_load((&mut parts, 384), 30.0, 0.9));
+        restore_load(&mut all, 30.0, 0.9);
+        let expected: Vec<f64> = [&all[64..128], &all[256..320]].concat();
+        assert_eq!(parts, expected);
+        assert!((total(&all) - 30.0).abs() < 1e-12);
+    }
+
+    #[test]
     fn a_contact_all_at_the_limit_still_gets_its_load() {
         for (start, sum) in [
             ([4.0, 4.0, 0.0, 0.0], 6.0),
