@@ -52,14 +52,14 @@ fn load_round_off(points: usize, sum: f64) -> f64 {
 /// Points at the limit are left there: if they were shifted too, the iteration would never converge.
 pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
     let points = pressure.len();
-    if !shift_load((pressure, points), sum, limit) {
+    if !shift_load(pressure, points, sum, limit) {
         project(pressure, sum, limit);
     }
 }
 
-/// The shifts of [`restore_load`]; false if they do not give the load, as all points in contact are at the limit. Of all `points`
-/// those without pressure may be left out.
-pub(crate) fn shift_load((pressure, points): (&mut [f64], usize), sum: f64, limit: f64) -> bool {
+/// Clips and shifts as [`restore_load`]. False if the load is not restored, because all points in contact are at the limit. Points
+/// without pressure may be missing from `pressure`; `points` is the number of all, on which the round-off depends.
+pub(crate) fn shift_load(pressure: &mut [f64], points: usize, sum: f64, limit: f64) -> bool {
     let round_off = load_round_off(points, sum);
     let mut count = shift_and_clip(pressure, 0.0, limit);
     for _ in 0..MAX_SHIFTS {
@@ -168,7 +168,7 @@ mod tests {
         let loaded = |i: usize| matches!(i / 64, 1 | 4).then(|| (0.37 * i as f64).sin().max(0.0));
         let mut all: Vec<f64> = (0..384).map(|i| loaded(i).unwrap_or(0.0)).collect();
         let mut parts: Vec<f64> = (0..384).filter_map(loaded).collect();
-        assert!(shift_load((&mut parts, 384), 30.0, 0.9));
+        assert!(shift_load(&mut parts, 384, 30.0, 0.9));
         restore_load(&mut all, 30.0, 0.9);
         let expected: Vec<f64> = [&all[64..128], &all[256..320]].concat();
         assert_eq!(parts, expected);

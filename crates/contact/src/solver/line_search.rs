@@ -34,7 +34,7 @@ pub(crate) fn settle<G: Grid>(level: Level<G>, work: &mut Workspace, task: &Task
     }
     let points = work.pressure.len();
     let lacking = match task.sum {
-        Some(sum) => (!shift_load((&mut work.trial, points), sum, task.limit)).then_some(sum),
+        Some(sum) => (!shift_load(&mut work.trial, points, sum, task.limit)).then_some(sum),
         None => {
             clip(&mut work.trial, task.limit);
             None

@@ -265,7 +265,7 @@ impl Workspace {
         );
     }
 
-    /// Largest value of the signal of the single-precision buffers.
+    /// Largest magnitude in the signal of the single-precision buffers.
     pub(crate) fn largest_change(&mut self) -> f64 {
         let change = &*self.single_buffers.signal(self.opening.len());
         let (mut least, mut most) = ([0_f32; 8], [0_f32; 8]);
