@@ -45,7 +45,7 @@ pub mod starvation;
 pub mod steady_film;
 pub mod thermal_reduction;
 
-pub use attenuation::{Attenuation, MoesNumbers, TraceSpectrum};
+pub use attenuation::{Attenuation, MoesNumbers, Ripples, TraceSpectrum};
 pub use dimensionless::{FilmConditions, FilmGroups};
 pub use error::RegimeError;
 pub use film_law::{FilmLaw, FilmThickness};

@@ -22,7 +22,7 @@ use asperity_core::{DomainError, cite};
 use rustfft::Fft;
 use rustfft::num_complex::Complex;
 
-use crate::attenuation::Attenuation;
+use crate::attenuation::{Attenuation, Ripples};
 use crate::error::RegimeError;
 
 /// λ_e of a long wave along the motion over λ_y.
@@ -235,22 +235,27 @@ impl PatchSpectrum {
         self.filtered(|wave| attenuation.ratio_of(wave.effective()))
     }
 
-    /// Pressures \[Pa\] that flatten the patch as [`attenuated`](Self::attenuated) leaves it, over their mean, row by row.
+    /// Pressures \[Pa\] of the waves of the patch in the contact over their mean, and their heights in the film, row by row.
     ///
     /// ```text
-    /// p′/z = (π E*/λ) (1 − A(λ_e)),  1/λ² = 1/λ_x² + 1/λ_y²                  [Patch-ripple]
+    /// p′/z = (π E*/λ)/√(1 + X²),  z_f/z = X/√(1 + X²),  1/λ² = 1/λ_x² + 1/λ_y²                  [Patch-ripple]
     /// ```
     ///
-    /// A wave of pressure of amplitude p displaces both surfaces by p λ/(π E*), whatever its direction.
+    /// X is that of \[Ripple-pressure\] at λ_e. A wave of pressure of amplitude p displaces both surfaces by p λ/(π E*),
+    /// whatever its direction.
     #[must_use]
-    pub fn ripple(&self, attenuation: &Attenuation, modulus: Pressure) -> Vec<f64> {
+    pub fn ripple(&self, attenuation: &Attenuation, modulus: Pressure) -> Ripples<Vec<f64>> {
         cite!("Patch-ripple");
         cite!("Patch-wave");
         let pressures = self.filtered(|wave| {
-            let flattened = 1.0 - attenuation.ratio_of(wave.effective());
-            std::f64::consts::PI * modulus.si() / wave.true_length().si() * flattened
+            let flat = std::f64::consts::PI * modulus.si() / wave.true_length().si();
+            flat * attenuation.pressed(wave.effective())
         });
-        pressures.heights
+        let heights = self.filtered(|wave| attenuation.film_ratio_of(wave.effective()));
+        Ripples {
+            pressures: pressures.heights,
+            heights: heights.heights,
+        }
     }
 
     /// Mean product of two heights \[m²\] over their distance in points, row by row; the patch repeats.

@@ -327,12 +327,18 @@ fn waves_of_a_patch_keep_their_amplitude_ratios() {
             let spectrum = PatchSpectrum::new(&rough);
             let ratio = attenuation.ratio(um(effective));
             let left = spectrum.attenuated(&attenuation);
-            let pressures = spectrum.ripple(&attenuation, modulus);
+            let ripples = spectrum.ripple(&attenuation, modulus);
             let number = (f64::from(k as u32) / 36e-6).hypot(f64::from(j as u32) / 30e-6);
-            let stiffness = std::f64::consts::PI * 115e9 * number * (1.0 - ratio);
-            for ((z, left), p) in rough.heights().iter().zip(left.heights()).zip(&pressures) {
-                assert!((left - ratio * z).abs() < 1e-18, "{k} {j}");
-                assert!((p / stiffness - z).abs() < 1e-18, "{k} {j}");
+            let across = um(effective);
+            let stiffness = attenuation.ripple(across, modulus) * across.si() * number;
+            let film = attenuation.film_ratio(across);
+            for (i, z) in rough.heights().iter().enumerate() {
+                assert!((left.heights()[i] - ratio * z).abs() < 1e-18, "{k} {j}");
+                assert!(
+                    (ripples.pressures[i] / stiffness - z).abs() < 1e-18,
+                    "{k} {j}"
+                );
+                assert!((ripples.heights[i] - film * z).abs() < 1e-18, "{k} {j}");
             }
         }
     }

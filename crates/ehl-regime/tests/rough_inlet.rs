@@ -451,25 +451,36 @@ fn sums_of_filtered_signals_are_those_of_each() {
             let value = |i: usize| size * (seed * (i * i) as f64).sin();
             (0..points).map(value).collect()
         };
-        let signals = [(points, 0.3), (points, 0.7), (others, 1.1), (others, 1.7)]
-            .map(|(points, seed)| signal(points, seed));
+        let signals = [
+            (points, 0.3),
+            (points, 0.7),
+            (points, 0.4),
+            (others, 1.1),
+            (others, 1.7),
+            (others, 0.2),
+        ]
+        .map(|(points, seed)| signal(points, seed));
         let dx = Length::from_si(0.5e-6);
         let spectra = signals
             .each_ref()
             .map(|signal| TraceSpectrum::new(signal, dx).unwrap());
         let first = |wave: Length| 1.0 / (1.0 + wave.si() * 1e5);
         let second = |wave: Length| 1e11 / wave.si();
-        let [a, b, c, d] = &signals;
-        let found =
-            TraceSpectrum::filtered_sums([&spectra[0], &spectra[2]], [[a, b], [c, d]], |wave| {
-                [first(wave), second(wave)]
-            });
+        let third = |wave: Length| (wave.si() * 1e6).sin();
+        let [a, b, c, d, e, f] = &signals;
+        let found = TraceSpectrum::filtered_sums(
+            [&spectra[0], &spectra[3]],
+            [[a, b, c], [d, e, f]],
+            |wave| [first(wave), second(wave), third(wave)],
+        );
         for (body, found) in found.iter().enumerate() {
-            let [one, other] = [0, 1].map(|k: usize| &spectra[2 * body + k]);
+            let [one, other, last] = [0, 1, 2].map(|k: usize| &spectra[3 * body + k]);
             let expected = one.filtered(first).into_iter().zip(other.filtered(second));
             assert_eq!(found.len(), one.points());
-            for (found, (one, other)) in found.iter().zip(expected) {
-                let expected = one + other;
+            for ((found, (one, other)), last) in
+                found.iter().zip(expected).zip(last.filtered(third))
+            {
+                let expected = one + other + last;
                 assert!(
                     (found - expected).abs() < 1e-12,
                     "{points} {body}: {found} {expected}"

@@ -16,7 +16,9 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use asperity_core::profile::mirrored_indices;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, Profile, cite};
-use asperity_ehl_regime::{Attenuation, GapLaw, Lay, Patch, PatchPair, PatchSpectrum, RegimeError};
+use asperity_ehl_regime::{
+    Attenuation, GapLaw, Lay, Patch, PatchPair, PatchSpectrum, RegimeError, Ripples,
+};
 use asperity_mixed_film::{Flattening, PatchSample, WindowRoughness};
 use asperity_roughness::RoughnessError;
 use asperity_roughness::generate::surface_like;
@@ -151,8 +153,8 @@ struct Inlet {
 #[derive(Debug)]
 struct FlattenedSheets {
     heights: [Vec<f32>; 2],
-    /// Pressures that flatten the heights \[Pa\], if the film needs them.
-    pressures: Option<[Vec<f32>; 2]>,
+    /// Ripples of the film, if it ripples.
+    ripples: Option<Ripples<[Vec<f32>; 2]>>,
 }
 
 impl Sheets {
@@ -405,13 +407,13 @@ impl Sheets {
         if let Some(sample) = known().get(&(place, inlet, reach.to_bits())) {
             return Ok(Arc::clone(sample));
         }
-        let FlattenedSheets { heights, pressures } = &*self.flattened(inlet)?;
+        let FlattenedSheets { heights, ripples } = &*self.flattened(inlet)?;
         let cut = |of| sums(of, self.columns, self.rows, place);
-        let pressures = pressures.as_ref().map(cut);
+        let ripples = ripples.as_ref().map(|ripples| ripples.each(cut));
         let made = Arc::new(PatchSample::of(
             &cut(heights),
             place.points,
-            pressures.as_deref(),
+            ripples.as_ref().map(|ripples| ripples.each(Vec::as_slice)),
             reach,
         )?);
         let mut known = known();
@@ -443,12 +445,16 @@ impl Sheets {
         };
         let ripple = |bits: u64| {
             let modulus = Pressure::from_si(f64::from_bits(bits));
-            of_flanks([0, 1].map(|body: usize| whole[body].ripple(&attenuation, modulus)))
+            let [one, other] = [0, 1].map(|body: usize| whole[body].ripple(&attenuation, modulus));
+            Ripples {
+                pressures: of_flanks([one.pressures, other.pressures]),
+                heights: of_flanks([one.heights, other.heights]),
+            }
         };
         let heights = |body: usize| whole[body].attenuated(&attenuation).heights().to_vec();
         let made = Arc::new(FlattenedSheets {
             heights: of_flanks([0, 1].map(heights)),
-            pressures: inlet.modulus.map(ripple),
+            ripples: inlet.modulus.map(ripple),
         });
         known.insert(inlet, Arc::clone(&made));
         if known.len() > MOST_KEPT {

@@ -2,7 +2,7 @@
 
 use asperity_core::DomainError;
 use asperity_core::profile::mirrored_window;
-use asperity_ehl_regime::TraceSpectrum;
+use asperity_ehl_regime::{Ripples, TraceSpectrum};
 
 use crate::error::LoadShareError;
 use crate::window_gap::middle_gradient;
@@ -12,8 +12,8 @@ use crate::window_roughness::{Flattening, WindowRoughness, deviation_gradient, p
 #[derive(Debug, Clone)]
 pub struct AttenuatedTraces {
     heights: [Vec<f64>; 2],
-    /// Pressures that flatten the heights \[Pa\], if the film needs them.
-    pressures: Option<[Vec<f64>; 2]>,
+    /// Ripples of the film, if it ripples.
+    ripples: Option<Ripples<[Vec<f64>; 2]>>,
     /// Points from the middle of a window up to which its film is.
     reach: f64,
     peak_weight: f64,
@@ -28,7 +28,7 @@ impl AttenuatedTraces {
         let ripple = |modulus| TraceSpectrum::ripple_pair(traces, attenuation, modulus);
         Self {
             heights: TraceSpectrum::attenuated_pair(traces, attenuation),
-            pressures: flattening.ripple.map(ripple),
+            ripples: flattening.ripple.map(ripple),
             reach: flattening.reach / traces[0].spacing(),
             peak_weight: flattening.peak_weight,
         }
@@ -54,10 +54,10 @@ impl AttenuatedTraces {
             }
         }
         let cut = |of| parts(of, starts, points);
-        let pressures = self.pressures.as_ref().map(cut);
+        let ripples = self.ripples.as_ref().map(|ripples| ripples.each(cut));
         Ok(WindowRoughness::of(
             cut(&self.heights),
-            pressures,
+            ripples,
             self.reach,
             self.peak_weight,
         ))
@@ -79,18 +79,18 @@ impl AttenuatedTraces {
             .collect()
     }
 
-    /// Derivatives over the sums of the pressures and of the heights at each point of two windows, from those over lengths,
-    /// pressures and heights of the parts of their ripple. `None` of a film that does not ripple.
+    /// Derivatives over the sums of the ripples of two windows at each point, from those over lengths, pressures and heights of
+    /// their parts. `None` of a film that does not ripple.
     #[must_use]
     pub fn ripple_gradient(
         &self,
         starts: [isize; 2],
         points: usize,
         by_parts: &[[f64; 3]],
-    ) -> Option<[Vec<f64>; 2]> {
-        let pressures = mirrored_sums(self.pressures.as_ref()?, starts, points);
-        let heights = || mirrored_sums(&self.heights, starts, points);
-        (!by_parts.is_empty()).then(|| part_gradient(&heights(), &pressures, self.reach, by_parts))
+    ) -> Option<Ripples<Vec<f64>>> {
+        let ripples = self.ripples.as_ref()?;
+        let sums = || ripples.each(|of| mirrored_sums(of, starts, points));
+        (!by_parts.is_empty()).then(|| part_gradient(&sums(), self.reach, by_parts))
     }
 
     /// [`window`](Self::window) that may reach beyond the ends of the traces, where these are mirrored.
@@ -107,11 +107,11 @@ impl AttenuatedTraces {
             return self.window([first, second], points);
         }
         let sums = |of| mirrored_sums(of, starts, points);
-        let (heights, pressures) = (sums(&self.heights), self.pressures.as_ref().map(sums));
-        let pressures = pressures.as_ref().map(|sums| [sums.as_slice()]);
+        let ripples = self.ripples.as_ref().map(|ripples| ripples.each(sums));
+        let ripples = ripples.as_ref().map(|sums| sums.each(|of| [of.as_slice()]));
         Ok(WindowRoughness::of(
-            [&heights],
-            pressures,
+            [&sums(&self.heights)],
+            ripples,
             self.reach,
             self.peak_weight,
         ))

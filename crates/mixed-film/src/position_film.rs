@@ -671,10 +671,10 @@ impl<'a> PositionFilm<'a> {
     /// Lets the film carry its share of the load in a window with a mean gap.
     ///
     /// ```text
-    /// h = max(0.2, (g − y_d)/h_g) h_s                                       [Ripple-film]
+    /// h = max(0.2, (g − y_f)/h_g) h_s                                       [Ripple-film]
     /// ```
     ///
-    /// y_d is the height of a part of the window over its mean line, g the mean gap, h_g the gap of smooth flanks.
+    /// y_f is the height of a part of the window in the film over its mean line, g the mean gap, h_g the gap of smooth flanks.
     fn load_film(
         &mut self,
         share: f64,

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use asperity_core::numerics::{GOLDEN_SECTION, Lanes, add_times, vectorised};
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, cite};
-use asperity_ehl_regime::Attenuation;
+use asperity_ehl_regime::{Attenuation, Ripples};
 use serde::{Deserialize, Serialize};
 
 use crate::error::LoadShareError;
@@ -131,7 +131,7 @@ pub struct RipplePart {
     pub length: f64,
     /// Pressure p′ that flattens the roughness, over its mean \[Pa\].
     pub pressure: f64,
-    /// Height in the contact over the mean line \[m\].
+    /// Height in the film over the mean line \[m\].
     pub height: f64,
 }
 
@@ -165,6 +165,7 @@ impl WindowRoughness {
         cite!("Window-gap");
         if !self.ripple.is_empty() {
             cite!("Ripple-pressure");
+            cite!("Ripple-height");
             cite!("Ripple-parts");
         }
     }
@@ -174,19 +175,19 @@ impl WindowRoughness {
         self.ripple.iter().any(|part| part.pressure != 0.0)
     }
 
-    /// The window of the sums of `N` flattened heights \[m\], and of the pressures \[Pa\] that flatten them; its film reaches
-    /// `reach` points from its middle.
+    /// The window of the sums of `N` flattened heights \[m\], and of the ripples of its film, which reaches `reach` points from
+    /// its middle.
     pub(crate) fn of<const N: usize>(
         heights: [&[f64]; N],
-        pressures: Option<[&[f64]; N]>,
+        ripples: Option<Ripples<[&[f64]; N]>>,
         reach: f64,
         peak_weight: f64,
     ) -> Self {
         Self {
             deviation: deviation(heights, peak_weight),
             middle: middle_height(heights, reach),
-            ripple: pressures.map_or_else(Vec::new, |pressures| {
-                ripple(&AtPlaces::of(heights, pressures, rounded(reach)))
+            ripple: ripples.map_or_else(Vec::new, |ripples| {
+                ripple(&AtPlaces::of(ripples, rounded(reach)))
             }),
         }
     }
@@ -201,15 +202,15 @@ pub struct PatchSample {
 }
 
 impl PatchSample {
-    /// The patch of these flattened heights \[m\] in rows of `columns`, with the pressures \[Pa\] that flatten them if its film
-    /// ripples. The film reaches `reach` columns from the middle. Each row is in balance as a line is.
+    /// The patch of these flattened heights \[m\] in rows of `columns`, with the ripples of its film if it ripples. The film
+    /// reaches `reach` columns from the middle. Each row is in balance as a line is.
     ///
     /// # Errors
-    /// When the numbers of pressures and heights differ, or the heights are not whole rows.
+    /// When the numbers of ripples and heights differ, or the heights are not whole rows.
     pub fn of(
         heights: &[f64],
         columns: usize,
-        pressures: Option<&[f64]>,
+        ripples: Option<Ripples<&[f64]>>,
         reach: f64,
     ) -> Result<Self, LoadShareError> {
         let rows = heights.len().checked_div(columns).unwrap_or(0);
@@ -217,18 +218,21 @@ impl PatchSample {
         let fits = rows > 0 && rows * columns == heights.len();
         let number = heights.len() as f64;
         DomainError::require(fits, "heights of a patch", number, "-", rule)?;
-        if let Some(number) = pressures.map(<[f64]>::len) {
+        for number in ripples
+            .iter()
+            .flat_map(|of| [of.pressures.len(), of.heights.len()])
+        {
             let rule = "must be as many as the heights of the patch";
             let fits = number == heights.len();
-            DomainError::require(fits, "pressures of a patch", number as f64, "-", rule)?;
+            DomainError::require(fits, "ripples of a patch", number as f64, "-", rule)?;
         }
         let of_row = |row| middle_height([row], reach);
         let middles: f64 = heights.chunks_exact(columns).map(of_row).sum();
-        let at = |pressures| AtPlaces::of_patch(heights, pressures, columns, rounded(reach));
+        let at = |ripples| AtPlaces::of_patch(ripples, columns, rounded(reach));
         Ok(Self {
             deviation: deviation([heights], 0.0).si(),
             middle: middles / rows as f64,
-            at: pressures.map(at),
+            at: ripples.map(at),
         })
     }
 
@@ -261,7 +265,7 @@ impl PatchSample {
     }
 }
 
-/// Sums of pressures and heights at the evaluated places of a window.
+/// Sums of the ripples at the evaluated places of a window.
 #[derive(Debug, Clone)]
 struct AtPlaces {
     pressures: Vec<f64>,
@@ -269,20 +273,20 @@ struct AtPlaces {
 }
 
 impl AtPlaces {
-    fn of<const N: usize>(heights: [&[f64]; N], pressures: [&[f64]; N], reach: usize) -> Self {
+    fn of<const N: usize>(ripples: Ripples<[&[f64]; N]>, reach: usize) -> Self {
         let sums = |of: [&[f64]; N]| -> Vec<f64> {
             let sum = |i: usize| of.iter().map(|values| values[i]).sum();
             places(of[0].len(), reach).map(sum).collect()
         };
-        let mut pressures = sums(pressures);
+        let mut pressures = sums(ripples.pressures);
         level(&mut pressures);
         Self {
             pressures,
-            heights: sums(heights),
+            heights: sums(ripples.heights),
         }
     }
 
-    fn of_patch(heights: &[f64], pressures: &[f64], columns: usize, reach: usize) -> Self {
+    fn of_patch(ripples: Ripples<&[f64]>, columns: usize, reach: usize) -> Self {
         let within = middle(columns, reach);
         let middles = |of: &[f64], of_row: fn(&mut [f64])| {
             let mut all = Vec::with_capacity(of.len() / columns * within.len());
@@ -293,7 +297,8 @@ impl AtPlaces {
             }
             all
         };
-        let [heights, pressures] = [middles(heights, |_| {}), middles(pressures, level)];
+        let heights = middles(ripples.heights, |_| {});
+        let pressures = middles(ripples.pressures, level);
         let places = places_of_patch(within.len(), heights.len() / within.len());
         let at = |of: &[f64]| places.clone().map(|i| of[i]).collect();
         Self {
@@ -505,15 +510,14 @@ fn ripple(at: &AtPlaces) -> Vec<RipplePart> {
 /// n_k, p_k, y_k are number of places, pressure and height of part k, J_l, J_p, J_y the derivatives over them, w_ik the share of
 /// place i in it, x_i its distance from the middle.
 pub(crate) fn part_gradient(
-    heights: &[f64],
-    pressures: &[f64],
+    ripples: &Ripples<Vec<f64>>,
     reach: f64,
     by_parts: &[[f64; 3]],
-) -> [Vec<f64>; 2] {
+) -> Ripples<Vec<f64>> {
     cite!("Ripple-gradient");
-    let mut gradient = [0, 1].map(|_| vec![0.0; pressures.len()]);
+    let mut gradient = ripples.each(|of| vec![0.0; of.len()]);
     let reach = rounded(reach);
-    let at = AtPlaces::of([heights], [pressures], reach);
+    let at = AtPlaces::of(ripples.each(|of| [of.as_slice()]), reach);
     let scale = Scale::of(&at.pressures);
     if scale.deviation == 0.0 {
         return gradient;
@@ -554,7 +558,8 @@ pub(crate) fn part_gradient(
         *over -= scale.u(*p) * by_scale / (n * scale.deviation);
     }
     level(over_pressure);
-    for (of, at_places) in gradient.iter_mut().zip(&at_places) {
+    let both = [&mut gradient.pressures, &mut gradient.heights];
+    for (of, at_places) in both.into_iter().zip(&at_places) {
         let mean = mean(at_places);
         for (i, over) in places(of.len(), reach).zip(at_places) {
             of[i] = over - mean;
@@ -571,7 +576,11 @@ mod tests {
     const REACH: f64 = 220.0;
 
     fn ripple(heights: &[f64], pressures: &[f64]) -> Vec<RipplePart> {
-        super::ripple(&AtPlaces::of([heights], [pressures], rounded(REACH)))
+        let (pressures, heights) = ([pressures], [heights]);
+        super::ripple(&AtPlaces::of(
+            Ripples { pressures, heights },
+            rounded(REACH),
+        ))
     }
 
     #[test]
@@ -616,7 +625,10 @@ mod tests {
             let patch = PatchSample::of(
                 &line.repeat(rows),
                 603,
-                Some(&pressures.repeat(rows)),
+                Some(Ripples {
+                    pressures: &pressures.repeat(rows),
+                    heights: &line.repeat(rows),
+                }),
                 REACH,
             );
             let found = PatchSample::between(&[(Arc::new(patch.unwrap()), 1.0)]);
@@ -744,10 +756,15 @@ mod tests {
                 [p * p + sin, l * (2.0 * p + z * cos), l * p * cos]
             })
             .collect();
-        let gradient = part_gradient(&heights, &pressures, REACH, &by_parts);
+        let ripples = Ripples {
+            pressures: pressures.clone(),
+            heights: heights.clone(),
+        };
+        let gradient = part_gradient(&ripples, REACH, &by_parts);
         // A wide bump moves many places between the parts.
         let bump = |i: usize| f64::exp(-((i as f64 - 200.0) / 60.0).powi(2));
-        for (which, gradient) in gradient.iter().enumerate() {
+        let both = [&gradient.pressures, &gradient.heights];
+        for (which, gradient) in both.into_iter().enumerate() {
             let at = |step: f64| {
                 let moved = |of: &[f64], is_moved: bool| -> Vec<f64> {
                     let step = if is_moved { step } else { 0.0 };

@@ -14,6 +14,7 @@ use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
+use asperity_ehl_regime::Ripples;
 use asperity_mixed_film::{
     AttenuatedTraces, FilmPressure, FlattenedGradient, Flattening, Kinks, LoadShareSettings,
     LoadShareSolution, PositionFilm, SmoothFilm, WindowRoughness,
@@ -192,7 +193,7 @@ impl RoughFilm<'_> {
 pub(crate) struct HeightGradient {
     /// Over the heights in the rough contacts.
     direct: [Vec<f64>; 2],
-    /// Over the heights that the inlet has flattened, and the pressures that do.
+    /// Over the heights that the inlet has flattened, and the ripples of the film.
     flattened: FlattenedGradient,
     /// Kinks of the windows.
     pub(crate) kinks: Kinks,
@@ -205,7 +206,10 @@ impl HeightGradient {
             direct: zeros()?,
             flattened: FlattenedGradient {
                 heights: zeros()?,
-                pressures: zeros()?,
+                ripples: Ripples {
+                    pressures: zeros()?,
+                    heights: zeros()?,
+                },
             },
             kinks: Kinks::default(),
         })
@@ -250,13 +254,18 @@ impl RoughFilm<'_> {
                 direct[i] += force * by_height;
                 flattened[i] += force * by_sum;
             }
-            let Some([by_pressure, by_height]) = &by_ripple else {
+            let Some(by_ripple) = &by_ripple else {
                 continue;
             };
-            let pressures = &mut sums.flattened.pressures[body];
-            for ((&i, by_pressure), by_height) in places.iter().zip(by_pressure).zip(by_height) {
-                pressures[i] += force * by_pressure;
-                flattened[i] += force * by_height;
+            let Ripples { pressures, heights } = &mut sums.flattened.ripples;
+            let pairs = [
+                (&mut pressures[body], &by_ripple.pressures),
+                (&mut heights[body], &by_ripple.heights),
+            ];
+            for (sums, by_ripple) in pairs {
+                for (&i, by_ripple) in places.iter().zip(by_ripple) {
+                    sums[i] += force * by_ripple;
+                }
             }
         }
         Ok(())

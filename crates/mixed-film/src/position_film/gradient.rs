@@ -31,7 +31,7 @@ use asperity_core::cite;
 use asperity_core::numerics::{add_times, dot};
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
-use asperity_ehl_regime::{Attenuation, GapLaw, PairSpectrum, TraceSpectrum};
+use asperity_ehl_regime::{Attenuation, GapLaw, PairSpectrum, Ripples, TraceSpectrum};
 use asperity_tribo_friction::FilmHeat;
 use serde::{Deserialize, Serialize};
 
@@ -108,10 +108,10 @@ pub struct ShareGradient {
 /// Gradient of a number over both traces as the inlet flattens them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FlattenedGradient {
-    /// Over the heights in the contact.
+    /// Over the heights that count in the supply \[1/m\].
     pub heights: [Vec<f64>; 2],
-    /// Over the pressures that flatten them \[1/Pa\].
-    pub pressures: [Vec<f64>; 2],
+    /// Over the ripples of the film \[1/Pa\], \[1/m\].
+    pub ripples: Ripples<[Vec<f64>; 2]>,
 }
 
 /// Adjoint of the flattening of two traces by the inlet of a contact.
@@ -120,36 +120,43 @@ pub struct Unflattening<'s> {
     spectra: &'s [TraceSpectrum; 2],
     attenuation: Attenuation,
     modulus: Pressure,
-    /// dz_d/d ln n of both traces, and dp′/d ln n.
-    slopes: [[Vec<f64>; 2]; 2],
+    /// dz_d/d ln n of both traces, dp′/d ln n and dz_f/d ln n.
+    slopes: [[Vec<f64>; 2]; 3],
     /// d ln n/dz, if the flattening depends on the heights.
     by_height: Option<[Vec<f64>; 2]>,
 }
 
 impl Unflattening<'_> {
     /// Gradient of a number over the heights of both whole traces, from its gradient over their heights as the inlet of this
-    /// contact flattens them, and over the pressures that do.
+    /// contact flattens them, and over the ripples of its film.
     ///
     /// ```text
-    /// ∂J/∂z = A ∂J/∂z_d + R ∂J/∂p′ + (Σ ∂J/∂z_d dz_d/d ln n + Σ ∂J/∂p′ dp′/d ln n) d ln n/dz        [Flattened-gradient]
+    /// ∂J/∂z = Σ_v F_v ∂J/∂v + (Σ_v Σ ∂J/∂v dv/d ln n) d ln n/dz,  v = z_d, p′, z_f               [Flattened-gradient]
     /// ```
     ///
-    /// R = (π E*/l)(1 − A) is the pressure over the height of a wave.
+    /// F_v = v/z of a wave: A, \[Ripple-pressure\] and \[Ripple-height\].
     ///
     /// The third term is zero with the gap law `power`, whose flattening does not depend on the heights.
     #[must_use]
     pub fn gradient(&self, flattened: &FlattenedGradient) -> [Vec<f64>; 2] {
         cite!("Flattened-gradient");
         let (attenuation, modulus) = (&self.attenuation, self.modulus);
-        let FlattenedGradient { heights, pressures } = flattened;
-        let signals = [0, 1].map(|body: usize| [heights, pressures].map(|of| &*of[body]));
-        let factors = |wave| [attenuation.ratio(wave), attenuation.ripple(wave, modulus)];
+        let FlattenedGradient { heights, ripples } = flattened;
+        let all = [heights, &ripples.pressures, &ripples.heights];
+        let signals = [0, 1].map(|body: usize| all.map(|of| &*of[body]));
+        let factors = |wave| {
+            [
+                attenuation.ratio(wave),
+                attenuation.ripple(wave, modulus),
+                attenuation.film_ratio(wave),
+            ]
+        };
         let spectra = self.spectra.each_ref();
         let mut gradient = TraceSpectrum::filtered_sums(spectra, signals, factors);
         let Some(by_height) = &self.by_height else {
             return gradient;
         };
-        let pairs = [heights, pressures].into_iter().zip(&self.slopes);
+        let pairs = all.into_iter().zip(&self.slopes);
         let products = pairs.flat_map(|(of, slopes)| of.iter().zip(slopes));
         let by_scale: f64 = products.map(|(of, slopes)| dot(of, slopes)).sum();
         for (of_body, by_height) in gradient.iter_mut().zip(by_height) {
@@ -185,6 +192,7 @@ impl PositionFilm<'_> {
             slopes: [
                 TraceSpectrum::filtered_pair(both, |wave| attenuation.slope(wave)),
                 TraceSpectrum::filtered_pair(both, |wave| attenuation.ripple_slope(wave, modulus)),
+                TraceSpectrum::filtered_pair(both, |wave| attenuation.film_slope(wave)),
             ],
             by_height: inlet.map(|inlet| inlet.scale_gradient(pair, both)),
         })

@@ -2,6 +2,7 @@
 
 use asperity_core::profile::mirrored_indices;
 
+use asperity_ehl_regime::Ripples;
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 use asperity_mixed_film::FlattenedGradient;
 
@@ -41,18 +42,24 @@ fn gradient(flanks: &Flanks, settings: &LoadShareSettings) -> [Vec<f64>; 2] {
     let places = |body: usize| mirrored_indices(flanks.heights[body].len(), starts[body], n);
     let mut flattened = FlattenedGradient {
         heights: none(),
-        pressures: none(),
+        ripples: Ripples {
+            pressures: none(),
+            heights: none(),
+        },
     };
     for body in [0, 1] {
         for (i, of_supply) in places(body).zip(&of_supply) {
             flattened.heights[body][i] += of_supply;
         }
-        let Some([by_pressure, by_height]) = &by_ripple else {
+        let Some(by_ripple) = &by_ripple else {
             continue;
         };
-        for ((i, by_pressure), by_height) in places(body).zip(by_pressure).zip(by_height) {
-            flattened.pressures[body][i] += by_pressure;
-            flattened.heights[body][i] += by_height;
+        let Ripples { pressures, heights } = &mut flattened.ripples;
+        for (i, by_pressure) in places(body).zip(&by_ripple.pressures) {
+            pressures[body][i] += by_pressure;
+        }
+        for (i, by_height) in places(body).zip(&by_ripple.heights) {
+            heights[body][i] += by_height;
         }
     }
     let mut sums = film

@@ -27,7 +27,7 @@ use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::light_load::LightLoad;
 use asperity_ehl_regime::{
     Attenuation, FilmConditions, FilmLaw, GapLaw, MoesNumbers, PairSpectrum, Patch, PatchPair,
-    PatchSpectrum, ThermalLaw, TraceSpectrum,
+    PatchSpectrum, Ripples, ThermalLaw, TraceSpectrum,
 };
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, FilmPressure, GapRoughness, InletSupply, Kinks, LoadShareError,
@@ -717,19 +717,25 @@ fn patches_are_fed_by_their_computed_flow_and_lines_as_before() {
             .each_ref()
             .map(|of| of.attenuated(attenuation).heights().to_vec()),
     );
-    let pressures = both(
-        spectra
-            .each_ref()
-            .map(|of| of.ripple(attenuation, contact.modulus)),
-    );
+    let [one, other] = spectra
+        .each_ref()
+        .map(|of| of.ripple(attenuation, contact.modulus));
+    let ripples = Ripples {
+        pressures: both([one.pressures, other.pressures]),
+        heights: both([one.heights, other.heights]),
+    };
+    let ripples = ripples.each(Vec::as_slice);
     let columns = points(&contact);
     let reach = flattening.reach / SPACING;
-    let piece = PatchSample::of(&left, columns, Some(&pressures), reach).unwrap();
+    let piece = PatchSample::of(&left, columns, Some(ripples), reach).unwrap();
     let of_piece = PatchSample::between(&[(Arc::new(piece), 1.0)]);
     assert!((of_piece.deviation / window.deviation - 1.0).abs() < 1e-9);
     assert!((of_piece.middle / window.middle - 1.0).abs() < 1e-9);
     assert_eq!(of_piece.ripple.len(), window.ripple.len());
-    assert!(PatchSample::of(&left, columns, Some(&[0.0]), reach).is_err());
+    for (pressures, heights) in [(&[0.0][..], ripples.heights), (ripples.pressures, &[0.0])] {
+        let ripples = Ripples { pressures, heights };
+        assert!(PatchSample::of(&left, columns, Some(ripples), reach).is_err());
+    }
     assert!(PatchSample::of(&left, columns - 1, None, reach).is_err());
 
     let power = LoadShareSettings {
@@ -935,31 +941,27 @@ fn a_film_ripples_at_none_of_smooth_flanks() {
 }
 
 #[test]
-fn pressure_of_the_ripple_presses_waves_to_their_heights_in_the_contact() {
+fn film_and_displacement_of_a_wave_are_a_quarter_of_it_apart() {
     let n = 480;
-    let wave = |points: f64, i: usize| (std::f64::consts::TAU * i as f64 / points).sin();
-    let heights: Vec<f64> = (0..n)
-        .map(|i| 0.2e-6 * wave(120.0, i) + 0.05e-6 * wave(20.0, i))
-        .collect();
-    let spectrum = TraceSpectrum::new(&heights, SPACING).unwrap();
     let attenuation = Attenuation::new(GapLaw::Inlet, 2e5).unwrap();
     let modulus = Pressure::from_si(115e9);
-    let pair = [&spectrum, &spectrum];
-    let [pressure, _] = TraceSpectrum::ripple_pair(pair, &attenuation, modulus);
-    let [left, _] = TraceSpectrum::attenuated_pair(pair, &attenuation);
-    let boundary = Boundary::Periodic(PeriodicKernel::Spectral);
-    let mut displacement = vec![0.0; n];
-    let mut solver = Solver::new(n, boundary).unwrap();
-    solver
-        .displacement((SPACING, None, modulus), &pressure, &mut displacement)
-        .unwrap();
-    for i in 0..n {
-        let pressed = heights[i] - displacement[i];
-        assert!(
-            (pressed - left[i]).abs() < 1e-12,
-            "{i}: {pressed} {}",
-            left[i]
-        );
+    for points in [20.0, 60.0, 120.0, 240.0] {
+        let wave = |i: usize| 0.2e-6 * (std::f64::consts::TAU * i as f64 / points).sin();
+        let heights: Vec<f64> = (0..n).map(wave).collect();
+        let spectrum = TraceSpectrum::new(&heights, SPACING).unwrap();
+        let ripples = TraceSpectrum::ripple_pair([&spectrum; 2], &attenuation, modulus);
+        let ([pressure, _], [film, _]) = (ripples.pressures, ripples.heights);
+        let mut displacement = vec![0.0; n];
+        let boundary = Boundary::Periodic(PeriodicKernel::Spectral);
+        let mut solver = Solver::new(n, boundary).unwrap();
+        solver
+            .displacement((SPACING, None, modulus), &pressure, &mut displacement)
+            .unwrap();
+        // Film and displacement together are the wave: their amplitudes are the legs of a right angle.
+        for ((z, film), displacement) in heights.iter().zip(film).zip(displacement) {
+            let both = film.hypot(displacement);
+            assert!((both - z.abs()).abs() < 1e-15, "{points}: {both} {z}");
+        }
     }
 }
 
