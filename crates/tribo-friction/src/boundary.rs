@@ -36,9 +36,9 @@ pub const BOUNDARY_LAYER_BAND: [Length; 2] = [Length::from_si(5e-9), Length::fro
 /// Default of the least boundary share β_i of a spot that formed inside the contact, where no oil flows: what its roughness keeps
 /// above the layer. No theory yields it; it was chosen on 93 stored mixed-EHL solutions, which therefore do not
 /// test the model with it.
-pub const INNER_BOUNDARY: f64 = 0.7;
+pub const INNER_BOUNDARY: f64 = 0.75;
 /// Range of β_i that these solutions admit.
-pub const INNER_BOUNDARY_RANGE: [f64; 2] = [0.55, 0.85];
+pub const INNER_BOUNDARY_RANGE: [f64; 2] = [0.6, 0.9];
 
 /// Share of a touching spot's load on the boundary layer.
 ///
