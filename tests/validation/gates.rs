@@ -21,7 +21,7 @@ use crate::measured_cases::{FZG_SPEEDS, Kept, Sampled, kept, measured, turns};
 use crate::share_laws::erf;
 
 /// Gates that do not pass. A verdict that changes fails the test: change the list, and say why in the commit.
-const NOT_PASSED: [(&str, Verdict); 12] = [
+const NOT_PASSED: [(&str, Verdict); 11] = [
     ("T1 FZG C-mod, mean μ at 0.5 m/s", Verdict::Fail),
     (
         "T1 loss over the source's law, coded anew, 0.5 m/s",
@@ -29,10 +29,6 @@ const NOT_PASSED: [(&str, Verdict); 12] = [
     ),
     (
         "T1 loss over the source's law, coded anew, 1.25 m/s",
-        Verdict::Undecided,
-    ),
-    (
-        "T1 loss over the source's law, coded anew, 2.5 m/s",
         Verdict::Undecided,
     ),
     (
@@ -49,7 +45,7 @@ const NOT_PASSED: [(&str, Verdict); 12] = [
     ),
     (
         "T3 Britton, Ra 0.4 to 0.05 um, jet oil, 110 °C: change of μ",
-        Verdict::Fail,
+        Verdict::Undecided,
     ),
     (
         "T6 μ of polyglycol over mineral oil, FZG at 2.5 m/s",
