@@ -83,6 +83,9 @@ impl MoesNumbers {
     }
 }
 
+/// Square of the dimensionless wavelength below which the film of a wave in pure rolling falls more slowly.
+const ROLLED: f64 = 12.0;
+
 /// Flattening of roughness waves in the inlet of one contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attenuation {
@@ -174,7 +177,7 @@ impl Attenuation {
         std::f64::consts::PI * modulus.si() / wavelength.si() * self.pressed(wavelength)
     }
 
-    /// Pressure of a wave over that of a wave that is pressed flat.
+    /// Pressure of a wave over the pressure that presses it flat.
     pub(crate) fn pressed(&self, wavelength: Length) -> f64 {
         let [inverse_square, _] = self.rolled(wavelength);
         1.0 / (1.0 + 1.0 / inverse_square).sqrt()
@@ -194,7 +197,7 @@ impl Attenuation {
     /// z_f/z = X/√(1 + X²)                                                                       [Ripple-height]
     /// ```
     ///
-    /// X is that of \[Ripple-pressure\]. A of [`ratio`](Self::ratio), by which roughness counts in the supply, is smaller for short waves.
+    /// X as in \[Ripple-pressure\]. A of [`ratio`](Self::ratio), by which roughness counts in the supply, is smaller for short waves.
     ///
     /// ```
     /// use asperity_core::quantity::Length;
@@ -229,7 +232,7 @@ impl Attenuation {
     fn rolled(&self, wavelength: Length) -> [f64; 2] {
         let nabla = self.nabla_per_length * wavelength.si();
         let square = nabla * nabla;
-        let short = 12.0 + square;
+        let short = ROLLED + square;
         let inverse_square = square * square / (4.0 * short);
         [inverse_square, 4.0 - 2.0 * square / short]
     }

@@ -241,7 +241,7 @@ impl PatchSpectrum {
     /// p′/z = (π E*/λ)/√(1 + X²),  z_f/z = X/√(1 + X²),  1/λ² = 1/λ_x² + 1/λ_y²                  [Patch-ripple]
     /// ```
     ///
-    /// X is that of \[Ripple-pressure\] at λ_e. A wave of pressure of amplitude p displaces both surfaces by p λ/(π E*),
+    /// X as in \[Ripple-pressure\], at λ_e. A wave of pressure of amplitude p displaces both surfaces by p λ/(π E*),
     /// whatever its direction.
     #[must_use]
     pub fn ripple(&self, attenuation: &Attenuation, modulus: Pressure) -> Ripples<Vec<f64>> {

@@ -133,8 +133,8 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
     let exact = [&case, &changed[0], &changed[1]].map(|case| gradient(case).unwrap());
     let pressed_w = exact[2].losses.summary.loss_w;
     assert!((pressed_w / found.pressed_loss_w - 1.0).abs() < 1e-9);
-    // Constants and model add in squares to a sampling error of several times theirs; of a ridge that saves nothing in the mean, they
-    // add nothing.
+    // Constants and model add in squares to a sampling error of several times theirs; of a ridge that saves little in the mean, they
+    // scale the sampling error, by less than 1 where the loss falls with the lay.
     let wider = |[low, high]: [f64; 2], of_sampling: [f64; 2], times: f64| {
         low < high && high - low > times * (of_sampling[1] - of_sampling[0])
     };
@@ -151,8 +151,8 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
         let sampled = by_window(row, &exact);
         let sampled = sampling_interval(&exact[0].case, &exact[0].losses, &sampled);
         let interval = [row.low_w.unwrap(), row.high_w.unwrap()];
-        let is_costly = row.mean_gradient_w.abs() > 0.1 * (interval[1] - interval[0]);
-        let times = if is_costly { 1.03 } else { 1.0 };
+        let is_costly = row.mean_gradient_w.abs() > 0.2 * (interval[1] - interval[0]);
+        let times = if is_costly { 1.03 } else { 0.85 };
         assert!(
             wider(interval, sampled.unwrap(), times),
             "{row:?} {sampled:?}"
