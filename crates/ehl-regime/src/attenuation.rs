@@ -20,7 +20,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use asperity_core::numerics::{complex_inverse, extremes, real_transforms};
+use asperity_core::numerics::{complex_inverse, real_transforms, vectorised};
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, cite};
 use rustfft::Fft;
@@ -179,16 +179,15 @@ impl Attenuation {
 
     /// Pressure of a wave over the pressure that presses it flat.
     pub(crate) fn pressed(&self, wavelength: Length) -> f64 {
-        let [inverse_square, _] = self.rolled(wavelength);
-        1.0 / (1.0 + 1.0 / inverse_square).sqrt()
+        let [pressed, ..] = self.rolled(wavelength);
+        pressed
     }
 
     /// Slope of [`ripple`](Self::ripple) over ln ∇ \[Pa/m\].
     #[must_use]
     pub fn ripple_slope(&self, wavelength: Length, modulus: Pressure) -> f64 {
-        let [inverse_square, slope] = self.rolled(wavelength);
-        let of_pressed = 0.5 * inverse_square.sqrt() * slope * (1.0 + inverse_square).powf(-1.5);
-        std::f64::consts::PI * modulus.si() / wavelength.si() * of_pressed
+        let [pressed, film, rise] = self.rolled(wavelength);
+        std::f64::consts::PI * modulus.si() / wavelength.si() * pressed * film * film * rise
     }
 
     /// Amplitude of a wave in the film over its amplitude outside.
@@ -217,24 +216,29 @@ impl Attenuation {
 
     /// [`film_ratio`](Self::film_ratio) for a loop over many waves, around which the equation is cited.
     pub(crate) fn film_ratio_of(&self, wavelength: Length) -> f64 {
-        let [inverse_square, _] = self.rolled(wavelength);
-        1.0 / (1.0 + inverse_square).sqrt()
+        let [_, film, _] = self.rolled(wavelength);
+        film
     }
 
     /// Slope of [`film_ratio`](Self::film_ratio) over ln ∇.
     #[must_use]
     pub fn film_slope(&self, wavelength: Length) -> f64 {
-        let [inverse_square, slope] = self.rolled(wavelength);
-        -0.5 * inverse_square * slope * (1.0 + inverse_square).powf(-1.5)
+        let [pressed, film, rise] = self.rolled(wavelength);
+        -film * pressed * pressed * rise
     }
 
-    /// X⁻² of \[Ripple-pressure\], and the slope of its logarithm over ln ∇.
-    fn rolled(&self, wavelength: Length) -> [f64; 2] {
+    /// 1/√(1 + X²) and X/√(1 + X²) with X of \[Ripple-pressure\], and the slope of -ln X over ln ∇.
+    #[inline(always)]
+    fn rolled(&self, wavelength: Length) -> [f64; 3] {
         let nabla = self.nabla_per_length * wavelength.si();
         let square = nabla * nabla;
         let short = ROLLED + square;
-        let inverse_square = square * square / (4.0 * short);
-        [inverse_square, 4.0 - 2.0 * square / short]
+        let inverse = 1.0 / (square * square + 4.0 * short).sqrt();
+        [
+            square * inverse,
+            2.0 * short.sqrt() * inverse,
+            2.0 - square / short,
+        ]
     }
 
     /// Slope dA/d ln ∇ at a wavelength.
@@ -400,85 +404,53 @@ impl TraceSpectrum {
     /// Sums y = F₁ s₁ + F₂ s₂ + … of signals of each of two traces, free of their means: each wave of a signal is multiplied by
     /// its factor of `factors` of the wavelength.
     ///
-    /// Two signals of a trace share a transform, and the sums of both traces share one.
+    /// Signals of traces of as many points, which have the same factor, share a transform, and so do their sums.
     #[must_use]
     pub fn filtered_sums<const N: usize>(
-        traces: [&Self; 2],
-        signals: [[&[f64]; N]; 2],
+        [first, second]: [&Self; 2],
+        [of_first, of_second]: [[&[f64]; N]; 2],
         factors: impl Fn(Length) -> [f64; N],
     ) -> [Vec<f64>; 2] {
         cite!("Attenuated-trace");
-        let [first, second] = traces;
-        let [one, other] = [0, 1].map(|k: usize| traces[k].summed_waves(signals[k], &factors));
-        let real_and_imaginary = |mut waves: Vec<Complex<f64>>, plan: &Arc<dyn Fft<f64>>| {
-            plan.process(&mut waves);
-            let imaginary = waves.iter().map(|value| value.im).collect();
-            [waves.iter().map(|value| value.re).collect(), imaginary]
-        };
         if first.points == second.points && first.spacing == second.spacing {
-            let both = one.iter().zip(&other);
-            let both = both.map(|(a, b)| Complex::new(a.re - b.im, a.im + b.re));
-            return real_and_imaginary(both.collect(), &first.inverse);
+            return first.summed(of_first, Some(of_second), factors);
         }
-        let [[one, _], [other, _]] = [
-            real_and_imaginary(one, &first.inverse),
-            real_and_imaginary(other, &second.inverse),
-        ];
+        let [one, _] = first.summed(of_first, None, &factors);
+        let [other, _] = second.summed(of_second, None, &factors);
         [one, other]
     }
 
-    /// Waves of F₁ s₁ + F₂ s₂ + … over the number of points.
-    fn summed_waves<const N: usize>(
+    /// The sum of filtered signals, and of those of a trace of as many points.
+    fn summed<const N: usize>(
         &self,
         signals: [&[f64]; N],
-        factors: &impl Fn(Length) -> [f64; N],
-    ) -> Vec<Complex<f64>> {
+        others: Option<[&[f64]; N]>,
+        factors: impl Fn(Length) -> [f64; N],
+    ) -> [Vec<f64>; 2] {
         let n = self.points;
         let length = n as f64 * self.spacing;
-        let factors: Vec<_> = (1..=n / 2)
-            .map(|k| factors(Length::from_si(length / k as f64)))
-            .collect();
+        let scaled =
+            |k: usize| factors(Length::from_si(length / k as f64)).map(|factor| factor / n as f64);
+        let factors: Vec<_> = (1..=n / 2).map(scaled).collect();
         let mut sums = vec![Complex::default(); n];
-        for which in (0..N).step_by(2) {
-            let first = signals[which];
-            let second = signals.get(which + 1);
-            // Both as large as each other: the round-off of the larger would drown the smaller.
-            let largest = |signal: &[f64]| {
-                let (low, high) = extremes(signal);
-                high.max(-low)
-            };
-            let [one, other] = [largest(first), second.map_or(0.0, |signal| largest(signal))];
-            let is_alone = other == 0.0;
-            let size = match one > 0.0 && !is_alone {
-                true => one / other,
-                false => 1.0,
-            };
-            // The inverse transform of the conjugate is the conjugate of the transform Z of s₁ + i s₂.
-            let mut waves: Vec<_> = match second {
-                Some(second) => {
-                    let pairs = first.iter().zip(*second);
-                    pairs.map(|(a, b)| Complex::new(*a, -size * b)).collect()
-                }
-                None => first.iter().map(|a| Complex::new(*a, 0.0)).collect(),
-            };
+        for which in 0..N {
+            let other = |i: usize| others.map_or(0.0, |others| others[which][i]);
+            // The inverse transform of the conjugate is the conjugate of the transform.
+            let signal = signals[which].iter().enumerate();
+            let mut waves: Vec<_> = signal.map(|(i, z)| Complex::new(*z, -other(i))).collect();
             self.inverse.process(&mut waves);
             for (k, factors) in (1..).zip(&factors) {
-                let g = factors.get(which + 1).filter(|_| !is_alone);
-                let [f, g] = [factors[which], g.map_or(0.0, |g| g / size)];
-                let [f, g] = [f, g].map(|factor| 0.5 * factor / n as f64);
-                let (z, mirror) = (waves[k].conj(), waves[n - k]);
-                // S₁ = (Z_k + conj Z_n₋ₖ)/2, S₂ = (Z_k − conj Z_n₋ₖ)/2i
-                let (sum, difference) = (z + mirror, z - mirror);
-                sums[k] += Complex::new(
-                    f * sum.re + g * difference.im,
-                    f * sum.im - g * difference.re,
-                );
+                sums[k] += waves[k].conj() * factors[which];
+                if 2 * k != n {
+                    sums[n - k] += waves[n - k].conj() * factors[which];
+                }
             }
         }
-        for k in 1..=n / 2 {
-            sums[n - k] = sums[k].conj();
-        }
-        sums
+        self.inverse.process(&mut sums);
+        [
+            sums.iter().map(|value| value.re).collect(),
+            sums.iter().map(|value| value.im).collect(),
+        ]
     }
 
     /// Heights of one trace, or of two of as many points in the real and the imaginary part of one signal.
@@ -515,7 +487,16 @@ impl TraceSpectrum {
         // The mean; all other coefficients follow.
         signal[0] = Complex::default();
         let count = first.spectrum.len() - 1;
-        let scale = |k: usize| factor(Length::from_si(length / k as f64)) / points as f64;
+        let mut scales = vec![0.0; count];
+        vectorised(
+            #[inline(always)]
+            || {
+                for (k, scale) in (1..).zip(&mut scales) {
+                    let wave: i32 = k;
+                    *scale = factor(Length::from_si(length / f64::from(wave))) / points as f64;
+                }
+            },
+        );
         let (low, high) = signal[1..].split_at_mut(count);
         let others = second.map(|second| &second.spectrum[1..]);
         // What one wave of both traces is in the signal, and its mirror image.
@@ -529,12 +510,12 @@ impl TraceSpectrum {
         };
         // Of an even number of points the last wave is its own mirror image: real.
         if let Some(last) = low.get_mut(high.len()) {
-            let [one, mirror] = both(high.len(), scale(count));
+            let [one, mirror] = both(high.len(), scales[count - 1]);
             *last = 0.5 * (one + mirror);
         }
         let places = low.iter_mut().zip(high.iter_mut().rev()).enumerate();
-        for (k, (place, mirror)) in places {
-            [*place, *mirror] = both(k, scale(k + 1));
+        for ((k, (place, mirror)), scale) in places.zip(&scales) {
+            [*place, *mirror] = both(k, *scale);
         }
         first.inverse.process_with_scratch(signal, work);
         let imaginary = |_: &Self| signal.iter().map(|value| value.im).collect();
