@@ -724,8 +724,8 @@ fn the_fast_model_follows_the_93_records() {
     println!("{}\n{}\n{}", model_table(), part_table(), class_table());
     let all = chosen_on();
     assert_eq!(all.len(), 93);
-    // The row that the model was chosen with, by another program, had .05: film and boundary layer are each other's error no more
-    // since waves have the pressures and films of solved ones. Both parts are below.
+    // The row that the model was chosen with, by another program, had .05: in it errors of film and boundary layer cancelled, which
+    // waves with the pressures and films of solved ones no longer do. Both parts are checked below.
     let near = |found: f64, expected: f64| (found - expected).abs() < 0.012;
     let [mean, deviation, rms] = of_friction(all.iter().filter(is_compared), DEFAULT);
     assert!(

@@ -83,7 +83,8 @@ impl MoesNumbers {
     }
 }
 
-/// Square of the dimensionless wavelength below which the film of a wave in pure rolling falls more slowly.
+/// ∇² at which X of \[Ripple-pressure\] changes from a power of -2 of ∇ to -1; fitted to the films of eight waves that were solved in
+/// pure rolling.
 const ROLLED: f64 = 12.0;
 
 /// Flattening of roughness waves in the inlet of one contact.
@@ -197,7 +198,7 @@ impl Attenuation {
     /// z_f/z = X/√(1 + X²)                                                                       [Ripple-height]
     /// ```
     ///
-    /// X as in \[Ripple-pressure\]. A of [`ratio`](Self::ratio), by which roughness counts in the supply, is smaller for short waves.
+    /// X as in \[Ripple-pressure\]. The amplitude [`ratio`](Self::ratio), with which roughness enters the supply, is smaller for short waves.
     ///
     /// ```
     /// use asperity_core::quantity::Length;
@@ -405,7 +406,7 @@ impl TraceSpectrum {
     /// Sums y = F₁ s₁ + F₂ s₂ + … of signals of each of two traces, free of their means: each wave of a signal is multiplied by
     /// its factor of `factors` of the wavelength.
     ///
-    /// Signals of traces of as many points, which have the same factor, share a transform, and so do their sums.
+    /// Traces with the same number of points share the transforms of their signals and of the sums.
     #[must_use]
     pub fn filtered_sums<const N: usize>(
         [first, second]: [&Self; 2],
@@ -421,7 +422,7 @@ impl TraceSpectrum {
         [one, other]
     }
 
-    /// The sum of filtered signals, and of those of a trace of as many points.
+    /// The sum of filtered signals, and the sum of the signals of another trace with the same number of points.
     fn summed<const N: usize>(
         &self,
         signals: [&[f64]; N],

@@ -941,7 +941,7 @@ fn a_film_ripples_at_none_of_smooth_flanks() {
 }
 
 #[test]
-fn film_and_displacement_of_a_wave_are_a_quarter_of_it_apart() {
+fn film_and_displacement_of_a_wave_add_in_squares() {
     let n = 480;
     let attenuation = Attenuation::new(GapLaw::Inlet, 2e5).unwrap();
     let modulus = Pressure::from_si(115e9);
@@ -957,7 +957,7 @@ fn film_and_displacement_of_a_wave_are_a_quarter_of_it_apart() {
         solver
             .displacement((SPACING, None, modulus), &pressure, &mut displacement)
             .unwrap();
-        // Film and displacement together are the wave: their amplitudes are the legs of a right angle.
+        // A quarter of a wave apart, film and displacement add in squares to the wave.
         for ((z, film), displacement) in heights.iter().zip(film).zip(displacement) {
             let both = film.hypot(displacement);
             assert!((both - z.abs()).abs() < 1e-15, "{points}: {both} {z}");
