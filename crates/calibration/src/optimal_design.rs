@@ -94,7 +94,7 @@ pub fn log_determinant(whole: &DMatrix<f64>, interest: usize) -> f64 {
     let place = |k: usize| if k < others { k + interest } else { k - others };
     let factor = Cholesky::new(n, |i, j| elements[place(i) + n * place(j)], 0.0);
     factor.map_or(f64::NEG_INFINITY, |factor| {
-        let rows = factor.lower()[others..].iter();
+        let rows = factor.lower().skip(others);
         2.0 * rows.map(|row| row[row.len() - 1].ln()).sum::<f64>()
     })
 }

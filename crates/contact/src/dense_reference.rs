@@ -3,9 +3,7 @@
 //! The tests of the fast solver compare with it, [`Solver::solve_exactly`](crate::Solver::solve_exactly) finishes a contact
 //! with it, and the gradient of a contact is solved with its factor ([`FixedSets`]).
 //!
-//! Every point is apart, touching or flowing. With these sets known the problem is linear and is
-//! solved by a Cholesky factorisation; points whose pressure or gap has the wrong sign then change
-//! sets until none does. This takes three to fifteen steps of O(n³), one or two from a converged start.
+//! Its sets (`exact_sets`) take three to fifteen steps of O(n³), one or two from a converged start.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -21,8 +19,8 @@ use asperity_core::quantity::{Length, Pressure};
 use serde::Serialize;
 
 use crate::boundary::{Boundary, PeriodicKernel};
-use crate::convolution::vectorised;
 use crate::error::ContactError;
+use crate::exact_sets::{ExactSets, Matrix, SetProblem, Settled, State, Unsettled};
 use crate::grid::plane_kernel;
 use crate::half_plane::cell_compliance;
 use crate::problem::{ContactProblem, Control};
@@ -47,16 +45,11 @@ pub struct DenseSolution {
     pub steps: usize,
 }
 
-#[derive(Clone, Copy, PartialEq)]
-enum State {
-    Apart,
-    Touching,
-    Flowing,
-}
-
 /// The problem in the units of the matrix.
 struct DenseProblem {
     matrix: Matrix,
+    columns: usize,
+    constant: f64,
     /// h plus the displacement by the prescribed pressure, minus a controlled approach, in m.
     gap: Vec<f64>,
     /// Σy if the load is controlled.
@@ -85,42 +78,53 @@ pub fn solve_dense(problem: &ContactProblem) -> Result<DenseSolution, ContactErr
     problem.validate()?;
     let compliance = cell_compliance(problem.spacing, problem.modulus)?;
     let dense = DenseProblem::new(problem, compliance)?;
-    let mut states = dense.first_states(problem);
-    let mut changes = states.len();
-    for steps in 1..=MAX_SET_UPDATES {
-        let touching = touching(&states);
-        if touching.len() > MAX_POINTS {
-            return Err(ContactError::too_many_points(touching.len(), MAX_POINTS));
-        }
-        let Some((y, alpha)) = dense.pressures(&states, &touching) else {
-            return Err(ContactError::active_set_unsettled(steps, changes));
-        };
-        changes = dense.update(&mut states, &y, alpha);
-        if changes == 0 {
-            return Ok(DenseSolution {
-                pressure: pressures(problem, &states, &y, compliance),
-                approach: dense.approach(problem, compliance, alpha),
-                steps,
-            });
-        }
-    }
-    Err(ContactError::active_set_unsettled(MAX_SET_UPDATES, changes))
+    let range = |m: f64, h: &f64| m.max((h - dense.gap[0]).abs());
+    let range = dense.gap.iter().fold(f64::MIN_POSITIVE, range);
+    let mut sets = ExactSets {
+        states: dense.first_states(problem),
+        ..ExactSets::default()
+    };
+    let settled = sets.settle(&SetProblem {
+        matrix: &dense.matrix,
+        gap: &dense.gap,
+        columns: dense.columns,
+        constant: dense.constant,
+        sum: dense.sum,
+        limit: dense.limit,
+        round_off: ROUND_OFF * range,
+        most: [MAX_POINTS, MAX_SET_UPDATES],
+    });
+    let Settled { approach, steps } = settled.map_err(|unsettled| match unsettled {
+        Unsettled::TooMany(points) => ContactError::too_many_points(points, MAX_POINTS),
+        Unsettled::Changing { steps, points } => ContactError::active_set_unsettled(steps, points),
+    })?;
+    let limit = limit_of(problem);
+    Ok(DenseSolution {
+        pressure: sets.pressures(limit, compliance).collect(),
+        approach: dense.approach(problem, compliance, approach),
+        steps,
+    })
 }
 
 impl DenseProblem {
     fn new(problem: &ContactProblem, compliance: f64) -> Result<Self, ContactError> {
-        let rows = problem.cells()?.rows as f64;
+        let cells = problem.cells()?;
+        let (columns, rows) = (cells.columns, cells.rows as f64);
         let mut dense = Self {
-            matrix: Matrix::of(problem)?,
+            matrix: matrix_of(problem)?,
+            columns,
+            constant: datum_term(problem) / rows,
             gap: problem.gap.to_vec(),
             sum: None,
             limit: limit_of(problem) * compliance,
         };
         if let Some(prescribed) = problem.prescribed_pressure {
             let y: Vec<f64> = prescribed.iter().map(|p| p * compliance).collect();
-            let displaced = dense.displacement(&y);
+            let by_datum = dense.constant * y.iter().sum::<f64>();
+            let mut displaced = Vec::new();
+            dense.matrix.displace(&y, columns, &mut displaced);
             for (h, u) in dense.gap.iter_mut().zip(displaced) {
-                *h += u;
+                *h += u + by_datum;
             }
         }
         match problem.control {
@@ -141,7 +145,8 @@ impl DenseProblem {
     fn first_states(&self, problem: &ContactProblem) -> Vec<State> {
         let start = problem.start;
         if let Some(start) = start.filter(|start| start.iter().any(|p| *p > 0.0)) {
-            return states_of(problem, start);
+            let limit = limit_of(problem);
+            return start.iter().map(|p| State::of(*p, limit)).collect();
         }
         let first = |&h: &f64| {
             if self.sum.is_some() || h < 0.0 {
@@ -153,91 +158,6 @@ impl DenseProblem {
         self.gap.iter().map(first).collect()
     }
 
-    /// Moves points whose pressure or gap has the wrong sign to another set and returns their number.
-    fn update(&self, states: &mut [State], y: &[f64], alpha: f64) -> usize {
-        let displaced = self.displacement(y);
-        let range = |m: f64, h: &f64| m.max((h - self.gap[0]).abs());
-        let overlap = ROUND_OFF * self.gap.iter().fold(f64::MIN_POSITIVE, range);
-        let mut changes = 0;
-        for (i, state) in states.iter_mut().enumerate() {
-            let g = displaced[i] + self.gap[i] - alpha;
-            let next = match *state {
-                State::Touching if y[i] < 0.0 => State::Apart,
-                State::Touching if y[i] >= self.limit => State::Flowing,
-                State::Apart if g < -overlap => State::Touching,
-                State::Flowing if g > overlap => State::Touching,
-                same => same,
-            };
-            changes += usize::from(next != *state);
-            *state = next;
-        }
-        changes
-    }
-
-    /// A y
-    fn displacement(&self, y: &[f64]) -> Vec<f64> {
-        let (kernel, columns) = (&self.matrix.kernel, self.matrix.columns);
-        // The kernel over positive and negative lags along rolling, row after row: the displacement by a point is a part of each.
-        let rows = kernel.chunks_exact(columns);
-        let lags = rows.flat_map(|row| row[1..].iter().rev().chain(row));
-        let lags: Vec<f64> = lags.copied().collect();
-        let mut displacement = vec![0.0; y.len()];
-        let pressed = y.iter().enumerate().filter(|(_, y)| **y != 0.0);
-        vectorised(
-            #[inline(always)]
-            || {
-                for (j, &y) in pressed {
-                    let (row, column) = (j / columns, j % columns);
-                    let displaced = displacement.chunks_exact_mut(columns);
-                    for (other, displaced) in displaced.enumerate() {
-                        let first = (2 * columns - 1) * row.abs_diff(other) + columns - 1 - column;
-                        for (u, c) in displaced.iter_mut().zip(&lags[first..]) {
-                            *u += c * y;
-                        }
-                    }
-                }
-            },
-        );
-        displacement
-    }
-
-    /// p = π·E*·C⁻¹·(δ − h)                                                                 `[P3]`
-    ///
-    /// Pressures and approach that close the gap of the touching points; `None` if no touching point is
-    /// left to carry the rest of the load.
-    fn pressures(&self, states: &[State], touching: &[usize]) -> Option<(Vec<f64>, f64)> {
-        cite!("P3");
-        let mut y: Vec<f64> = states
-            .iter()
-            .map(|&state| {
-                if state == State::Flowing {
-                    self.limit
-                } else {
-                    0.0
-                }
-            })
-            .collect();
-        if touching.is_empty() {
-            return self.sum.is_none().then_some((y, 0.0));
-        }
-        let flowing = self.displacement(&y);
-        let factor = self.matrix.factor(touching)?;
-        // The pressures are those at zero approach plus α times those of a unit approach.
-        let closed = touching.iter().map(|&i| -self.gap[i] - flowing[i]);
-        let mut closed: Vec<f64> = closed.collect();
-        factor.solve(&mut closed);
-        let mut unit = vec![1.0; touching.len()];
-        factor.solve(&mut unit);
-        let alpha = self.sum.map_or(0.0, |sum| {
-            let carried = y.iter().sum::<f64>() + closed.iter().sum::<f64>();
-            (sum - carried) / unit.iter().sum::<f64>()
-        });
-        for ((&point, closed), unit) in touching.iter().zip(&closed).zip(&unit) {
-            y[point] = closed + alpha * unit;
-        }
-        Some((y, alpha))
-    }
-
     /// Approach relative to the datum of the problem; for periodic ends, to a displacement without mean.
     fn approach(&self, problem: &ContactProblem, compliance: f64, alpha: f64) -> Length {
         match (problem.control, problem.boundary) {
@@ -245,9 +165,8 @@ impl DenseProblem {
             (Control::Load(_), Boundary::FreeEnds) => Length::from_si(alpha),
             (Control::Load(_), Boundary::Periodic(_)) => {
                 let prescribed: f64 = problem.prescribed_pressure.unwrap_or(&[]).iter().sum();
-                let rows = self.matrix.rows as f64;
                 let total = self.sum.unwrap_or(0.0) + prescribed * compliance;
-                Length::from_si(alpha - datum_term(problem) / rows * total)
+                Length::from_si(alpha - self.constant * total)
             }
         }
     }
@@ -257,73 +176,16 @@ fn limit_of(problem: &ContactProblem) -> f64 {
     problem.pressure_limit.map_or(f64::INFINITY, Pressure::si)
 }
 
-/// Pressures \[Pa\]; at the points that flow the limit to the last digit.
-fn pressures(problem: &ContactProblem, states: &[State], y: &[f64], compliance: f64) -> Vec<f64> {
-    let pressure = |(state, y): (&State, &f64)| match state {
-        State::Apart => 0.0,
-        State::Touching => y / compliance,
-        State::Flowing => limit_of(problem),
+/// C/a of a problem.
+fn matrix_of(problem: &ContactProblem) -> Result<Matrix, ContactError> {
+    let cells = problem.cells()?;
+    let kernel = match problem.boundary {
+        boundary if cells.rows > 1 => plane_kernel(cells, boundary),
+        Boundary::FreeEnds => strip_column(cells.columns),
+        Boundary::Periodic(PeriodicKernel::Strip) => column_of_period(cells.columns),
+        Boundary::Periodic(PeriodicKernel::Spectral) => spectral_column(cells.columns),
     };
-    states.iter().zip(y).map(pressure).collect()
-}
-
-/// Sets of the pressures \[Pa\] of a problem.
-fn states_of(problem: &ContactProblem, pressure: &[f64]) -> Vec<State> {
-    let limit = limit_of(problem);
-    let state = |&p: &f64| match p > 0.0 {
-        true if p >= limit => State::Flowing,
-        true => State::Touching,
-        false => State::Apart,
-    };
-    pressure.iter().map(state).collect()
-}
-
-fn touching(states: &[State]) -> Vec<usize> {
-    let is_touching = |i: &usize| states[*i] == State::Touching;
-    (0..states.len()).filter(is_touching).collect()
-}
-
-/// A, from the displacement by one cell.
-struct Matrix {
-    /// Displacement at the lags along rolling and along the lead, row after row.
-    kernel: Vec<f64>,
-    columns: usize,
-    rows: usize,
-}
-
-impl Matrix {
-    fn of(problem: &ContactProblem) -> Result<Self, ContactError> {
-        let cells = problem.cells()?;
-        let datum = datum_term(problem) / cells.rows as f64;
-        let mut kernel = match problem.boundary {
-            boundary if cells.rows > 1 => plane_kernel(cells, boundary),
-            Boundary::FreeEnds => strip_column(cells.columns),
-            Boundary::Periodic(PeriodicKernel::Strip) => column_of_period(cells.columns),
-            Boundary::Periodic(PeriodicKernel::Spectral) => spectral_column(cells.columns),
-        };
-        kernel.iter_mut().for_each(|c| *c += datum);
-        Ok(Self {
-            kernel,
-            columns: cells.columns,
-            rows: cells.rows,
-        })
-    }
-
-    fn element(&self, i: usize, j: usize) -> f64 {
-        if self.rows == 1 {
-            return self.kernel[i.abs_diff(j)];
-        }
-        let [[row, column], [other_row, other]] =
-            [i, j].map(|k| [k / self.columns, k % self.columns]);
-        let rows = row.abs_diff(other_row);
-        self.kernel[rows * self.columns + column.abs_diff(other)]
-    }
-
-    /// Factor of the rows and columns `touching`.
-    fn factor(&self, touching: &[usize]) -> Option<Cholesky> {
-        let element = |i: usize, j: usize| self.element(touching[i], touching[j]);
-        Cholesky::new(touching.len(), element, 0.0)
-    }
+    Ok(Matrix::of(&kernel, cells.columns))
 }
 
 /// A solved contact under a load whose sets are held: its derivatives over the undeformed gap.
@@ -343,8 +205,9 @@ impl FixedSets {
     pub fn of(problem: &ContactProblem, pressure: &[f64]) -> Result<Self, ContactError> {
         problem.validate()?;
         let compliance = cell_compliance(problem.spacing, problem.modulus)?;
-        let states = states_of(problem, pressure);
-        let touching = touching(&states);
+        let limit = limit_of(problem);
+        let is_touching = |i: &usize| State::of(pressure[*i], limit) == State::Touching;
+        let touching: Vec<usize> = (0..pressure.len()).filter(is_touching).collect();
         if touching.len() > MAX_POINTS {
             return Err(ContactError::too_many_points(touching.len(), MAX_POINTS));
         }
@@ -352,9 +215,11 @@ impl FixedSets {
             (problem.boundary, problem.control),
             (Boundary::FreeEnds, Control::Load(_))
         );
-        match Matrix::of(problem)?.factor(&touching) {
+        let cells = problem.cells()?;
+        let grid = (cells.columns, datum_term(problem) / cells.rows as f64);
+        match matrix_of(problem)?.factor(&touching, grid) {
             Some(factor) if is_load && !touching.is_empty() => Ok(Self {
-                points: states.len(),
+                points: pressure.len(),
                 touching,
                 factor,
                 compliance,

@@ -24,6 +24,7 @@ pub mod certificate;
 mod convolution;
 pub mod dense_reference;
 pub mod error;
+mod exact_sets;
 pub mod flat_punch;
 mod grid;
 pub mod half_plane;

@@ -454,7 +454,8 @@ fn the_solved_gap_is_undeformed_gap_plus_displacement_less_approach() {
 
 #[test]
 fn the_duality_gap_bounds_the_energy_error() {
-    let (gap, spacing) = rough_gap(400);
+    // Contacts of few points have no error but round-off.
+    let (gap, spacing) = rough_gap(2_000);
     // The energy but for the constant that the datum adds under a given load: Σ p·(½u + h).
     let energy = |solution: &ContactSolution| -> f64 {
         let points = 0..gap.len();

@@ -134,5 +134,6 @@ pub(crate) fn correlation<N: Copy + PartialEq>(
 pub fn cholesky(n: usize, correlation: impl Fn(usize, usize) -> f64) -> Option<Vec<Vec<f64>>> {
     /// Smallest square of a pivot: a correlation of 1 - 5e-7.
     const LEAST: f64 = 1e-6;
-    Cholesky::new(n, correlation, LEAST).map(|factor| factor.lower().to_vec())
+    let factor = Cholesky::new(n, correlation, LEAST)?;
+    Some(factor.lower().map(<[f64]>::to_vec).collect())
 }

@@ -17,6 +17,7 @@ mod contact_patches;
 mod direct_patches;
 mod discrete_problem;
 mod feasible_pressure;
+mod few_points;
 mod line_search;
 mod operators;
 mod projected_gradient;

@@ -80,6 +80,21 @@ impl<G: Grid> Levels<G> {
         boundary: Boundary,
         (work, task): (&mut Workspace, &Task),
     ) -> Result<usize, Cancelled> {
+        if G::RUNS_ARE_PATCHES
+            && let Some(sets) = work.solve_few(boundary, task)
+        {
+            return Ok(sets);
+        }
+        self.iterate(cells, boundary, (work, task))
+    }
+
+    /// Improves the pressure of the workspace by iterations.
+    pub(crate) fn iterate(
+        &mut self,
+        cells: Cells,
+        boundary: Boundary,
+        (work, task): (&mut Workspace, &Task),
+    ) -> Result<usize, Cancelled> {
         let level = self.level(cells, boundary, work);
         single_grid::minimise(level, work, task)
     }

@@ -1,6 +1,6 @@
 //! Cholesky factor of a symmetric matrix.
 
-use super::dot;
+use super::{dot, vectorised};
 
 /// Lower triangle L of a symmetric positive definite matrix A = L Lᵀ.
 ///
@@ -15,53 +15,80 @@ use super::dot;
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Cholesky {
-    lower: Vec<Vec<f64>>,
+    /// Rows of L, each up to the diagonal.
+    lower: Vec<f64>,
+    rows: usize,
+}
+
+/// Place of the first element of a row.
+#[inline(always)]
+fn first(row: usize) -> usize {
+    row * (row + 1) / 2
 }
 
 impl Cholesky {
     /// The factor of the matrix of `n` rows whose lower triangle is `element(row, column)`; `None` if an element is not
     /// finite or the square of a pivot is not above 0 and at least `least`.
     pub fn new(n: usize, element: impl Fn(usize, usize) -> f64, least: f64) -> Option<Self> {
-        let row = |i| (0..=i).map(|j| element(i, j)).collect();
-        Self::of_rows((0..n).map(row).collect(), least)
-    }
-
-    /// The factor of the matrix with these rows of its lower triangle, as [`new`](Self::new) makes it.
-    fn of_rows(mut lower: Vec<Vec<f64>>, least: f64) -> Option<Self> {
-        for i in 0..lower.len() {
-            let (done, rest) = lower.split_at_mut(i);
-            let row = &mut rest[0];
-            for (j, above) in done.iter().enumerate() {
-                row[j] = (row[j] - dot(&row[..j], &above[..j])) / above[j];
-            }
-            let square = row[i] - dot(&row[..i], &row[..i]);
-            if !(square.is_finite() && square > 0.0 && square >= least) {
-                return None;
-            }
-            row[i] = square.sqrt();
+        let mut lower = Vec::with_capacity(first(n));
+        for i in 0..n {
+            lower.extend((0..=i).map(|j| element(i, j)));
         }
-        Some(Self { lower })
+        let is_definite = vectorised(
+            #[inline(always)]
+            || factored(&mut lower, n, least),
+        );
+        is_definite.then_some(Self { lower, rows: n })
     }
 
     /// The rows of L, each up to the diagonal.
-    #[must_use]
-    pub fn lower(&self) -> &[Vec<f64>] {
-        &self.lower
+    pub fn lower(&self) -> impl Iterator<Item = &[f64]> {
+        (0..self.rows).map(|i| &self.lower[first(i)..first(i + 1)])
     }
 
     /// Replaces the right-hand side b by the solution of A x = b.
     pub fn solve(&self, right: &mut [f64]) {
-        for (i, row) in self.lower.iter().enumerate() {
-            right[i] = (right[i] - dot(&row[..i], &right[..i])) / row[i];
+        vectorised(
+            #[inline(always)]
+            || {
+                for i in 0..self.rows {
+                    let row = &self.lower[first(i)..first(i + 1)];
+                    right[i] = (right[i] - dot(&row[..i], &right[..i])) / row[i];
+                }
+                for i in (0..self.rows).rev() {
+                    let row = &self.lower[first(i)..first(i + 1)];
+                    let value = right[i] / row[i];
+                    right[i] = value;
+                    for (left, l) in right[..i].iter_mut().zip(row) {
+                        *left -= l * value;
+                    }
+                }
+            },
+        );
+    }
+}
+
+/// Replaces the lower triangle of a matrix of `n` rows by L, column after column: the products of a column do not wait for each
+/// other. False if it is not positive definite.
+#[inline(always)]
+fn factored(lower: &mut [f64], n: usize, least: f64) -> bool {
+    for j in 0..n {
+        let (above, below) = lower.split_at_mut(first(j + 1));
+        let pivot = &mut above[first(j)..];
+        let (pivot, diagonal) = pivot.split_at_mut(j);
+        let square = diagonal[0] - dot(pivot, pivot);
+        if !(square.is_finite() && square > 0.0 && square >= least) {
+            return false;
         }
-        for (i, row) in self.lower.iter().enumerate().rev() {
-            let value = right[i] / row[i];
-            right[i] = value;
-            for (left, l) in right[..i].iter_mut().zip(row) {
-                *left -= l * value;
-            }
+        diagonal[0] = square.sqrt();
+        let mut rest = below;
+        for i in j + 1..n {
+            let row;
+            (row, rest) = rest.split_at_mut(i + 1);
+            row[j] = (row[j] - dot(&row[..j], pivot)) / diagonal[0];
         }
     }
+    true
 }
 
 #[cfg(test)]

@@ -79,6 +79,7 @@ pub fn sum(z: &[f64], f: impl Fn(f64) -> f64) -> f64 {
 /// use asperity_core::numerics::dot;
 /// assert_eq!(dot(&[1.0, 2.0], &[3.0, -1.0]), 1.0);
 /// ```
+#[inline(always)]
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     let (a_parts, b_parts) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
     let rest = a_parts.remainder().iter().zip(b_parts.remainder());

@@ -1,0 +1,165 @@
+//! Contacts of few touching points, solved by exact sets instead of iterations.
+//!
+//! A rough contact of a thousand points touches at a few dozen of them. To factor their matrix three to five times costs less than
+//! one iteration with its transforms, and leaves no error but round-off.
+
+use super::workspace::{Task, Workspace};
+use crate::boundary::Boundary;
+use crate::exact_sets::{ExactSets, Matrix, SetProblem, State};
+use crate::strip_kernel::strip_column;
+
+/// Most touching points (own choice): a factor of n points costs n³/6 products.
+const MOST_POINTS: usize = 96;
+/// Sets after which the iterations take over. From a coarser solution or another load three to five suffice.
+const MOST_SETS: usize = 20;
+/// Points that touch first where the start is uniform pressure: the lowest.
+const LOWEST: usize = 16;
+/// Overlap, relative to the range of the gap, that counts as round-off.
+const ROUND_OFF: f64 = 1e-12;
+
+/// Matrix and sets, kept from contact to contact.
+#[derive(Default)]
+pub(crate) struct FewPoints {
+    /// Of the largest grid so far.
+    matrix: Matrix,
+    sets: ExactSets,
+}
+
+impl FewPoints {
+    /// Sets of the start `pressure`; false if too many points touch.
+    fn begin(&mut self, pressure: &[f64], task: &Task) -> bool {
+        let states = &mut self.sets.states;
+        states.clear();
+        states.extend(pressure.iter().map(|p| State::of(*p, task.limit)));
+        let touching = states.iter().filter(|state| **state != State::Apart);
+        let touching = touching.count();
+        if touching == states.len() && touching > LOWEST {
+            let mut places: Vec<usize> = (0..touching).collect();
+            places.select_nth_unstable_by(LOWEST, |i, j| task.gap[*i].total_cmp(&task.gap[*j]));
+            states.fill(State::Apart);
+            for place in &places[..LOWEST] {
+                states[*place] = State::Touching;
+            }
+            return true;
+        }
+        touching <= MOST_POINTS
+    }
+}
+
+impl Workspace {
+    /// Solves the contact of a line with free ends under a load, and leaves its pressure and opening. Returns the number of sets;
+    /// `None`, with the pressure as it was, for another contact, or one of too many points.
+    pub(crate) fn solve_few(&mut self, boundary: Boundary, task: &Task) -> Option<usize> {
+        let (true, Some(sum)) = (boundary == Boundary::FreeEnds, task.sum) else {
+            return None;
+        };
+        let columns = task.columns;
+        let few = &mut self.few;
+        if !few.begin(&self.pressure, task) {
+            return None;
+        }
+        if few.matrix.columns() < columns {
+            few.matrix = Matrix::of(&strip_column(columns), columns);
+        }
+        let problem = SetProblem {
+            matrix: &few.matrix,
+            gap: task.gap,
+            columns,
+            // The displacement is positive at every point then.
+            constant: -few.matrix.lag(columns - 1),
+            sum: Some(sum * task.compliance),
+            limit: task.limit * task.compliance,
+            round_off: ROUND_OFF * task.reference_bounds.most,
+            most: [MOST_POINTS, MOST_SETS],
+        };
+        let settled = few.sets.settle(&problem).ok()?;
+        self.pressure.clear();
+        let pressures = few.sets.pressures(task.limit, task.compliance);
+        self.pressure.extend(pressures);
+        self.opening.clear();
+        let displaced = few.sets.displaced.iter();
+        (self.opening).extend(displaced.zip(task.gap).map(|(u, h)| u + h));
+        self.list_loaded();
+        Some(settled.steps)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity_core::quantity::{Length, LineLoad, Pressure};
+
+    use super::super::discrete_problem::DiscreteProblem;
+    use super::super::operators::Levels;
+    use super::*;
+    use crate::grid::LineGrid;
+    use crate::problem::{ContactProblem, SolverSettings};
+
+    /// A cylinder of 5 mm radius with four waves of 0.1 um.
+    fn rough_gap(points: usize) -> Vec<f64> {
+        let gap = |i: usize| {
+            let x = 1e-6 * (i as f64 - 0.5 * (points as f64 - 1.0));
+            let waves = [(7.3e-6, 0.1), (19e-6, 1.2), (43e-6, 0.3), (111e-6, 2.0)];
+            let rough = waves.map(|(length, phase)| (6.28 * x / length + phase).sin());
+            x * x / 1e-2 + 0.1e-6 * rough.iter().sum::<f64>()
+        };
+        (0..points).map(gap).collect()
+    }
+
+    #[test]
+    fn exact_sets_and_iterations_find_the_same_pressure() {
+        let gap = rough_gap(600);
+        for limit in [None, Some(Pressure::from_si(1.5e9))] {
+            let (spacing, modulus) = (Length::from_si(1e-6), Pressure::from_si(115e9));
+            let problem = ContactProblem {
+                pressure_limit: limit,
+                ..ContactProblem::new(&gap, spacing, modulus, LineLoad::from_si(60e3))
+            };
+            let settings = SolverSettings {
+                tolerance: 1e-13,
+                ..SolverSettings::default()
+            };
+            let discrete = DiscreteProblem::new(&problem, |_, _| &mut []).unwrap();
+            let task = discrete.task((&gap, gap.len()), &settings, 10_000);
+            let start = vec![discrete.even_pressure(); gap.len()];
+            let [mut few, mut iterated] = [(); 2].map(|()| Workspace {
+                pressure: start.clone(),
+                ..Workspace::default()
+            });
+            let sets = few.solve_few(problem.boundary, &task).unwrap();
+            assert!((2..MOST_SETS).contains(&sets));
+            let mut levels = Levels::<LineGrid>::default();
+            let work = (&mut iterated, &task);
+            levels
+                .iterate(discrete.cells, problem.boundary, work)
+                .unwrap();
+            let most = few.pressure.iter().fold(0.0, |m: f64, p| m.max(*p));
+            assert_eq!(limit.is_some(), limit == Some(Pressure::from_si(most)));
+            for (p, q) in few.pressure.iter().zip(&iterated.pressure) {
+                assert!((p - q).abs() < 1e-6 * most, "{p} {q}");
+            }
+            let range = task.reference_bounds.most;
+            for (v, w) in few.opening.iter().zip(&iterated.opening) {
+                assert!((v - w).abs() < 1e-9 * range, "{v} {w}");
+            }
+        }
+    }
+
+    #[test]
+    fn contacts_of_many_points_and_of_periods_are_left_to_the_iterations() {
+        let gap = vec![0.0; 400];
+        let load = LineLoad::from_si(60e3);
+        let problem =
+            ContactProblem::new(&gap, Length::from_si(1e-6), Pressure::from_si(115e9), load);
+        let discrete = DiscreteProblem::new(&problem, |_, _| &mut []).unwrap();
+        let task = discrete.whole_task(&SolverSettings::default());
+        let mut work = Workspace {
+            pressure: vec![discrete.even_pressure(); gap.len()],
+            ..Workspace::default()
+        };
+        let start = work.pressure.clone();
+        assert_eq!(work.solve_few(problem.boundary, &task), None);
+        let period = Boundary::Periodic(crate::PeriodicKernel::Strip);
+        assert_eq!(work.solve_few(period, &task), None);
+        assert_eq!(work.pressure, start);
+    }
+}
