@@ -237,6 +237,15 @@ impl UncertainParameter {
         }
     }
 
+    /// Whether the film and the roughness in it depend on it, and not their friction alone.
+    #[must_use]
+    pub const fn changes_film(self) -> bool {
+        matches!(
+            self,
+            Self::Lay | Self::PressureViscosity | Self::TemperatureError
+        )
+    }
+
     /// Whether the case states it.
     fn is_stated(self, loaded: &LoadedCase) -> bool {
         let model = &loaded.case.input.model;

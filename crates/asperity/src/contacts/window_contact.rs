@@ -1,6 +1,6 @@
 //! The rough contact of one window, solved at the shares that a film needs.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use asperity_core::cancel::checkpoint;
 use asperity_core::quantity::{Length, LineLoad};
@@ -23,8 +23,18 @@ pub(crate) struct WindowContact {
     pub window: Option<Window>,
     /// The contact at the shares solved so far, once a film needed it.
     pub table: OnceLock<ContactTable>,
-    /// Roughness that the first film left: films that differ in friction only leave the same.
-    pub flattened: OnceLock<(Flattening, WindowRoughness)>,
+    /// Roughness that the last film left.
+    flattened: LastFilm,
+}
+
+/// Roughness of a window as the last film left it: films that differ in friction only leave the same.
+#[derive(Debug, Default)]
+struct LastFilm(Mutex<Option<(Flattening, Arc<WindowRoughness>)>>);
+
+impl Clone for LastFilm {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
 }
 
 /// Which window of a mesh it is, with its load.
@@ -77,8 +87,27 @@ impl WindowContact {
             window: Window::at(surfaces, position, inputs.reach, k, count)?,
             roughness: surfaces.roughness_at(position, inputs.reach, (k, count))?,
             table: OnceLock::new(),
-            flattened: OnceLock::new(),
+            flattened: LastFilm::default(),
         }))
+    }
+
+    /// Roughness that a film leaves of the window, made by `make` unless it is that of the last film.
+    ///
+    /// # Errors
+    /// As `make`.
+    pub(crate) fn flattened<E>(
+        &self,
+        by: &Flattening,
+        make: impl FnOnce() -> Result<WindowRoughness, E>,
+    ) -> Result<Arc<WindowRoughness>, E> {
+        let last = || self.flattened.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, known)) = last().as_ref().filter(|(of, _)| of == by) {
+            known.cite_known();
+            return Ok(Arc::clone(known));
+        }
+        let made = Arc::new(make()?);
+        *last() = Some((*by, Arc::clone(&made)));
+        Ok(made)
     }
 
     /// The window ready to be pressed.

@@ -1,6 +1,6 @@
 //! Film and rough contact of one mesh position: the load share at any offset.
 
-use std::borrow::Cow;
+use std::sync::Arc;
 
 use asperity_core::Checked;
 use asperity_core::profile::mirrored_indices;
@@ -97,25 +97,22 @@ impl<'a> RoughFilm<'a> {
     }
 
     /// Roughness of the attenuated windows of `contact`.
-    fn roughness<'c>(
+    fn roughness(
         &mut self,
-        contact: &'c WindowContact,
+        contact: &WindowContact,
         window: Window,
-    ) -> Result<Cow<'c, WindowRoughness>, PositionError> {
+    ) -> Result<Arc<WindowRoughness>, PositionError> {
         let flattening = self.flattening()?;
         if let Some((sheets, place)) = contact.patch(window)? {
-            return Ok(Cow::Owned(sheets.window(place, &flattening)?));
+            return Ok(Arc::new(sheets.window(place, &flattening)?));
         }
-        if let Some((of, known)) = contact.flattened.get()
-            && *of == flattening
-        {
-            known.cite_known();
-            return Ok(Cow::Borrowed(known));
-        }
-        let window = (window.starts, window.points);
-        let made = (self.surfaces).window(window, &flattening, &mut self.traces)?;
-        let _ = contact.flattened.set((flattening, made.clone()));
-        Ok(Cow::Owned(made))
+        let Self {
+            surfaces, traces, ..
+        } = self;
+        contact.flattened(&flattening, || {
+            let window = (window.starts, window.points);
+            Ok(surfaces.window(window, &flattening, traces)?)
+        })
     }
 
     /// Load share and friction of a window; its contact is solved as far as that needs, and stored.

@@ -5,7 +5,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::numerics::deviation;
 use asperity_core::quantity::Length;
-use rayon::prelude::*;
 
 use crate::contacts::Contacts;
 use crate::pipeline::{losses, losses_with};
@@ -37,6 +36,8 @@ const HELD_OUT: usize = 4;
 const INNER_BOUNDARY: usize = 8;
 /// Evaluations of other gaps supplied to patches.
 const OF_PATCHES: usize = 2;
+/// Evaluations with the same film: the roughness that it leaves costs as much as their friction.
+const OF_ONE_FILM: usize = 3;
 /// Standard deviations that the evaluations reach to either side.
 const REACH: f64 = 2.4;
 /// Seed of their places.
@@ -243,7 +244,7 @@ struct Fits<'a> {
 impl<'a> Fits<'a> {
     fn of(base: Base<'a>) -> Result<Self, Error> {
         let dimensions = base.constants.len();
-        let fitted = places(QuadraticSurface::evaluations(dimensions), dimensions, SEED);
+        let fitted = base.places(QuadraticSurface::evaluations(dimensions), SEED);
         let middle = base.at(&vec![0.0; dimensions], None)?;
         Ok(Self {
             found: base.all(&fitted, None)?,
@@ -325,7 +326,7 @@ impl<'a> Fits<'a> {
 
     /// Root mean square by which `surface` misses the logarithm at places that it was not fitted to.
     fn error_of(&self, surface: &QuadraticSurface) -> Result<f64, Error> {
-        let others = places(HELD_OUT, self.base.constants.len(), SEED + 1);
+        let others = self.base.places(HELD_OUT, SEED + 1);
         let found = self.base.all(&others, None)?;
         let squares = others.iter().zip(&found);
         let squares = squares.map(|(z, losses)| (surface.at(z) - self.ratio(losses)).powi(2));
@@ -464,21 +465,33 @@ impl Base<'_> {
         Ok(found)
     }
 
+    /// The losses at these places, one after the other: those of one film share the roughness that it leaves. Their positions
+    /// are computed in parallel.
     fn all(&self, points: &[Vec<f64>], inner_boundary: Option<f64>) -> Result<Vec<Losses>, Error> {
-        points
-            .par_iter()
-            .map(|z| self.at(z, inner_boundary))
-            .collect()
+        let at = |z: &Vec<f64>| self.at(z, inner_boundary);
+        points.iter().map(at).collect()
     }
-}
 
-/// Places of evaluations, even over the standardised constants.
-fn places(count: usize, dimensions: usize, seed: u64) -> Vec<Vec<f64>> {
-    let mut points = latin_hypercube(count, dimensions, seed);
-    for value in points.iter_mut().flatten() {
-        *value = REACH * (2.0 * *value - 1.0);
+    /// Places of evaluations, even over the standardised constants; [`OF_ONE_FILM`] neighbours have the same film.
+    fn places(&self, count: usize, seed: u64) -> Vec<Vec<f64>> {
+        let changes_film = |constant: &&Ranged| constant.kind.changes_film();
+        let of_film = self.constants.iter().filter(changes_film).count();
+        let films = latin_hypercube(count.div_ceil(OF_ONE_FILM), of_film, seed);
+        let others = latin_hypercube(count, self.constants.len() - of_film, seed);
+        let place = |(k, others): (usize, &Vec<f64>)| {
+            let [mut film, mut others] = [&films[k / OF_ONE_FILM], others].map(|of| of.iter());
+            let constants = self.constants.iter();
+            let parts = constants.map(|constant| match changes_film(&constant) {
+                true => film.next(),
+                false => others.next(),
+            });
+            parts
+                .flatten()
+                .map(|part| REACH * (2.0 * part - 1.0))
+                .collect()
+        };
+        others.iter().enumerate().map(place).collect()
     }
-    points
 }
 
 /// ln of the sliding loss over β_i: at the medians, at either side of the boundary layer, and at one side of the boundary friction.
