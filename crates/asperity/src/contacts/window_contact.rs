@@ -100,7 +100,12 @@ impl WindowContact {
         by: &Flattening,
         make: impl FnOnce() -> Result<WindowRoughness, E>,
     ) -> Result<Arc<WindowRoughness>, E> {
-        let last = || self.flattened.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let last = || {
+            self.flattened
+                .0
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+        };
         if let Some((_, known)) = last().as_ref().filter(|(of, _)| of == by) {
             known.cite_known();
             return Ok(Arc::clone(known));
