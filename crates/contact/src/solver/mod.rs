@@ -53,6 +53,9 @@ use workspace::{Assessment, Task, Workspace};
 /// displacement on the whole grid; the next window also covers the points that overlapped.
 const MAX_WINDOWS: usize = 3;
 
+/// Certificate of a contact whose sets are exact: of a few dozen points about 1e-15 is seen.
+const ROUND_OFF: f64 = 1e-13;
+
 /// Solves one problem.
 ///
 /// # Errors
@@ -242,7 +245,7 @@ impl Solver {
         Ok(())
     }
 
-    /// Solves a problem as [`solve`](Self::solve), then finds its exact sets: its error is round-off.
+    /// Solves a problem as [`solve`](Self::solve), then finds its exact sets if it has another error than round-off.
     ///
     /// # Errors
     /// As [`solve`](Self::solve), and when the contact has too many touching points or its sets do not settle.
@@ -252,6 +255,9 @@ impl Solver {
         settings: &SolverSettings,
     ) -> Result<ContactSolution, ContactError> {
         let solution = self.solve(problem, settings)?;
+        if solution.certificate.within(ROUND_OFF) {
+            return Ok(solution);
+        }
         let sets = ContactProblem {
             start: Some(&solution.pressure),
             ..*problem
