@@ -119,13 +119,13 @@ impl DenseProblem {
             limit: limit_of(problem) * compliance,
         };
         if let Some(prescribed) = problem.prescribed_pressure {
-            let y: Vec<f64> = prescribed.iter().map(|p| p * compliance).collect();
-            let by_datum = dense.constant * y.iter().sum::<f64>();
-            let mut displaced = Vec::new();
-            dense.matrix.displace(&y, columns, &mut displaced);
-            for (h, u) in dense.gap.iter_mut().zip(displaced) {
-                *h += u + by_datum;
+            let y = prescribed.iter().map(|p| p * compliance);
+            let by_datum = dense.constant * y.clone().sum::<f64>();
+            for h in &mut dense.gap {
+                *h += by_datum;
             }
+            let y: Vec<(usize, f64)> = y.enumerate().collect();
+            dense.matrix.displace(&y, columns, &mut dense.gap);
         }
         match problem.control {
             Control::Load(load) => {

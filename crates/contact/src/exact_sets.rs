@@ -86,12 +86,13 @@ impl Matrix {
         Cholesky::new(touching.len(), element, 0.0)
     }
 
-    /// C/a y in rows of `columns` points.
-    pub(crate) fn displace(&self, y: &[f64], columns: usize, displaced: &mut Vec<f64>) {
-        displaced.clear();
-        displaced.resize(y.len(), 0.0);
-        let pressed = y.iter().enumerate().filter(|(_, y)| **y != 0.0);
-        let pressed: Vec<(usize, f64)> = pressed.map(|(i, y)| (i, *y)).collect();
+    /// Adds C/a y to the points `displaced` of rows of `columns`, y being zero but for the `pressed` points.
+    pub(crate) fn displace(
+        &self,
+        pressed: &[(usize, f64)],
+        columns: usize,
+        displaced: &mut [f64],
+    ) {
         vectorised(
             #[inline(always)]
             || {
@@ -146,7 +147,10 @@ pub(crate) struct ExactSets {
     pub(crate) y: Vec<f64>,
     /// C/a y
     pub(crate) displaced: Vec<f64>,
+    /// Points of the set solved last.
     pub(crate) touching: Vec<usize>,
+    /// Points under pressure, with y.
+    pub(crate) pressed: Vec<(usize, f64)>,
 }
 
 /// Sets that settled.
@@ -171,9 +175,7 @@ impl ExactSets {
         let [most_points, most_steps] = problem.most;
         let mut points = self.states.len();
         for steps in 1..=most_steps {
-            let is_touching = |i: &usize| self.states[*i] == State::Touching;
-            self.touching.clear();
-            (self.touching).extend((0..self.states.len()).filter(is_touching));
+            self.list_touching();
             if self.touching.len() > most_points {
                 return Err(Unsettled::TooMany(self.touching.len()));
             }
@@ -189,6 +191,20 @@ impl ExactSets {
             steps: most_steps,
             points,
         })
+    }
+
+    /// Lists the points that touch. Most blocks have none.
+    fn list_touching(&mut self) {
+        self.touching.clear();
+        for (block, states) in self.states.chunks(BLOCK).enumerate() {
+            let is_touching = |state: &State| *state == State::Touching;
+            if !states.iter().fold(false, |any, s| any | is_touching(s)) {
+                continue;
+            }
+            let numbered = states.iter().zip(block * BLOCK..);
+            let touching = numbered.filter(|(state, _)| is_touching(state));
+            self.touching.extend(touching.map(|(_, i)| i));
+        }
     }
 
     /// The pressures \[Pa\] of sets that settled, with the limit and the compliance a/(π·E*); at the points that flow the limit to
@@ -209,14 +225,21 @@ impl ExactSets {
     fn solve(&mut self, problem: &SetProblem) -> Option<f64> {
         cite!("P3");
         let SetProblem { matrix, .. } = *problem;
-        self.y.clear();
         let flows = |state: &State| match state {
             State::Flowing => problem.limit,
             _ => 0.0,
         };
+        self.y.clear();
         self.y.extend(self.states.iter().map(flows));
         let flowing: f64 = self.y.iter().sum();
-        self.displace(problem);
+        self.displaced.clear();
+        self.displaced.resize(self.y.len(), 0.0);
+        self.pressed.clear();
+        if flowing > 0.0 {
+            let y = self.y.iter().copied().enumerate();
+            self.pressed.extend(y.filter(|(_, y)| *y > 0.0));
+            matrix.displace(&self.pressed, problem.columns, &mut self.displaced);
+        }
         if self.touching.is_empty() {
             return problem.sum.is_none().then_some(0.0);
         }
@@ -236,12 +259,11 @@ impl ExactSets {
         for ((&point, closed), unit) in self.touching.iter().zip(&closed).zip(&unit) {
             self.y[point] = closed + approach * unit;
         }
-        self.displace(problem);
+        self.pressed.clear();
+        let touching = self.touching.iter().map(|&i| (i, self.y[i]));
+        self.pressed.extend(touching);
+        matrix.displace(&self.pressed, problem.columns, &mut self.displaced);
         Some(approach)
-    }
-
-    fn displace(&mut self, problem: &SetProblem) {
-        (problem.matrix).displace(&self.y, problem.columns, &mut self.displaced);
     }
 
     /// Moves points whose pressure or gap has the wrong sign to another set and returns their number.
