@@ -302,7 +302,8 @@ fn the_error_of_a_temperature_is_drawn_where_the_case_states_it() {
     };
     let found = part(&wide).unwrap();
     let expected = (at("\"73.55 °C\"") / at("\"106.45 °C\"")).ln().abs();
-    assert!((found / expected - 1.0).abs() < 0.1, "{found} {expected}");
+    // The surface of the draws misses single losses of this case of two positions by more than a percent.
+    assert!((found - expected).abs() < 0.015, "{found} {expected}");
     assert_eq!(part(&plain), None);
     // A thermocouple narrows it; the report has the three measurements that narrow the interval most.
     let rows = |result: &Value| {

@@ -117,8 +117,8 @@ fn a_flank_that_the_film_alone_makes_flow_is_refused() {
 
 #[test]
 fn the_tolerance_of_the_contacts_does_not_move_the_loss() {
-    // The contacts of a solved share are held to 1e-8 at least.
-    for (law, least) in [("solved", 1e-9), ("lambda-star", 1e-7)] {
+    // The contacts of a solved share are of few points: their sets are exact at any tolerance.
+    for (law, least, most) in [("solved", 0.0, 1e-12), ("lambda-star", 1e-7, 1e-4)] {
         let at = |tolerance: &str| {
             let keys = [("model.tolerance", tolerance), ("model.load_share", law)];
             let case = with("e-drive", &[&FEW[..], &keys].concat());
@@ -132,7 +132,7 @@ fn the_tolerance_of_the_contacts_does_not_move_the_loss() {
         );
         assert!(tight.worst_duality_gap <= 1e-11, "{law} {tight:?}");
         assert!(
-            (least..=1e-4).contains(&loose.worst_duality_gap),
+            (least..=most).contains(&loose.worst_duality_gap),
             "{law} {loose:?}"
         );
     }

@@ -87,12 +87,7 @@ impl Matrix {
     }
 
     /// Adds C/a y to the points `displaced` of rows of `columns`, y being zero but for the `pressed` points.
-    pub(crate) fn displace(
-        &self,
-        pressed: &[(usize, f64)],
-        columns: usize,
-        displaced: &mut [f64],
-    ) {
+    pub(crate) fn displace(&self, pressed: &[(usize, f64)], columns: usize, displaced: &mut [f64]) {
         vectorised(
             #[inline(always)]
             || {

@@ -152,7 +152,7 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
         let sampled = sampling_interval(&exact[0].case, &exact[0].losses, &sampled);
         let interval = [row.low_w.unwrap(), row.high_w.unwrap()];
         let is_costly = row.mean_gradient_w.abs() > 0.2 * (interval[1] - interval[0]);
-        let times = if is_costly { 1.03 } else { 0.85 };
+        let times = if is_costly { 1.02 } else { 0.85 };
         assert!(
             wider(interval, sampled.unwrap(), times),
             "{row:?} {sampled:?}"

@@ -91,7 +91,7 @@ impl WindowContact {
         }))
     }
 
-    /// Roughness that a film leaves of the window, made by `make` unless it is that of the last film.
+    /// Roughness that a film leaves of the window, made by `make` unless the last film left the same.
     ///
     /// # Errors
     /// As `make`.

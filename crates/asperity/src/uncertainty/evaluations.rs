@@ -36,14 +36,15 @@ const HELD_OUT: usize = 4;
 const INNER_BOUNDARY: usize = 8;
 /// Evaluations of other gaps supplied to patches.
 const OF_PATCHES: usize = 2;
-/// Evaluations with the same film, as the roughness that it leaves costs as much as their friction. Over four shipped cases and 64 places
-/// that it was not fitted to, the surface misses ln loss by .6 to 1.6 % with 3 and by .7 to 2.0 % with 1 (docs/records/performance-runs.md).
-const OF_ONE_FILM: usize = 3;
+/// Films for each constant that changes them: the evaluations are spread over so many, as the roughness that a film leaves costs as
+/// much as their friction. Over four shipped cases and 64 places that it was not fitted to, the surface misses ln loss by .6 to 1.6 % with
+/// three evaluations of a film and by .7 to 2.0 % with one (docs/records/performance-runs.md).
+const FILMS: usize = 8;
 /// Standard deviations that the evaluations reach to either side.
 const REACH: f64 = 2.4;
 /// Seed of their places.
 const SEED: u64 = 1;
-/// What the seed of the constants of a film is larger by: with the same seed both would have the same order.
+/// Difference of the seeds for the constants of a film and for the others: with the same seed both would have the same order.
 const FILM_SEED: u64 = 100;
 
 /// Whether a case has an uncertainty: its formulation may have none, and a solved full film takes seconds an evaluation.
@@ -247,10 +248,7 @@ struct Fits<'a> {
 impl<'a> Fits<'a> {
     fn of(base: Base<'a>) -> Result<Self, Error> {
         let dimensions = base.constants.len();
-        let fitted = base.places(
-            (QuadraticSurface::evaluations(dimensions), OF_ONE_FILM),
-            SEED,
-        );
+        let fitted = base.places(QuadraticSurface::evaluations(dimensions), SEED);
         let middle = base.at(&vec![0.0; dimensions], None)?;
         Ok(Self {
             found: base.all(&fitted, None)?,
@@ -332,7 +330,7 @@ impl<'a> Fits<'a> {
 
     /// Root mean square by which `surface` misses the logarithm at places that it was not fitted to.
     fn error_of(&self, surface: &QuadraticSurface) -> Result<f64, Error> {
-        let others = self.base.places((HELD_OUT, 1), SEED + 1);
+        let others = self.base.places(HELD_OUT, SEED + 1);
         let found = self.base.all(&others, None)?;
         let squares = others.iter().zip(&found);
         let squares = squares.map(|(z, losses)| (surface.at(z) - self.ratio(losses)).powi(2));
@@ -471,17 +469,18 @@ impl Base<'_> {
         Ok(found)
     }
 
-    /// The losses at these places, one after the other: those of one film share the roughness that it leaves. Their positions
-    /// are computed in parallel.
+    /// The losses at these places, one after the other, as neighbours with the same film share the roughness that it leaves. Their
+    /// positions are computed in parallel.
     fn all(&self, points: &[Vec<f64>], inner_boundary: Option<f64>) -> Result<Vec<Losses>, Error> {
         let at = |z: &Vec<f64>| self.at(z, inner_boundary);
         points.iter().map(at).collect()
     }
 
-    /// `count` places of evaluations, even over the standardised constants; `of_one` neighbours have the same film.
-    fn places(&self, (count, of_one): (usize, usize), seed: u64) -> Vec<Vec<f64>> {
+    /// Places of evaluations, even over the standardised constants; where they are many, neighbours have the same film.
+    fn places(&self, count: usize, seed: u64) -> Vec<Vec<f64>> {
         let changes_film = |constant: &&Ranged| constant.kind.changes_film();
         let of_film = self.constants.iter().filter(changes_film).count();
+        let of_one = (count / (FILMS * of_film).max(1)).max(1);
         let films = latin_hypercube(count.div_ceil(of_one), of_film, FILM_SEED + seed);
         let others = latin_hypercube(count, self.constants.len() - of_film, seed);
         let place = |(k, others): (usize, &Vec<f64>)| {

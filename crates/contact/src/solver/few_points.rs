@@ -44,43 +44,45 @@ impl FewPoints {
         }
         touching <= MOST_POINTS
     }
-}
 
-impl Workspace {
-    /// Solves the contact of a line with free ends under a load, and leaves its pressure and opening. Returns the number of sets;
-    /// `None`, with the pressure as it was, for another contact, or one of too many points.
-    pub(crate) fn solve_few(&mut self, boundary: Boundary, task: &Task) -> Option<usize> {
-        let (true, Some(sum)) = (boundary == Boundary::FreeEnds, task.sum) else {
+    /// Solves the contact of a line with free ends under a load, and leaves its pressure and opening in the workspace. Returns the
+    /// number of sets; `None`, with the pressure as it was, for another contact, or one of too many points.
+    pub(crate) fn solve(
+        &mut self,
+        boundary: Boundary,
+        work: &mut Workspace,
+        task: &Task,
+    ) -> Option<usize> {
+        let (Boundary::FreeEnds, Some(sum)) = (boundary, task.sum) else {
             return None;
         };
-        let columns = task.columns;
-        let few = &mut self.few;
-        if !few.begin(&self.pressure, task) {
+        if !self.begin(&work.pressure, task) {
             return None;
         }
-        if few.matrix.columns() < columns {
-            few.matrix = Matrix::of(&strip_column(columns), columns);
+        let columns = task.columns;
+        if self.matrix.columns() < columns {
+            self.matrix = Matrix::of(&strip_column(columns), columns);
         }
-        let problem = SetProblem {
-            matrix: &few.matrix,
+        let settled = self.sets.settle(&SetProblem {
+            matrix: &self.matrix,
             gap: task.gap,
             columns,
             // The displacement is positive at every point then.
-            constant: -few.matrix.lag(columns - 1),
+            constant: -self.matrix.lag(columns - 1),
             sum: Some(sum * task.compliance),
             limit: task.limit * task.compliance,
             round_off: ROUND_OFF * task.reference_bounds.most,
             most: [MOST_POINTS, MOST_SETS],
-        };
-        let settled = few.sets.settle(&problem).ok()?;
-        self.pressure.clear();
-        let pressures = few.sets.pressures(task.limit, task.compliance);
-        self.pressure.extend(pressures);
-        self.opening.clear();
-        let displaced = few.sets.displaced.iter();
-        (self.opening).extend(displaced.zip(task.gap).map(|(u, h)| u + h));
-        self.list_loaded();
-        Some(settled.steps)
+        });
+        let sets = settled.ok()?.steps;
+        work.pressure.clear();
+        let pressures = self.sets.pressures(task.limit, task.compliance);
+        work.pressure.extend(pressures);
+        work.opening.clear();
+        let displaced = self.sets.displaced.iter().zip(task.gap);
+        work.opening.extend(displaced.map(|(u, h)| u + h));
+        work.list_loaded();
+        Some(sets)
     }
 }
 
@@ -125,7 +127,9 @@ mod tests {
                 pressure: start.clone(),
                 ..Workspace::default()
             });
-            let sets = few.solve_few(problem.boundary, &task).unwrap();
+            let sets = FewPoints::default()
+                .solve(problem.boundary, &mut few, &task)
+                .unwrap();
             assert!((2..MOST_SETS).contains(&sets));
             let mut levels = Levels::<LineGrid>::default();
             let work = (&mut iterated, &task);
@@ -157,9 +161,13 @@ mod tests {
             ..Workspace::default()
         };
         let start = work.pressure.clone();
-        assert_eq!(work.solve_few(problem.boundary, &task), None);
-        let period = Boundary::Periodic(crate::PeriodicKernel::Strip);
-        assert_eq!(work.solve_few(period, &task), None);
+        for boundary in [
+            Boundary::FreeEnds,
+            Boundary::Periodic(crate::PeriodicKernel::Strip),
+        ] {
+            let found = FewPoints::default().solve(boundary, &mut work, &task);
+            assert_eq!(found, None);
+        }
         assert_eq!(work.pressure, start);
     }
 }

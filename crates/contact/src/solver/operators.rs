@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use asperity_core::cancel::Cancelled;
 
+use super::few_points::FewPoints;
 use super::single_grid;
 use super::workspace::{Level, Task, Workspace};
 use crate::boundary::Boundary;
@@ -15,6 +16,7 @@ use crate::grid::{Grid, LARGE_GRID, LineGrid, PlaneGrid};
 /// has planned before shows in the rounding of its transforms.
 pub(crate) struct Levels<G: Grid> {
     grid: G,
+    few: FewPoints,
     displacements: BTreeMap<(usize, usize, u64), G::Filter<f64>>,
     singles: BTreeMap<(usize, usize, u64), G::Filter<f32>>,
     inverses: BTreeMap<(usize, usize, u64), G::Filter<f32>>,
@@ -24,6 +26,7 @@ impl<G: Grid> Default for Levels<G> {
     fn default() -> Self {
         Self {
             grid: G::default(),
+            few: FewPoints::default(),
             displacements: BTreeMap::new(),
             singles: BTreeMap::new(),
             inverses: BTreeMap::new(),
@@ -81,7 +84,7 @@ impl<G: Grid> Levels<G> {
         (work, task): (&mut Workspace, &Task),
     ) -> Result<usize, Cancelled> {
         if G::RUNS_ARE_PATCHES
-            && let Some(sets) = work.solve_few(boundary, task)
+            && let Some(sets) = self.few.solve(boundary, work, task)
         {
             return Ok(sets);
         }

@@ -12,7 +12,6 @@
 use asperity_core::cite;
 
 use super::coarse_space::CoarseSpace;
-use super::few_points::FewPoints;
 use crate::boundary::Boundary;
 use crate::convolution::{Buffers, Convolution, Lanes, Run, extend, listed, parts, vectorised};
 use crate::grid::Grid;
@@ -99,7 +98,6 @@ pub(crate) struct Workspace {
     pub(crate) buffers: Buffers,
     pub(crate) single_buffers: Buffers<f32>,
     pub(crate) coarse: CoarseSpace,
-    pub(crate) few: FewPoints,
     pub(crate) pressure: Vec<f64>,
     /// v
     pub(crate) opening: Vec<f64>,
