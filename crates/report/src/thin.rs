@@ -23,24 +23,25 @@ pub fn thin<R: Copy, const N: usize>(
     coordinate: impl Fn(&R) -> f64,
     columns: impl Fn(&R) -> [f64; N],
 ) -> Vec<R> {
-    thin_made(rows.len(), bins, |i| rows[i], coordinate, columns)
+    let at = |i: usize| coordinate(&rows[i]);
+    thin_made(rows.len(), bins, at, |i| rows[i], columns)
 }
 
-/// [`thin`] of `count` rows that are made when they are looked at, so that a long table is never in memory.
+/// [`thin`] of `count` rows with a coordinate each, made when they are looked at, so that a long table is never in memory.
 pub(crate) fn thin_made<R, const N: usize>(
     count: usize,
     bins: usize,
+    coordinate: impl Fn(usize) -> f64,
     row: impl Fn(usize) -> R,
-    coordinate: impl Fn(&R) -> f64,
     columns: impl Fn(&R) -> [f64; N],
 ) -> Vec<R> {
     if count <= 2 * bins {
         return (0..count).map(row).collect();
     }
-    let at = |i: usize| coordinate(&row(i));
-    let [low, high] = range((0..count).map(at).filter(|at| at.is_finite()));
+    let [low, high] = range((0..count).map(&coordinate).filter(|at| at.is_finite()));
     // The cast saturates, and an undefined coordinate is in the first bin.
-    let bin = |i: usize| (((at(i) - low) / (high - low) * bins as f64) as usize).min(bins - 1);
+    let bin =
+        |i: usize| (((coordinate(i) - low) / (high - low) * bins as f64) as usize).min(bins - 1);
     let mut selected = vec![0, count - 1];
     let (mut from, mut cells) = (0, Vec::new());
     while from < count {

@@ -105,15 +105,15 @@ impl FlankTables {
             let material_ratio = thin_made(
                 curve.len(),
                 BINS,
+                |k| material_ratio_percent(k, curve.len()),
                 |k| ratio_row(&curve, k),
-                |row| row.material_ratio_percent,
                 |row| [row.height_um],
             );
             let trace = thin_made(
                 of.points(),
                 BINS,
+                |i| of.x_um(i),
                 |i| of.trace_row(i),
-                |row| row.x_um,
                 |row| {
                     let rough = row.roughness_um.unwrap_or(f64::NAN);
                     [row.measured_um, row.form_removed_um, rough]
@@ -224,6 +224,10 @@ impl<'a> Evaluated<'a> {
         self.measured.len()
     }
 
+    fn x_um(&self, i: usize) -> f64 {
+        i as f64 * self.measured.spacing().si() * MICRO
+    }
+
     fn trace_row(&self, i: usize) -> TraceRow {
         let rough = self.prepared.profile.heights();
         let place = match self.is_mirrored {
@@ -231,7 +235,7 @@ impl<'a> Evaluated<'a> {
             false => i,
         };
         TraceRow {
-            x_um: i as f64 * self.measured.spacing().si() * MICRO,
+            x_um: self.x_um(i),
             measured_um: self.measured.heights()[place] * MICRO,
             form_removed_um: self.form_removed.heights()[i] * MICRO,
             roughness_um: i
