@@ -111,7 +111,7 @@ impl<'a> RoughFilm<'a> {
         } = self;
         contact.flattened(&flattening, || {
             let window = (window.starts, window.points);
-            Ok(surfaces.window(window, &flattening, traces)?)
+            surfaces.window(window, &flattening, traces)
         })
     }
 

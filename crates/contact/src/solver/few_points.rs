@@ -103,7 +103,8 @@ mod tests {
         let gap = |i: usize| {
             let x = 1e-6 * (i as f64 - 0.5 * (points as f64 - 1.0));
             let waves = [(7.3e-6, 0.1), (19e-6, 1.2), (43e-6, 0.3), (111e-6, 2.0)];
-            let rough = waves.map(|(length, phase)| (6.28 * x / length + phase).sin());
+            let rough =
+                waves.map(|(length, phase)| (std::f64::consts::TAU * x / length + phase).sin());
             x * x / 1e-2 + 0.1e-6 * rough.iter().sum::<f64>()
         };
         (0..points).map(gap).collect()
