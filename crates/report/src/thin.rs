@@ -1,6 +1,8 @@
 //! Thinning of rows for display: the lowest and the highest value of every drawn column remain in each bin of the axis.
 
-use asperity_core::numerics::range;
+use std::ops::Range;
+
+use asperity_core::numerics::{extreme_places, range};
 
 /// Number of bins of a chart along its horizontal axis: about one per pixel of a curve.
 pub(crate) const BINS: usize = 350;
@@ -23,58 +25,70 @@ pub fn thin<R: Copy, const N: usize>(
     coordinate: impl Fn(&R) -> f64,
     columns: impl Fn(&R) -> [f64; N],
 ) -> Vec<R> {
-    let at = |i: usize| coordinate(&rows[i]);
-    thin_made(rows.len(), bins, at, |i| rows[i], columns)
-}
-
-/// [`thin`] of `count` rows with a coordinate each, made when they are looked at, so that a long table is never in memory.
-pub(crate) fn thin_made<R, const N: usize>(
-    count: usize,
-    bins: usize,
-    coordinate: impl Fn(usize) -> f64,
-    row: impl Fn(usize) -> R,
-    columns: impl Fn(&R) -> [f64; N],
-) -> Vec<R> {
+    let count = rows.len();
     if count <= 2 * bins {
-        return (0..count).map(row).collect();
+        return rows.to_vec();
     }
-    let [low, high] = range((0..count).map(&coordinate).filter(|at| at.is_finite()));
-    // The cast saturates, and an undefined coordinate is in the first bin.
-    let bin =
-        |i: usize| (((coordinate(i) - low) / (high - low) * bins as f64) as usize).min(bins - 1);
+    let at = |i: usize| coordinate(&rows[i]);
+    let bin = bin_of((0..count).map(at), bins);
     let mut selected = vec![0, count - 1];
     let (mut from, mut cells) = (0, Vec::new());
     while from < count {
         // Consecutive rows in one bin.
-        let here = bin(from);
-        let end = (from + 1..count).find(|i| bin(*i) != here).unwrap_or(count);
-        cells.clear();
-        cells.extend((from..end).map(|i| columns(&row(i))));
+        let here = bin(at(from));
+        let end = (from + 1..count).find(|i| bin(at(*i)) != here);
+        let end = end.unwrap_or(count);
         for column in 0..N {
-            let (mut lowest, mut highest, mut undefined) = (None, None, None);
-            // One pass: pages have hundreds of thousands of cells.
-            for (k, row) in cells.iter().enumerate() {
-                let value = row[column];
-                if !value.is_finite() {
-                    undefined.get_or_insert(k);
-                    continue;
-                }
-                if lowest.is_none_or(|k: usize| value < cells[k][column]) {
-                    lowest = Some(k);
-                }
-                // The last one of equal values.
-                if highest.is_none_or(|k: usize| value >= cells[k][column]) {
-                    highest = Some(k);
-                }
-            }
-            let found = lowest.into_iter().chain(highest).chain(undefined);
-            selected.extend(found.map(|k| from + k));
+            cells.clear();
+            cells.extend(rows[from..end].iter().map(|row| columns(row)[column]));
+            selected.extend(extreme_places(&cells).into_iter().map(|k| from + k));
         }
         from = end;
     }
-    selected.sort_unstable();
-    selected.dedup();
-    selected.into_iter().map(row).collect()
+    in_order(selected).map(|i| rows[i]).collect()
+}
+
+/// Places of the rows that [`thin`] leaves of `count` rows whose coordinate rises with their place: `places` gives those of a range at
+/// which a column is lowest, highest or first undefined. A long table is never in memory.
+pub(crate) fn thin_rising(
+    count: usize,
+    bins: usize,
+    coordinate: impl Fn(usize) -> f64,
+    places: impl Fn(Range<usize>) -> Vec<usize>,
+) -> Vec<usize> {
+    if count <= 2 * bins {
+        return (0..count).collect();
+    }
+    let bin = bin_of([0, count - 1].map(&coordinate).into_iter(), bins);
+    let mut selected = vec![0, count - 1];
+    let mut from = 0;
+    while from < count {
+        let here = bin(coordinate(from));
+        let (mut inside, mut end) = (from, count);
+        while end - inside > 1 {
+            let middle = inside.midpoint(end);
+            match bin(coordinate(middle)) == here {
+                true => inside = middle,
+                false => end = middle,
+            }
+        }
+        selected.extend(places(from..end));
+        from = end;
+    }
+    in_order(selected).collect()
+}
+
+/// Number of the bin of a coordinate, of `bins` equal parts of the range of `all` that are defined.
+fn bin_of(all: impl Iterator<Item = f64>, bins: usize) -> impl Fn(f64) -> usize {
+    let [low, high] = range(all.filter(|at| at.is_finite()));
+    // The cast saturates, and an undefined coordinate is in the first bin.
+    move |at| (((at - low) / (high - low) * bins as f64) as usize).min(bins - 1)
+}
+
+fn in_order(mut places: Vec<usize>) -> impl Iterator<Item = usize> {
+    places.sort_unstable();
+    places.dedup();
+    places.into_iter()
 }
 
 #[cfg(test)]

@@ -29,7 +29,7 @@ pub use normal::{Z_75, Z_95, Z_975, standard_normal_below, standard_normal_quant
 pub use root::{Root, RootError, find_root};
 pub use statistics::{deviation, distinct, mean, median, median_in_place};
 pub use student_t::{student_t_below, student_t_quantile, student_t_within};
-pub use sums::{add_times, dot, extremes, range, sum};
+pub use sums::{add_times, dot, extreme_places, extremes, range, sum};
 pub use vectors::{VECTOR_WIDTH, vectorised};
 
 /// ∫ y dx by the trapezoidal rule over points `x`, `y` of equal number (fewer than two give 0).

@@ -73,6 +73,33 @@ pub fn sum(z: &[f64], f: impl Fn(f64) -> f64) -> f64 {
     parts.iter().sum::<f64>() + rest.iter().map(|z| f(*z)).sum::<f64>()
 }
 
+/// Places of the first lowest, the last highest and the first undefined of `values`, as far as there are any.
+///
+/// ```
+/// use asperity_core::numerics::extreme_places;
+/// assert_eq!(extreme_places(&[2.0, 1.0, f64::NAN, 3.0, 1.0, 3.0]), [1, 5, 2]);
+/// assert_eq!(extreme_places(&[f64::NAN; 2]), [0]);
+/// assert!(extreme_places(&[]).is_empty());
+/// ```
+#[must_use]
+pub fn extreme_places(values: &[f64]) -> Vec<usize> {
+    let (mut lowest, mut highest, mut undefined) = (None, None, None);
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for (k, &value) in values.iter().enumerate() {
+        if !value.is_finite() {
+            undefined.get_or_insert(k);
+            continue;
+        }
+        if value < least || lowest.is_none() {
+            (least, lowest) = (value, Some(k));
+        }
+        if value >= most {
+            (most, highest) = (value, Some(k));
+        }
+    }
+    lowest.into_iter().chain(highest).chain(undefined).collect()
+}
+
 /// Σ a b of two slices of one length in eight running parts.
 ///
 /// ```

@@ -1,8 +1,10 @@
 //! Tables of a flank: trace as measured, levelled and filtered, material ratio curve, spectrum.
 
+use std::ops::Range;
 use std::path::Path;
 
 use asperity::result::FlankRecord;
+use asperity_core::numerics::extreme_places;
 use asperity_core::{Fault, Profile};
 use asperity_roughness::RoughnessError;
 use asperity_roughness::form::{self, Form};
@@ -13,7 +15,7 @@ use asperity_roughness::spectral::power_spectrum;
 use serde::{Deserialize, Serialize};
 
 use super::csv_table::{read, write};
-use crate::thin::{BINS, thin_made};
+use crate::thin::{BINS, thin_rising};
 use crate::units::MICRO;
 
 /// Names of the two flanks in files.
@@ -102,23 +104,20 @@ impl FlankTables {
         let thinned = |of: Evaluated<'_>| {
             let spectrum = in_bands(&of.spectrum()?);
             let curve = of.material_ratio()?;
-            let material_ratio = thin_made(
+            let ratios = thin_rising(
                 curve.len(),
                 BINS,
                 |k| material_ratio_percent(k, curve.len()),
-                |k| ratio_row(&curve, k),
-                |row| [row.height_um],
+                |range| places_in(&curve, 0, range),
             );
-            let trace = thin_made(
+            let points = thin_rising(
                 of.points(),
                 BINS,
                 |i| of.x_um(i),
-                |i| of.trace_row(i),
-                |row| {
-                    let rough = row.roughness_um.unwrap_or(f64::NAN);
-                    [row.measured_um, row.form_removed_um, rough]
-                },
+                |range| of.extreme_points(range),
             );
+            let material_ratio = ratios.into_iter().map(|k| ratio_row(&curve, k)).collect();
+            let trace = points.into_iter().map(|i| of.trace_row(i)).collect();
             Ok(Self {
                 trace,
                 material_ratio,
@@ -187,6 +186,26 @@ fn ratio_row(heights: &[f64], k: usize) -> MaterialRatioRow {
     }
 }
 
+/// Points of a range at which one of `heights`, the first of which is that of point `first`, is lowest, highest or first undefined.
+fn places_in(heights: &[f64], first: usize, range: Range<usize>) -> Vec<usize> {
+    let known = first..first + heights.len();
+    let (from, to) = (range.start.max(known.start), range.end.min(known.end));
+    if from >= to {
+        return vec![range.start];
+    }
+    let found = extreme_places(&heights[from - first..to - first]);
+    let undefined = match (range.start < from, range.end > to) {
+        (true, _) => Some(range.start),
+        (false, true) => Some(to),
+        (false, false) => None,
+    };
+    found
+        .into_iter()
+        .map(|k| from + k)
+        .chain(undefined)
+        .collect()
+}
+
 /// A trace with its form removed and filtered.
 struct Evaluated<'a> {
     measured: &'a Profile,
@@ -222,6 +241,30 @@ impl<'a> Evaluated<'a> {
 
     fn points(&self) -> usize {
         self.measured.len()
+    }
+
+    /// Points of a range at which one of the three heights is lowest, highest or first undefined.
+    fn extreme_points(&self, range: Range<usize>) -> Vec<usize> {
+        let measured = match self.is_mirrored {
+            true => {
+                let (from, to) = (self.points() - range.end, self.points() - range.start);
+                let mirrored = self.measured.heights()[from..to].iter().rev();
+                places_in(
+                    &mirrored.copied().collect::<Vec<_>>(),
+                    range.start,
+                    range.clone(),
+                )
+            }
+            false => places_in(self.measured.heights(), 0, range.clone()),
+        };
+        let form_removed = places_in(self.form_removed.heights(), 0, range.clone());
+        let Prepared {
+            profile,
+            first_index,
+            ..
+        } = &self.prepared;
+        let rough = places_in(profile.heights(), *first_index, range);
+        [measured, form_removed, rough].concat()
     }
 
     fn x_um(&self, i: usize) -> f64 {
