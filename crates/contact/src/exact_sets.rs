@@ -86,7 +86,7 @@ impl Matrix {
         Cholesky::new(touching.len(), element, 0.0)
     }
 
-    /// Adds C/a y to the points `displaced` of rows of `columns`, y being zero but for the `pressed` points.
+    /// Adds C/a y to the points `displaced` of rows of `columns`, with the pressures y of the `pressed` points.
     pub(crate) fn displace(&self, pressed: &[(usize, f64)], columns: usize, displaced: &mut [f64]) {
         vectorised(
             #[inline(always)]
@@ -156,7 +156,7 @@ pub(crate) struct Settled {
     pub(crate) steps: usize,
 }
 
-/// Why sets did not settle.
+/// Reason for which sets did not settle.
 pub(crate) enum Unsettled {
     /// More points touch than may.
     TooMany(usize),

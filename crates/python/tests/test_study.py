@@ -29,7 +29,7 @@ def test_the_optimiser_of_the_docs_finds_its_temperature(tmp_path, monkeypatch, 
         assert names["loss"](float(capsys.readouterr().out)) == pytest.approx(700.0, abs=0.01)
 
 
-@pytest.mark.parametrize(("name", "value", "scatters"), [("temperature_c", 90.0, 1e-6), ("speed_rpm", 9000.0, 1e-6), ("torque_nm", 145.0, 1e-3)])
+@pytest.mark.parametrize(("name", "value", "scatters"), [("temperature_c", 90.0, 5e-6), ("speed_rpm", 9000.0, 1e-6), ("torque_nm", 145.0, 1e-3)])
 def test_a_loss_is_as_smooth_as_the_docs_say(name, value, scatters):
     case = asperity.Case(CASES / "e-drive.toml", model={"positions": 4, "offsets": 4})
     steps = np.arange(-6, 7)

@@ -48,8 +48,8 @@ pub fn thin<R: Copy, const N: usize>(
     in_order(selected).map(|i| rows[i]).collect()
 }
 
-/// Places of the rows that [`thin`] leaves of `count` rows whose coordinate rises with their place: `places` gives those of a range at
-/// which a column is lowest, highest or first undefined. A long table is never in memory.
+/// Places of the rows that [`thin`] leaves of `count` rows whose coordinate rises with their place: `places` gives the places of a range
+/// at which a column is lowest, highest or first undefined. A long table is never in memory.
 pub(crate) fn thin_rising(
     count: usize,
     bins: usize,

@@ -237,7 +237,7 @@ impl UncertainParameter {
         }
     }
 
-    /// Whether the film and the roughness in it depend on it, and not their friction alone.
+    /// Whether the film and the roughness in it depend on it, and not only their friction.
     #[must_use]
     pub const fn changes_film(self) -> bool {
         matches!(

@@ -36,8 +36,8 @@ const HELD_OUT: usize = 4;
 const INNER_BOUNDARY: usize = 8;
 /// Evaluations of other gaps supplied to patches.
 const OF_PATCHES: usize = 2;
-/// Films for each constant that changes them: the evaluations are spread over so many, as the roughness that a film leaves costs as
-/// much as their friction. Over four shipped cases and 64 places that it was not fitted to, the surface misses ln loss by .6 to 1.6 % with
+/// Films for each constant that changes them, over which the evaluations are spread: the roughness that a film leaves costs as much as
+/// its friction. Over four shipped cases and 64 places that it was not fitted to, the surface misses ln loss by .6 to 1.6 % with
 /// three evaluations of a film and by .7 to 2.0 % with one (docs/records/performance-runs.md).
 const FILMS: usize = 8;
 /// Standard deviations that the evaluations reach to either side.

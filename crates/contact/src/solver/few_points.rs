@@ -18,7 +18,7 @@ const LOWEST: usize = 16;
 /// Overlap, relative to the range of the gap, that counts as round-off.
 const ROUND_OFF: f64 = 1e-12;
 
-/// Matrix and sets, kept from contact to contact.
+/// Matrix and sets, whose memory serves contact after contact.
 #[derive(Default)]
 pub(crate) struct FewPoints {
     /// Of the largest grid so far.

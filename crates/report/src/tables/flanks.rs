@@ -186,7 +186,7 @@ fn ratio_row(heights: &[f64], k: usize) -> MaterialRatioRow {
     }
 }
 
-/// Points of a range at which one of `heights`, the first of which is that of point `first`, is lowest, highest or first undefined.
+/// Points of a range at which one of `heights`, which begin at point `first`, is lowest, highest or first undefined.
 fn places_in(heights: &[f64], first: usize, range: Range<usize>) -> Vec<usize> {
     let known = first..first + heights.len();
     let (from, to) = (range.start.max(known.start), range.end.min(known.end));
