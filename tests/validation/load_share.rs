@@ -117,8 +117,7 @@ fn a_flank_that_the_film_alone_makes_flow_is_refused() {
 
 #[test]
 fn the_tolerance_of_the_contacts_does_not_move_the_loss() {
-    // The contacts of a solved share are of few points: their sets are exact at any tolerance.
-    for (law, least, most) in [("solved", 0.0, 1e-12), ("lambda-star", 1e-7, 1e-4)] {
+    for law in ["solved", "lambda-star"] {
         let at = |tolerance: &str| {
             let keys = [("model.tolerance", tolerance), ("model.load_share", law)];
             let case = with("e-drive", &[&FEW[..], &keys].concat());
@@ -126,15 +125,10 @@ fn the_tolerance_of_the_contacts_does_not_move_the_loss() {
         };
         let [loose, tight] = [at("1e-4"), at("1e-11")];
         assert_close("loss", loose.loss_w, tight.loss_w, 1e-6);
-        println!(
-            "{law}: {} {}",
-            loose.worst_duality_gap, tight.worst_duality_gap
-        );
-        assert!(tight.worst_duality_gap <= 1e-11, "{law} {tight:?}");
-        assert!(
-            (least..=most).contains(&loose.worst_duality_gap),
-            "{law} {loose:?}"
-        );
+        // Contacts of few points are exact at any tolerance.
+        for found in [loose, tight] {
+            assert!(found.worst_duality_gap <= 1e-11, "{law} {found:?}");
+        }
     }
 }
 
