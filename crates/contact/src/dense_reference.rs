@@ -30,8 +30,6 @@ use crate::strip_kernel::{column_of_period, spectral_symbol, strip, strip_column
 pub const MAX_POINTS: usize = 1500;
 /// Steps after which sets that still change are assumed to cycle.
 const MAX_SET_UPDATES: usize = 100;
-/// Overlap, relative to the range of the gap, that counts as round-off and leaves a point in its set.
-const ROUND_OFF: f64 = 1e-12;
 
 /// Solution that is exact except for round-off.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -91,7 +89,7 @@ pub fn solve_dense(problem: &ContactProblem) -> Result<DenseSolution, ContactErr
         constant: dense.constant,
         sum: dense.sum,
         limit: dense.limit,
-        round_off: ROUND_OFF * range,
+        range,
         most: [MAX_POINTS, MAX_SET_UPDATES],
     });
     let Settled { approach, steps } = settled.map_err(|unsettled| match unsettled {

@@ -18,6 +18,8 @@ use crate::convolution::vectorised;
 
 /// Points that are searched together.
 const BLOCK: usize = 64;
+/// Overlap, relative to the range of the gap, that counts as round-off and leaves a point in its set.
+const ROUND_OFF: f64 = 1e-12;
 
 /// Set to which a point belongs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -128,8 +130,8 @@ pub(crate) struct SetProblem<'a> {
     pub(crate) sum: Option<f64>,
     /// Largest y \[m\].
     pub(crate) limit: f64,
-    /// Overlap that counts as round-off and leaves a point in its set \[m\].
-    pub(crate) round_off: f64,
+    /// Range of the gap \[m\].
+    pub(crate) range: f64,
     /// Most points that touch, and most sets that are solved.
     pub(crate) most: [usize; 2],
 }
@@ -144,7 +146,7 @@ pub(crate) struct ExactSets {
     pub(crate) displaced: Vec<f64>,
     /// Points of the set solved last.
     pub(crate) touching: Vec<usize>,
-    /// Points under pressure, with y.
+    /// Points whose displacement was added last, with y.
     pub(crate) pressed: Vec<(usize, f64)>,
 }
 
@@ -264,9 +266,8 @@ impl ExactSets {
     /// Moves points whose pressure or gap has the wrong sign to another set and returns their number.
     fn update(&mut self, problem: &SetProblem, approach: f64) -> usize {
         cite!("Active-1");
-        let SetProblem {
-            limit, round_off, ..
-        } = *problem;
+        let limit = problem.limit;
+        let round_off = ROUND_OFF * problem.range;
         let rise = problem.constant * self.y.iter().sum::<f64>() - approach;
         let mut changes = 0;
         let blocks = (self.states.chunks_mut(BLOCK).zip(self.y.chunks(BLOCK)))

@@ -13,10 +13,8 @@ use crate::strip_kernel::strip_column;
 const MOST_POINTS: usize = 96;
 /// Sets after which the iterations take over. From a coarser solution or another load three to five suffice.
 const MOST_SETS: usize = 20;
-/// Points that touch first where the start is uniform pressure: the lowest.
+/// Points that touch first where the start is uniform pressure: the lowest (own choice).
 const LOWEST: usize = 16;
-/// Overlap, relative to the range of the gap, that counts as round-off.
-const ROUND_OFF: f64 = 1e-12;
 
 /// Matrix and sets, whose memory serves contact after contact.
 #[derive(Default)]
@@ -73,7 +71,7 @@ impl FewPoints {
             constant: -self.matrix.lag(columns - 1),
             sum: Some(sum * task.compliance),
             limit: task.limit * task.compliance,
-            round_off: ROUND_OFF * task.reference_bounds.most,
+            range: task.reference_bounds.most,
             most: [MOST_POINTS, MOST_SETS],
         });
         let sets = settled.ok()?.steps;

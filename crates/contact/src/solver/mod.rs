@@ -4,7 +4,7 @@
 //!    every solution starts the next finer grid (`cascadic_multigrid`; Bornemann and Deuflhard
 //!    1996). No correction goes back to a coarser grid.
 //! 2. Window: with free ends the finest grid is solved only where the coarse solution is in contact.
-//! 3. Iteration: an active set (`active_set`; Hintermüller, Ito and Kunisch 2002), then, where the
+//! 3. Solution: by exact sets for a line of few touching points (`few_points`); for others by iteration with an active set (`active_set`; Hintermüller, Ito and Kunisch 2002), then, where the
 //!    sets do not settle, projected gradients (`projected_gradient`; after Polonsky and Keer 1999).
 //! 4. Certificate: one displacement on the whole grid gives the gap there and bounds the error. A
 //!    contact point outside of the window fails here, and a wider window is solved.
