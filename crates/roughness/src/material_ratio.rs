@@ -213,7 +213,7 @@ pub(crate) fn ascending(values: impl Iterator<Item = f64>) -> Vec<usize> {
 /// i* = argmin (s_i − s_i+m), the first of several that are equal within rounding errors.
 fn flattest_window(s: &[f64], m: usize) -> usize {
     // The curve of a symmetric profile has two windows that are equal within rounding errors.
-    const TIE: f64 = 1e-9;
+    const TIE: f64 = 1e-12;
     let tie = TIE * (s[0] - s[s.len() - 1]);
     let (mut best, mut least) = (0, f64::INFINITY);
     for (i, (upper, lower)) in s.iter().zip(&s[m..]).enumerate() {
