@@ -5,6 +5,7 @@ use asperity_core::profile::mirrored_window;
 use asperity_ehl_regime::{Ripples, TraceSpectrum};
 
 use crate::error::LoadShareError;
+use crate::position_film::gradient::{ShareGradient, WindowGradient};
 use crate::window_gap::middle_gradient;
 use crate::window_roughness::{Flattening, WindowRoughness, deviation_gradient, part_gradient};
 
@@ -63,34 +64,42 @@ impl AttenuatedTraces {
         ))
     }
 
-    /// Derivatives over the sum of the heights at each point of two windows, which are mirrored beyond the ends of their traces, from
-    /// those over σ_d and over the mean height of the film's length.
+    /// Gradient over the sums of both traces in two windows that begin at `starts`, and are mirrored beyond the ends of their
+    /// traces: `scale` times `of`, the gradient over the roughness of the windows.
     #[must_use]
-    pub fn supply_gradient(
+    pub fn window_gradient(
         &self,
         starts: [isize; 2],
-        points: usize,
-        [by_rms, by_middle]: [f64; 2],
-    ) -> Vec<f64> {
+        of: &ShareGradient,
+        scale: f64,
+    ) -> WindowGradient {
+        let points = of.by_height.len();
+        let [by_rms, by_middle] = of.by_supply.map(|slope| scale * slope);
         let sums = mirrored_sums(&self.heights, starts, points);
         let of_rms = deviation_gradient(&sums, self.peak_weight);
         let both = of_rms.iter().zip(middle_gradient(points, self.reach));
-        both.map(|(rms, middle)| by_rms * rms + by_middle * middle)
-            .collect()
+        let by_parts = of.by_parts.iter();
+        let by_parts: Vec<_> = by_parts.map(|part| part.map(|of| scale * of)).collect();
+        let ripples = self.ripples.as_ref().filter(|_| !by_parts.is_empty());
+        let sums = ripples.map(|ripples| ripples.each(|of| mirrored_sums(of, starts, points)));
+        WindowGradient {
+            starts,
+            contact: of.by_height.iter().map(|by| scale * by).collect(),
+            supply: both
+                .map(|(rms, middle)| by_rms * rms + by_middle * middle)
+                .collect(),
+            ripples: sums.map(|sums| part_gradient(&sums, self.reach, &by_parts)),
+        }
     }
 
-    /// Derivatives over the sums of the ripples of two windows at each point, from those over lengths, pressures and heights of
-    /// their parts. `None` of a film that does not ripple.
-    #[must_use]
-    pub fn ripple_gradient(
-        &self,
-        starts: [isize; 2],
-        points: usize,
-        by_parts: &[[f64; 3]],
-    ) -> Option<Ripples<Vec<f64>>> {
-        let ripples = self.ripples.as_ref()?;
-        let sums = || ripples.each(|of| mirrored_sums(of, starts, points));
-        (!by_parts.is_empty()).then(|| part_gradient(&sums(), self.reach, by_parts))
+    /// z_d, p′ and z_f of a whole trace.
+    pub(crate) fn of_trace(&self, body: usize) -> [Option<&[f64]>; 3] {
+        let ripples = self.ripples.as_ref();
+        [
+            Some(&*self.heights[body]),
+            ripples.map(|ripples| &*ripples.pressures[body]),
+            ripples.map(|ripples| &*ripples.heights[body]),
+        ]
     }
 
     /// [`window`](Self::window) that may reach beyond the ends of the traces, where these are mirrored.

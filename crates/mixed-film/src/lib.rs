@@ -78,7 +78,9 @@ pub use contact_table::{ContactTable, TABLE_SHARES, TableRow};
 pub use error::LoadShareError;
 pub use film_alone::FilmAlone;
 pub use point_contact::{PointContact, PointFilm};
-pub use position_film::gradient::{FlattenedGradient, Kinks, ShareGradient, Unflattening};
+pub use position_film::gradient::{
+    Kinks, ShareGradient, TraceChange, Unflattening, WindowGradient,
+};
 pub use position_film::{
     InletSupply, LoadShareSettings, PatchGap, PositionFilm, SmoothFilm, SpotSpeed,
 };

@@ -5,7 +5,8 @@
 use std::path::Path;
 
 use asperity::case::{self, LoadedCase};
-use asperity::pipeline::{LossGradient, gradient, gradient_with, mean_gradient};
+use asperity::mixed_film::TraceChange;
+use asperity::pipeline::{LossGradient, gradient, gradient_with, mean_along};
 use asperity::result::ridges::{RidgeRow, height_of_mean_line};
 use asperity::uncertainty::{UncertainParameter, sampling_interval};
 use asperity_core::Profile;
@@ -57,15 +58,41 @@ fn pressed(case: &LoadedCase, rows: &[RidgeRow], part: f64) -> LoadedCase {
     changed
 }
 
-/// Change of the loss of a case from one to another set of heights by a gradient over the heights of both traces.
-fn change(gradient: &[Vec<f64>; 2], [from, to]: [&LoadedCase; 2]) -> f64 {
-    let heights = |case: &LoadedCase| -> Vec<f64> {
-        let traces = case.surfaces.traces().unwrap().into_iter();
-        traces.flat_map(|trace| trace.heights().to_vec()).collect()
+/// Fall of the heights of each trace from one case to another.
+fn falls([from, to]: [&LoadedCase; 2]) -> [TraceChange; 2] {
+    let traces = [from, to].map(|case| case.surfaces.traces().unwrap());
+    let of = |body: usize| {
+        let [from, to] = traces.map(|traces| traces[body]);
+        let heights = from.heights().iter().zip(to.heights());
+        let fall = heights.map(|(from, to)| from - to).collect();
+        TraceChange::new(body, fall, from.spacing()).unwrap()
     };
-    let moved = heights(from).into_iter().zip(heights(to));
-    let products = gradient.iter().flatten().zip(moved);
-    products.map(|(g, (from, to))| g * (to - from)).sum()
+    [of(0), of(1)]
+}
+
+/// Saving at each offset by heights that fall from one case to another, by the mean of three gradients.
+fn mean_saving(gradients: [&LossGradient; 3], cases: [&LoadedCase; 2]) -> Vec<f64> {
+    let along = gradients.map(|gradient| gradient.along(&falls(cases)));
+    let [mut of_pinion, of_wheel] = mean_along(along.each_ref().map(Vec::as_slice))
+        .try_into()
+        .unwrap();
+    of_pinion
+        .iter_mut()
+        .zip(of_wheel)
+        .for_each(|(sum, one)| *sum += one);
+    of_pinion
+}
+
+/// The same by one gradient, in the mean over the offsets.
+fn saving(gradient: &LossGradient, [from, to]: [&LoadedCase; 2]) -> f64 {
+    let traces = [from, to].map(|case| case.surfaces.traces().unwrap());
+    let of = |body: usize| -> f64 {
+        let [from, to] = traces.map(|traces| traces[body].heights());
+        let falls = from.iter().zip(to).map(|(from, to)| from - to);
+        let products = falls.zip(&gradient.by_height[body]);
+        products.map(|(fall, g)| fall * g).sum()
+    };
+    of(0) + of(1)
 }
 
 /// Presses ridges of the e-drive case one at a time; with `ASPERITY_RIDGES=10`, those of the record in
@@ -88,10 +115,17 @@ fn a_ridge_pressed_to_half_its_height_saves_what_the_mean_gradient_predicts() {
         let cases = [0.25, 0.5].map(|part| pressed(&before.case, row, part));
         let [half, after] = cases.each_ref().map(|case| gradient(case).unwrap());
         let saved = before.losses.summary.loss_w - after.losses.summary.loss_w;
-        let of = |gradient: &[Vec<f64>; 2]| -change(gradient, [&before.case, &cases[1]]);
-        let mean = mean_gradient([&before, &half, &after]);
-        let predicted = mean.iter().map(of).sum::<f64>() / mean.len() as f64;
-        let of_ends = 0.5 * (of(&before.by_height) + of(&after.by_height));
+        let moved = [&before.case, &cases[1]];
+        let mean = mean_saving([&before, &half, &after], moved);
+        let predicted = mean.iter().sum::<f64>() / mean.len() as f64;
+        let of_ends = 0.5 * (saving(&before, moved) + saving(&after, moved));
+        // Each change is flattened, or the gradient of all windows is: the same product.
+        let along = before.along(&falls(moved));
+        let along = along.iter().flatten().sum::<f64>() / mean.len() as f64;
+        assert!(
+            (along / saving(&before, moved) - 1.0).abs() < 1e-11,
+            "{along}"
+        );
         println!(
             "{} at {:.4} mm: {saved:.2} W by a run, {predicted:.2} W; {of_ends:.2} W by both ends",
             row[0].flank, row[0].place_mm
@@ -143,9 +177,7 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
     // Watts of a ridge at each offset, by the mean of the gradients.
     let by_window = |row: &RidgeRow, gradients: &[LossGradient; 3]| -> Vec<f64> {
         let one = pressed(&case, std::slice::from_ref(row), 1.0);
-        let of_offset = |gradient| -change(gradient, [&case, &one]);
-        let mean = mean_gradient(gradients.each_ref());
-        mean.iter().map(of_offset).collect()
+        mean_saving(gradients.each_ref(), [&case, &one])
     };
     let of_rows = found.rows.iter().map(|row| {
         let sampled = by_window(row, &exact);

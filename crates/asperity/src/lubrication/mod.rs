@@ -33,4 +33,4 @@ pub use share_comparison::{
     ComparedWindow, LawShare, ShareComparison, WINDOWS, compared_windows, points_of_window,
     share_settings, shares, windows_at,
 };
-pub(crate) use solve::{Lubrication, doubts};
+pub(crate) use solve::{Lubrication, PositionGradient, doubts};

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use asperity_core::Checked;
-use asperity_core::profile::mirrored_indices;
 use asperity_core::quantity::Length;
 
 use super::chosen_laws::ChosenLaws;
@@ -14,10 +13,9 @@ use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
-use asperity_ehl_regime::Ripples;
 use asperity_mixed_film::{
-    AttenuatedTraces, FilmPressure, FlattenedGradient, Flattening, Kinks, LoadShareSettings,
-    LoadShareSolution, PositionFilm, SmoothFilm, WindowRoughness,
+    AttenuatedTraces, FilmPressure, Flattening, Kinks, LoadShareSettings, LoadShareSolution,
+    PositionFilm, SmoothFilm, Unflattening, WindowGradient, WindowRoughness,
 };
 
 /// Film of a position with the traces as its inlet leaves them.
@@ -186,104 +184,40 @@ impl RoughFilm<'_> {
     }
 }
 
-/// Gradient of a number over the heights of both traces.
-pub(crate) struct HeightGradient {
-    /// Over the heights in the rough contacts.
-    direct: [Vec<f64>; 2],
-    /// Over the heights that the inlet has flattened, and the ripples of the film.
-    flattened: FlattenedGradient,
-    /// Kinks of the windows.
-    pub(crate) kinks: Kinks,
-}
-
-impl HeightGradient {
-    pub(crate) fn none(surfaces: &Surfaces) -> Result<Self, PositionError> {
-        let zeros = || Ok::<_, PositionError>(surfaces.traces()?.map(|t| vec![0.0; t.len()]));
-        Ok(Self {
-            direct: zeros()?,
-            flattened: FlattenedGradient {
-                heights: zeros()?,
-                ripples: Ripples {
-                    pressures: zeros()?,
-                    heights: zeros()?,
-                },
-            },
-            kinks: Kinks::default(),
-        })
-    }
-}
-
 impl RoughFilm<'_> {
-    /// Adds the gradient of `force` times the friction coefficient of a window whose contact is stored.
+    /// Gradient of `force` times the friction coefficient of a window whose contact is stored, with the kinks of the window;
+    /// `None` if the friction does not depend on the heights.
     ///
     /// # Errors
     /// As [`share`](Self::share).
-    pub(crate) fn add_gradient(
+    pub(crate) fn window_gradient(
         &mut self,
         (contact, window): (&WindowContact, Window),
         force: f64,
-        sums: &mut HeightGradient,
-    ) -> Result<(), PositionError> {
+    ) -> Result<(Option<WindowGradient>, Kinks), PositionError> {
         let roughness = self.roughness(contact, window)?;
         let Some(table) = contact.table.get() else {
-            return Ok(());
+            return Ok((None, Kinks::default()));
         };
         let kinks = self.film.kinks(table, &roughness)?;
-        sums.kinks += kinks;
         if kinks.apart > 0 && self.case.model.film_pressure != FilmPressure::Rippled {
-            return Ok(());
+            return Ok((None, kinks));
         }
         let mut rough = contact.rough()?;
         let scale = self.case.model.friction_scale;
         let found = (self.film).gradient(&mut rough, table, &roughness, scale)?;
-        let (starts, points) = (window.starts, window.points);
         let flattening = self.flattening()?;
         let spectra = self.surfaces.whole_spectra()?;
         let traces = (self.traces)
             .get_or_insert_with(|| AttenuatedTraces::new(spectra.each_ref(), &flattening));
-        let of_supply = traces.supply_gradient(starts, points, found.by_supply);
-        let by_ripple = traces.ripple_gradient(starts, points, &found.by_parts);
-        for body in [0, 1] {
-            let [direct, flattened] = [&mut sums.direct[body], &mut sums.flattened.heights[body]];
-            let places = mirrored_indices(direct.len(), starts[body], points);
-            let places: Vec<usize> = places.collect();
-            for ((&i, by_height), by_sum) in places.iter().zip(&found.by_height).zip(&of_supply) {
-                direct[i] += force * by_height;
-                flattened[i] += force * by_sum;
-            }
-            let Some(by_ripple) = &by_ripple else {
-                continue;
-            };
-            let Ripples { pressures, heights } = &mut sums.flattened.ripples;
-            let pairs = [
-                (&mut pressures[body], &by_ripple.pressures),
-                (&mut heights[body], &by_ripple.heights),
-            ];
-            for (sums, by_ripple) in pairs {
-                for (&i, by_ripple) in places.iter().zip(by_ripple) {
-                    sums[i] += force * by_ripple;
-                }
-            }
-        }
-        Ok(())
+        let gradient = traces.window_gradient(window.starts, &found, force);
+        Ok((Some(gradient), kinks))
     }
 
-    /// The gradient over the heights of the traces at each offset, whose sums are `of_offsets`.
-    pub(crate) fn gradients(
-        &self,
-        of_offsets: &[HeightGradient],
-    ) -> Result<Vec<[Vec<f64>; 2]>, PositionError> {
+    /// Gradient over the heights of the traces from the gradients of windows.
+    pub(crate) fn unflattening(&self) -> Result<Unflattening, PositionError> {
         let spectra = self.surfaces.whole_spectra()?;
-        let unflattening = (self.film).unflattening(spectra, self.surfaces.pair_spectrum()?)?;
-        let of = |sums: &HeightGradient| {
-            let mut gradient = unflattening.gradient(&sums.flattened);
-            let direct = sums.direct.iter().flatten();
-            for (sum, direct) in gradient.iter_mut().flatten().zip(direct) {
-                *sum += direct;
-            }
-            gradient
-        };
-        Ok(of_offsets.iter().map(of).collect())
+        Ok((self.film).unflattening(spectra, self.surfaces.pair_spectrum()?)?)
     }
 }
 

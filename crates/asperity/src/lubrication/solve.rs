@@ -16,7 +16,7 @@ use asperity_contact::{ContactSolution, ContactWarning};
 use asperity_core::Checked;
 use asperity_core::cancel::checkpoint;
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
-use asperity_mixed_film::{FilmPressure, Kinks, LoadShareSolution};
+use asperity_mixed_film::{FilmPressure, Kinks, LoadShareSolution, Unflattening, WindowGradient};
 
 use super::chosen_laws::ChosenLaws;
 use super::decision::{Decision, Undecided};
@@ -25,7 +25,7 @@ use super::full_film::FullFilm;
 use super::full_film_solution::full_film_at;
 use super::plausibility::{check_position, plausible_film};
 use super::position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
-use super::rough_film::{HeightGradient, RoughFilm};
+use super::rough_film::RoughFilm;
 use crate::contacts::{Pressing, WindowContact};
 use crate::mesh::MeshPosition;
 use crate::records::{PathRecords, RecordedShare};
@@ -43,9 +43,12 @@ struct Decided {
 }
 
 /// Gradient of the sliding loss at a position.
+#[derive(Debug, Clone)]
 pub(crate) struct PositionGradient {
-    /// Over the heights of both traces at each offset \[W/m\].
-    pub by_offset: Vec<[Vec<f64>; 2]>,
+    /// Over the sums of both traces in the window of each offset; `None` of a window that does not depend on them.
+    pub windows: Vec<Option<WindowGradient>>,
+    /// From these to the heights of the whole traces.
+    pub unflattening: Unflattening,
     /// Kinks of the windows.
     pub kinks: Kinks,
 }
@@ -217,20 +220,24 @@ impl Lubrication<'_> {
         let of_position = (at, &film);
         let rough = RoughFilm::at(self.case, self.laws, self.surfaces, of_position)?;
         let mut rough = rough.ok_or_else(PositionError::no_profile)?;
-        let count = contacts.len();
         let force = at.weight * at.mean_sliding() * at.load.si();
-        let mut of_offsets = Vec::with_capacity(count);
+        let mut windows = Vec::with_capacity(contacts.len());
         let mut kinks = Kinks::default();
         for contact in contacts {
-            let mut sums = HeightGradient::none(self.surfaces)?;
-            if let Some(window) = contact.window {
-                rough.add_gradient((contact, window), force, &mut sums)?;
-            }
-            kinks += sums.kinks;
-            of_offsets.push(sums);
+            windows.push(match contact.window {
+                Some(window) => {
+                    let (gradient, of_window) = rough.window_gradient((contact, window), force)?;
+                    kinks += of_window;
+                    gradient
+                }
+                None => None,
+            });
         }
-        let by_offset = rough.gradients(&of_offsets)?;
-        Ok(PositionGradient { by_offset, kinks })
+        Ok(PositionGradient {
+            windows,
+            unflattening: rough.unflattening()?,
+            kinks,
+        })
     }
 
     /// Solves the rough contact of every window whose load share did not: its numbers, for the result and for the

@@ -7,15 +7,17 @@
 //! first touch, a share at a row of the table, a slope of the gap that is held, a film at its floor.
 
 use asperity_core::cite;
+use asperity_core::numerics::add_times;
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Temperature;
-use asperity_mixed_film::Kinks;
+use asperity_mixed_film::{Kinks, TraceChange};
 use asperity_roughness::resampling::respaced_gradient;
 use rayon::prelude::*;
 
 use super::bulk_temperature::rise_exponent;
 use super::stages::{Stages, losses_with, sampled, warmed};
 use crate::contacts::Contacts;
+use crate::lubrication::PositionGradient;
 use crate::mesh::numbered;
 use crate::result::Losses;
 use asperity_case::case::{LoadShareName, LoadedCase};
@@ -31,8 +33,6 @@ const TEMPERATURE_STEP: f64 = 0.1;
 pub struct LossGradient {
     /// Derivative of the loss over the height of each point of both prepared traces \[W/m\].
     pub by_height: [Vec<f64>; 2],
-    /// The same of the loss at each offset of the traces: their mean is `by_height` \[W/m\].
-    pub by_offset: Vec<[Vec<f64>; 2]>,
     /// The losses, from exact contacts.
     pub losses: Losses,
     /// Change of the loss with the equilibrium bulk temperature over its change at a held temperature; 1 with a stated
@@ -47,9 +47,25 @@ pub struct LossGradient {
     pub case: LoadedCase,
     /// Its contacts.
     pub contacts: Contacts,
+    /// The gradient of each position.
+    positions: Vec<PositionGradient>,
 }
 
 impl LossGradient {
+    /// Derivative of the loss at each offset of the traces along each change of a trace \[W\].
+    #[must_use]
+    pub fn along(&self, changes: &[TraceChange]) -> Vec<Vec<f64>> {
+        let of = |at: &PositionGradient| at.unflattening.along(&at.windows, changes);
+        let of_positions: Vec<_> = self.positions.par_iter().map(of).collect();
+        let mut sums = vec![vec![0.0; self.case.case.model.offsets]; changes.len()];
+        for of_position in &of_positions {
+            for (sums, of_change) in sums.iter_mut().zip(of_position) {
+                add_times(sums, self.heat_balance, of_change);
+            }
+        }
+        sums
+    }
+
     /// Derivative of the loss over the height of each point of both traces as they were read, in their own direction \[W/m\];
     /// `None` of a trace whose preparation is not linear, or that was not read.
     ///
@@ -106,8 +122,8 @@ pub fn gradient_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<LossGra
     gradient_of(loaded, Some(contacts))
 }
 
-/// Gradient of the loss over the heights \[W/m\] at each offset, as a mean over a change of the heights by Simpson's rule: from the
-/// gradients before the change, half-way and after it.
+/// Derivatives of the loss along changes of the traces, at each offset, as a mean over these changes by Simpson's rule: from
+/// [`LossGradient::along`] before them, half-way and after them \[W\].
 ///
 /// ```text
 /// P(z + Δz) − P(z) = ḡ Δz,  ḡ = (g(z) + 4 g(z + Δz/2) + g(z + Δz))/6                       [Mean-gradient]
@@ -115,17 +131,16 @@ pub fn gradient_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<LossGra
 ///
 /// Contact sets change along Δz. A ridge that stays in contact until it is half pressed has its steepest gradient half-way.
 #[must_use]
-pub fn mean_gradient([before, half, after]: [&LossGradient; 3]) -> Vec<[Vec<f64>; 2]> {
+pub fn mean_along([before, half, after]: [&[Vec<f64>]; 3]) -> Vec<Vec<f64>> {
     cite!("Mean-gradient");
-    let mut mean = before.by_offset.clone();
-    let others = half.by_offset.iter().zip(&after.by_offset);
-    for (mean, (half, after)) in mean.iter_mut().zip(others) {
-        let others = half.iter().flatten().zip(after.iter().flatten());
-        for (mean, (half, after)) in mean.iter_mut().flatten().zip(others) {
-            *mean = (*mean + 4.0 * half + after) / 6.0;
-        }
-    }
-    mean
+    let of_offsets = |((before, half), after): ((&Vec<f64>, &Vec<f64>), &Vec<f64>)| {
+        let of_three = before.iter().zip(half).zip(after);
+        of_three
+            .map(|((before, half), after)| (before + 4.0 * half + after) / 6.0)
+            .collect()
+    };
+    let of_changes = before.iter().zip(half).zip(after);
+    of_changes.map(of_offsets).collect()
 }
 
 fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGradient, Error> {
@@ -158,22 +173,20 @@ fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGrad
     let losses = stages.summed(|| stages.solved(positions)?.losses())?;
     cite!("Loss-gradient");
     let heat_balance = heat_balance((&sampled, &warm), &contacts, &losses)?;
-    let traces = warm.surfaces.traces().map_err(Box::new)?;
-    let none = traces.map(|trace| vec![0.0; trace.len()]);
-    let mut by_offset = vec![none.clone(); warm.case.model.offsets];
+    let positions: Vec<_> = found.into_iter().flatten().collect();
+    let spectra = warm.surfaces.whole_spectra().map_err(Box::new)?;
+    let of_position = |at: &PositionGradient| {
+        let windows = at.windows.iter().flatten();
+        at.unflattening.gradient(spectra, windows)
+    };
+    let of_positions: Vec<_> = positions.par_iter().map(of_position).collect();
+    let mut by_height = spectra.each_ref().map(|trace| vec![0.0; trace.points()]);
     let mut kinks = Kinks::default();
-    for of_position in found.iter().flatten() {
-        kinks += of_position.kinks;
-        let of_all = by_offset.iter_mut().flatten().flatten();
-        for (sum, one) in of_all.zip(of_position.by_offset.iter().flatten().flatten()) {
-            *sum += heat_balance * one;
-        }
-    }
-    let mut by_height = none;
-    for of_offset in &by_offset {
-        let of_both = by_height.iter_mut().flatten();
-        for (sum, one) in of_both.zip(of_offset.iter().flatten()) {
-            *sum += one / by_offset.len() as f64;
+    let offsets = warm.case.model.offsets as f64;
+    for (at, of_position) in positions.iter().zip(&of_positions) {
+        kinks += at.kinks;
+        for (sums, of_body) in by_height.iter_mut().zip(of_position) {
+            add_times(sums, heat_balance / offsets, of_body);
         }
     }
     drop(stages);
@@ -183,13 +196,13 @@ fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGrad
     case.case.input.model.offsets = Some(case.case.model.offsets);
     Ok(LossGradient {
         by_height,
-        by_offset,
         losses,
         heat_balance,
         unresolved_w,
         kinks,
         case,
         contacts,
+        positions,
     })
 }
 

@@ -22,7 +22,7 @@ mod store;
 mod survey;
 
 pub use gradient::{
-    LossGradient, check_heights, gradient, gradient_with, mean_gradient, refuse as check_gradient,
+    LossGradient, check_heights, gradient, gradient_with, mean_along, refuse as check_gradient,
 };
 pub use kept_fields::KeptFields;
 pub use scan_use::{ScanUse, less_of_scans};

@@ -70,7 +70,7 @@ pub struct RidgeRow {
     #[serde(default)]
     pub measured_first_order_w: Option<f64>,
     /// Saving by pressing it together with all other listed ridges, according to the mean of the gradients before, half-way
-    /// and after ([`mean_gradient`](crate::pipeline::mean_gradient)) \[W\].
+    /// and after ([`mean_along`](crate::pipeline::mean_along)) \[W\].
     pub mean_gradient_w: f64,
     /// 5 % quantile of it by the uncertainty of the constants and of the model and by the sampling of the flanks \[W\].
     pub low_w: Option<f64>,

@@ -1,10 +1,7 @@
 //! Gradient of the friction of a window over the heights of both traces against central differences with exact contacts.
 
-use asperity_core::profile::mirrored_indices;
-
-use asperity_ehl_regime::Ripples;
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
-use asperity_mixed_film::FlattenedGradient;
+use asperity_mixed_film::TraceChange;
 
 use super::*;
 
@@ -33,45 +30,29 @@ fn gradient(flanks: &Flanks, settings: &LoadShareSettings) -> [Vec<f64>; 2] {
     let pair = PairSpectrum::of([first, second]);
     let traces = AttenuatedTraces::new([first, second], &film.flattening(&pair).unwrap());
     let n = points(&contact);
-    let starts = STARTS.map(|start| start as isize);
     let window = traces.window(STARTS, n).unwrap();
     let found = film.gradient(&mut rough, &table, &window, 1.0).unwrap();
-    let of_supply = traces.supply_gradient(starts, n, found.by_supply);
-    let none = || [0, 1].map(|body: usize| vec![0.0; flanks.heights[body].len()]);
-    let by_ripple = traces.ripple_gradient(starts, n, &found.by_parts);
-    let places = |body: usize| mirrored_indices(flanks.heights[body].len(), starts[body], n);
-    let mut flattened = FlattenedGradient {
-        heights: none(),
-        ripples: Ripples {
-            pressures: none(),
-            heights: none(),
-        },
+    let of_window = traces.window_gradient(STARTS.map(|start| start as isize), &found, 1.0);
+    let unflattening = film.unflattening(&flanks.spectra, &pair).unwrap();
+    let gradient = unflattening.gradient(&flanks.spectra, [&of_window]);
+    // Along a change that is flattened itself.
+    let windows = [None, Some(of_window)];
+    let changes = [0, 1, 1].map(|body: usize| {
+        let change = bump(flanks.heights[body].len(), 900 + 250 * body, 120);
+        (body, change)
+    });
+    let of = |(body, change): &(usize, Vec<f64>)| {
+        TraceChange::new(*body, change.clone(), flanks.spectra[0].spacing()).unwrap()
     };
-    for body in [0, 1] {
-        for (i, of_supply) in places(body).zip(&of_supply) {
-            flattened.heights[body][i] += of_supply;
-        }
-        let Some(by_ripple) = &by_ripple else {
-            continue;
-        };
-        let Ripples { pressures, heights } = &mut flattened.ripples;
-        for (i, by_pressure) in places(body).zip(&by_ripple.pressures) {
-            pressures[body][i] += by_pressure;
-        }
-        for (i, by_height) in places(body).zip(&by_ripple.heights) {
-            heights[body][i] += by_height;
-        }
+    let along = unflattening.along(&windows, &changes.each_ref().map(of));
+    for ((body, change), along) in changes.iter().zip(along) {
+        let product: f64 = gradient[*body].iter().zip(change).map(|(g, z)| g * z).sum();
+        assert!(
+            along[0] == 0.0 && (along[1] / product - 1.0).abs() < 1e-9,
+            "{along:?} {product}"
+        );
     }
-    let mut sums = film
-        .unflattening(&flanks.spectra, &pair)
-        .unwrap()
-        .gradient(&flattened);
-    for (body, sums) in sums.iter_mut().enumerate() {
-        for (i, by_height) in places(body).zip(&found.by_height) {
-            sums[i] += by_height;
-        }
-    }
-    sums
+    gradient
 }
 
 /// Central difference of the friction along `shape` of a trace, whose largest value is 1.

@@ -3,8 +3,9 @@
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::flanks::Texture;
+use asperity::mixed_film::TraceChange;
 use asperity::pipeline::{
-    LossGradient, Progress, check_gradient, gradient, gradient_with, mean_gradient, settled,
+    LossGradient, Progress, check_gradient, gradient, gradient_with, mean_along, settled,
 };
 use asperity::result::RunResult;
 use asperity::result::ridges::{FlankWatts, OctaveRow, RidgeRow, Ridges, height_of_mean_line};
@@ -108,8 +109,10 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
     };
     progress(4, STEPS);
     checkpoint()?;
+    let falls = falls(&traces, &rows).map_err(Box::new)?;
+    let along = [&before, &half, &after].map(|gradient| gradient.along(&falls));
     let by_lay = match draws.as_ref().and_then(ChangeDraws::ends_of_lay) {
-        Some(ends) => by_lay(&before, ends, (&traces, &rows))?,
+        Some(ends) => by_lay((&before, &along[0]), ends, (&traces, &rows))?,
         None => vec![[1.0; 2]; rows.len()],
     };
     progress(STEPS, STEPS);
@@ -122,10 +125,8 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
         Some(draws) => Some(draws.quantiles(base, by_window, by_lay)),
         None => sampled(by_window),
     };
-    let mean_gradient = mean_gradient([&before, &half, &after]);
-    for (row, by_lay) in rows.iter_mut().zip(by_lay) {
-        let of_offset = |by_height| saving(row, &traces, by_height);
-        let by_window: Vec<f64> = mean_gradient.iter().map(of_offset).collect();
+    let mean = mean_along(along.each_ref().map(Vec::as_slice));
+    for ((row, by_lay), by_window) in rows.iter_mut().zip(by_lay).zip(mean) {
         row.mean_gradient_w = by_window.iter().sum::<f64>() / by_window.len() as f64;
         let found = quantiles(&by_window, by_lay);
         [row.low_w, row.high_w] = [0, 1].map(|k: usize| found.map(|both| both[k]));
@@ -224,6 +225,27 @@ fn saving(row: &RidgeRow, traces: &[Profile; 2], by_height: &[Vec<f64>; 2]) -> f
     points.map(|i| by_height[body][i] * (z[i] - line)).sum()
 }
 
+/// The heights of each ridge above the mean line.
+fn falls(traces: &[Profile; 2], rows: &[RidgeRow]) -> Result<Vec<TraceChange>, PositionError> {
+    let of = |row: &RidgeRow| {
+        let body = body_of(row);
+        let trace = &traces[body];
+        let change = TraceChange::new(body, fall(row, trace), trace.spacing());
+        change.map_err(PositionError::from)
+    };
+    rows.iter().map(of).collect()
+}
+
+/// Heights of a ridge above the mean line at all points of its trace.
+fn fall(row: &RidgeRow, trace: &Profile) -> Vec<f64> {
+    let (z, line) = (trace.heights(), height_of_mean_line(trace));
+    let mut fall = vec![0.0; z.len()];
+    for i in row.first_point..=row.last_point {
+        fall[i] = z[i] - line;
+    }
+    fall
+}
+
 /// Both traces as they were read, with the gradient of the loss.
 fn measured(gradient: &LossGradient) -> Result<[Option<FlankWatts>; 2], Error> {
     let [pinion, wheel] = gradient.by_measured_height()?;
@@ -246,12 +268,7 @@ fn measured_saving(
     let Some(record) = &flank.preparation else {
         return Ok(None);
     };
-    let (z, line) = (traces[body].heights(), height_of_mean_line(&traces[body]));
-    let mut fall = vec![0.0; z.len()];
-    for i in row.first_point..=row.last_point {
-        fall[i] = z[i] - line;
-    }
-    let fall = Profile::new(traces[body].spacing(), fall)
+    let fall = Profile::new(traces[body].spacing(), fall(row, &traces[body]))
         .and_then(|fall| spaced(&fall, record.spacing))
         .map_err(|error| Box::new(PositionError::from(error)))?;
     let mut by_height = measured.by_height.clone();
@@ -263,31 +280,31 @@ fn measured_saving(
     Ok(Some(products.sum()))
 }
 
-/// First-order watts of each ridge at both `ends` of the lay over those `before`, over the same ratio of all ridges together.
+/// First-order watts of each ridge at both `ends` of the lay over those `before`, which are known at each offset, over the same
+/// ratio of all ridges together.
 fn by_lay(
-    before: &LossGradient,
+    (before, along): (&LossGradient, &[Vec<f64>]),
     ends: [f64; 2],
     (traces, rows): (&[Profile; 2], &[RidgeRow]),
 ) -> Result<Vec<[f64; 2]>, Error> {
     let (case, contacts) = few_offsets_of(&before.case, &before.contacts);
     let case = settled(&case, Some(&contacts))?;
-    let watts = |by_offset: &[[Vec<f64>; 2]]| -> Vec<f64> {
-        let of = |row: &RidgeRow| -> f64 {
-            let each = by_offset.iter().map(|one| saving(row, traces, one));
-            each.sum()
-        };
-        rows.iter().map(of).collect()
-    };
+    let offsets = contacts.offsets();
     let at = |lay: f64| -> Result<Vec<f64>, Error> {
         let mut other = case.clone().into_owned();
         UncertainParameter::Lay.set(&mut other, lay)?;
-        Ok(watts(&gradient_with(&contacts, &other)?.by_offset))
+        let by_height = gradient_with(&contacts, &other)?.by_height;
+        let of = |row: &RidgeRow| offsets as f64 * saving(row, traces, &by_height);
+        Ok(rows.iter().map(of).collect())
     };
     let ends = [at(ends[0])?, at(ends[1])?];
-    let middle = watts(&before.by_offset[..contacts.offsets()]);
+    let middle: Vec<f64> = along
+        .iter()
+        .map(|row| row[..offsets].iter().sum())
+        .collect();
     let all = |watts: &[f64]| watts.iter().sum::<f64>();
     let ratio = |k: usize, end: &[f64]| {
-        let whole = contacts.offsets() as f64 * rows[k].first_order_w;
+        let whole = offsets as f64 * rows[k].first_order_w;
         match middle[k] > COVERED * whole {
             true => end[k] / middle[k] / (all(end) / all(&middle)),
             false => 1.0,
