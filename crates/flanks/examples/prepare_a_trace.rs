@@ -20,9 +20,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let drawing = GearPairInput::standard([23, 68], drawing.0, drawing.1, drawing.2);
     let gears = GearPair::new(&drawing)?;
     let nothing_stated = Statements::default();
+    let content = TraceContent::Heights(&trace, &nothing_stated);
     let inputs = TraceInputs {
         name: "a wave",
-        content: TraceContent::Heights(&trace, &nothing_stated),
         options: &ReadOptions::default(),
         is_line_stated: false,
         outliers: None,
@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         needed_of_scan: None,
         shortest_form: None,
     };
-    let prepared = prepared_trace(inputs, (&gears, Gear::Pinion));
+    let prepared = prepared_trace(content, inputs, (&gears, Gear::Pinion));
     let prepared = prepared.map_err(|error| format!("{error:?}"))?;
     let parameters = prepared.flank.report.parameters.ok_or("no parameters")?;
     println!("Rq {:.3} um", 1e6 * parameters.heights.rq.si());

@@ -1,5 +1,7 @@
 //! One trace of a flank: read, turned along the flank, placed, filtered, with its roughness parameters.
 
+use std::sync::Arc;
+
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use asperity_gear::{Gear, GearPair};
@@ -21,23 +23,21 @@ use crate::surfaces::{FlankReport, Texture};
 use crate::trace_filters::{Filters, StatedFilters};
 
 /// Source of a trace.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub enum TraceContent<'a> {
     /// Heights in memory, and what is stated of them.
     Heights(&'a Profile, &'a Statements),
-    /// The bytes of a file, and the bytes of its measuring conditions.
-    Bytes(&'a [u8], Option<&'a [u8]>),
+    /// The bytes of a file, which are dropped when its heights are read, and the bytes of its measuring conditions.
+    Bytes(Arc<[u8]>, Option<Arc<[u8]>>),
     /// A scan that was read, of which the options name a row.
     Scan(&'a Surface),
 }
 
-/// A trace, and everything that its preparation follows from, except the gears.
+/// Everything that the preparation of a trace follows from, except its content and the gears.
 #[derive(Debug, Clone, Copy)]
 pub struct TraceInputs<'a> {
     /// Name of the file, for messages.
     pub name: &'a str,
-    /// Its source.
-    pub content: TraceContent<'a>,
     /// Options of its reader.
     pub options: &'a ReadOptions,
     /// Whether the line of a surface is stated, which a file with a single profile refuses.
@@ -134,10 +134,11 @@ struct ReadTrace {
 /// # Errors
 /// When the trace cannot be read or placed.
 pub fn measured(
+    content: TraceContent<'_>,
     inputs: TraceInputs<'_>,
     (gears, gear): (&GearPair, Gear),
 ) -> Result<(Profile, Statements), TraceError> {
-    let mut read = read_trace(inputs, inputs.options, own_radius((gears, gear)))?;
+    let mut read = read_trace(&content, inputs, inputs.options, own_radius((gears, gear)))?;
     place_of(inputs, &mut read, (gears, gear))?;
     Ok((read.profile, read.statements))
 }
@@ -150,13 +151,17 @@ fn own_radius((gears, gear): (&GearPair, Gear)) -> Length {
 /// Reads and prepares a trace of a flank of `gear`.
 ///
 /// # Errors
-/// When the trace cannot be read, placed, or prepared.
+/// When the trace cannot be read, placed, or prepared, and for the mean of a surface whose Rq is far below the Rq of single lines.
 pub fn prepared_trace(
+    content: TraceContent<'_>,
     inputs: TraceInputs<'_>,
     (gears, gear): (&GearPair, Gear),
 ) -> Result<PreparedTrace, TraceError> {
     let own_radius = own_radius((gears, gear));
-    let mut read = read_trace(inputs, inputs.options, own_radius)?;
+    let mut read = read_trace(&content, inputs, inputs.options, own_radius)?;
+    // Only the lines of a mean are read again.
+    let line = single_line(inputs.options);
+    let lines = line.map(|line| (content, line));
     let place = place_of(inputs, &mut read, (gears, gear))?;
     let mirrored = match &place {
         Some(place) => place.turned,
@@ -196,12 +201,10 @@ pub fn prepared_trace(
     let lambda_c = preparation.lambda_c;
     let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
     let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, section)?;
-    check_mean(
-        inputs,
-        own_radius,
-        preparation,
-        (section, parameters.heights.rq),
-    )?;
+    if let Some(lines) = lines {
+        let evaluated = (preparation, section, parameters.heights.rq);
+        check_mean(lines, inputs, own_radius, evaluated)?;
+    }
     let replaced = read.outliers.as_ref().and_then(OutlierRecord::warning);
     let of_preparation = prepared.warnings.iter().chain(&parameters.warnings);
     let warnings = replaced.iter().chain(of_preparation).cloned();
@@ -251,22 +254,26 @@ pub fn prepared_trace(
     })
 }
 
+/// Lines of the surface of which a mean is read.
+fn single_line(options: &ReadOptions) -> Option<TraceLine> {
+    match options.line {
+        TraceLine::Mean => Some(TraceLine::Row),
+        TraceLine::MeanColumn => Some(TraceLine::Column),
+        _ => None,
+    }
+}
+
 /// Refuses the mean of a surface whose Rq is far below the Rq of single lines.
 fn check_mean(
+    (content, single): (TraceContent<'_>, TraceLine),
     inputs: TraceInputs<'_>,
     own_radius: Length,
-    preparation: &Preparation,
-    (section, mean): (Length, Length),
+    (preparation, section, mean): (&Preparation, Length, Length),
 ) -> Result<(), TraceError> {
     /// Smallest Rq of a mean, as a share of the Rq of its lines.
     const LEAST: f64 = 0.9;
     /// Lines that are compared.
     const LINES: usize = 8;
-    let single = match inputs.options.line {
-        TraceLine::Mean => TraceLine::Row,
-        TraceLine::MeanColumn => TraceLine::Column,
-        _ => return Ok(()),
-    };
     let of_line = |row: usize| {
         let options = ReadOptions {
             line: single,
@@ -274,12 +281,12 @@ fn check_mean(
             ..inputs.options.clone()
         };
         // A line with missing points has no parameters, but the mean may.
-        let line = read_trace(inputs, &options, own_radius).ok()?;
+        let line = read_trace(&content, inputs, &options, own_radius).ok()?;
         let line = prepare(&line.profile, preparation).ok()?.profile;
         let parameters = Parameters::of(&line, Mode::Iso4287, section).ok()?;
         Some(parameters.heights.rq.si().powi(2))
     };
-    let across = match inputs.content {
+    let across = match &content {
         TraceContent::Heights(..) | TraceContent::Scan(_) => 1,
         TraceContent::Bytes(bytes, _) => {
             let surface = read_surface_bytes(inputs.name, bytes, inputs.options)?;
@@ -325,6 +332,7 @@ fn place_of(
 
 /// The trace in a file, or in memory, read with `options`.
 fn read_trace(
+    content: &TraceContent<'_>,
     inputs: TraceInputs<'_>,
     options: &ReadOptions,
     own_radius: Length,
@@ -333,7 +341,7 @@ fn read_trace(
     let cleaned = |profile: &Profile| {
         let replaced = |deviations| replace(profile, Outliers::beyond(deviations));
         // Spikes of a scan were replaced before.
-        let is_row = matches!(inputs.content, TraceContent::Scan(_));
+        let is_row = matches!(content, TraceContent::Scan(_));
         let outliers = inputs.outliers.filter(|_| !is_row);
         outliers.map(replaced).transpose()
     };
@@ -342,9 +350,9 @@ fn read_trace(
         base_radius: options.base_radius.or(Some(own_radius)),
         ..options.clone()
     };
-    let reading = match inputs.content {
+    let reading = match content {
         TraceContent::Bytes(bytes, conditions) => {
-            read_with_conditions(name, bytes, conditions, &with_radius)?
+            read_with_conditions(name, bytes, conditions.as_deref(), &with_radius)?
         }
         TraceContent::Scan(surface) => surface.reading(&with_radius)?,
         TraceContent::Heights(profile, statements) => {
@@ -353,7 +361,7 @@ fn read_trace(
                 .map(|range| TraceCut::of_profile(name, profile, range));
             let (profile, start) = match cut.transpose()? {
                 Some((part, cut)) => (part, cut.start),
-                None => (profile.clone(), Length::default()),
+                None => ((*profile).clone(), Length::default()),
             };
             let profile = match options.invert {
                 Some(true) => {
@@ -375,7 +383,7 @@ fn read_trace(
             return Ok(ReadTrace {
                 profile,
                 reading: None,
-                statements: statements.clone(),
+                statements: (*statements).clone(),
                 start,
                 outliers,
             });

@@ -5,19 +5,17 @@ use asperity_core::profile::mirrored_window;
 use asperity_ehl_regime::{Ripples, TraceSpectrum};
 
 use crate::error::LoadShareError;
-use crate::position_film::gradient::{ShareGradient, WindowGradient};
-use crate::window_gap::middle_gradient;
-use crate::window_roughness::{Flattening, WindowRoughness, deviation_gradient, part_gradient};
+use crate::window_roughness::{Flattening, WindowRoughness};
 
 /// Two prepared traces, attenuated for one contact, from which windows are cut.
 #[derive(Debug, Clone)]
 pub struct AttenuatedTraces {
-    heights: [Vec<f64>; 2],
+    pub(crate) heights: [Vec<f64>; 2],
     /// Ripples of the film, if it ripples.
-    ripples: Option<Ripples<[Vec<f64>; 2]>>,
+    pub(crate) ripples: Option<Ripples<[Vec<f64>; 2]>>,
     /// Points from the middle of a window up to which its film is.
-    reach: f64,
-    peak_weight: f64,
+    pub(crate) reach: f64,
+    pub(crate) peak_weight: f64,
 }
 
 impl AttenuatedTraces {
@@ -64,34 +62,6 @@ impl AttenuatedTraces {
         ))
     }
 
-    /// Gradient over the sums of both traces in two windows that begin at `starts`, and are mirrored beyond the ends of their
-    /// traces: `scale` times `of`, the gradient over the roughness of the windows.
-    #[must_use]
-    pub fn window_gradient(
-        &self,
-        starts: [isize; 2],
-        of: &ShareGradient,
-        scale: f64,
-    ) -> WindowGradient {
-        let points = of.by_height.len();
-        let [by_rms, by_middle] = of.by_supply.map(|slope| scale * slope);
-        let sums = mirrored_sums(&self.heights, starts, points);
-        let of_rms = deviation_gradient(&sums, self.peak_weight);
-        let both = of_rms.iter().zip(middle_gradient(points, self.reach));
-        let by_parts = of.by_parts.iter();
-        let by_parts: Vec<_> = by_parts.map(|part| part.map(|of| scale * of)).collect();
-        let ripples = self.ripples.as_ref().filter(|_| !by_parts.is_empty());
-        let sums = ripples.map(|ripples| ripples.each(|of| mirrored_sums(of, starts, points)));
-        WindowGradient {
-            starts,
-            contact: of.by_height.iter().map(|by| scale * by).collect(),
-            supply: both
-                .map(|(rms, middle)| by_rms * rms + by_middle * middle)
-                .collect(),
-            ripples: sums.map(|sums| part_gradient(&sums, self.reach, &by_parts)),
-        }
-    }
-
     /// z_d, p′ and z_f of a whole trace.
     pub(crate) fn of_trace(&self, body: usize) -> [Option<&[f64]>; 3] {
         let ripples = self.ripples.as_ref();
@@ -131,7 +101,7 @@ fn parts(of: &[Vec<f64>; 2], starts: [usize; 2], points: usize) -> [&[f64]; 2] {
     [0, 1].map(|k: usize| &of[k][starts[k]..starts[k] + points])
 }
 
-fn mirrored_sums(of: &[Vec<f64>; 2], starts: [isize; 2], points: usize) -> Vec<f64> {
+pub(crate) fn mirrored_sums(of: &[Vec<f64>; 2], starts: [isize; 2], points: usize) -> Vec<f64> {
     let [first, second] = [0, 1].map(|k: usize| mirrored_window(&of[k], starts[k], points));
     first.iter().zip(&second).map(|(a, b)| a + b).collect()
 }

@@ -78,9 +78,8 @@ pub use contact_table::{ContactTable, TABLE_SHARES, TableRow};
 pub use error::LoadShareError;
 pub use film_alone::FilmAlone;
 pub use point_contact::{PointContact, PointFilm};
-pub use position_film::gradient::{
-    Kinks, ShareGradient, TraceChange, Unflattening, WindowGradient,
-};
+pub use position_film::gradient::{Kinks, ShareGradient};
+pub use position_film::unflattening::{TraceChange, Unflattening, WindowGradient};
 pub use position_film::{
     InletSupply, LoadShareSettings, PatchGap, PositionFilm, SmoothFilm, SpotSpeed,
 };

@@ -1,6 +1,7 @@
 //! The film of one position at one temperature, and the load share of any window there.
 
 pub mod gradient;
+pub mod unflattening;
 
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::line_contact::LineContact;

@@ -11,7 +11,7 @@ use asperity::case::load_with;
 use asperity::result::{Outcome, RunResult};
 use asperity_core::{Code, Fault};
 use asperity_report::tables::{FlankTables, SurfaceRow, TraceRow};
-use asperity_report::{Fields, PageTables, read_result, redraw, texts, write_folder};
+use asperity_report::{Fields, PageTables, read_result, redraw, texts, thin, write_folder};
 
 fn cases() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases");
@@ -36,6 +36,27 @@ fn outcome(case: &Path) -> Outcome {
 fn smallest() -> Outcome {
     static RUN: OnceLock<Outcome> = OnceLock::new();
     RUN.get_or_init(|| outcome(&cases()[0])).clone()
+}
+
+/// Tables of a flank for display, from whole tables.
+fn thinned_flank(whole: FlankTables) -> FlankTables {
+    const BINS: usize = 350;
+    let heights = |row: &TraceRow| {
+        let rough = row.roughness_um.unwrap_or(f64::NAN);
+        [row.measured_um, row.form_removed_um, rough]
+    };
+    let (trace, ratios) = (&whole.trace, &whole.material_ratio);
+    assert!(trace.len() > 2 * BINS && ratios.len() > 2 * BINS);
+    FlankTables {
+        trace: thin(trace, BINS, |row| row.x_um, heights),
+        material_ratio: thin(
+            ratios,
+            BINS,
+            |row| row.material_ratio_percent,
+            |row| [row.height_um],
+        ),
+        spectrum: whole.spectrum_in_bands(),
+    }
 }
 
 #[test]
@@ -284,11 +305,18 @@ fn the_thinned_tables_of_a_contact_keep_the_extremes_of_the_fields() {
             let all = ends(&mut whole.surface.iter().map(column));
             assert_eq!(kept, all, "{case}: column {number}");
         }
-        let pinion = FlankTables::new(&outcome.result.flanks[0], outcome.traces[0].as_ref());
-        let trace = pinion.unwrap().unwrap().trace;
-        let drawn = &shown.flanks[0].as_ref().unwrap().trace;
-        let levelled = |rows: &[TraceRow]| ends(&mut rows.iter().map(|row| row.form_removed_um));
-        assert!(drawn.len() < trace.len());
-        assert_eq!(levelled(drawn), levelled(&trace), "{case}");
+        for (record, trace) in outcome.result.flanks.iter().zip(&outcome.traces) {
+            for mirrored in [record.mirrored, !record.mirrored] {
+                let mut record = record.clone();
+                record.mirrored = mirrored;
+                let whole = FlankTables::new(&record, trace.as_ref()).unwrap();
+                let shown = FlankTables::shown(&record, trace.as_ref()).unwrap();
+                assert_eq!(
+                    shown,
+                    whole.map(thinned_flank),
+                    "{case}, mirrored: {mirrored}"
+                );
+            }
+        }
     }
 }

@@ -235,10 +235,9 @@ fn trace(
 ) -> Result<Known, CaseError> {
     let (inputs, input) = (context.inputs, &listed.input);
     let gear = gear_of(keys.table);
-    let source = Opened::of(listed, keys, context)?;
+    let mut source = Opened::of(listed, keys, context)?;
     let of_trace = TraceInputs {
         name,
-        content: source.content(),
         options: &read_options(input),
         is_line_stated: input.line.is_some(),
         outliers: inputs.surface.outliers,
@@ -253,7 +252,7 @@ fn trace(
             }
         },
     };
-    let prepared = prepared_trace(of_trace, (&inputs.gears, gear));
+    let prepared = prepared_trace(source.content(), of_trace, (&inputs.gears, gear));
     let prepared = prepared.map_err(|error| placed(error, (name, short), keys, context))?;
     let PreparedTrace {
         mut flank,
@@ -329,10 +328,13 @@ impl Opened {
         })
     }
 
-    fn content(&self) -> TraceContent<'_> {
-        match &self.source {
+    /// The content, without the bytes of a file after the first time.
+    fn content(&mut self) -> TraceContent<'_> {
+        match &mut self.source {
             Ok(scan) => TraceContent::Scan(&scan.surface),
-            Err(Content::Bytes(bytes)) => TraceContent::Bytes(bytes, self.conditions.as_deref()),
+            Err(Content::Bytes(bytes)) => {
+                TraceContent::Bytes(std::mem::take(bytes), self.conditions.take())
+            }
             Err(Content::Heights(held)) => TraceContent::Heights(&held.profile, &held.statements),
         }
     }

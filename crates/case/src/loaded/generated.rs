@@ -225,12 +225,12 @@ fn read(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Measured, 
         .files
         .open(file, context.source, keys.file.clone())?;
     let conditions = context.files.conditions(file);
+    let content = match &content {
+        Content::Bytes(bytes) => TraceContent::Bytes(bytes.clone(), conditions),
+        Content::Heights(held) => TraceContent::Heights(&held.profile, &held.statements),
+    };
     let inputs = TraceInputs {
         name: &name,
-        content: match &content {
-            Content::Bytes(bytes) => TraceContent::Bytes(bytes, conditions.as_deref()),
-            Content::Heights(held) => TraceContent::Heights(&held.profile, &held.statements),
-        },
         options: &read_options(input),
         is_line_stated: input.line.is_some(),
         outliers: context.inputs.surface.outliers,
@@ -240,8 +240,8 @@ fn read(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Measured, 
         shortest_form: None,
     };
     let gears = (&context.inputs.gears, gear_of(keys.table));
-    let (profile, statements) =
-        measured(inputs, gears).map_err(|error| placed(error, (&name, &name), keys, context))?;
+    let (profile, statements) = measured(content, inputs, gears)
+        .map_err(|error| placed(error, (&name, &name), keys, context))?;
     Ok(Measured {
         profile,
         trace: MeasuredTrace {
