@@ -160,8 +160,7 @@ pub fn prepared_trace(
     let own_radius = own_radius((gears, gear));
     let mut read = read_trace(&content, inputs, inputs.options, own_radius)?;
     // Only the lines of a mean are read again.
-    let line = single_line(inputs.options);
-    let lines = line.map(|line| (content, line));
+    let lines = single_line(inputs.options).map(|line| (content, line));
     let place = place_of(inputs, &mut read, (gears, gear))?;
     let mirrored = match &place {
         Some(place) => place.turned,
