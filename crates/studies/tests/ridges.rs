@@ -72,7 +72,7 @@ fn falls([from, to]: [&LoadedCase; 2]) -> [TraceChange; 2] {
 
 /// Saving at each offset by heights that fall from one case to another, by the mean of three gradients.
 fn mean_saving(gradients: [&LossGradient; 3], cases: [&LoadedCase; 2]) -> Vec<f64> {
-    let along = gradients.map(|gradient| gradient.along(&falls(cases)));
+    let along = gradients.map(|gradient| gradient.along(&falls(cases)).unwrap());
     let [mut of_pinion, of_wheel] = mean_along(along.each_ref().map(Vec::as_slice))
         .try_into()
         .unwrap();
@@ -120,7 +120,7 @@ fn a_ridge_pressed_to_half_its_height_saves_what_the_mean_gradient_predicts() {
         let predicted = mean.iter().sum::<f64>() / mean.len() as f64;
         let of_ends = 0.5 * (saving(&before, moved) + saving(&after, moved));
         // Each change is flattened, or the gradient of all windows is: the same product.
-        let along = before.along(&falls(moved));
+        let along = before.along(&falls(moved)).unwrap();
         let along = along.iter().flatten().sum::<f64>() / mean.len() as f64;
         assert!(
             (along / saving(&before, moved) - 1.0).abs() < 1e-11,

@@ -53,17 +53,22 @@ pub struct LossGradient {
 
 impl LossGradient {
     /// Derivative of the loss at each offset of the traces along each change of a trace \[W\].
-    #[must_use]
-    pub fn along(&self, changes: &[TraceChange]) -> Vec<Vec<f64>> {
-        let of = |at: &PositionGradient| at.unflattening.along(&at.windows, changes);
+    ///
+    /// # Errors
+    /// When a change has not as many heights as its prepared trace.
+    pub fn along(&self, changes: &[TraceChange]) -> Result<Vec<Vec<f64>>, Error> {
+        let of = |at: &PositionGradient| {
+            let along = at.unflattening.along(&at.windows, changes);
+            along.map_err(PositionError::from)
+        };
         let of_positions: Vec<_> = self.positions.par_iter().map(of).collect();
         let mut sums = vec![vec![0.0; self.case.case.model.offsets]; changes.len()];
-        for of_position in &of_positions {
-            for (sums, of_change) in sums.iter_mut().zip(of_position) {
+        for of_position in of_positions {
+            for (sums, of_change) in sums.iter_mut().zip(&of_position.map_err(Box::new)?) {
                 add_times(sums, self.heat_balance, of_change);
             }
         }
-        sums
+        Ok(sums)
     }
 
     /// Derivative of the loss over the height of each point of both traces as they were read, in their own direction \[W/m\];

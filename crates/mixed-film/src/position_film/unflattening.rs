@@ -9,6 +9,7 @@
 
 use std::borrow::Cow;
 
+use asperity_core::DomainError;
 use asperity_core::cite;
 use asperity_core::numerics::{add_times, dot};
 use asperity_core::profile::{mirrored_indices, mirrored_window};
@@ -56,6 +57,16 @@ impl WindowGradient {
         };
         gradient.map_or(0.0, product)
     }
+
+    /// Derivative along a change of a trace that the inlet leaves as `flattened`, with its scale held.
+    fn along(&self, change: &TraceChange, flattened: [Option<&[f64]>; 3]) -> f64 {
+        let body = change.body;
+        let pairs = self.flattened().into_iter().zip(flattened);
+        let of = |(gradient, of_trace): (_, Option<&[f64]>)| {
+            of_trace.map_or(0.0, |of_trace| self.sum(gradient, body, of_trace))
+        };
+        self.sum(Some(&self.contact), body, &change.heights) + pairs.map(of).sum::<f64>()
+    }
 }
 
 /// A change of the heights of one trace.
@@ -67,11 +78,12 @@ pub struct TraceChange {
 }
 
 impl TraceChange {
-    /// A change of all heights of the trace of `body` \[m\], which are `spacing` apart.
+    /// A change of all heights of the first or second trace (`body` 0 or 1) \[m\], which are `spacing` apart.
     ///
     /// # Errors
-    /// When the spacing is not positive, there are fewer than two heights or one is not finite.
+    /// When there is no such trace, the spacing is not positive, there are fewer than two heights or one is not finite.
     pub fn new(body: usize, heights: Vec<f64>, spacing: Length) -> Result<Self, LoadShareError> {
+        DomainError::require(body < 2, "body", body as f64, "-", "must be 0 or 1")?;
         Ok(Self {
             body,
             spectrum: TraceSpectrum::new(&heights, spacing)?,
@@ -152,53 +164,50 @@ impl Unflattening {
         gradient
     }
 
-    /// Derivative of a number along each change, in each window: the product of [`gradient`](Self::gradient) and the change, for
-    /// which each change is flattened once and not the gradient of each window.
-    #[must_use]
+    /// Derivative of a number along each change, in each window: the product of [`gradient`](Self::gradient) and the change. Each
+    /// change is flattened once, and not the gradient of each window. Zero where there is no window.
+    ///
+    /// # Errors
+    /// When a change has not as many heights as its trace.
     pub fn along(
         &self,
         windows: &[Option<WindowGradient>],
         changes: &[TraceChange],
-    ) -> Vec<Vec<f64>> {
+    ) -> Result<Vec<Vec<f64>>, LoadShareError> {
         cite!("Flattened-gradient");
-        let by_scale = |window: &WindowGradient| -> f64 {
-            let pairs = window.flattened().into_iter().zip(&self.slopes);
-            let of = |(gradient, slopes): (_, &[Vec<f64>; 2])| -> f64 {
-                let of_bodies = [0, 1].map(|body: usize| window.sum(gradient, body, &slopes[body]));
-                of_bodies[0] + of_bodies[1]
-            };
-            pairs.map(of).sum()
-        };
-        let by_scales: Vec<f64> = match self.by_height {
-            Some(_) => {
-                let of = |window: &Option<_>| window.as_ref().map_or(0.0, by_scale);
-                windows.iter().map(of).collect()
-            }
-            None => vec![0.0; windows.len()],
-        };
+        for change in changes {
+            let (points, most) = (change.heights.len(), self.slopes[0][change.body].len());
+            let rule = "a change has as many heights as its trace";
+            DomainError::require(points == most, "heights", points as f64, "-", rule)?;
+        }
+        let by_scale = |window: &Option<_>| window.as_ref().map_or(0.0, |of| self.by_scale(of));
+        let by_scale: Vec<f64> = windows.iter().map(by_scale).collect();
         // Two changes cost one transform together.
         let of_two = |two: &[TraceChange]| -> Vec<Vec<f64>> {
             let both = [&two[0], &two[two.len() - 1]].map(|change| &change.spectrum);
             let flattened = AttenuatedTraces::new(both, &self.flattening);
             let of = |(k, change): (usize, &TraceChange)| -> Vec<f64> {
-                let body = change.body;
                 let by_height = self.by_height.as_ref();
-                let scale = by_height.map_or(0.0, |of| dot(&of[body], &change.heights));
-                let changed = flattened.of_trace(k);
-                let in_window = |(window, by_scale): (&Option<WindowGradient>, &f64)| {
-                    let Some(window) = window else { return 0.0 };
-                    let direct = window.sum(Some(&window.contact), body, &change.heights);
-                    let pairs = window.flattened().into_iter().zip(changed);
-                    let of = |(gradient, changed): (_, Option<&[f64]>)| {
-                        changed.map_or(0.0, |changed| window.sum(gradient, body, changed))
-                    };
-                    direct + pairs.map(of).sum::<f64>() + scale * by_scale
+                let scale = by_height.map_or(0.0, |of| dot(&of[change.body], &change.heights));
+                let flattened = flattened.of_trace(k);
+                let of = |(window, by_scale): (&Option<WindowGradient>, &f64)| {
+                    let window = window.as_ref();
+                    window.map_or(0.0, |of| of.along(change, flattened) + scale * by_scale)
                 };
-                windows.iter().zip(&by_scales).map(in_window).collect()
+                windows.iter().zip(&by_scale).map(of).collect()
             };
             two.iter().enumerate().map(of).collect()
         };
-        changes.chunks(2).flat_map(of_two).collect()
+        Ok(changes.chunks(2).flat_map(of_two).collect())
+    }
+
+    /// Derivative of a number over ln n in a window.
+    fn by_scale(&self, window: &WindowGradient) -> f64 {
+        let pairs = window.flattened().into_iter().zip(&self.slopes);
+        let products = pairs.map(|(gradient, slopes)| {
+            window.sum(gradient, 0, &slopes[0]) + window.sum(gradient, 1, &slopes[1])
+        });
+        products.sum()
     }
 }
 

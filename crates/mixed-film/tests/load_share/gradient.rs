@@ -44,7 +44,11 @@ fn gradient(flanks: &Flanks, settings: &LoadShareSettings) -> [Vec<f64>; 2] {
     let of = |(body, change): &(usize, Vec<f64>)| {
         TraceChange::new(*body, change.clone(), flanks.spectra[0].spacing()).unwrap()
     };
-    let along = unflattening.along(&windows, &changes.each_ref().map(of));
+    let short = TraceChange::new(1, vec![0.0; 900], flanks.spectra[0].spacing()).unwrap();
+    assert!(unflattening.along(&windows, &[short]).is_err());
+    let along = unflattening
+        .along(&windows, &changes.each_ref().map(of))
+        .unwrap();
     for ((body, change), along) in changes.iter().zip(along) {
         let product: f64 = gradient[*body].iter().zip(change).map(|(g, z)| g * z).sum();
         assert!(

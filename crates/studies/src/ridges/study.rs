@@ -110,7 +110,11 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
     progress(4, STEPS);
     checkpoint()?;
     let falls = falls(&traces, &rows).map_err(Box::new)?;
-    let along = [&before, &half, &after].map(|gradient| gradient.along(&falls));
+    let along = [
+        before.along(&falls)?,
+        half.along(&falls)?,
+        after.along(&falls)?,
+    ];
     let by_lay = match draws.as_ref().and_then(ChangeDraws::ends_of_lay) {
         Some(ends) => by_lay((&before, &along[0]), ends, (&traces, &rows))?,
         None => vec![[1.0; 2]; rows.len()],
