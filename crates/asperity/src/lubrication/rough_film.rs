@@ -214,7 +214,7 @@ impl RoughFilm<'_> {
         Ok((Some(gradient), kinks))
     }
 
-    /// Gradient over the heights of the traces from the gradients of windows.
+    /// The adjoint of the flattening of the traces: from gradients in windows to the gradient over the heights.
     pub(crate) fn unflattening(&self) -> Result<Unflattening, PositionError> {
         let spectra = self.surfaces.whole_spectra()?;
         Ok((self.film).unflattening(spectra, self.surfaces.pair_spectrum()?)?)

@@ -55,7 +55,7 @@ impl LossGradient {
     /// Derivative of the loss at each offset of the traces along each change of a trace \[W\].
     ///
     /// # Errors
-    /// When a change has not as many heights as its prepared trace.
+    /// When a change does not have as many heights as its prepared trace.
     pub fn along(&self, changes: &[TraceChange]) -> Result<Vec<Vec<f64>>, Error> {
         let of = |at: &PositionGradient| {
             let along = at.unflattening.along(&at.windows, changes);

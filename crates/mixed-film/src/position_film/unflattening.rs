@@ -81,7 +81,7 @@ impl TraceChange {
     /// A change of all heights of the first or second trace (`body` 0 or 1) \[m\], which are `spacing` apart.
     ///
     /// # Errors
-    /// When there is no such trace, the spacing is not positive, there are fewer than two heights or one is not finite.
+    /// When `body` is neither 0 nor 1, the spacing is not positive, there are fewer than two heights or one is not finite.
     pub fn new(body: usize, heights: Vec<f64>, spacing: Length) -> Result<Self, LoadShareError> {
         DomainError::require(body < 2, "body", body as f64, "-", "must be 0 or 1")?;
         Ok(Self {
@@ -165,10 +165,10 @@ impl Unflattening {
     }
 
     /// Derivative of a number along each change, in each window: the product of [`gradient`](Self::gradient) and the change. Each
-    /// change is flattened once, and not the gradient of each window. Zero where there is no window.
+    /// change is flattened once, and not the gradient of each window. Zero for `None`.
     ///
     /// # Errors
-    /// When a change has not as many heights as its trace.
+    /// When a change does not have as many heights as its trace.
     pub fn along(
         &self,
         windows: &[Option<WindowGradient>],
