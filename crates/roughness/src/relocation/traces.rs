@@ -72,7 +72,7 @@ impl Trace {
     pub(super) fn at(&self, x: f64) -> Option<[f64; 3]> {
         let place = x / self.dx;
         let whole = place.floor();
-        let first = (whole >= 1.0).then_some(whole as usize - 1)?;
+        let first = (whole >= 1.0).then(|| whole as usize - 1)?;
         let z = self.heights.get(first..first + 4)?;
         let rough = self.rough.get(first..first + 4)?;
         let u = place - whole;
