@@ -18,7 +18,7 @@ fn the_ridges_are_in_the_report_on_request_or_the_reason_why_not() {
     let found = result("found");
     let ridges = &found["ridges"];
     let number = |key: &str| ridges[key].as_f64().unwrap();
-    let saving = number("loss_w") - number("pressed_loss_w");
+    let saving = number("loss_at_medians_w") - number("pressed_at_medians_w");
     assert!(saving > 5.0, "{ridges}");
     let line = said.lines().find(|line| line.contains("ridges")).unwrap();
     let printed = line.split("saves ").nth(1).unwrap();

@@ -22,14 +22,37 @@ fn case(name: &str) -> LoadedCase {
     .unwrap()
 }
 
-fn uncertainty(case: &LoadedCase) -> Uncertainty {
+/// The uncertainty of a loss, and the loss with every constant at its median.
+struct Drawn {
+    of: Uncertainty,
+    at_medians_w: f64,
+}
+
+impl std::ops::Deref for Drawn {
+    type Target = Uncertainty;
+
+    fn deref(&self) -> &Uncertainty {
+        &self.of
+    }
+}
+
+impl Drawn {
+    fn to_median(&self) -> f64 {
+        self.loss.median_w / self.at_medians_w
+    }
+}
+
+fn uncertainty(case: &LoadedCase) -> Drawn {
     let outcome = Run::new(case).fields(&KEPT).band(true).execute().unwrap();
-    outcome.result.uncertainty.unwrap()
+    Drawn {
+        at_medians_w: outcome.result.summary.loss_at_medians_w.unwrap(),
+        of: outcome.result.uncertainty.unwrap(),
+    }
 }
 
 /// The e-drive and its uncertainty, drawn once.
-fn e_drive() -> &'static (LoadedCase, Uncertainty) {
-    static DRAWN: OnceLock<(LoadedCase, Uncertainty)> = OnceLock::new();
+fn e_drive() -> &'static (LoadedCase, Drawn) {
+    static DRAWN: OnceLock<(LoadedCase, Drawn)> = OnceLock::new();
     DRAWN.get_or_init(|| {
         let case = case("e-drive.toml");
         let found = uncertainty(&case);
@@ -51,15 +74,32 @@ fn between(first: &LoadedCase, other: &LoadedCase) -> (PairedDifference, [Uncert
 }
 
 #[test]
-fn a_run_with_its_band_has_the_result_of_the_run() {
+fn a_run_with_its_band_is_the_run_restated_at_its_median() {
     let case = case("e-drive.toml");
     let plain = Run::new(&case).fields(&KEPT).execute().unwrap();
     let banded = Run::new(&case).fields(&KEPT).band(true).execute().unwrap();
-    assert_eq!(plain.result.summary, banded.result.summary);
-    assert_eq!(plain.result.path, banded.result.path);
-    assert_eq!(plain.offsets, banded.offsets);
-    let found = banded.result.uncertainty.unwrap();
-    assert_eq!(found.at_medians_w, plain.result.summary.loss_w);
+    let (before, after) = (&plain.result.summary, &banded.result.summary);
+    assert_eq!(after.loss_at_medians_w, Some(before.loss_w));
+    assert_eq!(before.loss_at_medians_w, None);
+    let found = banded.result.uncertainty.as_ref().unwrap();
+    assert_eq!(after.loss_w, found.loss.median_w);
+    let ratio = after.loss_w / before.loss_w;
+    let is_scaled = |scaled: f64, of_run: f64| (scaled / of_run / ratio - 1.0).abs() < 1e-12;
+    assert!(is_scaled(after.boundary_w, before.boundary_w));
+    assert!(is_scaled(after.mu_equivalent, before.mu_equivalent));
+    assert!(is_scaled(1.0 - after.efficiency, 1.0 - before.efficiency));
+    assert_eq!(after.asperity_share, before.asperity_share);
+    for (before, after) in plain.result.path.iter().zip(&banded.result.path) {
+        assert!(is_scaled(after.sliding_w_per_m, before.sliding_w_per_m));
+        assert!(is_scaled(after.mu, before.mu));
+        assert_eq!(
+            (after.film_share, after.flash_k),
+            (before.film_share, before.flash_k)
+        );
+    }
+    for (before, after) in plain.offsets.iter().zip(&banded.offsets) {
+        assert!(is_scaled(after.loss_w, before.loss_w));
+    }
     let tags: Vec<&str> = banded.result.equations.iter().map(|e| &*e.tag).collect();
     for tag in [
         "Latin-hypercube",
@@ -99,7 +139,7 @@ fn the_draws_over_the_boundary_share_of_inner_spots_are_runs_with_that_share() {
         let run = asperity::losses(&other).unwrap().summary.loss_w;
         let mut rows = found.structures.iter();
         let row = rows.find(|row| row.name.ends_with(share));
-        let drawn = row.unwrap().loss_w.unwrap();
+        let drawn = row.unwrap().loss_w.unwrap() / found.to_median();
         assert!((drawn / run - 1.0).abs() < 0.015, "{share}: {drawn} {run}");
     }
 }
@@ -116,7 +156,7 @@ fn the_median_of_the_draws_is_the_run_with_stated_relief() {
         let found = uncertainty(&case(file));
         assert!(found.roughness_over_film.unwrap() < 3.0);
         // 0.5 % at most with all positions and offsets.
-        let off = found.scale() - 1.0;
+        let off = found.to_median() - 1.0;
         assert!(off.abs() < 0.01, "{file}: {off}");
     }
 }
@@ -149,12 +189,13 @@ fn a_lay_beyond_the_records_is_named_and_reaches_down_to_a_confirmed_lay() {
         "{shown}"
     );
     let confirmed = asperity::losses(&with("0.166666666666667")).unwrap();
-    let [low, high] = [&confirmed.summary, &result.summary].map(|summary| summary.loss_w);
-    let uncertainty = result.uncertainty.as_ref().unwrap();
+    let of_run = result.summary.loss_at_medians_w.unwrap();
+    let [low, high] = [confirmed.summary.loss_w, of_run];
+    let to_median = result.summary.loss_w / of_run;
     // Scaled to the median of the draws: a twentieth of the way from either end.
     let ends = far_part(&result).unwrap().quantiles_w;
     for (end, part) in ends.into_iter().zip([0.05, 0.95]) {
-        let expected = uncertainty.scale() * (low + part * (high - low));
+        let expected = to_median * (low + part * (high - low));
         assert!((end / expected - 1.0).abs() < 5e-3, "{end} {expected}");
     }
 }
@@ -187,7 +228,7 @@ fn a_draw_is_a_run_with_its_constants() {
             .with_key("model.boundary_friction", &value.to_string())
             .unwrap();
         let run = asperity::losses(&other).unwrap().summary.loss_w;
-        let drawn = drawn / found.scale();
+        let drawn = drawn / found.to_median();
         assert!((drawn / run - 1.0).abs() < 0.02, "{value}: {drawn} {run}");
     }
 }
@@ -400,7 +441,10 @@ fn calibrated() -> &'static RunResult {
 fn a_calibrated_case_has_the_same_loss_and_smaller_parts() {
     let (plain, narrow) = (&e_drive().1, calibrated().uncertainty.as_ref().unwrap());
     // The values are the defaults.
-    assert_eq!(plain.at_medians_w, narrow.at_medians_w);
+    assert_eq!(
+        Some(plain.at_medians_w),
+        calibrated().summary.loss_at_medians_w
+    );
     for name in [
         "boundary friction",
         "boundary layer",

@@ -61,12 +61,13 @@ pub fn table() -> String {
     );
     row(
         "sliding W, elastic teeth, defaults",
-        [ground, fine].map(|found| whole(found.0.sliding_w)),
+        [ground, fine]
+            .map(|found| whole(found.0.sliding_w * found.0.at_medians_w() / found.0.loss_w)),
         "550 with 8 to 64 offsets (standard error 8), first form",
     );
     row(
         "loss W, every constant at its median",
-        [ground, fine].map(|found| whole(found.1.at_medians_w)),
+        [ground, fine].map(|found| whole(found.0.at_medians_w())),
         "610, 434",
     );
     let range = |[low, high]: [f64; 2]| format!("{low:.0} to {high:.0}");

@@ -56,7 +56,7 @@ fn report<'a>(differences: &ResultDiff) -> Report<'a> {
     })
 }
 
-/// The loss of both results: the median of the draws, or of the runs where one has no draws.
+/// The loss of both results.
 fn loss(differences: &ResultDiff) -> Option<String> {
     let of = |key: &str| {
         let mut changes = differences.summary.iter();
@@ -68,7 +68,7 @@ fn loss(differences: &ResultDiff) -> Option<String> {
         );
         Some((first, second, 100.0 * change.relative?))
     };
-    let (first, second, percent) = of("loss_median_w").or_else(|| of("loss_w"))?;
+    let (first, second, percent) = of("loss_w")?;
     // Three digits of the larger.
     let power = |watts: f64| rounded(watts, 0.01 * first.max(second));
     Some(format!(

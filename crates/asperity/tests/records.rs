@@ -128,7 +128,7 @@ fn a_loss_by_records_has_an_interval_and_no_draw_solves_a_record() {
     let found = of(&usual);
     assert!(found.structures[0].loss_w.unwrap() > 1.001 * usual.summary.loss_w);
     assert!(found.loss.parts.iter().any(|part| part.name == "lay"));
-    assert!((found.at_medians_w - usual.summary.loss_w).abs() < 1e-12);
+    assert!((found.loss.median_w - usual.summary.loss_w).abs() < 1e-12);
 }
 
 #[test]

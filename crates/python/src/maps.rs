@@ -46,9 +46,9 @@ type Column = (&'static str, fn(&Numbers) -> Option<f64>);
 /// The numbers of a point.
 pub const COLUMNS: [Column; 16] = [
     ("loss_w", |n| Some(n.loss_w)),
-    ("loss_median_w", |n| Some(n.drawn_w?.value)),
     ("loss_p05_w", |n| Some(n.drawn_w?.low)),
     ("loss_p95_w", |n| Some(n.drawn_w?.high)),
+    ("loss_at_medians_w", |n| n.loss_at_medians_w),
     ("loss_torque_nm", |n| Some(n.loss_torque_nm)),
     ("loss_torque_deviation_nm", |n| n.loss_torque_deviation_nm),
     ("efficiency", |n| n.efficiency),

@@ -22,7 +22,7 @@ pub(crate) struct PrintedPart {
     pub name: &'static str,
     /// Key in `result.json`.
     pub key: &'static str,
-    /// The part in the run \[W\].
+    /// The part \[W\].
     pub watts: f64,
     pub text: String,
     /// Share of the loss as printed.
@@ -30,8 +30,7 @@ pub(crate) struct PrintedPart {
 }
 
 impl PrintedLoss {
-    /// The median with the parts of the run scaled to it and the digits that its interval leaves; three or four digits of
-    /// the run without uncertainty.
+    /// The loss and its parts with the digits that the interval leaves; three or four digits without uncertainty.
     pub(crate) fn of(
         s: &Summary,
         running_in: &RunningIn,
@@ -42,9 +41,7 @@ impl PrintedLoss {
             is_banded: uncertainty.is_some(),
             is_in_kilowatts: uncertainty.is_none() && s.loss_w >= KILOWATTS_FROM,
         };
-        let scale = uncertainty.map_or(1.0, Uncertainty::scale);
-        let median = scale * s.loss_w;
-        let loss = powers.digits.steps(median);
+        let loss = powers.digits.steps(s.loss_w);
         let [pinion, wheel] = s.deformation_w;
         let of_mesh = [
             s.sliding_w,
@@ -53,11 +50,9 @@ impl PrintedLoss {
             wheel,
             running_in.included_w(),
         ];
-        let steps = powers.digits.parts(loss, &of_mesh.map(|part| scale * part));
+        let steps = powers.digits.parts(loss, &of_mesh);
         let of_sliding = [s.film_w, s.lubricated_asperity_w, s.boundary_w];
-        let in_sliding = powers
-            .digits
-            .parts(steps[0], &of_sliding.map(|part| scale * part));
+        let in_sliding = powers.digits.parts(steps[0], &of_sliding);
         let all = of_sliding.into_iter().chain(of_mesh.into_iter().skip(1));
         let all: Vec<f64> = all.collect();
         let places = [&in_sliding, &steps[1..]].concat();
@@ -65,11 +60,11 @@ impl PrintedLoss {
         let numbers = all.into_iter().zip(places).zip(shares.iter());
         let parts = PARTS.iter().zip(numbers).enumerate();
         let matters = |number: usize, watts: f64| number < ALWAYS || watts > NAMED * s.loss_w;
-        let boundary = powers.text(scale * s.boundary_w, in_sliding[2]);
-        let of_asperities = scale * (s.lubricated_asperity_w + s.boundary_w);
+        let boundary = powers.text(s.boundary_w, in_sliding[2]);
+        let of_asperities = s.lubricated_asperity_w + s.boundary_w;
         let interval = uncertainty.and_then(|uncertainty| uncertainty.boundary_w);
         Self {
-            loss: powers.text(median, loss),
+            loss: powers.text(s.loss_w, loss),
             asperities: powers.text(of_asperities, in_sliding[1] + in_sliding[2]),
             asperity_share: sum_of(&shares[1..3]),
             boundary: match (interval, boundary.strip_suffix(" W")) {
@@ -86,7 +81,7 @@ impl PrintedLoss {
                     name,
                     key,
                     watts,
-                    text: powers.text(scale * watts, place),
+                    text: powers.text(watts, place),
                     share: format!("{share} %"),
                 })
                 .collect(),
@@ -106,10 +101,9 @@ fn sum_of(shares: &[String]) -> Option<String> {
 /// Parts of the loss of a mesh: name, watts and text, which add up to the printed loss.
 pub fn parts_of(result: &RunResult) -> impl Iterator<Item = (&'static str, f64, String)> {
     let uncertainty = result.uncertainty.as_ref();
-    let scale = uncertainty.map_or(1.0, Uncertainty::scale);
     let printed = PrintedLoss::of(&result.summary, &result.running_in, uncertainty);
     let parts = printed.parts.into_iter();
-    parts.map(move |part| (part.name, scale * part.watts, part.text))
+    parts.map(|part| (part.name, part.watts, part.text))
 }
 
 /// Names of the two parts of the friction of asperities.

@@ -30,7 +30,7 @@ pub fn verdict(ridges: &Ridges) -> String {
 
 /// The listed ridges and what pressing them saves.
 fn saving(ridges: &Ridges) -> String {
-    let saved = ridges.loss_w - ridges.pressed_loss_w;
+    let saved = ridges.loss_at_medians_w - ridges.pressed_at_medians_w;
     let sampled = ridges.sampling_quantiles_w.map(|[low, high]| [-high, -low]);
     let quantiles = ridges.saving_quantiles_w.or(sampled);
     format!(

@@ -155,8 +155,8 @@ fn share(of: &ScanLoss) -> String {
 }
 
 fn drawn(of: &ScanLoss) -> Option<Estimate> {
-    of.drawn_w
-        .map(|[value, low, high]| Estimate::new(value, [low, high]))
+    of.loss_quantiles_w
+        .map(|ends| Estimate::new(of.loss_w, ends))
 }
 
 /// The loss with its interval, if it is drawn.
@@ -167,7 +167,7 @@ fn loss(of: &ScanLoss) -> Cell {
     }
 }
 
-/// Film, lubricated asperities, boundary layer and rolling with the digits of the loss; with an interval parts of its median.
+/// Film, lubricated asperities, boundary layer and rolling with the digits of the loss.
 fn parts(of: &ScanLoss) -> [Cell; 4] {
     let parts = [
         of.film_w,
@@ -175,13 +175,9 @@ fn parts(of: &ScanLoss) -> [Cell; 4] {
         of.boundary_w,
         of.rolling_w,
     ];
-    let (total, digits) = match drawn(of) {
-        Some(drawn) => (drawn.value, Digits::of_interval(drawn.ends())),
-        None => (of.loss_w, Digits::of_uncertainty(0.1 * of.loss_w)),
-    };
-    let scale = total / of.loss_w;
-    let texts = digits.texts_of_parts(total, &parts.map(|part| scale * part));
-    std::array::from_fn(|k| Cell::shown(&*texts[k], Value::Number(scale * parts[k])))
+    let digits = Digits::of_drawn(drawn(of), Digits::of_uncertainty(0.1 * of.loss_w));
+    let texts = digits.texts_of_parts(of.loss_w, &parts);
+    std::array::from_fn(|k| Cell::shown(&*texts[k], Value::Number(parts[k])))
 }
 
 /// Loss, its parts and the contact, by patches and by rows.

@@ -243,7 +243,7 @@ fn details(result: &RunResult, columns: usize) -> String {
     if let Some(gearbox) = &result.gearbox {
         lines.push(besides_the_mesh(gearbox));
     }
-    lines.extend(result.uncertainty.as_ref().and_then(shift));
+    lines.extend(shift(result));
     lines.extend(result.uncertainty.as_ref().and_then(other_models::outside));
     let pairs = result.pairs.iter();
     let sampled = pairs.filter_map(|pairs| Some((pairs, pairs.sampling.as_ref()?)));
@@ -478,7 +478,7 @@ fn run_in_loss(result: &RunResult) -> Option<String> {
     };
     let after = result.run_in.as_ref()?.summary.loss_w;
     Some(format!(
-        "run in  loss {} in place of {}, both with every constant at its median",
+        "run in  loss {} instead of {}",
         rounded(after),
         rounded(result.summary.loss_w)
     ))
@@ -565,14 +565,16 @@ fn remedies(parts: &[&UncertaintyPart], columns: usize) -> String {
 }
 
 /// The run with all constants at their medians against the median of the draws, where they differ.
-fn shift(uncertainty: &Uncertainty) -> Option<String> {
-    let shift = uncertainty.scale() - 1.0;
+fn shift(result: &RunResult) -> Option<String> {
+    let uncertainty = result.uncertainty.as_ref()?;
+    let at_medians = result.summary.loss_at_medians_w?;
+    let shift = result.summary.loss_w / at_medians - 1.0;
     (shift.abs() > NOTED_SHIFT).then(|| {
         format!(
             "the run with every constant at its median loses {} W, the median of the draws is {:.0} % {}: some components change \
-            the loss more in one direction than in the other. These are a tip relief or lay that is not stated, errors of more \
-            than a fifth, the bias of the gap law `power`, and the lay and boundary friction of records",
-            uncertainty.digits().rounded(uncertainty.at_medians_w),
+            the loss more in one direction than in the other. These are a tip relief or lay that is not stated, the flow \
+            through areal windows, errors of more than a fifth, and the bias of the gap law `power` and of records",
+            uncertainty.digits().rounded(at_medians),
             100.0 * shift.abs(),
             if shift > 0.0 { "higher" } else { "lower" },
         )

@@ -64,7 +64,7 @@ pub(crate) fn report<'a>(result: &Whole, warnings: impl IntoIterator<Item = Stri
     Report::new(&result.title, "")
         .verdict([headline(result)])
         .verdict(gearbox)
-        .text([format!("power in {:.2} kW", 1e-3 * result.powers_w()[0])])
+        .text([format!("power in {:.2} kW", 1e-3 * result.power_in_w)])
         .text(result.gearbox.as_ref().map(besides_the_mesh))
         .text(sets)
         .text(result.heat.as_ref().map(|heat| heat.line()))
@@ -93,7 +93,7 @@ fn named_values(result: &Whole) -> Vec<[String; 2]> {
         rows.push(row("loss of the gearbox", loss));
     }
     let kw = |power_w: f64| format!("{:.3} kW", 1e-3 * power_w);
-    rows.push(row("power in", kw(result.powers_w()[0])));
+    rows.push(row("power in", kw(result.power_in_w)));
     for (name, set) in result.planetary_sets() {
         let of = if name.is_empty() {
             String::new()
@@ -174,7 +174,7 @@ fn summary_page(result: &Whole, warnings: &[Warning]) -> String {
                 "Losses by kind",
                 html! {
                     (kinds(result))
-                    p.note { "Losses of all meshes and planets. Medians are drawn and rounded here and for each mesh by itself, so their sums may differ." }
+                    p.note { "Losses of all meshes and planets. Each is rounded by itself, so their sums may differ." }
                 },
             ),
             ("Shafts", shafts_section(result)),
@@ -193,7 +193,7 @@ fn losses_of_meshes(result: &Whole) -> Drawing {
         };
         Bar {
             name: row.mesh.clone(),
-            value: Some(drawn.map_or(row.loss_w, |of| of.value)),
+            value: Some(row.loss_w),
             spread: drawn.map(Estimate::ends),
             text: format!("{} W{times}", row.with_digits()[0]),
         }

@@ -54,7 +54,7 @@ fn cells() {
                     ("operation.bulk_temperature", &temperature),
                 ];
                 let case = shipped(name, &at);
-                let (found, _) = drawn(&case);
+                let (found, predictive) = drawn(&case);
                 let [low, high] = found.loss.drawn().ends();
                 let former = [("model.boundary_friction", "0.08"), ("model.lay", "0")];
                 let former = former.iter().fold(case.clone(), |case, (key, value)| {
@@ -78,7 +78,7 @@ fn cells() {
                 println!(
                     "| {torque} | {temperature} | {name} | {:.0} ({low:.0}..{high:.0}) | {:+.3} | {} | {} | {} |",
                     found.loss.drawn().value,
-                    found.scale().ln(),
+                    (found.loss.median_w / predictive.at_medians_w).ln(),
                     held(loss(&former)),
                     held(of("0.6")),
                     held(of("0.9")),
@@ -95,7 +95,7 @@ fn offsets() {
     );
     for torque in ["145 N m", "50 N m", "20 N m", "10 N m"] {
         let case = shipped("e-drive.toml", &[("operation.torque", torque)]);
-        let (found, _) = drawn(&case);
+        let (found, predictive) = drawn(&case);
         let SamplingPart::Windows(windows) = &found.sampling else {
             continue;
         };
@@ -103,8 +103,8 @@ fn offsets() {
         println!(
             "| {torque} | {} | {:.1} | {many:.1} | {:+.2} % | {:.2} % |",
             windows.offsets,
-            found.at_medians_w,
-            100.0 * (found.at_medians_w / many - 1.0),
+            predictive.at_medians_w,
+            100.0 * (predictive.at_medians_w / many - 1.0),
             100.0 * windows.numerical_error,
         );
     }
@@ -152,13 +152,13 @@ fn coverage(pairs: u64, positions: &str) {
             .into_par_iter()
             .map(|seed| drawn(&with_flanks(&case, 10 + seed)))
             .collect();
-        let logs: Vec<f64> = found.iter().map(|(of, _)| of.at_medians_w.ln()).collect();
+        let logs: Vec<f64> = found.iter().map(|(_, of)| of.at_medians_w.ln()).collect();
         let mean = logs.iter().sum::<f64>() / pairs as f64;
         let squares = logs.iter().map(|log| (log - mean).powi(2)).sum::<f64>();
         let scatter = (squares / (pairs - 1) as f64).sqrt();
         // The truth, but for the sampling: the draws of every tenth pair about the common mean, with errors of their own.
-        let truths = found.iter().step_by(10).flat_map(|(of, drawn)| {
-            let shift = mean.exp() / of.at_medians_w;
+        let truths = found.iter().step_by(10).flat_map(|(_, drawn)| {
+            let shift = mean.exp() / drawn.at_medians_w;
             let draws = drawn.draws_of_sum_w(1, 0.0).into_iter();
             draws.map(move |loss| shift * loss).collect::<Vec<_>>()
         });

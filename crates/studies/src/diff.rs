@@ -14,7 +14,7 @@ use serde_json::Value;
 pub struct ResultDiff {
     /// Changed keys of the cases and defaults.
     pub inputs: Vec<Change>,
-    /// Changed efficiency and losses: of the run with every constant at its median, and the quantiles of the draws.
+    /// Changed efficiency and losses, and the quantiles of the draws.
     pub summary: Vec<Change>,
     /// Largest difference in each column of the path; empty if the numbers of positions differ.
     pub path: Vec<PathChange>,
@@ -98,10 +98,8 @@ pub fn diff(first: &RunResult, second: &RunResult) -> Result<ResultDiff, serde_j
         if let Some(band) = &result.uncertainty {
             let (loss, efficiency) = (band.loss.drawn(), band.efficiency());
             let drawn = [
-                ("loss_median_w", loss.value),
                 ("loss_p05_w", loss.low),
                 ("loss_p95_w", loss.high),
-                ("efficiency_median", efficiency.value),
                 ("efficiency_p05", efficiency.low),
                 ("efficiency_p95", efficiency.high),
             ];

@@ -80,8 +80,8 @@ fn quantiles_of_an_energy_from_nine_nodes_are_those_of_draws_at_every_point() {
     }
     let direct = Quantiles::of(&direct);
     let finish = &result.finishes[0];
-    let [low, high] = finish.lost_drawn_wh.unwrap().ends();
-    let found = [low, finish.lost_drawn_wh.unwrap().value, high];
+    let [low, high] = finish.lost_drawn_wh().unwrap().ends();
+    let found = [low, finish.lost_drawn_wh().unwrap().value, high];
     let expected = [direct.drawn.low, direct.drawn.value, direct.drawn.high];
     println!("{found:?} {expected:?}");
     for (found, expected) in found.iter().zip(expected) {
@@ -104,12 +104,12 @@ fn equal_finishes_differ_by_nothing_over_a_cycle() {
     let result = energies(&finishes, &[[30, 5000], [60, 5000]]);
     let again = &result.finishes[1];
     assert_eq!(
-        again.difference_drawn_wh,
+        again.difference_drawn_wh(),
         Some(Estimate::new(0.0, [0.0; 2]))
     );
     let smoother = &result.finishes[2];
-    let [low, high] = smoother.difference_drawn_wh.unwrap().ends();
-    let median = smoother.difference_drawn_wh.unwrap().value;
+    let [low, high] = smoother.difference_drawn_wh().unwrap().ends();
+    let median = smoother.difference_drawn_wh().unwrap().value;
     assert!(median < 0.0 && low < median && median < high);
 }
 
@@ -126,7 +126,7 @@ fn columns_of_a_sweep_hold_the_quantiles_of_runs() {
     for detail in ["losses", "contacts"] {
         let text = format!(
             r#"{{ "axis": [{{ "key": "operation.bulk_temperature", "values": ["90 °C", "60 °C"] }}], "detail": "{detail}",
-            "columns": ["loss_median_w", "loss_p05_w", "loss_p95_w"] }}"#
+            "columns": ["loss_w", "loss_p05_w", "loss_p95_w"] }}"#
         );
         let cases = Cases::of(Study::of_case(case.clone(), &text, ".".as_ref()).unwrap()).unwrap();
         let rows = cases.rows(0..2).unwrap();

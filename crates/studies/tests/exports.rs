@@ -36,6 +36,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
                     temperature_c,
                     numbers: Some(Numbers {
                         loss_w: loss * speed_rpm * PI / 30.0,
+                        loss_at_medians_w: None,
                         loss_torque_nm: loss,
                         loss_torque_deviation_nm: None,
                         drawn_w: None,

@@ -166,7 +166,7 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
     let changed = [0.5, 1.0].map(|part| pressed(&case, &found.rows, part));
     let exact = [&case, &changed[0], &changed[1]].map(|case| gradient(case).unwrap());
     let pressed_w = exact[2].losses.summary.loss_w;
-    assert!((pressed_w / found.pressed_loss_w - 1.0).abs() < 1e-9);
+    assert!((pressed_w / found.pressed_at_medians_w - 1.0).abs() < 1e-9);
     // Constants and model add in squares to a sampling error of several times theirs; of a ridge that saves little in the mean, they
     // scale the sampling error: by .9 where its watts are .87 and .55 of themselves at the ends of the lay.
     let wider = |[low, high]: [f64; 2], of_sampling: [f64; 2], times: f64| {
@@ -238,5 +238,8 @@ fn ridges_of_several_teeth_are_the_ridges_of_the_first_pair() {
         (None, Some(2))
     );
     assert!(notes(&several).iter().any(|note| note.contains("2 pairs")));
-    assert_eq!((several.loss_w, several.rows), (first.loss_w, first.rows));
+    assert_eq!(
+        (several.loss_at_medians_w, several.rows),
+        (first.loss_at_medians_w, first.rows)
+    );
 }

@@ -152,14 +152,14 @@ impl InnerBoundary {
 /// Boundary friction of records of mixed lubrication by either of two rules.
 ///
 /// ```text
-/// S or ρ S, each in half of the draws                                                 [Record-rule-draw]
+/// 2 S/(1 + ρ) or 2 ρ S/(1 + ρ), each in half of the draws                             [Record-rule-draw]
 /// ```
 ///
-/// The boundary friction of a record falls with the film from the solid film on, or is whole below 20 nm: the records do not say
-/// which.
+/// S: sliding loss of the run, the mean of both rules. The boundary friction of a record falls with the film from the solid film on, or
+/// is whole below 20 nm: the records do not say which.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RecordedRule {
-    /// ρ at the medians.
+    /// ρ at the medians: sliding loss by the second rule over that by the first.
     pub stepped: f64,
 }
 
@@ -167,7 +167,12 @@ impl RecordedRule {
     /// Factor on the sliding loss of a draw at a place of 0 to 1; the middle is the run.
     fn factor(self, place: f64) -> f64 {
         cite!("Record-rule-draw");
-        if place > 0.5 { self.stepped } else { 1.0 }
+        let of_rule = match place {
+            place if place > 0.5 => self.stepped,
+            place if place < 0.5 => 1.0,
+            _ => 0.5 * (1.0 + self.stepped),
+        };
+        of_rule / (0.5 * (1.0 + self.stepped))
     }
 }
 

@@ -5,6 +5,7 @@ mod deformation_losses;
 mod micropitting;
 mod provenance;
 mod published_laws;
+mod restated;
 mod reversed;
 mod solved;
 mod warnings;
@@ -227,6 +228,9 @@ impl Solved<'_> {
             sliding_standard_error_w_per_m: between.map(|found| found.standard_error_w),
             sliding_error_freedom: between.map(|found| found.freedom),
             face_zone: (!case.face_zones.is_empty()).then_some(position.at.zone),
+            sliding_deviation_w_per_m: row
+                .sliding_deviation_w_per_m
+                .filter(|_| !case.load_share().needs_records()),
             ..row
         }
     }
@@ -299,9 +303,10 @@ impl Solved<'_> {
             let places = || positions.iter().map(|position| &position.at);
             let weighted = places().map(|at| (at.s, at.weight));
             summary.asperity_share_standard_error = Some(records.mean_share_error(weighted));
+            // Every offset has the friction of the records.
+            summary.efficiency_deviation = None;
             let powers = places().map(|at| (at.s, at.weight * at.mean_sliding() * at.load.si()));
-            summary.recorded_friction =
-                records.friction_error(case.model.boundary_friction, powers);
+            summary.recorded_friction = records.friction_error(powers);
         }
         let swept = of_all_offsets(case, positions)?;
         summary.hysteresis_w = swept.hysteresis.si();
@@ -425,6 +430,7 @@ fn summary(
         power_in_w: flow.input_power.si(),
         torque_out_nm: flow.output_torque.si(),
         loss_w: loss,
+        loss_at_medians_w: None,
         sliding_w,
         film_w: part_of(0),
         lubricated_asperity_w: part_of(1),

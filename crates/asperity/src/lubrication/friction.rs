@@ -223,6 +223,15 @@ impl Rubbing {
         })
     }
 
+    /// With the friction forces of the asperities times `factor`.
+    pub(crate) fn times(self, factor: f64) -> Self {
+        Self {
+            boundary_force: factor * self.boundary_force,
+            lubricated_force: factor * self.lubricated_force,
+            ..self
+        }
+    }
+
     /// Friction force \[N/m\] with the coefficient `mu_film` in the film, the integrals taken before:
     ///
     /// ```text

@@ -124,6 +124,10 @@ impl Lubrication<'_> {
                 let pair = pair.ok_or_else(PositionError::no_profile)?;
                 self.press_by_law(law, &pair, decision.is_full, (&mut position, &mut offset))?;
             }
+            if let Some(records) = records {
+                offset.friction.mu *= records.of_lay;
+                offset.rubbing = offset.rubbing.times(records.of_lay);
+            }
             offset.friction_force = offset.rubbing.force(offset.friction.mu);
             offset.flash = friction::flash(self.case, at, offset.friction_force / at.load.si())?;
             position.offsets.push(offset);

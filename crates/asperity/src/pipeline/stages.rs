@@ -4,7 +4,9 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use asperity_core::cite;
 use asperity_core::provenance::Provenance;
+use asperity_ehl_regime::inlet_flow::Lay;
 use rayon::prelude::*;
 
 use super::bulk_temperature;
@@ -19,7 +21,7 @@ use crate::mesh::{Mesh, MeshInputs, MeshPosition, numbered};
 use crate::pictures::Picture;
 use crate::records::PathRecords;
 use crate::result::{Losses, Outcome, RunInFlanks};
-use asperity_case::case::{Case, LoadedCase, Positions};
+use asperity_case::case::{Case, LoadShareName, LoadedCase, Positions};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::flanks::is_substituted;
 use asperity_case::flanks::placement::check_coverage;
@@ -286,6 +288,35 @@ pub(crate) fn outcome(
     Ok((outcome, warmed.into_owned(), contacts.into_owned()))
 }
 
+/// The case by the fast model, with β_i as it is: records of mixed lubrication have no spots.
+pub(crate) fn by_solved_contacts(loaded: &LoadedCase) -> LoadedCase {
+    let mut fast = loaded.clone();
+    let (model, input) = (&mut fast.case.model, &mut fast.case.input.model);
+    model.load_share = LoadShareName::Solved;
+    model.run_in = false;
+    input.inner_boundary = Some(model.inner_boundary);
+    fast
+}
+
+/// Sliding loss at the lay of the flanks over the loss with ridges across rolling, which records of mixed lubrication have.
+///
+/// ```text
+/// k = S_fast(θ₀, lay)/S_fast(θ₀, lay 0)                                               [Record-lay]
+/// ```
+fn friction_of_lay(loaded: &LoadedCase) -> Result<f64, Error> {
+    cite!("Record-lay");
+    let mut case = by_solved_contacts(loaded);
+    let lay = case.surfaces.lay(case.case.model.lay).map_err(Box::new)?;
+    if lay == Lay::ACROSS {
+        return Ok(1.0);
+    }
+    let contacts = contacts(&case)?;
+    let own = losses_with(&contacts, &case)?.summary.sliding_w;
+    case.case.model.lay = [Lay::ACROSS; 2];
+    let across = losses_with(&contacts, &case)?.summary.sliding_w;
+    Ok(if across > 0.0 { own / across } else { 1.0 })
+}
+
 /// The values of a run between its functions.
 pub(super) struct Stages<'a> {
     loaded: &'a LoadedCase,
@@ -325,7 +356,10 @@ impl<'a> Stages<'a> {
         let later = RunInSteps::of(&loaded.case);
         let shown = |done, total| progress(done, total + later.after(total));
         let records = || records_of(loaded, &laws, &mesh.positions, &shown);
-        let (records, record_count) = used.collect(records).map_err(Box::new)?;
+        let (mut records, record_count) = used.collect(records).map_err(Box::new)?;
+        if let Some(records) = records.as_mut().filter(|_| laws.load_share.needs_records()) {
+            records.of_lay = used.collect(|| friction_of_lay(loaded))?;
+        }
         Ok(Self {
             loaded,
             laws,

@@ -31,6 +31,10 @@ pub(crate) struct PlacedRecord {
 #[derive(Debug, Clone)]
 pub(crate) struct PathRecords {
     pub places: Vec<PlacedRecord>,
+    /// Friction at the lay of the flanks over that with ridges across rolling, which the records have.
+    pub of_lay: f64,
+    /// Boundary friction of the records.
+    boundary_friction: f64,
 }
 
 impl PathRecords {
@@ -89,7 +93,11 @@ impl PathRecords {
             })
         });
         let places: Vec<_> = places.collect::<Result<_, PositionError>>()?;
-        Ok((!places.is_empty()).then_some(Self { places }))
+        Ok((!places.is_empty()).then_some(Self {
+            places,
+            of_lay: 1.0,
+            boundary_friction: case.model.boundary_friction,
+        }))
     }
 
     /// Notes the equations of the records, solved now or before.
@@ -104,7 +112,7 @@ impl PathRecords {
         chosen(loaded, positions).len()
     }
 
-    /// Shares and friction at `s`; `smooth` is the friction of the smooth film there. Beyond the first and the
+    /// Shares and friction at `s` in the expectation over the two rules of boundary friction; `smooth` is the friction of the smooth film there. Beyond the first and the
     /// last record those hold.
     pub(crate) fn at(&self, s: Length, smooth: Option<f64>) -> RecordedShare {
         let between = self.between(s);
@@ -119,10 +127,13 @@ impl PathRecords {
         };
         RecordedShare {
             solid_share: estimate(|record| record.solid_share),
-            boundary_part: mean(&|place| place.record.boundary_part()),
+            boundary_part: mean(&|place| place.record.expected_boundary_part()),
             lubricated_coefficient: mean(&|place| place.heat * place.record.lubricated_friction),
-            film_coefficient: smooth
-                .map(|smooth| smooth * mean(&|place| place.record.film_ratio())),
+            film_coefficient: smooth.map(|smooth| {
+                let ratio =
+                    |place: &PlacedRecord| place.record.expected_film_ratio(self.boundary_friction);
+                smooth * mean(&ratio)
+            }),
             mean_gap: estimate(|record| record.mean_film),
             max_pressure: mean(&|place| place.record.mean_max_pressure.mean),
         }
@@ -166,7 +177,6 @@ impl PathRecords {
     /// take there; records are independent, places between the same two are not. `None` without power.
     pub(crate) fn friction_error(
         &self,
-        boundary_friction: f64,
         powers: impl Iterator<Item = (Length, f64)>,
     ) -> Option<RecordedFriction> {
         let of_record = self.weights(powers);
@@ -174,18 +184,15 @@ impl PathRecords {
             let weighted = of_record.iter().zip(&self.places);
             weighted.map(|(weight, place)| weight * of(place)).sum()
         };
-        let friction = sum(&|place| place.record.hot_friction(boundary_friction, place.heat));
-        let stepped = sum(&|place| {
-            place
-                .record
-                .hot_stepped_friction(boundary_friction, place.heat)
-        });
+        let layer = self.boundary_friction;
+        let friction = sum(&|place| place.record.hot_friction(layer, place.heat));
+        let stepped = sum(&|place| place.record.hot_stepped_friction(layer, place.heat));
         let squares = of_record.iter().zip(&self.places);
         let squares = squares.map(|(weight, place)| {
             (weight * place.heat * place.record.friction.standard_error).powi(2)
         });
         (friction > 0.0).then(|| RecordedFriction {
-            standard_error: squares.sum::<f64>().sqrt() / friction,
+            standard_error: squares.sum::<f64>().sqrt() / (0.5 * (friction + stepped)),
             stepped: stepped / friction,
             windows: self
                 .places

@@ -21,7 +21,7 @@ const HERTZ_POINTS: usize = 200;
 const NO_SHARE: f64 = 1e-9;
 
 /// Time means of a record of transient mixed lubrication, with the evidence of its convergence.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct PathRecord {
     /// Share φ of the load at films no thicker than the solid film.
@@ -129,8 +129,18 @@ impl PathRecord {
         }
     }
 
-    /// Share of the solid load on the boundary layer, at most 1.
-    pub(super) fn boundary_part(&self) -> f64 {
+    /// Share of the solid load on the boundary layer in the expectation over the two rules of boundary friction, the rule that
+    /// falls with the film and the whole one below the solid film.
+    pub(super) fn expected_boundary_part(&self) -> f64 {
+        if self.solid_share.mean > NO_SHARE {
+            0.5 * (self.falling_boundary_part() + 1.0)
+        } else {
+            0.0
+        }
+    }
+
+    /// Share of the solid load on the boundary layer whose friction falls with the film, at most 1.
+    fn falling_boundary_part(&self) -> f64 {
         let phi = self.solid_share.mean;
         if phi > NO_SHARE {
             (self.boundary_share.mean / phi).min(1.0)
@@ -141,7 +151,7 @@ impl PathRecord {
 
     /// Friction with its film part times `heat`.
     pub(super) fn hot_friction(&self, boundary_friction: f64, heat: f64) -> f64 {
-        let boundary = self.boundary_part() * self.solid_share.mean * boundary_friction;
+        let boundary = self.falling_boundary_part() * self.solid_share.mean * boundary_friction;
         boundary + heat * (self.friction.mean - boundary)
     }
 
@@ -151,13 +161,23 @@ impl PathRecord {
         boundary + heat * (self.stepped_friction.mean - boundary)
     }
 
-    /// Film friction of the record relative to the smooth film.
-    pub(super) fn film_ratio(&self) -> f64 {
-        if self.smooth_friction > 0.0 {
-            self.film_friction / self.smooth_friction
-        } else {
-            1.0
+    /// Film friction of the load above the solid film relative to the smooth film, in the expectation over the two rules of
+    /// boundary friction, so that the parts make up the mean of the two frictions of the record:
+    ///
+    /// ```text
+    /// (1 − φ) μ_f = (μ + μ_s)/2 − (φ − b̄) μ_l − b̄ μ_b,  b̄ = (b + φ)/2                    [Record-expected]
+    /// ```
+    pub(super) fn expected_film_ratio(&self, boundary_friction: f64) -> f64 {
+        cite!("Record-expected");
+        let phi = self.solid_share.mean;
+        if self.smooth_friction <= 0.0 {
+            return 1.0;
         }
+        let whole = match phi < 1.0 {
+            true => (self.stepped_friction.mean - phi * boundary_friction) / (1.0 - phi),
+            false => self.film_friction,
+        };
+        0.5 * (self.film_friction + whole) / self.smooth_friction
     }
 }
 
@@ -200,6 +220,49 @@ fn smooth_friction(contact: &ReferenceContact, law: &FrictionLaw, film: Length) 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_expected_rule_is_the_mean_of_both() {
+        let exact = |mean: f64| RecordMean {
+            mean,
+            ..RecordMean::default()
+        };
+        // Half of the solid load on a boundary layer of 0.1, or all of it; the film has 0.02 above and 0.04 below.
+        let (phi, b, mu_b) = (0.2, 0.1, 0.1);
+        let [mu_f, mu_l] = [0.02, 0.04];
+        let (above, below) = ((1.0 - phi) * mu_f, phi * mu_l);
+        let (falling, whole) = (above + 0.5 * below + b * mu_b, above + phi * mu_b);
+        let record = PathRecord {
+            solid_share: exact(phi),
+            boundary_share: exact(b),
+            friction: exact(falling),
+            stepped_friction: exact(whole),
+            film_friction: mu_f,
+            lubricated_friction: mu_l,
+            smooth_friction: 0.025,
+            ..PathRecord::default()
+        };
+        let boundary = record.expected_boundary_part();
+        assert!((boundary - 0.75).abs() < 1e-15);
+        let film = 0.025 * record.expected_film_ratio(mu_b);
+        let friction = (1.0 - phi) * film + phi * ((1.0 - boundary) * mu_l + boundary * mu_b);
+        assert!((friction - 0.5 * (falling + whole)).abs() < 1e-15);
+        // Where the weight of the boundary friction reaches above the solid film, the film has what is left.
+        let wide = PathRecord {
+            boundary_share: exact(0.16),
+            friction: exact(falling + 0.01),
+            ..record
+        };
+        let [film_friction, _] = parts(phi, [falling + 0.01, whole, above + below], 0.16, mu_b);
+        let wide = PathRecord {
+            film_friction,
+            ..wide
+        };
+        let boundary = wide.expected_boundary_part();
+        let film = 0.025 * wide.expected_film_ratio(mu_b);
+        let friction = (1.0 - phi) * film + phi * ((1.0 - boundary) * mu_l + boundary * mu_b);
+        assert!((friction - 0.5 * (falling + 0.01 + whole)).abs() < 1e-15);
+    }
 
     #[test]
     fn friction_of_a_record_is_the_sum_of_its_parts() {

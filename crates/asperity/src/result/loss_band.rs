@@ -11,8 +11,6 @@ use serde::{Deserialize, Serialize};
 pub struct Uncertainty {
     /// The loss as drawn.
     pub loss: LossDistribution,
-    /// The loss of the run, with every constant at its median \[W\].
-    pub at_medians_w: f64,
     /// Median of the mesh efficiency.
     pub efficiency_median: f64,
     /// Its 5 % and 95 % quantiles.
@@ -236,6 +234,21 @@ pub struct PairSampling {
 }
 
 impl PairSampling {
+    /// The same of losses that are `factor` times as large.
+    pub(crate) fn times(self, factor: f64) -> Self {
+        Self {
+            mean_w: factor * self.mean_w,
+            between_w: self.between_w.map(|spread| factor * spread),
+            interaction_w: factor * self.interaction_w,
+            standard_error_w: factor * self.standard_error_w,
+            half_width_w: factor * self.half_width_w,
+            misplaced_w: self
+                .misplaced_w
+                .map(|changes| changes.map(|change| factor * change)),
+            ..self
+        }
+    }
+
     /// Pairs of teeth.
     #[must_use]
     pub const fn pairs(&self) -> usize {
@@ -258,7 +271,7 @@ impl PairSampling {
 pub struct AlternativeRow {
     /// The law or value used instead.
     pub name: String,
-    /// All losses \[W\]; `None` if the model has no solution here.
+    /// All losses \[W\], scaled as the run to the median of the draws; `None` if the model has no solution here.
     pub loss_w: Option<f64>,
     /// The records or measurements against it, and by how much; empty of a model that is drawn.
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -298,13 +311,30 @@ impl Uncertainty {
         Estimate::new(self.efficiency_median, self.efficiency_quantiles)
     }
 
-    /// The median of the loss over the loss of the run, with which the parts of the run are parts of the median.
-    #[must_use]
-    pub fn scale(&self) -> f64 {
-        match self.at_medians_w > 0.0 {
-            true => self.loss.drawn().value / self.at_medians_w,
-            false => 1.0,
+    /// The uncertainty of a loss that is `factor` times as large.
+    pub(crate) fn times(mut self, factor: f64) -> Self {
+        let lost = |efficiency: f64| 1.0 - factor * (1.0 - efficiency);
+        self.efficiency_median = lost(self.efficiency_median);
+        self.efficiency_quantiles = self.efficiency_quantiles.map(lost);
+        self.sampling = match self.sampling {
+            SamplingPart::Pairs(pairs) => SamplingPart::Pairs(pairs.times(factor)),
+            SamplingPart::OnePair(changes) => SamplingPart::OnePair(changes.map(|w| factor * w)),
+            other => other,
+        };
+        let models = self.structures.iter_mut().chain(&mut self.other_models);
+        let losses = models.filter_map(|row| row.loss_w.as_mut());
+        let ends = self.boundary_w.iter_mut().chain(&mut self.with_traces_w);
+        let ends = ends
+            .chain(&mut self.path_sliding_w_per_m)
+            .chain([&mut self.loss.quantiles_w]);
+        let ends = ends.chain(self.loss.parts.iter_mut().map(|part| &mut part.quantiles_w));
+        let of_evidence = self.evidence.iter_mut();
+        let of_evidence = of_evidence.flat_map(|row| [&mut row.low_w, &mut row.high_w]);
+        let powers = losses.chain(ends.flatten()).chain(of_evidence);
+        for power in powers.chain([&mut self.loss.median_w]) {
+            *power *= factor;
         }
+        self
     }
 
     /// The loss by every model, those that are drawn first.

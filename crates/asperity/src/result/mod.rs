@@ -43,7 +43,7 @@ pub use scan_comparison::{GapRow, ScanComparison, ScanLoss};
 pub use trace_pairs::{ToothTrace, TracePairs};
 
 /// Version of the structure of `result.json`; raised when a field changes its meaning.
-pub const SCHEMA_VERSION: u32 = 2;
+pub const SCHEMA_VERSION: u32 = 3;
 
 /// The result of a run, without the fields of single positions.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -149,7 +149,8 @@ impl RunResult {
     }
 }
 
-/// Efficiency and losses of the mesh, mean over the offsets of the traces.
+/// Efficiency and losses of the mesh, mean over the offsets of the traces. Losses, efficiencies and friction coefficients are those at
+/// the median of the draws, everything else is of the run with every constant at its median.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Summary {
@@ -172,8 +173,11 @@ pub struct Summary {
     pub power_in_w: f64,
     /// Torque out of the mesh \[N m\].
     pub torque_out_nm: f64,
-    /// All losses \[W\].
+    /// All losses \[W\]: the median of the draws, to which the parts are scaled; without draws the loss of the run.
     pub loss_w: f64,
+    /// All losses of the run with every constant at its median \[W\]; `None` without draws.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_at_medians_w: Option<f64>,
     /// Sliding loss \[W\].
     pub sliding_w: f64,
     /// Part of the sliding loss in the film \[W\].
@@ -224,6 +228,12 @@ pub struct Summary {
 }
 
 impl Summary {
+    /// All losses of the run with every constant at its median \[W\], drawn or not.
+    #[must_use]
+    pub fn at_medians_w(&self) -> f64 {
+        self.loss_at_medians_w.unwrap_or(self.loss_w)
+    }
+
     /// Lubrication regime of the mesh.
     #[must_use]
     pub fn regime(&self) -> Regime {
@@ -480,7 +490,8 @@ pub struct RecordRow {
 pub struct RecordedFriction {
     /// Standard error of ln of the sliding loss by the finite travel of the records.
     pub standard_error: f64,
-    /// Sliding loss with the whole boundary friction on films below 20 nm, over the loss of the run.
+    /// Sliding loss with the whole boundary friction on films below 20 nm, over that with a boundary friction that falls with the
+    /// film; the run has the mean of the two.
     pub stepped: f64,
     /// Windows that pass through the contacts of all records together, each as wide as a contact averages over.
     pub windows: f64,

@@ -17,10 +17,10 @@ pub struct Ridges {
     /// Operating point, and numbers of positions and offsets, in words; empty in older results.
     #[serde(default)]
     pub conditions: String,
-    /// Loss of the mesh \[W\].
-    pub loss_w: f64,
-    /// Loss with the listed ridges pressed to the mean line, by a run \[W\].
-    pub pressed_loss_w: f64,
+    /// Loss of the mesh with every constant at its median \[W\].
+    pub loss_at_medians_w: f64,
+    /// The same with the listed ridges pressed to the mean line, by a run \[W\].
+    pub pressed_at_medians_w: f64,
     /// 5 % and 95 % quantiles of the change, by the sampling of the flanks.
     pub sampling_quantiles_w: Option<[f64; 2]>,
     /// 5 % and 95 % quantiles of the saving, by the uncertainty of the constants and of the model and by the sampling of the

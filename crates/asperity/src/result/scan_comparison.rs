@@ -28,11 +28,11 @@ pub struct ScanComparison {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct ScanLoss {
-    /// Loss \[W\].
+    /// Loss \[W\]: the median of the draws, without draws the loss of the run.
     pub loss_w: f64,
-    /// Median of the loss and its 5 and 95 % quantiles \[W\]; `None` without draws.
+    /// 5 and 95 % quantiles of the loss \[W\]; `None` without draws.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub drawn_w: Option<[f64; 3]>,
+    pub loss_quantiles_w: Option<[f64; 2]>,
     /// Loss in the film \[W\].
     pub film_w: f64,
     /// Loss in lubricated asperities \[W\].
@@ -67,7 +67,32 @@ pub struct GapRow {
     pub flow_lines: f64,
 }
 
+impl ScanComparison {
+    /// The same of losses that are `factor` times as large.
+    pub(crate) fn times(mut self, factor: f64) -> Self {
+        (self.patches, self.lines) = (self.patches.times(factor), self.lines.times(factor));
+        self.difference_w = self
+            .difference_w
+            .map(|ends| ends.map(|watts| factor * watts));
+        self
+    }
+}
+
 impl ScanLoss {
+    fn times(self, factor: f64) -> Self {
+        Self {
+            loss_w: factor * self.loss_w,
+            loss_quantiles_w: self
+                .loss_quantiles_w
+                .map(|ends| ends.map(|loss| factor * loss)),
+            film_w: factor * self.film_w,
+            lubricated_asperity_w: factor * self.lubricated_asperity_w,
+            boundary_w: factor * self.boundary_w,
+            rolling_w: factor * self.rolling_w,
+            ..self
+        }
+    }
+
     pub(crate) fn new(outcome: &Outcome, contact: [f64; 3]) -> Self {
         let Summary {
             loss_w,
@@ -82,10 +107,7 @@ impl ScanLoss {
         let [attenuated_rms_um, inlet_factor, mean_gap_um] = contact;
         Self {
             loss_w,
-            drawn_w: drawn.map(|drawn| {
-                let drawn = drawn.loss.drawn();
-                [drawn.value, drawn.low, drawn.high]
-            }),
+            loss_quantiles_w: drawn.map(|drawn| drawn.loss.quantiles_w),
             film_w,
             lubricated_asperity_w,
             boundary_w,

@@ -21,7 +21,7 @@ use crate::result::loss_band::{Digits, EvidenceRow};
 use crate::result::{Losses, Outcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
 use crate::uncertainty::{
-    DrawnMesh, Predictive, Quantiles, beside, losses_of_meshes, median_with_ends, run_and_draw,
+    DrawnMesh, Predictive, Quantiles, beside, median_with_ends, run_and_draw,
 };
 use asperity_case::balance;
 use asperity_case::case::train::{LoadedMesh, Train};
@@ -46,8 +46,11 @@ pub struct Whole {
     pub set: Option<PlanetaryReport>,
     /// Efficiency of the train from its mesh losses only.
     pub efficiency: f64,
-    /// Loss of all meshes \[W\].
+    /// Loss of all meshes \[W\]: the median of the draws, without draws the loss of the run.
     pub loss_w: f64,
+    /// Loss of the run with every constant at its median \[W\]; `None` without draws.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_at_medians_w: Option<f64>,
     /// Its median, quantiles and spread as drawn; `None` of a formulation without uncertainty.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss_distribution: Option<Quantiles>,
@@ -176,7 +179,7 @@ pub struct ShaftRow {
 pub struct PrintedKind {
     /// Name.
     pub name: &'static str,
-    /// Loss \[W\], scaled to the median.
+    /// Loss \[W\].
     pub watts: f64,
     /// Loss as text \[W\].
     pub loss: String,
@@ -197,23 +200,17 @@ pub struct MeshRow {
     pub torque_nm: f64,
     /// Speed of its pinion relative to the carrier \[rad/s\].
     pub speed_rad_per_s: f64,
-    /// Loss of one such mesh \[W\].
+    /// Loss of one such mesh \[W\]; with draws scaled as the loss of all meshes to its median, so that the meshes add up.
     pub loss_w: f64,
-    /// Its median as drawn.
+    /// Loss of its run with every constant at its median \[W\]; `None` without draws.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub loss_median_w: Option<f64>,
+    pub loss_at_medians_w: Option<f64>,
     /// Its 5 % quantile.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss_p05_w: Option<f64>,
     /// Its 95 % quantile.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss_p95_w: Option<f64>,
-    /// Former name of `loss_p05_w`, which the next version leaves out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub loss_q05_w: Option<f64>,
-    /// Former name of `loss_p95_w`, which the next version leaves out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub loss_q95_w: Option<f64>,
     /// Its part by sliding \[W\].
     #[serde(default)]
     pub sliding_w: f64,
@@ -339,32 +336,62 @@ pub fn losses(loaded: &Train, of_mesh: LossesOfMesh<'_>) -> Result<Whole, Error>
     let (settled, oil) = with_oil(loaded)?;
     let loaded = &settled;
     let meshes = loaded.meshes().map(|mesh| of_mesh(&mesh.case));
-    let meshes = meshes.collect::<Result<Vec<_>, Error>>()?;
-    let runs = meshes.iter().map(|(losses, drawn)| MeshLosses {
-        summary: &losses.summary,
-        path: &losses.path,
-        drawn: drawn
-            .as_ref()
-            .map(|drawn| median_with_ends(&drawn.draws_w())),
+    let mut meshes = meshes.collect::<Result<Vec<_>, Error>>()?;
+    let total = total_of(loaded, meshes.iter().map(|(_, drawn)| drawn.as_ref()));
+    if let Some(total) = total {
+        let at_medians = meshes
+            .iter()
+            .map(|(losses, _)| losses.summary.at_medians_w());
+        let restated = restated(loaded, at_medians, total.drawn.value);
+        for ((losses, _), (mesh, loss_w)) in meshes.iter_mut().zip(loaded.meshes().zip(restated)) {
+            losses.restate(&mesh.case.case, loss_w)?;
+        }
+    }
+    let runs = meshes.iter().map(|(losses, drawn)| {
+        let drawn = drawn.as_ref();
+        let drawn = drawn.map(|drawn| median_with_ends(&drawn.draws_w()));
+        let loss_w = losses.summary.loss_w;
+        MeshLosses {
+            summary: &losses.summary,
+            path: &losses.path,
+            drawn: drawn.map(|drawn| drawn.map(|loss| loss_w / drawn.value * loss)),
+        }
     });
     let runs: Vec<MeshLosses<'_>> = runs.collect();
     let mut result = result(loaded, &runs).map_err(|error| Error::Whole(Box::new(error)))?;
     result.heat = oil
         .zip(loaded.heat.as_ref())
         .map(|(oil, heat)| HeatReport::of(&oil, heat, result.losses(), std::iter::empty()));
-    let drawn = meshes
-        .iter()
-        .map(|(_, drawn)| drawn.as_ref())
-        .collect::<Option<Vec<_>>>();
-    result.loss_distribution = drawn.map(|drawn| {
-        let flanks = loaded.first_with_flanks();
-        let mut total = vec![0.0; Predictive::count()];
-        for ((predictive, flanks), row) in drawn.into_iter().zip(flanks).zip(&result.meshes) {
-            predictive.add_draws(&mut total, f64::from(row.count), flanks);
-        }
-        Quantiles::of(&total)
-    });
+    result.loss_distribution = total;
     Ok(result)
+}
+
+/// The drawn loss of all meshes of a train: oil and constants are drawn once, error of the model and sampling once for equal flanks. `None` if a
+/// mesh is not drawn.
+#[must_use]
+pub fn total_of<'a>(
+    loaded: &Train,
+    drawn: impl Iterator<Item = Option<&'a Predictive>>,
+) -> Option<Quantiles> {
+    let drawn = drawn.collect::<Option<Vec<_>>>()?;
+    let mut total = vec![0.0; Predictive::count()];
+    let meshes = drawn.into_iter().zip(loaded.first_with_flanks());
+    for ((predictive, flanks), count) in meshes.zip(loaded.counts()) {
+        predictive.add_draws(&mut total, f64::from(count), flanks);
+    }
+    Some(Quantiles::of(&total))
+}
+
+/// The losses \[W\] of the meshes of a train, each by the same ratio, so that all meshes together lose `median_w`.
+fn restated(
+    loaded: &Train,
+    at_medians: impl Iterator<Item = f64> + Clone,
+    median_w: f64,
+) -> Vec<f64> {
+    let counted = at_medians.clone().zip(loaded.counts());
+    let sum: f64 = counted.map(|(loss, count)| f64::from(count) * loss).sum();
+    let ratio = if sum > 0.0 { median_w / sum } else { 1.0 };
+    at_medians.map(|loss| ratio * loss).collect()
 }
 
 /// Runs every mesh of a gear train, with the uncertainty of the loss if `band` is set; fields are held for the positions
@@ -403,6 +430,15 @@ pub fn run_beside(
         meshes.push(outcome);
         drawn.push(predictive);
     }
+    let total = total_of(loaded, drawn.iter().map(Option::as_ref));
+    if let (Some(total), true) = (total, meshes.len() > 1) {
+        let summaries = meshes.iter().map(|mesh: &Outcome| &mesh.result.summary);
+        let at_medians = summaries.map(Summary::at_medians_w);
+        let restated = restated(loaded, at_medians, total.drawn.value);
+        for (outcome, (mesh, loss_w)) in meshes.iter_mut().zip(loaded.meshes().zip(restated)) {
+            outcome.restate_drawn(&mesh.case.case, loss_w)?;
+        }
+    }
     let whole = |error: PositionError| Error::Whole(Box::new(error));
     let runs: Vec<MeshLosses<'_>> = meshes
         .iter()
@@ -415,17 +451,14 @@ pub fn run_beside(
         let runs = runs.map(|(mesh, outcome)| (mesh.name.as_str(), &outcome.result));
         HeatReport::of(&oil, heat, result.losses(), runs)
     });
-    let mut outcome = Outcomes {
+    result.loss_distribution = total;
+    Ok(Outcomes {
         whole: result,
         meshes,
         drawn: drawn.into_iter().collect(),
         settled: settled.clone(),
         contacts: contacts.split_off(others.len()),
-    };
-    // Oil and constants are drawn once for all meshes; error of the model and sampling once for equal flanks.
-    let total = outcome.drawn_meshes().map(|drawn| losses_of_meshes(&drawn));
-    outcome.whole.loss_distribution = total.map(|total| Quantiles::of(&total));
-    Ok(outcome)
+    })
 }
 
 /// The train at the oil temperature and the torques that its losses cause.
@@ -545,6 +578,10 @@ fn result(loaded: &Train, runs: &[MeshLosses<'_>]) -> Result<Whole, PositionErro
     let losses = runs.iter().map(|run| Power::from_si(run.summary.loss_w));
     let losses = losses.collect::<Vec<Power>>();
     let loss_w = loaded.loss(&losses).si();
+    let at_medians = runs.iter().map(|run| run.summary.loss_at_medians_w);
+    let at_medians = at_medians.map(|loss| loss.map(Power::from_si));
+    let at_medians = at_medians.collect::<Option<Vec<Power>>>();
+    let loss_at_medians_w = at_medians.map(|losses| loaded.loss(&losses).si());
     let losses = loaded.by_stage(&losses);
     let flow = train.flow(&losses)?;
     let mut kinds = LossKinds::default();
@@ -592,6 +629,7 @@ fn result(loaded: &Train, runs: &[MeshLosses<'_>]) -> Result<Whole, PositionErro
         set: loaded.only_set().and_then(|_| sets.remove("")),
         efficiency,
         loss_w,
+        loss_at_medians_w,
         loss_distribution: None,
         power_in_w,
         power_out_w: powers().map(|power| (-power).max(0.0)).sum(),
@@ -679,11 +717,9 @@ fn row(mesh: &LoadedMesh, kind: &StageKind, run: &MeshLosses<'_>) -> MeshRow {
         torque_nm: mesh.case.case.torque.si(),
         speed_rad_per_s: mesh.case.case.speed.si(),
         loss_w: summary.loss_w,
-        loss_median_w: drawn.map(|of| of.value),
+        loss_at_medians_w: summary.loss_at_medians_w,
         loss_p05_w: low,
         loss_p95_w: high,
-        loss_q05_w: low,
-        loss_q95_w: high,
         sliding_w: summary.sliding_w,
         rolling_w: summary.rolling_w,
         efficiency: summary.efficiency,
@@ -748,23 +784,23 @@ impl Whole {
         Digits::of_drawn(drawn, Digits::of_power(self.loss_w))
     }
 
-    /// The kinds of loss that occur, scaled to the median. Each has the digits that its part of the interval leaves, so that the
+    /// The kinds of loss that occur. Each has the digits that its part of the interval leaves, so that the
     /// printed kinds need not add up.
     #[must_use]
     pub fn kinds_with_digits(&self) -> Vec<PrintedKind> {
-        let (median, digits) = (self.median_w(), self.digits());
+        let digits = self.digits();
         let kinds = self.kinds.rows();
-        let scaled = kinds.map(|(_, loss)| loss * median / self.loss_w);
-        let steps = scaled.map(|watts| watts / digits.step());
-        let shares = digits.shares(&steps, &scaled);
+        let losses = kinds.map(|(_, loss)| loss);
+        let steps = losses.map(|watts| watts / digits.step());
+        let shares = digits.shares(&steps, &losses);
         let text = |watts: f64| {
             let own = self.loss_distribution.map(|found| found.drawn);
-            let own = own.map(|drawn| drawn.map(|loss| watts / median * loss));
+            let own = own.map(|drawn| drawn.map(|loss| watts / self.loss_w * loss));
             Digits::of_drawn(own, Digits::of_power(watts)).rounded(watts)
         };
-        let rows = kinds.into_iter().zip(scaled).zip(shares);
+        let rows = kinds.into_iter().zip(shares);
         let rows = rows.filter(|((_, watts), _)| *watts > 0.0);
-        let row = |(((name, _), watts), share)| PrintedKind {
+        let row = |((name, watts), share)| PrintedKind {
             name,
             watts,
             loss: text(watts),
@@ -773,51 +809,25 @@ impl Whole {
         rows.map(row).collect()
     }
 
-    /// Median of the loss of all meshes \[W\], without an interval the loss of the run.
-    #[must_use]
-    pub fn median_w(&self) -> f64 {
-        self.loss_distribution
-            .map_or(self.loss_w, |found| found.drawn.value)
-    }
-
-    /// Carried torque \[N m\], torque into the train \[N m\] and power \[kW\] of a shaft at the median of the loss, with the
-    /// digits that its band leaves.
+    /// Carried torque \[N m\], torque into the train \[N m\] and power \[kW\] of a shaft with the digits that the band of the loss
+    /// leaves.
     #[must_use]
     pub fn shaft_with_digits(&self, row: &ShaftRow) -> [String; 3] {
         let half = self.half_band() * row.by_losses_nm.abs();
-        let more = row.by_losses_nm * (self.median_w() - self.loss_w) / self.losses().si();
-        let into = match row.torque_nm == 0.0 {
-            true => 0.0,
-            false => more * row.torque_nm.signum(),
-        };
         let text = |value: f64, half: f64| match half > 0.0 {
             true => rounded(value, half),
             // Stated, or zero.
             false => format!("{}", (value * 1e4).round() / 1e4 + 0.0),
         };
         [
-            text(row.carried_nm + more, half),
-            text(row.torque_nm + into, half),
-            text(
-                1e-3 * (row.power_w + into * row.speed_rad_per_s),
-                1e-3 * half * row.speed_rad_per_s.abs(),
-            ),
+            text(row.carried_nm, half),
+            text(row.torque_nm, half),
+            text(1e-3 * row.power_w, 1e-3 * half * row.speed_rad_per_s.abs()),
         ]
     }
 
     fn drives(&self) -> bool {
         self.shafts.first().is_none_or(|input| input.power_w >= 0.0)
-    }
-
-    /// Power in and power out \[W\] at the median of the loss: the one of them that does not follow from stated torques
-    /// differs from the other by it.
-    #[must_use]
-    pub fn powers_w(&self) -> [f64; 2] {
-        let more = self.median_w() - self.loss_w;
-        match self.drives() {
-            true => [self.power_in_w, self.power_out_w - more],
-            false => [self.power_in_w + more, self.power_out_w],
-        }
     }
 
     /// Power in and power out \[kW\] with the digits that the band of the loss leaves.
@@ -829,8 +839,11 @@ impl Whole {
         } else {
             [half, 0.0]
         };
-        let [power_in, power_out] = self.powers_w().map(|power| 1e-3 * power);
-        [rounded(power_in, of_in), rounded(power_out, of_out)]
+        let [power_in, power_out] = [self.power_in_w, self.power_out_w];
+        [
+            rounded(1e-3 * power_in, of_in),
+            rounded(1e-3 * power_out, of_out),
+        ]
     }
 
     /// Every planetary set, with the name of its stage if the train has several.
@@ -856,8 +869,7 @@ fn without_interval(loss_w: f64, efficiency: f64) -> [String; 2] {
 }
 
 impl MeshRow {
-    /// Loss \[W\], efficiency \[%\] and μ_eq with the digits that the interval of the loss leaves: medians with it, the loss with
-    /// its quantiles; μ_eq of the run.
+    /// Loss \[W\], efficiency \[%\] and μ_eq with the digits that the interval of the loss leaves, the loss with its quantiles.
     #[must_use]
     pub fn with_digits(&self) -> [String; 3] {
         // The losses of a mesh are its power times the rest of its efficiency.
@@ -872,24 +884,20 @@ impl MeshRow {
         [loss, efficiency, rounded(self.mu_equivalent, half)]
     }
 
-    /// Sliding and rolling loss \[W\] of the run scaled to the median, to which they add up.
+    /// Sliding and rolling loss \[W\], which add up to the loss as printed.
     #[must_use]
     pub fn parts_with_digits(&self) -> Vec<String> {
-        let drawn = self.drawn_w();
-        let median = drawn.map_or(self.loss_w, |drawn| drawn.value);
-        let digits = Digits::of_drawn(drawn, Digits::of_power(self.loss_w));
-        let parts = [self.sliding_w, self.rolling_w];
-        digits.texts_of_parts(median, &parts.map(|part| part * median / self.loss_w))
+        let digits = Digits::of_drawn(self.drawn_w(), Digits::of_power(self.loss_w));
+        digits.texts_of_parts(self.loss_w, &[self.sliding_w, self.rolling_w])
     }
 
-    /// Median and quantiles of the loss \[W\]; `None` without an interval.
+    /// The loss with its quantiles \[W\]; `None` without an interval.
     #[must_use]
     pub fn drawn_w(&self) -> Option<Estimate> {
         Some(Estimate {
-            value: self.loss_median_w?,
-            // Results of former versions have the former names only.
-            low: self.loss_p05_w.or(self.loss_q05_w)?,
-            high: self.loss_p95_w.or(self.loss_q95_w)?,
+            value: self.loss_w,
+            low: self.loss_p05_w?,
+            high: self.loss_p95_w?,
         })
     }
 }
@@ -937,16 +945,16 @@ mod tests {
             ..shaft.clone()
         };
         assert_eq!(train.shaft_with_digits(&stated)[1], "145");
-        // With an interval the power that leaves is less by the rest of the median.
+        // With an interval the power that leaves has its digits.
         train.loss_distribution = Some(Quantiles {
-            drawn: Estimate::new(1450.0, [1400.0, 1500.0]),
+            drawn: Estimate::new(1370.2773, [1320.0, 1420.0]),
             sd_ln: 0.02,
         });
         let all = ShaftRow {
             by_losses_nm: -1370.2773 / 80.0,
             ..shaft
         };
-        // 132351.66 W - (1450 - 1370.28) W, in steps of 10 W.
-        assert_eq!(train.shaft_with_digits(&all)[2], "-132.27");
+        // In steps of 10 W.
+        assert_eq!(train.shaft_with_digits(&all)[2], "-132.35");
     }
 }

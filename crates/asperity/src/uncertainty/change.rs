@@ -150,14 +150,18 @@ pub fn sampling_interval(
     Some([mean - half, mean + half])
 }
 
-/// Standard error of the mean of `differences` by the sampling of the flanks, and its degrees of freedom; none without traces or with
-/// a single offset. They are one at each offset of a case with this `path`.
+/// Standard error of the mean of `differences` by the sampling of the flanks, and its degrees of freedom. They are one at each offset of
+/// a case with this `path`. `None` without traces, with a single offset, and by records of mixed lubrication, whose friction is the same
+/// at every offset.
 #[must_use]
 pub fn sampling_error_of_changes(
     loaded: &LoadedCase,
     path: &[PositionRow],
     differences: &[f64],
 ) -> Option<[f64; 2]> {
+    if loaded.case.load_share().needs_records() {
+        return None;
+    }
     let surfaces = &loaded.surfaces;
     if surfaces.several_teeth().is_some() {
         let found = sampling_of_teeth(differences, surfaces)?;

@@ -47,7 +47,7 @@ use asperity_case::case::LoadedCase;
 use asperity_case::error::{Error, PositionError};
 use asperity_case::message::{Subject, Warning};
 use asperity_uncertainty::{
-    Component, Draw, InnerBoundary, Measured, Ranged, UncertainParameter as Constant,
+    Component, InnerBoundary, Measured, Ranged, UncertainParameter as Constant,
 };
 
 pub use crate::sampling::{Independent, independent_windows, pair_sampling, window_sampling};
@@ -146,6 +146,7 @@ pub(crate) fn run_and_draw(
         );
         warnings.push(Warning::new(Code::W440, text));
     }
+    used.collect(|| outcome.restate(&loaded.case, uncertainty.loss.median_w))?;
     outcome.result.uncertainty = Some(uncertainty);
     note(&mut outcome.result, &used.tags());
     let drawn = Some(&predictive);
@@ -202,11 +203,19 @@ fn uncertainty(
         }
     };
     let others = other_models(loaded).into_iter().zip(1..).map(of_model);
-    let others = others.chain(by_formula(loaded, &nominal)).collect();
+    let others = others.chain(by_formula(loaded, &nominal));
+    let mut others: Vec<AlternativeRow> = others.collect();
     // A cancelled model is not one without solution.
     checkpoint()?;
     let draws_w = predictive.draws_w();
     let Quantiles { drawn, sd_ln } = Quantiles::of(&draws_w);
+    let to_median = match predictive.at_medians_w > 0.0 {
+        true => drawn.value / predictive.at_medians_w,
+        false => 1.0,
+    };
+    for loss in others.iter_mut().filter_map(|row| row.loss_w.as_mut()) {
+        *loss *= to_median;
+    }
     let power = predictive.power_in_w;
     let efficiency = drawn.map(|loss| 1.0 - loss / power);
     if drawn.high >= power {
@@ -228,7 +237,7 @@ fn uncertainty(
                     InnerBoundary::value(*place)
                 ),
             },
-            loss_w: Some(predictive.at_inner_boundary(*place)?),
+            loss_w: Some(to_median * predictive.at_inner_boundary(*place)?),
             refuted_by: String::new(),
         })
     });
@@ -238,9 +247,8 @@ fn uncertainty(
             median_w: drawn.value,
             quantiles_w: drawn.ends(),
             sd_ln,
-            parts: parts(loaded, &predictive, &nominal, drawn.value),
+            parts: parts(loaded, &predictive, &nominal, to_median),
         },
-        at_medians_w: predictive.at_medians_w,
         efficiency_median: efficiency.value,
         efficiency_quantiles: efficiency.ends(),
         constants: predictive.constants.iter().map(drawn_constant).collect(),
@@ -250,9 +258,9 @@ fn uncertainty(
         evaluations,
         interpolation_error: predictive.surface_rms,
         roughness_over_film: predictive.roughness_over_film,
-        sampling: sampling(loaded, &predictive, &nominal),
+        sampling: sampling(loaded, &predictive, &nominal, to_median),
         boundary_w: predictive.inner_boundary.as_ref().map(|inner| {
-            let of_run = nominal.summary.boundary_w * drawn.value / predictive.at_medians_w;
+            let of_run = nominal.summary.boundary_w * to_median;
             ENDS.map(|place| of_run * inner.boundary_at(place))
         }),
         structures: structures.collect(),
@@ -346,19 +354,14 @@ fn remedy_of(
     remedy.to_owned()
 }
 
-/// Every component, drawn with all others at their medians and scaled to the median of the loss, the largest first.
+/// Every component, drawn with all others at their medians and scaled `to_median`, the largest first.
 fn parts(
     loaded: &LoadedCase,
     predictive: &Predictive,
     nominal: &Nominal<'_>,
-    median_w: f64,
+    to_median: f64,
 ) -> Vec<UncertaintyPart> {
     let law = predictive.law();
-    let at_medians = law.loss(&Draw::medians());
-    let scale = match at_medians > 0.0 {
-        true => median_w / at_medians,
-        false => 1.0,
-    };
     let alone = Component::all(predictive).filter_map(|component| {
         let found = law.alone(component)?;
         let constant = |k: usize| predictive.constants.get(k).map(|ranged| ranged.kind);
@@ -376,7 +379,7 @@ fn parts(
             name: component.name(predictive).to_owned(),
             about,
             sd_ln: found.sd_ln,
-            quantiles_w: found.drawn.ends().map(|loss| scale * loss),
+            quantiles_w: found.drawn.ends().map(|loss| to_median * loss),
             remedy: remedy_of(component, loaded, predictive, nominal),
         })
     });
@@ -398,11 +401,15 @@ fn trust(loaded: &LoadedCase) -> Trust {
 }
 
 /// Contribution of the sampling of the flanks, or the reason why there is none.
-fn sampling(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>) -> SamplingPart {
-    let misplaced_w = predictive
-        .sampling
-        .shifts
-        .map(|shifts| shifts.map(|shift| predictive.at_medians_w * (shift.exp() - 1.0)));
+fn sampling(
+    loaded: &LoadedCase,
+    predictive: &Predictive,
+    nominal: &Nominal<'_>,
+    to_median: f64,
+) -> SamplingPart {
+    let loss_w = to_median * predictive.at_medians_w;
+    let shifts = predictive.sampling.shifts;
+    let misplaced_w = shifts.map(|shifts| shifts.map(|shift| loss_w * (shift.exp() - 1.0)));
     if loaded.surfaces.is_surrogate() {
         let pairs = loaded.surfaces.pairs();
         return SamplingPart::None(format!(
@@ -415,7 +422,7 @@ fn sampling(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>)
     if let Some(found) = nominal.pairs {
         return SamplingPart::Pairs(PairSampling {
             misplaced_w,
-            ..found
+            ..found.times(to_median)
         });
     }
     if let Some(changes) = misplaced_w {

@@ -4,7 +4,6 @@
 //! which agrees with records within some percent. Its own error and β_i give way to the errors of the records, and to the two rules
 //! of their boundary friction.
 
-use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_uncertainty::{COMPARED, Predictive, RecordedRule, SamplingError};
 
 use super::evaluations::{
@@ -12,21 +11,12 @@ use super::evaluations::{
 };
 use super::other_models::step_rule_of;
 use crate::contacts::Contacts;
-use crate::pipeline::{contacts as contacts_of, settled};
+use crate::pipeline::{by_solved_contacts, contacts as contacts_of, settled};
 use crate::result::{Losses, PositionRow, RecordedFriction};
 use crate::sampling::windows_of_traces;
-use asperity_case::case::{LoadShareName, LoadedCase};
+use asperity_case::case::LoadedCase;
 use asperity_case::error::Error;
 use asperity_case::flanks::AVERAGING_WIDTH;
-
-/// The case by the fast model, with β_i as it is: the records have no spots.
-fn by_solved_contacts(loaded: &LoadedCase) -> LoadedCase {
-    let mut fast = loaded.clone();
-    let (model, input) = (&mut fast.case.model, &mut fast.case.input.model);
-    model.load_share = LoadShareName::Solved;
-    input.inner_boundary = Some(model.inner_boundary);
-    fast
-}
 
 /// The draws of a loss that is known already, with contacts made before, if any; `None` if the case has no
 /// uncertainty.
@@ -82,8 +72,10 @@ pub(super) fn evaluate(
 /// Evaluates a case around `nominal`, its losses by records with the friction `friction`.
 ///
 /// ```text
-/// S(θ) = S_records S_fast(θ)/S_fast(θ₀, lay 0)                                     [Record-draw]
+/// S(θ) = S_records S_fast(θ)/S_fast(θ₀)                                            [Record-draw]
 /// ```
+///
+/// S_records: sliding loss of the run at the medians θ₀, its lay included.
 fn by_records(
     loaded: &LoadedCase,
     nominal: &Nominal<'_>,
@@ -95,18 +87,12 @@ fn by_records(
     let contacts = contacts_of(&fast)?;
     let losses = evaluated(&fast, Some(&contacts))?;
     let mut found = by_contacts(&fast, &Nominal::of(&losses), Windows::few(&contacts), done)?;
-    let mut across = fast;
-    across.case.model.lay = [Lay::ACROSS; 2];
-    let of_lay = match evaluated(&across, Some(&contacts))?.summary.sliding_w {
-        at_records if at_records > 0.0 => losses.summary.sliding_w / at_records,
-        _ => 1.0,
-    };
     let summary = nominal.summary;
     let predictive = &mut found.predictive;
     predictive.at_medians_w = summary.loss_w;
     predictive.power_in_w = summary.power_in_w;
     predictive.parts_w = [
-        of_lay * summary.sliding_w,
+        summary.sliding_w,
         summary.rolling_w,
         summary.loss_w - summary.sliding_w - summary.rolling_w,
     ];

@@ -68,7 +68,7 @@ pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
             p { "Not varied, because the case states it: " (uncertainty.held.join(", ")) "." }
         }
         h3 { "Other models, and the evidence against them" }
-        p { "Each other model has its constants at their medians. The draws use no model with evidence against it. The loss of such a model may still lie inside the interval." }
+        p { "Each other model has its constants at their medians; its loss is scaled as the run to the median of the draws. The draws use no model with evidence against it. The loss of such a model may still lie inside the interval." }
         (models(uncertainty))
     }
 }

@@ -233,13 +233,9 @@ fn headline(result: &RunResult) -> Vec<Tile> {
             (
                 "efficiency (mesh only), in brackets 5 to 95 %",
                 efficiency,
-                "uncertainty.efficiency_median",
+                "summary.efficiency",
             ),
-            (
-                "loss, in brackets 5 to 95 %",
-                loss,
-                "uncertainty.loss.median_w",
-            ),
+            ("loss, in brackets 5 to 95 %", loss, "summary.loss_w"),
         ],
         None => vec![
             ("efficiency (mesh only)", efficiency, "summary.efficiency"),

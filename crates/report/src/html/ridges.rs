@@ -21,7 +21,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
     html! {
         @if let Some(why) = &result.no_ridges { p { "Not computed: " (why) "." } }
         @if let Some(ridges) = &result.ridges {
-            p { strong { (verdict(ridges)) } " This refers to a loss of " (watts(ridges.loss_w)) " W, with every constant at its median. "
+            p { strong { (verdict(ridges)) } " This refers to a loss of " (watts(ridges.loss_at_medians_w)) " W, with every constant at its median. "
                 code { "asperity ridges" } " lists all of these ridges and the loss by wavelength." }
             @if let Some(certain) = certain(ridges) { p { (certain) } }
             @for note in notes(ridges) { p { (note) } }
@@ -189,8 +189,8 @@ mod tests {
         Ridges {
             title: "one ridge".to_owned(),
             conditions: String::new(),
-            loss_w: 500.0,
-            pressed_loss_w: 400.0,
+            loss_at_medians_w: 500.0,
+            pressed_at_medians_w: 400.0,
             sampling_quantiles_w: Some([-150.0, -50.0]),
             saving_quantiles_w: Some([40.0, 160.0]),
             by_log_height_w: 195.0,

@@ -74,7 +74,6 @@ estimate_keys! {
     SlidingKeys: "sliding_um" "sliding_quantiles_um";
     WearKeys: "k_mm3_per_n_m" "k_quantiles_mm3_per_n_m";
     RemovedKeys: "removed_nm" "removed_quantiles_nm";
-    LossKeys: "loss_median_w" "loss_quantiles_w";
 }
 
 /// A flank of the case, changed by the test.
@@ -124,11 +123,21 @@ pub struct FlankChange {
 pub struct StateLoss {
     /// State of the flanks.
     pub state: &'static str,
-    /// With every constant at its median.
+    /// Loss: the median of the draws, without draws the loss of the run.
     pub loss_w: f64,
-    /// Median with 5 and 95 % quantiles; `None` if the model has no uncertainty.
-    #[serde(flatten, serialize_with = "LossKeys::serialize")]
-    pub drawn_w: Option<Estimate>,
+    /// 5 and 95 % quantiles; `None` if the model has no uncertainty.
+    pub loss_quantiles_w: Option<[f64; 2]>,
+    /// Loss of the run with every constant at its median; `None` without draws.
+    pub loss_at_medians_w: Option<f64>,
+}
+
+impl StateLoss {
+    /// The loss with its quantiles; `None` if the model has no uncertainty.
+    #[must_use]
+    pub fn drawn_w(&self) -> Option<Estimate> {
+        let ends = self.loss_quantiles_w?;
+        Some(Estimate::new(self.loss_w, ends))
+    }
 }
 
 /// Worth of the change in a case.
@@ -241,10 +250,14 @@ pub(super) fn in_case(
     let mut states = vec![of_state(BEFORE, &first), of_state(AFTER, &second)];
     states.extend(run_in.as_ref().and_then(|run| {
         let found = run.result.run_in.as_ref()?;
+        let measured = &first.result.summary;
+        // It is not drawn, and has the ratio of the flanks before.
+        let to_median = measured.loss_w / measured.at_medians_w();
         Some(StateLoss {
             state: RUN_IN,
-            loss_w: found.summary.loss_w,
-            drawn_w: None,
+            loss_w: to_median * found.summary.loss_w,
+            loss_quantiles_w: None,
+            loss_at_medians_w: None,
         })
     }));
     Ok(ChangeInCase {
@@ -292,10 +305,12 @@ fn run_in(before: &LoadedCase) -> Result<(Option<Outcome>, Option<String>), Erro
 
 fn of_state(state: &'static str, outcome: &Outcome) -> StateLoss {
     let uncertainty = outcome.result.uncertainty.as_ref();
+    let summary = &outcome.result.summary;
     StateLoss {
         state,
-        loss_w: outcome.result.summary.loss_w,
-        drawn_w: uncertainty.map(|found| found.loss.drawn()),
+        loss_w: summary.loss_w,
+        loss_quantiles_w: uncertainty.map(|found| found.loss.quantiles_w),
+        loss_at_medians_w: summary.loss_at_medians_w,
     }
 }
 
@@ -470,11 +485,12 @@ fn likeness(
         let [before, after] = cases.map(|case| heights_about_means(case, flank));
         least = least.min(concordance(&before?, &after?));
     }
+    // With the constants at their medians, as the draws vary them for both.
     let windows = runs.map(|run| {
-        run.offsets
-            .iter()
-            .map(|row| row.loss_w)
-            .collect::<Vec<f64>>()
+        let summary = &run.result.summary;
+        let from_median = summary.at_medians_w() / summary.loss_w;
+        let losses = run.offsets.iter().map(|row| from_median * row.loss_w);
+        losses.collect::<Vec<f64>>()
     });
     let both = windows[0].iter().zip(&windows[1]);
     let differences: Vec<f64> = both.map(|(before, after)| after - before).collect();

@@ -126,7 +126,7 @@ pub(super) fn run_in(of: &ChangeInCase) -> Option<String> {
     let heights: Vec<String> = heights.collect();
     Some(format!(
         "The flanks before the test lose {before} W, and run in by model.run_in {predicted} W. The flanks measured after the test lose \
-         {after} W. All three are at the medians of the constants. With the filters of the case, model.run_in predicts {}.{both}",
+         {after} W. With the filters of the case, model.run_in predicts {}.{both}",
         heights.join("; ")
     ))
 }
@@ -152,11 +152,14 @@ fn interval(of: Option<Estimate>) -> Cell {
 }
 
 fn losses(of: &ChangeInCase) -> Table {
-    let shown = |loss: &StateLoss| interval(loss.drawn_w);
+    let shown = |loss: &StateLoss| match loss.drawn_w() {
+        Some(drawn) => Cell::interval(drawn),
+        None => Cell::number(loss.loss_w, |w| Digits::of_power(w).rounded(w)),
+    };
     let table = columns! { loss in &of.states;
         head state "flanks" "" = loss.state;
-        interval loss_median_w "loss" "W" = shown(loss);
-        number loss_w "at medians" "W" = Cell::number(loss.loss_w, |w| Digits::of_power(w).rounded(w));
+        interval loss_w "loss" "W" = shown(loss);
+        file loss_at_medians_w = Cell::optional(loss.loss_at_medians_w);
     };
     table.in_file("losses.csv")
 }

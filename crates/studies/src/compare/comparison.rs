@@ -14,7 +14,7 @@ use asperity::uncertainty::{
     DecidingMeasurement, DrawnMesh, PairedDifference, Quantiles, deciding, difference_of_meshes,
 };
 use asperity::{Error, PositionError};
-use asperity_core::{Code, Estimate, EstimateKeys, Fault, PROGRAM, estimate_keys, unique};
+use asperity_core::{Code, Estimate, Fault, PROGRAM, unique};
 use asperity_report::tables::FlankTables;
 use asperity_report::{Input, Setting, StudySettings, Watch, Work, settings};
 use serde::Serialize;
@@ -68,12 +68,15 @@ pub struct FinishResult {
     pub name: String,
     /// Names and SHA-256 of the files that it read.
     pub files: Vec<[String; 2]>,
-    /// Mean efficiency.
+    /// Efficiency at the loss below.
     pub efficiency: f64,
     /// Power into the meshes \[W\].
     pub power_in_w: f64,
-    /// Mean loss with every constant at its median \[W\].
+    /// Loss \[W\]: the median of the draws, without draws the loss of the run.
     pub loss_w: f64,
+    /// Loss of the run with every constant at its median \[W\]; `None` without draws.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub loss_at_medians_w: Option<f64>,
     /// The uncertainty of the loss of a pair of gears; `None` if the model has none.
     pub uncertainty: Option<Uncertainty>,
     /// Median, quantiles and spread of the loss of a gear train.
@@ -88,7 +91,7 @@ pub struct FinishResult {
     /// Keys of the case that differ from the first one, unless these are of the flanks only.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub changes: Vec<ChangedKey>,
-    /// Mean loss of the flanks run in with every constant at its median \[W\], if the case sets `model.run_in`.
+    /// Loss of the flanks run in \[W\], scaled as `loss_w`, if the case sets `model.run_in`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub run_in_loss_w: Option<f64>,
     /// Losses of the gearbox, if the case states them; the same parts for every finish.
@@ -118,8 +121,6 @@ pub struct FinishResult {
     pub(crate) pair: Option<PairOfFinish>,
 }
 
-estimate_keys! { OfMesh: "loss_median_w" "loss_quantiles_w"; }
-
 /// A key whose value differs from the first case; without a value where it is not stated and has no default.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[non_exhaustive]
@@ -140,11 +141,14 @@ pub struct MeshOfFinish {
     pub mesh: String,
     /// Number of equal meshes.
     pub count: u32,
-    /// Mean loss of one such mesh with every constant at its median \[W\].
+    /// Loss of one such mesh \[W\], scaled as the loss of all meshes to its median.
     pub loss_w: f64,
-    /// Median of its loss with 5 and 95 % quantiles \[W\].
-    #[serde(flatten, serialize_with = "OfMesh::serialize")]
-    pub drawn_w: Option<Estimate>,
+    /// Loss of its run with every constant at its median \[W\]; `None` without draws.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub loss_at_medians_w: Option<f64>,
+    /// 5 and 95 % quantiles of its loss \[W\]; `None` without draws.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub loss_quantiles_w: Option<[f64; 2]>,
     /// Loss minus the loss of the mesh with the first finish, as of a finish.
     pub difference: Option<PairedDifference>,
     /// Share of the path in mixed lubrication.
@@ -173,7 +177,7 @@ impl Comparison {
 }
 
 impl FinishResult {
-    /// Median of the loss with its 5 and 95 % quantiles \[W\]; `None` without draws.
+    /// The loss with its 5 and 95 % quantiles \[W\]; `None` without draws.
     #[must_use]
     pub fn drawn_w(&self) -> Option<Estimate> {
         let of_pair = self.uncertainty.as_ref().map(|found| found.loss.drawn());
@@ -456,6 +460,7 @@ fn finish_result(
         efficiency: result.efficiency,
         power_in_w: result.meshes_power_in_w(),
         loss_w: result.loss_w,
+        loss_at_medians_w: result.loss_at_medians_w,
         uncertainty: None,
         loss_distribution: result.loss_distribution,
         difference,
@@ -488,7 +493,8 @@ fn finish_result(
                     mesh: row.mesh.clone(),
                     count: row.count,
                     loss_w: row.loss_w,
-                    drawn_w: row.drawn_w(),
+                    loss_at_medians_w: row.loss_at_medians_w,
+                    loss_quantiles_w: row.drawn_w().map(Estimate::ends),
                     difference: pair
                         .map(|(first, own)| difference_of_meshes(&[single(first)], &[single(own)])),
                     mixed_share: summary.mixed_share,

@@ -212,7 +212,7 @@ fn of_flanks<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
 const COMPONENTS: &str = "Each component is drawn alone, with every other at its median.";
 
 /// Text above the other models.
-const OTHER_MODELS: &str = "Each other model has its constants at their medians, and the evidence is against its result there. The \
+const OTHER_MODELS: &str = "Each other model has its constants at their medians, its loss is scaled as the run to the median of the draws, and the evidence is against its result there. The \
     interval of the verdict is of the default model with drawn constants. Its ends need constants far from their medians: there the \
     default, too, may save as much as an excluded model.";
 
@@ -439,7 +439,7 @@ fn bars(comparison: &Comparison) -> Drawing {
     let bars = comparison.finishes.iter().map(|finish| Bar {
         // One group, whose bars have the colours of the finishes in all charts.
         name: "loss".to_owned(),
-        value: Some(finish.drawn_w().map_or(finish.loss_w, |of| of.value)),
+        value: Some(finish.loss_w),
         spread: finish.drawn_w().map(Estimate::ends),
         text: format!("{} W, {}", loss(finish), finish.name),
     });

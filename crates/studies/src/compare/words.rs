@@ -24,10 +24,9 @@ pub(super) fn table(comparison: &Comparison) -> Table {
     });
     let table = columns! { (finish, losses) in rows;
         head finish "finish" "" = &finish.name;
-        number efficiency_median_percent "efficiency" "%" = efficiency(finish);
-        file efficiency_percent = 100.0 * finish.efficiency;
-        file loss_w = finish.loss_w;
-        interval loss_median_w "loss" "W" = losses.loss();
+        number efficiency_percent "efficiency" "%" = efficiency(finish);
+        interval loss_w "loss" "W" = losses.loss();
+        file loss_at_medians_w = Cell::optional(finish.loss_at_medians_w);
         interval difference_w "minus the first" "W" = losses.difference();
         interval change_percent "of the first" "%" = losses.change();
         number mixed_share_percent "mixed" "%" "{:.0}" = finish.mixed_share.map(|share| 100.0 * share);
@@ -108,7 +107,7 @@ pub(super) fn meshes(comparison: &Comparison) -> Table {
                     .find(of_name)
                     .filter(|_| comparison.is_later(finish))
                     .map(|first| first.loss_w),
-                drawn: mesh.drawn_w,
+                drawn: (mesh.loss_quantiles_w).map(|ends| Estimate::new(mesh.loss_w, ends)),
                 difference: mesh.difference.as_ref(),
             };
             let name = format!("{times}{}, {}", mesh.mesh, finish.name);
@@ -120,8 +119,8 @@ pub(super) fn meshes(comparison: &Comparison) -> Table {
         file finish = &finish.name;
         file mesh = &mesh.mesh;
         file count = mesh.count;
-        file loss_w = mesh.loss_w;
-        interval loss_median_w "loss" "W" = losses.loss();
+        interval loss_w "loss" "W" = losses.loss();
+        file loss_at_medians_w = Cell::optional(mesh.loss_at_medians_w);
         interval difference_w "minus the first" "W" = losses.difference();
         interval change_percent "of the first" "%" = losses.change();
         file mixed_share_percent = 100.0 * mesh.mixed_share;
@@ -130,15 +129,12 @@ pub(super) fn meshes(comparison: &Comparison) -> Table {
     table.in_file("meshes.csv")
 }
 
-/// Median of the efficiency in percent, with the digits that its interval leaves; without an interval the efficiency of
-/// the run.
+/// Efficiency in percent, with the digits that its interval leaves.
 fn efficiency(finish: &FinishResult) -> Cell {
-    let (percent, digits) = match finish.drawn_w() {
-        Some(drawn) => (
-            100.0 * (1.0 - drawn.value / finish.power_in_w),
-            Digits::of_interval(drawn.ends()).of_percent(finish.power_in_w),
-        ),
-        None => (100.0 * finish.efficiency, Digits::of_decimals(4)),
+    let percent = 100.0 * finish.efficiency;
+    let digits = match finish.drawn_w() {
+        Some(drawn) => Digits::of_interval(drawn.ends()).of_percent(finish.power_in_w),
+        None => Digits::of_decimals(4),
     };
     Cell::shown(digits.rounded(percent), Value::Number(percent))
 }
@@ -166,7 +162,8 @@ struct OfFinish<'a> {
 
 impl OfFinish<'_> {
     fn loss(&self) -> Cell {
-        Cell::estimate(shown_loss(self.loss_w, self.drawn), self.drawn)
+        let ends = self.drawn.map(Estimate::ends);
+        Cell::with_ends(shown_loss(self.loss_w, self.drawn), Some(self.loss_w), ends)
     }
 
     fn difference(&self) -> Cell {
@@ -411,7 +408,7 @@ pub(super) fn run_in(comparison: &Comparison) -> Vec<String> {
         let after = finish.run_in_loss_w?;
         let digits = Digits::of_drawn(finish.drawn_w(), Digits::of_decimals(1));
         Some(format!(
-            "With {} run in: {} W in place of {} W, both with every constant at its median.",
+            "With {} run in: {} W instead of {} W.",
             finish.name,
             digits.rounded(after),
             digits.rounded(finish.loss_w)
@@ -438,14 +435,11 @@ pub(super) fn scope(comparison: &Comparison) -> String {
     };
     let with = |finish: &FinishResult| {
         let gearbox = finish.gearbox.as_ref()?;
-        let efficiency = match finish.drawn_w() {
-            Some(drawn) => {
-                let digits = Digits::of_interval(drawn.ends()).of_percent(gearbox.power_in_w);
-                let median = drawn.value + gearbox.parts_w;
-                digits.rounded(100.0 * (1.0 - median / gearbox.power_in_w))
-            }
-            None => format!("{:.4}", 100.0 * gearbox.efficiency),
+        let digits = match finish.drawn_w() {
+            Some(drawn) => Digits::of_interval(drawn.ends()).of_percent(gearbox.power_in_w),
+            None => Digits::of_decimals(4),
         };
+        let efficiency = digits.rounded(100.0 * gearbox.efficiency);
         Some(format!("{} {efficiency} %", finish.name))
     };
     let efficiencies: Vec<String> = comparison.finishes.iter().filter_map(with).collect();

@@ -14,7 +14,7 @@ use asperity::uncertainty::Predictive;
 use asperity_core::numerics::add_times;
 
 use super::trace::Cycle;
-use crate::map::{Drawn, FinishMap, Place};
+use crate::map::{FinishMap, Place};
 
 /// Standard error of an energy by the sampling of the flanks over the sum of the errors of its points: the points lie at other
 /// places of the same traces. 0.74 measured over six points; independent points would have 0.45.
@@ -24,28 +24,50 @@ const OF_ENERGY: f64 = 0.75;
 pub(super) const WATT_HOUR: f64 = 3600.0;
 
 /// Draws of a finish over a cycle at one temperature.
-#[derive(Clone, Copy)]
 pub(super) struct Draws<'a> {
-    pub finish: &'a FinishMap,
-    pub cycle: &'a Cycle,
-    /// Temperature of the flanks \[°C\].
-    pub celsius: f64,
-    /// Loss at each point, with every constant at its median \[W\].
-    pub loss_w: &'a [f64],
+    finish: &'a FinishMap,
+    cycle: &'a Cycle,
+    /// Place of each point between the nodes, and its loss with every constant at its median \[W\].
+    points: Vec<(Place, f64)>,
+    /// Quantiles of the loss at the places over the loss with every constant at its median.
+    ratios: BTreeMap<Place, Estimate>,
 }
 
-impl Draws<'_> {
+impl<'a> Draws<'a> {
+    /// The draws of a finish with the losses `loss_w` \[W\] at the points of the cycle, which are medians; `None` on a map without
+    /// draws.
+    pub fn new(
+        (finish, celsius): (&'a FinishMap, f64),
+        cycle: &'a Cycle,
+        loss_w: &[f64],
+    ) -> Option<Self> {
+        let drawn = finish.drawn(false, 1.0)?;
+        let mut ratios = BTreeMap::new();
+        let points = cycle.points.iter().zip(loss_w).map(|(point, loss)| {
+            let place = drawn.place(point.torque_nm, point.speed_rpm, celsius);
+            let of_place = ratios.entry(place);
+            let found: &mut Estimate = of_place.or_insert_with(|| drawn.quantiles(place));
+            (place, loss / found.value)
+        });
+        Some(Self {
+            finish,
+            cycle,
+            points: points.collect(),
+            ratios,
+        })
+    }
+
+    /// Energy with every constant at its median \[Wh\].
+    pub fn at_medians_wh(&self) -> f64 {
+        self.hours().map(|((_, loss), hours)| loss * hours).sum()
+    }
+
     /// Energies of all draws \[Wh\], for a difference with those in common with the first finish; `None` on a map without draws.
     pub fn energies_wh(&self, is_beside_first: bool) -> Option<Vec<f64>> {
         let drawn = self.finish.drawn(is_beside_first, OF_ENERGY)?;
         let mut of_places: BTreeMap<Place, f64> = BTreeMap::new();
-        let weights = self
-            .cycle
-            .points
-            .iter()
-            .map(|point| point.weight_s / WATT_HOUR);
-        for ((place, loss), hours) in self.places(&drawn).zip(weights) {
-            *of_places.entry(place).or_default() += loss * hours;
+        for ((place, loss), hours) in self.hours() {
+            *of_places.entry(*place).or_default() += loss * hours;
         }
         let mut energies = vec![0.0; Predictive::count()];
         for (place, energy) in of_places {
@@ -54,24 +76,22 @@ impl Draws<'_> {
         Some(energies)
     }
 
-    /// Median with 5 % and 95 % quantiles of the loss at each point \[W\]; `None` on a map without draws.
-    pub fn losses_w(&self) -> Option<Vec<Estimate>> {
-        let drawn = self.finish.drawn(false, 1.0)?;
-        let mut of_places: BTreeMap<Place, Estimate> = BTreeMap::new();
-        let of_point = self.places(&drawn).map(|(place, loss)| {
-            let ratios = of_places.entry(place);
-            let ratios = ratios.or_insert_with(|| drawn.quantiles(place));
-            ratios.map(|ratio| ratio * loss)
-        });
-        Some(of_point.collect())
+    /// Median with 5 % and 95 % quantiles of the loss at each point \[W\].
+    pub fn losses_w(&self) -> Vec<Estimate> {
+        let of_point = |(place, loss): &(Place, f64)| {
+            let ratios = self.ratios.get(place);
+            ratios.map(|ratios| ratios.map(|ratio| ratio * loss))
+        };
+        self.points.iter().filter_map(of_point).collect()
     }
 
-    /// Place between the nodes and loss of each point.
-    fn places(&self, drawn: &Drawn<'_>) -> impl Iterator<Item = (Place, f64)> {
-        let points = self.cycle.points.iter().zip(self.loss_w);
-        points.map(|(point, loss)| {
-            let place = drawn.place(point.torque_nm, point.speed_rpm, self.celsius);
-            (place, *loss)
-        })
+    /// Points with the hours that they stand for.
+    fn hours(&self) -> impl Iterator<Item = (&(Place, f64), f64)> {
+        let hours = self
+            .cycle
+            .points
+            .iter()
+            .map(|point| point.weight_s / WATT_HOUR);
+        self.points.iter().zip(hours)
     }
 }

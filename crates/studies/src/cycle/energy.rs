@@ -1,6 +1,6 @@
 //! Energies of a cycle on a map.
 
-use asperity_core::{Code, Estimate, EstimateKeys, Fault, estimate_keys};
+use asperity_core::{Code, Estimate, Fault};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -58,26 +58,20 @@ pub struct CycleResult {
     pub map: Arc<Map>,
 }
 
-estimate_keys! {
-    Lost: "lost_median_wh" "lost_quantiles_wh";
-    Saved: "difference_median_wh" "difference_quantiles_wh";
-}
-
 /// Energy loss with one finish.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct CycleFinish {
     /// Name.
     pub name: String,
-    /// Energy lost, with every constant at its median \[Wh\].
+    /// Energy lost \[Wh\]: the median of the draws, to which its parts are scaled.
     pub lost_wh: f64,
-    /// Median of the drawn energies with their 5 % and 95 % quantiles \[Wh\]; `None` on a map without draws.
-    #[serde(
-        flatten,
-        serialize_with = "Lost::serialize",
-        skip_serializing_if = "Option::is_none"
-    )]
-    pub lost_drawn_wh: Option<Estimate>,
+    /// 5 % and 95 % quantiles of the drawn energies \[Wh\]; `None` on a map without draws.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lost_quantiles_wh: Option<[f64; 2]>,
+    /// Energy lost with every constant at its median \[Wh\]; `None` on a map without draws.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lost_at_medians_wh: Option<f64>,
     /// Part of it while the pinion drives \[Wh\].
     pub lost_drive_wh: f64,
     /// Part of it while the wheel drives \[Wh\], and at no torque.
@@ -88,15 +82,11 @@ pub struct CycleFinish {
     pub drive_efficiency: Option<f64>,
     /// Energy lost per 100 km \[Wh\].
     pub wh_per_100_km: Option<f64>,
-    /// Energy lost minus the energy lost with the first finish \[Wh\]; `None` for the first.
+    /// Energy lost minus the energy lost with the first finish \[Wh\], the median over the draws; `None` for the first.
     pub difference_wh: Option<f64>,
-    /// Median of the difference over the draws with its 5 % and 95 % quantiles \[Wh\].
-    #[serde(
-        flatten,
-        serialize_with = "Saved::serialize",
-        skip_serializing_if = "Option::is_none"
-    )]
-    pub difference_drawn_wh: Option<Estimate>,
+    /// 5 % and 95 % quantiles of the difference over the draws \[Wh\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub difference_quantiles_wh: Option<[f64; 2]>,
     /// Loss at each point \[W\].
     #[serde(skip)]
     pub loss_w: Vec<f64>,
@@ -106,13 +96,34 @@ pub struct CycleFinish {
 }
 
 impl CycleFinish {
-    /// Median of the energy over the energy with every constant at its median; 1 on a map without draws.
+    /// The energy lost with its quantiles \[Wh\]; `None` on a map without draws.
     #[must_use]
-    pub fn median_over_medians(&self) -> f64 {
-        match self.lost_drawn_wh {
-            Some(drawn) if self.lost_wh > 0.0 => drawn.value / self.lost_wh,
-            _ => 1.0,
+    pub fn lost_drawn_wh(&self) -> Option<Estimate> {
+        let ends = self.lost_quantiles_wh?;
+        Some(Estimate::new(self.lost_wh, ends))
+    }
+
+    /// The difference with its quantiles \[Wh\]; `None` for the first finish, and on a map without draws.
+    #[must_use]
+    pub fn difference_drawn_wh(&self) -> Option<Estimate> {
+        let ends = self.difference_quantiles_wh?;
+        Some(Estimate::new(self.difference_wh?, ends))
+    }
+
+    /// States the energy as drawn, with its parts in proportion.
+    fn put_draws(&mut self, draws: &Draws<'_>, energies: &[f64]) {
+        let drawn = median_with_ends(energies);
+        let factor = match self.lost_wh > 0.0 {
+            true => drawn.value / self.lost_wh,
+            false => 1.0,
+        };
+        for part in [&mut self.lost_drive_wh, &mut self.lost_coast_wh] {
+            *part *= factor;
         }
+        self.lost_wh = drawn.value;
+        self.lost_quantiles_wh = Some(drawn.ends());
+        self.lost_at_medians_wh = Some(draws.at_medians_wh());
+        self.drawn_w = draws.losses_w();
     }
 }
 
@@ -155,40 +166,29 @@ pub fn evaluate(
     let mut drawn_of_first = None;
     for (finish, surface) in map.finishes.iter().zip(&surfaces) {
         let mut result = of_finish(finish, surface, cycle);
+        let draws = Draws::new((finish, celsius), cycle, &result.loss_w);
+        let own = || draws.as_ref()?.energies_wh(true);
+        let deltas = drawn_of_first.as_ref().and_then(|first: &Vec<f64>| {
+            let pairs = own()?.into_iter().zip(first);
+            Some(pairs.map(|(own, first)| own - first).collect::<Vec<f64>>())
+        });
+        if let Some((draws, energies)) = draws
+            .as_ref()
+            .and_then(|of| Some((of, of.energies_wh(false)?)))
+        {
+            result.put_draws(draws, &energies);
+            drawn_of_first.get_or_insert(energies);
+        }
         result.share_of_drive = (drive_wh > 0.0).then(|| result.lost_wh / drive_wh);
         result.drive_efficiency = (drive_wh > 0.0).then(|| 1.0 - result.lost_drive_wh / drive_wh);
         result.wh_per_100_km = cycle
             .distance_km
             .filter(|km| *km > 0.0)
             .map(|km| result.lost_wh * 100.0 / km);
-        if let Some(first) = finishes.first() {
-            result.difference_wh = Some(result.lost_wh - first.lost_wh);
-        }
-        let draws = Draws {
-            finish,
-            cycle,
-            celsius,
-            loss_w: &result.loss_w,
-        };
-        let drawn_w = draws.losses_w().unwrap_or_default();
-        let energies = draws.energies_wh(false);
-        let own = || draws.energies_wh(true);
-        if let Some((first, own)) = drawn_of_first
-            .as_ref()
-            .and_then(|first| Some((first, own()?)))
-        {
-            let deltas: Vec<f64> = own
-                .iter()
-                .zip(first)
-                .map(|(own, first)| own - first)
-                .collect();
-            result.difference_drawn_wh = Some(median_with_ends(&deltas));
-        }
-        if let Some(energies) = energies {
-            result.lost_drawn_wh = Some(median_with_ends(&energies));
-            drawn_of_first.get_or_insert(energies);
-        }
-        result.drawn_w = drawn_w;
+        let drawn = deltas.as_deref().map(median_with_ends);
+        let of_medians = finishes.first().map(|first| result.lost_wh - first.lost_wh);
+        result.difference_wh = drawn.map(|drawn| drawn.value).or(of_medians);
+        result.difference_quantiles_wh = drawn.map(Estimate::ends);
         check(&result, drive_wh)?;
         finishes.push(result);
     }
@@ -245,14 +245,15 @@ fn of_finish(finish: &FinishMap, surface: &Surface, cycle: &Cycle) -> CycleFinis
     CycleFinish {
         name: finish.name.clone(),
         lost_wh: lost[0] + lost[1],
-        lost_drawn_wh: None,
+        lost_quantiles_wh: None,
+        lost_at_medians_wh: None,
         lost_drive_wh: lost[0],
         lost_coast_wh: lost[1],
         share_of_drive: None,
         drive_efficiency: None,
         wh_per_100_km: None,
         difference_wh: None,
-        difference_drawn_wh: None,
+        difference_quantiles_wh: None,
         loss_w,
         drawn_w: Vec::new(),
     }

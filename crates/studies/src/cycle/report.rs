@@ -65,7 +65,6 @@ struct CyclePointRow<'a> {
     torque_nm: f64,
     speed_rpm: f64,
     loss_w: f64,
-    loss_median_w: Option<f64>,
     loss_p05_w: Option<f64>,
     loss_p95_w: Option<f64>,
     finish: &'a str,
@@ -81,7 +80,6 @@ fn rows(result: &CycleResult) -> impl Iterator<Item = CyclePointRow<'_>> {
                 torque_nm: point.torque_nm,
                 speed_rpm: point.speed_rpm,
                 loss_w: *loss_w,
-                loss_median_w: drawn.map(|drawn| drawn.value),
                 loss_p05_w: drawn.map(|drawn| drawn.low),
                 loss_p95_w: drawn.map(|drawn| drawn.high),
                 finish: &finish.name,
@@ -110,7 +108,7 @@ fn conditions(result: &CycleResult) -> String {
 
 /// Why a difference may differ from the difference of the energies as printed; `None` without draws or differences.
 fn in_pairs(result: &CycleResult) -> Option<&'static str> {
-    let is_drawn = |finish: &CycleFinish| finish.difference_drawn_wh.is_some();
+    let is_drawn = |finish: &CycleFinish| finish.difference_quantiles_wh.is_some();
     let mut finishes = result.finishes.iter();
     finishes.any(is_drawn).then_some(
         "Each difference is the median over paired draws, not the difference of the medians.",
@@ -157,7 +155,7 @@ fn extrapolated(result: &CycleResult) -> [Vec<String>; 2] {
             "Of the energy lost with {}, {} % is where the model is extrapolated further than at the operating point of the case.{}",
             in_words(&own.name),
             decimals(100.0 * beyond / all, 0),
-            own.lost_drawn_wh.map_or("", |_| NOT_IN_INTERVAL)
+            own.lost_quantiles_wh.map_or("", |_| NOT_IN_INTERVAL)
         );
         (beyond > 0.0).then_some((beyond >= MOST * all, sentence))
     };
@@ -233,8 +231,8 @@ fn table(result: &CycleResult) -> Table {
     let rows = result.finishes.iter().map(|finish| (finish, lost(finish)));
     let table = columns! { (finish, [lost, drive, coast]) in rows;
         head finish "finish" "" = Cell::shown(in_words(&finish.name), finish.name.as_str().into());
-        file lost_wh = finish.lost_wh;
-        interval lost_median_wh "lost" "Wh" = Cell::estimate(lost, finish.lost_drawn_wh);
+        interval lost_wh "lost" "Wh" = Cell::with_ends(lost, Some(finish.lost_wh), finish.lost_quantiles_wh);
+        file lost_at_medians_wh = Cell::optional(finish.lost_at_medians_wh);
         shown drive "driving" "Wh" = drive;
         shown coast "braking" "Wh" = coast;
         file lost_drive_wh = finish.lost_drive_wh;
@@ -243,8 +241,7 @@ fn table(result: &CycleResult) -> Table {
         shown way "per 100 km" "Wh" = per_100_km(finish).unwrap_or("-".to_owned());
         file share_of_drive = Cell::optional(finish.share_of_drive);
         file wh_per_100_km = Cell::optional(finish.wh_per_100_km);
-        file difference_wh = Cell::optional(finish.difference_wh);
-        interval difference_median_wh "minus the first" "Wh" = Cell::estimate(difference(finish), finish.difference_drawn_wh);
+        interval difference_wh "minus the first" "Wh" = Cell::with_ends(difference(finish), finish.difference_wh, finish.difference_quantiles_wh);
     };
     let table = match result.finishes.len() {
         1 => table.unshown_of(&["minus the first"]),
@@ -259,17 +256,16 @@ fn table(result: &CycleResult) -> Table {
 /// Whether the energies have quantiles.
 fn is_banded(result: &CycleResult) -> bool {
     let mut finishes = result.finishes.iter();
-    finishes.any(|finish| finish.lost_drawn_wh.is_some())
+    finishes.any(|finish| finish.lost_quantiles_wh.is_some())
 }
 
 /// Energy lost with its quantiles, and its parts while the pinion and while the wheel drives, which add up to it as printed.
 fn lost(finish: &CycleFinish) -> [String; 3] {
     let parts = [finish.lost_drive_wh, finish.lost_coast_wh];
-    let drawn = finish.lost_drawn_wh;
+    let drawn = finish.lost_drawn_wh();
     let digits = Digits::of_drawn(drawn, Digits::of_decimals(2));
-    let factor = finish.median_over_medians();
-    let total = digits.steps(factor * finish.lost_wh);
-    let parts = digits.parts(total, &parts.map(|part| factor * part));
+    let total = digits.steps(finish.lost_wh);
+    let parts = digits.parts(total, &parts);
     let whole = match drawn {
         Some(_) => banded(finish.lost_wh, drawn),
         None => digits.text(total),
@@ -277,14 +273,13 @@ fn lost(finish: &CycleFinish) -> [String; 3] {
     [whole, digits.text(parts[0]), digits.text(parts[1])]
 }
 
-/// `value`, in proportion to the energy lost, as its median with the digits that the interval leaves.
+/// `value`, in proportion to the energy lost, with the digits that the interval leaves.
 fn proportional(finish: &CycleFinish, value: f64) -> String {
-    let median = value * finish.median_over_medians();
-    let half = match finish.lost_drawn_wh {
+    let half = match finish.lost_drawn_wh() {
         Some(drawn) if finish.lost_wh > 0.0 => drawn.half_width() / finish.lost_wh * value,
         _ => 0.0,
     };
-    Digits::of_uncertainty(half).rounded(median)
+    Digits::of_uncertainty(half).rounded(value)
 }
 
 /// The energy lost over the energy at the pinion while it drives \[%\].
@@ -304,7 +299,7 @@ fn verdicts(result: &CycleResult) -> Vec<String> {
         let share = share_of_drive(finish).map(|share| format!(", {share} % of the drive energy"));
         let against = finish.difference_wh.and_then(|value| {
             let first = &result.finishes.first()?.name;
-            let in_words = match finish.difference_drawn_wh {
+            let in_words = match finish.difference_drawn_wh() {
                 Some(drawn) => against(drawn, "Wh", first),
                 None => {
                     let way = if value < 0.0 { "lower" } else { "higher" };
@@ -324,7 +319,7 @@ fn difference(finish: &CycleFinish) -> String {
     let Some(value) = finish.difference_wh else {
         return "reference".to_owned();
     };
-    match finish.difference_drawn_wh {
+    match finish.difference_drawn_wh() {
         Some(drawn) => banded(value, Some(drawn)),
         None => format!("{value:+.2}"),
     }

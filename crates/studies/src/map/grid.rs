@@ -20,7 +20,7 @@ use asperity_core::{Code, Estimate, Fault, PROGRAM};
 use rayon::prelude::*;
 
 use super::axes::Axes;
-use super::draws::{DrawnNodes, MapBand, Nodes};
+use super::draws::{Drawn, DrawnNodes, MapBand, Nodes};
 use super::evaluation::{
     Evaluated, EvaluatedMesh, at_torque, computed_speed, computed_speeds, evaluate, gearbox_of,
     resolved_from, torque_of,
@@ -29,7 +29,7 @@ use super::point::{EXTENDED, FinishMap, Map, MapWarning, MeshPart, Numbers, Poin
 use crate::compare::{Finish, differs_by_flanks, files};
 
 /// Version of the structure of `map.json`.
-pub(crate) const SCHEMA_VERSION: u32 = 1;
+pub(crate) const SCHEMA_VERSION: u32 = 2;
 
 /// Computes the losses of every finish at every node of `axes`, with draws at the points of `band`. A point without a
 /// result has its error code.
@@ -155,7 +155,7 @@ pub(super) fn difference(
             numbers,
             ..
         } = point;
-        let loss = numbers.as_ref()?.loss_w;
+        let loss = numbers.as_ref()?.at_medians_w();
         let drawn = of.drawn(is_beside_first, 1.0)?;
         let ratios = drawn.ratios(drawn.place(*torque_nm, *speed_rpm, *temperature_c));
         Some(ratios.into_iter().map(move |ratio| loss * ratio))
@@ -246,18 +246,29 @@ fn of_finish(
         checkpoint()?;
         computed.insert((side, torque.to_bits()), evaluated);
     }
-    let mut points = Vec::with_capacity(axes.points());
-    let mut parts: Vec<Option<Vec<f64>>> = Vec::with_capacity(axes.points());
-    for (row, &temperature_c) in axes.temperature_c.iter().enumerate() {
-        for &torque_nm in &axes.torque_nm {
-            for &speed_rpm in &axes.speed_rpm {
-                let node = [torque_nm, speed_rpm, temperature_c];
-                let (point, of_meshes) = point(train, &computed, sides, speeds, row, node);
-                parts.push(point.numbers.and(of_meshes));
-                points.push(point);
-            }
-        }
-    }
+    let draws = draws(train, &computed, drawn, sides.differ, (axes, speeds));
+    let meshes = train.counts().len();
+    let drawn = Drawn::of(&draws, meshes, None, 1.0);
+    let nodes = axes.temperature_c.iter().enumerate().flat_map(|(row, t)| {
+        let of_torque = move |torque: &f64| {
+            let torque = *torque;
+            axes.speed_rpm
+                .iter()
+                .map(move |speed| (row, [torque, *speed, *t]))
+        };
+        axes.torque_nm.iter().flat_map(of_torque)
+    });
+    let nodes: Vec<(usize, [f64; 3])> = nodes.collect();
+    let of_node = |&(row, node): &(usize, [f64; 3])| {
+        let ratios = drawn
+            .as_ref()
+            .map(|drawn| drawn.quantiles(drawn.place(node[0], node[1], node[2])));
+        let (point, of_meshes) = point((train, sides, ratios), (&computed, speeds), row, node);
+        let parts = point.numbers.and(of_meshes);
+        (point, parts)
+    };
+    let found: Vec<(Point, Option<Vec<f64>>)> = nodes.par_iter().map(of_node).collect();
+    let (points, parts): (Vec<Point>, Vec<Option<Vec<f64>>>) = found.into_iter().unzip();
     if points.iter().all(|point| point.numbers.is_none()) {
         // A run of the case gives the full message.
         for mesh in train.meshes() {
@@ -280,7 +291,7 @@ fn of_finish(
         }
         drives.push(drive);
     }
-    let mut map = FinishMap {
+    let map = FinishMap {
         name: finish.name.clone(),
         fingerprint: fingerprint.hex(),
         files: unique(drives.iter().flat_map(files)),
@@ -288,14 +299,13 @@ fn of_finish(
         has_flanks_of_first: false,
         difference_w: None,
         resolved_from_nm: sides.from,
-        draws: draws(train, &computed, drawn, sides.differ, (axes, speeds)),
+        draws,
         meshes: match train.only() {
             Some(_) => Vec::new(),
             None => of_meshes(train, &parts),
         },
         points,
     };
-    add_quantiles(&mut map);
     let of_sides = drives.into_iter().chain(coasts);
     Ok((map, of_sides.map(|case| case.surfaces).collect()))
 }
@@ -356,27 +366,11 @@ fn draws(
     drawn.collect::<Option<_>>().unwrap_or_default()
 }
 
-/// Adds median and quantiles to every point.
-fn add_quantiles(map: &mut FinishMap) {
-    let mut points = std::mem::take(&mut map.points);
-    if let Some(drawn) = map.drawn(false, 1.0) {
-        points.par_iter_mut().for_each(|point| {
-            let place = drawn.place(point.torque_nm, point.speed_rpm, point.temperature_c);
-            if let Some(numbers) = &mut point.numbers {
-                let ratios = drawn.quantiles(place);
-                numbers.drawn_w = Some(ratios.map(|ratio| ratio * numbers.loss_w));
-            }
-        });
-    }
-    map.points = points;
-}
-
-/// A point with the loss torque of each mesh at the input shaft \[N m\].
+/// A point with the loss torque of each mesh at the input shaft \[N m\], at the median of the draws, whose quantiles are `ratios` of
+/// the loss with every constant at its median.
 fn point(
-    train: &Train,
-    computed: &Computed,
-    sides: &Sides,
-    speeds: &[f64],
+    (train, sides, ratios): (&Train, &Sides, Option<Estimate>),
+    (computed, speeds): (&Computed, &[f64]),
     row: usize,
     [torque_nm, speed_rpm, temperature_c]: [f64; 3],
 ) -> (Point, Option<Vec<f64>>) {
@@ -419,9 +413,15 @@ fn point(
             (torque_nm < 0.0) != (computed_at < 0.0),
         ),
     };
-    let of_mesh = |mesh: &EvaluatedMesh| match &mesh.lowered {
-        Some((share, other)) => at_torque(mesh).towards(&at_torque(other), *share),
-        None => at_torque(mesh),
+    let of_mesh = |mesh: &EvaluatedMesh| {
+        let of_run = match &mesh.lowered {
+            Some((share, other)) => at_torque(mesh).towards(&at_torque(other), *share),
+            None => at_torque(mesh),
+        };
+        match ratios {
+            Some(ratios) => of_run.at_median(ratios, torque_nm >= 0.0),
+            None => of_run,
+        }
     };
     let of_meshes: Vec<Numbers> = evaluated.meshes.iter().map(of_mesh).collect();
     let found = match &of_meshes[..] {
@@ -502,11 +502,30 @@ fn together(
     let deviation = square.sum::<Option<f64>>().map(f64::sqrt);
     let efficiency = 1.0 - loss_w / power_in_w;
     let efficiency = (0.0..1.0).contains(&efficiency).then_some(efficiency);
+    let drawn = of_meshes.iter().map(|mesh| mesh.drawn_w);
+    let drawn = drawn.collect::<Option<Vec<Estimate>>>();
+    let total = |of: fn(&Estimate) -> f64, drawn: &[Estimate]| -> f64 {
+        drawn
+            .iter()
+            .zip(&counts)
+            .map(|(mesh, count)| count * of(mesh))
+            .sum()
+    };
+    let at_medians = of_meshes.iter().map(|mesh| mesh.loss_at_medians_w);
+    let at_medians = at_medians
+        .zip(&counts)
+        .map(|(loss, count)| Some(count * loss?));
     let numbers = Numbers {
         loss_w,
+        loss_at_medians_w: at_medians.sum(),
         loss_torque_nm: loss_w / omega,
         loss_torque_deviation_nm: deviation,
-        drawn_w: None,
+        // All meshes have the ratios of the whole.
+        drawn_w: drawn.map(|drawn| Estimate {
+            value: loss_w,
+            low: total(|of| of.low, &drawn),
+            high: total(|of| of.high, &drawn),
+        }),
         efficiency,
         efficiency_deviation: efficiency
             .and(deviation)
@@ -565,6 +584,7 @@ fn numbers(evaluated: &EvaluatedMesh, omega: f64, is_reversed: bool) -> Numbers 
         .collect();
     Numbers {
         loss_w: summary.loss_w,
+        loss_at_medians_w: None,
         loss_torque_nm: summary.loss_w / omega,
         loss_torque_deviation_nm: deviation(&losses).map(|loss| loss / omega),
         drawn_w: None,
@@ -604,6 +624,7 @@ fn extended(evaluated: &EvaluatedMesh, omega: f64, torque_nm: f64, at: f64) -> N
     let efficiency = is_whole.then(|| efficiency_of(&loss_w));
     Numbers {
         loss_w,
+        loss_at_medians_w: None,
         loss_torque_nm: loss_w / omega,
         loss_torque_deviation_nm: deviation(&losses).map(|loss| loss / omega),
         drawn_w: None,
@@ -624,6 +645,8 @@ fn extended(evaluated: &EvaluatedMesh, omega: f64, torque_nm: f64, at: f64) -> N
 fn at_standstill(numbers: Numbers) -> Numbers {
     Numbers {
         loss_w: 0.0,
+        loss_at_medians_w: numbers.loss_at_medians_w.map(|_| 0.0),
+        drawn_w: numbers.drawn_w.map(|drawn| drawn.map(|_| 0.0)),
         efficiency: None,
         efficiency_deviation: None,
         sliding_w: 0.0,
@@ -678,7 +701,7 @@ mod tests {
             torques: [vec![40.0], Vec::new()],
         };
         let node = [torque_nm, 3000.0, 90.0];
-        let (point, _) = point(train, &computed, &sides, &[3000.0], 0, node);
+        let (point, _) = point((train, &sides, None), (&computed, &[3000.0]), 0, node);
         assert_eq!(point.numbers.is_none(), point.code.is_some());
         point.code
     }

@@ -146,13 +146,15 @@ pub struct Point {
 /// Losses at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Numbers {
-    /// Total loss of all meshes \[W\].
+    /// Total loss of all meshes \[W\]: the median of the draws, without draws the loss of a run.
     pub loss_w: f64,
+    /// Loss of a run with every constant at its median \[W\]; `None` for a map without draws.
+    pub loss_at_medians_w: Option<f64>,
     /// Loss torque at the pinion or input shaft \[N m\]; at standstill the value at 1 1/min.
     pub loss_torque_nm: f64,
     /// Standard deviation of the loss torque over the offsets of the traces \[N m\]; `None` with one offset.
     pub loss_torque_deviation_nm: Option<f64>,
-    /// Median of the drawn losses with their 5 % and 95 % quantiles \[W\]; `None` for a map without draws.
+    /// The loss with the 5 % and 95 % quantiles of the draws \[W\]; `None` for a map without draws.
     pub drawn_w: Option<Estimate>,
     /// Efficiency; `None` without power.
     pub efficiency: Option<f64>,
@@ -183,12 +185,13 @@ impl Numbers {
         let both = |from: Option<f64>, to: Option<f64>| Some(way(from?, to?));
         Self {
             loss_w: way(self.loss_w, other.loss_w),
+            loss_at_medians_w: both(self.loss_at_medians_w, other.loss_at_medians_w),
             loss_torque_nm: way(self.loss_torque_nm, other.loss_torque_nm),
             loss_torque_deviation_nm: both(
                 self.loss_torque_deviation_nm,
                 other.loss_torque_deviation_nm,
             ),
-            // The draws come after all points.
+            // Their place is another one.
             drawn_w: None,
             efficiency: both(self.efficiency, other.efficiency),
             efficiency_deviation: both(self.efficiency_deviation, other.efficiency_deviation),
@@ -203,9 +206,41 @@ impl Numbers {
         }
     }
 
-    /// The median of the loss over the loss; 1 without draws.
-    pub(super) fn median_over_loss(&self) -> f64 {
-        self.drawn_w.map_or(1.0, |drawn| drawn.value / self.loss_w)
+    /// The numbers of a run at the median of its draws, whose quantiles are `ratios` of the loss with every constant at its median;
+    /// `drives` states whether the power enters at the pinion.
+    pub(super) fn at_median(&self, ratios: Estimate, drives: bool) -> Self {
+        let ratio = ratios.value;
+        // The other gear takes the loss in addition to what leaves at the pinion.
+        let efficiency = self.efficiency.map(|before| match drives {
+            true => 1.0 - ratio * (1.0 - before),
+            false => before / (before + ratio * (1.0 - before)),
+        });
+        let lost = efficiency.zip(self.efficiency);
+        let lost = lost.filter(|(_, before)| *before < 1.0);
+        let lost = lost.map_or(ratio, |(now, before)| (1.0 - now) / (1.0 - before));
+        let times = |number: Option<f64>| number.map(|number| ratio * number);
+        Self {
+            loss_w: ratio * self.loss_w,
+            loss_at_medians_w: Some(self.loss_w),
+            loss_torque_nm: ratio * self.loss_torque_nm,
+            loss_torque_deviation_nm: times(self.loss_torque_deviation_nm),
+            drawn_w: Some(ratios.map(|ratio| ratio * self.loss_w)),
+            efficiency: efficiency.filter(|efficiency| *efficiency > 0.0),
+            efficiency_deviation: times(self.efficiency_deviation),
+            sliding_w: ratio * self.sliding_w,
+            film_w: ratio * self.film_w,
+            lubricated_asperity_w: ratio * self.lubricated_asperity_w,
+            boundary_w: ratio * self.boundary_w,
+            rolling_w: ratio * self.rolling_w,
+            deformation_w: ratio * self.deformation_w,
+            mu_equivalent: self.mu_equivalent.map(|mu| lost * mu),
+            mixed_share: self.mixed_share,
+        }
+    }
+
+    /// Loss of a run with every constant at its median \[W\], drawn or not.
+    pub(super) fn at_medians_w(&self) -> f64 {
+        self.loss_at_medians_w.unwrap_or(self.loss_w)
     }
 
     /// Lubrication regime of the mesh.
@@ -314,10 +349,15 @@ impl FinishMap {
         // As in a cycle, the loss torque is linear between the points.
         numbers.loss_w = numbers.loss_torque_nm * speed_rpm * std::f64::consts::PI / 30.0;
         let temperature_c = *axes.temperature_c.first()?;
-        numbers.drawn_w = self.drawn(false, 1.0).map(|drawn| {
-            let place = drawn.place(torque_nm, speed_rpm, temperature_c);
-            drawn.quantiles(place).map(|ratio| ratio * numbers.loss_w)
-        });
+        if let Some(drawn) = self.drawn(false, 1.0) {
+            let ratios = drawn.quantiles(drawn.place(torque_nm, speed_rpm, temperature_c));
+            let at_medians = numbers.loss_w / ratios.value;
+            numbers.loss_at_medians_w = Some(at_medians);
+            numbers.drawn_w = Some(Estimate {
+                value: numbers.loss_w,
+                ..ratios.map(|ratio| ratio * at_medians)
+            });
+        }
         Some(Point {
             torque_nm,
             speed_rpm,

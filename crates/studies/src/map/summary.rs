@@ -18,14 +18,14 @@ pub(super) fn extremes(map: &Map) -> Table {
     let rows = finishes.filter_map(|finish| Some((finish, Extremes::of(finish)?)));
     let table = columns! { (finish, extremes) in rows;
         head finish "finish" "" = Cell::shown(in_words(&finish.name), finish.name.as_str().into());
-        interval loss_median_w "largest loss" "W" = extremes.loss();
-        file loss_w = extremes.most.loss_w;
+        interval loss_w "largest loss" "W" = extremes.loss();
+        file loss_at_medians_w = Cell::optional(extremes.most.loss_at_medians_w);
         number share_percent "share of power" "%" = extremes.share();
         number torque_nm "at torque" "N m" "{:.2}" = extremes.point.torque_nm;
         number speed_rpm "and speed" "1/min" "{:.0}" = extremes.point.speed_rpm;
         number efficiency_percent "best efficiency" "%" = extremes.efficiency();
         number loss_torque_nm "largest loss torque" "N m" = extremes.torque();
-        interval difference_median_w "minus the first" "W" = difference(finish);
+        interval difference_w "minus the first" "W" = difference(finish);
     };
     let table = match map.finishes.len() {
         1 => table.unshown_of(&["minus the first"]),
@@ -56,7 +56,7 @@ pub(super) fn verdicts(map: &Map) -> impl Iterator<Item = String> {
         let point = &map.typical(finish)?;
         let numbers = point.numbers?;
         let power = power_w(point);
-        let loss = numbers.drawn_w.map_or(numbers.loss_w, |drawn| drawn.value);
+        let loss = numbers.loss_w;
         let efficiency = match power > 0.0 && loss < power {
             true => {
                 let digits = percent_digits(&numbers, power);
@@ -126,12 +126,8 @@ impl<'a> Extremes<'a> {
             points.filter_map(|point| Some((point, point.numbers?)))
         };
         let (at, most) = finish.largest()?;
-        let efficient = numbers().filter_map(|(point, numbers)| {
-            // As in a run: of the median of the loss.
-            let scale = numbers.median_over_loss();
-            let efficiency = 1.0 - scale * (1.0 - numbers.efficiency?);
-            Some((efficiency, power_w(point), numbers))
-        });
+        let efficient = numbers()
+            .filter_map(|(point, numbers)| Some((numbers.efficiency?, power_w(point), numbers)));
         let torque = numbers().map(|(_, numbers)| numbers);
         Some(Self {
             at,
@@ -145,14 +141,14 @@ impl<'a> Extremes<'a> {
     /// The largest loss \[W\].
     fn loss(&self) -> Cell {
         let most = &self.most;
-        Cell::estimate(banded(most.loss_w, most.drawn_w), most.drawn_w)
+        let ends = most.drawn_w.map(Estimate::ends);
+        Cell::with_ends(banded(most.loss_w, most.drawn_w), Some(most.loss_w), ends)
     }
 
     /// The largest loss over the power there \[%\].
     fn share(&self) -> Cell {
         let power = power_w(self.point);
-        let loss = (self.most.drawn_w).map_or(self.most.loss_w, |drawn| drawn.value);
-        let share = (power != 0.0).then(|| 100.0 * loss / power);
+        let share = (power != 0.0).then(|| 100.0 * self.most.loss_w / power);
         Cell::number(share, |share| {
             percent_digits(&self.most, power).rounded(share)
         })
@@ -190,15 +186,13 @@ fn parts_at_largest(finish: &FinishMap) -> Vec<[String; 3]> {
         return Vec::new();
     };
     let most = &extremes.most;
-    let factor = most.median_over_loss();
     let omega = extremes.point.speed_rpm * std::f64::consts::PI / 30.0;
-    let part =
-        |mesh: &MeshPart| Some(factor * omega * mesh.loss_torque_nm.get(extremes.at).copied()??);
+    let part = |mesh: &MeshPart| Some(omega * mesh.loss_torque_nm.get(extremes.at).copied()??);
     let Some(parts) = finish.meshes.iter().map(part).collect::<Option<Vec<f64>>>() else {
         return Vec::new();
     };
     let digits = Digits::of_drawn(most.drawn_w, Digits::of_decimals(1));
-    let parts = digits.parts(digits.steps(factor * most.loss_w), &parts);
+    let parts = digits.parts(digits.steps(most.loss_w), &parts);
     let row = |(mesh, part): (&MeshPart, f64)| {
         [mesh.name.clone(), mesh.count.to_string(), digits.text(part)]
     };

@@ -16,12 +16,9 @@ pub(super) struct PointRow<'a> {
     speed_rpm: f64,
     temperature_c: f64,
     loss_w: Option<f64>,
-    #[serde(default)]
-    loss_median_w: Option<f64>,
-    #[serde(default)]
     loss_p05_w: Option<f64>,
-    #[serde(default)]
     loss_p95_w: Option<f64>,
+    loss_at_medians_w: Option<f64>,
     loss_torque_nm: Option<f64>,
     efficiency: Option<f64>,
     efficiency_deviation: Option<f64>,
@@ -57,9 +54,9 @@ impl<'a> PointRow<'a> {
             speed_rpm: point.speed_rpm,
             temperature_c: point.temperature_c,
             loss_w: of(|n| n.loss_w),
-            loss_median_w: drawn.map(|drawn| drawn.value),
             loss_p05_w: drawn.map(|drawn| drawn.low),
             loss_p95_w: drawn.map(|drawn| drawn.high),
+            loss_at_medians_w: numbers.and_then(|numbers| numbers.loss_at_medians_w),
             loss_torque_nm: of(|n| n.loss_torque_nm),
             efficiency: numbers.and_then(|n| n.efficiency),
             efficiency_deviation: numbers.and_then(|n| n.efficiency_deviation),
@@ -83,7 +80,7 @@ impl<'a> PointRow<'a> {
     pub(super) fn point(self) -> Option<Point> {
         let drawn = || {
             Some(Estimate {
-                value: self.loss_median_w?,
+                value: self.loss_w?,
                 low: self.loss_p05_w?,
                 high: self.loss_p95_w?,
             })
@@ -92,6 +89,7 @@ impl<'a> PointRow<'a> {
             let [loss_w, sliding_w, rolling_w] = [self.loss_w?, self.sliding_w?, self.rolling_w?];
             Some(Numbers {
                 loss_w,
+                loss_at_medians_w: self.loss_at_medians_w,
                 loss_torque_nm: self.loss_torque_nm?,
                 loss_torque_deviation_nm: self.loss_torque_deviation_nm,
                 drawn_w: drawn(),

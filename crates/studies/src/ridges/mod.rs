@@ -9,7 +9,7 @@
 //!     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
 //! })?;
 //! let found = ridges(&case, &|_, _| {})?.found;
-//! assert!(found.pressed_loss_w < found.loss_w);
+//! assert!(found.pressed_at_medians_w < found.loss_at_medians_w);
 //! assert!(found.rows[0].first_order_w >= found.rows[1].first_order_w);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -124,7 +124,7 @@ fn kinks(kinks: &Kinks) -> Option<String> {
 }
 
 fn headline(study: &Ridges) -> String {
-    let loss = without_interval(study.loss_w);
+    let loss = without_interval(study.loss_at_medians_w);
     let of_percent = rounded(
         0.01 * study.by_log_height_w,
         0.001 * study.by_log_height_w.abs(),

@@ -155,8 +155,8 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
     let found = Ridges {
         title: case.case.title.clone(),
         conditions: case.case.conditions(),
-        loss_w: before.losses.summary.loss_w,
-        pressed_loss_w: after.losses.summary.loss_w,
+        loss_at_medians_w: before.losses.summary.loss_w,
+        pressed_at_medians_w: after.losses.summary.loss_w,
         sampling_quantiles_w: of_change,
         saving_quantiles_w: draws
             .as_ref()

@@ -220,10 +220,10 @@ fn of_finish() -> String {
     )
 }
 
-/// The loss that the changes are relative to, at given windows and constants.
+/// The loss that the changes are relative to.
 fn headline(study: &Sensitivity) -> String {
     let loss = without_interval(study.loss_w);
-    format!("Loss {loss} W at the medians of all constants, and how it changes.")
+    format!("Loss {loss} W, and how it changes.")
 }
 
 /// The change \[W\] with its interval.

@@ -5,8 +5,8 @@ use asperity::case::train::Train;
 use asperity::core::cancel::checkpoint;
 use asperity::pipeline::{Progress, contacts, losses, losses_with};
 use asperity::result::{Losses, Summary};
-use asperity::train::settled;
-use asperity::uncertainty::sampling_interval;
+use asperity::train::{settled, total_of};
+use asperity::uncertainty::{Predictive, predictive, sampling_interval};
 use asperity::{Contacts, Error, PositionError};
 use asperity_core::quantity::Power;
 use asperity_core::{Code, Fault};
@@ -24,8 +24,11 @@ pub struct Sensitivity {
     /// Operating point, and numbers of positions and offsets, in words; empty for a train of several meshes.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub conditions: String,
-    /// Loss \[W\].
+    /// Loss \[W\]: the median of the draws, to which all changes are scaled; without draws the loss of the run.
     pub loss_w: f64,
+    /// Loss of the run with every constant at its median \[W\]; `None` without draws.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub loss_at_medians_w: Option<f64>,
     /// Mesh efficiency.
     pub efficiency: f64,
     /// Losses besides the mesh that the case states; not included in any number here.
@@ -90,6 +93,20 @@ pub struct Effect {
 }
 
 impl Effect {
+    /// The same of losses that are `factor` times as large.
+    fn times(self, factor: f64) -> Self {
+        let ends = self.sampling_quantiles_w;
+        Self {
+            difference_w: factor * self.difference_w,
+            change: self.change,
+            sampling_quantiles_w: ends.map(|ends| ends.map(|end| factor * end)),
+            film_w: factor * self.film_w,
+            lubricated_asperity_w: factor * self.lubricated_asperity_w,
+            boundary_w: factor * self.boundary_w,
+            rolling_w: factor * self.rolling_w,
+        }
+    }
+
     /// The parts of the change: film, lubricated asperities, boundary layer, rolling.
     pub(super) fn parts(&self) -> [f64; 4] {
         [
@@ -103,7 +120,9 @@ impl Effect {
 
 /// Loss and rows of a mesh.
 struct OfMesh {
+    /// With every constant at its median.
     loss_w: f64,
+    drawn: Option<Predictive>,
     rows: Vec<SensitivityRow>,
 }
 
@@ -130,6 +149,7 @@ fn of_mesh(case: &LoadedCase, progress: Progress<'_>) -> Result<OfMesh, Error> {
     }
     Ok(OfMesh {
         loss_w: base.summary.loss_w,
+        drawn: predictive(case, &base, tables.as_ref())?,
         rows,
     })
 }
@@ -177,7 +197,11 @@ pub fn sensitivity(train: &Train, progress: Progress<'_>) -> Result<Sensitivity,
     }
     let losses = of_meshes.iter().map(|mesh| Power::from_si(mesh.loss_w));
     let losses: Vec<Power> = losses.collect();
-    let loss_w = train.loss(&losses).si();
+    let at_medians_w = train.loss(&losses).si();
+    let drawn = total_of(train, of_meshes.iter().map(|mesh| mesh.drawn.as_ref()));
+    let loss_w = drawn.map_or(at_medians_w, |drawn| drawn.drawn.value);
+    let to_median = loss_w / at_medians_w;
+    let losses: Vec<Power> = losses.iter().map(|loss| *loss * to_median).collect();
     let power_in = train.shafting.power_in(&train.by_stage(&losses));
     let power_in = power_in.map_err(|error| Box::new(PositionError::from(error)))?;
     let mut rows: Vec<SensitivityRow> = Vec::new();
@@ -188,7 +212,7 @@ pub fn sensitivity(train: &Train, progress: Progress<'_>) -> Result<Sensitivity,
             let counted = counts.iter().map(|count| f64::from(*count));
             match all.collect::<Option<Vec<_>>>() {
                 Some(_) if rows.iter().any(|known| known.is_change_of(row)) => {}
-                Some(all) => rows.push(together(row, all.into_iter().zip(counted), loss_w)),
+                Some(all) => rows.push(together(row, all.into_iter().zip(counted), at_medians_w)),
                 None => {
                     let is_own = |other: &OfMesh| std::ptr::eq(other, study);
                     let own = of_meshes.iter().zip(counted);
@@ -199,10 +223,17 @@ pub fn sensitivity(train: &Train, progress: Progress<'_>) -> Result<Sensitivity,
                         what: format!("{} ({})", row.what, mesh.name),
                         ..row.clone()
                     };
-                    rows.push(together(&of_mesh, count.map(|count| (row, count)), loss_w));
+                    rows.push(together(
+                        &of_mesh,
+                        count.map(|count| (row, count)),
+                        at_medians_w,
+                    ));
                 }
             }
         }
+    }
+    for effect in rows.iter_mut().filter_map(|row| row.effect.as_mut()) {
+        *effect = effect.times(to_median);
     }
     Ok(Sensitivity {
         title: train.title.clone(),
@@ -210,6 +241,7 @@ pub fn sensitivity(train: &Train, progress: Progress<'_>) -> Result<Sensitivity,
             .only()
             .map_or(String::new(), |mesh| mesh.case.conditions()),
         loss_w,
+        loss_at_medians_w: drawn.map(|_| at_medians_w),
         efficiency: 1.0 - loss_w / power_in.si(),
         left_aside,
         rows,

@@ -6,10 +6,7 @@ use asperity::train::{MeshRow, Whole};
 use serde_json::{Value, json};
 
 /// Columns that need the draws of a case.
-pub(super) const DRAWN: [&str; 3] = ["loss_median_w", "loss_p05_w", "loss_p95_w"];
-
-/// Former names of the quantiles of a mesh of a gear train, which the next version leaves out.
-const FORMER: [&str; 2] = ["loss_q05_w", "loss_q95_w"];
+pub(super) const DRAWN: [&str; 3] = ["loss_at_medians_w", "loss_p05_w", "loss_p95_w"];
 
 pub(super) fn is_drawn(name: &str) -> bool {
     DRAWN.contains(&name)
@@ -18,7 +15,7 @@ pub(super) fn is_drawn(name: &str) -> bool {
 /// Whether a column requires the draws of a case, as its own or as one of a mesh.
 pub(super) fn needs_draws(name: &str) -> bool {
     let of_mesh = name.rsplit_once('.').map(|(_, column)| column);
-    is_drawn(name) || of_mesh.is_some_and(|column| is_drawn(column) || FORMER.contains(&column))
+    is_drawn(name) || of_mesh.is_some_and(is_drawn)
 }
 
 /// The numbers of a gear train by the names of their columns, which are those of a pair of gears where both have them; those
@@ -65,15 +62,13 @@ pub(super) fn known_columns(case: &Train) -> Vec<String> {
             train.meshes.extend(case.meshes().map(|mesh| {
                 let mut row = MeshRow::default();
                 row.mesh.clone_from(&mesh.name);
-                row.loss_median_w = Some(0.0);
-                let quantiles = [
+                let drawn = [
+                    &mut row.loss_at_medians_w,
                     &mut row.loss_p05_w,
                     &mut row.loss_p95_w,
-                    &mut row.loss_q05_w,
-                    &mut row.loss_q95_w,
                 ];
-                for quantile in quantiles {
-                    *quantile = Some(0.0);
+                for number in drawn {
+                    *number = Some(0.0);
                 }
                 row
             }));

@@ -18,19 +18,16 @@ use super::words::{Output, between, input_name, table};
 const METHOD: &str = "Change of a result from the mean of the lowest quarter of an input to the mean of the highest quarter. A choice is \
     compared with the first one. The changes follow from a linear regression on all inputs; in brackets are their 5 and 95 % \
     quantiles, without the errors of the model.";
-/// Column of the median of a drawn loss.
-const MEDIAN: &str = DRAWN[0];
+/// Column of a loss: with its interval the median of the draws.
+const LOSS: &str = "loss_w";
 /// The ends of its interval.
 const ENDS: [&str; 2] = [DRAWN[1], DRAWN[2]];
 /// Meaning of the indices of Sobol.
 const INDICES: &str = "First index: share of the variance of the result by this input alone. Total index: the same with its \
     interactions. Few samples estimate both roughly; an estimate may exceed 1.";
-/// Losses of a sweep beside the loss of a run.
-const AT_MEDIANS: &str = "The column loss_w has the constants at their stated or median values. The loss that asperity run prints \
-    first is the median over drawn constants, with its interval.";
-/// How a study computes intervals.
-const NO_INTERVAL: &str = "The study computes no interval of the loss. It draws one for each case if its columns list loss_median_w, \
-    loss_p05_w and loss_p95_w.";
+/// How a study computes intervals, and what a loss without one is.
+const NO_INTERVAL: &str = "The study computes no interval of the loss: losses have the constants at their stated or median values. It \
+    draws one for each case if its columns list loss_p05_w and loss_p95_w; losses are then the medians that asperity run prints.";
 /// Numbers that an oil of an axis replaces.
 const OTHER_OILS: &str = "A case that names an oil leaves out all other numbers of the oil of the case file, and its calibration.";
 /// Next step.
@@ -62,10 +59,10 @@ impl StudyResult for Merged {
         let inputs = self.inputs.iter().map(|input| &input.name);
         let constant = self.constant.iter().map(|(key, _)| key);
         let has_oils = inputs.chain(constant).any(|key| OILS.contains(&&**key));
-        let has_losses = self.outputs.iter().any(|(name, _)| name == "loss_w");
+        let has_losses = self.outputs.iter().any(|(name, _)| name == LOSS);
         let has_watts = self.outputs.iter().any(|(name, _)| name.ends_with("_w"));
         let charts = axes(self);
-        let is_drawn = self.ends(MEDIAN).is_some();
+        let is_drawn = self.ends(LOSS).is_some();
         let over_axes = match is_drawn {
             true => OVER_AXES_DRAWN,
             false => OVER_AXES,
@@ -91,11 +88,9 @@ impl StudyResult for Merged {
             .text(has_oils.then_some(OTHER_OILS))
             .on_page()
             .text(outside)
-            .text((has_losses || is_drawn).then_some(OF_MESHES))
+            .text(has_losses.then_some(OF_MESHES))
             .on_page()
             .text(has_watts.then_some(NEXT))
-            .on_page()
-            .text(has_losses.then_some(AT_MEDIANS))
             .on_page()
             .section("Effects")
             .figures(|| {
@@ -134,20 +129,20 @@ fn settings(merged: &Merged) -> Option<String> {
 }
 
 impl Merged {
-    /// The 5 and 95 % quantiles of the cases, of the column of their medians.
+    /// The 5 and 95 % quantiles of the cases, of the column of their losses.
     fn ends(&self, name: &str) -> Option<[&[f64]; 2]> {
         let of = |name: &str| {
             let column = self.outputs.iter().find(|(other, _)| other == name)?;
             Some(&column.1[..])
         };
-        (name == MEDIAN).then_some([of(ENDS[0])?, of(ENDS[1])?])
+        (name == LOSS).then_some([of(ENDS[0])?, of(ENDS[1])?])
     }
 }
 
 /// Every result over every axis; quantiles with their medians.
 fn axes(merged: &Merged) -> Vec<Drawing> {
     let axes = &merged.inputs[..merged.axes.min(merged.inputs.len())];
-    let is_end = |name: &str| ENDS.contains(&name) && merged.ends(MEDIAN).is_some();
+    let is_end = |name: &str| ENDS.contains(&name) && merged.ends(LOSS).is_some();
     let outputs = merged.outputs.iter().filter(|(name, _)| !is_end(name));
     let of = |(name, values): &(String, Vec<f64>)| {
         let drawn = (&values[..], merged.ends(name));

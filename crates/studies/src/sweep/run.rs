@@ -1,6 +1,6 @@
 //! The work of a shard.
 
-use asperity_core::{Code, Estimate};
+use asperity_core::Code;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -230,8 +230,8 @@ fn row(
 struct Found {
     /// Numbers by the names of their columns.
     numbers: Value,
-    /// Median with 5 and 95 % quantiles of its draws, if they are requested and the case has some.
-    drawn: Option<Estimate>,
+    /// Loss at the medians with 5 and 95 % quantiles of the draws, if they are requested and the case has some.
+    drawn: Option<[f64; 3]>,
     /// Codes of the warnings about inputs outside of their ranges.
     outside: String,
 }
@@ -282,19 +282,22 @@ fn result(
     };
     Ok(Found {
         numbers,
-        drawn: found.loss_distribution.map(|found| found.drawn),
+        drawn: found.loss_distribution.and_then(|drawn| {
+            let [low, high] = drawn.drawn.ends();
+            Some([found.loss_at_medians_w?, low, high])
+        }),
         outside: outside_codes_of_case(outside),
     })
 }
 
-/// Losses of a mesh with its draws, if they are requested and it has some.
+/// Losses of a mesh at the median of its draws, if they are requested and it has some.
 fn mesh_losses(
     case: &LoadedCase,
     store: &ContactStore,
     with_draws: bool,
 ) -> Result<(Losses, Option<Predictive>), Error> {
     let contacts = store.of(case);
-    let losses = match &contacts {
+    let mut losses = match &contacts {
         Some(contacts) => losses_with(contacts, case)?,
         None => losses(case)?,
     };
@@ -302,6 +305,9 @@ fn mesh_losses(
         true => predictive(case, &losses, contacts.as_deref())?,
         false => None,
     };
+    if let Some(draws) = &draws {
+        losses.restate(&case.case, draws.quantiles().drawn.value)?;
+    }
     Ok((losses, draws))
 }
 
@@ -309,8 +315,7 @@ fn mesh_losses(
 fn values(found: &Found, names: &[String]) -> Vec<String> {
     let of_draws = |name: &str| {
         let place = DRAWN.iter().position(|drawn| *drawn == name)?;
-        let Estimate { value, low, high } = found.drawn?;
-        Some([value, low, high][place].to_string())
+        Some(found.drawn?[place].to_string())
     };
     let of = |name: &String| match found.numbers.get(name) {
         _ if is_drawn(name) => of_draws(name).unwrap_or_default(),

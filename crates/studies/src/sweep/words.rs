@@ -48,8 +48,6 @@ impl Output {
         let name = match stem {
             "mu_equivalent" => "equivalent friction".to_owned(),
             "mixed_share" => "mixed lubrication".to_owned(),
-            // The median of a loss is the loss that a run prints first.
-            "loss_median" => "loss".to_owned(),
             stem if unit == "W" && stem != "loss" && !stem.ends_with("_loss") => {
                 format!("{} loss", stem.replace('_', " "))
             }

@@ -1,0 +1,186 @@
+//! Losses of a run at the median of their draws.
+
+use asperity_core::cite;
+use asperity_core::quantity::Power;
+use asperity_efficiency::equivalent_friction;
+use asperity_efficiency::output_torque::power_flow;
+
+use super::cycle::operation;
+use crate::gearbox;
+use crate::result::{
+    GearboxReport, Losses, OffsetRow, Outcome, PairSampling, PositionRow, RunInFlanks, Summary,
+};
+use asperity_case::case::Case;
+use asperity_case::error::{Error, PositionError};
+
+/// Losses of a run restated at the median of their draws: each part by the same ratio, so that sums still add up.
+///
+/// ```text
+/// P' = r P,  μ' = r μ,  r = P_median/P_run                                        [Loss-at-median]
+/// ```
+///
+/// P, μ: losses \[W\] and friction coefficients of the run with every constant at its median. Efficiencies follow from the losses.
+/// Loads, films, shares, pressures and temperatures remain those of the run.
+struct Restated<'a> {
+    case: &'a Case,
+    ratio: f64,
+}
+
+impl Outcome {
+    /// States the loss `loss_w` \[W\] of `case` instead of the present one.
+    pub(crate) fn restate(&mut self, case: &Case, loss_w: f64) -> Result<(), Error> {
+        let result = &mut self.result;
+        let restated = Restated::new(case, &result.summary, loss_w);
+        restated.with_gearbox(&mut result.summary, &mut result.gearbox)?;
+        result.path.iter_mut().for_each(|row| restated.row(row));
+        let points = result.points.iter_mut().map(|point| &mut point.row);
+        points.for_each(|row| restated.row(row));
+        if let Some(pairs) = &mut result.pairs {
+            let losses = pairs.losses_w.iter_mut().flatten();
+            let of_traces = pairs.traces.iter_mut().flatten();
+            let of_traces = of_traces.filter_map(|trace| trace.loss_w.as_mut());
+            losses
+                .chain(of_traces)
+                .for_each(|loss| *loss *= restated.ratio);
+            restated.pairs(pairs.sampling.as_mut());
+        }
+        if result.running_in.included {
+            result.running_in.first_pass_w *= restated.ratio;
+        }
+        restated.run_in(result.run_in.as_mut())?;
+        restated.offsets(&mut self.offsets)
+    }
+}
+
+impl Outcome {
+    /// States the loss `loss_w` \[W\] of `case` with its uncertainty instead of the present ones.
+    pub(crate) fn restate_drawn(&mut self, case: &Case, loss_w: f64) -> Result<(), Error> {
+        let before = self.result.summary.loss_w;
+        self.restate(case, loss_w)?;
+        let factor = if before > 0.0 { loss_w / before } else { 1.0 };
+        let result = &mut self.result;
+        result.uncertainty = result.uncertainty.take().map(|found| found.times(factor));
+        result.scans = result.scans.take().map(|scans| scans.times(factor));
+        Ok(())
+    }
+}
+
+impl Losses {
+    /// States the loss `loss_w` \[W\] of `case` instead of the present one.
+    ///
+    /// # Errors
+    /// When the loss is not below the power into the mesh.
+    pub fn restate(&mut self, case: &Case, loss_w: f64) -> Result<(), Error> {
+        let restated = Restated::new(case, &self.summary, loss_w);
+        restated.with_gearbox(&mut self.summary, &mut self.gearbox)?;
+        self.path.iter_mut().for_each(|row| restated.row(row));
+        restated.pairs(self.pairs.as_mut());
+        if self.running_in.included {
+            self.running_in.first_pass_w *= restated.ratio;
+        }
+        restated.run_in(self.run_in.as_mut())?;
+        restated.offsets(&mut self.offsets)
+    }
+}
+
+impl<'a> Restated<'a> {
+    fn new(case: &'a Case, summary: &Summary, loss_w: f64) -> Self {
+        cite!("Loss-at-median");
+        Self {
+            case,
+            ratio: match summary.loss_w > 0.0 {
+                true => loss_w / summary.loss_w,
+                false => 1.0,
+            },
+        }
+    }
+
+    fn with_gearbox(
+        &self,
+        summary: &mut Summary,
+        gearbox: &mut Option<GearboxReport>,
+    ) -> Result<(), Error> {
+        self.summary(summary).map_err(Box::new)?;
+        let mesh = Power::from_si(summary.loss_w);
+        *gearbox = gearbox::report_of_mesh(self.case, mesh).map_err(Box::new)?;
+        if let Some(found) = gearbox {
+            summary.gearbox_efficiency = Some(found.efficiency);
+            summary.gearbox_loss_w = Some(found.loss_w);
+        }
+        Ok(())
+    }
+
+    fn summary(&self, s: &mut Summary) -> Result<(), PositionError> {
+        s.loss_at_medians_w.get_or_insert(s.loss_w);
+        let [pinion, wheel] = &mut s.deformation_w;
+        for power in [
+            &mut s.loss_w,
+            &mut s.sliding_w,
+            &mut s.film_w,
+            &mut s.lubricated_asperity_w,
+            &mut s.boundary_w,
+            &mut s.rolling_w,
+            &mut s.hysteresis_w,
+            pinion,
+            wheel,
+        ] {
+            *power *= self.ratio;
+        }
+        let flow = power_flow(&operation(self.case), Power::from_si(s.loss_w))?;
+        s.efficiency = flow.efficiency;
+        s.efficiency_deviation = s.efficiency_deviation.map(|spread| spread * self.ratio);
+        s.power_in_w = flow.input_power.si();
+        s.torque_out_nm = flow.output_torque.si();
+        s.mu_equivalent = equivalent_friction(s.efficiency, s.loss_factor_local)?.value;
+        Ok(())
+    }
+
+    fn row(&self, row: &mut PositionRow) {
+        for number in [
+            &mut row.mu_film,
+            &mut row.mu,
+            &mut row.sliding_w_per_m,
+            &mut row.film_w_per_m,
+            &mut row.lubricated_asperity_w_per_m,
+            &mut row.boundary_w_per_m,
+            &mut row.rolling_w_per_m,
+        ] {
+            *number *= self.ratio;
+        }
+        for spread in [
+            &mut row.sliding_deviation_w_per_m,
+            &mut row.sliding_standard_error_w_per_m,
+        ] {
+            *spread = spread.map(|spread| spread * self.ratio);
+        }
+    }
+
+    fn pairs(&self, sampling: Option<&mut PairSampling>) {
+        let Some(sampling) = sampling else {
+            return;
+        };
+        *sampling = sampling.times(self.ratio);
+    }
+
+    fn offsets(&self, rows: &mut [OffsetRow]) -> Result<(), Error> {
+        for row in rows {
+            for power in [&mut row.loss_w, &mut row.sliding_w, &mut row.rolling_w] {
+                *power *= self.ratio;
+            }
+            let flow = power_flow(&operation(self.case), Power::from_si(row.loss_w));
+            row.efficiency = flow
+                .map_err(PositionError::from)
+                .map_err(Box::new)?
+                .efficiency;
+        }
+        Ok(())
+    }
+
+    /// Flanks that have run in are not drawn: they have the ratio of the flanks as measured.
+    fn run_in(&self, flanks: Option<&mut RunInFlanks>) -> Result<(), Error> {
+        if let Some(flanks) = flanks {
+            self.summary(&mut flanks.summary).map_err(Box::new)?;
+        }
+        Ok(())
+    }
+}
