@@ -237,15 +237,20 @@ fn a_wrong_name_is_answered_with_the_nearest_one() {
 fn an_oil_of_which_the_case_states_properties_is_warned_about() {
     let bench = Bench::new();
     bench.write_flanks();
-    bench.write("case.toml", E_DRIVE);
-    let said = bench.run(&["check", "case.toml", "--set", "lubricant.oil=m100"]);
+    let lines = E_DRIVE.lines().map(|line| match line {
+        "[lubricant]" => "[lubricant]\noil = \"m100\"\n".to_owned(),
+        line => format!("{line}\n"),
+    });
+    let both: String = lines.collect();
+    bench.write("case.toml", &both);
+    let said = bench.run(&["check", "case.toml"]);
     let text = said.well().unwrapped();
     assert!(
         text.contains("W442 lubricant.base_oil, lubricant.density, lubricant.viscosity of the case replace those of the oil m100"),
         "{text}"
     );
     // Also without the viscosity, of which the density of the case is left.
-    let lines = E_DRIVE.lines().filter(|line| {
+    let lines = both.lines().filter(|line| {
         !["viscosity", "base_oil"]
             .iter()
             .any(|key| line.starts_with(key))
@@ -254,12 +259,71 @@ fn an_oil_of_which_the_case_states_properties_is_warned_about() {
         "case.toml",
         lines.map(|line| format!("{line}\n")).collect::<String>(),
     );
-    let said = bench.run(&["check", "case.toml", "--set", "lubricant.oil=m100"]);
+    let said = bench.run(&["check", "case.toml"]);
     let text = said.well().unwrapped();
     assert!(
         text.contains("W442 lubricant.density of the case replaces that of the oil m100"),
         "{text}"
     );
+}
+
+#[test]
+fn an_oil_named_over_a_case_replaces_its_oil_on_every_face() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let lubricant = "[lubricant]\noil = \"m100\"\n\n[";
+    let (before, after) = E_DRIVE.split_once("[lubricant]").unwrap();
+    let (_, rest) = after.split_once("\n[").unwrap();
+    bench.write("own.toml", format!("{before}{lubricant}{rest}"));
+    let fast = [
+        "--set",
+        "model.positions=4",
+        "--set",
+        "model.offsets=2",
+        "--json",
+    ];
+    let loss = |case: &str, more: &[&str]| {
+        let arguments = [&["run", case][..], &fast, more].concat();
+        bench.run(&arguments).well().json()["summary"]["loss_w"]
+            .as_f64()
+            .unwrap()
+    };
+    let plain = loss("case.toml", &[]);
+    let own = loss("own.toml", &[]);
+    let set = loss("case.toml", &["--set", "lubricant.oil=m100"]);
+    assert_eq!(set, own);
+    assert!((own / plain - 1.0).abs() > 0.01, "{own} {plain}");
+    // Other keys set beside it belong to the new oil, in any order.
+    let thicker = ["--set", "lubricant.pressure_viscosity=20 1/GPa"];
+    let oil = ["--set", "lubricant.oil=m100"];
+    let both = [[thicker, oil].concat(), [oil, thicker].concat()];
+    let [first, second] = both.map(|keys| loss("case.toml", &keys));
+    assert_eq!(first, second);
+    assert!(first != set);
+    // The first screen says what went; an oil in the file itself replaces nothing.
+    let line =
+        "oil m100 replaces lubricant.base_oil, lubricant.density, lubricant.viscosity of the case";
+    let said = bench.run(&["run", "case.toml", "--set", "lubricant.oil=m100"]);
+    let text = said.well().unwrapped();
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words(&text).contains(line), "{text}");
+    let said = bench.run(&["run", "own.toml"]).well().unwrapped();
+    assert!(!said.contains("replaces"), "{said}");
+    // The variant is the same case.
+    let variant = [
+        &[
+            "compare",
+            "case.toml",
+            "--variant",
+            "other: lubricant.oil=m100",
+            "--variant",
+            "as is",
+        ][..],
+        &fast,
+    ];
+    let found = bench.run(&variant.concat()).well().json();
+    assert_eq!(found["finishes"][0]["loss_w"].as_f64().unwrap(), own);
 }
 
 #[test]

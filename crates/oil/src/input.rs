@@ -97,9 +97,21 @@ pub struct LubricantInput {
     /// Specific heat capacity; default estimated from the density.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heat_capacity: Option<SpecificHeat>,
+    /// Keys of another oil that this one, named over a case, replaces; not a key of the case.
+    #[serde(skip)]
+    pub replaced: Vec<String>,
 }
 
 impl LubricantInput {
+    /// Keys that are stated.
+    pub fn stated(&self) -> impl Iterator<Item = String> {
+        let keys = match serde_json::to_value(self) {
+            Ok(serde_json::Value::Object(keys)) => keys,
+            _ => serde_json::Map::new(),
+        };
+        keys.into_iter().map(|(key, _)| key)
+    }
+
     /// Keys that `other` states too, with another value.
     pub fn stated_otherwise(&self, other: &Self) -> impl Iterator<Item = String> {
         let table = |input: &Self| match serde_json::to_value(input) {

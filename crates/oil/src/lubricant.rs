@@ -219,6 +219,7 @@ impl LubricantInput {
     /// This input, completed by the values of `base`.
     fn over(&self, base: &Self) -> Self {
         Self {
+            replaced: self.replaced.clone(),
             oil: self.oil.clone(),
             oil_file: self.oil_file.clone(),
             viscosity: self.viscosity.or(base.viscosity),

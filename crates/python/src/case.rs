@@ -247,6 +247,8 @@ impl Case {
         let held = held_traces(&traces);
         alone(py, || {
             let mut input = self.0.input.clone();
+            let set = keys.iter().filter(|(_, value)| value.is_some());
+            input.make_way_for(set.map(|(key, _)| key.as_str()));
             for (key, value) in &keys {
                 match value {
                     Some(value) => input.set(key, value)?,

@@ -12,7 +12,7 @@ use crate::folder::{
     Fields, FileText, check_fields, fill, load_points, make_subfolder, texts_of_mesh, write_bytes,
 };
 use crate::ridges;
-use crate::summary::{brief, headline, short_text, summary_within, weightiest};
+use crate::summary::{brief, headline, replaced_oil, short_text, summary_within, weightiest};
 use crate::tiles::{Tile, tiles};
 use crate::whole;
 use asperity_core::Fault;
@@ -205,7 +205,10 @@ impl<'a> Results<'a> {
         let ridges = self
             .named(whole)
             .filter_map(|(row, run)| Some(format!("{}: {}", row.mesh, ridges::line(run)?)));
-        let report = whole::report(whole, of_train.chain(of_meshes)).text(ridges);
+        // All meshes have the oil of the case.
+        let oil = self.runs().find_map(|run| replaced_oil(&run.warnings));
+        let report = whole::report(whole, of_train.chain(of_meshes));
+        let report = report.text(oil).text(ridges);
         report.brief(lines).0
     }
 

@@ -191,6 +191,7 @@ fn verdict(result: &RunResult, columns: usize) -> Vec<(Part, String)> {
             .as_ref()
             .map(|bulk| (Part::Bulk, bulk_text(bulk))),
     );
+    let lines = lines.chain(replaced_oil(&result.warnings).map(needed));
     let lines = lines.chain(run_in_loss(result).map(needed));
     let lines = lines.chain(of_mesh.map_or(Vec::new(), |of_mesh| composition(of_mesh, columns)));
     let lines = lines.chain(ridges::line(result).map(needed));
@@ -468,6 +469,13 @@ fn solver_notes(result: &RunResult) -> Vec<String> {
         ));
     }
     lines
+}
+
+/// The oil that replaces the oil of the case, in a line of the first screen.
+pub(crate) fn replaced_oil(warnings: &[Warning]) -> Option<String> {
+    let mut warnings = warnings.iter();
+    let of_oil = warnings.find(|warning| warning.about == Some(Subject::Oil));
+    of_oil.map(|warning| format!("oil     {}", warning.text))
 }
 
 /// The losses run in and as measured in a line of the first screen, if the flanks were run in.

@@ -313,9 +313,10 @@ impl Uncertainty {
 
     /// The uncertainty of a loss that is `factor` times as large.
     pub(crate) fn times(mut self, factor: f64) -> Self {
-        let lost = |efficiency: f64| 1.0 - factor * (1.0 - efficiency);
-        self.efficiency_median = lost(self.efficiency_median);
-        self.efficiency_quantiles = self.efficiency_quantiles.map(lost);
+        let [low, high] = &mut self.efficiency_quantiles;
+        for efficiency in [&mut self.efficiency_median, low, high] {
+            *efficiency = 1.0 - factor * (1.0 - *efficiency);
+        }
         self.sampling = match self.sampling {
             SamplingPart::Pairs(pairs) => SamplingPart::Pairs(pairs.times(factor)),
             SamplingPart::OnePair(changes) => SamplingPart::OnePair(changes.map(|w| factor * w)),

@@ -139,6 +139,7 @@ fn readable(
     };
     remove_unknown(&mut table, source, &mut mending, errors);
     let mut input = mending.read(table, source, errors)?;
+    input.make_way_for(set.iter().map(|(key, _)| key.as_str()));
     for (key, value) in set {
         if let Err(error) = input.set_in(source, key, value) {
             mending.blamed.insert(part_of(key).to_owned());

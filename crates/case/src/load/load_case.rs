@@ -98,6 +98,7 @@ fn read(
 ) -> Result<Train, CaseError> {
     let stated = CaseInput::read(source)?;
     let mut input = stated.clone();
+    input.make_way_for(set.iter().map(|(key, _)| key.as_str()));
     for (key, value) in set {
         input.set_in(source, key, value)?;
     }
@@ -240,12 +241,13 @@ pub fn from_contents(name: &str, text: &str, contents: FileContents) -> Result<L
 }
 
 impl LoadedCase {
-    /// The case with the key at `path` set to `value`, as [`CaseInput::set`] takes them.
+    /// The case with the key at `path` set to `value`, as [`CaseInput::set`] takes them; an oil replaces all numbers of the case's oil.
     ///
     /// # Errors
     /// When the key is not known, the value cannot be read, or the changed case cannot be run.
     pub fn with_key(&self, path: &str, value: &str) -> Result<Self, Error> {
         let mut input = self.case.input.clone();
+        input.make_way_for([path]);
         input.set(path, value)?;
         Ok(self.changed_to(input, None)?)
     }

@@ -12,6 +12,7 @@ use crate::loaded::builder::CaseBuilder;
 use crate::source::source_text::Source;
 use crate::text::case_file::CaseFile;
 use crate::text::parsed::stated;
+use crate::text::symbols::with_keys;
 use crate::train::train_input::without_nulls;
 
 impl CaseInput {
@@ -38,6 +39,33 @@ impl CaseInput {
     /// ```
     pub fn set(&mut self, path: &str, value: &str) -> Result<(), Error> {
         Ok(self.set_at(Source::in_memory().place_of(path), path, value)?)
+    }
+
+    /// Leaves out the oil of the case and its calibration if one of `keys`, which are set over the case, names an oil: another oil is
+    /// not the oil of the case with some of its numbers.
+    ///
+    /// ```
+    /// # use asperity_case::case::{CaseInput, FlankInput, GearsInput, OperationInput};
+    /// # let gears = GearsInput::new([23, 68], "1.8 mm".parse()?, "32 mm".parse()?);
+    /// # let operation = OperationInput::new("145 N m".parse()?, "9000 1/min".parse()?, "90 °C".parse()?);
+    /// let mut case = CaseInput::new(gears, operation, Default::default(), FlankInput::default());
+    /// case.set("lubricant.density", "860 kg/m3")?;
+    /// case.make_way_for(["lubricant.heat_capacity"]);
+    /// assert!(case.lubricant.density.is_some());
+    /// case.make_way_for(["lubricant.oil"]);
+    /// assert!(case.lubricant.density.is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn make_way_for<'a>(&mut self, keys: impl IntoIterator<Item = &'a str>) {
+        /// Keys that name an oil.
+        const OILS: [&str; 2] = ["lubricant.oil", "lubricant.oil_file"];
+        if !keys.into_iter().any(|key| OILS.contains(&&*with_keys(key))) {
+            return;
+        }
+        let oil = std::mem::take(&mut self.lubricant);
+        let stated = oil.stated().map(|key| format!("lubricant.{key}"));
+        let calibration = self.calibration.take().map(|_| "calibration".to_owned());
+        self.lubricant.replaced = stated.chain(calibration).collect();
     }
 
     /// Removes the key at `path`, so that its default applies.

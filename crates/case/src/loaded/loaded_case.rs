@@ -33,7 +33,7 @@ use crate::source::case_error::CaseError;
 use crate::source::defaults::DefaultUsed;
 use crate::source::section::Section;
 use crate::source::source_text::{MeshKeys, Source};
-use asperity_core::message::Warning;
+use asperity_core::message::{Subject, Warning};
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_flanks::flank_lay::FlankLay;
 use asperity_flanks::surfaces::{FlankReport, Surfaces};
@@ -462,6 +462,7 @@ fn warnings_of(case: &Case, flanks: &Flanks, source: &Source) -> Vec<Warning> {
     warnings.extend(gearbox.flat_map(|gearbox| gearbox.warnings.iter().cloned()));
     let oil = case.oil_file.iter();
     warnings.extend(oil.flat_map(|oil| oil.warnings(input, case.temperature)));
+    warnings.extend(replaced_oil(&input.lubricant));
     warnings.extend(replaced_properties(&input.lubricant));
     warnings.extend(simulated(input, case.oil_file.as_deref()));
     warnings
@@ -539,6 +540,17 @@ fn read_as_keys(source: &Source) -> Option<Warning> {
         .map(|[symbol, key]| format!("{symbol} is {key}"))
         .collect();
     (!pairs.is_empty()).then(|| Warning::new(SYMBOLS, pairs.join(", ")))
+}
+
+/// W442 if an oil named over the case replaces what the case states of its oil.
+fn replaced_oil(own: &LubricantInput) -> Option<Warning> {
+    let file = own.oil_file.as_ref().map(|file| file.display().to_string());
+    let name = own.oil.clone().or(file)?;
+    let text = format!("{name} replaces {} of the case", own.replaced.join(", "));
+    (!own.replaced.is_empty()).then(|| Warning {
+        about: Some(Subject::Oil),
+        ..Warning::new(Code::W442, text)
+    })
 }
 
 /// W442 if the case names an oil of the library and states other properties than those of the oil.

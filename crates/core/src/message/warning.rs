@@ -33,6 +33,8 @@ pub enum Subject {
     Sampling,
     /// Lay beyond the records of mixed lubrication.
     Lay,
+    /// Oil that replaces the oil of the case.
+    Oil,
 }
 
 impl Warning {

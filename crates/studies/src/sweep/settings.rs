@@ -12,17 +12,13 @@ pub type Settings = Vec<(String, String)>;
 /// Keys that name an oil, and so replace the whole oil of the case.
 pub(super) const OILS: [&str; 2] = ["lubricant.oil", "lubricant.oil_file"];
 
-/// Sets keys of `input`. Another oil is not the oil of the case with some of its numbers, nor the oil of its calibration: where a key
-/// names an oil, both are left out.
+/// Sets keys of `input`; an oil replaces the oil of the case.
 pub(crate) fn set_all(
     input: &mut CaseInput,
     defaults: &[DefaultUsed],
     settings: &[(String, String)],
 ) -> Result<(), SweepError> {
-    if settings.iter().any(|(key, _)| OILS.contains(&&**key)) {
-        input.lubricant = Default::default();
-        input.calibration = None;
-    }
+    input.make_way_for(settings.iter().map(|(key, _)| key.as_str()));
     settings
         .iter()
         .try_for_each(|(key, value)| set(input, defaults, key, value))
