@@ -467,7 +467,7 @@ fn check_tells_every_error_of_a_planetary_set_once() {
 }
 
 /// Two stages on three shafts.
-const TRAIN: &str = r#"
+pub const TRAIN: &str = r#"
 title = "two stages"
 [train]
 input = "motor"

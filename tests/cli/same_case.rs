@@ -4,7 +4,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-use crate::bench::{Bench, root};
+use crate::bench::{Bench, E_DRIVE, NO_RELIEF, heights, root};
+use crate::surfaces::digital_surf;
 
 const SPEED: &str =
     "[[axis]]\nkey = \"operation.speed\"\nvalues = [\"2000 1/min\", \"12000 1/min\"]\n";
@@ -239,4 +240,360 @@ fn what_a_sensitivity_and_an_evidence_start_from_and_a_page_shows_is_a_run() {
     let verdict = text.split("loss ").nth(1).unwrap();
     let verdict = &verdict[..=verdict.find(')').unwrap()];
     assert!(page.contains(verdict), "{verdict}");
+}
+
+/// Numbers of a column of a table that a command wrote; `None` where a cell is empty.
+fn column(bench: &Bench, file: &str, name: &str) -> Vec<Option<f64>> {
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .from_path(bench.path(file))
+        .unwrap();
+    let head = reader.headers().unwrap().clone();
+    let place = head.iter().position(|own| own == name);
+    let place = place.unwrap_or_else(|| panic!("{name} is not in {file}: {head:?}"));
+    let cell = |record: csv::StringRecord| record[place].parse().ok();
+    reader
+        .records()
+        .map(|record| cell(record.unwrap()))
+        .collect()
+}
+
+/// Checks that every face of a case states one loss, and one loss at the medians where it is drawn.
+fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
+    let is = |found: f64, expected: f64, face: &str| {
+        let off = (found / expected - 1.0).abs();
+        assert!(off < 1e-9, "{case} {more:?}, {face}: {found} {expected}");
+    };
+    let run = [&["run", case, "--json", "-o", "run"][..], more].concat();
+    let result = bench.run(&run).well().json();
+    let is_train = result["meshes"].is_array();
+    let is_drawn = !more.contains(&"--no-band");
+    let summary = if is_train {
+        &result
+    } else {
+        &result["summary"]
+    };
+    let of = |json: &serde_json::Value, key: &str| json[key].as_f64().unwrap();
+    let loss = of(summary, "loss_w");
+    let at_medians = summary["loss_at_medians_w"].as_f64();
+    assert_eq!(at_medians.is_some(), is_drawn);
+    let at_medians = at_medians.unwrap_or(loss);
+    // The result itself: the median that is printed, efficiency, and parts that add up.
+    let drawn = match is_train {
+        true => &result["loss_distribution"],
+        false => &result["uncertainty"]["loss"],
+    };
+    if is_drawn {
+        is(of(drawn, "median_w"), loss, "median of the draws");
+    }
+    let power = of(summary, "power_in_w");
+    is(
+        (1.0 - of(summary, "efficiency")) * power,
+        loss,
+        "efficiency",
+    );
+    if is_train {
+        let meshes = result["meshes"].as_array().unwrap();
+        let sum = |key: &str| -> f64 {
+            let watts = meshes.iter().map(|mesh| of(mesh, "count") * of(mesh, key));
+            watts.sum()
+        };
+        is(sum("loss_w"), loss, "meshes");
+        if is_drawn {
+            is(
+                sum("loss_at_medians_w"),
+                at_medians,
+                "meshes at the medians",
+            );
+        }
+        let kinds = result["kinds"].as_object().unwrap().values();
+        is(
+            kinds.map(|watts| watts.as_f64().unwrap()).sum(),
+            loss,
+            "kinds",
+        );
+        let shafts = result["shafts"].as_array().unwrap().iter();
+        is(
+            shafts.map(|shaft| of(shaft, "power_w")).sum(),
+            loss,
+            "shafts",
+        );
+        is(
+            of(summary, "power_in_w") - of(summary, "power_out_w"),
+            loss,
+            "power out",
+        );
+        let counts = column(bench, "run/meshes.csv", "count");
+        let rows = column(bench, "run/meshes.csv", "loss_w");
+        let rows = counts
+            .iter()
+            .zip(&rows)
+            .map(|(n, w)| n.unwrap() * w.unwrap());
+        is(rows.sum(), loss, "meshes.csv");
+    } else {
+        let parts = ["film_w", "lubricated_asperity_w", "boundary_w", "rolling_w"];
+        is(
+            parts.map(|key| of(summary, key)).iter().sum(),
+            loss,
+            "parts",
+        );
+        let powers = column(bench, "run/losses.csv", "power_w");
+        is(powers[0].unwrap() + powers[1].unwrap(), loss, "losses.csv");
+        let of_path = |key: &str| column(bench, "run/path.csv", key);
+        let (weights, sliding) = (of_path("weight_m"), of_path("sliding_w_per_m"));
+        let rows = weights.iter().zip(sliding).zip(of_path("rolling_w_per_m"));
+        let rows = rows.map(|((w, s), r)| w.unwrap() * (s.unwrap() + r.unwrap()));
+        is(rows.sum(), loss, "path.csv");
+        let offsets = column(bench, "run/offsets.csv", "loss_w");
+        let mean = offsets.iter().flatten().sum::<f64>() / offsets.len() as f64;
+        is(mean, loss, "offsets.csv");
+        let friction = of(summary, "mu_equivalent") * of(summary, "loss_factor_local");
+        is(friction, 1.0 - of(summary, "efficiency"), "mu_equivalent");
+    }
+    // What is printed, by terminal and page.
+    let text = bench
+        .run(&[&["run", case, "--no-output"][..], more].concat())
+        .well()
+        .unwrapped();
+    let printed = text.split("loss ").nth(1).unwrap();
+    let printed = printed.lines().next().unwrap().trim();
+    let number: f64 = printed.split(' ').next().unwrap().parse().unwrap();
+    assert!((number / loss - 1.0).abs() < 0.06, "{printed} {loss}");
+    let page = fs::read_to_string(bench.path("run/report.html")).unwrap();
+    assert!(page.contains(printed), "{printed} is not on the page");
+
+    // Other commands on the same case, which state it as a run does.
+    let faces = more.iter().filter(|option| **option != "--no-band");
+    let faces: Vec<&str> = faces.copied().collect();
+    if is_drawn {
+        let other = "other: model.hysteresis=2 %";
+        let compare = ["compare", case, "--variant", "as is", "--variant", other];
+        let compare = [&compare[..], &["--json", "-o", "compared"], &faces].concat();
+        let compared = bench.run(&compare).well().json();
+        let own = &compared["finishes"][0];
+        is(of(own, "loss_w"), loss, "compare");
+        is(
+            of(own, "loss_at_medians_w"),
+            at_medians,
+            "compare at the medians",
+        );
+        let rows = column(bench, "compared/compare.csv", "loss_w");
+        is(rows[0].unwrap(), loss, "compare.csv");
+        let changes = ["sensitivity", case, "--json", "-o", "sensitivity"];
+        let changes = bench.run(&[&changes[..], &faces].concat()).well().json();
+        is(of(&changes, "loss_w"), loss, "sensitivity");
+        is(
+            of(&changes, "loss_at_medians_w"),
+            at_medians,
+            "sensitivity at the medians",
+        );
+    }
+    let columns = match is_drawn {
+        true => "\"loss_w\", \"loss_at_medians_w\", \"loss_p05_w\"",
+        false => "\"loss_w\"",
+    };
+    bench.write(
+        "study.toml",
+        format!(
+            "case = \"{case}\"\ncolumns = [{columns}]\n\n[[axis]]\nkey = \"model.hysteresis\"\nvalues = [\"1 %\", \"2 %\"]\n"
+        ),
+    );
+    let hysteresis = ["--set", "model.hysteresis=1 %"];
+    let run = [
+        &["run", case, "--json", "--no-output"][..],
+        more,
+        &hysteresis,
+    ]
+    .concat();
+    let result = bench.run(&run).well().json();
+    let summary = if is_train {
+        &result
+    } else {
+        &result["summary"]
+    };
+    let parts = ["sweep", "run", "study.toml", "--parts", "parts", "-q"];
+    bench.run(&[&parts[..], &faces].concat()).well();
+    let merge = [
+        "sweep",
+        "merge",
+        "study.toml",
+        "--parts",
+        "parts",
+        "-q",
+        "-o",
+        "swept",
+    ];
+    bench.run(&[&merge[..], &faces].concat()).well();
+    let swept = column(bench, "swept/sweep.csv", "loss_w");
+    is(swept[0].unwrap(), of(summary, "loss_w"), "sweep.csv");
+    if is_drawn {
+        let swept = column(bench, "swept/sweep.csv", "loss_at_medians_w");
+        is(
+            swept[0].unwrap(),
+            of(summary, "loss_at_medians_w"),
+            "sweep.csv",
+        );
+    }
+}
+
+/// Checks that a map with its exports and a cycle on it state the loss of a run.
+fn one_loss_of_a_map(bench: &Bench, case: &str, [torque, speed]: [f64; 2], more: &[&str]) {
+    let run = [&["run", case, "--json", "--no-output"][..], more].concat();
+    let result = bench.run(&run).well().json();
+    let summary = match result["meshes"].is_array() {
+        true => &result,
+        false => &result["summary"],
+    };
+    let of = |key: &str| summary[key].as_f64().unwrap();
+    let map = [
+        "map",
+        case,
+        "--torque",
+        &torque.to_string(),
+        "--speed",
+        &format!("3000,{speed}"),
+        "--temperature",
+        "90",
+    ];
+    let map = [&map[..], &["--export", "csv", "-o", "map", "-q"], more].concat();
+    bench.run(&map).well();
+    let speeds = column(bench, "map/map.csv", "speed_rpm");
+    let at = speeds.iter().position(|at| *at == Some(speed)).unwrap();
+    let is = |found: Option<f64>, expected: f64, face: &str| {
+        let found = found.unwrap();
+        assert!(
+            (found / expected - 1.0).abs() < 1e-9,
+            "{case} {more:?}, {face}: {found} {expected}"
+        );
+    };
+    let loss = of("loss_w");
+    let number = |name: &str| column(bench, "map/map.csv", name)[at];
+    is(number("loss_w"), loss, "map.csv");
+    is(
+        number("loss_at_medians_w"),
+        of("loss_at_medians_w"),
+        "map.csv at the medians",
+    );
+    is(
+        number("efficiency"),
+        of("efficiency"),
+        "efficiency of map.csv",
+    );
+    let omega = speed * std::f64::consts::PI / 30.0;
+    is(
+        number("loss_torque_nm"),
+        loss / omega,
+        "loss torque of map.csv",
+    );
+    is(
+        column(bench, "map/extremes.csv", "loss_w")[0],
+        loss,
+        "extremes.csv",
+    );
+    let exported = column(bench, "map/export/case.csv", "loss_torque_nm")[at];
+    is(exported, loss / omega, "export");
+    bench.write(
+        "cycle.csv",
+        format!("time_s,torque_nm,speed_rpm\n0,{torque},{speed}\n3600,{torque},{speed}\n"),
+    );
+    bench
+        .run(&["cycle", "map", "cycle.csv", "-o", "cycle", "-q"])
+        .well();
+    is(
+        column(bench, "cycle/cycle.csv", "loss_w")[0],
+        loss,
+        "cycle.csv",
+    );
+    let energies = column(bench, "cycle/energies.csv", "lost_at_medians_wh");
+    is(
+        energies[0],
+        of("loss_at_medians_w"),
+        "energies.csv at the medians",
+    );
+    // The sampling of an energy errs less than that of a loss, which moves its median little.
+    let lost = column(bench, "cycle/energies.csv", "lost_wh")[0].unwrap();
+    assert!((lost / loss - 1.0).abs() < 0.01, "{lost} {loss}");
+}
+
+const FEW: [&str; 4] = ["--set", "model.positions=3", "--set", "model.offsets=4"];
+
+#[test]
+fn every_face_of_a_pair_states_one_loss() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    one_loss(&bench, "case.toml", &FEW);
+    one_loss_of_a_map(&bench, "case.toml", [145.0, 9000.0], &FEW);
+    one_loss(&bench, "case.toml", &[&FEW[..], &["--no-band"]].concat());
+    let [pinion, wheel] = flanks("superfinished");
+    let [pinion, wheel] = [("pinion", pinion), ("wheel", wheel)]
+        .map(|(gear, file)| format!("surface.{gear}.file={file}"));
+    one_loss(
+        &bench,
+        "case.toml",
+        &[&FEW[..], &["--set", &pinion, "--set", &wheel]].concat(),
+    );
+    // The median of a relief that is not stated is far from the run at the medians.
+    bench.write("unstated.toml", E_DRIVE.replace(NO_RELIEF, ""));
+    one_loss(&bench, "unstated.toml", &FEW);
+}
+
+#[test]
+fn every_face_of_areal_windows_states_one_loss() {
+    let bench = Bench::new();
+    let rows: Vec<Vec<f64>> = (0..12)
+        .map(|row| heights(2400 + 40 * row)[40 * row..].to_vec())
+        .collect();
+    bench.write("flank.sur", digital_surf(&rows, 5.0));
+    let scan = |text: String, gear: &str| {
+        let file = format!("{gear} = {{ file = \"{gear}.csv\"");
+        text.replace(&file, &format!("{gear} = {{ file = \"flank.sur\""))
+    };
+    let case = ["pinion", "wheel"]
+        .into_iter()
+        .fold(E_DRIVE.to_owned(), scan);
+    bench.write("case.toml", case);
+    let lay = ["--set", "model.lay=0.18"];
+    one_loss(&bench, "case.toml", &[&FEW[..], &lay].concat());
+}
+
+#[test]
+fn every_face_of_a_train_states_one_loss() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", crate::gear::TRAIN);
+    one_loss(&bench, "case.toml", &FEW);
+    one_loss_of_a_map(&bench, "case.toml", [100.0, 6000.0], &FEW);
+}
+
+#[test]
+fn every_face_of_reference_solutions_states_one_loss_at_its_lay() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let few = [
+        "load_share=ehl",
+        "ehl.cells=128",
+        "ehl.travel=2",
+        "ehl.records=2",
+        "ehl.cache=kept",
+    ];
+    let few = few.map(|key| format!("model.{key}"));
+    let few = few.iter().flat_map(|key| ["--set", key]);
+    let few: Vec<&str> = FEW.into_iter().chain(few).collect();
+    one_loss(&bench, "case.toml", &few);
+    one_loss(&bench, "case.toml", &[&few[..], &["--no-band"]].concat());
+    let loss = |lay: &str| {
+        let run = ["run", "case.toml", "--json", "--no-output", "--set", lay];
+        let result = bench.run(&[&run[..], &few].concat()).well().json();
+        result["summary"]["loss_at_medians_w"].as_f64().unwrap()
+    };
+    let [across, crossed] = ["model.lay=0", "model.lay=0.158"].map(loss);
+    assert!(crossed > 1.02 * across, "{crossed} {across}");
+    // No interval of a change by windows that the reference solutions do not have.
+    let changes = ["sensitivity", "case.toml", "--json"];
+    let changes = bench.run(&[&changes[..], &few].concat()).well().json();
+    let rows = changes["rows"].as_array().unwrap().iter();
+    let mut intervals = rows.map(|row| &row["effect"]["sampling_quantiles_w"]);
+    assert!(intervals.all(serde_json::Value::is_null));
 }

@@ -5,7 +5,7 @@ use asperity::core::quantity::Length;
 use crate::bench::{Bench, heights, rows, trace, with_line};
 
 /// A Digital Surf file of `count` rows of `points` points, 0.5 um apart, of this kind of content.
-fn sur(points: usize, count: usize, kind: i16, replica: i16) -> Vec<u8> {
+pub fn sur(points: usize, count: usize, kind: i16, replica: i16) -> Vec<u8> {
     let all = heights(points + 500 * count);
     let rows: Vec<&[f64]> = (0..count)
         .map(|row| &all[500 * row..500 * row + points])
@@ -17,7 +17,7 @@ fn sur(points: usize, count: usize, kind: i16, replica: i16) -> Vec<u8> {
 }
 
 /// A Digital Surf file of a surface with these rows of heights \[um\], `dy` um apart, and points 0.5 um apart.
-fn digital_surf<R: AsRef<[f64]>>(rows: &[R], dy: f32) -> Vec<u8> {
+pub fn digital_surf<R: AsRef<[f64]>>(rows: &[R], dy: f32) -> Vec<u8> {
     let (points, count) = (rows[0].as_ref().len(), rows.len());
     let mut bytes = vec![0; 512];
     let mut set = |at: usize, part: &[u8]| bytes[at..at + part.len()].copy_from_slice(part);

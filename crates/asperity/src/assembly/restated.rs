@@ -184,3 +184,66 @@ impl<'a> Restated<'a> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::pipeline::losses;
+    use asperity_case::case::load_with;
+
+    #[test]
+    fn a_restated_run_keeps_its_sums_and_its_power_flow() {
+        let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+        let drive = load_with(file, &|input| {
+            (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+            let seal = r#"[{ shaft = "pinion", diameter = "40 mm" }]"#;
+            let _ = input.set("gearbox.seals", seal);
+        });
+        let drive = drive.unwrap();
+        let coast = drive.with_key("operation.torque", "-145 N m").unwrap();
+        for case in [drive, coast] {
+            let before = losses(&case).unwrap();
+            let mut after = before.clone();
+            after
+                .restate(&case.case, 1.1 * before.summary.loss_w)
+                .unwrap();
+            let s = &after.summary;
+            assert_eq!(s.loss_at_medians_w, Some(before.summary.loss_w));
+            let is = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-12;
+            let parts = [s.film_w, s.lubricated_asperity_w, s.boundary_w, s.rolling_w];
+            assert!(is(parts.iter().sum(), s.loss_w));
+            let along = after
+                .path
+                .iter()
+                .map(|row| row.weight_m * row.loss_w_per_m());
+            assert!(is(along.sum(), s.loss_w));
+            let mean = after.offsets.iter().map(|row| row.loss_w).sum::<f64>() / 2.0;
+            assert!(is(mean, s.loss_w));
+            for (before, after) in before.path.iter().zip(&after.path) {
+                let force = after.sliding_load_n_per_mm * 1e3 * after.mu;
+                let speed = after.sliding_m_per_s.abs();
+                let is_still = speed == 0.0 || before.sliding_w_per_m == 0.0;
+                assert!(is_still || is(force * speed, after.sliding_w_per_m));
+                assert_eq!(before.film_share, after.film_share);
+            }
+            // The torque of the pinion is stated: the power into the mesh is its power, or in addition the loss.
+            assert!(is((1.0 - s.efficiency) * s.power_in_w, s.loss_w));
+            let stated = case.case.torque.si().abs() * case.case.speed.si();
+            let driven = if case.case.torque.si() < 0.0 {
+                s.loss_w
+            } else {
+                0.0
+            };
+            assert!(is(s.power_in_w, stated + driven));
+            assert!(is(
+                s.mu_equivalent * s.loss_factor_local,
+                1.0 - s.efficiency
+            ));
+            let gearbox = after.gearbox.as_ref().unwrap();
+            assert!(is(gearbox.loss_w, s.loss_w + gearbox.parts_w));
+            assert_eq!(s.gearbox_loss_w, Some(gearbox.loss_w));
+            // Restated at its first loss it is the run.
+            after.restate(&case.case, before.summary.loss_w).unwrap();
+            assert!(is(after.summary.film_w, before.summary.film_w));
+        }
+    }
+}
