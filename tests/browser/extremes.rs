@@ -139,15 +139,12 @@ fn by_torque(cycle: &Table) -> Vec<f64> {
 /// Values of a curve in the tables of a gear train.
 fn of_set(folder: &Path, chart: &str) -> Vec<f64> {
     match chart {
-        "meshes" => Table::read(folder, "meshes.csv").column("loss_median_w"),
+        "meshes" => Table::read(folder, "meshes.csv").column("loss_w"),
         _ => {
             let whole = json(folder, "planetary.json");
             let kinds = whole["kinds"].as_object().unwrap().values();
-            let kinds: Vec<f64> = kinds.map(|kind| kind.as_f64().unwrap()).collect();
-            let loss: f64 = kinds.iter().sum();
-            let median = whole["loss_distribution"]["median_w"].as_f64().unwrap();
-            let kinds = kinds.iter().filter(|kind| **kind > 0.0);
-            kinds.map(|kind| median * kind / loss).collect()
+            let kinds = kinds.map(|kind| kind.as_f64().unwrap());
+            kinds.filter(|kind| *kind > 0.0).collect()
         }
     }
 }
@@ -359,7 +356,7 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
 fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f64>> {
     let table = |file: &str| Table::read(folder, file);
     match (page, chart) {
-        ("compared/compare.html", "losses") => Some(table("compare.csv").column("loss_median_w")),
+        ("compared/compare.html", "losses") => Some(table("compare.csv").column("loss_w")),
         ("compared/compare.html", "parts") => Some(table("parts.csv").column("loss_w")),
         ("compared/compare.html", "components") => {
             let ends = ["loss_p05_w", "loss_p95_w"];
@@ -394,7 +391,7 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
                     table("efficiency.csv").map(["efficiency"], |[value]| 100.0 * value)
                 }
                 "interval" => map.map(
-                    ["loss_p05_w", "loss_median_w", "loss_p95_w"],
+                    ["loss_p05_w", "loss_w", "loss_p95_w"],
                     |[low, median, high]| 50.0 * (high - low) / median,
                 ),
                 _ => map.column("loss_w"),

@@ -322,7 +322,7 @@ fn diff_names_the_key_that_differs_and_what_follows() {
         "operation.torque",
         "  145 N m  200 N m  ",
         "loss_w",
-        "loss_median_w",
+        "loss_at_medians_w",
         "efficiency_p95",
         "largest difference along the path",
     ] {

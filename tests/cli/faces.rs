@@ -165,8 +165,7 @@ fn numbers_of_others(bench: &Bench, folder: &str, file: &str) -> Vec<f64> {
 
 /// Numbers that follow from those of the JSON and of other tables: percentages of the power by the median of the loss,
 /// differences of two runs, and films.
-const DERIVED: [&str; 7] = [
-    "efficiency_median_percent",
+const DERIVED: [&str; 6] = [
     "efficiency_percent",
     "share_percent",
     "change_percent",
