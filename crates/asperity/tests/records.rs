@@ -101,7 +101,7 @@ fn a_loss_by_records_has_an_interval_and_no_draw_solves_a_record() {
     let ratios = stated
         .records
         .iter()
-        .map(|record| record.stepped_friction.unwrap() / record.friction);
+        .map(|record| record.stepped_friction / record.friction);
     let ratios: Vec<f64> = ratios.collect();
     let largest = ratios.iter().fold(0.0, |a: f64, b| a.max(*b));
     let rise = (whole - stated.summary.rolling_w) / (falls - stated.summary.rolling_w);
@@ -233,10 +233,7 @@ fn records_hold_both_weights_of_the_boundary_friction() {
     let result = run(&recorded(cache.path(), &[]));
     for record in &result.records {
         // The weight that is whole on contact nodes is the larger one on every film.
-        assert!(
-            record.graded_friction.unwrap() < record.friction,
-            "{record:?}"
-        );
+        assert!(record.graded_friction < record.friction, "{record:?}");
     }
 }
 

@@ -50,8 +50,7 @@ pub struct Design {
     pub program: String,
     /// Title of the case.
     pub title: String,
-    /// Boundary friction, positions and offsets of the losses, in words; empty in older designs.
-    #[serde(default)]
+    /// Boundary friction, positions and offsets of the losses, in words.
     pub settings: String,
     /// The limits.
     pub limits: Limits,

@@ -33,11 +33,12 @@ const ZHU_HU_FALL: (f64, f64) = (0.37, 1.26);
 pub const FULL_FILM: f64 = 0.02;
 
 /// Lubrication regime: separation of the flanks, and the origin of their friction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Regime {
     /// Asperities carry less than [`FULL_FILM`] of the load; in the 2022 paper Λ* ≥ 1.
+    #[default]
     FullFilm,
     /// Film and asperities share the load.
     Mixed,

@@ -91,8 +91,7 @@ pub enum Mark {
     Seen,
     /// Fitted here to measurements of its source.
     Calibrated,
-    /// Judgement of this project. Results of older programs name it "memory".
-    #[serde(alias = "memory")]
+    /// Judgement of this project.
     Judged,
 }
 

@@ -223,7 +223,7 @@ pub(crate) fn regime(s: &Summary) -> String {
         false => format!("{:.0} %", 100.0 * share),
     };
     let mixed = format!("mixed on {} of the path", percent(s.mixed_share));
-    let regime = match s.regime() {
+    let regime = match s.regime {
         Regime::FullFilm => "full film all along the path".to_owned(),
         Regime::Mixed => mixed,
         Regime::Boundary if s.mixed_share >= NEARLY_ALL => s.regime_words().to_owned(),

@@ -90,9 +90,7 @@ pub enum UncertainParameter {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Measured {
-    /// Losses on a rig, in the table `calibration` of the case; older results name the constant here.
-    #[serde(alias = "boundary_friction", alias = "boundary_layer")]
-    #[serde(alias = "limiting_shear", alias = "eyring_stress")]
+    /// Losses on a rig, in the table `calibration` of the case.
     Calibration,
     /// Traction curves, in an oil file.
     OilFile,

@@ -104,7 +104,6 @@ pub struct Predictive {
     /// Loss factors over tip reliefs; `None` if the case states its relief.
     pub relief: Option<ReliefFactors>,
     /// Law of the gap that the inlet supplies.
-    #[serde(default = "former_gap_law")]
     pub gap_law: GapLaw,
     /// s; `None` if it is not known.
     pub roughness_over_film: Option<f64>,
@@ -767,9 +766,4 @@ fn record_deviation() -> [f64; 2] {
     let uniform = 2.0 * mean / 12_f64.sqrt();
     let rest = (deviation * deviation - uniform * uniform).max(0.0);
     [-2.0 * mean, (RECORD_ERROR * RECORD_ERROR + rest).sqrt()]
-}
-
-/// The gap law of draws that do not name one.
-fn former_gap_law() -> GapLaw {
-    GapLaw::Power
 }

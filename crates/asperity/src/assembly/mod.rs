@@ -461,7 +461,7 @@ fn summary(
         loss_factor_ohlendorf: ohlendorf,
         loss_factor_local: local,
         mixed_share: mixed / total,
-        regime: Some(Regime::of_friction(mixed / total, boundary_w, sliding_w)),
+        regime: Regime::of_friction(mixed / total, boundary_w, sliding_w),
         positions: positions.len(),
         worst_load_error: contacts().map(|c| c.load_error).fold(0.0, f64::max),
         worst_duality_gap: contacts().map(|c| c.duality_gap).fold(0.0, f64::max),
@@ -551,7 +551,7 @@ fn row(case: &Case, position: &LubricatedPosition, rolling: f64, per_width: f64)
         flash_max_k: offsets
             .iter()
             .map(|offset| offset.flash)
-            .max_by(f64::total_cmp),
+            .fold(0.0, f64::max),
         sliding_w_per_m: force * sliding,
         sliding_standard_error_w_per_m: None,
         sliding_error_freedom: None,
@@ -602,8 +602,8 @@ fn record_rows(case: &Case, records: &PathRecords) -> Vec<RecordRow> {
             mean_gap_standard_error_um: record.mean_film.standard_error * 1e6,
             friction: record.friction.mean,
             friction_standard_error: record.friction.standard_error,
-            graded_friction: Some(record.graded_friction.mean),
-            stepped_friction: Some(record.stepped_friction.mean),
+            graded_friction: record.graded_friction.mean,
+            stepped_friction: record.stepped_friction.mean,
             mean_p_max_mpa: record.mean_max_pressure.mean * 1e-6,
             p_max_mpa: record.max_pressure.si() * 1e-6,
             travel_half_widths: record.travel,

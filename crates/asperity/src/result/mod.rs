@@ -55,7 +55,7 @@ pub struct RunResult {
     pub program: String,
     /// The case's title.
     pub title: String,
-    /// Name of the case file, without its folder; absent from older results.
+    /// Name of the case file, without its folder; `None` of a case that was not read from a file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub case_file: Option<String>,
     /// Name of the mesh, of a gear train.
@@ -155,7 +155,6 @@ impl RunResult {
 #[non_exhaustive]
 pub struct Summary {
     /// Scope of the result. All numbers here are of the mesh, except those named `gearbox`.
-    #[serde(default)]
     pub scope: Scope,
     /// Efficiency of the gearbox, where that is the scope.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -191,7 +190,6 @@ pub struct Summary {
     /// Deformation loss of pinion and wheel by plastic displacement \[W\], where the formulation counts it.
     pub deformation_w: [f64; 2],
     /// Power of elastic and plastic displacement in contact \[W\], of which only the plastic part is lost.
-    #[serde(default)]
     pub deformation_in_contact_w: [f64; 2],
     /// Part of the rolling loss by hysteresis of the steel \[W\].
     pub hysteresis_w: f64,
@@ -216,9 +214,8 @@ pub struct Summary {
     /// Share of the path (by mesh time) in mixed or boundary lubrication.
     pub mixed_share: f64,
     /// Lubrication regime: full film if no part of the path is mixed, boundary if the boundary layer makes more than half
-    /// of the sliding loss; absent from older results.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub regime: Option<Regime>,
+    /// of the sliding loss.
+    pub regime: Regime,
     /// Mesh positions computed.
     pub positions: usize,
     /// Largest relative load error of a contact solution.
@@ -234,17 +231,10 @@ impl Summary {
         self.loss_at_medians_w.unwrap_or(self.loss_w)
     }
 
-    /// Lubrication regime of the mesh.
-    #[must_use]
-    pub fn regime(&self) -> Regime {
-        let of_parts = || Regime::of_friction(self.mixed_share, self.boundary_w, self.sliding_w);
-        self.regime.unwrap_or_else(of_parts)
-    }
-
     /// Lubrication regime in words.
     #[must_use]
     pub fn regime_words(&self) -> &'static str {
-        self.regime().words(self.asperity_share)
+        self.regime.words(self.asperity_share)
     }
 }
 
@@ -303,8 +293,7 @@ pub struct PositionRow {
     pub line_load_n_per_mm: f64,
     /// Line load with which the row makes its sliding loss \[N/mm\]: the line load of the cell which the row represents,
     /// weighted with the sliding speed, over the sliding speed of the row. `mu` times it times the sliding speed is
-    /// `sliding_w_per_m`. Zero in older results.
-    #[serde(default)]
+    /// `sliding_w_per_m`.
     pub sliding_load_n_per_mm: f64,
     /// Share of the whole tooth force that a line of contact over the full face carries here.
     pub load_share: f64,
@@ -350,8 +339,7 @@ pub struct PositionRow {
     /// Mean gap of the rough flanks \[µm\], of load shares that solve the contact.
     pub mean_gap_um: Option<f64>,
     /// Roughness σ_d that the contact leaves over the central film of mass flow, mean over the offsets, of load shares that
-    /// solve the contact; absent from older results.
-    #[serde(default)]
+    /// solve the contact.
     pub roughness_over_film: Option<f64>,
     /// Elastohydrodynamic solution of the full film, if the case requests it and an offset has a full film.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -362,9 +350,8 @@ pub struct PositionRow {
     pub mu: f64,
     /// Flash temperature \[K\].
     pub flash_k: f64,
-    /// The largest flash temperature of an offset \[K\]; absent from older results.
-    #[serde(default)]
-    pub flash_max_k: Option<f64>,
+    /// The largest flash temperature of an offset \[K\].
+    pub flash_max_k: f64,
     /// Sliding loss per metre of contact line, mean over that length \[W/m\].
     pub sliding_w_per_m: f64,
     /// Standard deviation of the sliding loss over the offsets \[W/m\]; absent with one offset.
@@ -462,12 +449,10 @@ pub struct RecordRow {
     /// Its standard error.
     pub friction_standard_error: f64,
     /// Isothermal friction coefficient with the weight of the solved load share, e^(−h/h_b), on the boundary
-    /// friction; absent in results of older versions, whose `friction` has this weight.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub graded_friction: Option<f64>,
-    /// Isothermal friction coefficient with the whole boundary friction on films below 20 nm; absent in results of older versions.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub stepped_friction: Option<f64>,
+    /// friction.
+    pub graded_friction: f64,
+    /// Isothermal friction coefficient with the whole boundary friction on films below 20 nm.
+    pub stepped_friction: f64,
     /// Mean of the largest pressure \[MPa\].
     pub mean_p_max_mpa: f64,
     /// Largest pressure of all times \[MPa\].

@@ -14,8 +14,7 @@ const NEAR_CELLS: usize = 60;
 pub struct Ridges {
     /// Title of the case.
     pub title: String,
-    /// Operating point, and numbers of positions and offsets, in words; empty in older results.
-    #[serde(default)]
+    /// Operating point, and numbers of positions and offsets, in words.
     pub conditions: String,
     /// Loss of the mesh with every constant at its median \[W\].
     pub loss_at_medians_w: f64,
@@ -25,7 +24,6 @@ pub struct Ridges {
     pub sampling_quantiles_w: Option<[f64; 2]>,
     /// 5 % and 95 % quantiles of the saving, by the uncertainty of the constants and of the model and by the sampling of the
     /// flanks; `None` if the model has no uncertainty.
-    #[serde(default)]
     pub saving_quantiles_w: Option<[f64; 2]>,
     /// d(loss)/d ln(height) of both flanks: the sum over the octaves \[W\].
     pub by_log_height_w: f64,
@@ -34,13 +32,11 @@ pub struct Ridges {
     /// Sliding loss where the traces do not resolve the contact, which is left out of the gradient \[W\].
     pub unresolved_w: f64,
     /// Whether the case states losses of a gearbox, which are left out.
-    #[serde(default)]
     pub without_gearbox: bool,
     /// Number of pairs of teeth of a case with several traces for each flank: all numbers are of its first pair.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub first_of_pairs: Option<usize>,
-    /// Windows at or next to a kink of the loss; none in older results.
-    #[serde(default)]
+    /// Windows at or next to a kink of the loss.
     pub kinks: Kinks,
     /// The costliest ridges, the costliest first.
     pub rows: Vec<RidgeRow>,
@@ -66,8 +62,7 @@ pub struct RidgeRow {
     /// Saving by pressing it to the mean line, according to the gradient before \[W\].
     pub first_order_w: f64,
     /// Saving by taking the same heights off the measured trace, whose filters then move the mean line too, according to the
-    /// gradient before; `None` if the preparation is not linear, and in older results \[W\].
-    #[serde(default)]
+    /// gradient before; `None` if the preparation is not linear \[W\].
     pub measured_first_order_w: Option<f64>,
     /// Saving by pressing it together with all other listed ridges, according to the mean of the gradients before, half-way
     /// and after ([`mean_along`](crate::pipeline::mean_along)) \[W\].

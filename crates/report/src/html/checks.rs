@@ -125,7 +125,7 @@ fn contact(result: &RunResult) -> Vec<Row> {
         let value = format!("{central} and {minimum} µm at {}", place(row));
         rows.push(("least film, central and minimum", value, ""));
     }
-    let flash = |row: &PositionRow| row.flash_max_k.unwrap_or(row.flash_k);
+    let flash = |row: &PositionRow| row.flash_max_k;
     if let Some(row) = largest(result, flash) {
         let value = format!("{:.1} K at {}", flash(row), place(row));
         rows.push(("largest flash temperature of all offsets", value, ""));

@@ -62,7 +62,7 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis, marks: &[Mark]) -> 
         _ => "contact, mean of the offsets",
     };
     chart = chart.curve(name, Line::Solid, &s, &mean);
-    let largest = above(|row| row.flash_max_k);
+    let largest = above(|row| Some(row.flash_max_k));
     if result.summary.offsets > 1 && largest.iter().any(|value| value.is_finite()) {
         chart = chart.curve("contact, hottest offset", Line::Dashed, &s, &largest);
     }

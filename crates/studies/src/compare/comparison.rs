@@ -498,7 +498,7 @@ fn finish_result(
                     difference: pair
                         .map(|(first, own)| difference_of_meshes(&[single(first)], &[single(own)])),
                     mixed_share: summary.mixed_share,
-                    regime: summary.regime(),
+                    regime: summary.regime,
                 }
             })
             .collect();
@@ -518,7 +518,7 @@ fn finish_result(
     finish.loss_distribution = None;
     finish.gearbox.clone_from(&result.gearbox);
     finish.mixed_share = Some(result.summary.mixed_share);
-    finish.regime = Some(result.summary.regime());
+    finish.regime = Some(result.summary.regime);
     finish.offsets.clone_from(&run.offsets);
     finish.pair = Some(PairOfFinish {
         result,

@@ -83,7 +83,7 @@ pub(super) fn oils(comparison: &Comparison) -> Option<String> {
 fn regime(finish: &FinishResult) -> Cell {
     let summary = finish.pair.as_ref().map(|pair| &pair.result.summary);
     let cell =
-        |summary: &Summary| Cell::shown(summary.regime_words(), summary.regime().name().into());
+        |summary: &Summary| Cell::shown(summary.regime_words(), summary.regime.name().into());
     Cell::optional(summary.map(cell))
 }
 

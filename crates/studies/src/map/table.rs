@@ -33,11 +33,7 @@ pub(super) struct PointRow<'a> {
     lubricated_asperity_w: Option<f64>,
     boundary_w: Option<f64>,
     finish: Cow<'a, str>,
-    /// Absent in older maps.
-    #[serde(default)]
     deformation_w: Option<f64>,
-    /// Absent in older maps; follows from the other numbers.
-    #[serde(default)]
     regime: Cow<'a, str>,
 }
 
@@ -86,21 +82,20 @@ impl<'a> PointRow<'a> {
             })
         };
         let numbers = || {
-            let [loss_w, sliding_w, rolling_w] = [self.loss_w?, self.sliding_w?, self.rolling_w?];
             Some(Numbers {
-                loss_w,
+                loss_w: self.loss_w?,
                 loss_at_medians_w: self.loss_at_medians_w,
                 loss_torque_nm: self.loss_torque_nm?,
                 loss_torque_deviation_nm: self.loss_torque_deviation_nm,
                 drawn_w: drawn(),
                 efficiency: self.efficiency,
                 efficiency_deviation: self.efficiency_deviation,
-                sliding_w,
+                sliding_w: self.sliding_w?,
                 film_w: self.film_w?,
                 lubricated_asperity_w: self.lubricated_asperity_w?,
                 boundary_w: self.boundary_w?,
-                rolling_w,
-                deformation_w: self.deformation_w.unwrap_or(loss_w - sliding_w - rolling_w),
+                rolling_w: self.rolling_w?,
+                deformation_w: self.deformation_w?,
                 mu_equivalent: self.mu_equivalent,
                 mixed_share: self.mixed_share?,
             })
