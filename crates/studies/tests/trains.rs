@@ -437,7 +437,7 @@ fn a_cycle_on_the_map_of_a_train_loses_its_loss_times_the_time() {
     assert!((at_medians[0] / at_medians[1] - 1.0).abs() < 1e-12);
     // The draws are common to the cycle, the sampling less so, which moves the median little.
     assert!(
-        (finish.lost_wh / numbers.loss_w - 1.0).abs() < 1e-3,
+        (finish.lost_wh / numbers.loss_w - 1.0).abs() < 2e-3,
         "{} {}",
         finish.lost_wh,
         numbers.loss_w
