@@ -389,7 +389,8 @@ fn rows_of_a_scan_err_as_the_whole_scan_does() {
             let mut state = 7919 * seed + 1;
             let mut normal = || {
                 let mut uniform = || {
-                    state = (state * 6_364_136_223_846_793_005_u64)
+                    state = state
+                        .wrapping_mul(6_364_136_223_846_793_005_u64)
                         .wrapping_add(1_442_695_040_888_963_407);
                     (state >> 11) as f64 / (1_u64 << 53) as f64
                 };
