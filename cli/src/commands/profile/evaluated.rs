@@ -13,7 +13,6 @@ use asperity_profile_io::read::{
     read_trace,
 };
 use asperity_profile_io::write::{WriteError, WrittenFormat, write_filtered, write_trace};
-use asperity_report::profile_json::um;
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::generate::{Achieved, Generated};
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
@@ -23,6 +22,7 @@ use asperity_roughness::robust_filter::ROBUST_FILTER;
 use asperity_roughness::{Parameters, RoughnessError, Warning};
 
 use super::plan::Plan;
+use super::text::height;
 use crate::args::{PreparingArgs, ReadingArgs};
 use crate::failure::Failure;
 use crate::output;
@@ -324,10 +324,10 @@ pub(super) fn made_points(output: &str, made: &Generated) -> String {
 pub(super) fn achieved(a: &Achieved) -> String {
     let number = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
     format!(
-        "achieved Ra {:.4} Rq {:.4} Rt {:.4} um Rsk {} Rku {} Rdq {}",
-        um(a.ra),
-        um(a.rq),
-        um(a.rt),
+        "achieved Ra {} Rq {} Rt {} um Rsk {} Rku {} Rdq {}",
+        height(a.ra),
+        height(a.rq),
+        height(a.rt),
         number(a.rsk),
         number(a.rku),
         number(a.rdq)

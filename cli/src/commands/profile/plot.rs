@@ -9,6 +9,7 @@ use asperity_roughness::material_ratio::{RkParameters, abbott_curve};
 use asperity_roughness::spectral::{PowerSpectrum, power_spectrum};
 
 use super::evaluated::{Evaluated, refusal};
+use super::text;
 use crate::args::{Common, ProfilePlotArgs};
 use crate::failure::Failure;
 use crate::output::{besides_file, print_text, save, save_new};
@@ -77,10 +78,10 @@ fn primary(evaluated: &Evaluated, source: &str) -> Chart {
 fn roughness(evaluated: &Evaluated, source: &str) -> Chart {
     let p = &evaluated.iso4287.heights;
     let title = format!(
-        "Roughness profile R: Ra {:.4}, Rq {:.4}, Rz {:.4} µm (ISO 4287)",
-        um(p.ra),
-        um(p.rq),
-        um(p.rz)
+        "Roughness profile R: Ra {}, Rq {}, Rz {} µm (ISO 4287)",
+        text::height(p.ra),
+        text::height(p.rq),
+        text::height(p.rz)
     );
     let first = evaluated.parts.roughness.first_index;
     let rough = series("R", Line::Solid, &evaluated.parts.roughness.profile, first);
@@ -104,10 +105,10 @@ fn material(curve: &[f64], rk: &RkParameters, source: &str) -> Chart {
         [rk.mr2, foot],
     ];
     let title = format!(
-        "Material ratio: Rk {:.4}, Rpk {:.4}, Rvk {:.4} µm, Mr1 {:.1}, Mr2 {:.1} %",
-        um(rk.rk),
-        um(rk.rpk),
-        um(rk.rvk),
+        "Material ratio: Rk {}, Rpk {}, Rvk {} µm, Mr1 {:.1}, Mr2 {:.1} %",
+        text::height(rk.rk),
+        text::height(rk.rpk),
+        text::height(rk.rvk),
         rk.mr1,
         rk.mr2
     );
