@@ -39,12 +39,17 @@ where
     <Q as std::str::FromStr>::Err: std::fmt::Display,
 {
     for text in ["1", "1 furlong"] {
-        let said = text.parse::<Q>().map(|_| ()).map_err(|error| error.to_string());
+        let said = text
+            .parse::<Q>()
+            .map(|_| ())
+            .map_err(|error| error.to_string());
         let said = said.unwrap_err();
         for unit in Q::UNITS {
             for spelling in std::iter::once(&unit.symbol).chain(unit.spellings) {
                 assert!(format!("1 {spelling}").parse::<Q>().is_ok(), "{spelling}");
-                let is_listed = said.split([':', ',', '(']).any(|part| part.trim() == *spelling);
+                let is_listed = said
+                    .split([':', ',', '('])
+                    .any(|part| part.trim() == *spelling);
                 assert!(is_listed, "{spelling}: {said}");
             }
         }

@@ -437,18 +437,29 @@ fn within(shift_um: f64) -> Bounds {
 
 #[test]
 fn feed_marks_are_placed_by_the_roughness_between_them() {
-    for (period, rest) in [(100e-6, 30e-9), (100e-6, 10e-9), (200e-6, 20e-9), (47e-6, 30e-9)] {
+    for (period, rest) in [
+        (100e-6, 30e-9),
+        (100e-6, 10e-9),
+        (200e-6, 20e-9),
+        (47e-6, 30e-9),
+    ] {
         let ([before, after], removed) = feed_mark_pair(period, rest, 460);
         let found = relocate(&before, &after, Bounds::default()).unwrap();
         let shift = found.shift.value.si();
         assert!((shift - 230e-6).abs() < 0.1e-6, "{period} {rest}: {shift}");
         let lost = found.removed.map(Length::si);
-        assert!((lost.value - removed).abs() < 1.5e-9, "{period} {rest}: {lost:?} {removed}");
+        assert!(
+            (lost.value - removed).abs() < 1.5e-9,
+            "{period} {rest}: {lost:?} {removed}"
+        );
         // A bound that leaves another place only makes it no more certain, and the message says where the match is.
         let refused = relocate(&before, &after, within(120.0)).unwrap_err();
         let text = refused.to_string();
         assert_eq!(refused.code(), Code::E143);
-        assert!(text.contains("match at a shift of 0.23 mm, beyond the bound of 0.12 mm"), "{text}");
+        assert!(
+            text.contains("match at a shift of 230 um, beyond the bound of 120 um"),
+            "{text}"
+        );
         assert_eq!(refused.remedy().to_string(), "Set max_shift to 0.28 mm");
     }
 }
@@ -488,7 +499,15 @@ fn a_trace_with_a_bow_needs_a_parabola() {
     let level = relocate(&pair.before, &bowed, Bounds::default()).unwrap();
     assert!(level.removed.map(Length::si).contains(0.0) && level.bow.is_none());
     let form = Form::Poly2;
-    let found = relocate(&pair.before, &bowed, Bounds { form, ..Bounds::default() }).unwrap();
+    let found = relocate(
+        &pair.before,
+        &bowed,
+        Bounds {
+            form,
+            ..Bounds::default()
+        },
+    )
+    .unwrap();
     let [truth, removed] = [pair.truth(&found), found.removed.value.si()];
     assert!((removed - truth).abs() < 1.5e-9, "{removed} {truth}");
     assert!(found.removed.map(Length::si).contains(truth));
@@ -500,7 +519,14 @@ fn a_trace_with_a_bow_needs_a_parabola() {
     let higher = pairs.map(|(a, b)| b - a).fold(0.0, f64::max);
     assert!(higher < 0.08e-6, "{higher}");
     for form in [Form::None, Form::Mean, Form::Circle] {
-        let refused = relocate(&pair.before, &bowed, Bounds { form, ..Bounds::default() });
+        let refused = relocate(
+            &pair.before,
+            &bowed,
+            Bounds {
+                form,
+                ..Bounds::default()
+            },
+        );
         assert_eq!(refused.unwrap_err().code(), Code::E205);
     }
 }
@@ -510,7 +536,15 @@ fn bounds_of_no_sense_are_refused() {
     let pair = pair(Finish::Ground, Wear::None, SETUPS[2], 1);
     for (shift, stretch) in [(-1e-6, 0.0), (f64::NAN, 0.0), (1e-3, 0.2), (1e-3, f64::NAN)] {
         let shift = Length::from_si(shift);
-        let refused = relocate(&pair.before, &pair.after, Bounds { shift, stretch, ..Bounds::default() });
+        let refused = relocate(
+            &pair.before,
+            &pair.after,
+            Bounds {
+                shift,
+                stretch,
+                ..Bounds::default()
+            },
+        );
         assert!(refused.is_err());
     }
 }

@@ -70,7 +70,11 @@ impl FileFacts {
                     rounded(spacing),
                     rounded(length)
                 ),
-                format!("heights from {} to {} um", by_size(1e6 * low, 4), by_size(1e6 * high, 4)),
+                format!(
+                    "heights from {} to {} um",
+                    by_size(1e6 * low, 4),
+                    by_size(1e6 * high, 4)
+                ),
                 format!("stated: {}", known.collect::<Vec<_>>().join(", ")),
             ],
             json: json!({

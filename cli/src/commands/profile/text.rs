@@ -1,7 +1,7 @@
 //! Report of one profile.
 
-use asperity_core::{Code, by_size, decimals};
 use asperity_core::quantity::Length;
+use asperity_core::{Code, by_size, decimals};
 use asperity_profile_io::read::FilterState;
 use asperity_report::profile_json::um;
 use asperity_report::{Cell, Report, Table, columns};

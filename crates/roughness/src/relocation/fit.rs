@@ -422,9 +422,7 @@ impl Points {
             points.slopes.push(slope);
             points.after_slopes.push(after_slope);
             points.level.push(0.5 * (level + rough));
-            points
-                .lost
-                .push(height - z - place.added(along));
+            points.lost.push(height - z - place.added(along));
         }
         RoughnessError::at_least(points.along.len(), MIN_POINTS, "the overlap of two traces")?;
         Ok(points)
@@ -458,11 +456,7 @@ impl Points {
     }
 
     /// Change of the place by weighted least squares, of its free numbers only.
-    fn step(
-        &self,
-        weights: &[f64],
-        free: Range<usize>,
-    ) -> Result<[f64; NUMBERS], RoughnessError> {
+    fn step(&self, weights: &[f64], free: Range<usize>) -> Result<[f64; NUMBERS], RoughnessError> {
         let row = |i: usize| row(self.slopes[i], self.along[i]);
         let mut right = [0.0; NUMBERS];
         for (i, weight) in weights.iter().enumerate() {

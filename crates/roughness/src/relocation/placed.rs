@@ -76,16 +76,15 @@ fn alike(places: &[Match]) -> Fault {
         0 => String::new(),
         more => format!(" and {more} more"),
     };
-    let correlations = places.iter().map(|place| place.correlation);
+    let least = places.iter().map(|place| place.correlation);
     let message = format!(
-        "several places alike: the traces match as well at each of these shifts: {}{more} um; their dales correlate by {:.3} to {:.3} there",
+        "several places alike: the traces match as well at each of these shifts: {}{more} um; their dales correlate by {:.3} or more there",
         listed.join(", "),
-        correlations.clone().fold(f64::INFINITY, f64::min),
-        correlations.fold(0.0, f64::max),
+        least.fold(f64::INFINITY, f64::min),
     );
-    let help = "The flank repeats along the trace, and the roughness between does not exceed the noise; narrower bounds make none of these \
-        places certain. Compare traces with a mark that does not repeat (an indentation, a scratch, the end of the flank), or measure \
-        with less noise.";
+    let help = "The flank repeats along the trace, and what differs from one repeat to the next is hardly above the noise; narrower bounds \
+        make none of these places certain. Compare traces with a mark that does not repeat (an indentation, a scratch, the end of the \
+        flank), or measure with less noise.";
     Fault::new(Code::E143, message).helping(help)
 }
 

@@ -12,8 +12,8 @@ use crate::generate::Random;
 
 use super::fit::{BOW, Fit, HEIGHT, MIDDLE, STRETCH, TILT};
 use super::noise::Noise;
-use super::rise::{self, MOVED};
 use super::placed::placed;
+use super::rise::{self, MOVED};
 use super::search::search;
 use super::traces::{Trace, height_at, noise_cutoff};
 
@@ -210,16 +210,10 @@ fn relocation(
     let of_removed = fit.noise.variance(&fit.influence(&vec![part; n])).sqrt();
     let of_removed = of_removed.hypot(of_dales);
     Ok(Relocation {
-        shift: length(
-            place.middle - half,
-            fit.deviation_of_place(MIDDLE),
-        ),
+        shift: length(place.middle - half, fit.deviation_of_place(MIDDLE)),
         stretch: within(stretch, fit.deviation_of_place(STRETCH) / half),
         height: length(place.height + first.middle - second.middle, of_height),
-        tilt: within(
-            place.tilt / half,
-            fit.deviation_of_place(TILT) / half,
-        ),
+        tilt: within(place.tilt / half, fit.deviation_of_place(TILT) / half),
         bow: (fit.has_bow()).then(|| length(place.bow, fit.deviation_of_place(BOW))),
         correlation,
         elsewhere,

@@ -13,8 +13,8 @@ const LEAST_OVERLAP: f64 = 0.5;
 const STEP: f64 = 1.0;
 /// A place is another one at this distance \[m\].
 const ELSEWHERE: f64 = 20e-6;
-/// A place matches as well as the best if this part of the distance from full correlation is between both.
-const CLEARLY: f64 = 0.7;
+/// A place may match as well as the best if this part of its distance from full correlation is that of the best.
+const CLEARLY: f64 = 0.5;
 /// Distance from full correlation that resampling leaves.
 const RESAMPLED: f64 = 1e-6;
 
@@ -32,7 +32,7 @@ pub(super) struct Match {
 /// Places at which the traces match.
 #[derive(Debug)]
 pub(super) struct Matches {
-    /// The best place and those that match as well, the best first.
+    /// The best place and those that may match as well, the best first.
     pub alike: Vec<Match>,
     /// Best correlation elsewhere.
     pub elsewhere: f64,
@@ -42,7 +42,7 @@ pub(super) struct Matches {
 /// ρ(s, e) = corr( min(r_b(s + (1 + e) x), median), min(r_a(x), median) ),  largest over s and |e| within the bound   [Relocation-1]
 /// ```
 ///
-/// The correlation over the overlap of each shift, which is at least half of the shorter trace.
+/// The correlation over the overlap of each shift, which is at least half of the shorter trace, both without their ends.
 pub(super) fn search(
     before: &Trace,
     after: &Trace,
@@ -50,15 +50,16 @@ pub(super) fn search(
 ) -> Result<Matches, Cancelled> {
     cite!("Relocation-1");
     let dx = before.dx;
-    let first = before.dales();
-    let second = after.dales();
+    let (first, first_begin) = before.dales();
+    let (second, second_begin) = after.dales();
     let steps = (most_stretch * after.length() / (2.0 * STEP * dx)).ceil() as i64;
     let mut table = Vec::new();
     for k in -steps..=steps {
         checkpoint()?;
         let stretch = most_stretch * k as f64 / steps.max(1) as f64;
         let stretched = respaced(&second, after.dx * (1.0 + stretch), dx);
-        let of_middle = 0.5 * stretch * after.length();
+        let of_middle =
+            first_begin - (1.0 + stretch) * second_begin + 0.5 * stretch * after.length();
         let at = |(k, correlation): (i64, f64)| Match {
             correlation,
             shift: k as f64 * dx + of_middle,
@@ -87,9 +88,8 @@ fn places(shifts: &[Match], dx: f64) -> Matches {
             elsewhere: 0.0,
         };
     };
-    let is_alike = |place: &Match| {
-        CLEARLY * (1.0 - place.correlation) <= 1.0 - best.correlation + RESAMPLED
-    };
+    let is_alike =
+        |place: &Match| CLEARLY * (1.0 - place.correlation) <= 1.0 - best.correlation + RESAMPLED;
     let runs = shifts.chunk_by(|a, b| is_alike(a) == is_alike(b) && b.shift - a.shift < 2.0 * dx);
     let tops = runs.filter_map(|run| run.iter().max_by(by_correlation).copied());
     let mut alike: Vec<Match> = tops.filter(is_alike).collect();
@@ -98,7 +98,9 @@ fn places(shifts: &[Match], dx: f64) -> Matches {
     let others = others.filter(|place| (place.shift - best.shift).abs() > ELSEWHERE);
     Matches {
         alike,
-        elsewhere: others.max_by(by_correlation).map_or(0.0, |place| place.correlation),
+        elsewhere: others
+            .max_by(by_correlation)
+            .map_or(0.0, |place| place.correlation),
     }
 }
 
@@ -154,7 +156,9 @@ fn correlations(first: &[f64], second: &[f64]) -> Vec<(i64, f64)> {
         let scale = (variance(a) * variance(b)).sqrt();
         (scale > 0.0).then(|| (shift, (product - a[0] * b[0] / count) / scale))
     };
-    (least - m as i64..=n as i64 - least).filter_map(at).collect()
+    (least - m as i64..=n as i64 - least)
+        .filter_map(at)
+        .collect()
 }
 
 /// Sums of the values and of their squares before each point.

@@ -210,9 +210,11 @@ fn parameters_line(study: &TraceChange) -> String {
 /// Where the second trace of a pair lies on the first.
 fn place(pair: &PairRow) -> String {
     let interval = |estimate: Estimate, least| digits(estimate, least).interval(estimate);
-    let bow = pair.bow_um.map(|bow| format!(" and bowed by {} µm", interval(bow, LEAST_UM)));
+    let bow = pair
+        .bow_um
+        .map(|bow| format!(" and bowed by {} µm", interval(bow, LEAST_UM)));
     format!(
-        "{} lies {} µm along {}, stretched by {} %{}; their dales correlate by {:.3}, elsewhere by {:.2}.",
+        "{} lies {} µm along {}, stretched by {} %{}; their dales correlate by {:.3}, elsewhere by {:.3}.",
         pair.after,
         interval(pair.shift_um, LEAST_SHIFT),
         pair.before,
@@ -265,7 +267,7 @@ fn pairs(study: &TraceChange) -> Table {
         interval tilt_um_per_mm "tilt" "µm/mm" = shown(pair.tilt_um_per_mm, LEAST_TILT);
         interval bow_um "bow" "µm" = pair.bow_um.map_or(Cell::estimate("-", None), |bow| shown(bow, LEAST_UM));
         number correlation "correlation" "" "{:.3}";
-        number elsewhere "elsewhere" "" "{:.2}";
+        number elsewhere "elsewhere" "" "{:.3}";
         number matched_percent "dales matched" "%" "{:.0}";
         number noise_nm "noise" "nm" "{:.1}";
         number overlap_mm "common length" "mm" "{:.3}";
@@ -330,9 +332,8 @@ fn traces(id: &str, title: &str, pair: usize, points: &[PointRow]) -> Drawing {
 }
 
 fn curve_chart(study: &TraceChange) -> Drawing {
-    let of = |value: fn(&CurveRow) -> f64| {
-        study.material_ratio.iter().map(value).collect::<Vec<f64>>()
-    };
+    let of =
+        |value: fn(&CurveRow) -> f64| study.material_ratio.iter().map(value).collect::<Vec<f64>>();
     let x = of(|row| row.material_ratio_percent);
     let chart = Chart::new(
         "material-ratio",
@@ -345,4 +346,21 @@ fn curve_chart(study: &TraceChange) -> Drawing {
         .curve("before", Line::Dots, &x, &of(|row| row.before_um))
         .curve("after", Line::Dots, &x, &of(|row| row.after_um));
     Drawing::Curves(chart)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_change_above_its_floor_is_printed_above_it() {
+        let shown = |change: f64, floor: f64| {
+            let digits = digits_of_change(change, floor);
+            [digits.signed(change), digits.rounded(floor)]
+        };
+        assert_eq!(shown(0.000_52, 0.000_48), ["+0.00052", "0.00048"]);
+        assert_eq!(shown(-0.0142, 0.0002), ["-0.0142", "0.0002"]);
+        assert_eq!(shown(0.000_48, 0.000_52), ["+0.0005", "0.0005"]);
+        assert_eq!(shown(0.1049, 0.1041), ["+0.105", "0.104"]);
+    }
 }

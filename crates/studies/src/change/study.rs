@@ -296,7 +296,8 @@ fn with_bow(matched: &[Matched], bounds: Bounds) -> Result<Option<Heights>, Faul
 
 impl Heights {
     fn mean(each: impl Iterator<Item = Self> + Clone) -> Self {
-        let of = |value: fn(Self) -> Estimate| mean_of(&each.clone().map(value).collect::<Vec<_>>());
+        let of =
+            |value: fn(Self) -> Estimate| mean_of(&each.clone().map(value).collect::<Vec<_>>());
         Self {
             removed_nm: of(|heights| heights.removed_nm),
             lost_nm: of(|heights| heights.lost_nm),

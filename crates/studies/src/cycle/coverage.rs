@@ -52,7 +52,11 @@ impl Coverage {
             outside_energy: outside(&energy),
             outside_time: outside(&moving_time),
             rows: [
-                cycle.points.iter().filter(|point| is_outside(point)).count(),
+                cycle
+                    .points
+                    .iter()
+                    .filter(|point| is_outside(point))
+                    .count(),
                 cycle.points.len(),
             ],
             torque_nm: both(&|point| Some(point.forwards()[0])),
@@ -193,10 +197,7 @@ mod tests {
         let found = cycle(&format!("time_s,v_mps\n{rows}"), Some(&vehicle())).unwrap();
         let fault = Fault::from(Coverage::of(&surface(), &found).check().unwrap_err());
         assert_eq!(fault.code(), Code::E314);
-        (
-            format!("{fault}; {}", fault.remedy()),
-            found.warnings.len(),
-        )
+        (format!("{fault}; {}", fault.remedy()), found.warnings.len())
     }
 
     /// A drive of 20 s at 20 Hz by its speed \[m/s\].
@@ -228,7 +229,10 @@ mod tests {
         let (text, _) = refusal(drive(|k| if k < 200 { 0.0 } else { 4.5 }));
         holds(
             &text,
-            &["to 90.0 at line 202 (t = 10.00 s)", "correct the recording at line 202"],
+            &[
+                "to 90.0 at line 202 (t = 10.00 s)",
+                "correct the recording at line 202",
+            ],
         );
         assert!(!text.contains("compute the map up to"), "{text}");
     }
@@ -251,7 +255,11 @@ mod tests {
         let fault = Coverage::of(&surface(), &found).check().unwrap_err();
         holds(
             &fault.to_string(),
-            &["1 of 100 rows", "to 9000.0 at line 72 (t = 70.00 s)", "3000 at line"],
+            &[
+                "1 of 100 rows",
+                "to 9000.0 at line 72 (t = 70.00 s)",
+                "3000 at line",
+            ],
         );
         assert!(!fault.to_string().contains("acceleration"), "{fault}");
     }
@@ -264,11 +272,17 @@ mod tests {
         assert_eq!(warnings, 0);
         holds(
             &text,
-            &["to 8.0 at line", "compute the map up to these torques and speeds", "rows, torque in N m"],
+            &[
+                "to 8.0 at line",
+                "compute the map up to these torques and speeds",
+                "rows, torque in N m",
+            ],
         );
         assert!(!text.contains("jump"), "{text}");
         // Speeds beyond the map.
-        let rows = (0..9).map(|k| format!("{k},20,{}\n", 4000 * k)).collect::<String>();
+        let rows = (0..9)
+            .map(|k| format!("{k},20,{}\n", 4000 * k))
+            .collect::<String>();
         let found = cycle(&format!("time_s,torque_nm,speed_rpm\n{rows}"), None).unwrap();
         let fault = Coverage::of(&surface(), &found).check().unwrap_err();
         holds(

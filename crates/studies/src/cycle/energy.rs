@@ -118,7 +118,9 @@ impl CycleFinish {
 
 /// The map has no finish, not the temperature, or points without a result.
 fn holes(map: &Map) -> Fault {
-    let message = map.holes().unwrap_or_else(|| "the map has no points at this temperature".to_owned());
+    let message = map
+        .holes()
+        .unwrap_or_else(|| "the map has no points at this temperature".to_owned());
     let help = "Make the map again with axes that leave out these points, or with a model that has a result there: asperity explain names \
         the cause of a code.";
     Fault::new(Code::E402, message).helping(help)

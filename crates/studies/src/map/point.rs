@@ -229,7 +229,9 @@ impl Map {
         let points = || self.finishes.iter().flat_map(|finish| &finish.points);
         let mut without = points().filter(|point| point.numbers.is_none());
         let first = without.next()?;
-        let code = first.code.map_or(String::new(), |code| format!(" ({code})"));
+        let code = first
+            .code
+            .map_or(String::new(), |code| format!(" ({code})"));
         Some(format!(
             "{} of {} points of the map have no result, the first at {} N m, {} 1/min and {} °C{code}",
             without.count() + 1,
@@ -298,9 +300,8 @@ impl Map {
         };
         let celsius = self.axes.temperature_c.get(self.case_temperature())?;
         let points = first.points.iter().enumerate();
-        let known = points.filter(|(_, point)| {
-            point.numbers.is_some() && point.temperature_c == *celsius
-        });
+        let known =
+            points.filter(|(_, point)| point.numbers.is_some() && point.temperature_c == *celsius);
         let nearest = known.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));
         nearest.map(|(at, _)| at)
     }
