@@ -222,19 +222,19 @@ mod tests {
             &[
                 "-90.0 at line 202 (t = 10.00 s) to 0.0 at line 2",
                 "jump of the speed at line 202 (t = 10.00 s) is more than the 12 m/s2 that tyres transmit",
-                "correct the recording at line 202",
+                "Correct the recording at line 202",
             ],
         );
-        assert!(!text.contains("compute the map up to"), "{text}");
+        assert!(!text.contains("ompute the map up to"), "{text}");
         let (text, _) = refusal(drive(|k| if k < 200 { 0.0 } else { 4.5 }));
         holds(
             &text,
             &[
                 "to 90.0 at line 202 (t = 10.00 s)",
-                "correct the recording at line 202",
+                "Correct the recording at line 202",
             ],
         );
-        assert!(!text.contains("compute the map up to"), "{text}");
+        assert!(!text.contains("ompute the map up to"), "{text}");
     }
 
     #[test]
@@ -244,7 +244,7 @@ mod tests {
             &text,
             &[
                 "-220.0 at line 123 (t = 6.05 s) to 220.0 at line 122 (t = 6.00 s)",
-                "correct the recording at line 12",
+                "Correct the recording at line 122",
             ],
         );
         // Of torque and speed, without a vehicle.
@@ -274,7 +274,7 @@ mod tests {
             &text,
             &[
                 "to 8.0 at line",
-                "compute the map up to these torques and speeds",
+                "Compute the map up to these torques and speeds",
                 "rows, torque in N m",
             ],
         );

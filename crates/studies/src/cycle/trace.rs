@@ -208,7 +208,8 @@ impl Extreme {
     ) -> Option<Self> {
         let numbers = points.iter().enumerate();
         let numbers = numbers.filter_map(|(row, point)| Some((of(point)?, row, point)));
-        let (value, row, point) = numbers.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        // The first of several.
+        let (value, row, point) = numbers.rev().max_by(|a, b| a.0.total_cmp(&b.0))?;
         Some(Self {
             value,
             row,
