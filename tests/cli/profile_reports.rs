@@ -554,9 +554,7 @@ fn heights_of_a_fine_trace_are_printed_with_digits() {
         format!("{:.1},{:.9}", 0.5 * i as f64, 1e-4 * z)
     });
     bench.write("fine.csv", format!("x_um,z_um\n{fine}"));
-    let said = bench
-        .run(&["profile", "info", "fine.csv", "--notes"])
-        .well();
+    let said = bench.run(&["profile", "info", "fine.csv"]).well();
     assert!(
         !said.out.contains("0.0000 ") && !said.out.contains("0.00000,"),
         "{}",

@@ -118,7 +118,7 @@ fn a_scan_is_proposed_whole() {
     // Isotropic, crossed and ridged scans: the lay that the case measures decides what is done with the rows.
     for kept in [0.8, 0.3, 0.999] {
         bench.write("scan.sur", digital_surf(&changing(3000, 30, kept), 2.0));
-        let said = bench.run(&["profile", "info", "scan.sur", "--notes"]);
+        let said = bench.run(&["profile", "info", "scan.sur"]);
         let line = "pinion = { file = \"scan.sur\" }";
         assert!(said.out.contains(line), "{kept}: {}", said.out);
     }
