@@ -24,9 +24,13 @@ pub struct Coverage {
 }
 
 /// Error: too much of a cycle is outside of a map.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("{}", .0.text())]
-pub struct Uncovered(Coverage);
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{text}")]
+pub struct Uncovered {
+    text: String,
+    /// Place of a jump of the speed.
+    jump: Option<String>,
+}
 
 impl Coverage {
     /// Computes the shares of `cycle` outside of `surface`.
@@ -76,7 +80,10 @@ impl Coverage {
     /// When more than 5 % is outside.
     pub fn check(self) -> Result<(), Uncovered> {
         match self.outside_energy > MOST_OUTSIDE {
-            true => Err(Uncovered(self)),
+            true => Err(Uncovered {
+                text: self.text(),
+                jump: self.jump().map(|jump| jump.place()),
+            }),
             false => Ok(()),
         }
     }
@@ -150,10 +157,9 @@ pub(super) fn share(
 
 impl From<Uncovered> for Fault {
     fn from(error: Uncovered) -> Self {
-        let way = match error.0.jump() {
-            Some(jump) => format!(
-                "correct the recording at {}, where rows are missing or another recording begins",
-                jump.place()
+        let way = match &error.jump {
+            Some(place) => format!(
+                "correct the recording at {place}, where rows are missing or another recording begins"
             ),
             None => "compute the map up to these torques and speeds".to_owned(),
         };
