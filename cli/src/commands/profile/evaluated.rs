@@ -13,6 +13,7 @@ use asperity_profile_io::read::{
     read_trace,
 };
 use asperity_profile_io::write::{WriteError, WrittenFormat, write_filtered, write_trace};
+use asperity_report::profile_json::height;
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::generate::{Achieved, Generated};
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
@@ -22,7 +23,6 @@ use asperity_roughness::robust_filter::ROBUST_FILTER;
 use asperity_roughness::{Parameters, RoughnessError, Warning};
 
 use super::plan::Plan;
-use super::text::height;
 use crate::args::{PreparingArgs, ReadingArgs};
 use crate::failure::Failure;
 use crate::output;

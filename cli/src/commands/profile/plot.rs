@@ -4,12 +4,11 @@ use std::path::{Path, PathBuf};
 
 use asperity_core::Profile;
 use asperity_report::chart::{Axis, Chart, Line, Series, stacked};
-use asperity_report::profile_json::um;
+use asperity_report::profile_json::{height as of_height, um};
 use asperity_roughness::material_ratio::{RkParameters, abbott_curve};
 use asperity_roughness::spectral::{PowerSpectrum, power_spectrum};
 
 use super::evaluated::{Evaluated, refusal};
-use super::text;
 use crate::args::{Common, ProfilePlotArgs};
 use crate::failure::Failure;
 use crate::output::{besides_file, print_text, save, save_new};
@@ -79,9 +78,9 @@ fn roughness(evaluated: &Evaluated, source: &str) -> Chart {
     let p = &evaluated.iso4287.heights;
     let title = format!(
         "Roughness profile R: Ra {}, Rq {}, Rz {} µm (ISO 4287)",
-        text::height(p.ra),
-        text::height(p.rq),
-        text::height(p.rz)
+        of_height(p.ra),
+        of_height(p.rq),
+        of_height(p.rz)
     );
     let first = evaluated.parts.roughness.first_index;
     let rough = series("R", Line::Solid, &evaluated.parts.roughness.profile, first);
@@ -106,9 +105,9 @@ fn material(curve: &[f64], rk: &RkParameters, source: &str) -> Chart {
     ];
     let title = format!(
         "Material ratio: Rk {}, Rpk {}, Rvk {} µm, Mr1 {:.1}, Mr2 {:.1} %",
-        text::height(rk.rk),
-        text::height(rk.rpk),
-        text::height(rk.rvk),
+        of_height(rk.rk),
+        of_height(rk.rpk),
+        of_height(rk.rvk),
         rk.mr1,
         rk.mr2
     );

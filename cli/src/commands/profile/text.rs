@@ -3,7 +3,7 @@
 use asperity_core::quantity::Length;
 use asperity_core::{Code, by_size, decimals};
 use asperity_profile_io::read::FilterState;
-use asperity_report::profile_json::um;
+use asperity_report::profile_json::{height, um};
 use asperity_report::{Cell, Report, Table, columns};
 use asperity_roughness::height_parameters::HeightParameters;
 use asperity_roughness::material_ratio::RkParameters;
@@ -311,11 +311,6 @@ fn value_of(name: &str, evaluated: &Evaluated) -> Option<f64> {
         "Wt" => um(w?.rt),
         _ => return None,
     })
-}
-
-/// A height in micrometres.
-pub(super) fn height(length: Length) -> String {
-    by_size(um(length), HEIGHT)
 }
 
 /// A length in micrometres with four digits.

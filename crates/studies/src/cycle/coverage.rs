@@ -97,7 +97,7 @@ impl Coverage {
             .copied()
     }
 
-    /// What is outside: line and time of each extreme.
+    /// The part outside, with line and time of each extreme.
     fn text(&self) -> String {
         let at = |most: Option<Extreme>, places: usize| {
             most.map_or_else(String::new, |most| {

@@ -172,8 +172,8 @@ pub fn named_cycle(
     })
 }
 
-/// Largest acceleration of a vehicle that its tyres transmit \[m/s²\]: a friction coefficient of 1.2 on dry asphalt, more than that of
-/// any tyre of road cars, by the standard acceleration of gravity. A larger one in a cycle is a fault of its recording.
+/// Largest acceleration of a vehicle that its tyres transmit \[m/s²\]: a friction coefficient of 1.2 on dry asphalt, which
+/// no tyre of road cars exceeds, times the standard acceleration of gravity. A larger one in a cycle is a fault of its recording.
 pub(super) const MOST_ACCELERATION: f64 = 12.0;
 
 /// W201 about the largest acceleration, if no tyre transmits it.

@@ -251,7 +251,7 @@ impl Map {
         loaded.all(|point| point.code.is_some()).then_some(first)
     }
 
-    /// Index of the temperature next to that of the case; the first of an older map.
+    /// Index of the temperature next to the one of the case; the first of an older map.
     #[must_use]
     pub fn case_temperature(&self) -> usize {
         let Some(celsius) = self.operating_temperature_c else {
@@ -263,8 +263,9 @@ impl Map {
         next.map_or(0, |(index, _)| index)
     }
 
-    /// The operating point of the case with the losses of `finish`, interpolated between points of the map, at the temperature next to
-    /// that of the case; if one finish has no loss around it, the next point for all. Without an operating point the point of the largest loss with the first finish.
+    /// The operating point of the case with the losses of `finish`, interpolated between points of the map at the temperature
+    /// [`case_temperature`](Self::case_temperature); if one finish has no loss around it, the next point for all. Without an operating
+    /// point the point of the largest loss with the first finish.
     pub(super) fn typical(&self, finish: &FinishMap) -> Option<Point> {
         match self.operating_point.filter(|_| self.has_typical()) {
             Some(at) => finish.between(&self.axes, self.case_temperature(), at),
