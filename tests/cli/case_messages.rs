@@ -64,7 +64,7 @@ const SPELLING: &[Bad] = &[
 /// E204: values that cannot be read.
 #[rustfmt::skip]
 const VALUES: &[Bad] = &[
-    bad("module", "module = 1.8", "E204", &["gears.module", "1.8 has no unit", "mm, um, nm, m, cm", "(as \"1.8 mm\")"]),
+    bad("module", "module = 1.8", "E204", &["gears.module", "1.8 has no unit", "mm, um, micron, micrometer, micrometre, nm, m, cm", "(as \"1.8 mm\")"]),
     bad("pinion", "pinion = { ra = \"0.1\" }", "E204", &["surface.pinion.ra: 0.1 has no unit", "(as \"0.1 um\")"]),
     bad("module", "module = \"1.8\"", "E204", &["gears.module", "1.8 has no unit"]),
     bad("module", "module = \"1,8 mm\"", "E204", &["gears.module", "\"1,8 mm\"", "decimal sign as a point"]),

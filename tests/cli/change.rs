@@ -51,6 +51,74 @@ fn a_trace_on_itself_lost_nothing() {
 }
 
 #[test]
+fn a_bow_after_the_test_is_undecided_until_the_form_is_stated() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    let expected = bench.write_worn("pinion.csv", "worn.csv");
+    let text = std::fs::read_to_string(bench.path("worn.csv")).unwrap();
+    let (header, rows) = text.split_once('\n').unwrap();
+    let count = rows.lines().count() as f64;
+    let bowed = rows.lines().enumerate().map(|(i, row)| {
+        let (x, z) = row.split_once(',').unwrap();
+        let z = z.parse::<f64>().unwrap() + 0.4 * (2.0 * i as f64 / count - 1.0).powi(2);
+        format!("{x},{z:.5}\n")
+    });
+    bench.write(
+        "bowed.csv",
+        format!("{header}\n{}", bowed.collect::<String>()),
+    );
+    let change =
+        |more: &[&str]| bench.run(&[&["profile", "change"], more, &["--no-output"]].concat());
+    let said = change(&["pinion.csv", "bowed.csv"]).well().unwrapped();
+    assert!(
+        said.contains("Undecided: ") && said.contains("state form = poly2"),
+        "{said}"
+    );
+    assert!(!said.contains("Nothing was removed"), "{said}");
+    let line = ["pinion.csv", "bowed.csv", "--form", "poly2"];
+    let said = change(&line).well().unwrapped();
+    assert!(said.contains("The test removed "), "{said}");
+    let json = change(&[&line[..], &["--json"]].concat()).json();
+    let removed = json["mean"]["removed_nm"].as_f64().unwrap();
+    assert!((removed - expected).abs() < 0.6, "{removed} {expected}");
+    let bow = json["pairs"][0]["bow_um"].as_f64().unwrap();
+    assert!((bow + 0.4).abs() < 0.01, "{bow}");
+    change(&["pinion.csv", "bowed.csv", "--form", "circle"]).refused(2, "E205", &["form: "]);
+    // Both traces in the other order.
+    let said = change(&["worn.csv", "pinion.csv"]).well().unwrapped();
+    assert!(
+        said.contains("Are the traces in the other order?"),
+        "{said}"
+    );
+    assert!(!said.contains("Material moved"), "{said}");
+}
+
+#[test]
+fn feed_marks_without_a_difference_are_refused_with_all_places() {
+    let bench = Bench::new();
+    let marks = |begin: usize| {
+        let height = |i: usize| 0.6 * (std::f64::consts::TAU * (begin + i) as f64 / 200.0).cos();
+        let row = |i: usize| format!("{:.1},{:.5}\n", 0.5 * i as f64, height(i));
+        format!("x [um],z [um]\n{}", (0..6000).map(row).collect::<String>())
+    };
+    bench.write("before.csv", marks(0));
+    bench.write("after.csv", marks(60));
+    for bound in ["0.5 mm", "0.04 mm"] {
+        let line = [
+            "profile",
+            "change",
+            "before.csv",
+            "after.csv",
+            "--max-shift",
+            bound,
+        ];
+        let said = bench.run(&line);
+        said.refused(2, "E143", &["several places alike", "-170, -70, 30, 130"]);
+        assert!(!said.err.contains("Mirror"), "{}", said.err);
+    }
+}
+
+#[test]
 fn pairs_that_cannot_be_compared_are_refused() {
     let bench = Bench::new();
     bench.write_flanks();
@@ -100,7 +168,7 @@ fn pairs_that_cannot_be_compared_are_refused() {
     refused(
         &["--leave-out"],
         "E143",
-        "no pair of traces is of one place",
+        "no pair of traces is of one place that is certain",
     );
     refused(
         &["--max-stretch", "20 %"],

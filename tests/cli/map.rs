@@ -61,6 +61,89 @@ fn a_map_without_a_loss_is_refused() {
 }
 
 #[test]
+fn a_map_of_a_case_without_a_solution_at_standstill_is_refused_at_once() {
+    let bench = bench(E_DRIVE);
+    for key in ["model.load_share=ehl", "model.full_film=ehl-transient"] {
+        let said = bench.run(&["map", "case.toml", "--set", key, "-o", "m"]);
+        said.refused(2, "E205", &["standstill"]);
+        assert!(!bench.path("m").exists());
+    }
+}
+
+#[test]
+fn a_cycle_on_a_map_with_a_hole_names_it() {
+    let bench = bench(&with_line(
+        "positions",
+        "positions = 4\nload_share = \"lambda-star\"",
+    ));
+    // Hertz pressures that no steel carries at one of the torques.
+    let axes = [
+        "--torque=100,900000",
+        "--speed=4000",
+        "--band",
+        "none",
+        "-o",
+        "m",
+    ];
+    bench
+        .run(&[&["map", "case.toml"][..], &axes].concat())
+        .well();
+    bench.write(
+        "trace.csv",
+        "time_s,torque_nm,speed_rpm\n0,50,500\n1,50,500\n",
+    );
+    let said = bench.run(&["cycle", "m", "trace.csv", "--no-output"]);
+    said.refused(
+        2,
+        "E402",
+        &["2 of 4 points of the map have no result", "900000 N m"],
+    );
+    assert!(!said.err.contains("Name a result folder"), "{}", said.err);
+}
+
+#[test]
+fn the_verdict_and_a_cycle_are_at_the_temperature_of_the_case() {
+    let bench = bench(&with_line(
+        "positions",
+        "positions = 4\nload_share = \"lambda-star\"",
+    ));
+    bench.write(
+        "trace.csv",
+        "time_s,torque_nm,speed_rpm\n0,50,500\n1,50,500\n",
+    );
+    let says = |temperatures: &str, parts: &[&str]| {
+        let axes = ["--torque=-200,200", "--speed=500,20000", "--band", "none"];
+        let folder = ["--temperature", temperatures, "-o", temperatures];
+        let line = [&["map", "case.toml"][..], &axes, &folder].concat();
+        let said = bench.run(&line).well().unwrapped();
+        for part in parts {
+            assert!(said.contains(part), "{part}: {said}");
+        }
+        let cycle = [
+            "cycle",
+            temperatures,
+            "trace.csv",
+            "--no-output",
+            "--allow-outside",
+        ];
+        bench.run(&cycle).well().unwrapped()
+    };
+    let of_case = says(
+        "70,90",
+        &["1/min, 90 °C.", "at the operating point of the case"],
+    );
+    assert!(of_case.contains("flanks at 90 °C"), "{of_case}");
+    let next = says(
+        "60,80",
+        &[
+            "1/min, 80 °C.",
+            "at 80 °C, the temperature of the map next to the 90 °C of the case",
+        ],
+    );
+    assert!(next.contains("flanks at 80 °C"), "{next}");
+}
+
+#[test]
 fn quantiles_at_the_nodes_of_a_map_are_those_of_runs() {
     let bench = bench(E_DRIVE);
     let axes = [
@@ -467,7 +550,7 @@ fn a_cycle_beyond_the_map_is_refused_unless_that_is_accepted() {
     let rows = table(&bench, "m/map.csv");
     let is_edge = |row: &&BTreeMap<String, String>| {
         let place = ["torque_nm", "speed_rpm", "temperature_c"].map(|column| number(row, column));
-        place == [100.0, 500.0, 60.0]
+        place == [100.0, 500.0, 90.0]
     };
     let edge = number(rows.iter().find(is_edge).unwrap(), "loss_w");
     bench.write(
@@ -475,7 +558,15 @@ fn a_cycle_beyond_the_map_is_refused_unless_that_is_accepted() {
         "time_s,torque_nm,speed_rpm\n0,300,500\n1,300,500\n",
     );
     let said = bench.run(&["cycle", "m", "far.csv", "--no-output"]);
-    said.refused(4, "E314", &["100.0 % of the energy", "300.0 N m"]);
+    said.refused(
+        4,
+        "E314",
+        &[
+            "100.0 % of the energy",
+            "2 of 2 rows",
+            "300.0 at line 2 (t = 0.00 s)",
+        ],
+    );
     assert!(said.err.contains("--allow-outside"), "{}", said.err);
     let accepted = [
         "cycle",

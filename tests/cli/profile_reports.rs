@@ -546,3 +546,25 @@ fn a_trace_is_generated_like_measured_ones() {
         ])
         .refused(2, "E120", &["spaced"]);
 }
+
+#[test]
+fn heights_of_a_fine_trace_are_printed_with_digits() {
+    let bench = Bench::new();
+    let fine = rows(6000, |i, z| {
+        format!("{:.1},{:.9}", 0.5 * i as f64, 1e-4 * z)
+    });
+    bench.write("fine.csv", format!("x_um,z_um\n{fine}"));
+    let said = bench.run(&["profile", "info", "fine.csv"]).well();
+    assert!(
+        !said.out.contains("0.0000 ") && !said.out.contains("0.00000,"),
+        "{}",
+        said.out
+    );
+    let heights = said
+        .out
+        .lines()
+        .find(|line| line.starts_with("Ra "))
+        .unwrap();
+    let ra: f64 = heights.split_whitespace().nth(1).unwrap().parse().unwrap();
+    assert!((1.5e-5..3e-5).contains(&ra), "{heights}");
+}

@@ -113,6 +113,18 @@ fn a_surface_gives_a_row_or_its_mean() {
 }
 
 #[test]
+fn a_scan_is_proposed_whole() {
+    let bench = Bench::new();
+    // Isotropic, crossed and ridged scans: the lay that the case measures decides what is done with the rows.
+    for kept in [0.8, 0.3, 0.999] {
+        bench.write("scan.sur", digital_surf(&changing(3000, 30, kept), 2.0));
+        let said = bench.run(&["profile", "info", "scan.sur"]);
+        let line = "pinion = { file = \"scan.sur\" }";
+        assert!(said.out.contains(line), "{kept}: {}", said.out);
+    }
+}
+
+#[test]
 fn a_case_takes_lines_of_a_surface() {
     let bench = Bench::new();
     bench.write_flanks();

@@ -1,7 +1,8 @@
 //! `asperity film`: fluid pressure across the film over its thickness, Fig. 8 of the paper.
 
+use asperity_core::by_size;
 use asperity_paper_2022::{FilmRow, FilmSurvey, film as survey};
-use asperity_report::{Report, columns};
+use asperity_report::{Cell, Report, columns};
 
 use super::{load_case, on_the_path};
 use crate::args::{Common, FilmArgs};
@@ -45,7 +46,7 @@ fn report<'a>(title: &str, survey: &FilmSurvey) -> Report<'a> {
         survey.path_fraction
     );
     let table = columns! { row in &survey.rows;
-        number thickness "film" "µm" "{:.4}" = row.thickness_m * 1e6;
+        number thickness "film" "µm" = Cell::number(row.thickness_m * 1e6, |um| by_size(um, 4));
         number reynolds_cross_pa "reynolds-cross" "Pa" "{:.4e}";
         number paper_pa "paper" "Pa" "{:.4e}";
         number ratio_to_hertz "ratio to p0" "" "{:.2e}";

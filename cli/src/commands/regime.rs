@@ -3,7 +3,8 @@
 use asperity::case::LoadedCase;
 use asperity::pipeline::{RegimeRow, survey};
 use asperity::result::Regime;
-use asperity_report::{Report, Table, columns};
+use asperity_core::by_size;
+use asperity_report::{Cell, Report, Table, columns};
 use serde_json::json;
 
 use super::{load_train, mesh_of, of_meshes};
@@ -89,8 +90,8 @@ fn table(rows: &[RegimeRow]) -> Table {
         number line_load_n_per_mm "line load" "N/mm" "{:.2}";
         number hertz_pressure_mpa "Hertz pressure" "MPa" "{:.0}";
         number sliding_m_per_s "sliding speed" "m/s" "{:.4}";
-        number film_central_um "central film" "µm" "{:.4}";
-        number film_minimum_um "minimum film" "µm" "{:.4}";
+        number film_central_um "central film" "µm" = Cell::number(row.film_central_um, |um| by_size(um, 4));
+        number film_minimum_um "minimum film" "µm" = Cell::number(row.film_minimum_um, |um| by_size(um, 4));
         number thermal_reduction "thermal reduction" "" "{:.3}";
         number lambda_star "Λ*" "" "{:.3}";
         number film_share "film load" "%" "{:.1}" = 100.0 * row.film_share;

@@ -60,7 +60,7 @@ fn a_missing_key_is_explained_by_the_schema() {
     let said = refused("module = \"2 mm\", ", "");
     assert!(
         said.ends_with(
-            ": missing key \"module\" (Module m; length with a unit: mm, um, nm, m, cm); the table needs teeth, module, face_width"
+            ": missing key \"module\" (Normal module m_n; the transverse one with `module_plane = \"transverse\"`; length with a unit: mm, um, micron, micrometer, micrometre, nm, m, cm); the table needs teeth, module, face_width"
         ),
         "{said}"
     );
@@ -114,7 +114,7 @@ fn the_words_of_rust_are_translated() {
         (
             "gears.module",
             "1",
-            "1 has no unit; a length needs one of: mm, um, nm, m, cm (as \"1 mm\")",
+            "1 has no unit; a length needs one of: mm, um, micron, micrometer, micrometre, nm, m, cm (as \"1 mm\")",
         ),
     ] {
         let said = said(key, value);

@@ -38,7 +38,7 @@ pub use error::DomainError;
 pub use estimate::{Estimate, EstimateKeys};
 pub use material::Material;
 pub use message::{Code, Fault, Place};
-pub use message_number::{decimals, number, number_with_unit};
+pub use message_number::{by_size, decimals, number, number_with_unit};
 pub use nearest_name::{did_you_mean, most_similar, nearest_name};
 pub use plain_words::{in_plain_words, type_in_words};
 pub use profile::Profile;

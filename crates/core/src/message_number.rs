@@ -39,6 +39,24 @@ pub fn number_with_unit(value: f64, unit: &str) -> String {
     }
 }
 
+/// A number with `places` decimals, and with three digits if it is so small that these would leave fewer.
+///
+/// ```
+/// use asperity_core::by_size;
+/// assert_eq!([0.2823, 0.0123, 0.000_282_3, 0.0, -2e-9].map(|x| by_size(x, 4)), ["0.2823", "0.0123", "0.000282", "0.0000", "-2.00e-9"]);
+/// ```
+pub fn by_size(value: f64, places: usize) -> String {
+    /// Most decimals.
+    const MOST: usize = 7;
+    let size = value.abs().log10().floor();
+    match value {
+        0.0 => decimals(value, places),
+        _ if size + (places as f64) >= 2.0 => decimals(value, places),
+        _ if 2.0 - size <= MOST as f64 => format!("{value:.*}", (2.0 - size) as usize),
+        _ => format!("{value:.2e}"),
+    }
+}
+
 /// A number in a message with `places` decimals, as long as they and the digits before them are few; no minus zero.
 ///
 /// ```

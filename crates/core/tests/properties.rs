@@ -33,6 +33,35 @@ fn finite() -> impl Strategy<Value = f64> {
     ]
 }
 
+/// The message about a missing or unknown unit lists exactly the spellings that are read.
+fn lists_all_units<Q: Quantity>()
+where
+    <Q as std::str::FromStr>::Err: std::fmt::Display,
+{
+    for text in ["1", "1 furlong"] {
+        let said = text
+            .parse::<Q>()
+            .map(|_| ())
+            .map_err(|error| error.to_string());
+        let said = said.unwrap_err();
+        for unit in Q::UNITS {
+            for spelling in std::iter::once(&unit.symbol).chain(unit.spellings) {
+                assert!(format!("1 {spelling}").parse::<Q>().is_ok(), "{spelling}");
+                let is_listed = said
+                    .split([':', ',', '('])
+                    .any(|part| part.trim() == *spelling);
+                assert!(is_listed, "{spelling}: {said}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_unit_that_is_read_is_in_the_message() {
+    for_every_quantity!(lists_all_units());
+    lists_all_units::<Temperature>();
+}
+
 fn survives_its_text<Q: Quantity>(value: f64) {
     let text = Q::from_si(value).to_string();
     let back = text

@@ -42,7 +42,7 @@ pub struct GearPairInput {
     /// Width over which the faces overlap, if less than the narrower face width.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub overlap: Option<Length>,
-    /// Profile shift coefficients x₁, x₂, in normal modules. Default: zero; with a centre distance and no tip radii, its
+    /// Profile shift coefficients x₁, x₂, in normal modules; a positive one brings the teeth of a ring towards its axis. Default: zero; with a centre distance and no tip radii, its
     /// sum of the shifts, divided for equal specific sliding.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profile_shift: Option<[f64; 2]>,

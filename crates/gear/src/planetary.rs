@@ -40,7 +40,7 @@ pub struct PlanetarySetInput {
     pub pressure_angle: Angle,
     /// Face widths.
     pub face_width: [Length; 3],
-    /// Profile shift coefficients.
+    /// Profile shift coefficients; a positive one brings the teeth of the ring towards its axis.
     pub profile_shift: [f64; 3],
     /// Distance between the axes of sun and planet; default: without backlash between them.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -145,6 +145,19 @@ fn the_tips_of_a_ring_do_not_follow_from_the_centre_distance() {
 }
 
 #[test]
+fn a_positive_shift_brings_the_teeth_of_a_ring_towards_its_axis() {
+    let tip = |shift: f64| {
+        let standard = GearPairInput::standard([24, 75], mm(1.5), Angle::from_si(0.0), mm(20.0));
+        let input = GearPairInput {
+            profile_shift: Some([0.1, shift]),
+            ..standard
+        };
+        GearPair::internal(&input).unwrap().tip_radius[1].si().abs()
+    };
+    assert!((tip(0.0) - tip(0.2) - 0.2 * 1.5e-3).abs() < 1e-9);
+}
+
+#[test]
 fn nonsense_numbers_are_named() {
     let nan = Length::from_si(f64::NAN);
     let bad = [

@@ -1,5 +1,6 @@
 //! Parameters of a profile as JSON, lengths in micrometres: the keys of the command and of the Python module.
 
+use asperity_core::by_size;
 use asperity_core::quantity::Length;
 use asperity_roughness::height_parameters::HeightParameters;
 use asperity_roughness::material_ratio::RkParameters;
@@ -9,6 +10,12 @@ use serde_json::{Value, json};
 /// A length in micrometres.
 pub fn um(length: Length) -> f64 {
     length.si() * 1e6
+}
+
+/// A height in micrometres as text, with more than four decimals if it is small.
+#[must_use]
+pub fn height(length: Length) -> String {
+    by_size(um(length), 4)
 }
 
 /// Height parameters.

@@ -13,6 +13,7 @@
 use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
+use serde::de::IntoDeserializer;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
@@ -37,6 +38,14 @@ pub enum Form {
     Poly2,
     /// The least-squares circle, for strongly curved traces.
     Circle,
+}
+
+impl std::str::FromStr for Form {
+    type Err = serde::de::value::Error;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        Self::deserialize(name.into_deserializer())
+    }
 }
 
 /// A polynomial of degree two or less in the orthogonal basis 1, t, t² − ⟨t²⟩.

@@ -3,10 +3,12 @@
 
 use asperity_core::quantity::Length;
 use asperity_core::{Code, Profile};
+use asperity_roughness::form::Form;
 use asperity_roughness::generate::{Ground, PlateauHoned, SelfAffine, truncated};
 use asperity_roughness::relocation::{Bounds, Relocation, relocate};
 
 use crate::common::Normal;
+use std::f64::consts::TAU;
 
 /// Points of the texture for each point of a trace.
 const FINER: usize = 4;
@@ -385,12 +387,164 @@ fn the_noise_of_a_match_is_that_of_the_traces() {
     crate::common::close(found.noise.si(), expected, 0.1);
 }
 
+/// A flank with feed marks \[m\]: marks of a period \[m\] with a second harmonic, a rest of this root mean square height \[m\], and the
+/// part that stays below its upper 15 %.
+fn feed_marks(period: f64, rest: f64, seed: u64) -> [Vec<f64>; 2] {
+    let points = 12_000;
+    let between = SelfAffine {
+        points,
+        spacing: Length::from_si(0.5e-6),
+        rq: Length::from_si(rest.max(1e-12)),
+        hurst: 0.8,
+        roll_off: Length::from_si(100e-6),
+        short_cut: Length::from_si(5e-6),
+        seed,
+    };
+    let between = between.generate().unwrap();
+    let mark = |(k, z): (usize, &f64)| {
+        let angle = TAU * k as f64 * 0.5e-6 / period;
+        0.6e-6 * angle.cos() + 0.15e-6 * (2.0 * angle).cos() + if rest > 0.0 { *z } else { 0.0 }
+    };
+    let before: Vec<f64> = between.heights().iter().enumerate().map(mark).collect();
+    let profile = Profile::new(Length::from_si(0.5e-6), before.clone()).unwrap();
+    let after = truncated(&profile, 0.15).unwrap().0.into_heights();
+    [before, after]
+}
+
+/// Traces of 3 mm of such a flank, the second `shift` \[points\] behind the first, with 5 nm of noise, and the height removed there.
+fn feed_mark_pair(period: f64, rest: f64, shift: usize) -> ([Profile; 2], f64) {
+    let [before, after] = feed_marks(period, rest, 31);
+    let mut random = Normal(41);
+    let begin = 2000;
+    let mut trace = |z: &[f64], begin: usize| {
+        let heights = z[begin..begin + 6001].iter();
+        let heights = heights.map(|z| z + 5e-9 * random.next());
+        Profile::new(Length::from_si(0.5e-6), heights.collect()).unwrap()
+    };
+    let traces = [trace(&before, begin), trace(&after, begin + shift)];
+    let common = begin + shift..begin + 6001;
+    let count = common.len() as f64;
+    let removed = common.map(|k| before[k] - after[k]).sum::<f64>() / count;
+    (traces, removed)
+}
+
+fn within(shift_um: f64) -> Bounds {
+    Bounds {
+        shift: Length::from_si(1e-6 * shift_um),
+        ..Bounds::default()
+    }
+}
+
+#[test]
+fn feed_marks_are_placed_by_the_roughness_between_them() {
+    for (period, rest) in [
+        (100e-6, 30e-9),
+        (100e-6, 10e-9),
+        (200e-6, 20e-9),
+        (47e-6, 30e-9),
+    ] {
+        let ([before, after], removed) = feed_mark_pair(period, rest, 460);
+        let found = relocate(&before, &after, Bounds::default()).unwrap();
+        let shift = found.shift.value.si();
+        assert!((shift - 230e-6).abs() < 0.1e-6, "{period} {rest}: {shift}");
+        let lost = found.removed.map(Length::si);
+        assert!(
+            (lost.value - removed).abs() < 1.5e-9,
+            "{period} {rest}: {lost:?} {removed}"
+        );
+        // A bound that leaves another place only makes it no more certain, and the message says where the match is.
+        let refused = relocate(&before, &after, within(120.0)).unwrap_err();
+        let text = refused.to_string();
+        assert_eq!(refused.code(), Code::E143);
+        assert!(
+            text.contains("match at a shift of 230 um, beyond the bound of 120 um"),
+            "{text}"
+        );
+        assert_eq!(refused.remedy().to_string(), "Set max_shift to 0.28 mm");
+    }
+}
+
+#[test]
+fn places_alike_are_all_listed_and_none_is_chosen() {
+    for period_um in [47.0, 100.0, 200.0] {
+        let ([before, after], _) = feed_mark_pair(1e-6 * period_um, 0.0, 460);
+        for bounds in [500.0, 120.0, 40.0] {
+            let refused = relocate(&before, &after, within(bounds)).unwrap_err();
+            assert_eq!(refused.code(), Code::E143);
+            let text = refused.to_string();
+            let shifts = text.split_once("these shifts: ").unwrap().1;
+            let shifts = shifts.split_once(" um;").unwrap().0;
+            let shifts: Vec<f64> = shifts
+                .split(" and ")
+                .next()
+                .unwrap()
+                .split(", ")
+                .map(|shift| shift.parse().unwrap())
+                .collect();
+            let step = |pair: &[f64]| (pair[1] - pair[0] - period_um).abs() < 2.0;
+            assert!(shifts.windows(2).all(step), "{shifts:?}");
+            assert!(shifts.len() > 9, "{shifts:?}");
+            assert!(!refused.help().contains("Mirror"), "{refused:?}");
+        }
+    }
+}
+
+#[test]
+fn a_trace_with_a_bow_needs_a_parabola() {
+    let pair = pair(Finish::Ground, Wear::Share(0.2), SETUPS[0], 9);
+    let n = pair.after.len() as f64;
+    let bow = |(k, z): (usize, &f64)| z + 0.3e-6 * (2.0 * k as f64 / n - 1.0).powi(2);
+    let bowed = pair.after.heights().iter().enumerate().map(bow);
+    let bowed = Profile::new(pair.after.spacing(), bowed.collect()).unwrap();
+    let level = relocate(&pair.before, &bowed, Bounds::default()).unwrap();
+    assert!(level.removed.map(Length::si).contains(0.0) && level.bow.is_none());
+    let form = Form::Poly2;
+    let found = relocate(
+        &pair.before,
+        &bowed,
+        Bounds {
+            form,
+            ..Bounds::default()
+        },
+    )
+    .unwrap();
+    let [truth, removed] = [pair.truth(&found), found.removed.value.si()];
+    assert!((removed - truth).abs() < 1.5e-9, "{removed} {truth}");
+    assert!(found.removed.map(Length::si).contains(truth));
+    let bow = found.bow.unwrap().map(Length::si);
+    assert!((bow.value + 0.3e-6).abs() < 5e-9, "{bow:?}");
+    // The second trace as measured lies on the first, but for what was removed.
+    let [first, second] = found.as_measured(&pair.before, &bowed).unwrap();
+    let pairs = first.heights().iter().zip(second.heights());
+    let higher = pairs.map(|(a, b)| b - a).fold(0.0, f64::max);
+    assert!(higher < 0.08e-6, "{higher}");
+    for form in [Form::None, Form::Mean, Form::Circle] {
+        let refused = relocate(
+            &pair.before,
+            &bowed,
+            Bounds {
+                form,
+                ..Bounds::default()
+            },
+        );
+        assert_eq!(refused.unwrap_err().code(), Code::E205);
+    }
+}
+
 #[test]
 fn bounds_of_no_sense_are_refused() {
     let pair = pair(Finish::Ground, Wear::None, SETUPS[2], 1);
     for (shift, stretch) in [(-1e-6, 0.0), (f64::NAN, 0.0), (1e-3, 0.2), (1e-3, f64::NAN)] {
         let shift = Length::from_si(shift);
-        let refused = relocate(&pair.before, &pair.after, Bounds { shift, stretch });
+        let refused = relocate(
+            &pair.before,
+            &pair.after,
+            Bounds {
+                shift,
+                stretch,
+                ..Bounds::default()
+            },
+        );
         assert!(refused.is_err());
     }
 }

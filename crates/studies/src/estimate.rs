@@ -156,7 +156,8 @@ fn measured_mesh(loaded: &LoadedCase, kept: &KeptFields) -> Result<Cost, Error> 
     Ok(work.estimate(loaded, kept, scale))
 }
 
-fn has_records(loaded: &LoadedCase) -> bool {
+/// Whether a run solves records of the lubricated contact.
+pub(crate) fn has_records(loaded: &LoadedCase) -> bool {
     let model = &loaded.case.model;
     model.load_share == LoadShareName::Ehl || model.full_film == FullFilmName::EhlTransient
 }

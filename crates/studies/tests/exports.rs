@@ -76,6 +76,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
         axes,
         ratio: Some(RATIO),
         operating_point: None,
+        operating_temperature_c: None,
         finishes: vec![FinishMap {
             name: "ground".to_owned(),
             fingerprint: String::new(),

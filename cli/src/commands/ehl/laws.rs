@@ -1,7 +1,8 @@
 //! Load-sharing laws compared with the transient solution, the reference.
 
 use asperity::lubrication::ShareComparison;
-use asperity_report::{Report, columns};
+use asperity_core::by_size;
+use asperity_report::{Cell, Report, columns};
 
 /// `report` with the table of the laws.
 pub fn shown<'a>(report: Report<'a>, comparison: &ShareComparison) -> Report<'a> {
@@ -26,7 +27,7 @@ pub fn shown<'a>(report: Report<'a>, comparison: &ShareComparison) -> Report<'a>
         head law "law" "" = law;
         number share "solid share" "" "{:.4}" = share;
         number off "off by" "" "{:+.4}" = off;
-        number gap "mean gap" "µm" "{:.4}" = gap;
+        number gap "mean gap" "µm" = Cell::number(gap, |um| by_size(um, 4));
         number friction "friction" "" "{:.5}" = friction;
     };
     let heading = format!(

@@ -12,7 +12,7 @@ use asperity::reference_solution::{estimate_json, nanometres, record_json, recor
 use asperity::result::loss_band::Digits;
 use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
-use asperity_core::{Code, Fault};
+use asperity_core::{Code, Fault, by_size};
 use asperity_report::{Report, columns};
 use serde_json::{Value, json};
 
@@ -206,13 +206,13 @@ impl Recorded {
             },
         );
         let film = format!(
-            "smooth central film {:.4} um   mean film {} um, spread {:.4} um",
-            record.smooth_film.si() * 1e6,
+            "smooth central film {} um   mean film {} um, spread {} um",
+            by_size(record.smooth_film.si() * 1e6, 4),
             self.shown(
                 record.mean_film.mean * 1e6,
                 record.mean_film.standard_error * 1e6
             ),
-            record.film_spread.si() * 1e6,
+            by_size(record.film_spread.si() * 1e6, 4),
         );
         let below = columns! { below in &record.load_below;
             number film "films up to" "nm" "{:.0}" = nanometres(below.film);

@@ -5,7 +5,7 @@ use asperity::ehl::{
     FrictionLaw, RoughContact, Scales, Solved, SteadyFilm, SteadySettings, Warning, steady,
 };
 use asperity::oil::ShearLaw;
-use asperity_core::{Code, Fault};
+use asperity_core::{Code, Fault, by_size};
 use asperity_report::Report;
 use serde_json::{Value, json};
 
@@ -140,9 +140,9 @@ impl Smooth {
             None => String::from("no spike"),
         };
         let thickness = format!(
-            "central film {:.4} um   minimum film {:.4} um at x/a {:.3}",
-            film.central_film.si() * 1e6,
-            film.minimum_film.si() * 1e6,
+            "central film {} um   minimum film {} um at x/a {:.3}",
+            by_size(film.central_film.si() * 1e6, 4),
+            by_size(film.minimum_film.si() * 1e6, 4),
             film.minimum_place,
         );
         let pressure = format!(

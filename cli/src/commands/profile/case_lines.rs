@@ -15,8 +15,8 @@ use crate::args::{FormArg, ProfileInfoArgs};
 const USUAL_ROWS: usize = 8;
 
 /// The table `surface` for the file and the options, with the cut-off λc of the evaluation; zero means unfiltered. The flank is
-/// the pinion's unless the name of the file says that it is the wheel's. `rows` is the number of rows of a surface of which
-/// none was chosen.
+/// the pinion's unless the name of the file says that it is the wheel's. `rows` is the number of rows of a surface that
+/// is not a scan, of which none was chosen.
 pub(super) fn case_lines(
     file: &Path,
     args: &ProfileInfoArgs,

@@ -13,7 +13,7 @@ use asperity_profile_io::read::{
     read_trace,
 };
 use asperity_profile_io::write::{WriteError, WrittenFormat, write_filtered, write_trace};
-use asperity_report::profile_json::um;
+use asperity_report::profile_json::height;
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::generate::{Achieved, Generated};
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
@@ -324,10 +324,10 @@ pub(super) fn made_points(output: &str, made: &Generated) -> String {
 pub(super) fn achieved(a: &Achieved) -> String {
     let number = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
     format!(
-        "achieved Ra {:.4} Rq {:.4} Rt {:.4} um Rsk {} Rku {} Rdq {}",
-        um(a.ra),
-        um(a.rq),
-        um(a.rt),
+        "achieved Ra {} Rq {} Rt {} um Rsk {} Rku {} Rdq {}",
+        height(a.ra),
+        height(a.rq),
+        height(a.rt),
         number(a.rsk),
         number(a.rku),
         number(a.rdq)

@@ -1,5 +1,6 @@
 //! Facts that were read from a file: format, units, points, range, and the origin of each.
 
+use asperity_core::by_size;
 use asperity_core::numerics::extremes;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning;
@@ -69,7 +70,11 @@ impl FileFacts {
                     rounded(spacing),
                     rounded(length)
                 ),
-                format!("heights from {:.4} to {:.4} um", 1e6 * low, 1e6 * high),
+                format!(
+                    "heights from {} to {} um",
+                    by_size(1e6 * low, 4),
+                    by_size(1e6 * high, 4)
+                ),
                 format!("stated: {}", known.collect::<Vec<_>>().join(", ")),
             ],
             json: json!({

@@ -1,5 +1,6 @@
 //! Requested material ratios at levels and heights between ratios.
 
+use asperity_core::by_size;
 use asperity_core::quantity::Length;
 use asperity_report::profile_json::um;
 use asperity_roughness::material_levels::MaterialLevels;
@@ -37,10 +38,10 @@ impl Levels {
         let ratio = |(c, percent): &(Length, f64)| format!("Rmr({} um) {percent:.2} %", um(*c));
         let height = |(both, height): &(Ratios, Length)| {
             format!(
-                "Rdc({} %, {} %) {:.4} um",
+                "Rdc({} %, {} %) {} um",
                 both.upper,
                 both.lower,
-                um(*height)
+                by_size(um(*height), 4)
             )
         };
         let heights = self.heights.iter().map(height);

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use asperity_core::Profile;
 use asperity_report::chart::{Axis, Chart, Line, Series, stacked};
-use asperity_report::profile_json::um;
+use asperity_report::profile_json::{height as of_height, um};
 use asperity_roughness::material_ratio::{RkParameters, abbott_curve};
 use asperity_roughness::spectral::{PowerSpectrum, power_spectrum};
 
@@ -77,10 +77,10 @@ fn primary(evaluated: &Evaluated, source: &str) -> Chart {
 fn roughness(evaluated: &Evaluated, source: &str) -> Chart {
     let p = &evaluated.iso4287.heights;
     let title = format!(
-        "Roughness profile R: Ra {:.4}, Rq {:.4}, Rz {:.4} µm (ISO 4287)",
-        um(p.ra),
-        um(p.rq),
-        um(p.rz)
+        "Roughness profile R: Ra {}, Rq {}, Rz {} µm (ISO 4287)",
+        of_height(p.ra),
+        of_height(p.rq),
+        of_height(p.rz)
     );
     let first = evaluated.parts.roughness.first_index;
     let rough = series("R", Line::Solid, &evaluated.parts.roughness.profile, first);
@@ -104,10 +104,10 @@ fn material(curve: &[f64], rk: &RkParameters, source: &str) -> Chart {
         [rk.mr2, foot],
     ];
     let title = format!(
-        "Material ratio: Rk {:.4}, Rpk {:.4}, Rvk {:.4} µm, Mr1 {:.1}, Mr2 {:.1} %",
-        um(rk.rk),
-        um(rk.rpk),
-        um(rk.rvk),
+        "Material ratio: Rk {}, Rpk {}, Rvk {} µm, Mr1 {:.1}, Mr2 {:.1} %",
+        of_height(rk.rk),
+        of_height(rk.rpk),
+        of_height(rk.rvk),
         rk.mr1,
         rk.mr2
     );

@@ -2,10 +2,12 @@
 
 use std::path::Path;
 
+use asperity::flanks::sheets::LEAST_ROWS;
+use asperity_core::by_size;
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::Surface;
 use asperity_report::Report;
-use asperity_report::profile_json::um;
+use asperity_report::profile_json::{height, um};
 use asperity_roughness::areal::{ArealParameters, parameters};
 use asperity_roughness::lay::{RowLay, lay_of_rows};
 use serde_json::json;
@@ -63,7 +65,9 @@ pub(super) fn print(
         }
         Err(reason) => format!("lay of traces along the rows unknown: {reason}"),
     };
-    let rows = args.reading.line.is_none().then_some(surface.rows);
+    // A case takes a scan whole: its lay decides between its rows and patches. Of few rows, or without both spacings, it takes rows.
+    let is_scan = surface.dx.is_some() && surface.dy.is_some() && surface.rows >= LEAST_ROWS;
+    let rows = (args.reading.line.is_none() && !is_scan).then_some(surface.rows);
     let json = || {
         let mut facts = json!({
             "file": surface.name,
@@ -119,16 +123,16 @@ fn measured_lay(surface: &Surface, plan: &Plan) -> Result<RowLay, String> {
 pub(super) fn areal_line(areal: &ArealParameters) -> String {
     let shape = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
     format!(
-        "Sa {:.4} Sq {:.4} Sp {:.4} Sv {:.4} Sz {:.4} um, Ssk {} Sku {}, Sdq {:.4}, Sdr {:.3} %",
-        um(areal.sa),
-        um(areal.sq),
-        um(areal.sp),
-        um(areal.sv),
-        um(areal.sz),
+        "Sa {} Sq {} Sp {} Sv {} Sz {} um, Ssk {} Sku {}, Sdq {}, Sdr {} %",
+        height(areal.sa),
+        height(areal.sq),
+        height(areal.sp),
+        height(areal.sv),
+        height(areal.sz),
         shape(areal.ssk),
         shape(areal.sku),
-        areal.sdq,
-        100.0 * areal.sdr
+        by_size(areal.sdq, 4),
+        by_size(100.0 * areal.sdr, 3)
     )
 }
 

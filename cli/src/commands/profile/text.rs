@@ -1,9 +1,9 @@
 //! Report of one profile.
 
-use asperity_core::Code;
 use asperity_core::quantity::Length;
+use asperity_core::{Code, by_size, decimals};
 use asperity_profile_io::read::FilterState;
-use asperity_report::profile_json::um;
+use asperity_report::profile_json::{height, um};
 use asperity_report::{Cell, Report, Table, columns};
 use asperity_roughness::height_parameters::HeightParameters;
 use asperity_roughness::material_ratio::RkParameters;
@@ -110,22 +110,25 @@ fn stated_cutoffs(evaluated: &Evaluated) -> Vec<String> {
     lines
 }
 
+/// Decimals of a height in µm and of a slope, which have more if they are small.
+const HEIGHT: usize = 4;
+
 /// Parameter of a table: name, digits, value.
 type Parameter<T> = (&'static str, usize, fn(&T) -> Option<f64>);
 
 const HEIGHTS: [Parameter<HeightParameters>; 12] = [
-    ("Ra", 4, |p| Some(um(p.ra))),
-    ("Rq", 4, |p| Some(um(p.rq))),
-    ("Rz", 4, |p| Some(um(p.rz))),
-    ("Rz1max", 4, |p| Some(um(p.rz1max))),
-    ("Rp", 4, |p| Some(um(p.rp))),
-    ("Rv", 4, |p| Some(um(p.rv))),
-    ("Rt", 4, |p| Some(um(p.rt))),
-    ("Rc", 4, |p| p.rc.map(um)),
+    ("Ra", HEIGHT, |p| Some(um(p.ra))),
+    ("Rq", HEIGHT, |p| Some(um(p.rq))),
+    ("Rz", HEIGHT, |p| Some(um(p.rz))),
+    ("Rz1max", HEIGHT, |p| Some(um(p.rz1max))),
+    ("Rp", HEIGHT, |p| Some(um(p.rp))),
+    ("Rv", HEIGHT, |p| Some(um(p.rv))),
+    ("Rt", HEIGHT, |p| Some(um(p.rt))),
+    ("Rc", HEIGHT, |p| p.rc.map(um)),
     ("RSm", 3, |p| p.rsm.map(um)),
     ("Rsk", 3, |p| p.rsk),
     ("Rku", 3, |p| p.rku),
-    ("Rdq", 4, |p| Some(p.rdq)),
+    ("Rdq", HEIGHT, |p| Some(p.rdq)),
 ];
 
 fn heights(evaluated: &Evaluated, details: &Details) -> Table {
@@ -154,9 +157,9 @@ fn heights(evaluated: &Evaluated, details: &Details) -> Table {
 }
 
 const MATERIAL: [Parameter<RkParameters>; 5] = [
-    ("Rk", 4, |m| Some(um(m.rk))),
-    ("Rpk", 4, |m| Some(um(m.rpk))),
-    ("Rvk", 4, |m| Some(um(m.rvk))),
+    ("Rk", HEIGHT, |m| Some(um(m.rk))),
+    ("Rpk", HEIGHT, |m| Some(um(m.rpk))),
+    ("Rvk", HEIGHT, |m| Some(um(m.rvk))),
     ("Mr1", 2, |m| Some(m.mr1)),
     ("Mr2", 2, |m| Some(m.mr2)),
 ];
@@ -206,10 +209,10 @@ fn choices(evaluated: &Evaluated) -> String {
 fn spectral(evaluated: &Evaluated, details: &Details) -> Vec<String> {
     let s = &evaluated.iso4287.spectral;
     let moments = format!(
-        "m0 {:.5} um2, m2 {:.5}, m4 {:.5} 1/um2, bandwidth {}",
-        s.m0 * 1e12,
-        s.m2,
-        s.m4 * 1e-12,
+        "m0 {} um2, m2 {}, m4 {} 1/um2, bandwidth {}",
+        by_size(s.m0 * 1e12, 5),
+        by_size(s.m2, 5),
+        by_size(s.m4 * 1e-12, 5),
         number(s.bandwidth(), 2)
     );
     let correlation = details.correlation.map_or("none".to_owned(), |lengths| {
@@ -233,11 +236,11 @@ fn spectral(evaluated: &Evaluated, details: &Details) -> Vec<String> {
 fn summits(details: &Details) -> String {
     let shown = details.summits.map_or("none".to_owned(), |summits| {
         format!(
-            "{:.1} per mm (Gaussian {:.1}), {:.4} um high (standard deviation {:.4} um), radius {}",
+            "{:.1} per mm (Gaussian {:.1}), {} um high (standard deviation {} um), radius {}",
             1e-3 * summits.density,
             1e-3 * summits.spectral_density,
-            um(summits.mean_height),
-            um(summits.height_deviation),
+            height(summits.mean_height),
+            height(summits.height_deviation),
             summits.mean_radius.map_or("none".to_owned(), micrometres),
         )
     });
@@ -324,13 +327,7 @@ fn number(value: Option<f64>, digits: usize) -> String {
     match value {
         None => "none".to_owned(),
         Some(v) if v.abs() >= WIDEST => format!("{v:.4e}"),
-        Some(v) => {
-            let shown = format!("{v:.digits$}");
-            let is_zero = shown.trim_start_matches(['-', '0', '.']).is_empty();
-            match shown.strip_prefix('-') {
-                Some(zero) if is_zero => zero.to_owned(),
-                _ => shown,
-            }
-        }
+        Some(v) if digits >= HEIGHT => by_size(v, digits),
+        Some(v) => decimals(v, digits),
     }
 }

@@ -524,6 +524,12 @@ impl Digits {
         })
     }
 
+    /// The digits with one place more.
+    #[must_use]
+    pub const fn finer(self) -> Self {
+        Self::of_decimals(self.decimals + 1)
+    }
+
     /// Digits of a percentage of `power` for losses with these digits.
     #[must_use]
     pub fn of_percent(self, power: f64) -> Self {

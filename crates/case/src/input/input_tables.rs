@@ -42,7 +42,7 @@ table! {
 
     /// Numbers of teeth z, pinion then wheel; negative for a ring gear: `[24, -75]`.
     teeth: [i32; 2] = "" usual [10.0, 300.0] possible [3.0, 5000.0];
-    /// Module m.
+    /// Normal module m_n; the transverse one with `module_plane = "transverse"`.
     module: Length = "mm" usual [0.3, 40.0] possible [0.02, 200.0];
     /// Plane in which the module is measured; default `normal`.
     module_plane: Option<Plane>;
@@ -52,7 +52,8 @@ table! {
     pressure_angle: Option<Angle> = "deg" usual [14.0, 30.0] possible OPEN;
     /// Face width b, one value for both gears or `[pinion, wheel]`.
     face_width: OneOrTwo<Length> = "mm" usual [1.0, 1000.0] possible [0.01, 10_000.0];
-    /// Profile shift coefficients x, pinion then wheel; default `[0, 0]`. With only `centre_distance`, its sum of the shifts,
+    /// Profile shift coefficients x, pinion then wheel; default `[0, 0]`. A positive one brings the teeth of a ring gear towards its
+    /// axis. With only `centre_distance`, its sum of the shifts,
     /// divided for equal specific sliding at both ends of contact (W445).
     profile_shift: Option<[f64; 2]> = "" usual [-1.5, 1.5] possible OPEN;
     /// Working centre distance a; derived from the profile shifts when not given.

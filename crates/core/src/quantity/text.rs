@@ -4,9 +4,11 @@ use super::error::{QuantityError, with_article};
 use super::unit::{ICE, Quantity, Scale, Unit};
 use crate::unit_text;
 
+/// All units that a quantity accepts, with their other spellings.
 pub(super) fn accepted<Q: Quantity>() -> String {
-    let symbols: Vec<_> = Q::UNITS.iter().map(|unit| unit.symbol).collect();
-    symbols.join(", ")
+    let units = Q::UNITS.iter();
+    let units = units.flat_map(|unit| std::iter::once(&unit.symbol).chain(unit.spellings));
+    units.copied().collect::<Vec<_>>().join(", ")
 }
 
 /// The error for a bare number where a quantity is due.

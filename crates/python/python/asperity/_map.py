@@ -109,7 +109,7 @@ class Map(Study, MapArrays, MapValues):
 
         Parameters:
             torque_nm, speed_rpm: numbers, broadcast; or ``torque``, ``speed``: text with a unit, quantities of pint.
-            temperature_c, temperature: a node of the map; default the first.
+            temperature_c, temperature: a node of the map; default next to that of the case.
             finish: name of the finish, or its number.
 
         A negative speed is reverse, where a negative torque drives: it has the loss of the same power forwards.
@@ -145,7 +145,8 @@ class Map(Study, MapArrays, MapValues):
     def _node(self, at: Optional[Floats]) -> int:
         """Number of a temperature among the nodes."""
         if at is None:
-            return 0
+            of_case = self._values.get("operating_temperature_c")
+            return 0 if of_case is None else int(np.argmin(np.abs(self.temperature_c - of_case)))
         nodes = self.temperature_c
         is_node = np.isclose(nodes, at, rtol=0.0, atol=1e-9) if at.shape == (1,) else np.zeros(1)
         if not is_node.any():

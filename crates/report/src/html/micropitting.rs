@@ -1,9 +1,10 @@
 //! The micropitting rating, and the measured flanks at the same positions.
 
 use asperity::result::MicropittingReport;
+use asperity_core::by_size;
 use maud::{Markup, html};
 
-use crate::columns;
+use crate::{Cell, columns};
 
 /// The smallest specific film and all positions.
 pub(super) fn section(report: &MicropittingReport) -> Markup {
@@ -35,7 +36,7 @@ pub(super) fn section(report: &MicropittingReport) -> Markup {
             number path "path" "%" "{:.1}" = 100.0 * cell.path_fraction;
             number pressure_mpa "p" "MPa" "{:.0}";
             number flash_k "flash" "K" "{:.1}";
-            number film_um "h" "µm" "{:.4}";
+            number film_um "h" "µm" = Cell::number(cell.film_um, |um| by_size(um, 4));
             number lambda "λ_GF" "" "{:.3}";
             number lambda_short "λ, Rq below 0.08 mm" "" "{:.3}";
             number solid_share "on asperities" "%" "{:.1}" = 100.0 * cell.solid_share;

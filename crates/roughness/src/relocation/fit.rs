@@ -3,6 +3,7 @@
 use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::{Cholesky, Z_75};
 use asperity_core::{Code, Fault, cite};
+use std::ops::Range;
 
 use super::noise::Noise;
 use super::search::Match;
@@ -24,8 +25,13 @@ const SPARED: f64 = 2.73;
 /// The lowest two slices are worn if they differ by more than this number of standard errors.
 const WORN: f64 = 4.0;
 const WORN_DALES: &str = "too few dales are left for a match: the lowest twentieth of the points lost another height than the next one";
-/// Numbers of a place that are held while height and tilt settle.
-const SHIFT_AND_STRETCH: usize = 2;
+/// Numbers of a place, of which those from the height on are linear.
+pub(super) const MIDDLE: usize = 0;
+pub(super) const STRETCH: usize = 1;
+pub(super) const HEIGHT: usize = 2;
+pub(super) const TILT: usize = 3;
+pub(super) const BOW: usize = 4;
+const NUMBERS: usize = 5;
 /// Most steps of a robust mean.
 const MEAN_STEPS: usize = 20;
 /// Most steps of the least squares, steps with a scale of their own, and steps of height and tilt in each.
@@ -46,6 +52,15 @@ pub(super) struct Place {
     pub height: f64,
     /// Height to add at its end, in addition \[m\].
     pub tilt: f64,
+    /// Height to add at both ends, in addition, as a parabola \[m\].
+    pub bow: f64,
+}
+
+impl Place {
+    /// Height to add to the second trace at a position from −1 to 1 \[m\].
+    pub(super) fn added(&self, along: f64) -> f64 {
+        self.height + (self.tilt + self.bow * along) * along
+    }
 }
 
 /// Both traces at one place, at the points of the second.
@@ -70,6 +85,8 @@ pub(super) struct Fit {
     normal: Cholesky,
     /// Share of the points that are spared dales.
     share: f64,
+    /// Numbers of the place that were fitted.
+    free: usize,
     /// Noise.
     pub noise: Noise,
     /// Difference of the upper from the lower dales, at least its standard error \[m\].
@@ -78,27 +95,34 @@ pub(super) struct Fit {
 
 impl Fit {
     /// ```text
-    /// min over s, e, h, t of Σ_dales ρ(z_b(s + (1 + e) x) − z_a(x) − h − t x)                     [Relocation-2]
+    /// min over s, e, h, t, b of Σ_dales ρ(z_b(s + (1 + e) x) − z_a(x) − h − t x − b x²)           [Relocation-2]
     /// ```
+    ///
+    /// b is 0 unless the form may have changed by a parabola.
     ///
     /// ρ is Tukey's biweight with the scale of the shortest half. The dales are the lowest points, from a tenth of all
     /// upwards as long as the next twentieth has the same height, at most half.
-    pub(super) fn of(before: &Trace, after: &Trace, start: Match) -> Result<Self, Fault> {
+    pub(super) fn of(
+        [before, after]: [&Trace; 2],
+        start: Match,
+        has_bow: bool,
+    ) -> Result<Self, Fault> {
         cite!("Relocation-2");
         let half = 0.5 * after.length();
-        let stretch = start.stretch * half;
         let mut place = Place {
-            middle: start.shift + half + stretch,
-            stretch,
+            middle: start.shift + half,
+            stretch: start.stretch * half,
             height: 0.0,
             tilt: 0.0,
+            bow: 0.0,
         };
+        let free = if has_bow { NUMBERS } else { BOW };
         let mut share = 0.4;
-        let mut fit = Self::settled(before, after, place, share)?;
+        let mut fit = Self::settled([before, after], place, share, free)?;
         for _ in 0..2 {
             place = fit.place;
             share = fit.spared().share;
-            fit = Self::settled(before, after, place, share)?;
+            fit = Self::settled([before, after], place, share, free)?;
         }
         let spared = fit.spared();
         fit.uneven = spared.uneven;
@@ -108,12 +132,12 @@ impl Fit {
         }
     }
 
-    /// The fit to the dales of a share of the points.
+    /// The fit of the first `free` numbers of the place to the dales of a share of the points.
     fn settled(
-        before: &Trace,
-        after: &Trace,
+        [before, after]: [&Trace; 2],
         mut place: Place,
         share: f64,
+        free: usize,
     ) -> Result<Self, RoughnessError> {
         let (mut chosen, mut change) = (None, f64::INFINITY);
         for step in 0..MAX_STEPS {
@@ -123,7 +147,7 @@ impl Fit {
             if step < FREE_STEPS {
                 let is_dale = points.dales(share);
                 let (middle, scale) = points.scale(&is_dale);
-                points.moved(&mut place, [0.0, 0.0, middle, 0.0]);
+                points.moved(&mut place, [0.0, 0.0, middle, 0.0, 0.0]);
                 let mut of_trace = vec![false; after.heights.len()];
                 of_trace[points.first..points.first + is_dale.len()].copy_from_slice(&is_dale);
                 chosen = Some((of_trace, scale));
@@ -132,17 +156,17 @@ impl Fit {
                 break;
             };
             let is_dale = &is_dale[points.first..points.first + points.lost.len()];
-            // Height and tilt are linear, and settle first.
+            // Height, tilt and bow are linear, and settle first.
             for _ in 0..LINEAR_STEPS {
-                let solved = points.step(&points.weights(is_dale, *scale), SHIFT_AND_STRETCH)?;
-                points.moved(&mut place, solved);
+                let weights = points.weights(is_dale, *scale);
+                points.moved(&mut place, points.step(&weights, HEIGHT..free)?);
             }
             let weights = points.weights(is_dale, *scale);
-            let moved = points.step(&weights, 0)?;
+            let moved = points.step(&weights, 0..free)?;
             points.moved(&mut place, moved);
             change = (moved[0].abs() + moved[1].abs()) / before.dx;
             if step >= FREE_STEPS && change < SETTLED {
-                return points.done(place, (weights, *scale), share, after.dx);
+                return points.done(place, (weights, *scale), (share, free), after.dx);
             }
         }
         Err(RoughnessError::NotConverged {
@@ -154,7 +178,7 @@ impl Fit {
 
     /// Change of Σ b_i r_i with each residual: of the sum itself and through the place fitted.
     pub(super) fn influence(&self, b: &[f64]) -> Vec<f64> {
-        let mut by_place = [0.0; 4];
+        let mut by_place = [0.0; NUMBERS];
         for (i, b) in b.iter().enumerate() {
             let row = self.row(i);
             for (sum, of) in by_place.iter_mut().zip(row) {
@@ -170,9 +194,15 @@ impl Fit {
         b.iter().enumerate().map(of).collect()
     }
 
-    /// Standard deviation of a linear function of the place: middle, stretch, height, tilt.
-    pub(super) fn deviation_of_place(&self, of: [f64; 4]) -> f64 {
-        let mut direction = of;
+    /// Whether a parabola was fitted.
+    pub(super) fn has_bow(&self) -> bool {
+        self.free > BOW
+    }
+
+    /// Standard deviation of a number of the place.
+    pub(super) fn deviation_of_place(&self, number: usize) -> f64 {
+        let mut direction = [0.0; NUMBERS];
+        direction[number] = 1.0;
         self.normal.solve(&mut direction);
         let each = |i: usize| -> f64 {
             let row = self.row(i);
@@ -220,8 +250,11 @@ impl Fit {
         self.levels()(self.share)
     }
 
-    fn row(&self, i: usize) -> [f64; 4] {
-        row(self.slopes[i], self.along[i])
+    /// Change of a residual with each number of the place, zero with one that was not fitted.
+    fn row(&self, i: usize) -> [f64; NUMBERS] {
+        let mut row = row(self.slopes[i], self.along[i]);
+        row[self.free..].fill(0.0);
+        row
     }
 
     /// The dales from the lowest slice upwards, as long as the next has the same height.
@@ -307,8 +340,8 @@ fn location(values: &[f64]) -> (f64, Vec<f64>) {
     (middle, weights)
 }
 
-fn row(slope: f64, along: f64) -> [f64; 4] {
-    [slope, slope * along, -1.0, -along]
+fn row(slope: f64, along: f64) -> [f64; NUMBERS] {
+    [slope, slope * along, -1.0, -along, -along * along]
 }
 
 fn biweight(residual: f64, deviation: f64) -> f64 {
@@ -331,19 +364,19 @@ fn shortest_half(values: &[f64]) -> (f64, f64) {
     )
 }
 
-/// Normal matrix, the sum of `of` over all points by point, row and column. The first `held` unknowns stay as they are.
+/// Normal matrix, the sum of `of` over all points by point, row and column. Unknowns that are not free stay as they are.
 fn normal(
     of: impl Fn(usize, usize, usize) -> f64,
     weights: &[f64],
-    held: usize,
+    free: &Range<usize>,
 ) -> Result<Cholesky, RoughnessError> {
-    let sum = |j: usize, k: usize| match j.min(k) < held {
-        true => f64::from(u8::from(j == k)),
-        false => (0..weights.len()).map(|i| of(i, j, k)).sum(),
+    let sum = |j: usize, k: usize| match free.contains(&j) && free.contains(&k) {
+        true => (0..weights.len()).map(|i| of(i, j, k)).sum(),
+        false => f64::from(u8::from(j == k)),
     };
-    Cholesky::new(4, sum, 0.0).ok_or(RoughnessError::TooFewPoints {
+    Cholesky::new(NUMBERS, sum, 0.0).ok_or(RoughnessError::TooFewPoints {
         points: weights.iter().filter(|weight| **weight > 0.0).count(),
-        needed: 4,
+        needed: NUMBERS,
         purpose: "the match of two traces",
     })
 }
@@ -389,9 +422,7 @@ impl Points {
             points.slopes.push(slope);
             points.after_slopes.push(after_slope);
             points.level.push(0.5 * (level + rough));
-            points
-                .lost
-                .push(height - z - place.height - place.tilt * along);
+            points.lost.push(height - z - place.added(along));
         }
         RoughnessError::at_least(points.along.len(), MIN_POINTS, "the overlap of two traces")?;
         Ok(points)
@@ -424,26 +455,28 @@ impl Points {
         self.lost.iter().zip(is_dale).map(weight).collect()
     }
 
-    /// Change of the place by weighted least squares, without its first `held` numbers.
-    fn step(&self, weights: &[f64], held: usize) -> Result<[f64; 4], RoughnessError> {
+    /// Change of the place by weighted least squares, of its free numbers only.
+    fn step(&self, weights: &[f64], free: Range<usize>) -> Result<[f64; NUMBERS], RoughnessError> {
         let row = |i: usize| row(self.slopes[i], self.along[i]);
-        let mut right = [0.0; 4];
+        let mut right = [0.0; NUMBERS];
         for (i, weight) in weights.iter().enumerate() {
-            for (sum, j) in right.iter_mut().zip(row(i)).skip(held) {
-                *sum -= weight * j * self.lost[i];
+            let row = row(i);
+            for k in free.clone() {
+                right[k] -= weight * row[k] * self.lost[i];
             }
         }
         let of = |i: usize, j: usize, k: usize| weights[i] * row(i)[j] * row(i)[k];
-        normal(of, weights, held)?.solve(&mut right);
+        normal(of, weights, &free)?.solve(&mut right);
         Ok(right)
     }
 
     /// Moves the place; residuals follow height and tilt.
-    fn moved(&mut self, place: &mut Place, change: [f64; 4]) {
+    fn moved(&mut self, place: &mut Place, change: [f64; NUMBERS]) {
         place.middle += change[0];
         place.stretch += change[1];
         place.height += change[2];
         place.tilt += change[3];
+        place.bow += change[4];
         for (i, lost) in self.lost.iter_mut().enumerate() {
             let row = row(self.slopes[i], self.along[i]);
             *lost += row.iter().zip(&change).map(|(j, d)| j * d).sum::<f64>();
@@ -454,7 +487,7 @@ impl Points {
         self,
         place: Place,
         (weights, scale): (Vec<f64>, f64),
-        share: f64,
+        (share, free): (f64, usize),
         dx: f64,
     ) -> Result<Fit, RoughnessError> {
         let counts = |(lost, weight): (&f64, &f64)| *weight > 0.0 && lost.abs() < NOISE * scale;
@@ -466,7 +499,7 @@ impl Points {
                 0.5 * weights[i] * (first[j] * second[k] + first[k] * second[j])
             },
             &weights,
-            0,
+            &(0..free),
         )?;
         let mean = |(first, second): (&f64, &f64)| 0.5 * (first + second);
         let slopes = self
@@ -487,6 +520,7 @@ impl Points {
             weights,
             normal,
             share,
+            free,
             uneven: 0.0,
         })
     }

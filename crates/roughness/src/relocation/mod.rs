@@ -12,12 +12,13 @@
 //! | x | place on the second trace from its middle | m |
 //! | s | place of the middle of the second trace on the first | m |
 //! | e | stretch of the second trace | - |
-//! | h, t | height and tilt to add to the second trace | m, - |
+//! | h, t, b | height, tilt and parabola to add to the second trace | m, -, 1/m |
 //! | γ_k | autocovariance of the residuals in the dales | m² |
 
 mod changes;
 mod fit;
 mod noise;
+mod placed;
 mod relocated;
 mod rise;
 mod search;

@@ -6,19 +6,17 @@ use asperity_core::quantity::Length;
 use asperity_core::{Code, DomainError, Estimate, Fault, Profile, cite};
 
 use crate::error::RoughnessError;
+use crate::form::Form;
 use crate::gaussian_filter::{Ends, mean_line};
 use crate::generate::Random;
 
-use super::fit::Fit;
+use super::fit::{BOW, Fit, HEIGHT, MIDDLE, STRETCH, TILT};
 use super::noise::Noise;
+use super::placed::placed;
 use super::rise::{self, MOVED};
 use super::search::search;
 use super::traces::{Trace, height_at, noise_cutoff};
 
-/// Least correlation of the dales.
-const LEAST_CORRELATION: f64 = 0.7;
-/// A place elsewhere matches as well if this part of the distance from full correlation is between both.
-const CLEARLY: f64 = 0.7;
 /// Standard deviation of the height over the gain of the dales: where some rose, others that were matched may have risen as well.
 const RISEN: f64 = 1.0;
 /// Height below which traces on each other differ by the rounding of their match \[m\].
@@ -26,13 +24,15 @@ const LEAST_CHANGE: f64 = 1e-11;
 /// Sets of made noise that show the gain of noise.
 pub(super) const SETS: usize = 40;
 
-/// Bounds of a relocation.
+/// Bounds of a relocation, and what may differ between the traces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     /// Largest shift, to either side.
     pub shift: Length,
     /// Largest stretch, to either side.
     pub stretch: f64,
+    /// Form by which the second trace may differ: [`Form::Level`], a height and a tilt, or [`Form::Poly2`], a parabola as well.
+    pub form: Form,
 }
 
 impl Default for Bounds {
@@ -40,6 +40,7 @@ impl Default for Bounds {
         Self {
             shift: Length::from_si(0.5e-3),
             stretch: 0.003,
+            form: Form::Level,
         }
     }
 }
@@ -48,12 +49,16 @@ impl Bounds {
     /// Checks the bounds, and returns the largest shift \[m\].
     ///
     /// # Errors
-    /// When the shift is negative, or the stretch is not from 0 to 0.05.
-    pub fn check(&self) -> Result<f64, DomainError> {
+    /// When the shift is negative, the stretch is not from 0 to 0.05, or the form is neither a line nor a parabola.
+    pub fn check(&self) -> Result<f64, Fault> {
+        if !matches!(self.form, Form::Level | Form::Poly2) {
+            let message = "form: between two traces, level (height and tilt) or poly2 (a parabola as well) can have changed";
+            return Err(Fault::new(Code::E205, message));
+        }
         let rule = "must be from 0 to 0.05";
         let is_valid = (0.0..=0.05).contains(&self.stretch);
         DomainError::require(is_valid, "max_stretch", self.stretch, "-", rule)?;
-        DomainError::non_negative("max_shift", self.shift)
+        Ok(DomainError::non_negative("max_shift", self.shift)?)
     }
 }
 
@@ -70,6 +75,8 @@ pub struct Relocation {
     pub height: Estimate<Length>,
     /// Slope to add to the second trace.
     pub tilt: Estimate,
+    /// Height to add to the second trace at the ends of its whole length, as a parabola; `None` with [`Form::Level`].
+    pub bow: Option<Estimate<Length>>,
     /// Correlation of the dales.
     pub correlation: f64,
     /// Best correlation of the dales at another place.
@@ -117,7 +124,10 @@ impl Relocation {
             let from_middle =
                 (i as f64 * dx - half - self.shift.value.si()) / (1.0 + self.stretch.value);
             let z = height_at(after.heights(), (from_middle + half) / spacing);
-            z + self.height.value.si() + self.tilt.value * from_middle
+            let bow = self.bow.map_or(0.0, |bow| bow.value.si());
+            z + self.height.value.si()
+                + self.tilt.value * from_middle
+                + bow * (from_middle / half).powi(2)
         };
         let after: Vec<f64> = points.clone().map(on_first).collect();
         let before = before.heights().get(points).unwrap_or_default().to_vec();
@@ -135,7 +145,8 @@ impl Relocation {
 /// Relocates the trace `after` on the trace `before`.
 ///
 /// # Errors
-/// When a trace is too short for the filters, or the traces are not of the same place.
+/// When a trace is too short for the filters, the traces are not of the same place, or they match at several places alike. All places
+/// are compared at which half of the shorter trace overlaps; the bound of the shift excludes places, and makes none certain.
 ///
 /// ```
 /// use asperity_core::{Profile, quantity::Length};
@@ -159,20 +170,12 @@ pub fn relocate(before: &Profile, after: &Profile, bounds: Bounds) -> Result<Rel
     let shift = bounds.check()?;
     let cutoff = noise_cutoff(before, after);
     let [first, second] = [Trace::new(before, cutoff)?, Trace::new(after, cutoff)?];
-    let found = search(&first, &second, (shift, bounds.stretch)).map_err(RoughnessError::from)?;
-    let is_unclear = 1.0 - found.correlation > CLEARLY * (1.0 - found.elsewhere);
-    if found.correlation < LEAST_CORRELATION || is_unclear {
-        let message = format!(
-            "not the same place: the dales of both traces correlate by {:.2} at best, and by {:.2} at another place",
-            found.correlation, found.elsewhere
-        );
-        return Err(Fault::new(Code::E143, message));
-    }
-    let fit = Fit::of(&first, &second, found)?;
+    let found = search(&first, &second, bounds.stretch).map_err(RoughnessError::from)?;
+    let (fit, correlation) = placed([&first, &second], &found, (shift, bounds.form))?;
     relocation(
         &fit,
         (&first, &second),
-        (found.correlation, found.elsewhere),
+        (correlation, found.elsewhere),
         cutoff,
     )
 }
@@ -202,21 +205,16 @@ fn relocation(
         .sqrt()
         .max(RISEN * gain.max(0.0));
     let of_dales = risen.hypot(of_choice);
-    let of_height = fit.deviation_of_place([0.0, 0.0, 1.0, 0.0]).hypot(of_dales);
+    let of_height = fit.deviation_of_place(HEIGHT).hypot(of_dales);
     let removed = fit.lost.iter().sum::<f64>() * part;
     let of_removed = fit.noise.variance(&fit.influence(&vec![part; n])).sqrt();
     let of_removed = of_removed.hypot(of_dales);
     Ok(Relocation {
-        shift: length(
-            place.middle - half,
-            fit.deviation_of_place([1.0, 0.0, 0.0, 0.0]),
-        ),
-        stretch: within(stretch, fit.deviation_of_place([0.0, 1.0, 0.0, 0.0]) / half),
+        shift: length(place.middle - half, fit.deviation_of_place(MIDDLE)),
+        stretch: within(stretch, fit.deviation_of_place(STRETCH) / half),
         height: length(place.height + first.middle - second.middle, of_height),
-        tilt: within(
-            place.tilt / half,
-            fit.deviation_of_place([0.0, 0.0, 0.0, 1.0]) / half,
-        ),
+        tilt: within(place.tilt / half, fit.deviation_of_place(TILT) / half),
+        bow: (fit.has_bow()).then(|| length(place.bow, fit.deviation_of_place(BOW))),
         correlation,
         elsewhere,
         matched: fit.matched(),

@@ -13,56 +13,95 @@ const LEAST_OVERLAP: f64 = 0.5;
 const STEP: f64 = 1.0;
 /// A place is another one at this distance \[m\].
 const ELSEWHERE: f64 = 20e-6;
+/// A place may match as well as the best if this part of its distance from full correlation is that of the best.
+const CLEARLY: f64 = 0.5;
+/// Distance from full correlation that resampling leaves.
+const RESAMPLED: f64 = 1e-6;
 
-/// Place of the best match.
+/// A place of the second trace on the first.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Match {
     /// Correlation of the dales.
     pub correlation: f64,
-    /// Shift of the first point \[m\].
+    /// Shift of the middle \[m\].
     pub shift: f64,
     /// Stretch.
     pub stretch: f64,
+}
+
+/// Places at which the traces match.
+#[derive(Debug)]
+pub(super) struct Matches {
+    /// The best place and those that may match as well, the best first.
+    pub alike: Vec<Match>,
     /// Best correlation elsewhere.
     pub elsewhere: f64,
 }
 
 /// ```text
-/// ρ(s, e) = corr( min(r_b(s + (1 + e) x), median), min(r_a(x), median) ),  largest over |s|, |e| within bounds   [Relocation-1]
+/// ρ(s, e) = corr( min(r_b(s + (1 + e) x), median), min(r_a(x), median) ),  largest over s and |e| within the bound   [Relocation-1]
 /// ```
 ///
-/// The correlation over the overlap of each shift, which is at least half of the shorter trace.
+/// The correlation over the overlap of each shift, which is at least half of the shorter trace, both without their ends.
 pub(super) fn search(
     before: &Trace,
     after: &Trace,
-    bounds: (f64, f64),
-) -> Result<Match, Cancelled> {
+    most_stretch: f64,
+) -> Result<Matches, Cancelled> {
     cite!("Relocation-1");
-    let (most_shift, most_stretch) = bounds;
     let dx = before.dx;
-    let first = before.dales();
-    let second = after.dales();
+    let (first, first_begin) = before.dales();
+    let (second, second_begin) = after.dales();
     let steps = (most_stretch * after.length() / (2.0 * STEP * dx)).ceil() as i64;
     let mut table = Vec::new();
     for k in -steps..=steps {
         checkpoint()?;
         let stretch = most_stretch * k as f64 / steps.max(1) as f64;
         let stretched = respaced(&second, after.dx * (1.0 + stretch), dx);
-        let found = correlations(&first, &stretched, (most_shift / dx).ceil() as i64);
-        table.extend(found.into_iter().map(|(k, c)| (c, k as f64 * dx, stretch)));
+        let of_middle =
+            first_begin - (1.0 + stretch) * second_begin + 0.5 * stretch * after.length();
+        let at = |(k, correlation): (i64, f64)| Match {
+            correlation,
+            shift: k as f64 * dx + of_middle,
+            stretch,
+        };
+        table.extend(correlations(&first, &stretched).into_iter().map(at));
     }
-    let by_correlation = |a: &&(f64, f64, f64), b: &&(f64, f64, f64)| a.0.total_cmp(&b.0);
-    let none = (0.0, 0.0, 0.0);
-    let best = *table.iter().max_by(by_correlation).unwrap_or(&none);
-    // With another stretch the same place matches in a part of the trace only, at a shift that differs by the rest.
-    let reach = ELSEWHERE + most_stretch * after.length();
-    let others = table.iter().filter(|one| (one.1 - best.1).abs() > reach);
-    Ok(Match {
-        correlation: best.0,
-        shift: best.1,
-        stretch: best.2,
-        elsewhere: others.max_by(by_correlation).unwrap_or(&none).0,
-    })
+    Ok(places(&best_stretches(table, dx), dx))
+}
+
+/// The best stretch at each shift, which are `dx` apart.
+fn best_stretches(mut table: Vec<Match>, dx: f64) -> Vec<Match> {
+    let bin = |place: &Match| (place.shift / dx).round() as i64;
+    let worst_first = |a: &Match, b: &Match| a.correlation.total_cmp(&b.correlation);
+    table.sort_unstable_by(|a, b| bin(a).cmp(&bin(b)).then(worst_first(b, a)));
+    table.dedup_by_key(|place| bin(place));
+    table
+}
+
+/// The best of all shifts, and of each run of shifts that match as well.
+fn places(shifts: &[Match], dx: f64) -> Matches {
+    let by_correlation = |a: &&Match, b: &&Match| a.correlation.total_cmp(&b.correlation);
+    let Some(best) = shifts.iter().max_by(by_correlation).copied() else {
+        return Matches {
+            alike: Vec::new(),
+            elsewhere: 0.0,
+        };
+    };
+    let is_alike =
+        |place: &Match| CLEARLY * (1.0 - place.correlation) <= 1.0 - best.correlation + RESAMPLED;
+    let runs = shifts.chunk_by(|a, b| is_alike(a) == is_alike(b) && b.shift - a.shift < 2.0 * dx);
+    let tops = runs.filter_map(|run| run.iter().max_by(by_correlation).copied());
+    let mut alike: Vec<Match> = tops.filter(is_alike).collect();
+    alike.sort_by(|a, b| by_correlation(&b, &a));
+    let others = shifts.iter();
+    let others = others.filter(|place| (place.shift - best.shift).abs() > ELSEWHERE);
+    Matches {
+        alike,
+        elsewhere: others
+            .max_by(by_correlation)
+            .map_or(0.0, |place| place.correlation),
+    }
 }
 
 /// Values `from` apart, at a distance of `to` by linear interpolation.
@@ -76,8 +115,8 @@ fn respaced(values: &[f64], from: f64, to: f64) -> Vec<f64> {
     (0..=count).map(at).collect()
 }
 
-/// Correlation over the overlap for each shift within `most` points.
-fn correlations(first: &[f64], second: &[f64], most: i64) -> Vec<(i64, f64)> {
+/// Correlation over the overlap for each shift in points.
+fn correlations(first: &[f64], second: &[f64]) -> Vec<(i64, f64)> {
     let [n, m] = [first.len(), second.len()];
     let length = good_fft_length(n + m);
     let (forward, inverse) = real_transforms(length);
@@ -117,7 +156,9 @@ fn correlations(first: &[f64], second: &[f64], most: i64) -> Vec<(i64, f64)> {
         let scale = (variance(a) * variance(b)).sqrt();
         (scale > 0.0).then(|| (shift, (product - a[0] * b[0] / count) / scale))
     };
-    (-most..=most).filter_map(at).collect()
+    (least - m as i64..=n as i64 - least)
+        .filter_map(at)
+        .collect()
 }
 
 /// Sums of the values and of their squares before each point.

@@ -11,6 +11,9 @@ use crate::preparation::{LAMBDA_C, Preparation};
 /// Least noise cut-off in spacings: between its points a cubic line follows the waves that the filter leaves.
 const CUTOFF_SPACINGS: f64 = 3.0;
 
+/// Longest end without a match, in lengths of the trace.
+const LONGEST_END: f64 = 0.125;
+
 /// Noise cut-off of two traces: the usual one, longer if a trace is too coarse for it.
 pub(super) fn noise_cutoff(before: &Profile, after: &Profile) -> Length {
     let usual = Preparation::default().lambda_s.map_or(0.0, Length::si);
@@ -89,12 +92,16 @@ impl Trace {
         Some([sum(&value, z), sum(&slope, z) / self.dx, sum(&value, rough)])
     }
 
-    /// Heights above the mean line, but at most their median, as a match of dales reads them.
-    pub(super) fn dales(&self) -> Vec<f64> {
-        let mut sorted = self.rough.clone();
+    /// Heights above the mean line, but at most their median, as a match of dales reads them, and the place of the first \[m\]: at the
+    /// ends the mean line follows long waves, which are not alike at the ends of two traces of one place.
+    pub(super) fn dales(&self) -> (Vec<f64>, f64) {
+        let end = (0.5 * LAMBDA_C.si()).min(LONGEST_END * self.length());
+        let left_out = (end / self.dx) as usize;
+        let rough = &self.rough[left_out..self.rough.len() - left_out];
+        let mut sorted = rough.to_vec();
         let middle = sorted.len() / 2;
         let (_, level, _) = sorted.select_nth_unstable_by(middle, f64::total_cmp);
-        let level = *level;
-        self.rough.iter().map(|z| z.min(level)).collect()
+        let dales = rough.iter().map(|z| z.min(*level)).collect();
+        (dales, left_out as f64 * self.dx)
     }
 }

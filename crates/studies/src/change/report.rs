@@ -1,12 +1,14 @@
 //! Report of a change of traces: what was removed and moved, both traces over each other, and the parameters.
 
-use asperity::result::loss_band::{Digits, rounded};
+use asperity::result::loss_band::Digits;
 use asperity_core::Estimate;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Cell, Report, StudyResult, StudySettings as _, Table, columns, thin};
 
 use super::digits::{LEAST_NM, digits, height, shown};
-use super::study::{ChangeSettings, Heights, PairRow, ParameterRow, PointRow, TraceChange};
+use super::study::{
+    ChangeSettings, CurveRow, Heights, PairRow, ParameterRow, PointRow, TraceChange, is_undecided,
+};
 use super::worth;
 
 const PAIRS: &str = "pairs.csv";
@@ -34,7 +36,8 @@ impl StudyResult for TraceChange {
         let report = Report::new(&self.title, "change of traces")
             .section("What changed")
             .verdict(self.in_case.iter().map(worth::loss_line))
-            .verdict(verdict(&self.mean))
+            .verdict(verdict(self))
+            .verdict(order(self))
             .verdict(scatter(self))
             .verdict(moved(&self.mean))
             .verdict([parameters_line(self)])
@@ -93,9 +96,9 @@ fn nanometres(estimate: Estimate) -> String {
     digits(estimate, LEAST_NM).interval_with(" nm", estimate)
 }
 
-/// The height removed, or that there is none.
-fn verdict(mean: &Heights) -> [String; 1] {
-    let removed = mean.removed_nm;
+/// The height removed, that there is none, or that the traces do not decide it.
+fn verdict(study: &TraceChange) -> [String; 1] {
+    let removed = study.mean.removed_nm;
     let height = nanometres(removed);
     [if removed.low > 0.0 {
         format!("The test removed {height} of height, as mean over the trace.")
@@ -104,11 +107,42 @@ fn verdict(mean: &Heights) -> [String; 1] {
             "Nothing was removed: the trace is higher by {}, relative to its dales.",
             nanometres(removed.map(|nm| -nm))
         )
+    } else if is_undecided(&study.mean, &study.parameters) {
+        format!(
+            "Undecided: {height} of height was removed, as mean over the trace, and yet the peaks are lower. {}",
+            way_out(study)
+        )
     } else {
         format!(
             "Nothing was removed within the noise floor: {height} of height, as mean over the trace."
         )
     }]
+}
+
+/// How to decide what was removed.
+fn way_out(study: &TraceChange) -> String {
+    match study.mean_with_bow.map(|mean| mean.removed_nm) {
+        Some(removed) if removed.low > 0.0 => format!(
+            "If the second trace is bowed by its clamping or temperature, the test removed {}: state form = poly2.",
+            nanometres(removed)
+        ),
+        _ => "Form or noise between the traces hides it: compare a shorter part of both (range), or measure with less noise.".to_owned(),
+    }
+}
+
+/// That the traces may be in the other order: wear raises no trace without lowering it elsewhere.
+fn order(study: &TraceChange) -> Option<String> {
+    let Heights {
+        lost_nm: lost,
+        gained_nm: gained,
+        ..
+    } = study.mean;
+    (gained.low > 0.0 && lost.low <= 0.0).then(|| {
+        format!(
+            "The second trace gained {} where it is higher and lost nothing, which no wear does. Are the traces in the other order?",
+            nanometres(gained)
+        )
+    })
 }
 
 /// Scatter from pair to pair; `None` of a single one.
@@ -126,7 +160,7 @@ fn scatter(study: &TraceChange) -> Option<String> {
 /// Height that moved; `None` if noise explains it.
 fn moved(mean: &Heights) -> Option<String> {
     let [lost, gained] = [mean.lost_nm, mean.gained_nm];
-    (gained.low > 0.0).then(|| {
+    (gained.low > 0.0 && lost.low > 0.0).then(|| {
         let share = 100.0 * (gained.value / lost.value).min(1.0);
         format!(
             "Material moved: where the trace fell it lost {}, where it rose it gained {}, {share:.0} % of that.",
@@ -136,13 +170,24 @@ fn moved(mean: &Heights) -> Option<String> {
     })
 }
 
-fn is_clear(row: &ParameterRow) -> bool {
-    row.change_um.abs() > row.floor_um
+/// Digits of a change that noise leaves. A change above its floor is printed above it.
+fn digits_of_change(change: f64, floor: f64) -> Digits {
+    /// Places more at most.
+    const MOST_MORE: usize = 4;
+    let is_clear = change.abs() > floor;
+    let mut digits = Digits::of_uncertainty(OF_FLOOR * floor);
+    for _ in 0..MOST_MORE {
+        if is_clear == (digits.steps(change.abs()) > digits.steps(floor)) {
+            break;
+        }
+        digits = digits.finer();
+    }
+    digits
 }
 
 /// Change of a parameter with the digits that noise leaves.
 fn change_of(row: &ParameterRow) -> String {
-    Digits::of_uncertainty((OF_FLOOR * row.floor_um).max(LEAST_UM)).signed(row.change_um)
+    digits_of_change(row.change_um, row.floor_um).signed(row.change_um)
 }
 
 /// The parameters that changed.
@@ -150,7 +195,7 @@ fn parameters_line(study: &TraceChange) -> String {
     let clear: Vec<String> = study
         .parameters
         .iter()
-        .filter(|row| is_clear(row))
+        .filter(|row| row.is_clear())
         .map(|row| {
             let percent = 100.0 * row.change_um / row.before_um;
             format!("{} {} µm ({percent:+.0} %)", row.parameter, change_of(row))
@@ -165,42 +210,46 @@ fn parameters_line(study: &TraceChange) -> String {
 /// Where the second trace of a pair lies on the first.
 fn place(pair: &PairRow) -> String {
     let interval = |estimate: Estimate, least| digits(estimate, least).interval(estimate);
+    let bow = pair
+        .bow_um
+        .map(|bow| format!(" and bowed by {} µm", interval(bow, LEAST_UM)));
     format!(
-        "{} lies {} µm along {}, stretched by {} %; their dales correlate by {:.3}, elsewhere by {:.2}.",
+        "{} lies {} µm along {}, stretched by {} %{}; their dales correlate by {:.3}, elsewhere by {:.3}.",
         pair.after,
         interval(pair.shift_um, LEAST_SHIFT),
         pair.before,
         interval(pair.stretch_percent, LEAST_STRETCH),
+        bow.unwrap_or_default(),
         pair.correlation,
         pair.elsewhere
     )
 }
 
 fn parameters(study: &TraceChange) -> Table {
-    let um = |value: f64, floor: f64| Cell::number(value, |value| rounded(value, OF_FLOOR * floor));
+    let um = |value: f64, row: &ParameterRow| {
+        let digits = digits_of_change(row.change_um, row.floor_um);
+        Cell::number(value, |value| digits.rounded(value))
+    };
     let table = columns! { row in &study.parameters;
         head parameter "parameter" "" = row.parameter;
-        number before_um "before" "µm" = um(row.before_um, row.floor_um);
-        number after_um "after" "µm" = um(row.after_um, row.floor_um);
+        number before_um "before" "µm" = um(row.before_um, row);
+        number after_um "after" "µm" = um(row.after_um, row);
         number change_um "change" "µm" = Cell::number(row.change_um, |_| change_of(row));
-        number floor_um "noise floor" "µm" = um(row.floor_um, row.floor_um);
+        number floor_um "noise floor" "µm" = um(row.floor_um, row);
     };
     table.in_file(PARAMETERS)
 }
 
 fn curve(study: &TraceChange) -> Table {
-    let um = |value: f64, floor: f64| Cell::number(value, |value| rounded(value, OF_FLOOR * floor));
-    let signed = |value: f64, floor: f64| {
-        Cell::number(value, |value| {
-            Digits::of_uncertainty(OF_FLOOR * floor).signed(value)
-        })
-    };
+    let digits = |row: &CurveRow| digits_of_change(row.change_um, row.floor_um);
+    let um = |value: f64, row: &CurveRow| Cell::number(value, |value| digits(row).rounded(value));
+    let signed = |row: &CurveRow| Cell::number(row.change_um, |value| digits(row).signed(value));
     let table = columns! { row in &study.material_ratio;
         number material_ratio_percent "material ratio" "%" "{:.0}";
-        number before_um "level before" "µm" = um(row.before_um, row.floor_um);
-        number after_um "level after" "µm" = um(row.after_um, row.floor_um);
-        number change_um "change" "µm" = signed(row.change_um, row.floor_um);
-        number floor_um "noise floor" "µm" = um(row.floor_um, row.floor_um);
+        number before_um "level before" "µm" = um(row.before_um, row);
+        number after_um "level after" "µm" = um(row.after_um, row);
+        number change_um "change" "µm" = signed(row);
+        number floor_um "noise floor" "µm" = um(row.floor_um, row);
     };
     table.in_file(CURVE)
 }
@@ -216,8 +265,9 @@ fn pairs(study: &TraceChange) -> Table {
         interval stretch_percent "stretch" "%" = shown(pair.stretch_percent, LEAST_STRETCH);
         interval height_um "height" "µm" = shown(pair.height_um, LEAST_UM);
         interval tilt_um_per_mm "tilt" "µm/mm" = shown(pair.tilt_um_per_mm, LEAST_TILT);
+        interval bow_um "bow" "µm" = pair.bow_um.map_or(Cell::estimate("-", None), |bow| shown(bow, LEAST_UM));
         number correlation "correlation" "" "{:.3}";
-        number elsewhere "elsewhere" "" "{:.2}";
+        number elsewhere "elsewhere" "" "{:.3}";
         number matched_percent "dales matched" "%" "{:.0}";
         number noise_nm "noise" "nm" "{:.1}";
         number overlap_mm "common length" "mm" "{:.3}";
@@ -282,9 +332,8 @@ fn traces(id: &str, title: &str, pair: usize, points: &[PointRow]) -> Drawing {
 }
 
 fn curve_chart(study: &TraceChange) -> Drawing {
-    let of = |value: fn(&super::CurveRow) -> f64| {
-        study.material_ratio.iter().map(value).collect::<Vec<f64>>()
-    };
+    let of =
+        |value: fn(&CurveRow) -> f64| study.material_ratio.iter().map(value).collect::<Vec<f64>>();
     let x = of(|row| row.material_ratio_percent);
     let chart = Chart::new(
         "material-ratio",
@@ -297,4 +346,21 @@ fn curve_chart(study: &TraceChange) -> Drawing {
         .curve("before", Line::Dots, &x, &of(|row| row.before_um))
         .curve("after", Line::Dots, &x, &of(|row| row.after_um));
     Drawing::Curves(chart)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_change_above_its_floor_is_printed_above_it() {
+        let shown = |change: f64, floor: f64| {
+            let digits = digits_of_change(change, floor);
+            [digits.signed(change), digits.rounded(floor)]
+        };
+        assert_eq!(shown(0.000_52, 0.000_48), ["+0.00052", "0.00048"]);
+        assert_eq!(shown(-0.0142, 0.0002), ["-0.0142", "0.0002"]);
+        assert_eq!(shown(0.000_48, 0.000_52), ["+0.0005", "0.0005"]);
+        assert_eq!(shown(0.1049, 0.1041), ["+0.105", "0.104"]);
+    }
 }

@@ -5,6 +5,7 @@ use asperity_core::numerics::{deviation, mean};
 use asperity_core::quantity::{Length, Ratio};
 use asperity_core::{Code, DomainError, Estimate, EstimateKeys, Fault, estimate_keys};
 use asperity_report::{Input as _, StudySettings, Watch, Work, settings};
+use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 use asperity_roughness::preparation::LAMBDA_C;
 use asperity_roughness::relocation::{Bounds, Change, Relocation, relocate};
@@ -28,11 +29,13 @@ settings! {
         max_shift: Length = "0.5 mm",
         /// Largest stretch of the second trace, to either side
         max_stretch: Ratio = "0.3 %",
+        /// Form by which the second trace may differ: level (height and tilt), or poly2 (a bow as well)
+        [value_name = "FORM"] form: Form = "level",
         /// Engagements of a tooth of the pinion in the test, for Archard's wear coefficient
         [value_name = "N"] engagements: Option<f64>,
         /// Flank that changed, pinion or wheel, where the case does not have the traces before the test
         flank: Option<WornFlank>,
-        /// Leave out pairs that are not of one place, and name them
+        /// Leave out pairs that are not of one place or match at several places alike, and name them
         leave_out: bool,
     }
 }
@@ -42,6 +45,7 @@ estimate_keys! {
     StretchKeys: "stretch_percent" "stretch_quantiles_percent";
     HeightKeys: "height_um" "height_quantiles_um";
     TiltKeys: "tilt_um_per_mm" "tilt_quantiles_um_per_mm";
+    BowKeys: "bow_um" "bow_quantiles_um";
     RemovedKeys: "removed_nm" "removed_quantiles_nm";
     LostKeys: "lost_nm" "lost_quantiles_nm";
     GainedKeys: "gained_nm" "gained_quantiles_nm";
@@ -82,6 +86,9 @@ pub struct PairRow {
     /// Slope added to the second trace.
     #[serde(flatten, with = "TiltKeys")]
     pub tilt_um_per_mm: Estimate,
+    /// Height added to the ends of the second trace, as a parabola; `None` without one.
+    #[serde(flatten, with = "BowKeys")]
+    pub bow_um: Option<Estimate>,
     /// Correlation of the dales.
     pub correlation: f64,
     /// Best correlation of the dales at another place.
@@ -148,6 +155,9 @@ pub struct TraceChange {
     pub title: String,
     /// Mean over the pairs, for these places.
     pub mean: Heights,
+    /// The mean if the form changed by a bow as well, where the traces are undecided without; `None` elsewhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_with_bow: Option<Heights>,
     /// Standard deviation of the height removed from pair to pair; `None` of a single pair.
     pub scatter_nm: Option<f64>,
     /// Pairs.
@@ -183,7 +193,8 @@ impl StudySettings for ChangeSettings {
             ("flank", "pinion"),
         ],
     ];
-    const METHOD: &'static str = "The second trace is placed on the first by the dales, which wear spares: shift, stretch, height and tilt. \
+    const METHOD: &'static str = "The second trace is placed on the first by the dales, which wear spares: shift, stretch, height and tilt, and a bow \
+        with form = poly2. All places are compared at which half of the shorter trace overlaps, also those beyond the bound of the shift. \
         Heights are relative to the dales, so that a loss of dales and peaks alike does not show. Intervals are from 5 to 95 %. They \
         contain the noise of the match and the choice of the dales. Where parts of the trace rose, other dales may have risen as well: the \
         height gained is then also a standard deviation of the height removed. Parameters follow ISO 4287 with sections of 0.25 mm over the \
@@ -202,6 +213,7 @@ impl StudySettings for ChangeSettings {
         let bounds = Bounds {
             shift: self.max_shift,
             stretch: self.max_stretch.value(),
+            form: self.form,
         };
         bounds.check()?;
         self.check_case(given.case.is_some())?;
@@ -223,7 +235,7 @@ impl StudySettings for ChangeSettings {
             (watch.progress)(k + 1, count + runs);
         }
         if matched.is_empty() {
-            let message = "no pair of traces is of one place";
+            let message = "no pair of traces is of one place that is certain";
             return Err(Fault::new(Code::E143, message));
         }
         let (mut pairs, mut points) = (Vec::new(), Vec::new());
@@ -240,31 +252,57 @@ impl StudySettings for ChangeSettings {
             in_case(&case, (self.flank, self.engagements), &matched, &step)
         });
         let in_case = in_case.transpose()?;
-        let of = |value: fn(&Heights) -> Estimate| {
-            mean_of(
-                &pairs
-                    .iter()
-                    .map(|pair| value(&pair.heights))
-                    .collect::<Vec<_>>(),
-            )
-        };
         let removed = pairs.iter().map(|pair| pair.heights.removed_nm.value);
         let removed: Vec<f64> = removed.collect();
+        let mean = Heights::mean(pairs.iter().map(|pair| pair.heights));
+        let parameters: Vec<_> = means(&parameters).map(ParameterRow::of).collect();
+        let is_undecided = bounds.form == Form::Level && is_undecided(&mean, &parameters);
+        let with_bow = is_undecided.then(|| with_bow(&matched, bounds));
         Ok(TraceChange {
             title,
-            mean: Heights {
-                removed_nm: of(|heights| heights.removed_nm),
-                lost_nm: of(|heights| heights.lost_nm),
-                gained_nm: of(|heights| heights.gained_nm),
-            },
+            mean,
+            mean_with_bow: with_bow.transpose()?.flatten(),
             scatter_nm: deviation(&removed),
-            parameters: means(&parameters).map(ParameterRow::of).collect(),
+            parameters,
             material_ratio: means(&levels).map(CurveRow::of).collect(),
             pairs,
             in_case,
             warnings,
             points,
         })
+    }
+}
+
+/// Whether noise explains the height removed, and neither the loss of the peaks nor a gain elsewhere.
+pub(super) fn is_undecided(mean: &Heights, parameters: &[ParameterRow]) -> bool {
+    let has_fallen = |row: &ParameterRow| row.is_clear() && row.change_um < 0.0;
+    mean.removed_nm.contains(0.0) && mean.gained_nm.low <= 0.0 && parameters.iter().any(has_fallen)
+}
+
+/// The mean over the pairs if the form changed by a bow as well; `None` if a pair does not match with it.
+fn with_bow(matched: &[Matched], bounds: Bounds) -> Result<Option<Heights>, Fault> {
+    let form = Form::Poly2;
+    let mut heights = Vec::new();
+    for (pair, _) in matched {
+        let [before, after] = &pair.traces;
+        match relocate(before, after, Bounds { form, ..bounds }) {
+            Ok(found) => heights.push(row(&pair.names, &found).heights),
+            Err(fault) if fault.code() == Code::E143 => return Ok(None),
+            Err(fault) => return Err(fault),
+        }
+    }
+    Ok(Some(Heights::mean(heights.into_iter())))
+}
+
+impl Heights {
+    fn mean(each: impl Iterator<Item = Self> + Clone) -> Self {
+        let of =
+            |value: fn(Self) -> Estimate| mean_of(&each.clone().map(value).collect::<Vec<_>>());
+        Self {
+            removed_nm: of(|heights| heights.removed_nm),
+            lost_nm: of(|heights| heights.lost_nm),
+            gained_nm: of(|heights| heights.gained_nm),
+        }
     }
 }
 
@@ -310,6 +348,7 @@ fn row(names: &[String; 2], found: &Relocation) -> PairRow {
         stretch_percent: found.stretch.map(|stretch| 100.0 * stretch),
         height_um: in_unit(found.height, MICRO),
         tilt_um_per_mm: found.tilt.map(|slope| 1e3 * slope),
+        bow_um: found.bow.map(|bow| in_unit(bow, MICRO)),
         correlation: found.correlation,
         elsewhere: found.elsewhere,
         matched_percent: 100.0 * found.matched,
@@ -367,6 +406,11 @@ fn means<T: Copy>(pairs: &[Vec<Change<T>>]) -> impl Iterator<Item = MeanChange<T
 }
 
 impl ParameterRow {
+    /// Whether noise does not explain the change.
+    pub(super) fn is_clear(&self) -> bool {
+        self.change_um.abs() > self.floor_um
+    }
+
     fn of(change: MeanChange<&'static str>) -> Self {
         Self {
             parameter: change.of,

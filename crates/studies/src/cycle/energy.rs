@@ -128,8 +128,13 @@ impl CycleFinish {
 }
 
 /// The map has no finish, not the temperature, or points without a result.
-fn holes() -> Fault {
-    Fault::new(Code::E402, "points of the map have no result")
+fn holes(map: &Map) -> Fault {
+    let message = map
+        .holes()
+        .unwrap_or_else(|| "the map has no points at this temperature".to_owned());
+    let help = "Make the map again with axes that leave out these points, or with a model that has a result there: asperity explain names \
+        the cause of a code.";
+    Fault::new(Code::E402, message).helping(help)
 }
 
 /// Computes the energies of `cycle` on `map` at one of its temperatures. `takes_any` permits any share outside of the map.
@@ -155,9 +160,9 @@ pub fn evaluate(
     let mut finishes: Vec<CycleFinish> = Vec::new();
     let surfaces = map.finishes.iter();
     let surfaces = surfaces.map(|finish| finish.surface(&map.axes, temperature));
-    let surfaces: Vec<Surface> = surfaces.collect::<Option<_>>().ok_or_else(holes)?;
+    let surfaces: Vec<Surface> = surfaces.collect::<Option<_>>().ok_or_else(|| holes(map))?;
     // All finishes have the same nodes.
-    let first = surfaces.first().ok_or_else(holes)?;
+    let first = surfaces.first().ok_or_else(|| holes(map))?;
     let coverage = Coverage::of(first, cycle);
     if !takes_any {
         coverage.check()?;

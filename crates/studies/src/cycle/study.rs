@@ -40,7 +40,7 @@ impl Input for CycleOnMap {
 settings! {
     /// Settings of a cycle.
     pub struct CycleSettings {
-        /// Temperature of the flanks in °C, one of the map [default: the first]
+        /// Temperature of the flanks in °C, one of the map [default: next to the temperature of the case]
         [long = "temperature", value_name = "°C"] temperature_c: Option<f64>,
         /// Names of the columns of a cycle without names, or in place of its own, e.g. time_s,speed_km_h; - leaves one out
         [value_name = "NAMES", value_delimiter = ','] columns: Vec<String>,
@@ -57,7 +57,7 @@ impl CycleSettings {
         const EQUAL: f64 = 1e-9;
         let nodes = &map.axes.temperature_c;
         let Some(celsius) = self.temperature_c else {
-            return Ok(0);
+            return Ok(map.case_temperature());
         };
         let mut places = nodes.iter();
         let at = places.position(|node| (*node - celsius).abs() <= EQUAL);

@@ -6,7 +6,7 @@ use std::path::Path;
 use asperity::case::{VehicleInput, range_of};
 use asperity::message::Warning;
 use asperity::profile_io::read::read_table;
-use asperity_core::Fault;
+use asperity_core::{Code, Fault, decimals};
 use asperity_table::Table;
 
 use super::error;
@@ -42,6 +42,11 @@ pub struct CyclePoint {
     pub torque_nm: f64,
     /// Speed of the pinion \[1/min\]; negative in reverse.
     pub speed_rpm: f64,
+    /// Line of the table, counted from 1.
+    pub line: usize,
+    /// Acceleration of the vehicle from the point before \[m/s²\], by its speed in the table, 0 at the first; `None` of a table
+    /// without it.
+    pub acceleration: Option<f64>,
 }
 
 impl CyclePoint {
@@ -118,6 +123,7 @@ pub fn named_cycle(
     let vehicle = vehicle.map(checked).transpose()?;
     let warnings = vehicle.map(VehicleInput::unusual).transpose();
     let mut warnings = warnings?.unwrap_or_default();
+    let mut accelerations = Vec::new();
     let (torque, speed, way) = match [table.found("torque_nm")?, table.found("speed_rpm")?] {
         [Some(torque), Some(speed)] => {
             let (torque, speed) = (table.numbers(torque)?, table.numbers(speed)?);
@@ -135,6 +141,7 @@ pub fn named_cycle(
             let vehicle = vehicle.ok_or_else(error::no_vehicle)?;
             let grade = table.column("grade_percent")?;
             let speeds: Vec<f64> = speed.iter().map(|speed| speed / 3.6).collect();
+            accelerations = steps(&time, &speeds);
             let (torque, rpm) = at_the_pinion(vehicle, &time, &speeds, grade.as_deref());
             table.check("torque_nm of the vehicle", &torque)?;
             table.check("speed_rpm of the vehicle", &rpm)?;
@@ -148,19 +155,73 @@ pub fn named_cycle(
         metres.sum::<f64>() * 1e-3
     };
     let distance_km = way.map(way_km);
-    let rows = time.iter().zip(&weights).zip(torque.iter().zip(&speed));
-    let point =
-        |((time_s, weight_s), (torque_nm, speed_rpm)): ((&f64, &f64), (&f64, &f64))| CyclePoint {
-            time_s: *time_s,
-            weight_s: *weight_s,
-            torque_nm: *torque_nm,
-            speed_rpm: *speed_rpm,
-        };
+    let points = table.0.rows().enumerate().map(|(k, row)| CyclePoint {
+        time_s: time[k],
+        weight_s: weights[k],
+        torque_nm: torque[k],
+        speed_rpm: speed[k],
+        line: row.line,
+        acceleration: accelerations.get(k).copied(),
+    });
+    let points: Vec<CyclePoint> = points.collect();
+    warnings.extend(jump(&points));
     Ok(Cycle {
-        points: rows.map(point).collect(),
+        points,
         distance_km,
         warnings,
     })
+}
+
+/// Largest acceleration of a vehicle that its tyres transmit \[m/s²\]: a friction coefficient of 1.2 on dry asphalt, which
+/// no tyre of road cars exceeds, times the standard acceleration of gravity. A larger one in a cycle is a fault of its recording.
+pub(super) const MOST_ACCELERATION: f64 = 12.0;
+
+/// W201 about the largest acceleration, if no tyre transmits it.
+fn jump(points: &[CyclePoint]) -> Option<Warning> {
+    let most = Extreme::most(points, |point| point.acceleration.map(f64::abs))?;
+    let point = points.get(most.row)?;
+    (most.value > MOST_ACCELERATION).then(|| {
+        let text = format!(
+            "{}: the speed of the vehicle changes by {:.1} m/s2 from the row before, more than the {MOST_ACCELERATION:.0} m/s2 that tyres \
+                transmit; the torque there follows from it. Correct the recording",
+            most.place(),
+            point.acceleration.unwrap_or_default()
+        );
+        Warning::new(Code::W201, text)
+    })
+}
+
+/// The largest number of a cycle, and its row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Extreme {
+    pub value: f64,
+    pub row: usize,
+    pub line: usize,
+    pub time_s: f64,
+}
+
+impl Extreme {
+    /// The largest of the numbers `of` the points; `None` of no number.
+    pub(super) fn most(
+        points: &[CyclePoint],
+        of: impl Fn(&CyclePoint) -> Option<f64>,
+    ) -> Option<Self> {
+        let numbers = points.iter().enumerate();
+        let numbers = numbers.filter_map(|(row, point)| Some((of(point)?, row, point)));
+        // The first of several.
+        let (value, row, point) = numbers.rev().max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(Self {
+            value,
+            row,
+            line: point.line,
+            time_s: point.time_s,
+        })
+    }
+
+    /// Line and time in words.
+    pub(super) fn place(&self) -> String {
+        format!("line {} (t = {} s)", self.line, decimals(self.time_s, 2))
+    }
 }
 
 /// Torque \[N m\] and speed \[1/min\] of the pinion from the speeds of the vehicle \[m/s\], both positive where the vehicle is
@@ -217,6 +278,13 @@ fn checked(vehicle: &VehicleInput) -> Result<&VehicleInput, Fault> {
         }
     }
     Ok(vehicle)
+}
+
+/// Slope from the row before to each row; 0 at the first.
+fn steps(time: &[f64], values: &[f64]) -> Vec<f64> {
+    let step = |(t, v): (&[f64], &[f64])| (v[1] - v[0]) / (t[1] - t[0]);
+    let steps = time.windows(2).zip(values.windows(2)).map(step);
+    std::iter::once(0.0).chain(steps).collect()
 }
 
 /// Half of both adjacent intervals.

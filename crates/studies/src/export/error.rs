@@ -4,12 +4,12 @@ use asperity_core::number;
 use asperity_core::remedy::{Remedy, Setting};
 use asperity_core::{Code, Fault};
 
+use crate::map::Map;
+
 /// A point has no result.
-pub(crate) fn holes(finish: &str) -> Fault {
-    Fault::new(
-        Code::E205,
-        format!("finish {finish}: points of the map have no result, so nothing is exported"),
-    )
+pub(crate) fn holes(map: &Map) -> Fault {
+    let holes = map.holes().unwrap_or_default();
+    Fault::new(Code::E205, format!("nothing is exported: {holes}"))
 }
 
 /// Two files would have one name.

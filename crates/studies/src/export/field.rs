@@ -76,8 +76,7 @@ impl Field {
         let nodes = axes.torque_nm.len() * axes.speed_rpm.len();
         let field = |(index, &temperature_c): (usize, &f64)| {
             let Some(surface) = of.surface(axes, index) else {
-                let finish = of.name.clone();
-                return Err(error::holes(&finish));
+                return Err(error::holes(map));
             };
             let added_nm = match (added, gearbox) {
                 (Some(added), _) => Some(added.at_nodes(axes, temperature_c)?),
@@ -85,20 +84,18 @@ impl Field {
                     let losses = gearbox
                         .loss_torque_nm
                         .get(index * nodes..(index + 1) * nodes);
-                    let finish = of.name.clone();
-                    Some(losses.ok_or_else(|| error::holes(&finish))?.to_vec())
+                    Some(losses.ok_or_else(|| error::holes(map))?.to_vec())
                 }
                 (None, None) => None,
             };
             let part = |mesh: &MeshPart| {
                 let losses = mesh.loss_torque_nm.get(index * nodes..(index + 1) * nodes);
                 let losses = losses.and_then(|losses| losses.iter().copied().collect());
-                let finish = of.name.clone();
                 let name = match mesh.count {
                     1 => mesh.name.clone(),
                     count => format!("{count} {}", mesh.name),
                 };
-                Ok((name, losses.ok_or_else(|| error::holes(&finish))?))
+                Ok((name, losses.ok_or_else(|| error::holes(map))?))
             };
             let parts = of.meshes.iter().map(part).collect::<Result<_, Fault>>()?;
             let points = of.points.iter().skip(index * nodes).take(nodes);

@@ -102,6 +102,7 @@ pub fn map<C: Clone + Into<Train>>(
             operation.torque.si(),
             operation.speed.si() * 30.0 / std::f64::consts::PI,
         ]),
+        operating_temperature_c: Axes::default_temperature(case).first().copied(),
         warnings: maps.iter().flat_map(warnings).collect(),
         table_warnings: Vec::new(),
         finishes: maps,

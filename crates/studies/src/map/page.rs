@@ -1,6 +1,7 @@
 //! Fields of a map over torque and speed.
 
 use asperity_core::numerics::range;
+use asperity_core::{decimals, number};
 use asperity_report::chart::{Axis, Contour, Drawing};
 use asperity_report::html::figure;
 use asperity_report::{Report, Table, columns};
@@ -18,11 +19,6 @@ const TEMPERATURES: usize = 3;
 
 /// Meaning of the shares of extrapolated points.
 const OF_GRID: &str = "Each share is of the points of this grid, which lie close together at low torque and speed, not of the operating time.";
-/// Place of the verdicts of a map that has the operating point of the case, and of another one.
-const TYPICAL: [&str; 2] = [
-    "These losses are at the operating point of the case, interpolated between the points of the map.",
-    "These losses are at the point of the map next to the operating point of the case.",
-];
 /// What a page about losses at many operating points leaves to studies of one.
 pub(crate) const HELPFUL: &str = "The command asperity sensitivity lists changes that lower the loss; asperity evidence lists \
     measurements that narrow its interval at the operating point of the case.";
@@ -154,10 +150,7 @@ pub(super) fn fields<'a>(report: Report<'a>, map: &'a Map, visited: &'a [[f64; 2
         }
     );
     report
-        .text(
-            map.operating_point
-                .map(|_| TYPICAL[usize::from(!map.has_typical())]),
-        )
+        .text(of_case(map))
         .figures(move || loss_and_efficiency(map, visited))
         .text([
             axes.as_str(),
@@ -196,6 +189,31 @@ pub(super) fn sections<'a>(
         .on_page()
         .table(files(map))
         .on_page()
+}
+
+/// Place of the verdicts relative to the operating point of the case.
+fn of_case(map: &Map) -> Option<String> {
+    /// Largest difference of a temperature that is rounded as a node \[K\].
+    const EQUAL: f64 = 0.05;
+    let [torque, speed] = map.operating_point?;
+    let celsius = map.operating_temperature_c;
+    let at = map.axes.temperature_c.get(map.case_temperature())?;
+    let other = celsius.filter(|celsius| (celsius - at).abs() > EQUAL);
+    let of_case = celsius.map_or(String::new(), |celsius| format!(", {} °C", number(celsius)));
+    Some(match (map.has_typical(), other) {
+        (true, None) => "These losses are at the operating point of the case, interpolated between the points of the map.".to_owned(),
+        (true, Some(celsius)) => format!(
+            "These losses are at torque and speed of the case, interpolated between the points of the map, and at {} °C, the temperature of \
+                the map next to the {} °C of the case.",
+            number(*at),
+            number(celsius)
+        ),
+        (false, _) => format!(
+            "These losses are at the point of the map next to the operating point of the case: {} N m, {} 1/min{of_case}.",
+            number(torque),
+            decimals(speed, 0)
+        ),
+    })
 }
 
 /// The operating point of the case, to be marked on a map without points of a cycle.

@@ -4,7 +4,7 @@ use asperity::case::{CaseInput, DefaultUsed};
 use asperity::result::Regime;
 use asperity_core::message::Warning;
 use asperity_core::numerics::NodeInterval;
-use asperity_core::{Code, Estimate};
+use asperity_core::{Code, Estimate, number};
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;
@@ -37,6 +37,9 @@ pub struct Map {
     /// Torque \[N m\] and speed \[1/min\] at which the case states its load; `None` in older maps.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub operating_point: Option<[f64; 2]>,
+    /// Temperature of the flanks of the case \[°C\]; `None` in older maps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub operating_temperature_c: Option<f64>,
     /// The finishes; the first is the reference of differences.
     pub finishes: Vec<FinishMap>,
     /// Whether they differ by more than their flanks.
@@ -256,6 +259,24 @@ impl Map {
         noun(!self.are_variants)
     }
 
+    /// Points without a result in words, with the code of the first; `None` if all have one.
+    pub(crate) fn holes(&self) -> Option<String> {
+        let points = || self.finishes.iter().flat_map(|finish| &finish.points);
+        let mut without = points().filter(|point| point.numbers.is_none());
+        let first = without.next()?;
+        let code = first
+            .code
+            .map_or(String::new(), |code| format!(" ({code})"));
+        Some(format!(
+            "{} of {} points of the map have no result, the first at {} N m, {} 1/min and {} °C{code}",
+            without.count() + 1,
+            points().count(),
+            number(first.torque_nm),
+            number(first.speed_rpm),
+            number(first.temperature_c)
+        ))
+    }
+
     /// Error code of the first point under load, if no point under load has a loss.
     #[must_use]
     pub fn refused(&self) -> Option<Code> {
@@ -265,11 +286,24 @@ impl Map {
         loaded.all(|point| point.code.is_some()).then_some(first)
     }
 
-    /// The operating point of the case with the losses of `finish`, interpolated between points of the map; if one finish has no loss
-    /// around it, the next point for all. Without an operating point the point of the largest loss with the first finish.
+    /// Index of the temperature next to the one of the case; the first of an older map.
+    #[must_use]
+    pub fn case_temperature(&self) -> usize {
+        let Some(celsius) = self.operating_temperature_c else {
+            return 0;
+        };
+        let away = |node: &f64| (node - celsius).abs();
+        let nodes = self.axes.temperature_c.iter().enumerate();
+        let next = nodes.min_by(|a, b| away(a.1).total_cmp(&away(b.1)));
+        next.map_or(0, |(index, _)| index)
+    }
+
+    /// The operating point of the case with the losses of `finish`, interpolated between points of the map at the temperature
+    /// [`case_temperature`](Self::case_temperature); if one finish has no loss around it, the next point for all. Without an operating
+    /// point the point of the largest loss with the first finish.
     pub(super) fn typical(&self, finish: &FinishMap) -> Option<Point> {
         match self.operating_point.filter(|_| self.has_typical()) {
-            Some(at) => finish.between(&self.axes, at),
+            Some(at) => finish.between(&self.axes, self.case_temperature(), at),
             None => finish.points.get(self.next_to_typical()?).cloned(),
         }
     }
@@ -278,7 +312,8 @@ impl Map {
     pub(super) fn has_typical(&self) -> bool {
         self.operating_point.is_some_and(|at| {
             let mut finishes = self.finishes.iter();
-            finishes.all(|finish| finish.between(&self.axes, at).is_some())
+            let temperature = self.case_temperature();
+            finishes.all(|finish| finish.between(&self.axes, temperature, at).is_some())
         })
     }
 
@@ -299,8 +334,10 @@ impl Map {
             let torque = (point.torque_nm - torque) / most[0];
             torque.hypot((point.speed_rpm - speed) / most[1])
         };
+        let celsius = self.axes.temperature_c.get(self.case_temperature())?;
         let points = first.points.iter().enumerate();
-        let known = points.filter(|(_, point)| point.numbers.is_some());
+        let known =
+            points.filter(|(_, point)| point.numbers.is_some() && point.temperature_c == *celsius);
         let nearest = known.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));
         nearest.map(|(at, _)| at)
     }
@@ -332,9 +369,14 @@ impl FinishMap {
         })
     }
 
-    /// Losses at a torque \[N m\] and a speed \[1/min\] within the points of the first temperature, with their quantiles; `None` if a
-    /// point around has no losses.
-    fn between(&self, axes: &Axes, [torque_nm, speed_rpm]: [f64; 2]) -> Option<Point> {
+    /// Losses at a torque \[N m\] and a speed \[1/min\] within the points of a temperature, with their quantiles; `None` if a point
+    /// around has no losses.
+    fn between(
+        &self,
+        axes: &Axes,
+        temperature: usize,
+        [torque_nm, speed_rpm]: [f64; 2],
+    ) -> Option<Point> {
         let interval = |nodes: &[f64], at: f64| {
             let is_within = nodes.first()? <= &at && &at <= nodes.last()?;
             is_within.then(|| NodeInterval::of(nodes, |node| *node, at).held())
@@ -342,13 +384,13 @@ impl FinishMap {
         let torque = interval(&axes.torque_nm, torque_nm)?;
         let speed = interval(&axes.speed_rpm, speed_rpm)?;
         let at = |i: usize| {
-            let of = |j: usize| self.points.get(axes.index(0, i, j))?.numbers;
+            let of = |j: usize| self.points.get(axes.index(temperature, i, j))?.numbers;
             Some(of(speed.low)?.towards(&of(speed.high)?, speed.part))
         };
         let mut numbers = at(torque.low)?.towards(&at(torque.high)?, torque.part);
         // As in a cycle, the loss torque is linear between the points.
         numbers.loss_w = numbers.loss_torque_nm * speed_rpm * std::f64::consts::PI / 30.0;
-        let temperature_c = *axes.temperature_c.first()?;
+        let temperature_c = *axes.temperature_c.get(temperature)?;
         if let Some(drawn) = self.drawn(false, 1.0) {
             let ratios = drawn.quantiles(drawn.place(torque_nm, speed_rpm, temperature_c));
             let at_medians = numbers.loss_w / ratios.value;

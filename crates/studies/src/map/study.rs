@@ -17,6 +17,7 @@ use super::grid::map;
 use super::point::Map;
 use crate::compare::Finishes;
 use crate::cycle::{self, Cycle, CyclePoint};
+use crate::estimate::has_records;
 use crate::export::{AddedLoss, Format, With, check, export};
 
 /// Folder of the exports within the folder of a map.
@@ -65,8 +66,15 @@ impl MapSettings {
     /// Axes of the map of a case.
     ///
     /// # Errors
-    /// When a text is not an axis, or a node is not possible.
+    /// When a text is not an axis, a node is not possible, or the case has no loss at standstill, which every map has.
     pub fn axes(&self, case: &Train) -> Result<Axes, Fault> {
+        if case.cases().any(has_records) {
+            let message = "load_share = \"ehl\" and full_film = \"ehl-transient\" have no map: it has a node at standstill, computed at \
+                1 1/min, where the film is too thin for these solutions";
+            let help = "Map the case with model.load_share = \"lambda-star\" and without model.full_film, or run it at torques and speeds \
+                of its own with asperity sweep.";
+            return Err(Fault::new(Code::E205, message).helping(help));
+        }
         let operation = case.shafting.operation();
         let torque = Nodes::of_case(self.torque.as_ref(), "torque", operation.torque.si())?;
         let torque = torque.unwrap_or_else(|| Axes::default_torque(case));
