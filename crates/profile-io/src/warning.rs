@@ -50,14 +50,14 @@ pub enum Warning {
     /// The trace was stored backwards.
     #[error("x decreases along the file; the trace was reversed")]
     Reversed,
-    /// The stated spacing overrides the spacing of the x column.
+    /// The stated spacing overrides the spacing of the file.
     #[error(
-        "spacing {stated:.6} was stated, the x column says {column:.4}; the stated one is used"
+        "spacing {stated:.6} was stated, the file says {column:.4}; the stated one is used"
     )]
     SpacingOverridden {
         /// Stated spacing.
         stated: Length,
-        /// Spacing of the x column.
+        /// Spacing of the file.
         column: Length,
     },
     /// The file holds the output of a roughness filter.

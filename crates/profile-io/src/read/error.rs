@@ -54,6 +54,9 @@ impl ReadError {
     }
 }
 
+/// Remedy for numbers with thousands separators.
+pub(super) const WITHOUT_THOUSANDS: &str = "export the numbers without thousands separators";
+
 /// Remedy for a workbook whose table is not read.
 const SHEET_AS_TEXT: &str = "save the sheet of the table as CSV, or as text with tabs";
 
@@ -164,7 +167,7 @@ impl ReadFault {
     pub(super) fn no_unit(axis: Axis, span: f64) -> Self {
         Self::new(
             Code::E104,
-            format!("no unit found and {axis} span {}", number(span)),
+            format!("no unit was found for the {axis}, which span {}", number(span)),
             Remedy::set(axis.setting(), Value::OneOf("um | nm | mm".into())),
         )
     }
@@ -180,6 +183,11 @@ impl ReadFault {
                     .because("if the points are even"),
             )
         } else {
+            let remedy = Remedy::act("remove the repeated part")
+                .or_set(Setting::Columns, Value::Any)
+                .because("if x is another column");
+            // From 999 to 1.000.
+            let is_grouped = (1e3 * next / previous - 1.0).abs() < 0.1;
             Self::new(
                 Code::E105,
                 format!(
@@ -187,9 +195,10 @@ impl ReadFault {
                     number(previous),
                     number(next)
                 ),
-                Remedy::act("remove the repeated part")
-                    .or_set(Setting::Columns, Value::Any)
-                    .because("if x is another column"),
+                match is_grouped {
+                    true => Remedy::act(WITHOUT_THOUSANDS),
+                    false => remedy,
+                },
             )
         };
         fault.at_line(line)
@@ -331,7 +340,10 @@ impl ReadFault {
             }
             SpacingHint::None | SpacingHint::FirstLine(_) => spacing,
         };
-        let text = format!("the heights have no x column to give the spacing{hint}");
+        let text = match hint {
+            SpacingHint::XCounts => "x counts the points, and no spacing of them was found".into(),
+            hint => format!("no x column and no spacing of the points was found{hint}"),
+        };
         Self::new(Code::E110, text, remedy)
     }
 
@@ -506,6 +518,8 @@ pub enum CellRemedy {
     Decimal(DecimalSign),
     /// The stated separator differs from the separator of the file.
     Separator,
+    /// The cell seems to have a thousands separator.
+    Thousands,
     /// Only the line is wrong.
     Line,
 }
@@ -517,7 +531,8 @@ impl CellRemedy {
                 Remedy::set(Setting::Decimal, Value::This(sign.to_string().into()))
             }
             Self::Separator => Remedy::omit(Setting::Separator).or_do("correct this line"),
-            Self::Line => Remedy::act("correct or remove this line"),
+            Self::Thousands => Remedy::act(WITHOUT_THOUSANDS),
+            Self::Line => Remedy::act("correct this line, with NaN for a missing height"),
         }
     }
 }
@@ -543,8 +558,7 @@ pub(super) enum SpacingHint {
 impl std::fmt::Display for SpacingHint {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match *self {
-            Self::None => Ok(()),
-            Self::XCounts => write!(f, " (x counts the points)"),
+            Self::None | Self::XCounts => Ok(()),
             Self::FirstLine(value) => write!(
                 f,
                 "; line 1 reads {} and is written differently from the rest, like the spacing of an NPL text profile (um) or a length",

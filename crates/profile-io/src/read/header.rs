@@ -6,7 +6,7 @@ use super::error::{ReadFault, shortened};
 use super::format::extension;
 use super::layout::Dialect;
 use super::metadata;
-use super::options::{Abscissa, Axis, LengthUnit};
+use super::options::{Abscissa, Axis, LengthUnit, ReadOptions};
 use super::text::Line;
 
 /// Whether the heights are filtered, according to the file.
@@ -53,6 +53,18 @@ impl Stated {
             Self::Length(unit) => Ok(*unit),
             Self::Other(unit) => Err(ReadFault::unknown_unit(axis, &shortened(unit))),
         }
+    }
+}
+
+/// The unit that a file states for an axis; an unknown one is an error unless `options` state the unit.
+pub(super) fn unit_of_file(
+    found: Option<&Stated>,
+    axis: Axis,
+    options: &ReadOptions,
+) -> Result<Option<LengthUnit>, ReadFault> {
+    match found {
+        Some(Stated::Other(_)) if options.unit(axis).is_some() => Ok(None),
+        found => found.map(|unit| unit.length(axis)).transpose(),
     }
 }
 
@@ -170,7 +182,7 @@ pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> V
     labels
 }
 
-fn role_of(cell: &str) -> Option<Role> {
+pub(super) fn role_of(cell: &str) -> Option<Role> {
     const X: &[&str] = &[
         "x",
         "weg",

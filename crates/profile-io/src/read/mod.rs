@@ -31,6 +31,7 @@ mod grid;
 mod header;
 mod header_values;
 mod layout;
+mod lengths;
 mod mahr;
 mod matrix;
 pub(crate) mod metadata;

@@ -10,6 +10,7 @@ use super::format::Format;
 use super::found::Found;
 use super::grid::{self, SpacingSource};
 use super::layout::TableLayout;
+use super::lengths::Lengths;
 use super::metadata::Metadata;
 use super::options::{Encoding, LengthUnit, ReadOptions, TraceRange};
 use super::reading::Reading;
@@ -24,8 +25,8 @@ pub(super) struct SurfaceFacts {
     pub is_scaled: bool,
     pub encoding: Option<Encoding>,
     pub table: Option<TableLayout>,
-    /// Distance of the points of a row \[m\] in the header.
-    pub spacing: Option<f64>,
+    /// Distance of the points of a row in the file.
+    pub spacing: Option<Length>,
 }
 
 /// A measured surface. The heights are not serialised.
@@ -77,7 +78,7 @@ impl Surface {
         format: Format,
         mut z: Vec<f64>,
         columns: usize,
-        spacings: [Option<f64>; 2],
+        [dx, dy]: [Option<Length>; 2],
         metadata: Metadata,
         warnings: Vec<Warning>,
     ) -> Self {
@@ -85,7 +86,6 @@ impl Surface {
         z.iter_mut()
             .filter(|z| !z.is_finite())
             .for_each(|z| *z = f64::NAN);
-        let [dx, dy] = spacings.map(|spacing| spacing.map(Length::from_si));
         Self {
             name: name.to_owned(),
             format,
@@ -129,22 +129,25 @@ impl Surface {
             Format::PointText => SpacingSource::XColumn,
             _ => SpacingSource::Header,
         };
+        // A stated spacing has been compared with the file's.
+        let spacing = facts.spacing.filter(|_| options.dx.is_none());
         let found = Found {
-            spacing: facts.spacing.map(|dx| (dx, source)),
-            scaled: facts.is_scaled,
+            spacing: spacing.map(|dx| (Lengths::Metres(dx.si()), source)),
             metadata: self.metadata.clone(),
             warnings: self.warnings.clone(),
             encoding: facts.encoding,
             table: facts.table,
-            ..Found::new(self.format, heights)
+            ..Found::new(self.format, Lengths::Metres(heights))
         };
-        // The heights are metres, and out of the material.
+        // The units of the file are applied.
         let of_row = ReadOptions {
+            x_unit: None,
             z_unit: None,
             ..options.clone()
         };
         let trace = found.finish(&self.name, &of_row).and_then(|mut trace| {
             trace.z_unit = facts.z_unit.unwrap_or(trace.z_unit);
+            trace.scaled = facts.is_scaled;
             trace.gaps_filled += bridged;
             match options.range {
                 Some(range) => trace.within(range),

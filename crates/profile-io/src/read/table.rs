@@ -151,6 +151,7 @@ pub(super) fn unreadable(
             (free, CellRemedy::Decimal(DecimalSign::Point))
         }
         _ if free.separator != used.separator => (free, CellRemedy::Separator),
+        _ if used.may_be_grouped(cell) => (used, CellRemedy::Thousands),
         _ => (free, CellRemedy::Line),
     };
     ReadFault::UnreadableNumber {

@@ -219,7 +219,7 @@ fn a_vector_of_matlab_is_a_profile_and_needs_its_unit_and_spacing() {
         let noise = mat_array("t", 1, 1, |_, _| 1.0);
         let bytes = mat(&[noise, vector], true);
         let bare = read_bytes("a.mat", &bytes, &ReadOptions::default());
-        assert_eq!(bare.unwrap_err().code(), "E104");
+        assert_eq!(bare.unwrap_err().code(), "E110");
         let options = ReadOptions {
             z_unit: "um".parse().ok(),
             dx: "0.5 um".parse().ok(),
