@@ -435,7 +435,6 @@ fn a_fault_that_repeats_says_what_the_file_seems_to_be() {
         };
         format!("x [um]{separator}z [um]\n") + &(0..POINTS).map(row).collect::<String>()
     };
-    let mark = |text: &'static str| move |_: usize| text.to_owned();
     type Row<'a> = (&'a str, String, &'a str, &'a str);
     let rows: [Row<'_>; 10] = [
         (
@@ -532,11 +531,14 @@ fn a_fault_that_repeats_says_what_the_file_seems_to_be() {
         );
     }
     // A single wrong line is a wrong line.
-    for bad in ["7.0;lost\n", "7.0;1;2\n"] {
+    for (bad, advice) in [
+        ("7.0;l05t\n", "Correct this line, with NaN for a missing height"),
+        ("7.0;1;2\n", "Correct or remove this line"),
+    ] {
         let (message, remedy, _) = refused(&with(0, &|i| {
             if i == 14 { bad.to_owned() } else { good(i) }
         }));
-        assert_eq!(remedy, "Correct or remove this line", "{message}");
+        assert_eq!(remedy, advice, "{message}");
     }
 }
 

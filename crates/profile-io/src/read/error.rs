@@ -167,7 +167,7 @@ impl ReadFault {
     pub(super) fn no_unit(axis: Axis, span: f64) -> Self {
         Self::new(
             Code::E104,
-            format!("no unit was found for the {axis}, which span {}", number(span)),
+            format!("no unit found for the {axis}, which span {}", number(span)),
             Remedy::set(axis.setting(), Value::OneOf("um | nm | mm".into())),
         )
     }

@@ -37,9 +37,9 @@ pub(super) fn of_file(
     let mut marks = Marks::of(cell);
     let is_number = |cell: &str| matches!(dialect.cell(cell), Cell::Number(_));
     let is_text = !dialect.cells(text).any(is_number);
-    // A line that begins with a word is the head of another table, not a row with a fault.
+    // A shorter line that begins with a word is the head of another table, not a row with a fault.
     let begins_with_word = dialect.cells(text).next().is_some_and(|cell| {
-        sniffed.columns > 1 && is_word(cell) && dialect.cell(cell) == Cell::Other
+        is_word(cell) && dialect.cells(text).count() < sniffed.columns && !is_number(cell)
     });
     // Lines at the fault that are no rows, and whether rows follow them.
     let (mut block, mut follows) = (1, false);

@@ -57,7 +57,7 @@ fn a_missing_unit_is_assumed_only_when_no_other_is_possible() {
     assert!(
         refused
             .to_string()
-            .contains("no unit found and heights span 12"),
+            .contains("no unit found for the heights, which span 12"),
         "{refused}"
     );
     assert!(

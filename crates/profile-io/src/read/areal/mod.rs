@@ -7,6 +7,7 @@
 mod al3d;
 pub(super) mod bytes;
 mod chosen;
+mod gsf;
 mod gwy;
 #[cfg(feature = "hdf5")]
 mod hdf5;
@@ -25,7 +26,8 @@ mod sdf_binary;
 mod sur;
 pub(crate) mod trace;
 mod vk;
-mod zygo_xyz;
+mod wyko_text;
+mod zygo_text;
 
 pub(crate) use plu::recognised as is_plu;
 
@@ -47,8 +49,9 @@ pub(crate) fn read(
         Format::KeyenceVk => vk::read(stream, size)?,
         Format::SensofarPlu => plu::read(held(stream)?)?,
         Format::MetroPro => metropro::read(held(stream)?)?,
-        Format::ZygoXyz => zygo_xyz::read(&held(stream)?)?,
+        Format::ZygoXyz | Format::ZygoText => zygo_text::read(format, &held(stream)?)?,
         Format::Opd => opd::read(held(stream)?)?,
+        Format::WykoText => wyko_text::read(&held(stream)?)?,
         Format::SdfBinary => sdf_binary::read(held(stream)?)?,
         Format::Opdx => opdx::read(held(stream)?)?,
         Format::Matlab => {
@@ -58,6 +61,7 @@ pub(crate) fn read(
                 false => mat::read(&bytes)?,
             }
         }
+        Format::GwyddionSimple => gsf::read(held(stream)?)?,
         Format::Gwyddion => gwy::read(&held(stream)?)?,
         Format::NanosurfNid => nid::read(held(stream)?)?,
         Format::IgorWave => ibw::read(&held(stream)?)?,
