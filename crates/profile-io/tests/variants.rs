@@ -532,7 +532,10 @@ fn a_fault_that_repeats_says_what_the_file_seems_to_be() {
     }
     // A single wrong line is a wrong line.
     for (bad, advice) in [
-        ("7.0;l05t\n", "Correct this line, with NaN for a missing height"),
+        (
+            "7.0;l05t\n",
+            "Correct this line, with NaN for a missing height",
+        ),
         ("7.0;1;2\n", "Correct or remove this line"),
     ] {
         let (message, remedy, _) = refused(&with(0, &|i| {

@@ -46,9 +46,9 @@ pub(super) fn read(
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
     let values = HeaderValues::of(header);
     if matrix::is_matrix(&labels, &values, options) {
-        let matrix = Matrix::of(&lines, &sniffed, &values);
+        let matrix = Matrix::of(&lines, &sniffed, &labels, &values);
         let found = match options.line {
-            TraceLine::Row => matrix.read(text, options)?,
+            TraceLine::Row if !matrix.is_wrapped() => matrix.read(text, options)?,
             _ => matrix.surface(text, options)?.trace(options)?,
         };
         return found.finish(name, options);
@@ -153,13 +153,14 @@ pub(super) fn surface(
         areal.encoding = Some(text.encoding);
         return Ok(areal);
     }
-    if sniffed.columns < FEWEST || labels.iter().any(|label| label.role.is_some()) {
+    let is_matrix = sniffed.columns >= FEWEST && labels.iter().all(|label| label.role.is_none());
+    if !is_matrix && !matrix::is_matrix(&labels, &values, options) {
         return Err(ReadFault::no_heights(
             Format::DelimitedText,
             "no matrix of heights",
         ));
     }
-    Matrix::of(&lines, &sniffed, &values).surface(text, options)
+    Matrix::of(&lines, &sniffed, &labels, &values).surface(text, options)
 }
 
 /// Relative difference up to which a value of a header and the value used are taken as equal.

@@ -175,8 +175,11 @@ impl Dialect {
             && !first.starts_with('0')
             && are_digits(first)
             && are_digits(decimals)
-            && groups.clone().all(|group| group.len() == 3 && are_digits(group));
-        let certain = !decimals.is_empty() || groups.count() > 1 || ![',', '.'].contains(&separator);
+            && groups
+                .clone()
+                .all(|group| group.len() == 3 && are_digits(group));
+        let certain =
+            !decimals.is_empty() || groups.count() > 1 || ![',', '.'].contains(&separator);
         let plain = cell.replace(separator, "").replace(point, ".");
         fits.then(|| (decimal::whole(&plain, b'.'), certain))
     }
@@ -214,7 +217,11 @@ impl Dialect {
             Some(())
         })?;
         // Words among many numbers are marks of missing heights.
-        let least = if words == 0 { 1 } else { FEWEST_AMONG_WORDS.max(4 * words) };
+        let least = if words == 0 {
+            1
+        } else {
+            FEWEST_AMONG_WORDS.max(4 * words)
+        };
         (numbers >= least).then_some(filled)
     }
 }
@@ -223,7 +230,9 @@ impl Dialect {
 fn end_of_quotes(text: &str) -> usize {
     let start = text.len() - text.trim_start().len();
     let inside = text[start..].strip_prefix('"');
-    inside.and_then(|inside| inside.find('"')).map_or(0, |length| start + length + 2)
+    inside
+        .and_then(|inside| inside.find('"'))
+        .map_or(0, |length| start + length + 2)
 }
 
 /// End of the cell at the start of `text`, between blanks: a word, or a mark for a missing height of several words.
@@ -399,7 +408,9 @@ fn first_marked(lines: &[Line<'_>], dialect: Dialect, columns: usize, first: usi
             .partition(|cell| dialect.cell(cell) == Cell::Other);
         cells.len() == columns
             && !numbers.is_empty()
-            && others.iter().all(|cell| is_word(cell) && occurs_again(cell))
+            && others
+                .iter()
+                .all(|cell| is_word(cell) && occurs_again(cell))
     };
     let above = lines[..first].iter().rev();
     first - above.take_while(is_marked).count()
@@ -479,7 +490,14 @@ mod tests {
             assert_eq!(dialect.cell(doubtful), Cell::Other);
             assert!(dialect.may_be_grouped(doubtful));
         }
-        for other in ["0,234.5", "1,23.5", "12,3456.0", "1,234.5e3", ",234.5", "1,,234.5"] {
+        for other in [
+            "0,234.5",
+            "1,23.5",
+            "12,3456.0",
+            "1,234.5e3",
+            ",234.5",
+            "1,,234.5",
+        ] {
             assert_eq!(point.cell(other), Cell::Other, "{other}");
         }
     }

@@ -7,7 +7,7 @@ use asperity_core::{Code, Fault, RepeatedFault, decimals, number};
 use super::format::Format;
 use super::layout::Dialect;
 use super::options::{
-    Abscissa, Axis, DecimalSign, FEWEST_POINTS, LengthUnit, Separator, TraceRange,
+    Abscissa, Axis, DecimalSign, FEWEST_POINTS, LengthUnit, Separator, TraceLine, TraceRange,
 };
 use super::seems::FileDialect;
 use super::steepness::Steepness;
@@ -227,6 +227,15 @@ impl ReadFault {
             format!("{points} points; a roughness profile needs at least {FEWEST_POINTS}"),
             Remedy::act("export the whole trace"),
         )
+    }
+
+    /// Lines of `points` points of a surface, of which the lines across them have enough for roughness parameters.
+    pub(super) fn lines_too_short(points: usize, across: TraceLine) -> Self {
+        let text = format!("{points} points; a roughness profile needs at least {FEWEST_POINTS}");
+        let other = Value::This(across.to_string().into());
+        let remedy =
+            Remedy::set(Setting::Line, other).because("to read the lines across, which have more");
+        Self::new(Code::E106, text, remedy)
     }
 
     /// `missing` of `points` points have no height; `first` is what the line of the first reads, or which point of the trace

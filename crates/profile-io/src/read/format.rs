@@ -124,6 +124,14 @@ formats! {
         "rasterise the points in Gwyddion and save the image as gwy or gsf";
     /// TrueMap and GelSight height map.
     TrueMap "TrueMap (tmd)" [b"Binary TrueMap Data File"] ["tmd"] ONE "open it in Gwyddion and save it as gwy or gsf";
+    /// Images of ISO 28600 as text.
+    Iso28600 "SPM data transfer format (ISO 28600)" [b"ISO/TC 201 SPM data transfer format"] [] ONE
+        "open it in Gwyddion and save it as gwy or gsf";
+    /// Precitec scans as text.
+    Precitec "Precitec FSS Explorer" [b"Precitec Optronik - FSS Explorer"] [] ONE
+        "write its columns X Pos, Y Pos and the distance or thickness to a table named x [mm], y [mm], z [um]";
+    /// Code V interferograms as text.
+    CodeV "Code V interferogram (int)" [] [] SEVERAL;
     /// Nanosurf scan.
     NanosurfNid "Nanosurf nid" [b"[DataSet]"] [] SEVERAL;
     /// Igor binary wave of version 5, as instruments of Asylum Research write it.

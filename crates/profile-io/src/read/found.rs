@@ -98,12 +98,8 @@ impl Found {
         let only_possible = |z: &Vec<f64>, warnings: &mut Vec<Warning>| {
             units::of_heights(z, spacing.si(), warnings)
         };
-        let (mut heights, z_unit) = heights.in_unit(
-            Axis::Height,
-            options.z_unit,
-            &mut warnings,
-            only_possible,
-        )?;
+        let (mut heights, z_unit) =
+            heights.in_unit(Axis::Height, options.z_unit, &mut warnings, only_possible)?;
         let mut x = x.map(Lengths::into_values);
         let unevenness = column.and_then(|column| column.unevenness);
         let mut left_out = 0;

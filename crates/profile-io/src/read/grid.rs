@@ -80,6 +80,24 @@ pub(super) fn enough(points: usize) -> Result<(), ReadFault> {
     Err(ReadFault::too_few_points(points))
 }
 
+/// Returns an error for lines of a surface with fewer points, which names the lines across if they have enough.
+pub(super) fn enough_of_line(
+    points: usize,
+    across: usize,
+    line: TraceLine,
+) -> Result<(), ReadFault> {
+    let other = match line {
+        TraceLine::Row => TraceLine::Column,
+        TraceLine::Column => TraceLine::Row,
+        TraceLine::Mean => TraceLine::MeanColumn,
+        TraceLine::MeanColumn => TraceLine::Mean,
+    };
+    match points < FEWEST_POINTS && across >= FEWEST_POINTS {
+        true => Err(ReadFault::lines_too_short(points, other)),
+        false => Ok(()),
+    }
+}
+
 /// The row asked for, from 0, of `rows` profiles of `points` points each; a single one needs not be asked for.
 pub(super) fn chosen_row(
     row: Option<usize>,

@@ -2,16 +2,13 @@
 
 use asperity_core::quantity::Length;
 
-use super::damage::damaged;
-use super::error::ReadFault;
-use super::format::Format;
 use super::header::{self, FilterState, Role, Stated};
 use super::metadata;
 use super::options::LengthUnit;
 use super::text::Line;
 
 /// Names of the distance between two points, in lower case, with blanks instead of other marks.
-const SPACING: [&str; 41] = [
+const SPACING: [&str; 43] = [
     "dx",
     "delta x",
     "spacing",
@@ -43,8 +40,10 @@ const SPACING: [&str; 41] = [
     "schrittweite",
     "punktabstand",
     "messpunktabstand",
-    // Keyence in German, Mitutoyo.
+    // Keyence in German and Japanese, Mitutoyo.
     "xy justierung",
+    "xyキャリブレーション",
+    "pitch x",
     "pitch",
     "pas",
     "pas d échantillonnage",
@@ -57,7 +56,7 @@ const SPACING: [&str; 41] = [
     "passo de amostragem",
 ];
 /// Names of the distance between two rows.
-const ROW_SPACING: [&str; 8] = [
+const ROW_SPACING: [&str; 9] = [
     "dy",
     "delta y",
     "y spacing",
@@ -65,20 +64,21 @@ const ROW_SPACING: [&str; 8] = [
     "y increment",
     "y resolution",
     "y pitch",
+    "pitch y",
     "scale y",
 ];
 /// Names of the sides of a matrix: Gwyddion in English and German, SPIP.
 const WIDTH: [&str; 3] = ["width", "breite", "x length"];
 const HEIGHT: [&str; 3] = ["height", "höhe", "y length"];
 /// Names of the numbers of points of a row and of rows: SPIP, Profilm, Nova.
-const COLUMNS: [&str; 4] = ["x pixels", "numcols", "columns", "nx"];
-const ROWS: [&str; 4] = ["y pixels", "numrows", "rows", "ny"];
+const COLUMNS: [&str; 3] = ["x pixels", "numcols", "nx"];
+const ROWS: [&str; 3] = ["y pixels", "numrows", "ny"];
 /// Names of the unit of lengths that are stated without one.
 const LATERAL_UNIT: [&str; 4] = ["x unit", "unit x", "xy unit", "lateral unit"];
-/// First line of SPIP ASCII, whose lengths are in nanometres.
+/// First line of SPIP ASCII, whose sides are in nanometres.
 const SPIP: &str = "File Format = ASCII";
 /// Names of the unit of heights: Gwyddion, Bruker NanoScope, Keyence, Nova.
-const UNIT: [&str; 15] = [
+const UNIT: [&str; 17] = [
     "unit",
     "einheit",
     "value units",
@@ -94,6 +94,8 @@ const UNIT: [&str; 15] = [
     "unidad",
     "unità",
     "unidade",
+    "単位",
+    "单位",
 ];
 const BASE_DIAMETER: [&str; 5] = [
     "base diameter",
@@ -123,8 +125,9 @@ pub(super) struct HeaderValues {
     sides: [Option<f64>; 2],
     /// Numbers of columns and rows of a matrix.
     sizes: [Option<usize>; 2],
-    /// Unit of lengths without one.
+    /// Units of spacings and of sides without one.
     lateral: Option<LengthUnit>,
+    lateral_of_sides: Option<LengthUnit>,
     /// Unit of the heights.
     pub z_unit: Option<Stated>,
     /// Base radius of the gear.
@@ -150,16 +153,18 @@ impl HeaderValues {
             line.text.trim_start_matches(marks)
         };
         let texts = header.iter().map(text);
-        if texts.clone().next().is_some_and(|first| first == SPIP) {
-            values.lateral = Some(LengthUnit::Nanometre);
-        }
         let stated: Vec<(&str, String)> = texts.clone().filter_map(stated).collect();
         let names = texts.clone().zip(texts.clone().skip(1));
-        let below: Vec<_> = names.flat_map(|(above, below)| named_above(above, below)).collect();
+        let below: Vec<_> = names
+            .flat_map(|(above, below)| named_above(above, below))
+            .collect();
         let all = || stated.iter().chain(&below);
         for (_, unit) in all().filter(|(key, _)| LATERAL_UNIT.contains(&name(key).as_str())) {
             values.lateral = values.lateral.or_else(|| header::unit(unit));
         }
+        let is_spip = texts.clone().next().is_some_and(|first| first == SPIP);
+        let of_sides = is_spip.then_some(LengthUnit::Nanometre);
+        values.lateral_of_sides = values.lateral.or(of_sides);
         for (key, value) in all() {
             values.take(key, value);
         }
@@ -175,7 +180,10 @@ impl HeaderValues {
     fn take(&mut self, key: &str, value: &str) {
         let name = name(key);
         let is = |names: &[&str]| names.contains(&name.as_str());
-        let lateral = self.lateral;
+        let lateral = match is(&WIDTH) || is(&HEIGHT) {
+            true => self.lateral_of_sides,
+            false => self.lateral,
+        };
         let length = || length(key, value, lateral);
         let count = || metadata::number(value).filter(|n| *n >= 1.0 && n.fract() == 0.0);
         match () {
@@ -211,21 +219,25 @@ impl HeaderValues {
         ]
     }
 
-    /// Whether the header belongs to a matrix of heights with this number of columns.
+    /// Whether the header belongs to a matrix of heights whose lines have this number of columns.
     pub(super) fn are_of_matrix(&self, columns: usize) -> bool {
-        self.sizes[0] == Some(columns) || (self.z_unit.is_some() && self.sides[0].is_some())
+        let is_stated = |sizes: [usize; 2]| sizes[0] == columns || self.is_wrapped(columns);
+        let is_row = columns > 2;
+        self.size()
+            .is_some_and(|sizes| is_stated(sizes) && (is_row || self.is_wrapped(columns)))
+            || (is_row && self.z_unit.is_some() && self.sides[0].is_some())
     }
 
-    /// Returns an error if a matrix has more rows than the header states.
-    pub(super) fn check_rows(&self, format: Format, rows: usize) -> Result<(), ReadFault> {
-        match self.sizes[1] {
-            Some(stated) if rows > stated => Err(damaged(
-                format,
-                "more rows than its header states, so that some are no heights",
-                &format!("{stated} stated, {rows} read"),
-            )),
-            _ => Ok(()),
-        }
+    /// Stated numbers of columns and rows of a matrix.
+    pub(super) fn size(&self) -> Option<[usize; 2]> {
+        let [columns, rows] = self.sizes;
+        Some([columns?, rows?])
+    }
+
+    /// Whether the lines, with this number of columns, are not the rows of the stated size.
+    pub(super) fn is_wrapped(&self, columns: usize) -> bool {
+        self.size()
+            .is_some_and(|[stated, _]| stated != columns && stated > 2)
     }
 }
 
@@ -246,7 +258,10 @@ fn named_above<'l>(above: &'l str, below: &'l str) -> Vec<(&'l str, String)> {
     let is_number = |cell: &&str| metadata::number(cell).is_some();
     let fits = names.len() > 1 && names.len() == values.len();
     match fits && values.iter().all(is_number) && !names.iter().any(is_number) {
-        true => names.into_iter().zip(values.into_iter().map(str::to_owned)).collect(),
+        true => names
+            .into_iter()
+            .zip(values.into_iter().map(str::to_owned))
+            .collect(),
         false => Vec::new(),
     }
 }

@@ -66,7 +66,12 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     let is_constant = x.iter().all(|place| Some(place) == x.first());
     Ok(Found {
         x: (!is_constant).then_some(Lengths::of(x, LengthUnit::Millimetre)),
-        spacing: header.interval.map(|dx| (Lengths::of(dx, LengthUnit::Millimetre), SpacingSource::Header)),
+        spacing: header.interval.map(|dx| {
+            (
+                Lengths::of(dx, LengthUnit::Millimetre),
+                SpacingSource::Header,
+            )
+        }),
         filter_state: header.state,
         metadata: header.metadata,
         first_line,

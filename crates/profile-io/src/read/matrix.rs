@@ -1,6 +1,7 @@
 //! A matrix of heights as text: one trace per row, without x and labels.
 
 use super::areal::trace::{Areal, Heights};
+use super::damage::miscounted;
 use super::dialect::{Cell, Sniffed, is_word};
 use super::error::ReadFault;
 use super::file_dialect::of_file;
@@ -18,12 +19,23 @@ use super::{stated_count, table};
 const FORMAT: Format = Format::TextMatrix;
 
 /// Whether a table with these labels is a matrix: as its header says, or with at least as many columns as a profile has
-/// points, without names and not requested by `options`.
+/// points, without names or with numbers in them, and not requested by `options`.
 pub(super) fn is_matrix(labels: &[Label], values: &HeaderValues, options: &ReadOptions) -> bool {
-    (labels.len() >= options::FEWEST_POINTS
-        || (labels.len() > 2 && values.are_of_matrix(labels.len())))
+    (labels.len() >= options::FEWEST_POINTS || values.are_of_matrix(labels.len()))
         && options.columns.is_none()
-        && labels.iter().all(|label| label.role.is_none())
+        && (labels.iter().all(|label| label.role.is_none()) || are_numbered(labels))
+}
+
+/// Whether the labels behind the first one are a name with numbers that rise by one: "POS = 0", "POS = 1".
+fn are_numbered(labels: &[Label]) -> bool {
+    let parts = |label: &Label| {
+        let name = label.text.trim_end_matches(|c: char| c.is_ascii_digit());
+        let number: u64 = label.text[name.len()..].parse().ok()?;
+        Some((name.to_owned(), number))
+    };
+    let numbered: Option<Vec<_>> = labels.iter().skip(1).map(parts).collect();
+    let follows = |pair: &[(String, u64)]| pair[0].0 == pair[1].0 && pair[1].1 == pair[0].1 + 1;
+    numbered.is_some_and(|all| all.len() > 1 && all.windows(2).all(follows))
 }
 
 /// A matrix in a file.
@@ -43,21 +55,36 @@ impl<'a, 'l> Matrix<'a, 'l> {
     pub(super) fn of(
         head: &'a [Line<'l>],
         sniffed: &'a Sniffed,
+        labels: &[Label],
         values: &'a HeaderValues,
     ) -> Self {
         let (header, table) = head.split_at(sniffed.first);
+        let is_name_of_lines = |label: &Label| !label.text.ends_with(|c: char| c.is_ascii_digit());
+        let numbering = match are_numbered(labels) {
+            true => usize::from(labels.first().is_some_and(is_name_of_lines)),
+            false => numbering(header, table, sniffed),
+        };
         Self {
             head,
             first: table.first().map_or(1, |line| line.number),
             sniffed,
-            numbering: numbering(header, table, sniffed),
+            numbering,
             values,
         }
     }
 
     /// Number of heights of a row.
-    pub(super) fn points(&self) -> usize {
-        self.sniffed.columns - self.numbering
+    fn points(&self) -> usize {
+        match self.values.size() {
+            Some([columns, _]) if self.is_wrapped() => columns,
+            _ => self.sniffed.columns - self.numbering,
+        }
+    }
+
+    /// Whether the lines are not the rows.
+    pub(super) fn is_wrapped(&self) -> bool {
+        self.values
+            .is_wrapped(self.sniffed.columns - self.numbering)
     }
 
     /// All rows.
@@ -66,7 +93,18 @@ impl<'a, 'l> Matrix<'a, 'l> {
         text: &mut Text<'_>,
         options: &ReadOptions,
     ) -> Result<Areal, ReadFault> {
-        let (columns, (mut values, rows)) = (self.points(), self.rows(text, |_| true)?);
+        let (columns, (mut values, lines)) = (self.points(), self.rows(text, |_| true)?);
+        let rows = if self.is_wrapped() {
+            values.len() / columns
+        } else {
+            lines
+        };
+        if let Some([_, stated]) = self.values.size().filter(|_| self.is_wrapped())
+            && values.len() != columns * stated
+        {
+            return Err(miscounted(FORMAT, values.len(), columns * stated));
+        }
+        self.check_rows(rows)?;
         grid::unmark(&mut values);
         let unit = header::unit_of_file(self.values.z_unit.as_ref(), Axis::Height, options)?;
         let heights = Lengths::Numbers(Heights::Values { values, columns }, unit);
@@ -85,8 +123,14 @@ impl<'a, 'l> Matrix<'a, 'l> {
         options: &ReadOptions,
     ) -> Result<Found, ReadFault> {
         let (heights, rows) = self.rows(text, |row| options.row == Some(row))?;
+        self.check_rows(rows)?;
+        grid::enough_of_line(self.points(), rows, options.line)?;
         if heights.is_empty() {
-            return Err(ReadFault::several_profiles(rows, self.points(), options.row));
+            return Err(ReadFault::several_profiles(
+                rows,
+                self.points(),
+                options.row,
+            ));
         }
         let unit = header::unit_of_file(self.values.z_unit.as_ref(), Axis::Height, options)?;
         let [spacing, _] = self.spacings(rows);
@@ -125,8 +169,20 @@ impl<'a, 'l> Matrix<'a, 'l> {
                 }
             }
         }
-        self.values.check_rows(FORMAT, rows)?;
         Ok((heights, rows))
+    }
+
+    /// Returns an error for more rows than the header states.
+    fn check_rows(&self, rows: usize) -> Result<(), ReadFault> {
+        let stated = self.values.size().map_or(rows, |[_, stated]| stated);
+        match rows > stated {
+            true => Err(miscounted(
+                FORMAT,
+                rows * self.points(),
+                stated * self.points(),
+            )),
+            false => Ok(()),
+        }
     }
 
     /// Whether a line is no text between the rows.
@@ -152,7 +208,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
         if heights.len() == columns + 1 && heights[columns].is_nan() {
             heights.pop();
         }
-        match heights.len() == columns {
+        match heights.len() == columns || (self.is_wrapped() && heights.len() < columns) {
             true => Ok(heights),
             false => Err(table::ragged(line, heights.len(), columns)),
         }

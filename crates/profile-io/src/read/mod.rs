@@ -206,6 +206,7 @@ fn format_of(name: &str, stream: &mut dyn Stream, start: &Start) -> Option<Forma
     match recognise::by_magic(name, &start.bytes) {
         Some(Format::Archive) if zipped => Some(packed::content(stream, start.size)),
         None if areal::is_plu(&start.bytes) => Some(Format::SensofarPlu),
+        None if areal::is_code_v(&start.bytes) => Some(Format::CodeV),
         format => format,
     }
 }

@@ -15,14 +15,14 @@ use super::text::{Line, Text};
 /// Largest difference of a coordinate from its value in the first line, in steps, due to rounding.
 const SAME: f64 = 0.25;
 
-/// The columns of x, y and z of a table of three columns, counted from 0: as labelled, or in this order.
+/// The columns of x, y and z of a table, counted from 0: as labelled, or of three columns in this order.
 pub(super) fn columns(labels: &[Label], options: &ReadOptions) -> Option<[usize; 3]> {
-    if labels.len() != 3 || options.columns.is_some() {
+    if labels.len() < 3 || options.columns.is_some() {
         return None;
     }
     let with = |role| labels.iter().position(|label| label.role == Some(role));
     if labels.iter().all(|label| label.role.is_none()) {
-        return Some([0, 1, 2]);
+        return (labels.len() == 3).then_some([0, 1, 2]);
     }
     Some([with(Role::X)?, with(Role::Y)?, with(Role::Z)?])
 }
@@ -61,7 +61,7 @@ pub(super) fn read(
         x: Some(x),
         z,
         valid: None,
-        count: 3,
+        count: sniffed.columns,
     };
     let with_z = rows::read(text, first, head, sniffed, chosen(x, z))?;
     let with_y = rows::read(text, first, head, sniffed, chosen(x, y))?;

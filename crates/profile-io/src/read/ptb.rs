@@ -57,7 +57,12 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     }
     let dx = Some(1.0 / per_millimetre).filter(|dx| dx.is_finite() && *dx > 0.0);
     Ok(Found {
-        spacing: dx.map(|dx| (Lengths::of(dx, LengthUnit::Millimetre), SpacingSource::Header)),
+        spacing: dx.map(|dx| {
+            (
+                Lengths::of(dx, LengthUnit::Millimetre),
+                SpacingSource::Header,
+            )
+        }),
         metadata: Metadata {
             title: short(title.trim_start_matches("Profil ")),
             ..Metadata::default()

@@ -59,7 +59,9 @@ impl Header {
 pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Found, ReadFault> {
     let (header, first_line, heights) = matrix(text, Some(options.row))?;
     Ok(Found {
-        spacing: header.x_scale.map(|dx| (Lengths::Metres(dx), SpacingSource::Header)),
+        spacing: header
+            .x_scale
+            .map(|dx| (Lengths::Metres(dx), SpacingSource::Header)),
         metadata: header.metadata,
         first_line: Some(first_line),
         ..Found::new(FORMAT, Lengths::Metres(heights))

@@ -37,7 +37,10 @@ impl fmt::Display for FileDialect {
             Self::Unit(unit) => write!(f, "the numbers seem to be followed by the unit \"{unit}\""),
             Self::Text { column, .. } => write!(f, "column {column} seems to hold text"),
             Self::Tables => write!(f, "another table seems to begin here"),
-            Self::Ragged => write!(f, "the file seems to have cells with its separator in them, thousands separators for example"),
+            Self::Ragged => write!(
+                f,
+                "the file seems to have cells with its separator in them, thousands separators for example"
+            ),
             Self::Thousands => write!(f, "the numbers seem to have thousands separators"),
             Self::Sign => write!(f, "the rows seem to have another decimal sign or separator"),
         }

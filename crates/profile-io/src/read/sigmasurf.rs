@@ -51,7 +51,12 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
         return Err(miscounted(FORMAT, heights.len(), stated));
     }
     Ok(Found {
-        spacing: spacing.map(|dx| (Lengths::of(dx, LengthUnit::Micrometre), SpacingSource::Header)),
+        spacing: spacing.map(|dx| {
+            (
+                Lengths::of(dx, LengthUnit::Micrometre),
+                SpacingSource::Header,
+            )
+        }),
         metadata,
         first_line: Some(first_line),
         ..Found::new(FORMAT, Lengths::of(heights, LengthUnit::Micrometre))

@@ -126,7 +126,9 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault>
     }
     heights.iter_mut().for_each(|h| *h *= z.factor);
     Ok(Found {
-        spacing: x.increment.map(|dx| (Lengths::of(dx * x.factor, x.unit), SpacingSource::Header)),
+        spacing: x
+            .increment
+            .map(|dx| (Lengths::of(dx * x.factor, x.unit), SpacingSource::Header)),
         filter_state: filter_state(&metadata),
         metadata,
         warnings: checksum.flatten().into_iter().collect(),

@@ -12,7 +12,7 @@ use super::grid::{self, SpacingSource};
 use super::layout::TableLayout;
 use super::lengths::Lengths;
 use super::metadata::Metadata;
-use super::options::{Encoding, LengthUnit, ReadOptions, TraceRange};
+use super::options::{Encoding, LengthUnit, ReadOptions, TraceLine, TraceRange};
 use super::reading::Reading;
 use crate::warning::Warning;
 
@@ -119,7 +119,8 @@ impl Surface {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn reading(&self, options: &ReadOptions) -> Result<Reading, ReadError> {
-        let row = grid::chosen_row(options.row, self.rows, self.columns);
+        let row = grid::enough_of_line(self.columns, self.rows, TraceLine::Row)
+            .and_then(|()| grid::chosen_row(options.row, self.rows, self.columns));
         let row = row.map_err(|fault| fault.in_file(&self.name))?;
         let known = self.row(row).unwrap_or_default();
         let row = grid::bridged((known, self.points_in(options.range)), options);

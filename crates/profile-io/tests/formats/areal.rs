@@ -46,6 +46,8 @@ fn every_point_of_every_areal_format_is_where_it_was_written() {
         Format::SensofarPlux,
         Format::MetroPro,
         Format::ZygoXyz,
+        Format::ZygoText,
+        Format::WykoText,
         Format::Opd,
         Format::SdfBinary,
         Format::SdfBinary,
@@ -54,6 +56,7 @@ fn every_point_of_every_areal_format_is_where_it_was_written() {
         Format::NanosurfNid,
         Format::IgorWave,
         Format::Gwyddion,
+        Format::GwyddionSimple,
     ];
     for ((name, bytes), format) in all().into_iter().zip(formats) {
         let found = surface(name, &bytes);
@@ -95,6 +98,7 @@ fn every_point_of_every_areal_format_is_where_it_was_written() {
             Format::Opdx,
             Format::MetroPro,
             Format::ZygoXyz,
+            Format::ZygoText,
         ]
         .contains(&format)
         {

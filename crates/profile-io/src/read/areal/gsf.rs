@@ -23,9 +23,9 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let values: BTreeMap<&str, &str> = lines.map(|(k, v)| (k.trim(), v.trim())).collect();
     let unit = |name: &str| values.get(name).copied().filter(|unit| !unit.is_empty());
     let heights = unit("ZUnits").map(|unit| header::unit(unit).ok_or(unit));
-    let heights = heights.transpose().map_err(|_| {
-        ReadFault::no_heights(FORMAT, "no heights in a unit of length")
-    })?;
+    let heights = heights
+        .transpose()
+        .map_err(|_| ReadFault::no_heights(FORMAT, "no heights in a unit of length"))?;
     let side = |name: &str| values.get(name).and_then(|size| size.parse::<usize>().ok());
     let size = side("XRes").zip(side("YRes"));
     let (columns, rows) = size.ok_or_else(|| damaged(FORMAT, "XRes or YRes is missing", ""))?;

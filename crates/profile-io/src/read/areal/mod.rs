@@ -7,6 +7,7 @@
 mod al3d;
 pub(super) mod bytes;
 mod chosen;
+mod codev;
 mod gsf;
 mod gwy;
 #[cfg(feature = "hdf5")]
@@ -29,6 +30,7 @@ mod vk;
 mod wyko_text;
 mod zygo_text;
 
+pub(crate) use codev::recognised as is_code_v;
 pub(crate) use plu::recognised as is_plu;
 
 use super::error::ReadFault;
@@ -53,6 +55,7 @@ pub(crate) fn read(
         Format::Opd => opd::read(held(stream)?)?,
         Format::WykoText => wyko_text::read(&held(stream)?)?,
         Format::SdfBinary => sdf_binary::read(held(stream)?)?,
+        Format::CodeV => codev::read(&held(stream)?)?,
         Format::Opdx => opdx::read(held(stream)?)?,
         Format::Matlab => {
             let bytes = held(stream)?;

@@ -7,7 +7,7 @@ use super::raw::Raw;
 use crate::read::error::{ReadFault, SpacingHint};
 use crate::read::format::Format;
 use crate::read::found::{Found, overridden};
-use crate::read::grid::{SpacingSource, chosen_row};
+use crate::read::grid::{SpacingSource, chosen_row, enough_of_line};
 use crate::read::layout::TableLayout;
 use crate::read::lengths::Lengths;
 use crate::read::metadata::Metadata;
@@ -115,6 +115,7 @@ impl Areal {
             false => (rows, columns),
             true => (columns, rows),
         };
+        enough_of_line(points, across, options.line)?;
         let at = |point: usize, line: usize| match is_along_y {
             false => surface.height(point, line),
             true => surface.height(line, point),
@@ -162,7 +163,9 @@ impl Areal {
         // A spacing without a unit is not known.
         let unknown = |_: &f64, _: &mut Vec<Warning>| Err(ReadFault::no_spacing(SpacingHint::None));
         let of_file = |step: Lengths<f64>, seen: &mut Vec<Warning>| {
-            let found = step.in_unit(Axis::Trace, options.x_unit, seen, unknown).ok();
+            let found = step
+                .in_unit(Axis::Trace, options.x_unit, seen, unknown)
+                .ok();
             found.map(|(step, unit)| Length::from_si(unit.metres(step)))
         };
         let mut seen = Vec::new();

@@ -44,7 +44,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
         Some(&"1") => Some(1.0),
         _ => of_waves().filter(|scale| scale.is_finite() && *scale > 0.0),
     };
-    let unknown = || damaged(FORMAT, "Wavelength or Mult is not a length and a number", "");
+    let unknown = || {
+        damaged(
+            FORMAT,
+            "Wavelength or Mult is not a length and a number",
+            "",
+        )
+    };
     let nanometres = nanometres.ok_or_else(unknown)?;
     if columns.saturating_mul(rows) > bytes.len() {
         return Err(miscounted(FORMAT, 0, columns.saturating_mul(rows)));

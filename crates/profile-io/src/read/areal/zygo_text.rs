@@ -54,7 +54,8 @@ impl Header<'_> {
         let resolution = self.whole(PROCESSING, 0);
         let steps = resolution.and_then(|at| metropro::RESOLUTIONS.get(at));
         let unknown = || damaged(self.format, "the phase resolution is not known", "");
-        let factor = self.scale(1)? * self.scale(2)? * self.scale(4)? / steps.ok_or_else(unknown)?;
+        let factor =
+            self.scale(1)? * self.scale(2)? * self.scale(4)? / steps.ok_or_else(unknown)?;
         let is_turned = self.whole(PROCESSING, SIGN).is_some_and(|sign| sign != 0);
         Ok(if is_turned { -factor } else { factor })
     }
@@ -156,7 +157,11 @@ fn phases<'a>(
     }
     for value in &mut values {
         let is_missing = *value >= metropro::INVALID;
-        *value = if is_missing { f64::NAN } else { *value * factor };
+        *value = if is_missing {
+            f64::NAN
+        } else {
+            *value * factor
+        };
     }
     Ok(values)
 }
