@@ -75,6 +75,7 @@ pub(super) fn print(
             "missing": surface.z.len() - surface.measured(),
             "areal": areal.as_ref().ok(),
             "lay": lay.as_ref().ok(),
+            "warnings": surface.warnings,
         });
         facts["error"] = failure.json()["error"].clone();
         facts

@@ -306,7 +306,7 @@ impl Parsed<'_> {
         let first = |row: usize| {
             let row = if falls { count - 1 - row } else { row };
             if !self.is_listed {
-                return Ok((None, grid::node(row, self.options)));
+                return Ok((None, grid::node(row, self.options, None)));
             }
             let (line, text) = place(row)?;
             Ok((Some(line), format!("reads \"{text}\"")))

@@ -211,7 +211,8 @@ impl Dialect {
             match self.cell(cell) {
                 Cell::Number(_) => numbers += 1,
                 Cell::Missing => {}
-                Cell::Other if is_word(cell) => words += 1,
+                // The first cell of a row may be its name.
+                Cell::Other if is_word(cell) && count > 1 => words += 1,
                 Cell::Other => return None,
             }
             Some(())

@@ -28,6 +28,8 @@ pub(super) struct Found {
     pub warnings: Vec<Warning>,
     pub encoding: Option<Encoding>,
     pub table: Option<TableLayout>,
+    /// Word in place of the first missing height, if no line has its own height.
+    pub mark: Option<String>,
     /// Line of the first height in the file, if each height has its line.
     pub first_line: Option<usize>,
 }
@@ -45,6 +47,7 @@ impl Found {
             warnings: Vec::new(),
             encoding: None,
             table: None,
+            mark: None,
             first_line: None,
         }
     }
@@ -110,7 +113,7 @@ impl Found {
             let row = if falls { count - 1 - row } else { row };
             Ok(match first_line {
                 Some(line) => (Some(line + row), "is marked as missing".to_owned()),
-                None => (None, grid::node(row, options)),
+                None => (None, grid::node(row, options, self.mark.as_deref())),
             })
         };
         let (heights, filled) = grid::heights(heights, options.gaps, first, &mut warnings)?;

@@ -253,13 +253,18 @@ pub(super) fn counts_points(x: &[f64]) -> bool {
     matches!(x.first(), Some(0.0 | 1.0)) && x.windows(2).all(|pair| pair[1] == pair[0] + 1.0)
 }
 
-/// The point `at`, from 0, of the trace that `options` ask for, in words: a missing point that no line of the file has.
-pub(super) fn node(at: usize, options: &ReadOptions) -> String {
+/// The point `at`, from 0, of the trace that `options` ask for, in words: a missing point that no line of the file has, with the
+/// word that the file has in place of its height.
+pub(super) fn node(at: usize, options: &ReadOptions, mark: Option<&str>) -> String {
     let point = at + 1;
-    match (options.line, options.row) {
+    let place = match (options.line, options.row) {
         (TraceLine::Row, Some(row)) => format!("is column {point} of row {row}"),
         (TraceLine::Column, Some(column)) => format!("is row {point} of column {column}"),
         _ => format!("is point {point}"),
+    };
+    match mark {
+        Some(mark) => format!("{place}, \"{mark}\""),
+        None => place,
     }
 }
 
@@ -315,7 +320,7 @@ pub(super) fn bridged(
     let is_refused = missing > 0 && (options.gaps == Gaps::Refuse || !fillable);
     let (Some(&first), Some(&last), false) = (inner.first(), inner.last(), is_refused) else {
         let gap = of_used.iter().position(|z| !z.is_finite()).unwrap_or(0);
-        let first = node(used.start + gap, options);
+        let first = node(used.start + gap, options, None);
         return Err(ReadFault::missing_points(
             (None, &first),
             [missing, of_used.len()],

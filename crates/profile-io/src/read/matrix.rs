@@ -93,7 +93,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
         text: &mut Text<'_>,
         options: &ReadOptions,
     ) -> Result<Areal, ReadFault> {
-        let (columns, (mut values, lines)) = (self.points(), self.rows(text, |_| true)?);
+        let (columns, (mut values, lines)) = (self.points(), self.rows(text, |_| true, &mut None)?);
         let rows = if self.is_wrapped() {
             values.len() / columns
         } else {
@@ -122,7 +122,9 @@ impl<'a, 'l> Matrix<'a, 'l> {
         text: &mut Text<'_>,
         options: &ReadOptions,
     ) -> Result<Found, ReadFault> {
-        let (heights, rows) = self.rows(text, |row| options.row == Some(row))?;
+        let mut mark = None;
+        let is_wanted = |row| options.row == Some(row);
+        let (heights, rows) = self.rows(text, is_wanted, &mut mark)?;
         self.check_rows(rows)?;
         grid::enough_of_line(self.points(), rows, options.line)?;
         if heights.is_empty() {
@@ -140,15 +142,17 @@ impl<'a, 'l> Matrix<'a, 'l> {
             warnings: fewer.into_iter().collect(),
             encoding: Some(text.encoding),
             table: Some(self.layout()),
+            mark,
             ..Found::new(FORMAT, Lengths::Numbers(heights, unit))
         })
     }
 
-    /// Heights of the rows that `is_wanted`, and the number of all rows.
+    /// Heights of the rows that `is_wanted`, and the number of all rows; the first word in place of a height is stored.
     fn rows(
         &self,
         text: &mut Text<'_>,
         is_wanted: impl Fn(usize) -> bool,
+        mark: &mut Option<String>,
     ) -> Result<(Vec<f64>, usize), ReadFault> {
         let (mut heights, mut rows) = (Vec::new(), 0);
         let mut lines = text.lines()?;
@@ -160,7 +164,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
             if !is_wanted(rows) && self.begins_with_number(&line) {
                 continue;
             }
-            match self.cells(&line) {
+            match self.cells(&line, mark) {
                 Ok(cells) if is_wanted(rows) => heights.extend(&cells[self.numbering..]),
                 Ok(_) => {}
                 Err(fault) => {
@@ -192,15 +196,22 @@ impl<'a, 'l> Matrix<'a, 'l> {
         first.is_some_and(|cell| dialect.cell(cell) != Cell::Other)
     }
 
-    /// The heights of a line, in which a word is a missing one.
-    fn cells(&self, line: &Line<'_>) -> Result<Vec<f64>, ReadFault> {
+    /// The heights of a line, in which a word is the mark of a missing one.
+    fn cells(
+        &self,
+        line: &Line<'_>,
+        mark: &mut Option<String>,
+    ) -> Result<Vec<f64>, ReadFault> {
         let (columns, dialect) = (self.sniffed.columns, self.sniffed.dialect);
         let mut heights = Vec::with_capacity(columns);
         for cell in dialect.joined(line.text) {
             heights.push(match dialect.cell(cell) {
                 Cell::Number(value) => value,
                 Cell::Missing => f64::NAN,
-                Cell::Other if is_word(cell) => f64::NAN,
+                Cell::Other if is_word(cell) => {
+                    mark.get_or_insert_with(|| cell.to_owned());
+                    f64::NAN
+                }
                 Cell::Other => return Err(table::unreadable(self.head, line, cell, dialect)),
             });
         }

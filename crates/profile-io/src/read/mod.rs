@@ -10,7 +10,7 @@
 //! | spacing dx | (x_last − x_first)/(n − 1), or as stated |
 //! | units | as stated, or from the header, or the only possible ones, or an error |
 //! | missing heights | an error, or interpolated on request |
-//! | sign of the heights | out of the material; values that the file names depths are turned, others as stated |
+//! | sign of the heights | out of the material; values that the file names depths or distances from a sensor are turned, others as stated |
 //!
 //! The time is linear in the length of the file. Only this module opens files.
 

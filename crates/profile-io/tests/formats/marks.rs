@@ -130,6 +130,14 @@ fn marks_in_the_first_rows_are_rows_and_those_of_a_matrix_are_missing_points() {
     };
     let surface = read_surface_bytes("a.txt", matrix.as_bytes(), &options).unwrap();
     assert_eq!((surface.rows, surface.z.len() - surface.measured()), (4, 4));
+    let row = ReadOptions {
+        row: Some(2),
+        dx: "0.5 um".parse().ok(),
+        ..options
+    };
+    let refused = read_bytes("a.txt", matrix.as_bytes(), &row).unwrap_err();
+    let said = "1 of 240 points have no height, the first is column 13 of row 2, \"OVER\"";
+    assert!(refused.to_string().ends_with(said), "{refused}");
 }
 
 #[test]
@@ -209,7 +217,7 @@ fn thousands_separators_are_read_or_named() {
     // Whole numbers with a separator may be numbers with three decimals.
     let whole = |group: &str, point: &str| -> String {
         let row = |i: usize| {
-            let x = grouped(20.0 * i as f64, group, ".").replacen(".00", "", 1);
+            let x = grouped(20.0 * i as f64, group, ".00").replace(".0000", "");
             format!("{x};{}\n", format!("{:.5}", height(i)).replace('.', point))
         };
         format!(
@@ -227,9 +235,11 @@ fn thousands_separators_are_read_or_named() {
         let (said, remedy) = refused(&text);
         assert_eq!(remedy, named, "{said}");
     }
-    // Blanks that separate columns cannot group, too.
-    let (said, _) = refused(&whole(" ", ".").replace(';', " "));
-    assert!(said.contains("thousands separators"), "{said}");
+    // Blanks and commas that separate columns cannot group, too.
+    for sign in [" ", ","] {
+        let (said, remedy) = refused(&whole(sign, ".").replace(';', sign));
+        assert!(remedy == named, "{said}");
+    }
 }
 
 #[test]

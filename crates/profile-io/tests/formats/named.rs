@@ -130,9 +130,7 @@ fn matrices_with_a_header_of_their_instrument_are_read_without_an_option() {
         let one_line = header.to_owned() + &rows().replace('\n', "\t");
         if header.contains("120") && !header.contains("横") {
             is_right(header, &surface("a.txt", one_line.as_bytes()), dy);
-            let short = one_line
-                .replacen("\t0.", "\t", 1)
-                .replacen("\t-0.6", "\n", 2);
+            let short = &one_line[..one_line.trim_end().rfind('\t').unwrap()];
             assert!(
                 read_surface_bytes("a.txt", short.as_bytes(), &ReadOptions::default()).is_err()
             );
