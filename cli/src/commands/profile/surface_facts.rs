@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use asperity_core::quantity::Length;
-use asperity_profile_io::read::Surface;
+use asperity_profile_io::read::{Format, Surface};
 use asperity_report::Report;
 use asperity_report::profile_json::um;
 use asperity_roughness::areal::{ArealParameters, parameters};
@@ -98,6 +98,9 @@ pub(super) fn print(
 pub(super) fn spacings(surface: &Surface) -> Result<[Length; 2], String> {
     if let (Some(dx), Some(dy)) = (surface.dx, surface.dy) {
         return Ok([dx, dy]);
+    }
+    if surface.format == Format::PointText {
+        return Err("no unit of the positions was found in the file, pass --x-unit".to_owned());
     }
     let unknown = [("points", "--dx", surface.dx), ("rows", "--dy", surface.dy)];
     let unknown = unknown.iter().filter(|(.., known)| known.is_none());

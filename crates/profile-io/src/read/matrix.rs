@@ -197,11 +197,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
     }
 
     /// The heights of a line, in which a word is the mark of a missing one.
-    fn cells(
-        &self,
-        line: &Line<'_>,
-        mark: &mut Option<String>,
-    ) -> Result<Vec<f64>, ReadFault> {
+    fn cells(&self, line: &Line<'_>, mark: &mut Option<String>) -> Result<Vec<f64>, ReadFault> {
         let (columns, dialect) = (self.sniffed.columns, self.sniffed.dialect);
         let mut heights = Vec::with_capacity(columns);
         for cell in dialect.joined(line.text) {

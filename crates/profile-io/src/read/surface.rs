@@ -5,14 +5,14 @@ use std::ops::Range;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
-use super::error::ReadError;
+use super::error::{ReadError, ReadFault};
 use super::format::Format;
 use super::found::Found;
 use super::grid::{self, SpacingSource};
 use super::layout::TableLayout;
 use super::lengths::Lengths;
 use super::metadata::Metadata;
-use super::options::{Encoding, LengthUnit, ReadOptions, TraceLine, TraceRange};
+use super::options::{Axis, Encoding, LengthUnit, ReadOptions, TraceLine, TraceRange};
 use super::reading::Reading;
 use crate::warning::Warning;
 
@@ -27,6 +27,8 @@ pub(super) struct SurfaceFacts {
     pub table: Option<TableLayout>,
     /// Distance of the points of a row in the file.
     pub spacing: Option<Length>,
+    /// Length of a row in a unit that is not known.
+    pub length_without_unit: Option<f64>,
 }
 
 /// A measured surface. The heights are not serialised.
@@ -130,6 +132,9 @@ impl Surface {
             Format::PointText => SpacingSource::XColumn,
             _ => SpacingSource::Header,
         };
+        if let (Some(length), None) = (facts.length_without_unit, options.dx) {
+            return Err(ReadFault::no_unit(Axis::Trace, length).in_file(&self.name));
+        }
         // A stated spacing has been compared with the file's.
         let spacing = facts.spacing.filter(|_| options.dx.is_none());
         let found = Found {

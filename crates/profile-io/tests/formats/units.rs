@@ -266,6 +266,20 @@ fn each_column_of_points_has_its_own_unit() {
                 .profile
         );
     }
+    // Positions without a unit are asked for it, and not for a spacing.
+    let bare = text.replacen("x [um],y [mm],z", "x,y,z [um]", 1);
+    let row = ReadOptions {
+        row: Some(1),
+        ..ReadOptions::default()
+    };
+    let scan = read_surface_bytes("a.xyz", bare.as_bytes(), &row).unwrap();
+    let refused = scan.reading(&row).unwrap_err();
+    assert!(
+        refused
+            .to_string()
+            .contains("no unit found for the x values, which span 119.5"),
+        "{refused}"
+    );
     // A unit that is not known is an error, unless another one is stated.
     let furlongs = text.replacen("x [um],y [mm],z", "x [um],y [mm],z [furlong]", 1);
     let read = |z_unit: Option<&str>| {

@@ -169,6 +169,7 @@ impl Areal {
             found.map(|(step, unit)| Length::from_si(unit.metres(step)))
         };
         let mut seen = Vec::new();
+        let length = self.spacings[0].map(|step| step.values() * (columns.max(1) - 1) as f64);
         let found = self.spacings.map(|step| of_file(step?, &mut seen));
         let spacings = [options.dx, options.dy];
         for (stated, found) in spacings.into_iter().zip(found) {
@@ -194,6 +195,7 @@ impl Areal {
                 encoding: self.encoding,
                 table: self.table,
                 spacing: found[0],
+                length_without_unit: length.filter(|_| found[0].is_none()),
             },
             ..surface
         })
