@@ -66,7 +66,7 @@ fn unreadable() -> Vec<Bad> {
         bad("noise.dat", vec![0, 159, 3, 200, 0, 1, 7, 255, 0, 12, 0, 0, 9, 130, 4], &[], "E108", &["noise.dat: binary data", "Export the profile"]),
         bad("sheet.xlsx", b"PK\x03\x04\x14\0\x06\0\x08\0".to_vec(), &[], "E117", &["sheet.xlsx: not a valid workbook", "Export it again"]),
         bad("uneven.csv", with_row(500, "250.3,0.1"), &[], "E109", &["uneven.csv:502: uneven spacing, x = 250.3", "Pass --uneven resample"]),
-        bad("one.csv", rows(1000, |_, z| format!("{z:.5}")), &["--z-unit", "um"], "E110", &["one.csv: the heights have no x column", "Pass --dx"]),
+        bad("one.csv", rows(1000, |_, z| format!("{z:.5}")), &["--z-unit", "um"], "E110", &["one.csv: no x column and no spacing of the points was found", "Pass --dx"]),
         bad("ragged.csv", with_row(50, "25.0,0.1,9"), &[], "E111", &["ragged.csv:52: 3 columns where other rows have 2", "\"25.0,0.1,9\""]),
         bad("three.csv", format!("a,b,c\n{}", rows(500, |i, z| format!("{i},{z:.4},{z:.4}"))), &[], "E112", &["three.csv: 3 columns", "Pass --columns, e.g. --columns 1,2"]),
         bad("commas.csv", rows(500, |i, z| format!("{i},5,0,{}", (100.0 * z.abs()) as u32)), &[], "E113", &["commas.csv:1: \"0,5,0,", "Pass --separator and --decimal"]),

@@ -67,8 +67,8 @@ messages! {
     E108 exits 2 "format known but not read": "The file is in a format that this version does not read." => "Export the profile as text or CSV from the instrument's software.";
     E109 exits 2 "uneven spacing": "The spacing of the positions varies by more than rounding explains." => "Have the trace resampled by straight lines, or state the spacing, which then replaces the positions." [Uneven, Spacing];
     E110 exits 2 "spacing not known": "The file contains heights only, so the spacing of the points must be stated." => "State the spacing of the points, e.g. 0.5 um." [Spacing];
-    E111 exits 2 "a row with a different number of columns": "A line has more or fewer columns than the others." => "Correct or remove the line.";
-    E112 exits 2 "columns unclear": "The file has several columns and no header that names position and height." => "State the columns of position and height." [Columns];
+    E111 exits 2 "a row with a different number of columns": "A line has more or fewer columns than the others." => "Correct the line; if another table begins there, export one table to a file.";
+    E112 exits 2 "columns unclear": "Names of position and height were looked for above several columns and not found." => "State the columns of position and height." [Columns];
     E113 exits 2 "commas unclear": "The commas may separate columns or be decimal signs, and both readings make sense." => "State the separator and the decimal sign, or export with semicolons." [Separator, Decimal];
     E114 exits 2 "unknown unit": "The header names a unit that is not one of m, mm, um, nm, angstrom, inch, mil, uin." => "Convert the file, or state the unit if the header is wrong." [ZUnit, XUnit];
     E115 exits 2 "separator does not fit": "The file cannot be read with the separator that was stated." => "Leave the separator out, or state what separates the columns." [Separator];

@@ -366,7 +366,7 @@ impl ReadFault {
         Self::new(
             Code::E112,
             format!(
-                "{columns} columns{labels} and no header that names x and height (or columns that do not exist)"
+                "{columns} columns{labels}, of which none was found to be named as the position or the height (or the stated ones do not exist)"
             ),
             match columns {
                 3 => remedy.or_do("export points x, y, z line by line on a grid"),
@@ -492,14 +492,18 @@ impl ReadFault {
         Self::new(Code::E131, steepness.to_string(), remedy)
     }
 
-    /// The fault of the file whose rows have `faults` like this one, and its remedy.
+    /// The fault of the file, whose rows have `faults` like this one, and its remedy.
     pub(super) fn of_file(
         self,
         faults: &RepeatedFault,
         seems: &FileDialect,
         remedy: Remedy,
     ) -> Self {
-        let fault = Self::new(self.code(), format!("{self}; {faults}; {seems}"), remedy);
+        let text = match faults.is_dialect() {
+            true => format!("{self}; {faults}; {seems}"),
+            false => format!("{self}; {seems}"),
+        };
+        let fault = Self::new(self.code(), text, remedy);
         match self.line() {
             Some(line) => fault.at_line(line),
             None => fault,

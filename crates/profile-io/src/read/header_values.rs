@@ -221,11 +221,9 @@ impl HeaderValues {
 
     /// Whether the header belongs to a matrix of heights whose lines have this number of columns.
     pub(super) fn are_of_matrix(&self, columns: usize) -> bool {
-        let is_stated = |sizes: [usize; 2]| sizes[0] == columns || self.is_wrapped(columns);
-        let is_row = columns > 2;
-        self.size()
-            .is_some_and(|sizes| is_stated(sizes) && (is_row || self.is_wrapped(columns)))
-            || (is_row && self.z_unit.is_some() && self.sides[0].is_some())
+        let is_stated = self.size().is_some_and(|[stated, _]| stated == columns);
+        let is_of_gwyddion = self.z_unit.is_some() && self.sides[0].is_some();
+        columns > 2 && (is_stated || is_of_gwyddion) || self.is_wrapped(columns)
     }
 
     /// Stated numbers of columns and rows of a matrix.
@@ -234,10 +232,12 @@ impl HeaderValues {
         Some([columns?, rows?])
     }
 
-    /// Whether the lines, with this number of columns, are not the rows of the stated size.
+    /// Whether the lines, with this number of columns, are not the rows of the stated size; two or three columns are positions
+    /// with heights.
     pub(super) fn is_wrapped(&self, columns: usize) -> bool {
-        self.size()
-            .is_some_and(|[stated, _]| stated != columns && stated > 2)
+        self.size().is_some_and(|[stated, rows]| {
+            stated != columns && stated > 2 && (columns > 3 || columns == 1 && rows > 1)
+        })
     }
 }
 

@@ -126,7 +126,6 @@ impl<'a, 'l> Matrix<'a, 'l> {
         let is_wanted = |row| options.row == Some(row);
         let (heights, rows) = self.rows(text, is_wanted, &mut mark)?;
         self.check_rows(rows)?;
-        grid::enough_of_line(self.points(), rows, options.line)?;
         if heights.is_empty() {
             return Err(ReadFault::several_profiles(
                 rows,
@@ -134,6 +133,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
                 options.row,
             ));
         }
+        grid::enough_of_line(self.points(), rows, options.line)?;
         let unit = header::unit_of_file(self.values.z_unit.as_ref(), Axis::Height, options)?;
         let [spacing, _] = self.spacings(rows);
         let fewer = stated_count::check(FORMAT, &self.head[..self.sniffed.first], self.points())?;

@@ -163,6 +163,9 @@ fn surface_of(
 ) -> Result<Surface, ReadFault> {
     let start = Start::of(stream)?;
     not_larger(start.size, MOST_BYTES)?;
+    if let Some(bytes) = recognise::recoded(stream, &start)? {
+        return surface_of(name, &mut Cursor::new(bytes), options);
+    }
     let format = format_of(name, stream, &start);
     if let Some(format) = format
         && let Some(found) = packed::surface(name, format, stream, &start, options)?
@@ -382,6 +385,9 @@ fn trace_of(
 ) -> Result<Trace, ReadFault> {
     let start = Start::of(stream)?;
     not_larger(start.size, MOST_BYTES)?;
+    if let Some(bytes) = recognise::recoded(stream, &start)? {
+        return trace_of(name, &mut Cursor::new(bytes), conditions, options);
+    }
     let format = format_of(name, stream, &start);
     if let Some(format) = format
         && let Some(found) = packed::trace(name, format, stream, &start, options)?

@@ -121,8 +121,9 @@ impl Surface {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn reading(&self, options: &ReadOptions) -> Result<Reading, ReadError> {
-        let row = grid::enough_of_line(self.columns, self.rows, TraceLine::Row)
-            .and_then(|()| grid::chosen_row(options.row, self.rows, self.columns));
+        let row = grid::chosen_row(options.row, self.rows, self.columns).and_then(|row| {
+            grid::enough_of_line(self.columns, self.rows, TraceLine::Row).map(|()| row)
+        });
         let row = row.map_err(|fault| fault.in_file(&self.name))?;
         let known = self.row(row).unwrap_or_default();
         let row = grid::bridged((known, self.points_in(options.range)), options);

@@ -61,6 +61,12 @@ fn wyko_ascii_has_its_unit_spacing_and_missing_points_and_its_intensities_are_no
             &surface("a.txt", marked.as_bytes()),
             2.0,
         );
+        let words = marked.encode_utf16().flat_map(u16::to_le_bytes);
+        is_right(
+            "in UTF-16",
+            &surface("a.txt", &words.collect::<Vec<u8>>()),
+            2.0,
+        );
         let cut = &text[..text.find("Intensity").unwrap() - 200];
         assert!(
             refused("a.asc", cut.as_bytes())
@@ -136,6 +142,28 @@ fn matrices_with_a_header_of_their_instrument_are_read_without_an_option() {
             );
         }
     }
+    // One number to a line, and points x y z under the size of their grid.
+    let column = format!(
+        "NX = {COLUMNS}\nNY = {ROWS}\nScale X = 0.5\nScale Y = 2\nUnit X = um\nUnit Data = um\n"
+    );
+    is_right(
+        "column",
+        &surface("a.txt", (column + &rows().replace('\t', "\n")).as_bytes()),
+        2.0,
+    );
+    let point = |(y, line): (usize, &str)| -> String {
+        let points = line.split('\t').enumerate();
+        points
+            .map(|(x, z)| format!("{:.1}\t{y}\t{z}\n", 0.5 * x as f64))
+            .collect()
+    };
+    let points: String = rows()
+        .lines()
+        .enumerate()
+        .map(|(y, line)| point((2 * y, line)))
+        .collect();
+    let text = format!("NX = {COLUMNS}\nNY = {ROWS}\nx [um]\ty [um]\tz [um]\n{points}");
+    is_right("points", &surface("a.txt", text.as_bytes()), 2.0);
     // Columns that are named by numbers, after the number of the line.
     let names: Vec<String> = (0..COLUMNS).map(|x| format!("POS = {x}")).collect();
     let line = |(y, row): (usize, &str)| format!("{y}\t{row}\n");

@@ -115,16 +115,19 @@ impl Areal {
             false => (rows, columns),
             true => (columns, rows),
         };
-        enough_of_line(points, across, options.line)?;
         let at = |point: usize, line: usize| match is_along_y {
             false => surface.height(point, line),
             true => surface.height(line, point),
         };
+        let line = match options.line.is_mean() {
+            true => 0,
+            false => chosen_row(options.row, across, points)?,
+        };
+        enough_of_line(points, across, options.line)?;
         let heights: Vec<f64> = if options.line.is_mean() {
             let mean = |point| mean((0..across).map(|line| at(point, line)));
             (0..points).map(mean).collect()
         } else {
-            let line = chosen_row(options.row, across, points)?;
             (0..points).map(|point| at(point, line)).collect()
         };
         if options.line.is_mean() && across > 1 {
