@@ -366,7 +366,7 @@ impl ReadFault {
         Self::new(
             Code::E112,
             format!(
-                "{columns} columns{labels}, of which none was found to be named as the position or the height (or the stated ones do not exist)"
+                "{columns} columns{labels}: position and height were not both found by their names (or the stated columns do not exist)"
             ),
             match columns {
                 3 => remedy.or_do("export points x, y, z line by line on a grid"),
