@@ -23,7 +23,8 @@ use super::text::{Head, Line, Text};
 use super::trace::{Positions, Trace, own};
 use super::units::Extent;
 use super::{
-    found, grid, header, matrix, points, roll_length, single_column, stated_count, table, units,
+    found, grid, header, lengths, matrix, points, roll_length, single_column, stated_count, table,
+    units,
 };
 use crate::warning::Warning;
 
@@ -396,7 +397,7 @@ impl Parsed<'_> {
         let stated = self.options.unit(axis);
         let both = stated.zip(found);
         warnings
-            .extend(both.and_then(|(stated, found)| found::unit_overridden(axis, stated, found)));
+            .extend(both.and_then(|(stated, found)| lengths::unit_overridden(axis, stated, found)));
         Ok(stated.or(found))
     }
 

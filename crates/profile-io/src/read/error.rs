@@ -9,7 +9,7 @@ use super::layout::Dialect;
 use super::options::{
     Abscissa, Axis, DecimalSign, FEWEST_POINTS, LengthUnit, Separator, TraceLine, TraceRange,
 };
-use super::seems::FileDialect;
+use super::seems::{FileDialect, WITHOUT_THOUSANDS};
 use super::steepness::Steepness;
 
 /// Error of reading a file. The text states file, line, and the actual and expected content; [`code`](Self::code) is
@@ -53,9 +53,6 @@ impl ReadError {
         self.fault.code()
     }
 }
-
-/// Remedy for numbers with thousands separators.
-pub(super) const WITHOUT_THOUSANDS: &str = "export the numbers without thousands separators";
 
 /// Remedy for a workbook whose table is not read.
 const SHEET_AS_TEXT: &str = "save the sheet of the table as CSV, or as text with tabs";

@@ -156,19 +156,6 @@ pub(super) fn turn(values: &mut [f64], warnings: &mut Vec<Warning>, stated: Opti
     }
 }
 
-/// Warning that a stated unit differs from the unit of the file.
-pub(super) fn unit_overridden(
-    axis: Axis,
-    stated: LengthUnit,
-    found: LengthUnit,
-) -> Option<Warning> {
-    (stated != found).then_some(Warning::UnitOverridden {
-        axis,
-        stated,
-        found,
-    })
-}
-
 /// Warning that a stated spacing differs from the spacing of the file.
 pub(super) fn overridden(stated: Length, column: Length) -> Option<Warning> {
     const DIFFERS: f64 = 0.01;

@@ -1,7 +1,6 @@
 //! Lengths as a file has them: in metres already, or numbers whose unit is still to be applied.
 
 use super::error::ReadFault;
-use super::found::unit_overridden;
 use super::options::{Axis, LengthUnit};
 use crate::warning::Warning;
 
@@ -37,7 +36,7 @@ impl<T> Lengths<T> {
         values
     }
 
-    /// The numbers or metres alone.
+    /// The numbers or metres, without their kind.
     pub(crate) fn into_values(self) -> T {
         let (Self::Metres(values) | Self::Numbers(values, _)) = self;
         values
@@ -51,8 +50,8 @@ impl<T> Lengths<T> {
         }
     }
 
-    /// The values with their unit: metres, or as `stated`, of the file, or of `other` if neither states one. A stated unit that is
-    /// not that of the file is a warning.
+    /// The values with their unit: metres, or as `stated`, of the file, or of `other` if neither states one. A stated unit that
+    /// differs from the unit of the file is a warning.
     pub(crate) fn in_unit(
         self,
         axis: Axis,
@@ -76,4 +75,17 @@ impl<T> Lengths<T> {
             }
         })
     }
+}
+
+/// Warning that a stated unit differs from the unit of the file.
+pub(super) fn unit_overridden(
+    axis: Axis,
+    stated: LengthUnit,
+    found: LengthUnit,
+) -> Option<Warning> {
+    (stated != found).then_some(Warning::UnitOverridden {
+        axis,
+        stated,
+        found,
+    })
 }

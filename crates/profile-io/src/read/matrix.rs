@@ -15,6 +15,7 @@ use super::lengths::Lengths;
 use super::options::{self, Axis, Columns, ReadOptions};
 use super::text::{Line, Text};
 use super::{stated_count, table};
+use crate::warning::Warning;
 
 const FORMAT: Format = Format::TextMatrix;
 
@@ -34,7 +35,9 @@ fn are_numbered(labels: &[Label]) -> bool {
         Some((name.to_owned(), number))
     };
     let numbered: Option<Vec<_>> = labels.iter().skip(1).map(parts).collect();
-    let follows = |pair: &[(String, u64)]| pair[0].0 == pair[1].0 && pair[1].1 == pair[0].1 + 1;
+    let follows = |pair: &[(String, u64)]| {
+        pair[0].0 == pair[1].0 && pair[1].1.checked_sub(1) == Some(pair[0].1)
+    };
     numbered.is_some_and(|all| all.len() > 1 && all.windows(2).all(follows))
 }
 
@@ -99,10 +102,11 @@ impl<'a, 'l> Matrix<'a, 'l> {
         } else {
             lines
         };
-        if let Some([_, stated]) = self.values.size().filter(|_| self.is_wrapped())
-            && values.len() != columns * stated
-        {
-            return Err(miscounted(FORMAT, values.len(), columns * stated));
+        if let Some([_, stated]) = self.values.size().filter(|_| self.is_wrapped()) {
+            let stated = columns.saturating_mul(stated);
+            if values.len() != stated {
+                return Err(miscounted(FORMAT, values.len(), stated));
+            }
         }
         self.check_rows(rows)?;
         grid::unmark(&mut values);
@@ -110,6 +114,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
         let heights = Lengths::Numbers(Heights::Values { values, columns }, unit);
         Ok(Areal {
             spacings: self.spacings(rows),
+            warnings: self.fewer()?.into_iter().collect(),
             encoding: Some(text.encoding),
             table: Some(self.layout()),
             ..Areal::of(FORMAT, heights)
@@ -136,10 +141,9 @@ impl<'a, 'l> Matrix<'a, 'l> {
         grid::enough_of_line(self.points(), rows, options.line)?;
         let unit = header::unit_of_file(self.values.z_unit.as_ref(), Axis::Height, options)?;
         let [spacing, _] = self.spacings(rows);
-        let fewer = stated_count::check(FORMAT, &self.head[..self.sniffed.first], self.points())?;
         Ok(Found {
             spacing: spacing.map(|dx| (dx, SpacingSource::Header)),
-            warnings: fewer.into_iter().collect(),
+            warnings: self.fewer()?.into_iter().collect(),
             encoding: Some(text.encoding),
             table: Some(self.layout()),
             mark,
@@ -176,6 +180,11 @@ impl<'a, 'l> Matrix<'a, 'l> {
         Ok((heights, rows))
     }
 
+    /// Warning of fewer points in a row than the header states; more are an error.
+    fn fewer(&self) -> Result<Option<Warning>, ReadFault> {
+        stated_count::check(FORMAT, &self.head[..self.sniffed.first], self.points())
+    }
+
     /// Returns an error for more rows than the header states.
     fn check_rows(&self, rows: usize) -> Result<(), ReadFault> {
         let stated = self.values.size().map_or(rows, |[_, stated]| stated);
@@ -189,7 +198,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
         }
     }
 
-    /// Whether a line is no text between the rows.
+    /// Whether a line starts as a row.
     fn begins_with_number(&self, line: &Line<'_>) -> bool {
         let dialect = self.sniffed.dialect;
         let first = dialect.cells(line.text).next();

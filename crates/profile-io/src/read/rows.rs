@@ -140,7 +140,7 @@ impl Rows {
 }
 
 /// x and height of any row; x is NaN without an x column and in a row without x and height, the height is NaN if it is
-/// missing, which any word says where x tells its place.
+/// missing, which any word marks if x states its place.
 pub(super) fn row(
     head: &[Line<'_>],
     line: &Line<'_>,

@@ -2,8 +2,10 @@
 
 use std::fmt;
 
-use super::error::WITHOUT_THOUSANDS;
 use asperity_core::remedy::{Remedy, Setting, Value};
+
+/// Remedy for numbers with thousands separators.
+pub(super) const WITHOUT_THOUSANDS: &str = "export the numbers without thousands separators";
 
 /// Dialect that a file seems to have if many of its rows have like faults.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,6 +5,7 @@ use asperity_core::quantity::Length;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{
     Axis, LengthUnit, Metadata, ReadOptions, TraceLine, read_bytes, read_surface_bytes,
+    read_with_conditions,
 };
 
 use asperity_profile_io::write::{WrittenFormat, write};
@@ -189,6 +190,35 @@ fn a_unit_that_is_stated_again_changes_no_surface_and_no_row_of_it() {
                 file.name
             );
         }
+    }
+}
+
+/// The evaluation length has its own unit, and so has a spacing in the header of a table.
+#[test]
+fn a_stated_unit_of_positions_scales_no_length_that_has_its_own() {
+    let heights: String = (0..POINTS).map(|i| format!("{:.4}\n", height(i))).collect();
+    let options = ReadOptions {
+        x_unit: Some(LengthUnit::Millimetre),
+        z_unit: Some(LengthUnit::Micrometre),
+        ..ReadOptions::default()
+    };
+    let profile = format!("0.12000\n{POINTS}\n{heights}");
+    let conditions = "Evaluation length\t0.1200000mm\n";
+    let surfcom = read_with_conditions(
+        "a.tx1",
+        profile.as_bytes(),
+        Some(conditions.as_bytes()),
+        &options,
+    );
+    let column = read_bytes(
+        "a.txt",
+        format!("# dx = 0.5 um\n{heights}").as_bytes(),
+        &options,
+    );
+    for reading in [surfcom.unwrap(), column.unwrap()] {
+        check(&reading, reading.format, 4);
+        let (axis, stated) = (Axis::Trace, LengthUnit::Millimetre);
+        assert_eq!(reading.warnings, [Warning::UnitNotUsed { axis, stated }]);
     }
 }
 

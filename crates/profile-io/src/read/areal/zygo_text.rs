@@ -3,7 +3,7 @@
 //! Layout: MetroPro Reference Guide OMP-0347, "ASCII data files". Line 4 of the header has the first column and row of the phase
 //! map and their numbers, line 8 interferometric scale factor, wavelength \[m\], obliquity factor and, as its seventh field, the
 //! width of a pixel \[m\], which is 0 if it was not calibrated. XYZ has a line `column row height` for each pixel, with heights
-//! in micrometres, and `No Data` for a missing one. ASCII has numbers row by row, after those of the intensities: a height is
+//! in micrometres, and `No Data` for a missing one. ASCII has numbers row by row, after the intensities: a height is
 //! number · S · W · O / R as in the binary file, with the phase resolution in line 11.
 
 use super::metropro;

@@ -21,7 +21,7 @@ const MOST_MEMBERS: usize = 10_000;
 pub(super) struct Archive<'a> {
     format: Format,
     zip: ZipArchive<BufReader<&'a mut dyn Stream>>,
-    /// Names by index; those of files that a system added are empty.
+    /// Names by index, empty for files that a system added.
     names: Vec<String>,
     size: u64,
 }
