@@ -13,6 +13,7 @@ fn option(setting: Setting) -> Cow<'static, str> {
         Setting::XUnit => "--x-unit",
         Setting::ZUnit => "--z-unit",
         Setting::Spacing => "--dx",
+        Setting::RowSpacing => "--dy",
         Setting::Columns => "--columns",
         Setting::Decimal => "--decimal",
         Setting::Separator => "--separator",
@@ -84,6 +85,7 @@ fn argument(settings: &[Setting], value: &str) -> String {
         (
             [
                 Setting::Spacing
+                | Setting::RowSpacing
                 | Setting::BaseRadius
                 | Setting::Cutoff
                 | Setting::NoiseCutoff

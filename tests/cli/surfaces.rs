@@ -428,6 +428,64 @@ fn a_stated_unit_never_shrinks_a_surface_that_has_its_own() {
 }
 
 #[test]
+fn a_unit_that_is_stated_again_for_a_scan_as_text_changes_no_loss() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    let all = heights(7500);
+    let row = |y: usize| {
+        let point = move |(x, z): (usize, &f64)| {
+            format!(
+                "{:.4},{:.2},{:.9}\n",
+                5e-4 * x as f64,
+                0.5 * y as f64,
+                1e-3 * z
+            )
+        };
+        let heights = all[500 * y..500 * y + 6000].iter().enumerate();
+        heights.map(point).collect::<String>()
+    };
+    let points: String = (0..3).map(row).collect();
+    bench.write("points.csv", format!("x [mm],y [mm],z [mm]\n{points}"));
+    let matrix = |y: usize| {
+        let heights = all[500 * y..500 * y + 6000].iter();
+        let heights: Vec<String> = heights.map(|z| format!("{:.9}", 1e-3 * z)).collect();
+        heights.join("\t") + "\n"
+    };
+    let rows: String = (0..3).map(matrix).collect();
+    let head = "# Width: 3 mm\n# Height: 1.5 mm\n# Value units: mm\n";
+    bench.write("matrix.txt", format!("{head}{rows}"));
+    let loss = |file: &str, units: &str| {
+        let line = format!("pinion = {{ file = \"{file}\", rows = 2{units} }}");
+        bench.write("case.toml", with_line("pinion", &line));
+        let run = bench.run(&["run", "case.toml", "--no-output", "--no-band", "--json"]);
+        run.well().json()["summary"]["loss_w"].as_f64().unwrap()
+    };
+    for file in ["points.csv", "matrix.txt"] {
+        let plain = loss(file, "");
+        assert_eq!(
+            loss(file, ", x_unit = \"mm\", z_unit = \"mm\""),
+            plain,
+            "{file}"
+        );
+        let info = [
+            "profile", "info", file, "--dx", "0.5um", "--dy", "500um", "--z-unit", "mm", "--json",
+        ];
+        let said = bench.run(&info).json();
+        assert_eq!(
+            (&said["dx_um"], &said["dy_um"]),
+            (&0.5.into(), &500.0.into()),
+            "{said}"
+        );
+    }
+    let said = bench.run(&["profile", "info", "pinion.csv", "--dy", "2um"]);
+    said.refused(
+        2,
+        "E119",
+        &["pinion.csv: the file holds a single profile; --dy has no rows"],
+    );
+}
+
+#[test]
 fn heights_too_small_for_a_flank_are_refused_by_a_case() {
     let bench = Bench::new();
     bench.write_flanks();

@@ -366,6 +366,9 @@ pub struct ReadingArgs {
     /// Spacing of the points, e.g. "0.5 um"
     #[arg(long, allow_hyphen_values = true)]
     pub dx: Option<Length>,
+    /// Spacing of the rows of a surface, e.g. "10 um"
+    #[arg(long, allow_hyphen_values = true)]
+    pub dy: Option<Length>,
     /// Columns of position and height, counted from 1: "1,2", or only the height: "2"
     #[arg(long)]
     pub columns: Option<Columns>,

@@ -287,6 +287,25 @@ fn an_export_of_a_machine_gives_the_constants_of_its_table() {
     let marked = text.replacen("\t40.0\t", "\tn.a.\t", 1);
     let refused = read_pcs("mtm.txt", &marked, &machine(), Probe::Lube).unwrap_err();
     assert!(!refused.to_string().contains("look like this"), "{refused}");
+    // A word of one cell is a remark: below the rows of a step, above its names, and between two rows.
+    for (before, remark) in [
+        ("\r\nStep 1", "Remarks\r\n"),
+        ("SRR (%)\tTraction Coeff", "\tnew disc 3\r\n"),
+        ("\r\n20.000\t", "\r\n\"paused\""),
+    ] {
+        let remarked = text.replace(before, &format!("{remark}{before}"));
+        for text in [
+            remarked.clone(),
+            remarked.replace('\t', ";").replace('.', ","),
+        ] {
+            let found = read_pcs("mtm.txt", &text, &machine(), Probe::Lube);
+            assert_eq!(
+                found.map(|readings| readings.len()).ok(),
+                Some(120),
+                "{remark}"
+            );
+        }
+    }
     // The title may lack, and a slow step prints few digits of its sliding speed.
     let untitled = text
         .split_once("Step 1")

@@ -30,6 +30,7 @@ pub mod provenance;
 pub mod quantity;
 pub mod remedy;
 mod repeated_fault;
+mod system_file;
 mod unique;
 mod unit_text;
 
@@ -45,4 +46,5 @@ pub use profile::Profile;
 pub use quantity::Quantity;
 pub use remedy::{Action, Remedy, Setting, capitalised};
 pub use repeated_fault::RepeatedFault;
+pub use system_file::is_of_system;
 pub use unique::unique;

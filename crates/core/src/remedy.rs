@@ -19,6 +19,8 @@ pub enum Setting {
     ZUnit,
     /// Spacing of the points.
     Spacing,
+    /// Spacing of the rows of a surface.
+    RowSpacing,
     /// Columns of positions and heights.
     Columns,
     /// Decimal sign.
@@ -64,6 +66,7 @@ impl Setting {
             Self::XUnit => "x_unit",
             Self::ZUnit => "z_unit",
             Self::Spacing => "dx",
+            Self::RowSpacing => "dy",
             Self::Columns => "columns",
             Self::Decimal => "decimal",
             Self::Separator => "separator",

@@ -39,7 +39,7 @@ fn of_lines(
     preparation: Option<&PreparationRecord>,
 ) -> Result<RowLay, String> {
     let [Some(along), Some(across)] = spacings else {
-        return Err("it does not state the distance of its rows".to_owned());
+        return Err("no distance of its rows (dy) was found in it".to_owned());
     };
     let Some(record) = preparation else {
         return Err("its rows are not prepared".to_owned());

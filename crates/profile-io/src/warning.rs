@@ -50,14 +50,12 @@ pub enum Warning {
     /// The trace was stored backwards.
     #[error("x decreases along the file; the trace was reversed")]
     Reversed,
-    /// The stated spacing overrides the spacing of the x column.
-    #[error(
-        "spacing {stated:.6} was stated, the x column says {column:.4}; the stated one is used"
-    )]
+    /// The stated spacing overrides the spacing of the file.
+    #[error("spacing {stated:.6} was stated, the file says {column:.4}; the stated one is used")]
     SpacingOverridden {
         /// Stated spacing.
         stated: Length,
-        /// Spacing of the x column.
+        /// Spacing of the file.
         column: Length,
     },
     /// The file holds the output of a roughness filter.
@@ -167,9 +165,9 @@ pub enum Warning {
     /// According to the file a replica was measured.
     #[error("the file says that a replica was measured: its peaks are the valleys of the flank")]
     Replica,
-    /// Values that the file names depths were turned into heights.
+    /// Values that the file names depths or distances from a sensor were turned into heights.
     #[error(
-        "the file names its values depths; they were turned, so that heights point out of the material"
+        "the file names its values depths or distances from a sensor; they were turned, so that heights point out of the material"
     )]
     DepthsTurned,
     /// A value of the header differs from the value that is used.

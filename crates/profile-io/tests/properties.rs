@@ -97,6 +97,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
                 x_unit,
                 z_unit,
                 dx: dx.map(Length::from_si),
+                dy: dx.map(Length::from_si),
                 columns,
                 decimal,
                 separator,

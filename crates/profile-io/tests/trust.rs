@@ -379,7 +379,7 @@ fn a_row_of_a_matrix_of_heights_is_read() {
         (
             asked(Some(3), None),
             Code::E110,
-            "the heights have no x column to give the spacing".to_owned(),
+            "no x column and no spacing of the points was found".to_owned(),
         ),
     ] {
         let refused = opened(&text, &asked).unwrap_err();

@@ -4,7 +4,7 @@ use crate::error;
 use std::borrow::Cow;
 use std::io::{Cursor, Read};
 
-use asperity_core::Fault;
+use asperity_core::{Fault, is_of_system};
 use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
 use zip::ZipArchive;
 
@@ -95,6 +95,7 @@ fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Fault> {
             let entry = archive.by_index_raw(index).ok()?;
             entry.name().ok().map(std::borrow::Cow::into_owned)
         })
+        .filter(|name| !is_of_system(name))
         .collect();
     let ending = |ending: &str| -> Vec<&String> {
         let fits = |name: &&String| name.to_ascii_lowercase().ends_with(ending);

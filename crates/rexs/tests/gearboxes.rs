@@ -284,6 +284,15 @@ fn json_and_zip_say_what_xml_says() {
     let options = zip::write::SimpleFileOptions::default();
     zip.start_file("gearbox/box.rexsj", options).unwrap();
     zip.write_all(json.as_bytes()).unwrap();
+    // Files that systems add.
+    for name in [
+        "__MACOSX/gearbox/._box.rexsj",
+        "gearbox/._box.rexs",
+        "__MACOSX/._gearbox.rexs",
+    ] {
+        zip.start_file(name, options).unwrap();
+        zip.write_all(b"\0\x05\x16\x07").unwrap();
+    }
     let bytes = zip.finish().unwrap().into_inner();
     assert_eq!(Model::read(&bytes).unwrap(), model);
 }

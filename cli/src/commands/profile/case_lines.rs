@@ -36,6 +36,7 @@ pub(super) fn case_lines(
         (Setting::XUnit, text(named(&reading.x_unit))),
         (Setting::ZUnit, text(named(&reading.z_unit))),
         (Setting::Spacing, text(named(&reading.dx))),
+        (Setting::RowSpacing, text(named(&reading.dy))),
         (Setting::Columns, reading.columns.map(columns)),
         (Setting::Decimal, text(named(&reading.decimal))),
         (Setting::Separator, text(named(&reading.separator))),

@@ -180,6 +180,7 @@ fn read_options(args: &ReadingArgs, base_radius: Option<Length>) -> ReadOptions 
         x_unit: args.x_unit,
         z_unit: args.z_unit,
         dx: args.dx,
+        dy: args.dy,
         columns: args.columns,
         decimal: args.decimal,
         separator: args.separator,
@@ -214,11 +215,12 @@ pub(super) fn opened_trace(
     let trace = read_trace(file, &options).map_err(|error| refused(&error))?;
     let row = args.row.unwrap_or(1);
     let single = !trace.format.may_hold_several();
-    if single && (row > 1 || args.line.is_some()) {
+    if single && (row > 1 || args.line.is_some() || args.dy.is_some()) {
         let name = &trace.name;
         let reason = match args.line {
             Some(line) => format!("--line {line} has nothing to choose from"),
-            None => format!("there is no row {row}"),
+            None if row > 1 => format!("there is no row {row}"),
+            None => "--dy has no rows to set apart".to_owned(),
         };
         let text = format!("{name}: the file holds a single profile; {reason}");
         return Err(Failure::new(Code::E119, text));

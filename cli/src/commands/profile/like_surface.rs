@@ -13,7 +13,7 @@ use asperity_roughness::lay::bridged;
 use serde_json::json;
 
 use super::evaluated::{Note, opened_surface, synthetic};
-use super::surface_facts::areal_line;
+use super::surface_facts::{areal_line, spacings};
 use crate::args::{Common, ProfileGenerateArgs};
 use crate::failure::Failure;
 use crate::output::{self, print_json, print_text};
@@ -33,14 +33,8 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
     let Some(first) = surfaces.first() else {
         return Ok(());
     };
-    let (Some(dx), Some(dy)) = (first.dx, first.dy) else {
-        let text = format!(
-            "{}: the distances of points and rows are not both stated. Save the surface as X3P, SUR or SDF",
-            first.name
-        );
-        return Err(Failure::new(Code::E110, text));
-    };
-    let spacings = [dx, dy];
+    let spacings = spacings(first)
+        .map_err(|reason| Failure::new(Code::E110, format!("{}: {reason}", first.name)))?;
     for other in &surfaces {
         let grid = |surface: &Surface| (surface.columns, surface.rows, surface.dx, surface.dy);
         if grid(other) != grid(first) {
@@ -76,8 +70,8 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
             "pieces": pieces(&made, args, spacings),
             "columns": first.columns,
             "rows": first.rows,
-            "dx_um": um(dx),
-            "dy_um": um(dy),
+            "dx_um": um(spacings[0]),
+            "dy_um": um(spacings[1]),
             "achieved": areal,
             "output": name,
         }));

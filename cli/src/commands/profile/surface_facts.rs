@@ -5,7 +5,7 @@ use std::path::Path;
 use asperity::flanks::sheets::LEAST_ROWS;
 use asperity_core::by_size;
 use asperity_core::quantity::Length;
-use asperity_profile_io::read::Surface;
+use asperity_profile_io::read::{Format, Surface};
 use asperity_report::Report;
 use asperity_report::profile_json::{height, um};
 use asperity_roughness::areal::{ArealParameters, parameters};
@@ -13,7 +13,7 @@ use asperity_roughness::lay::{RowLay, lay_of_rows};
 use serde_json::json;
 
 use super::case_lines::case_lines;
-use super::evaluated::opened_surface;
+use super::evaluated::{Note, opened_surface};
 use super::file_facts::rounded;
 use super::plan::Plan;
 use crate::args::{Common, ProfileInfoArgs};
@@ -79,6 +79,7 @@ pub(super) fn print(
             "missing": surface.z.len() - surface.measured(),
             "areal": areal.as_ref().ok(),
             "lay": lay.as_ref().ok(),
+            "warnings": surface.warnings,
         });
         facts["error"] = failure.json()["error"].clone();
         facts
@@ -88,28 +89,45 @@ pub(super) fn print(
             .verdict([read])
             .text(areal_lines)
             .text([lay_line])
+            .warning(surface.warnings.iter().map(|warning| {
+                let note = Note::Read(warning);
+                format!("{} {note}", note.code())
+            }))
             .code(case_lines(file, args, args.preparing.lambda_c, rows))
     };
     print_report(common, json, report, None).map(|()| true)
 }
 
+/// The spacings of points and rows, or the options that state the unknown ones.
+pub(super) fn spacings(surface: &Surface) -> Result<[Length; 2], String> {
+    if let (Some(dx), Some(dy)) = (surface.dx, surface.dy) {
+        return Ok([dx, dy]);
+    }
+    if surface.format == Format::PointText {
+        return Err("no unit of the positions was found in the file, pass --x-unit".to_owned());
+    }
+    let unknown = [("points", "--dx", surface.dx), ("rows", "--dy", surface.dy)];
+    let unknown = unknown.iter().filter(|(.., known)| known.is_none());
+    let [of, options] = [0, 1].map(|part| {
+        let words = unknown.clone().map(|(of, option, _)| [*of, *option][part]);
+        words.collect::<Vec<_>>().join(" and ")
+    });
+    Err(format!(
+        "no spacing of {of} was found in the file, pass {options}"
+    ))
+}
+
 /// The areal parameters, or why there are none.
 fn evaluated(surface: &Surface) -> Result<ArealParameters, String> {
-    let (Some(dx), Some(dy)) = (surface.dx, surface.dy) else {
-        return Err("the file does not state both spacings".to_owned());
-    };
-    parameters(&surface.z, surface.columns, [dx, dy]).map_err(|error| error.to_string())
+    parameters(&surface.z, surface.columns, spacings(surface)?).map_err(|error| error.to_string())
 }
 
 /// The lay of traces along the rows, prepared by the options, or why it is not known.
 fn measured_lay(surface: &Surface, plan: &Plan) -> Result<RowLay, String> {
-    let (Some(dx), Some(dy)) = (surface.dx, surface.dy) else {
-        return Err("the file does not state both spacings".to_owned());
-    };
     match lay_of_rows(
         &surface.z,
         surface.columns,
-        [dx, dy],
+        spacings(surface)?,
         &plan.recipe,
         plan.filter,
     ) {

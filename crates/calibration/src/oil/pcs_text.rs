@@ -2,7 +2,7 @@
 //! it, with decimal points or commas.
 //!
 //! Every step whose table has load, rolling speed, slide-to-roll ratio and traction coefficient is read, whatever the type
-//! of the step is called. The first columns of a table are repeated further right; the last one of each name is taken.
+//! of the step is called. A line with a single cell of text is a remark. The first columns of a table are repeated further right; the last one of each name is taken.
 //!
 //! A step with the column of an average film measures film thickness, usually on glass, and no traction. Its films replace the
 //! computed ones at the same load and set temperature, between its speeds, along straight lines over the logarithms.
@@ -84,7 +84,7 @@ pub fn read_pcs(
             columns = Some(found);
         } else if cells.iter().all(|cell| cell.is_empty()) {
             columns = None;
-        } else if let Some(columns) = &columns {
+        } else if let Some(columns) = columns.as_ref().filter(|_| !is_remark(&cells)) {
             let place = Place {
                 file: name,
                 line: number + 1,
@@ -180,6 +180,13 @@ impl Place<'_> {
     fn fault(self, rule: String) -> Fault {
         oil_error::row(self.file, self.line, rule)
     }
+}
+
+/// Whether a line is a single cell of text.
+fn is_remark(cells: &[&str]) -> bool {
+    let mut filled = cells.iter().filter(|cell| !cell.is_empty());
+    let is_text = |cell: &&&str| cell.replace(',', ".").parse::<f64>().is_err();
+    filled.next().filter(is_text).is_some() && filled.next().is_none()
 }
 
 /// Number of a cell.

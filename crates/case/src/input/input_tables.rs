@@ -465,6 +465,9 @@ table! {
     z_unit: Option<LengthUnit>;
     /// Spacing of the points, if the file does not state it.
     dx: Option<Length> = "um" usual [0.01, 10.0] possible [1e-5, 1000.0];
+    /// Spacing of the rows of a surface, if the file does not state it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dy: Option<Length> = "um" usual [0.01, 1000.0] possible [1e-5, 1e5];
     /// Columns of position and height, counted from 1: `{ x = 1, z = 2 }`, or `{ z = 1 }`.
     columns: Option<Columns> = "" usual [1.0, 100.0] possible [1.0, 1e5];
     /// Decimal sign: `point` or `comma`.

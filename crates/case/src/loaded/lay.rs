@@ -167,7 +167,7 @@ fn is_of_same_surface(first: &Listed, second: &Listed) -> bool {
     a.file == b.file
         && a.line.unwrap_or_default() == b.line.unwrap_or_default()
         && a.z_unit == b.z_unit
-        && a.dx == b.dx
+        && (a.dx, a.dy) == (b.dx, b.dy)
 }
 
 fn written(lay: &RowLay, file: &str) -> String {

@@ -1,6 +1,6 @@
 //! Errors of files that break the rules of their format.
 
-use super::dialect::is_missing;
+use super::dialect::{is_missing, is_word};
 use super::error::{ReadFault, shortened};
 use super::format::Format;
 use super::metadata::number;
@@ -10,9 +10,10 @@ pub(super) fn damaged(format: Format, what: &'static str, seen: &str) -> ReadFau
     ReadFault::damaged(format, what, &shortened(seen))
 }
 
-/// The height in `field`, NaN for a missing point; `None` if it is neither.
+/// The height in `field`, NaN for a word, which marks a missing point; `None` if it is neither.
 pub(super) fn height(field: &str) -> Option<f64> {
-    number(field).or_else(|| is_missing(field).then_some(f64::NAN))
+    let is_mark = || is_missing(field) || is_word(field);
+    number(field).or_else(|| is_mark().then_some(f64::NAN))
 }
 
 /// The error for a height `field` that is not a number.

@@ -13,6 +13,7 @@ use super::grid::{Spacing, SpacingSource};
 use super::header::{FilterState, Label, Role};
 use super::header_values::HeaderValues;
 use super::layout::TableLayout;
+use super::matrix::Matrix;
 use super::metadata::{self, Metadata};
 use super::options::{Abscissa, Axis, Encoding, LengthUnit, ReadOptions, TraceLine};
 use super::rows::{self, Rows};
@@ -22,7 +23,8 @@ use super::text::{Head, Line, Text};
 use super::trace::{Positions, Trace, own};
 use super::units::Extent;
 use super::{
-    found, grid, header, matrix, points, roll_length, single_column, stated_count, table, units,
+    found, grid, header, lengths, matrix, points, roll_length, single_column, stated_count, table,
+    units,
 };
 use crate::warning::Warning;
 
@@ -45,20 +47,12 @@ pub(super) fn read(
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
     let values = HeaderValues::of(header);
     if matrix::is_matrix(&labels, &values, options) {
-        let numbering = matrix::numbering(header, table, &sniffed);
-        let points = sniffed.columns - numbering;
-        let fewer = stated_count::check(Format::TextMatrix, header, points)?;
-        let first = table.first().map_or(1, |line| line.number);
+        let matrix = Matrix::of(&lines, &sniffed, &labels, &values);
         let found = match options.line {
-            TraceLine::Row => {
-                matrix::read(text, first, &lines, &sniffed, numbering, &values, options)?
-            }
-            _ => matrix::surface(text, first, &lines, &sniffed, numbering, &values)?
-                .trace(options)?,
+            TraceLine::Row if !matrix.is_wrapped() => matrix.read(text, options)?,
+            _ => matrix.surface(text, options)?.trace(options)?,
         };
-        let mut trace = found.finish(name, options)?;
-        trace.warnings.extend(fewer);
-        return Ok(trace);
+        return found.finish(name, options);
     }
     let first = table.first().map_or(1, |line| line.number);
     let points = match points::columns(&labels, options) {
@@ -140,30 +134,34 @@ pub(super) fn surface(
     table::check_line_above(&lines, &sniffed)?;
     let (header, table) = lines.split_at(sniffed.first);
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
+    let values = HeaderValues::of(header);
     let first = table.first().map_or(1, |line| line.number);
     if let Some(columns) = points::columns(&labels, options)
         && let Some(points) = points::read(text, first, &lines, &sniffed, columns)?
     {
-        let unit = |stated: Option<LengthUnit>, column: usize| match &labels[column].unit {
-            _ if stated.is_some() => stated,
-            Some(header::Stated::Length(unit)) => Some(*unit),
-            _ => None,
+        let unit = |axis, column: usize, of_header| {
+            let label: Option<&header::Stated> = labels[column].unit.as_ref();
+            header::unit_of_file(label.or(of_header), axis, options)
         };
-        let [x, _, z] = columns;
-        let mut areal = points.surface(unit(options.x_unit, x), unit(options.z_unit, z));
+        let [x, y, z] = columns;
+        let mut areal = points.surface(
+            unit(Axis::Trace, x, None)?,
+            unit(Axis::Trace, y, None)?,
+            unit(Axis::Height, z, values.z_unit.as_ref())?,
+        );
         let depths = labels[z].is_depth.then_some(Warning::DepthsTurned);
         areal.warnings.extend(depths);
+        areal.encoding = Some(text.encoding);
         return Ok(areal);
     }
-    if sniffed.columns < FEWEST || labels.iter().any(|label| label.role.is_some()) {
+    let is_matrix = sniffed.columns >= FEWEST && labels.iter().all(|label| label.role.is_none());
+    if !is_matrix && !matrix::is_matrix(&labels, &values, options) {
         return Err(ReadFault::no_heights(
             Format::DelimitedText,
             "no matrix of heights",
         ));
     }
-    let numbering = matrix::numbering(header, table, &sniffed);
-    let values = HeaderValues::of(header);
-    matrix::surface(text, first, &lines, &sniffed, numbering, &values)
+    Matrix::of(&lines, &sniffed, &labels, &values).surface(text, options)
 }
 
 /// Relative difference up to which a value of a header and the value used are taken as equal.
@@ -297,7 +295,7 @@ impl Parsed<'_> {
         grid::enough(z.len())?;
         let mut column = None;
         // With a stated spacing x is not required and not checked.
-        if let (Some(x), None) = (&mut x, self.options.dx) {
+        if let (Some(x), None) = (&mut x, self.options.spacing()) {
             let spacing = grid::spacing(x, &mut place)?;
             if spacing.falls {
                 z.reverse();
@@ -309,7 +307,7 @@ impl Parsed<'_> {
         let first = |row: usize| {
             let row = if falls { count - 1 - row } else { row };
             if !self.is_listed {
-                return Ok((None, grid::node(row, self.options)));
+                return Ok((None, grid::node(row, self.options, None)));
             }
             let (line, text) = place(row)?;
             Ok((Some(line), format!("reads \"{text}\"")))
@@ -366,57 +364,41 @@ impl Parsed<'_> {
     fn abscissa(&self) -> Abscissa {
         let labelled = self.chosen.x.and_then(|x| self.labels.get(x)?.role);
         match (self.options.abscissa, labelled) {
-            _ if self.chosen.x.is_none() || self.options.dx.is_some() => Abscissa::Distance,
+            _ if self.chosen.x.is_none() || self.options.spacing().is_some() => Abscissa::Distance,
             (Some(stated), _) => stated,
             (None, Some(Role::Roll(abscissa))) => abscissa,
             (None, _) => Abscissa::Distance,
         }
     }
 
-    /// The unit of a column: as stated, or from the header.
-    fn unit(&self, axis: Axis, column: usize) -> Result<Option<LengthUnit>, ReadFault> {
-        let stated = match axis {
-            // Roll angles have been converted to roll lengths in metres.
-            Axis::Trace
-                if matches!(
-                    self.abscissa(),
-                    Abscissa::RollDegrees | Abscissa::RollRadians
-                ) =>
-            {
-                Some(LengthUnit::Metre)
-            }
-            Axis::Trace => self.options.x_unit,
-            Axis::Height => self.options.z_unit,
-        };
+    /// The unit of a column: as stated, or of the file or its format, with a warning if the two differ.
+    fn unit(
+        &self,
+        axis: Axis,
+        column: usize,
+        of_format: Option<LengthUnit>,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Option<LengthUnit>, ReadFault> {
+        // Roll angles have been converted to roll lengths in metres.
+        let is_angle = matches!(
+            self.abscissa(),
+            Abscissa::RollDegrees | Abscissa::RollRadians
+        );
+        if axis == Axis::Trace && is_angle {
+            return Ok(Some(LengthUnit::Metre));
+        }
         let of_header = match axis {
             Axis::Trace => None,
             Axis::Height => self.values.z_unit.as_ref(),
         };
         let label = self.labels.get(column);
-        let of_file = label.and_then(|label| label.unit.as_ref()).or(of_header);
-        match stated {
-            Some(unit) => Ok(Some(unit)),
-            None => of_file.map(|unit| unit.length(axis)).transpose(),
-        }
-    }
-
-    /// Warning that a stated unit differs from the unit of the header, or of the format if the header has none.
-    fn unit_overridden(
-        &self,
-        axis: Axis,
-        column: usize,
-        of_format: Option<LengthUnit>,
-    ) -> Option<Warning> {
-        let stated = match axis {
-            Axis::Trace => self.options.x_unit,
-            Axis::Height => self.options.z_unit,
-        }?;
-        let label = self.labels.get(column);
-        let found = match label.and_then(|label| label.unit.as_ref()) {
-            Some(header::Stated::Length(unit)) => Some(*unit),
-            _ => of_format,
-        };
-        found::unit_overridden(axis, stated, found?)
+        let found = label.and_then(|label| label.unit.as_ref()).or(of_header);
+        let found = header::unit_of_file(found, axis, self.options)?.or(of_format);
+        let stated = self.options.unit(axis);
+        let both = stated.zip(found);
+        warnings
+            .extend(both.and_then(|(stated, found)| lengths::unit_overridden(axis, stated, found)));
+        Ok(stated.or(found))
     }
 
     /// Spacing and units: as stated, from the header, or the only possible ones.
@@ -436,9 +418,8 @@ impl Parsed<'_> {
             slope: root_mean_square_step(heights) / spacing,
         };
         let no_spacing = |hint| Err(ReadFault::no_spacing(hint));
-        let z_stated = self.unit(Axis::Height, self.chosen.z)?.or(special.unit);
-        warnings.extend(self.unit_overridden(Axis::Height, self.chosen.z, special.unit));
-        if let Some(dx) = self.options.dx {
+        let z_stated = self.unit(Axis::Height, self.chosen.z, special.unit, warnings)?;
+        if let Some(dx) = self.options.spacing() {
             warnings.extend(x.and_then(|x| self.overridden(x, dx)));
             let spacing = (dx.si(), SpacingSource::Stated);
             return without_x(spacing, z_stated, extent(dx.si()), warnings);
@@ -452,14 +433,18 @@ impl Parsed<'_> {
             });
         }
         if let (None, Some(spacing)) = (x, self.values.spacing) {
+            let not_used = |stated| Warning::UnitNotUsed {
+                axis: Axis::Trace,
+                stated,
+            };
+            warnings.extend(self.options.x_unit.map(not_used));
             let of_header = (spacing, SpacingSource::Header);
             return without_x(of_header, z_stated, extent(spacing), warnings);
         }
         let (Some(x), Some(x_column), Some(column)) = (x, self.chosen.x, column) else {
             return no_spacing(SpacingHint::None);
         };
-        let x_stated = self.unit(Axis::Trace, x_column)?;
-        warnings.extend(self.unit_overridden(Axis::Trace, x_column, None));
+        let x_stated = self.unit(Axis::Trace, x_column, None, warnings)?;
         if x_stated.is_none() && (self.has_pixels || grid::counts_points(x)) {
             return no_spacing(SpacingHint::XCounts);
         }
@@ -504,7 +489,8 @@ impl Parsed<'_> {
 
     /// Warning that a stated spacing differs from the spacing of the x column, if it has a unit.
     fn overridden(&self, x: &[f64], stated: Length) -> Option<Warning> {
-        let unit = self.unit(Axis::Trace, self.chosen.x?).ok().flatten()?;
+        let unit = self.unit(Axis::Trace, self.chosen.x?, None, &mut Vec::new());
+        let unit = unit.ok().flatten()?;
         let (first, last) = (x.first()?, x.last()?);
         let column = Length::from_si(unit.metres((last - first).abs() / (x.len() - 1) as f64));
         found::overridden(stated, column)

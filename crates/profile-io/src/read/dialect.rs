@@ -81,6 +81,8 @@ const LONGEST_MISSING: usize = 9;
 
 /// Maximum length of a number in characters.
 pub(super) const LONGEST_NUMBER: usize = 64;
+/// Least number of numbers of a row with a word.
+const FEWEST_AMONG_WORDS: usize = 8;
 /// Maximum number of columns; profiles have two to some dozens.
 const MOST_COLUMNS: usize = 1 << 16;
 
@@ -107,9 +109,24 @@ impl Dialect {
                 rest = Some(&text[end..]);
                 return Some(trim_cell(&text[..end]));
             }
-            let cut = sign(self.separator).and_then(|sign| text.split_once(sign));
-            rest = cut.map(|(_, after)| after);
-            Some(trim_cell(cut.map_or(text, |(cell, _)| cell)))
+            let cut = sign(self.separator).and_then(|sign| {
+                let quoted = end_of_quotes(text);
+                Some(quoted + text[quoted..].find(sign)?)
+            });
+            rest = cut.map(|at| &text[at + 1..]);
+            Some(trim_cell(&text[..cut.unwrap_or(text.len())]))
+        })
+    }
+
+    /// The cells of a line, of which the words of a mark of several words, between blanks, are one.
+    pub(super) fn joined(self, line: &str) -> impl Iterator<Item = &str> {
+        let mut before = None;
+        self.cells(line).filter(move |cell| {
+            let word = is_word(cell) && self.cell(cell) == Cell::Other;
+            let word = (word && self.separator == Separator::Blank).then_some(*cell);
+            let goes_on = word.is_some() && before.is_some() && word != before;
+            before = word;
+            !goes_on
         })
     }
 
@@ -127,11 +144,44 @@ impl Dialect {
         if cell.len() > LONGEST_NUMBER {
             return None;
         }
-        match (self.decimal, cell.strip_prefix('−')) {
+        let plain = match (self.decimal, cell.strip_prefix('−')) {
             (DecimalSign::Point, None) => decimal::whole(cell, b'.'),
             (DecimalSign::Point, Some(rest)) => decimal::whole(rest, b'.').map(|value| -value),
             (DecimalSign::Comma, _) => decimal::whole(cell, b','),
-        }
+        };
+        plain.or_else(|| self.grouped(cell).filter(|(_, certain)| *certain)?.0)
+    }
+
+    /// Whether a cell is a number with thousands separators, or another one with three decimals.
+    pub(super) fn may_be_grouped(self, cell: &str) -> bool {
+        self.grouped(cell).is_some()
+    }
+
+    /// The number in a cell with thousands separators, and whether it can be no other: it has decimals or several separators, or
+    /// a separator that is not a decimal sign.
+    fn grouped(self, cell: &str) -> Option<(Option<f64>, bool)> {
+        const SEPARATORS: [char; 7] = [',', '.', '\'', '’', ' ', '\u{a0}', '\u{202f}'];
+        let point = match self.decimal {
+            DecimalSign::Point => '.',
+            DecimalSign::Comma => ',',
+        };
+        let is_separator = |c: &char| SEPARATORS.contains(c) && *c != point;
+        let separator = cell.chars().find(is_separator)?;
+        let (whole, decimals) = cell.split_once(point).unwrap_or((cell, ""));
+        let mut groups = whole.split(separator);
+        let first = groups.next()?.trim_start_matches(['+', '-']);
+        let are_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+        let fits = matches!(first.len(), 1..=3)
+            && !first.starts_with('0')
+            && are_digits(first)
+            && are_digits(decimals)
+            && groups
+                .clone()
+                .all(|group| group.len() == 3 && are_digits(group));
+        let certain =
+            !decimals.is_empty() || groups.count() > 1 || ![',', '.'].contains(&separator);
+        let plain = cell.replace(separator, "").replace(point, ".");
+        fits.then(|| (decimal::whole(&plain, b'.'), certain))
     }
 
     /// Number of columns if the line is a row of numbers; if `columns` is stated, these must be numbers.
@@ -151,7 +201,7 @@ impl Dialect {
             return Some(filled);
         }
         // Lines are tried in all dialects: most end at their first cell.
-        let (mut numbers, mut filled, mut count) = (0, 0, 0);
+        let (mut numbers, mut words, mut filled, mut count) = (0, 0, 0, 0);
         cells.try_for_each(|cell| {
             count += 1;
             if cell.is_empty() {
@@ -161,12 +211,29 @@ impl Dialect {
             match self.cell(cell) {
                 Cell::Number(_) => numbers += 1,
                 Cell::Missing => {}
+                // The first cell of a row may be its name.
+                Cell::Other if is_word(cell) && count > 1 => words += 1,
                 Cell::Other => return None,
             }
             Some(())
         })?;
-        (numbers > 0).then_some(filled)
+        // Words among many numbers are marks of missing heights.
+        let least = if words == 0 {
+            1
+        } else {
+            FEWEST_AMONG_WORDS.max(4 * words)
+        };
+        (numbers >= least).then_some(filled)
     }
+}
+
+/// End of the quotes at the start of `text`, in which a separator belongs to the cell.
+fn end_of_quotes(text: &str) -> usize {
+    let start = text.len() - text.trim_start().len();
+    let inside = text[start..].strip_prefix('"');
+    inside
+        .and_then(|inside| inside.find('"'))
+        .map_or(0, |length| start + length + 2)
 }
 
 /// End of the cell at the start of `text`, between blanks: a word, or a mark for a missing height of several words.
@@ -204,6 +271,12 @@ fn sign(separator: Separator) -> Option<char> {
 /// Whether `cell` is a mark for a missing height.
 pub(super) fn is_missing(cell: &str) -> bool {
     cell.len() <= LONGEST_MISSING && MISSING.iter().any(|mark| mark.eq_ignore_ascii_case(cell))
+}
+
+/// Whether `cell` is a word or sign without a digit, which is a mark of a missing height where a height is expected.
+pub(super) fn is_word(cell: &str) -> bool {
+    const LONGEST: usize = 24;
+    cell.len() <= LONGEST && !cell.contains(|c: char| c.is_numeric())
 }
 
 fn trim_cell(cell: &str) -> &str {
@@ -290,6 +363,7 @@ fn try_dialect(lines: &[Line<'_>], dialect: Dialect, stated: Stated) -> Option<S
         return None;
     }
     let first = first_row(lines, dialect, columns, stated.columns)?;
+    let first = first_marked(lines, dialect, columns, first);
     Some(Sniffed {
         dialect,
         columns,
@@ -319,6 +393,28 @@ fn first_row(
         previous = row;
     }
     previous.then(|| lines.len() - 1)
+}
+
+/// The first of the rows above the row `first` in which a word that occurs again is in place of a number.
+fn first_marked(lines: &[Line<'_>], dialect: Dialect, columns: usize, first: usize) -> usize {
+    let occurs_again = |word: &&str| {
+        let cells = lines.iter().flat_map(|line| dialect.cells(line.text));
+        cells.filter(|cell| cell == word).nth(1).is_some()
+    };
+    let is_marked = |line: &&Line<'_>| {
+        let cells: Vec<&str> = dialect.joined(line.text).collect();
+        let (others, numbers): (Vec<&str>, Vec<&str>) = cells
+            .iter()
+            .filter(|cell| dialect.cell(cell) != Cell::Missing)
+            .partition(|cell| dialect.cell(cell) == Cell::Other);
+        cells.len() == columns
+            && !numbers.is_empty()
+            && others
+                .iter()
+                .all(|cell| is_word(cell) && occurs_again(cell))
+    };
+    let above = lines[..first].iter().rev();
+    first - above.take_while(is_marked).count()
 }
 
 #[cfg(test)]
@@ -373,11 +469,37 @@ mod tests {
         assert_eq!(point.cell("-1.5e-3"), Cell::Number(-1.5e-3));
         assert_eq!(point.cell("−1.5"), Cell::Number(-1.5));
         assert_eq!(comma.cell("-0,5"), Cell::Number(-0.5));
-        assert_eq!(comma.cell("1.234,5"), Cell::Other);
         assert_eq!(comma.cell("1,234,5"), Cell::Other);
         assert_eq!(point.cell("0,5"), Cell::Other);
         for missing in MISSING.iter().chain(&["NaN", "Bad", "1e999"]) {
             assert_eq!(point.cell(missing), Cell::Missing, "{missing}");
+        }
+        // Thousands separators, where they can be nothing else.
+        for (dialect, number, value) in [
+            (point, "1,234.5", 1234.5),
+            (point, "-12,345,678", -12_345_678.0),
+            (point, "1'234", 1234.0),
+            (point, "1\u{2019}234.25", 1234.25),
+            (comma, "1.234,5", 1234.5),
+            (comma, "1 234,5", 1234.5),
+            (comma, "1\u{a0}234\u{a0}567", 1_234_567.0),
+            (comma, "1\u{202f}234,5", 1234.5),
+        ] {
+            assert_eq!(dialect.cell(number), Cell::Number(value), "{number}");
+        }
+        for (dialect, doubtful) in [(point, "1,234"), (comma, "1.234")] {
+            assert_eq!(dialect.cell(doubtful), Cell::Other);
+            assert!(dialect.may_be_grouped(doubtful));
+        }
+        for other in [
+            "0,234.5",
+            "1,23.5",
+            "12,3456.0",
+            "1,234.5e3",
+            ",234.5",
+            "1,,234.5",
+        ] {
+            assert_eq!(point.cell(other), Cell::Other, "{other}");
         }
     }
 }

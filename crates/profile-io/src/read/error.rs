@@ -7,9 +7,9 @@ use asperity_core::{Code, Fault, RepeatedFault, decimals, number};
 use super::format::Format;
 use super::layout::Dialect;
 use super::options::{
-    Abscissa, Axis, DecimalSign, FEWEST_POINTS, LengthUnit, Separator, TraceRange,
+    Abscissa, Axis, DecimalSign, FEWEST_POINTS, LengthUnit, Separator, TraceLine, TraceRange,
 };
-use super::seems::FileDialect;
+use super::seems::{FileDialect, WITHOUT_THOUSANDS};
 use super::steepness::Steepness;
 
 /// Error of reading a file. The text states file, line, and the actual and expected content; [`code`](Self::code) is
@@ -164,7 +164,7 @@ impl ReadFault {
     pub(super) fn no_unit(axis: Axis, span: f64) -> Self {
         Self::new(
             Code::E104,
-            format!("no unit found and {axis} span {}", number(span)),
+            format!("no unit found for the {axis}, which span {}", number(span)),
             Remedy::set(axis.setting(), Value::OneOf("um | nm | mm".into())),
         )
     }
@@ -180,6 +180,11 @@ impl ReadFault {
                     .because("if the points are even"),
             )
         } else {
+            let remedy = Remedy::act("remove the repeated part")
+                .or_set(Setting::Columns, Value::Any)
+                .because("if x is another column");
+            // From 999 to 1.000.
+            let is_grouped = (1e3 * next / previous - 1.0).abs() < 0.1;
             Self::new(
                 Code::E105,
                 format!(
@@ -187,9 +192,10 @@ impl ReadFault {
                     number(previous),
                     number(next)
                 ),
-                Remedy::act("remove the repeated part")
-                    .or_set(Setting::Columns, Value::Any)
-                    .because("if x is another column"),
+                match is_grouped {
+                    true => Remedy::act(WITHOUT_THOUSANDS),
+                    false => remedy,
+                },
             )
         };
         fault.at_line(line)
@@ -218,6 +224,15 @@ impl ReadFault {
             format!("{points} points; a roughness profile needs at least {FEWEST_POINTS}"),
             Remedy::act("export the whole trace"),
         )
+    }
+
+    /// Lines of `points` points of a surface, of which the lines across them have enough for roughness parameters.
+    pub(super) fn lines_too_short(points: usize, across: TraceLine) -> Self {
+        let text = format!("{points} points; a roughness profile needs at least {FEWEST_POINTS}");
+        let other = Value::This(across.to_string().into());
+        let remedy =
+            Remedy::set(Setting::Line, other).because("to read the lines across, which have more");
+        Self::new(Code::E106, text, remedy)
     }
 
     /// `missing` of `points` points have no height; `first` is what the line of the first reads, or which point of the trace
@@ -331,7 +346,10 @@ impl ReadFault {
             }
             SpacingHint::None | SpacingHint::FirstLine(_) => spacing,
         };
-        let text = format!("the heights have no x column to give the spacing{hint}");
+        let text = match hint {
+            SpacingHint::XCounts => "x counts the points, and no spacing of them was found".into(),
+            hint => format!("no x column and no spacing of the points was found{hint}"),
+        };
         Self::new(Code::E110, text, remedy)
     }
 
@@ -345,7 +363,7 @@ impl ReadFault {
         Self::new(
             Code::E112,
             format!(
-                "{columns} columns{labels} and no header that names x and height (or columns that do not exist)"
+                "{columns} columns{labels}: position and height were not both found by their names (or the stated columns do not exist)"
             ),
             match columns {
                 3 => remedy.or_do("export points x, y, z line by line on a grid"),
@@ -471,14 +489,18 @@ impl ReadFault {
         Self::new(Code::E131, steepness.to_string(), remedy)
     }
 
-    /// The fault of the file whose rows have `faults` like this one, and its remedy.
+    /// The fault of the file, whose rows have `faults` like this one, and its remedy.
     pub(super) fn of_file(
         self,
         faults: &RepeatedFault,
         seems: &FileDialect,
         remedy: Remedy,
     ) -> Self {
-        let fault = Self::new(self.code(), format!("{self}; {faults}; {seems}"), remedy);
+        let text = match faults.is_dialect() {
+            true => format!("{self}; {faults}; {seems}"),
+            false => format!("{self}; {seems}"),
+        };
+        let fault = Self::new(self.code(), text, remedy);
         match self.line() {
             Some(line) => fault.at_line(line),
             None => fault,
@@ -506,6 +528,8 @@ pub enum CellRemedy {
     Decimal(DecimalSign),
     /// The stated separator differs from the separator of the file.
     Separator,
+    /// The cell seems to have a thousands separator.
+    Thousands,
     /// Only the line is wrong.
     Line,
 }
@@ -517,7 +541,8 @@ impl CellRemedy {
                 Remedy::set(Setting::Decimal, Value::This(sign.to_string().into()))
             }
             Self::Separator => Remedy::omit(Setting::Separator).or_do("correct this line"),
-            Self::Line => Remedy::act("correct or remove this line"),
+            Self::Thousands => Remedy::act(WITHOUT_THOUSANDS),
+            Self::Line => Remedy::act("correct this line, with NaN for a missing height"),
         }
     }
 }
@@ -543,8 +568,7 @@ pub(super) enum SpacingHint {
 impl std::fmt::Display for SpacingHint {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match *self {
-            Self::None => Ok(()),
-            Self::XCounts => write!(f, " (x counts the points)"),
+            Self::None | Self::XCounts => Ok(()),
             Self::FirstLine(value) => write!(
                 f,
                 "; line 1 reads {} and is written differently from the rest, like the spacing of an NPL text profile (um) or a length",

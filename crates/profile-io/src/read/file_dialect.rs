@@ -3,7 +3,7 @@
 use asperity_core::RepeatedFault;
 
 use super::damage::{height, not_a_number};
-use super::dialect::{Cell, Sniffed};
+use super::dialect::{Cell, Sniffed, is_word};
 use super::error::{CellRemedy, ReadFault};
 use super::format::Format;
 use super::layout::Dialect;
@@ -37,6 +37,10 @@ pub(super) fn of_file(
     let mut marks = Marks::of(cell);
     let is_number = |cell: &str| matches!(dialect.cell(cell), Cell::Number(_));
     let is_text = !dialect.cells(text).any(is_number);
+    // A shorter line that begins with a word is the head of another table, not a row with a fault.
+    let begins_with_word = dialect.cells(text).next().is_some_and(|cell| {
+        is_word(cell) && dialect.cells(text).count() < sniffed.columns && !is_number(cell)
+    });
     // Lines at the fault that are no rows, and whether rows follow them.
     let (mut block, mut follows) = (1, false);
     while let Some(line) = lines.next()? {
@@ -44,8 +48,10 @@ pub(super) fn of_file(
             continue;
         }
         let cells: Vec<&str> = dialect.cells(line.text).collect();
+        let is_height = |cell: &&str| dialect.cell(cell) != Cell::Other || is_word(cell);
         let is_row = cells.len() == sniffed.columns
-            && cells.iter().all(|cell| dialect.cell(cell) != Cell::Other);
+            && cells.iter().any(|cell| is_number(cell))
+            && cells.iter().all(is_height);
         match is_row {
             true => follows = true,
             false if !follows => block += 1,
@@ -65,6 +71,7 @@ pub(super) fn of_file(
     /// Lines of a header between two tables.
     const HEADER: usize = 2;
     let seems = match (&kind, &fault) {
+        _ if follows && begins_with_word => FileDialect::Tables,
         (kind, _) if follows && block >= HEADER && (is_text || matches!(kind, Kind::Width(_))) => {
             FileDialect::Tables
         }
@@ -78,6 +85,13 @@ pub(super) fn of_file(
                 ..
             },
         ) => FileDialect::Sign,
+        (
+            _,
+            ReadFault::UnreadableNumber {
+                remedy: CellRemedy::Thousands,
+                ..
+            },
+        ) => FileDialect::Thousands,
         (Kind::Cell(at), _) => marks.seem(*at, text, dialect),
     };
     let remedy = seems.remedy(fault.remedy(), false);

@@ -73,6 +73,8 @@ formats! {
     Opdx "Bruker OPDx" [b"VCA DATA"] ["opdx"] SEVERAL;
     /// Wyko and Veeco, binary.
     Opd "Wyko OPD" [b"\x01\x00Directory"] ["opd"] SEVERAL;
+    /// Wyko and Veeco, text of Vision.
+    WykoText "Wyko ASCII" [b"Wyko ASCII Data File"] [] SEVERAL;
     /// MATLAB data.
     Matlab "MATLAB data (mat)" [b"MATLAB "] ["mat"] SEVERAL UNPACKED;
     /// HDF5.
@@ -104,6 +106,8 @@ formats! {
     MetroPro "Zygo MetroPro (dat)" [b"\x88\x1b\x03\x6f", b"\x88\x1b\x03\x70", b"\x88\x1b\x03\x71"] [] SEVERAL;
     /// Zygo MetroPro and Mx, points as text (xyz).
     ZygoXyz "Zygo XYZ text" [b"Zygo XYZ Data File"] [] SEVERAL;
+    /// Zygo MetroPro, phases as text (asc).
+    ZygoText "Zygo ASCII" [b"Zygo ASCII Data File"] [] SEVERAL;
     /// Zygo Mx, HDF5 (datx).
     ZygoDatx "Zygo datx" [] ["datx"] SEVERAL
         "take a released binary or wheel, which read HDF5, build with feature hdf5, or export the surface as dat (MetroPro), X3P or text from Mx";
@@ -113,6 +117,21 @@ formats! {
     Frt "FRT MicroProf" [b"FRTM_GLIDERV"] ["frt"] ONE "export the surface as X3P, SDF or text";
     /// Gwyddion document.
     Gwyddion "Gwyddion gwy" [b"GWYP", b"GWYO"] ["gwy"] SEVERAL;
+    /// Gwyddion Simple Field.
+    GwyddionSimple "Gwyddion Simple Field (gsf)" [b"Gwyddion Simple Field"] ["gsf"] SEVERAL;
+    /// Points of Gwyddion.
+    GwyddionPoints "Gwyddion XYZ Field" [b"Gwyddion XYZ Field"] ["gxyzf"] ONE
+        "rasterise the points in Gwyddion and save the image as gwy or gsf";
+    /// TrueMap and GelSight height map.
+    TrueMap "TrueMap (tmd)" [b"Binary TrueMap Data File"] ["tmd"] ONE "open it in Gwyddion and save it as gwy or gsf";
+    /// Images of ISO 28600 as text.
+    Iso28600 "SPM data transfer format (ISO 28600)" [b"ISO/TC 201 SPM data transfer format"] [] ONE
+        "open it in Gwyddion and save it as gwy or gsf";
+    /// Precitec scans as text.
+    Precitec "Precitec FSS Explorer" [b"Precitec Optronik - FSS Explorer"] [] ONE
+        "write its columns X Pos, Y Pos and the distance or thickness to a table named x [mm], y [mm], z [um]";
+    /// Code V interferograms as text.
+    CodeV "Code V interferogram (int)" [] [] SEVERAL;
     /// Nanosurf scan.
     NanosurfNid "Nanosurf nid" [b"[DataSet]"] [] SEVERAL;
     /// Igor binary wave of version 5, as instruments of Asylum Research write it.
@@ -192,6 +211,7 @@ impl Format {
 
     /// The format that the first bytes settle.
     pub(super) fn starting(bytes: &[u8]) -> Option<Self> {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let starts = |row: &&Row| row.starts.iter().any(|start| bytes.starts_with(start));
         ROWS.iter().find(starts).map(|row| row.format)
     }

@@ -7,107 +7,103 @@ use super::format::Format;
 use super::grid::{self, SpacingSource};
 use super::header::FilterState;
 use super::layout::TableLayout;
+use super::lengths::Lengths;
 use super::metadata::Metadata;
 use super::options::{Axis, Encoding, LengthUnit, ReadOptions};
 use super::trace::{Positions, Trace, own};
+use super::units;
 use crate::warning::Warning;
 
 /// Content of a file, as returned by the reader of an instrument format.
 pub(super) struct Found {
     pub format: Format,
-    /// Heights in `z_unit`; NaN for a missing height.
-    pub heights: Vec<f64>,
-    pub z_unit: LengthUnit,
-    /// Individual positions in `x_unit`; they override `spacing`.
-    pub x: Option<Vec<f64>>,
-    /// Spacing in `x_unit` with its origin.
-    pub spacing: Option<(f64, SpacingSource)>,
-    pub x_unit: LengthUnit,
-    /// Whether the lengths were scaled by factors of the header, so that a stated unit does not apply.
-    pub scaled: bool,
+    /// Heights; NaN for a missing height.
+    pub heights: Lengths<Vec<f64>>,
+    /// Individual positions; they override `spacing`.
+    pub x: Option<Lengths<Vec<f64>>>,
+    /// Spacing with its origin.
+    pub spacing: Option<(Lengths<f64>, SpacingSource)>,
     pub filter_state: FilterState,
     pub metadata: Metadata,
     pub warnings: Vec<Warning>,
     pub encoding: Option<Encoding>,
     pub table: Option<TableLayout>,
+    /// Word in place of the first missing height, if no line has its own height.
+    pub mark: Option<String>,
     /// Line of the first height in the file, if each height has its line.
     pub first_line: Option<usize>,
 }
 
 impl Found {
-    /// Heights and spacing in metres without other facts.
-    pub(super) fn new(format: Format, heights: Vec<f64>) -> Self {
+    /// Heights without other facts.
+    pub(super) fn new(format: Format, heights: Lengths<Vec<f64>>) -> Self {
         Self {
             format,
             heights,
-            z_unit: LengthUnit::Metre,
             x: None,
             spacing: None,
-            x_unit: LengthUnit::Metre,
-            scaled: false,
             filter_state: FilterState::Unknown,
             metadata: Metadata::default(),
             warnings: Vec::new(),
             encoding: None,
             table: None,
+            mark: None,
             first_line: None,
         }
     }
 
     /// The trace; statements of the user override statements of the file.
     pub(super) fn finish(self, file: &str, options: &ReadOptions) -> Result<Trace, ReadFault> {
-        grid::enough(self.heights.len())?;
+        grid::enough(self.heights.values().len())?;
         let mut warnings = self.warnings;
-        let (stated, mut heights) = (options.dx, self.heights);
-        if !self.scaled {
-            grid::unmark(&mut heights);
+        let (stated, mut heights) = (options.spacing(), self.heights);
+        let scaled = heights.are_metres();
+        if let Lengths::Numbers(numbers, _) = &mut heights {
+            grid::unmark(numbers);
         }
         let first_line = self.first_line;
-        let count = heights.len();
+        let count = heights.values().len();
         let mut x = self.x.filter(|_| stated.is_none());
         let column = match &mut x {
-            Some(x) => Some(grid::spacing(x, &mut |row| {
+            Some(x) => Some(grid::spacing(x.values_mut(), &mut |row| {
                 Ok((first_line.unwrap_or(1) + row, String::new()))
             })?),
             None => None,
         };
         let falls = column.as_ref().is_some_and(|column| column.falls);
         if falls {
-            heights.reverse();
+            heights.values_mut().reverse();
             warnings.push(Warning::Reversed);
         }
-        let found = match &column {
-            Some(column) => Some((column.mean, SpacingSource::XColumn)),
-            None => self.spacing,
+        let found = match (&column, &x) {
+            (Some(column), Some(x)) => Some((x.with(column.mean), SpacingSource::XColumn)),
+            _ => self.spacing,
         };
-        let mut unit = |axis, stated: Option<LengthUnit>, found| match stated {
-            Some(stated) if self.scaled => {
-                warnings.push(Warning::UnitNotUsed { axis, stated });
-                found
-            }
-            Some(stated) => {
-                warnings.extend(unit_overridden(axis, stated, found));
-                stated
-            }
-            None => found,
+        let no_spacing = || ReadFault::no_spacing(SpacingHint::None);
+        let in_metres = |dx: Lengths<f64>, warnings: &mut Vec<Warning>| {
+            let none = |_: &f64, _: &mut Vec<Warning>| Err(no_spacing());
+            let (dx, unit) = dx.in_unit(Axis::Trace, options.x_unit, warnings, none)?;
+            Ok::<_, ReadFault>((Length::from_si(unit.metres(dx)), unit))
         };
-        let z_unit = unit(Axis::Height, options.z_unit, self.z_unit);
-        let x_unit = match (stated, found) {
-            (None, Some(_)) => unit(Axis::Trace, options.x_unit, self.x_unit),
-            _ => options.x_unit.unwrap_or(self.x_unit),
-        };
-        let (spacing, spacing_source) = match (stated, found) {
-            (Some(dx), column) => {
-                let column = column.map(|(dx, _)| Length::from_si(x_unit.metres(dx)));
-                warnings.extend(column.and_then(|column| overridden(dx, column)));
-                (dx, SpacingSource::Stated)
+        let (spacing, x_unit, spacing_source) = match (stated, found) {
+            (Some(dx), found) => {
+                let found = found.and_then(|(dx, _)| in_metres(dx, &mut Vec::new()).ok());
+                warnings.extend(found.and_then(|(found, _)| overridden(dx, found)));
+                (dx, None, SpacingSource::Stated)
             }
-            (None, Some((dx, source))) => (Length::from_si(x_unit.metres(dx)), source),
-            (None, None) => {
-                return Err(ReadFault::no_spacing(SpacingHint::None));
+            (None, Some((dx, source))) => {
+                let (dx, unit) = in_metres(dx, &mut warnings)?;
+                (dx, Some(unit), source)
             }
+            (None, None) => return Err(no_spacing()),
         };
         check_spacing(spacing)?;
+        let only_possible = |z: &Vec<f64>, warnings: &mut Vec<Warning>| {
+            units::of_heights(z, spacing.si(), warnings)
+        };
+        let (mut heights, z_unit) =
+            heights.in_unit(Axis::Height, options.z_unit, &mut warnings, only_possible)?;
+        let mut x = x.map(Lengths::into_values);
         let unevenness = column.and_then(|column| column.unevenness);
         let mut left_out = 0;
         if let (Some(x), Some(_)) = (&mut x, unevenness) {
@@ -116,13 +112,13 @@ impl Found {
         let first = |row: usize| {
             let row = if falls { count - 1 - row } else { row };
             Ok(match first_line {
-                Some(line) => (Some(line + row), "reads \"missing\"".to_owned()),
-                None => (None, grid::node(row, options)),
+                Some(line) => (Some(line + row), "is marked as missing".to_owned()),
+                None => (None, grid::node(row, options, self.mark.as_deref())),
             })
         };
         let (heights, filled) = grid::heights(heights, options.gaps, first, &mut warnings)?;
-        let positions = match (x, unevenness) {
-            (Some(x), Some(unevenness)) => own(metres(x, x_unit)?, unevenness),
+        let positions = match (x, x_unit, unevenness) {
+            (Some(x), Some(unit), Some(unevenness)) => own(metres(x, unit)?, unevenness),
             _ => Positions::Even { spacing },
         };
         if self.filter_state == FilterState::Roughness {
@@ -135,7 +131,7 @@ impl Found {
             format: self.format,
             encoding: self.encoding,
             table: self.table,
-            x_unit: stated.is_none().then_some(x_unit),
+            x_unit,
             z_unit,
             spacing_source,
             filter_state: self.filter_state,
@@ -143,7 +139,7 @@ impl Found {
             cut: None,
             metadata: self.metadata,
             warnings,
-            scaled: self.scaled,
+            scaled,
             roll: None,
         })
     }
@@ -158,19 +154,6 @@ pub(super) fn turn(values: &mut [f64], warnings: &mut Vec<Warning>, stated: Opti
     if stated.unwrap_or_else(|| warnings.contains(&Warning::DepthsTurned)) {
         values.iter_mut().for_each(|value| *value = -*value);
     }
-}
-
-/// Warning that a stated unit differs from the unit of the file.
-pub(super) fn unit_overridden(
-    axis: Axis,
-    stated: LengthUnit,
-    found: LengthUnit,
-) -> Option<Warning> {
-    (stated != found).then_some(Warning::UnitOverridden {
-        axis,
-        stated,
-        found,
-    })
 }
 
 /// Warning that a stated spacing differs from the spacing of the file.

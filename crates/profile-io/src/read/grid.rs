@@ -80,6 +80,24 @@ pub(super) fn enough(points: usize) -> Result<(), ReadFault> {
     Err(ReadFault::too_few_points(points))
 }
 
+/// Returns an error for lines of a surface with fewer points, which names the lines across if they have enough.
+pub(super) fn enough_of_line(
+    points: usize,
+    across: usize,
+    line: TraceLine,
+) -> Result<(), ReadFault> {
+    let other = match line {
+        TraceLine::Row => TraceLine::Column,
+        TraceLine::Column => TraceLine::Row,
+        TraceLine::Mean => TraceLine::MeanColumn,
+        TraceLine::MeanColumn => TraceLine::Mean,
+    };
+    match points < FEWEST_POINTS && across >= FEWEST_POINTS {
+        true => Err(ReadFault::lines_too_short(points, other)),
+        false => Ok(()),
+    }
+}
+
 /// The row asked for, from 0, of `rows` profiles of `points` points each; a single one needs not be asked for.
 pub(super) fn chosen_row(
     row: Option<usize>,
@@ -235,13 +253,18 @@ pub(super) fn counts_points(x: &[f64]) -> bool {
     matches!(x.first(), Some(0.0 | 1.0)) && x.windows(2).all(|pair| pair[1] == pair[0] + 1.0)
 }
 
-/// The point `at`, from 0, of the trace that `options` ask for, in words: a missing point that no line of the file has.
-pub(super) fn node(at: usize, options: &ReadOptions) -> String {
+/// The point `at`, from 0, of the trace that `options` ask for, in words: a missing point that no line of the file has, with the
+/// word that the file has in place of its height.
+pub(super) fn node(at: usize, options: &ReadOptions, mark: Option<&str>) -> String {
     let point = at + 1;
-    match (options.line, options.row) {
+    let place = match (options.line, options.row) {
         (TraceLine::Row, Some(row)) => format!("is column {point} of row {row}"),
         (TraceLine::Column, Some(column)) => format!("is row {point} of column {column}"),
         _ => format!("is point {point}"),
+    };
+    match mark {
+        Some(mark) => format!("{place}, \"{mark}\""),
+        None => place,
     }
 }
 
@@ -297,7 +320,7 @@ pub(super) fn bridged(
     let is_refused = missing > 0 && (options.gaps == Gaps::Refuse || !fillable);
     let (Some(&first), Some(&last), false) = (inner.first(), inner.last(), is_refused) else {
         let gap = of_used.iter().position(|z| !z.is_finite()).unwrap_or(0);
-        let first = node(used.start + gap, options);
+        let first = node(used.start + gap, options, None);
         return Err(ReadFault::missing_points(
             (None, &first),
             [missing, of_used.len()],

@@ -6,7 +6,7 @@ use super::error::{ReadFault, shortened};
 use super::format::extension;
 use super::layout::Dialect;
 use super::metadata;
-use super::options::{Abscissa, Axis, LengthUnit};
+use super::options::{Abscissa, Axis, LengthUnit, ReadOptions};
 use super::text::Line;
 
 /// Whether the heights are filtered, according to the file.
@@ -56,6 +56,18 @@ impl Stated {
     }
 }
 
+/// The unit that a file states for an axis; an unknown one is an error unless `options` state the unit.
+pub(super) fn unit_of_file(
+    found: Option<&Stated>,
+    axis: Axis,
+    options: &ReadOptions,
+) -> Result<Option<LengthUnit>, ReadFault> {
+    match found {
+        Some(Stated::Other(_)) if options.unit(axis).is_some() => Ok(None),
+        found => found.map(|unit| unit.length(axis)).transpose(),
+    }
+}
+
 /// Label of a column in the header.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Label {
@@ -67,8 +79,8 @@ pub(super) struct Label {
     pub is_depth: bool,
 }
 
-/// Whether `name` is the name of depths, which grow into the material: "Depth", "z_depth [um]", "Profiltiefe". A name with a
-/// number states a value, and a roughness depth is Rz.
+/// Whether `name` is the name of values that grow into the material: of depths ("Depth", "z_depth [um]", "Profiltiefe") or of
+/// distances from a sensor. A name with a number states a value, and a roughness depth is Rz.
 pub(super) fn is_depth(name: &str) -> bool {
     const DEPTH: &[&str] = &[
         "depth",
@@ -97,13 +109,43 @@ pub(super) fn is_depth(name: &str) -> bool {
         "깊이",
     ];
     const ROUGHNESS: &[&str] = &["rough", "rauh", "raut", "rugos"];
+    const DISTANCE: &[&str] = &[
+        "distan",
+        "abstand",
+        "entfernung",
+        "afstand",
+        "avstånd",
+        "gap",
+        "距離",
+        "距离",
+    ];
+    const SENSOR: &[&str] = &[
+        "sensor",
+        "probe",
+        "objective",
+        "lens",
+        "working",
+        "kopf",
+        "objektiv",
+        "arbeits",
+        "luft",
+        "air",
+        "capteur",
+        "palpeur",
+        "sonde",
+        "sonda",
+        "センサ",
+        "传感",
+    ];
     let lower = name.to_lowercase();
     let before = lower.split(['[', '(']).next().unwrap_or_default();
     let is_value = before.contains(|c: char| c.is_ascii_digit());
     let mut words = before.split(|c: char| !c.is_alphabetic());
-    !is_value
-        && !ROUGHNESS.iter().any(|root| before.contains(root))
-        && words.any(|word| DEPTH.iter().any(|depth| word.ends_with(depth)))
+    let names_any = |roots: &[&str]| roots.iter().any(|root| before.contains(root));
+    let is_of_sensor =
+        names_any(&["standoff", "stand-off"]) || (names_any(DISTANCE) && names_any(SENSOR));
+    let is_depth = words.any(|word| DEPTH.iter().any(|depth| word.ends_with(depth)));
+    !is_value && !names_any(ROUGHNESS) && (is_of_sensor || is_depth)
 }
 
 /// The labels of the columns, from at most the last four header lines.
@@ -170,7 +212,7 @@ pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> V
     labels
 }
 
-fn role_of(cell: &str) -> Option<Role> {
+pub(super) fn role_of(cell: &str) -> Option<Role> {
     const X: &[&str] = &[
         "x",
         "weg",
@@ -215,6 +257,7 @@ fn role_of(cell: &str) -> Option<Role> {
         "z",
         "height",
         "heights",
+        "altitude",
         "höhe",
         "hoehe",
         "profil",
@@ -438,6 +481,35 @@ mod tests {
         );
         assert_eq!(unit_of("[1/0]"), None);
         assert_eq!(unit_of("column m"), None);
+    }
+
+    #[test]
+    fn distances_from_a_sensor_grow_into_the_material_as_depths_do() {
+        for name in [
+            "Distance to sensor (um)",
+            "Sensor distance [mm]",
+            "Abstand zum Sensor (µm)",
+            "Arbeitsabstand [mm]",
+            "Working distance",
+            "stand-off_um",
+            "Air gap (um)",
+            "Distance au capteur (µm)",
+            "Distanza dal sensore [um]",
+            "センサ距離",
+            "Depth (um)",
+        ] {
+            assert!(is_depth(name), "{name}");
+            assert_eq!(role_of(name), Some(Role::Z), "{name}");
+        }
+        for name in [
+            "Distance (mm)",
+            "Abstand [mm]",
+            "Position (mm)",
+            "Sensor (um)",
+            "Height",
+        ] {
+            assert!(!is_depth(name), "{name}");
+        }
     }
 
     #[test]

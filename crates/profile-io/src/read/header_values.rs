@@ -2,14 +2,13 @@
 
 use asperity_core::quantity::Length;
 
-use super::error::ReadFault;
-use super::header::{self, FilterState, Stated};
+use super::header::{self, FilterState, Role, Stated};
 use super::metadata;
-use super::options::{Axis, LengthUnit};
+use super::options::LengthUnit;
 use super::text::Line;
 
 /// Names of the distance between two points, in lower case, with blanks instead of other marks.
-const SPACING: [&str; 37] = [
+const SPACING: [&str; 43] = [
     "dx",
     "delta x",
     "spacing",
@@ -28,16 +27,23 @@ const SPACING: [&str; 37] = [
     "increment",
     "x increment",
     "x resolution",
+    "x pitch",
+    "scale x",
     "lateral resolution",
     "pixel size",
+    // Profilm.
+    "pixelsize",
+    "pixel pitch",
     "x pixel size",
     "xy calibration",
     "xy spacing",
     "schrittweite",
     "punktabstand",
     "messpunktabstand",
-    // Keyence in German, Mitutoyo.
+    // Keyence in German and Japanese, Mitutoyo.
     "xy justierung",
+    "xyキャリブレーション",
+    "pitch x",
     "pitch",
     "pas",
     "pas d échantillonnage",
@@ -49,17 +55,37 @@ const SPACING: [&str; 37] = [
     "espaçamento",
     "passo de amostragem",
 ];
-/// Names of the sides of a matrix: Gwyddion in English and German.
-const WIDTH: [&str; 2] = ["width", "breite"];
-const HEIGHT: [&str; 2] = ["height", "höhe"];
-/// Names of the unit of heights: Gwyddion, Bruker NanoScope, Keyence.
-const UNIT: [&str; 14] = [
+/// Names of the distance between two rows.
+const ROW_SPACING: [&str; 9] = [
+    "dy",
+    "delta y",
+    "y spacing",
+    "y step",
+    "y increment",
+    "y resolution",
+    "y pitch",
+    "pitch y",
+    "scale y",
+];
+/// Names of the sides of a matrix: Gwyddion in English and German, SPIP.
+const WIDTH: [&str; 3] = ["width", "breite", "x length"];
+const HEIGHT: [&str; 3] = ["height", "höhe", "y length"];
+/// Names of the numbers of points of a row and of rows: SPIP, Profilm, Nova.
+const COLUMNS: [&str; 3] = ["x pixels", "numcols", "nx"];
+const ROWS: [&str; 3] = ["y pixels", "numrows", "ny"];
+/// Names of the unit of lengths that are stated without one.
+const LATERAL_UNIT: [&str; 4] = ["x unit", "unit x", "xy unit", "lateral unit"];
+/// First line of SPIP ASCII, whose sides are in nanometres.
+const SPIP: &str = "File Format = ASCII";
+/// Names of the unit of heights: Gwyddion, Bruker NanoScope, Keyence, Nova.
+const UNIT: [&str; 17] = [
     "unit",
     "einheit",
     "value units",
     "werteinheiten",
     "exported image units",
     "data units",
+    "unit data",
     "z unit",
     "z units",
     "height unit",
@@ -68,6 +94,8 @@ const UNIT: [&str; 14] = [
     "unidad",
     "unità",
     "unidade",
+    "単位",
+    "单位",
 ];
 const BASE_DIAMETER: [&str; 5] = [
     "base diameter",
@@ -91,8 +119,15 @@ const FILTER: &str = "filter";
 pub(super) struct HeaderValues {
     /// Distance between points \[m\].
     pub spacing: Option<f64>,
+    /// Distance between rows \[m\].
+    row_spacing: Option<f64>,
     /// Length of the rows and columns of a matrix \[m\].
-    pub sides: [Option<f64>; 2],
+    sides: [Option<f64>; 2],
+    /// Numbers of columns and rows of a matrix.
+    sizes: [Option<usize>; 2],
+    /// Units of spacings and of sides without one.
+    lateral: Option<LengthUnit>,
+    lateral_of_sides: Option<LengthUnit>,
     /// Unit of the heights.
     pub z_unit: Option<Stated>,
     /// Base radius of the gear.
@@ -111,31 +146,51 @@ pub(super) struct Filter {
 
 impl HeaderValues {
     /// The values of the lines above a table.
-    pub(super) fn of(header: &[Line<'_>]) -> Self {
+    pub(super) fn of<'l>(header: &[Line<'l>]) -> Self {
         let mut values = Self::default();
-        for line in header {
-            let text = line
-                .text
-                .trim_start_matches(['#', '%', '/', '*', '!', '\\', ' ', '"']);
-            if let Some((key, value)) = text.split_once(['=', ':', '\t', ';', ',']) {
-                // Number and unit may be cells of their own.
-                let has_commas = text[key.len()..].starts_with(',');
-                let cells = value
-                    .split(|c: char| "\t;\"".contains(c) || has_commas && c == ',')
-                    .map(|cell| cell.trim_matches([' ', ',']));
-                let cells: Vec<&str> = cells.filter(|cell| !cell.is_empty()).collect();
-                values.take(key, &cells.join(" "));
-            }
+        let text = |line: &Line<'l>| {
+            let marks = ['#', '%', '/', '*', '!', '\\', ' ', '"'];
+            line.text.trim_start_matches(marks)
+        };
+        let texts = header.iter().map(text);
+        let stated: Vec<(&str, String)> = texts.clone().filter_map(stated).collect();
+        let names = texts.clone().zip(texts.clone().skip(1));
+        let below: Vec<_> = names
+            .flat_map(|(above, below)| named_above(above, below))
+            .collect();
+        let all = || stated.iter().chain(&below);
+        for (_, unit) in all().filter(|(key, _)| LATERAL_UNIT.contains(&name(key).as_str())) {
+            values.lateral = values.lateral.or_else(|| header::unit(unit));
         }
+        let is_spip = texts.clone().next().is_some_and(|first| first == SPIP);
+        let of_sides = is_spip.then_some(LengthUnit::Nanometre);
+        values.lateral_of_sides = values.lateral.or(of_sides);
+        for (key, value) in all() {
+            values.take(key, value);
+        }
+        // A line with the name and the unit of the heights.
+        let is_name = |c: char| !c.is_ascii_digit() && !"=:;\t".contains(c);
+        let is_heights =
+            |text: &&str| header::role_of(text) == Some(Role::Z) && text.chars().all(is_name);
+        let of_heights = texts.filter(is_heights).find_map(header::unit_of);
+        values.z_unit = values.z_unit.or(of_heights);
         values
     }
 
     fn take(&mut self, key: &str, value: &str) {
         let name = name(key);
         let is = |names: &[&str]| names.contains(&name.as_str());
-        let length = || length(key, value);
+        let lateral = match is(&WIDTH) || is(&HEIGHT) {
+            true => self.lateral_of_sides,
+            false => self.lateral,
+        };
+        let length = || length(key, value, lateral);
+        let count = || metadata::number(value).filter(|n| *n >= 1.0 && n.fract() == 0.0);
         match () {
             () if is(&SPACING) => self.spacing = self.spacing.or_else(length),
+            () if is(&ROW_SPACING) => self.row_spacing = self.row_spacing.or_else(length),
+            () if is(&COLUMNS) => self.sizes[0] = count().map(|n| n as usize),
+            () if is(&ROWS) => self.sizes[1] = count().map(|n| n as usize),
             () if is(&WIDTH) => self.sides[0] = self.sides[0].or_else(length),
             () if is(&HEIGHT) => self.sides[1] = self.sides[1].or_else(length),
             () if is(&BASE_RADIUS) => self.base_radius = length().map(Length::from_si),
@@ -152,24 +207,62 @@ impl HeaderValues {
         }
     }
 
-    /// The unit of the heights.
-    pub(super) fn unit(&self) -> Result<Option<LengthUnit>, ReadFault> {
-        let stated = self.z_unit.as_ref();
-        stated.map(|unit| unit.length(Axis::Height)).transpose()
-    }
-
     /// Spacings along the rows and columns of a matrix of `columns` by `rows` heights \[m\].
     pub(super) fn spacings(&self, columns: usize, rows: usize) -> [Option<f64>; 2] {
-        let part = |side: Option<f64>, count: usize| side.map(|side| side / count.max(1) as f64);
+        let part = |axis: usize, count: usize| {
+            let count = self.sizes[axis].unwrap_or(count).max(1);
+            self.sides[axis].map(|side| side / count as f64)
+        };
         [
-            part(self.sides[0], columns).or(self.spacing),
-            part(self.sides[1], rows).or(self.spacing),
+            part(0, columns).or(self.spacing),
+            part(1, rows).or(self.row_spacing).or(self.spacing),
         ]
     }
 
-    /// Whether the header belongs to a matrix of heights.
-    pub(super) fn is_of_matrix(&self) -> bool {
-        self.z_unit.is_some() && self.sides[0].is_some()
+    /// Whether the header belongs to a matrix of heights whose lines have this number of columns.
+    pub(super) fn are_of_matrix(&self, columns: usize) -> bool {
+        let is_stated = self.size().is_some_and(|[stated, _]| stated == columns);
+        let is_of_gwyddion = self.z_unit.is_some() && self.sides[0].is_some();
+        columns > 2 && (is_stated || is_of_gwyddion) || self.is_wrapped(columns)
+    }
+
+    /// Stated numbers of columns and rows of a matrix.
+    pub(super) fn size(&self) -> Option<[usize; 2]> {
+        let [columns, rows] = self.sizes;
+        Some([columns?, rows?])
+    }
+
+    /// Whether the lines, with this number of columns, are not the rows of the stated size; two or three columns are positions
+    /// with heights.
+    pub(super) fn is_wrapped(&self, columns: usize) -> bool {
+        self.size().is_some_and(|[stated, rows]| {
+            stated != columns && stated > 2 && (columns > 3 || columns == 1 && rows > 1)
+        })
+    }
+}
+
+/// Name and value of a line, whose value may be in several cells, number and unit for example.
+fn stated(text: &str) -> Option<(&str, String)> {
+    let (key, value) = text.split_once(['=', ':', '\t', ';', ','])?;
+    let has_commas = text[key.len()..].starts_with(',');
+    let cells = value
+        .split(|c: char| "\t;\"".contains(c) || has_commas && c == ',')
+        .map(|cell| cell.trim_matches([' ', ',']));
+    let cells: Vec<&str> = cells.filter(|cell| !cell.is_empty()).collect();
+    Some((key, cells.join(" ")))
+}
+
+/// Names and values of a line of names above a line of numbers, separated by tabs.
+fn named_above<'l>(above: &'l str, below: &'l str) -> Vec<(&'l str, String)> {
+    let [names, values] = [above, below].map(|line| line.split('\t').collect::<Vec<_>>());
+    let is_number = |cell: &&str| metadata::number(cell).is_some();
+    let fits = names.len() > 1 && names.len() == values.len();
+    match fits && values.iter().all(is_number) && !names.iter().any(is_number) {
+        true => names
+            .into_iter()
+            .zip(values.into_iter().map(str::to_owned))
+            .collect(),
+        false => Vec::new(),
     }
 }
 
@@ -191,13 +284,14 @@ fn name(key: &str) -> String {
     words.join(" ")
 }
 
-/// A positive length \[m\] with its unit behind the number or in the name.
-fn length(key: &str, value: &str) -> Option<f64> {
-    let in_key = || match header::unit_of(key.trim_matches([' ', '"']))? {
-        Stated::Length(unit) => Some(unit.metres(metadata::number(value)?)),
-        Stated::Other(_) => None,
+/// A positive length \[m\] with its unit behind the number or in the name, or in the unit of lengths without one.
+fn length(key: &str, value: &str, lateral: Option<LengthUnit>) -> Option<f64> {
+    let number = || match header::unit_of(key.trim_matches([' ', '"'])) {
+        Some(Stated::Length(unit)) => Some(unit.metres(metadata::number(value)?)),
+        Some(Stated::Other(_)) => None,
+        None => Some(lateral?.metres(metadata::number(value)?)),
     };
-    let length = metadata::length(value).map(Length::si).or_else(in_key)?;
+    let length = metadata::length(value).map(Length::si).or_else(number)?;
     (length.is_finite() && length > 0.0).then_some(length)
 }
 
@@ -266,7 +360,7 @@ mod tests {
             let [x, y] = values.spacings(24, 12).map(Option::unwrap);
             assert!((x / 0.5e-6 - 1.0).abs() < 1e-12 && (y / 0.5e-6 - 1.0).abs() < 1e-12);
             assert_eq!(values.z_unit, Some(Stated::Length(LengthUnit::Nanometre)));
-            assert!(values.is_of_matrix());
+            assert!(values.are_of_matrix(24));
         }
         let bruker = of("\\Exported image units: nm");
         assert_eq!(bruker.z_unit, Some(Stated::Length(LengthUnit::Nanometre)));

@@ -11,6 +11,7 @@ use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
 use super::header::FilterState;
+use super::lengths::Lengths;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
 use super::plain_row::past_end;
@@ -64,14 +65,17 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     // Some programs write only zeros for X.
     let is_constant = x.iter().all(|place| Some(place) == x.first());
     Ok(Found {
-        z_unit: LengthUnit::Millimetre,
-        x_unit: LengthUnit::Millimetre,
-        x: (!is_constant).then_some(x),
-        spacing: header.interval.map(|dx| (dx, SpacingSource::Header)),
+        x: (!is_constant).then_some(Lengths::of(x, LengthUnit::Millimetre)),
+        spacing: header.interval.map(|dx| {
+            (
+                Lengths::of(dx, LengthUnit::Millimetre),
+                SpacingSource::Header,
+            )
+        }),
         filter_state: header.state,
         metadata: header.metadata,
         first_line,
-        ..Found::new(FORMAT, heights)
+        ..Found::new(FORMAT, Lengths::of(heights, LengthUnit::Millimetre))
     })
 }
 
@@ -193,7 +197,7 @@ mod tests {
         assert_eq!(point("7=12.5 0.0 -0.93").unwrap(), (12.5, -0.93));
         let locked = point("7=12.5 0.0 -0.93 0.0 1").unwrap();
         assert!(locked.0 == 12.5 && locked.1.is_nan());
-        for broken in ["", "=", "7=", "7=1", "7=1 ", "7=1 2", "7=1 2 x 3 0"] {
+        for broken in ["", "=", "7=", "7=1", "7=1 ", "7=1 2", "7=1 2 x3 3 0"] {
             assert!(point(broken).is_err(), "{broken}");
         }
     }

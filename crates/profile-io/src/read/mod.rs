@@ -10,7 +10,7 @@
 //! | spacing dx | (x_last − x_first)/(n − 1), or as stated |
 //! | units | as stated, or from the header, or the only possible ones, or an error |
 //! | missing heights | an error, or interpolated on request |
-//! | sign of the heights | out of the material; values that the file names depths are turned, others as stated |
+//! | sign of the heights | out of the material; values that the file names depths or distances from a sensor are turned, others as stated |
 //!
 //! The time is linear in the length of the file. Only this module opens files.
 
@@ -31,6 +31,7 @@ mod grid;
 mod header;
 mod header_values;
 mod layout;
+mod lengths;
 mod mahr;
 mod matrix;
 pub(crate) mod metadata;
@@ -162,6 +163,9 @@ fn surface_of(
 ) -> Result<Surface, ReadFault> {
     let start = Start::of(stream)?;
     not_larger(start.size, MOST_BYTES)?;
+    if let Some(bytes) = recognise::recoded(stream, &start)? {
+        return surface_of(name, &mut Cursor::new(bytes), options);
+    }
     let format = format_of(name, stream, &start);
     if let Some(format) = format
         && let Some(found) = packed::surface(name, format, stream, &start, options)?
@@ -205,6 +209,7 @@ fn format_of(name: &str, stream: &mut dyn Stream, start: &Start) -> Option<Forma
     match recognise::by_magic(name, &start.bytes) {
         Some(Format::Archive) if zipped => Some(packed::content(stream, start.size)),
         None if areal::is_plu(&start.bytes) => Some(Format::SensofarPlu),
+        None if areal::is_code_v(&start.bytes) => Some(Format::CodeV),
         format => format,
     }
 }
@@ -380,6 +385,9 @@ fn trace_of(
 ) -> Result<Trace, ReadFault> {
     let start = Start::of(stream)?;
     not_larger(start.size, MOST_BYTES)?;
+    if let Some(bytes) = recognise::recoded(stream, &start)? {
+        return trace_of(name, &mut Cursor::new(bytes), conditions, options);
+    }
     let format = format_of(name, stream, &start);
     if let Some(format) = format
         && let Some(found) = packed::trace(name, format, stream, &start, options)?

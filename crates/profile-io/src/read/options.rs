@@ -27,6 +27,8 @@ pub struct ReadOptions {
     pub z_unit: Option<LengthUnit>,
     /// Spacing of the points; an x column is then not needed.
     pub dx: Option<Length>,
+    /// Spacing of the rows of a surface.
+    pub dy: Option<Length>,
     /// Columns of x and of the heights.
     pub columns: Option<Columns>,
     /// The decimal sign.
@@ -52,6 +54,24 @@ pub struct ReadOptions {
     /// Whether the values grow into the material, so that the heights are their negatives; by default they do if the file
     /// names them depths.
     pub invert: Option<bool>,
+}
+
+impl ReadOptions {
+    /// The stated unit of an axis.
+    pub(super) fn unit(&self, axis: Axis) -> Option<LengthUnit> {
+        match axis {
+            Axis::Trace => self.x_unit,
+            Axis::Height => self.z_unit,
+        }
+    }
+
+    /// The stated spacing of the trace that is read: `dy` along y, if it is stated.
+    pub(super) fn spacing(&self) -> Option<Length> {
+        match self.line.is_along_y() {
+            true => self.dy.or(self.dx),
+            false => self.dx,
+        }
+    }
 }
 
 /// Text that is not one of the choices.
@@ -326,6 +346,11 @@ impl TraceLine {
     /// Whether all rows or all columns are averaged.
     pub fn is_mean(self) -> bool {
         matches!(self, Self::Mean | Self::MeanColumn)
+    }
+
+    /// Whether the trace runs along y.
+    pub(super) fn is_along_y(self) -> bool {
+        matches!(self, Self::Column | Self::MeanColumn)
     }
 }
 

@@ -189,7 +189,7 @@ pub(super) fn numbers_at_start<'l>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::rows::row;
+    use super::super::rows::{Words, row};
     use super::super::text::Head;
     use super::*;
     use proptest::prelude::*;
@@ -241,7 +241,7 @@ mod tests {
             let head = Head::of(&line);
             let lines: Vec<_> = head.lines().collect();
             if let Some((x, z, [])) = plain.row(line.as_bytes()) {
-                let by_cells = row(&lines, &lines[0], dialect, chosen);
+                let by_cells = row(&lines, &lines[0], dialect, chosen, &mut Words::default());
                 let (expected_x, expected_z) = by_cells.map_err(|error| TestCaseError::fail(error.to_string()))?;
                 prop_assert_eq!((x.to_bits(), z.to_bits()), (expected_x.to_bits(), expected_z.to_bits()));
             }

@@ -1,12 +1,13 @@
 //! Points x, y, z as text: a single line of points, or the lines of a grid, along either coordinate first.
 
-use super::areal::trace::{Areal, HeightUnit, Heights};
+use super::areal::trace::{Areal, Heights};
 use super::dialect::Sniffed;
 use super::error::ReadFault;
 use super::format::Format;
-use super::grid::chosen_row;
+use super::grid::{self, chosen_row};
 use super::header::{Label, Role};
-use super::options::{LengthUnit, ReadOptions, TraceLine};
+use super::lengths::Lengths;
+use super::options::{LengthUnit, ReadOptions};
 use super::rows::{self, Rows};
 use super::table::Chosen;
 use super::text::{Line, Text};
@@ -14,14 +15,14 @@ use super::text::{Line, Text};
 /// Largest difference of a coordinate from its value in the first line, in steps, due to rounding.
 const SAME: f64 = 0.25;
 
-/// The columns of x, y and z of a table of three columns, counted from 0: as labelled, or in this order.
+/// The columns of x, y and z of a table, counted from 0: as labelled, or of three columns in this order.
 pub(super) fn columns(labels: &[Label], options: &ReadOptions) -> Option<[usize; 3]> {
-    if labels.len() != 3 || options.columns.is_some() {
+    if labels.len() < 3 || options.columns.is_some() {
         return None;
     }
     let with = |role| labels.iter().position(|label| label.role == Some(role));
     if labels.iter().all(|label| label.role.is_none()) {
-        return Some([0, 1, 2]);
+        return (labels.len() == 3).then_some([0, 1, 2]);
     }
     Some([with(Role::X)?, with(Role::Y)?, with(Role::Z)?])
 }
@@ -60,7 +61,7 @@ pub(super) fn read(
         x: Some(x),
         z,
         valid: None,
-        count: 3,
+        count: sniffed.columns,
     };
     let with_z = rows::read(text, first, head, sniffed, chosen(x, z))?;
     let with_y = rows::read(text, first, head, sniffed, chosen(x, y))?;
@@ -196,10 +197,9 @@ impl Points {
 
     /// Whether the trace requested by `options` runs along y.
     pub(super) fn runs_along_y(&self, options: &ReadOptions) -> bool {
-        let is_row = matches!(options.line, TraceLine::Row | TraceLine::Mean);
         match self.lines() {
             1 => !self.along_x,
-            _ => !is_row,
+            _ => options.line.is_along_y(),
         }
     }
 
@@ -243,46 +243,40 @@ impl Points {
         })
     }
 
-    /// The surface, with spacings if the unit of x is known.
-    pub(super) fn surface(&self, x_unit: Option<LengthUnit>, unit: Option<LengthUnit>) -> Areal {
-        let (columns, rows) = match self.along_x {
-            true => (self.along.len(), self.lines()),
-            false => (self.lines(), self.along.len()),
+    /// The surface, with the units that the file states.
+    pub(super) fn surface(
+        &self,
+        x_unit: Option<LengthUnit>,
+        y_unit: Option<LengthUnit>,
+        z_unit: Option<LengthUnit>,
+    ) -> Areal {
+        let (x, y) = match self.along_x {
+            true => (&self.along, &self.across),
+            false => (&self.across, &self.along),
         };
         let height = |row: usize, column: usize| match self.along_x {
             true => self.height(column, row),
             false => self.height(row, column),
         };
-        let metres = |z: f64| unit.map_or(z, |unit| unit.metres(z));
-        let values = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
-        let values = values.map(|(row, column)| metres(height(row, column)));
-        let step = |x: &[f64]| {
-            let steps = (x.len().max(2) - 1) as f64;
-            Some((x_unit?.metres(x[x.len() - 1] - x[0]) / steps).abs())
+        let columns = x.len();
+        let values = (0..y.len()).flat_map(|row| (0..columns).map(move |column| (row, column)));
+        let mut values: Vec<f64> = values.map(|(row, column)| height(row, column)).collect();
+        grid::unmark(&mut values);
+        let step = |x: &[f64], unit| {
+            let step = (x[x.len() - 1] - x[0]).abs() / (x.len().max(2) - 1) as f64;
+            (step > 0.0).then_some(Lengths::Numbers(step, unit))
         };
-        let [dx, dy] = match self.along_x {
-            true => [step(&self.along), step(&self.across)],
-            false => [step(&self.across), step(&self.along)],
-        };
+        let heights = Lengths::Numbers(Heights::Values { values, columns }, z_unit);
         Areal {
-            spacings: [dx, dy].map(|dx| dx.filter(|dx| *dx > 0.0)),
-            unit: match unit {
-                Some(_) => HeightUnit::Metres,
-                None => HeightUnit::Unstated,
-            },
-            ..Areal::new(
-                Format::PointText,
-                Heights::Values {
-                    values: values.collect(),
-                    columns,
-                },
-            )
+            spacings: [step(x, x_unit), step(y, y_unit)],
+            ..Areal::of(Format::PointText, heights)
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::options::TraceLine;
     use super::*;
 
     #[test]

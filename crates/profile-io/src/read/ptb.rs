@@ -11,6 +11,7 @@ use super::file_dialect::BadHeights;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
+use super::lengths::Lengths;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
 use super::plain_row::take_numbers;
@@ -56,14 +57,17 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     }
     let dx = Some(1.0 / per_millimetre).filter(|dx| dx.is_finite() && *dx > 0.0);
     Ok(Found {
-        z_unit: LengthUnit::Micrometre,
-        x_unit: LengthUnit::Millimetre,
-        spacing: dx.map(|dx| (dx, SpacingSource::Header)),
+        spacing: dx.map(|dx| {
+            (
+                Lengths::of(dx, LengthUnit::Millimetre),
+                SpacingSource::Header,
+            )
+        }),
         metadata: Metadata {
             title: short(title.trim_start_matches("Profil ")),
             ..Metadata::default()
         },
         first_line: Some(HEADER_LINES + 1),
-        ..Found::new(FORMAT, heights)
+        ..Found::new(FORMAT, Lengths::of(heights, LengthUnit::Micrometre))
     })
 }

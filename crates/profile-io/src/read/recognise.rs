@@ -1,7 +1,11 @@
 //! The format of a file: by its first bytes, then by characteristic lines, last by its name.
 
+use super::areal::held;
+use super::encoding;
+use super::error::ReadFault;
 use super::format::{Format, extension};
-use super::text::Head;
+use super::options::Encoding;
+use super::text::{Head, Start, Stream};
 
 /// First bytes of a zip.
 pub(super) const ZIP: &[u8] = b"PK\x03\x04";
@@ -38,6 +42,27 @@ fn is_npl_xml(head: &[u8]) -> bool {
 
 fn holds(head: &[u8], part: &[u8]) -> bool {
     head.windows(part.len()).any(|bytes| bytes == part)
+}
+
+/// The bytes in UTF-8 of a file in UTF-16 whose first line names a format that is read from its bytes.
+pub(super) fn recoded(
+    stream: &mut dyn Stream,
+    start: &Start,
+) -> Result<Option<Vec<u8>>, ReadFault> {
+    let encoding = encoding::by_mark(&start.bytes);
+    let encoding = encoding.filter(|encoding| *encoding != Encoding::Utf8);
+    let Some(encoding) = encoding else {
+        return Ok(None);
+    };
+    let is_named = |text: &str| {
+        let text_formats = [Format::SdfAscii, Format::SigmaSurf];
+        Format::starting(text.as_bytes()).is_some_and(|format| !text_formats.contains(&format))
+    };
+    if !is_named(&encoding.text(&start.bytes)) {
+        return Ok(None);
+    }
+    let bytes = held::whole(stream, start.size)?;
+    Ok(Some(encoding.text(&bytes).into_bytes()))
 }
 
 /// The text format that characteristic lines near the top or the name settle; `None` for a table.

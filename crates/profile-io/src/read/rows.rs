@@ -3,7 +3,7 @@
 //! Plain rows are read from the bytes of whole blocks of lines. The first line of a block and other rows are read cell
 //! by cell, with the same results.
 
-use super::dialect::{Cell, Sniffed};
+use super::dialect::{Cell, Sniffed, is_word};
 use super::error::{ReadFault, shortened};
 use super::file_dialect::of_file;
 use super::layout::Dialect;
@@ -35,12 +35,13 @@ pub(super) fn read(
         z: Vec::new(),
         empty: 0,
     };
+    let mut words = Words::default();
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
         if line.number < first || line.is_blank() {
             continue;
         }
-        let (x, z) = match row(head, &line, sniffed.dialect, chosen) {
+        let (x, z) = match row(head, &line, sniffed.dialect, chosen, &mut words) {
             Ok(row) => row,
             Err(fault) => {
                 let (number, text) = (line.number, line.text.to_owned());
@@ -60,7 +61,52 @@ pub(super) fn read(
         }
         lines.pass(passed, at_hand.len() - rest.len());
     }
+    let Some(single) = words.single() else {
+        return Ok(rows);
+    };
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        if line.number == single {
+            let fault = table::unreadable(head, &line, line.text.trim(), sniffed.dialect);
+            let text = line.text.to_owned();
+            return Err(of_file(fault, (single, &text), &mut lines, sniffed)?);
+        }
+    }
     Ok(rows)
+}
+
+/// Words in a single column of heights: marks of missing points, if each of them occurs again, else the head of another trace.
+#[derive(Default)]
+pub(super) struct Words(Vec<Word>);
+
+/// A word, with the line where it occurs first.
+struct Word {
+    text: String,
+    line: usize,
+    is_repeated: bool,
+}
+
+impl Words {
+    /// Adds the word in a line; returns whether there are few others.
+    fn add(&mut self, line: usize, text: &str) -> bool {
+        const MOST: usize = 8;
+        if let Some(word) = self.0.iter_mut().find(|word| word.text == text) {
+            word.is_repeated = true;
+            return true;
+        }
+        self.0.push(Word {
+            text: text.to_owned(),
+            line,
+            is_repeated: false,
+        });
+        self.0.len() <= MOST
+    }
+
+    /// Line of the first word that occurs once.
+    fn single(&self) -> Option<usize> {
+        let single = self.0.iter().find(|word| !word.is_repeated);
+        single.map(|word| word.line)
+    }
 }
 
 /// Line number and text of a row of the table that starts at line `first`, by reading the file again.
@@ -94,16 +140,17 @@ impl Rows {
 }
 
 /// x and height of any row; x is NaN without an x column and in a row without x and height, the height is NaN if it is
-/// missing.
+/// missing, which any word marks if x states its place.
 pub(super) fn row(
     head: &[Line<'_>],
     line: &Line<'_>,
     dialect: Dialect,
     chosen: Chosen,
+    words: &mut Words,
 ) -> Result<(f64, f64), ReadFault> {
     let (mut x_cell, mut z_cell, mut valid_cell) = ("", "", "");
     let (mut count, mut filled) = (0, 0);
-    for cell in dialect.cells(line.text) {
+    for cell in dialect.joined(line.text) {
         match Some(count) {
             at if at == chosen.x => x_cell = cell,
             at if at == chosen.valid => valid_cell = cell,
@@ -126,7 +173,11 @@ pub(super) fn row(
         Some(_) => Some(number(x_cell)?),
         None => None,
     };
-    let z = number(z_cell)?;
+    let is_word = is_word(z_cell) && dialect.cell(z_cell) == Cell::Other;
+    let z = match is_word && (x.is_some() || words.add(line.number, z_cell)) {
+        true => f64::NAN,
+        false => number(z_cell)?,
+    };
     if count < chosen.count || filled > chosen.count {
         return Err(table::ragged(line, count.max(filled), chosen.count));
     }

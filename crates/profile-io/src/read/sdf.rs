@@ -11,6 +11,7 @@ use super::file_dialect::BadHeights;
 use super::format::Format;
 use super::found::Found;
 use super::grid::{SpacingSource, chosen_row};
+use super::lengths::Lengths;
 use super::metadata::{Metadata, number, short};
 use super::options::ReadOptions;
 use super::plain_row::take_numbers;
@@ -58,11 +59,12 @@ impl Header {
 pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Found, ReadFault> {
     let (header, first_line, heights) = matrix(text, Some(options.row))?;
     Ok(Found {
-        spacing: header.x_scale.map(|dx| (dx, SpacingSource::Header)),
+        spacing: header
+            .x_scale
+            .map(|dx| (Lengths::Metres(dx), SpacingSource::Header)),
         metadata: header.metadata,
         first_line: Some(first_line),
-        scaled: true,
-        ..Found::new(FORMAT, heights)
+        ..Found::new(FORMAT, Lengths::Metres(heights))
     })
 }
 
@@ -71,7 +73,7 @@ pub(super) fn surface(text: &mut Text<'_>) -> Result<Areal, ReadFault> {
     let (header, _, values) = matrix(text, None)?;
     let columns = header.points.unwrap_or(0) as usize;
     Ok(Areal {
-        spacings: [header.x_scale, header.y_scale],
+        spacings: [header.x_scale, header.y_scale].map(|step| step.map(Lengths::Metres)),
         metadata: header.metadata,
         ..Areal::new(FORMAT, Heights::Values { values, columns })
     })

@@ -4,6 +4,9 @@ use std::fmt;
 
 use asperity_core::remedy::{Remedy, Setting, Value};
 
+/// Remedy for numbers with thousands separators.
+pub(super) const WITHOUT_THOUSANDS: &str = "export the numbers without thousands separators";
+
 /// Dialect that a file seems to have if many of its rows have like faults.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -23,6 +26,8 @@ pub enum FileDialect {
     Tables,
     /// Rows have different numbers of cells.
     Ragged,
+    /// Numbers have thousands separators.
+    Thousands,
     /// The rows have another decimal sign or separator; the remedy of the first says which.
     Sign,
 }
@@ -34,7 +39,11 @@ impl fmt::Display for FileDialect {
             Self::Unit(unit) => write!(f, "the numbers seem to be followed by the unit \"{unit}\""),
             Self::Text { column, .. } => write!(f, "column {column} seems to hold text"),
             Self::Tables => write!(f, "another table seems to begin here"),
-            Self::Ragged => write!(f, "the file seems to have cells with its separator in them"),
+            Self::Ragged => write!(
+                f,
+                "the file seems to have cells with its separator in them, thousands separators for example"
+            ),
+            Self::Thousands => write!(f, "the numbers seem to have thousands separators"),
             Self::Sign => write!(f, "the rows seem to have another decimal sign or separator"),
         }
     }
@@ -58,6 +67,7 @@ impl FileDialect {
                 None => Remedy::act("export the position and the height as numbers"),
             },
             Self::Tables => Remedy::act("export one table to a file, or delete the others"),
+            Self::Thousands => Remedy::act(WITHOUT_THOUSANDS),
             Self::Ragged => Remedy::act("export with ';' or a tab between the columns"),
             Self::Sign => single,
         }

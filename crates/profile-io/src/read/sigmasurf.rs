@@ -6,6 +6,7 @@ use super::file_dialect::BadHeights;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
+use super::lengths::Lengths;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
 use super::plain_row::take_numbers;
@@ -50,11 +51,14 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
         return Err(miscounted(FORMAT, heights.len(), stated));
     }
     Ok(Found {
-        z_unit: LengthUnit::Micrometre,
-        x_unit: LengthUnit::Micrometre,
-        spacing: spacing.map(|dx| (dx, SpacingSource::Header)),
+        spacing: spacing.map(|dx| {
+            (
+                Lengths::of(dx, LengthUnit::Micrometre),
+                SpacingSource::Header,
+            )
+        }),
         metadata,
         first_line: Some(first_line),
-        ..Found::new(FORMAT, heights)
+        ..Found::new(FORMAT, Lengths::of(heights, LengthUnit::Micrometre))
     })
 }

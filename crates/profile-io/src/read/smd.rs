@@ -17,6 +17,7 @@ use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
 use super::header::FilterState;
+use super::lengths::Lengths;
 use super::metadata::{self, Metadata, PrintedParameter, number, short};
 use super::options::LengthUnit;
 use super::plain_row::numbers_at_start;
@@ -125,14 +126,14 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault>
     }
     heights.iter_mut().for_each(|h| *h *= z.factor);
     Ok(Found {
-        z_unit: z.unit,
-        x_unit: x.unit,
-        spacing: x.increment.map(|dx| (dx * x.factor, SpacingSource::Header)),
+        spacing: x
+            .increment
+            .map(|dx| (Lengths::of(dx * x.factor, x.unit), SpacingSource::Header)),
         filter_state: filter_state(&metadata),
         metadata,
         warnings: checksum.flatten().into_iter().collect(),
         first_line: Some(first_line),
-        ..Found::new(FORMAT, heights)
+        ..Found::new(FORMAT, Lengths::of(heights, z.unit))
     })
 }
 

@@ -5,13 +5,14 @@ use std::ops::Range;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
-use super::error::ReadError;
+use super::error::{ReadError, ReadFault};
 use super::format::Format;
 use super::found::Found;
 use super::grid::{self, SpacingSource};
 use super::layout::TableLayout;
+use super::lengths::Lengths;
 use super::metadata::Metadata;
-use super::options::{Encoding, LengthUnit, ReadOptions, TraceRange};
+use super::options::{Axis, Encoding, LengthUnit, ReadOptions, TraceLine, TraceRange};
 use super::reading::Reading;
 use crate::warning::Warning;
 
@@ -24,8 +25,10 @@ pub(super) struct SurfaceFacts {
     pub is_scaled: bool,
     pub encoding: Option<Encoding>,
     pub table: Option<TableLayout>,
-    /// Distance of the points of a row \[m\] in the header.
-    pub spacing: Option<f64>,
+    /// Distance of the points of a row in the file.
+    pub spacing: Option<Length>,
+    /// Length of a row in a unit that is not known.
+    pub length_without_unit: Option<f64>,
 }
 
 /// A measured surface. The heights are not serialised.
@@ -77,7 +80,7 @@ impl Surface {
         format: Format,
         mut z: Vec<f64>,
         columns: usize,
-        spacings: [Option<f64>; 2],
+        [dx, dy]: [Option<Length>; 2],
         metadata: Metadata,
         warnings: Vec<Warning>,
     ) -> Self {
@@ -85,7 +88,6 @@ impl Surface {
         z.iter_mut()
             .filter(|z| !z.is_finite())
             .for_each(|z| *z = f64::NAN);
-        let [dx, dy] = spacings.map(|spacing| spacing.map(Length::from_si));
         Self {
             name: name.to_owned(),
             format,
@@ -119,7 +121,9 @@ impl Surface {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn reading(&self, options: &ReadOptions) -> Result<Reading, ReadError> {
-        let row = grid::chosen_row(options.row, self.rows, self.columns);
+        let row = grid::chosen_row(options.row, self.rows, self.columns).and_then(|row| {
+            grid::enough_of_line(self.columns, self.rows, TraceLine::Row).map(|()| row)
+        });
         let row = row.map_err(|fault| fault.in_file(&self.name))?;
         let known = self.row(row).unwrap_or_default();
         let row = grid::bridged((known, self.points_in(options.range)), options);
@@ -129,22 +133,28 @@ impl Surface {
             Format::PointText => SpacingSource::XColumn,
             _ => SpacingSource::Header,
         };
+        if let (Some(length), None) = (facts.length_without_unit, options.dx) {
+            return Err(ReadFault::no_unit(Axis::Trace, length).in_file(&self.name));
+        }
+        // A stated spacing has been compared with the file's.
+        let spacing = facts.spacing.filter(|_| options.dx.is_none());
         let found = Found {
-            spacing: facts.spacing.map(|dx| (dx, source)),
-            scaled: facts.is_scaled,
+            spacing: spacing.map(|dx| (Lengths::Metres(dx.si()), source)),
             metadata: self.metadata.clone(),
             warnings: self.warnings.clone(),
             encoding: facts.encoding,
             table: facts.table,
-            ..Found::new(self.format, heights)
+            ..Found::new(self.format, Lengths::Metres(heights))
         };
-        // The heights are metres, and out of the material.
+        // The units of the file are applied.
         let of_row = ReadOptions {
+            x_unit: None,
             z_unit: None,
             ..options.clone()
         };
         let trace = found.finish(&self.name, &of_row).and_then(|mut trace| {
             trace.z_unit = facts.z_unit.unwrap_or(trace.z_unit);
+            trace.scaled = facts.is_scaled;
             trace.gaps_filled += bridged;
             match options.range {
                 Some(range) => trace.within(range),

@@ -21,6 +21,7 @@ use super::format::{Format, extension};
 use super::found::Found;
 use super::grid::SpacingSource;
 use super::header::FilterState;
+use super::lengths::Lengths;
 use super::metadata::{self, Metadata, PrintedParameter, number, short};
 use super::options::{LengthUnit, ReadOptions};
 use super::text::{Head, Start, Text};
@@ -84,7 +85,7 @@ pub(super) fn read(
     let spacing = traced.map(|(traced, uncertainty)| {
         let (dx, warning) = spacing_of(nominal, traced, uncertainty, points);
         warnings.extend(warning);
-        (dx, SpacingSource::EvaluationLength)
+        (Lengths::Metres(dx), SpacingSource::EvaluationLength)
     });
     if spacing.is_none() && options.dx.is_none() {
         return Err(ReadFault::no_spacing(SpacingHint::NominalLength {
@@ -95,7 +96,6 @@ pub(super) fn read(
     let mut metadata = conditions.map_or_else(Metadata::default, |conditions| conditions.metadata);
     metadata.nominal_length = Some(nominal);
     Ok(Found {
-        z_unit: LengthUnit::Micrometre,
         spacing,
         filter_state: match extension(file).as_str() {
             "tx1" => FilterState::Primary,
@@ -105,7 +105,7 @@ pub(super) fn read(
         metadata,
         warnings,
         first_line: Some(HEADER_LINES + 1),
-        ..Found::new(FORMAT, heights)
+        ..Found::new(FORMAT, Lengths::of(heights, LengthUnit::Micrometre))
     })
 }
 

@@ -92,7 +92,8 @@ fn only_other_length(labels: &[Label], x: usize) -> Option<usize> {
     lengths.next().filter(|_| lengths.next().is_none())
 }
 
-/// Returns an error for a table with a damaged first row, which would be taken for a header and lost.
+/// Returns an error for a table with a damaged first row, which would be taken for a header and lost, or with thousands
+/// separators from a row on.
 ///
 /// All cells of a row start like numbers, unlike the cells of a header; a single number above several columns is a
 /// count.
@@ -107,6 +108,23 @@ pub(super) fn check_line_above(lines: &[Line<'_>], sniffed: &Sniffed) -> Result<
     let starts = |cell: &&str| cell.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
     if (filled == 1 && sniffed.columns > 1) || !cells.iter().all(starts) {
         return Ok(());
+    }
+    // From "980 0.5" to "1 000 0.5".
+    let below: Vec<&str> = sniffed.dialect.cells(lines[sniffed.first].text).collect();
+    let are_digits = |cell: &str| cell.bytes().all(|byte| byte.is_ascii_digit());
+    if let [whole, group, ..] = below[..]
+        && below.len() == filled + 1
+        && group.len() == 3
+        && are_digits(group)
+        && are_digits(whole)
+    {
+        let row = &lines[sniffed.first];
+        return Err(ReadFault::UnreadableNumber {
+            line: row.number,
+            text: shortened(row.text),
+            dialect: sniffed.dialect,
+            remedy: CellRemedy::Thousands,
+        });
     }
     let damaged = cells
         .iter()
@@ -151,6 +169,7 @@ pub(super) fn unreadable(
             (free, CellRemedy::Decimal(DecimalSign::Point))
         }
         _ if free.separator != used.separator => (free, CellRemedy::Separator),
+        _ if used.may_be_grouped(cell) => (used, CellRemedy::Thousands),
         _ => (free, CellRemedy::Line),
     };
     ReadFault::UnreadableNumber {

@@ -17,6 +17,7 @@ use super::file_dialect::BadHeights;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
+use super::lengths::Lengths;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
 use super::plain_row::take_numbers;
@@ -99,14 +100,12 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     heights.iter_mut().for_each(|h| *h *= z.factor);
     let dx = header.spacing.map(|dx| dx * x.factor);
     Ok(Found {
-        z_unit: z.unit,
-        x_unit: x.unit,
         spacing: dx
             .filter(|dx| *dx > 0.0)
-            .map(|dx| (dx, SpacingSource::Header)),
+            .map(|dx| (Lengths::of(dx, x.unit), SpacingSource::Header)),
         metadata: header.metadata,
         first_line: Some(first_line),
-        ..Found::new(FORMAT, heights)
+        ..Found::new(FORMAT, Lengths::of(heights, z.unit))
     })
 }
 

@@ -4,10 +4,9 @@
 //! micrometres up. A file is read without a stated unit only if exactly one of these gives a possible stylus trace.
 //! Nanometres are never assumed, and if heights in nanometres are possible too, no unit is assumed.
 
-use super::damage::damaged;
 use super::error::ReadFault;
-use super::format::Format;
-use super::options::{Axis, LengthUnit, ReadOptions};
+use super::options::{Axis, LengthUnit};
+use crate::warning::Warning;
 
 use LengthUnit::{Metre, Micrometre, Millimetre, Nanometre};
 
@@ -107,30 +106,28 @@ pub(super) fn heights_only(extent: Extent) -> Option<LengthUnit> {
         .filter(|_| !extent.may_be_nanometres(Metre))
 }
 
-/// The unit of heights without x: stated, or the only possible one.
+/// The only possible unit of heights that are `dx` \[m\] apart, with a warning; any unit if all heights are missing.
 pub(super) fn of_heights(
-    format: Format,
     heights: &[f64],
-    options: &ReadOptions,
+    dx: f64,
+    warnings: &mut Vec<Warning>,
 ) -> Result<LengthUnit, ReadFault> {
-    if let Some(unit) = options.z_unit {
-        return Ok(unit);
-    }
     let known: Vec<f64> = heights.iter().copied().filter(|z| z.is_finite()).collect();
     if known.is_empty() {
-        return Err(damaged(format, "the row has no heights", ""));
+        return Ok(Metre);
     }
     let (low, high) = asperity_core::numerics::extremes(&known);
-    let span = high - low;
-    let dx = options.dx.map_or(f64::NAN, |dx| dx.si());
     let squares = known.windows(2).map(|pair| (pair[1] - pair[0]).powi(2));
     let step = (squares.sum::<f64>() / known.len() as f64).sqrt();
     let extent = Extent {
         length: dx * (heights.len() - 1) as f64,
-        span,
+        span: high - low,
         slope: step / dx,
     };
-    heights_only(extent).ok_or_else(|| ReadFault::no_unit(Axis::Height, span))
+    let axis = Axis::Height;
+    let unit = heights_only(extent).ok_or_else(|| ReadFault::no_unit(axis, extent.span))?;
+    warnings.push(Warning::UnitAssumed { axis, unit });
+    Ok(unit)
 }
 
 fn only<T>(mut candidates: impl Iterator<Item = T>) -> Option<T> {

@@ -57,7 +57,7 @@ fn a_missing_unit_is_assumed_only_when_no_other_is_possible() {
     assert!(
         refused
             .to_string()
-            .contains("no unit found and heights span 12"),
+            .contains("no unit found for the heights, which span 12"),
         "{refused}"
     );
     assert!(
@@ -83,7 +83,7 @@ fn heights_alone_need_a_spacing_and_header_numbers_are_no_heights() {
         ..ReadOptions::default()
     };
     let plain = read_text(&column).unwrap_err();
-    let no_spacing = "the heights have no x column to give the spacing";
+    let no_spacing = "no x column and no spacing of the points was found";
     assert_eq!(plain.code(), "E110");
     assert_eq!(plain.fault.to_string(), no_spacing);
     let reading = read_bytes("a.txt", column.as_bytes(), &options).unwrap();
@@ -211,7 +211,7 @@ fn x_that_counts_points_is_no_length() {
     assert_eq!(refused.code(), "E110");
     assert_eq!(
         refused.fault.to_string(),
-        "the heights have no x column to give the spacing (x counts the points)"
+        "x counts the points, and no spacing of them was found"
     );
     let options = ReadOptions {
         dx: Some(Length::from_si(0.5e-6)),

@@ -291,6 +291,101 @@ pub fn zygo_xyz() -> Vec<u8> {
     [head.into_bytes(), points(one), b"#\n".to_vec()].concat()
 }
 
+/// Zygo ASCII: intensities, then phases of a nanometre, ten to a line.
+pub fn zygo_text() -> Vec<u8> {
+    let head = [
+        "Zygo ASCII Data File - Format 2",
+        "1 8 3 5 \"Mon Mar 04 10:00:00 2019\"",
+        "0 0 2 2 1 255",
+        &format!("0 0 {COLUMNS} {ROWS}"),
+        "\"flank 7\"",
+        "\"\"",
+        "\"\"",
+        "0 0.5 6.5536e-05 0 1 0 5e-07 1551693600",
+        "120 3 0 0 0 0 \"\"",
+        "0 0 0 0 0 0 0 0.0 0 0",
+        "1 1 20 2 0 0 0 0 0",
+        "0 \"\"",
+        "1 0",
+        "\"\"",
+        "#\n1 2 3\n4\n#\n",
+    ]
+    .join("\n");
+    let one = |x: usize, y: usize| {
+        let phase = match is_hole(x, y) {
+            true => 2_147_483_640,
+            false => nanometres(x, y),
+        };
+        let end = if x % 10 == 9 { "\n" } else { " " };
+        format!("{phase}{end}").into_bytes()
+    };
+    [head.into_bytes(), points(one), b"#\n".to_vec()].concat()
+}
+
+/// Wyko ASCII: waves, a line for each column from the last row up, and intensities after them.
+pub fn wyko_text(in_nanometres: bool) -> Vec<u8> {
+    let head = [
+        &format!(
+            "Wyko ASCII Data File Format 0\t{}\t1",
+            u8::from(in_nanometres)
+        ),
+        &format!("X Size\t{COLUMNS}"),
+        &format!("Y Size\t{ROWS}"),
+        "Block Name\tType\tLength\tValue",
+        "Pixel_size\t7\t4\t0.0005",
+        "Aspect\t7\t4\t4",
+        "Wavelength\t7\t4\t632.8",
+        "Mult\t6\t2\t1000",
+        "Title\t5\t20\tflank 7",
+        "RAW_DATA\t3\t1440\n",
+    ]
+    .join("\n");
+    let height = |x: usize, y: usize| match is_hole(x, y) {
+        true => "Bad".to_owned(),
+        false if in_nanometres => nanometres(x, y).to_string(),
+        false => format!("{:.9}", f64::from(nanometres(x, y)) / 632.8 * 1000.0),
+    };
+    let column = |x: usize| {
+        (0..ROWS)
+            .rev()
+            .map(|y| height(x, y))
+            .collect::<Vec<_>>()
+            .join("\t")
+    };
+    let heights: Vec<String> = (0..COLUMNS).map(column).collect();
+    let intensities = format!("\nIntensity\t6\t720\n{}", "128\t128\t128\n".repeat(COLUMNS));
+    (head + &heights.join("\n") + &intensities).into_bytes()
+}
+
+/// Gwyddion Simple Field: metres in floats.
+pub fn gsf() -> Vec<u8> {
+    let head = format!(
+        "Gwyddion Simple Field 1.0\nXRes = {COLUMNS}\nYRes = {ROWS}\nXReal = 6e-05\nYReal = 6e-06\nXYUnits = m\nZUnits = m\nTitle = flank 7\n"
+    );
+    let mut bytes = head.into_bytes();
+    bytes.resize((bytes.len() / 4 + 1) * 4, 0);
+    bytes.extend(points(|x, y| {
+        (um(x, y) as f32 * 1e-6).to_le_bytes().to_vec()
+    }));
+    bytes
+}
+
+/// Code V: nanometres as whole numbers, ten to a line.
+pub fn code_v() -> Vec<u8> {
+    let head =
+        format!("! exported\nflank 7\nGRD {COLUMNS} {ROWS} SUR WVL 1.0 SSZ 1000 NDA 32767 XSC 1\n");
+    let one = |x: usize, y: usize| {
+        let number = if is_hole(x, y) {
+            32767
+        } else {
+            nanometres(x, y)
+        };
+        let end = if x % 10 == 9 { "\n" } else { " " };
+        format!("{number}{end}").into_bytes()
+    };
+    [head.into_bytes(), points(one)].concat()
+}
+
 /// Wyko OPD: nanometres in floats, column by column from the last row up.
 pub fn opd() -> Vec<u8> {
     let column = |x| (0..ROWS).rev().map(move |y| (x, y));
@@ -592,6 +687,8 @@ pub fn all() -> Vec<(&'static str, Vec<u8>)> {
         ("a.plux", plux()),
         ("a.dat", metropro(0)),
         ("a.xyz", zygo_xyz()),
+        ("b.asc", zygo_text()),
+        ("a.asc", wyko_text(false)),
         ("a.opd", opd()),
         ("a.sdf", sdf_binary(false)),
         ("b.sdf", sdf_binary(true)),
@@ -600,6 +697,7 @@ pub fn all() -> Vec<(&'static str, Vec<u8>)> {
         ("a.nid", nid()),
         ("a.ibw", ibw()),
         ("a.gwy", gwy()),
+        ("a.gsf", gsf()),
     ]
 }
 

@@ -88,6 +88,9 @@ fn write_seeds() {
         "plu",
         "plux",
         "metropro",
+        "zygo_text",
+        "zygo_text",
+        "wyko_text",
         "opd",
         "sdf_binary",
         "sdf_binary",
@@ -96,9 +99,11 @@ fn write_seeds() {
         "nid",
         "ibw",
         "gwy",
+        "gsf",
     ];
     let areal = areal.into_iter().zip(areal_files::all());
     all.extend(areal.map(|(target, (_, bytes))| (target, bytes)));
+    all.push(("codev", areal_files::code_v()));
     for (at, (target, bytes)) in all.into_iter().enumerate() {
         std::fs::create_dir_all(folder.join(target)).unwrap();
         std::fs::write(folder.join(target).join(format!("{at:02}")), bytes).unwrap();

@@ -61,8 +61,8 @@ fn many_bad_heights_of_an_instrument_say_what_the_file_seems_to_be() {
     let kinds: [Kind<'_>; 3] = [
         (
             "mark",
-            &|_| "lost".to_owned(),
-            "mark missing points with \"lost\"",
+            &|_| "1.#LOST".to_owned(),
+            "mark missing points with \"1.#LOST\"",
             "Write NaN in place of the mark",
         ),
         (
@@ -101,7 +101,7 @@ fn many_bad_heights_of_an_instrument_say_what_the_file_seems_to_be() {
 #[test]
 fn a_mark_of_a_missing_height_is_known_in_every_text_of_an_instrument() {
     for (name, text, begin) in texts() {
-        for mark in ["NaN", "BAD", "---"] {
+        for mark in ["NaN", "BAD", "---", "OVER", "****", "<<<"] {
             let text = rewritten(&text, begin, (20, 23), &|_| mark.to_owned());
             let refused = refused(name, &text);
             assert_eq!(refused.code(), "E107", "{name} {mark}: {refused}");

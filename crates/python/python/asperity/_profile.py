@@ -448,6 +448,7 @@ def read_profile(
     x_unit: Optional[LengthUnit] = None,
     z_unit: Optional[LengthUnit] = None,
     dx: Optional[Scalar] = None,
+    dy: Optional[Scalar] = None,
     columns: Union[None, int, tuple[int, int]] = None,
     decimal: Optional[DecimalSign] = None,
     separator: Optional[Separator] = None,
@@ -466,7 +467,7 @@ def read_profile(
     Parameters:
         path: the file, or an object with ``read`` that has its bytes, whose ``name`` helps to recognise the format.
         x_unit, z_unit: ``"mm"``, ``"um"``, ``"nm"`` ..., where the file does not tell.
-        dx: spacing, m.
+        dx, dy: spacing of the points, and of the rows of a surface, m.
         columns: numbers of the columns from 1: ``(x, z)``, or that of the heights alone.
         decimal, separator, encoding: dialect of a text, where it is misread.
         gaps: ``"interpolate"`` fills missing points, which are refused by default.
@@ -499,6 +500,7 @@ def read_profile(
         "x-unit": x_unit,
         "z-unit": z_unit,
         "dx": _length(dx),
+        "dy": _length(dy),
         "columns": chosen,
         "decimal": decimal,
         "separator": separator,

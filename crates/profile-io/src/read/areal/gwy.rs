@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::bytes::{Cursor, Plain};
-use super::trace::{Areal, HeightUnit, Heights};
+use super::trace::{Areal, Heights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -85,8 +85,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
                 &title(number),
             ));
         }
-        let metres = |z: f64| unit.map_or(z, |unit| unit.metres(z));
-        let values = values.iter().map(|z| metres(f64::from_le_bytes(*z)));
+        let values = values.iter().map(|z| f64::from_le_bytes(*z));
         let lateral = self::unit(field, "si_unit_xy");
         let spacing = |name: &str, count: usize| match (field.get(name), lateral) {
             (Some(Value::Real(length)), Some(unit)) => unit.metres(*length) / count as f64,
@@ -97,11 +96,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
             values: values.collect(),
             columns,
         };
-        let mut found = Areal::new(FORMAT, heights).spaced(dx, dy);
+        let mut found = Areal::in_own_unit(FORMAT, heights, unit).spaced(dx, dy);
         found.metadata.title = short(&title(number));
-        if unit.is_none() {
-            found.unit = HeightUnit::Unstated;
-        }
         return Ok(found);
     }
     Err(ReadFault::no_heights(

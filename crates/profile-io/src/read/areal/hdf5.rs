@@ -16,11 +16,12 @@ use hdf5_reader::{Attribute, Dataset, Hdf5File, OpenOptions};
 use super::bytes::{Plain, part};
 use super::chosen::chosen;
 use super::held::most_unpacked;
-use super::trace::{Areal, HeightUnit, Heights};
+use super::trace::{Areal, Heights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::header::is_depth;
+use crate::read::lengths::Lengths;
 use crate::read::metadata::short;
 use crate::warning::Warning;
 
@@ -58,8 +59,8 @@ pub(super) fn arrays(bytes: &[u8], format: Format) -> Result<Areal, ReadFault> {
         }
         false => (values, columns),
     };
-    let mut found = Areal::new(format, Heights::Values { values, columns });
-    found.unit = HeightUnit::Unstated;
+    let numbers = Lengths::Numbers(Heights::Values { values, columns }, None);
+    let mut found = Areal::of(format, numbers);
     let last = name.rsplit('/').next().unwrap_or_default();
     found
         .warnings

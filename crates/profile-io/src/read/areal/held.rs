@@ -16,7 +16,7 @@ const RATIO: u64 = 200;
 const MOST: u64 = 1 << 30;
 
 /// The bytes of a file of `size` bytes.
-pub(super) fn whole(stream: &mut dyn Stream, size: u64) -> Result<Vec<u8>, ReadFault> {
+pub(crate) fn whole(stream: &mut dyn Stream, size: u64) -> Result<Vec<u8>, ReadFault> {
     if size > MOST_BYTES {
         return Err(ReadFault::too_large("the file", size, MOST_BYTES));
     }

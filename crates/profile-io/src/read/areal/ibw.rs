@@ -4,7 +4,7 @@
 //! Asylum Research leave the unit of a height out, which is metres. Curves, such as forces, are refused.
 
 use super::bytes::{Plain, part, text};
-use super::trace::{Areal, HeightUnit, Heights};
+use super::trace::{Areal, Heights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -150,20 +150,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
     if part(bytes, first, layer_size).is_none() {
         return Err(short_file());
     }
-    let in_metres = |z: f64| unit.map_or(z, |unit| unit.metres(z));
-    let metres = |i| value(i).map_or(f64::NAN, in_metres);
-    let values: Vec<f64> = (0..points).map(metres).collect();
+    let values = (0..points).map(|i| value(i).unwrap_or(f64::NAN));
     let spacing = |axis: usize| {
         let unit = header::unit(&unit_at(152 + 4 * axis));
         let step: Option<f64> = header.number(64 + 84 + 8 * axis);
         unit.zip(step)
             .map_or(f64::NAN, |(unit, step)| unit.metres(step.abs()))
     };
+    let values = values.collect();
     let heights = Heights::Values { values, columns };
-    let mut found = Areal::new(FORMAT, heights).spaced(spacing(0), spacing(1));
-    if unit.is_none() {
-        found.unit = HeightUnit::Unstated;
-    }
+    let mut found = Areal::in_own_unit(FORMAT, heights, unit).spaced(spacing(0), spacing(1));
     found.metadata.title = text(bytes, 64 + 28, LABEL).as_deref().and_then(short);
     Ok(found)
 }

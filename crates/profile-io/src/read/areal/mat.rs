@@ -7,11 +7,12 @@ use super::bytes::part;
 use super::chosen::chosen;
 use super::mat_elements::arrays;
 use super::raw::{Layout, Raw};
-use super::trace::{Areal, HeightUnit, Heights};
+use super::trace::{Areal, Heights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::header::is_depth;
+use crate::read::lengths::Lengths;
 use crate::read::metadata::short;
 use crate::warning::Warning;
 
@@ -54,8 +55,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
     };
     let raw = Raw::new(array.data, array.number, layout);
     let raw = raw.ok_or_else(|| fault("an array has fewer numbers than its size", ""))?;
-    let mut found = Areal::new(FORMAT, Heights::Raw(raw));
-    found.unit = HeightUnit::Unstated;
+    let numbers = Lengths::Numbers(Heights::Raw(raw), None);
+    let mut found = Areal::of(FORMAT, numbers);
     found
         .warnings
         .extend(is_depth(&name).then_some(Warning::DepthsTurned));

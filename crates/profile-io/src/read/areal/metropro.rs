@@ -15,9 +15,9 @@ use crate::read::metadata::short;
 
 const FORMAT: Format = Format::MetroPro;
 /// R by the phase resolution.
-const RESOLUTIONS: [f64; 3] = [4096.0, 32768.0, 131_072.0];
+pub(super) const RESOLUTIONS: [f64; 3] = [4096.0, 32768.0, 131_072.0];
 /// Numbers from here up are missing heights.
-const INVALID: f64 = 2_147_483_640.0;
+pub(super) const INVALID: f64 = 2_147_483_640.0;
 
 /// Reads the phase map.
 pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {

@@ -7,6 +7,8 @@
 mod al3d;
 pub(super) mod bytes;
 mod chosen;
+mod codev;
+mod gsf;
 mod gwy;
 #[cfg(feature = "hdf5")]
 mod hdf5;
@@ -25,8 +27,10 @@ mod sdf_binary;
 mod sur;
 pub(crate) mod trace;
 mod vk;
-mod zygo_xyz;
+mod wyko_text;
+mod zygo_text;
 
+pub(crate) use codev::recognised as is_code_v;
 pub(crate) use plu::recognised as is_plu;
 
 use super::error::ReadFault;
@@ -47,9 +51,11 @@ pub(crate) fn read(
         Format::KeyenceVk => vk::read(stream, size)?,
         Format::SensofarPlu => plu::read(held(stream)?)?,
         Format::MetroPro => metropro::read(held(stream)?)?,
-        Format::ZygoXyz => zygo_xyz::read(&held(stream)?)?,
+        Format::ZygoXyz | Format::ZygoText => zygo_text::read(format, &held(stream)?)?,
         Format::Opd => opd::read(held(stream)?)?,
+        Format::WykoText => wyko_text::read(&held(stream)?)?,
         Format::SdfBinary => sdf_binary::read(held(stream)?)?,
+        Format::CodeV => codev::read(&held(stream)?)?,
         Format::Opdx => opdx::read(held(stream)?)?,
         Format::Matlab => {
             let bytes = held(stream)?;
@@ -58,6 +64,7 @@ pub(crate) fn read(
                 false => mat::read(&bytes)?,
             }
         }
+        Format::GwyddionSimple => gsf::read(held(stream)?)?,
         Format::Gwyddion => gwy::read(&held(stream)?)?,
         Format::NanosurfNid => nid::read(held(stream)?)?,
         Format::IgorWave => ibw::read(&held(stream)?)?,

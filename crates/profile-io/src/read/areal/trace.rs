@@ -1,17 +1,18 @@
 //! A surface of a file, and the extraction of its traces.
 
 use asperity_core::numerics::range;
+use asperity_core::quantity::Length;
 
 use super::raw::Raw;
-use crate::read::error::ReadFault;
+use crate::read::error::{ReadFault, SpacingHint};
 use crate::read::format::Format;
-use crate::read::found::{Found, unit_overridden};
-use crate::read::grid::{SpacingSource, chosen_row};
+use crate::read::found::{Found, overridden};
+use crate::read::grid::{SpacingSource, chosen_row, enough_of_line};
 use crate::read::layout::TableLayout;
+use crate::read::lengths::Lengths;
 use crate::read::metadata::Metadata;
-use crate::read::options::{Axis, Encoding, LengthUnit, ReadOptions, TraceLine};
+use crate::read::options::{Axis, Encoding, LengthUnit, ReadOptions};
 use crate::read::surface::{Surface, SurfaceFacts};
-use crate::read::units;
 use crate::warning::Warning;
 
 /// Heights of a surface, or of a profile with one row.
@@ -31,6 +32,18 @@ impl Heights {
         }
     }
 
+    /// Heights in metres from numbers in `unit`.
+    fn times(self, unit: LengthUnit) -> Self {
+        let [columns, rows] = self.size();
+        let at = |row| (0..columns).map(move |column| (column, row));
+        let all = (0..rows).flat_map(at);
+        let values = all.map(|(column, row)| unit.metres(self.height(column, row)));
+        Self::Values {
+            values: values.collect(),
+            columns,
+        }
+    }
+
     fn height(&self, column: usize, row: usize) -> f64 {
         match self {
             Self::Raw(raw) => raw.height(column, row),
@@ -42,41 +55,41 @@ impl Heights {
     }
 }
 
-/// Unit of the heights in a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum HeightUnit {
-    /// Not stated.
-    Unstated,
-    /// The numbers are in metres.
-    Metres,
-    /// The numbers were converted to metres by scales of the header.
-    Scaled,
-}
-
 /// Content of a file of an areal format.
 #[derive(Debug, Clone)]
 pub(crate) struct Areal {
     pub format: Format,
-    pub heights: Heights,
-    /// Spacings along rows and between rows \[m\], if stated.
-    pub spacings: [Option<f64>; 2],
-    pub unit: HeightUnit,
+    pub heights: Lengths<Heights>,
+    /// Spacings along rows and between rows, if stated.
+    pub spacings: [Option<Lengths<f64>>; 2],
     pub metadata: Metadata,
     pub warnings: Vec<Warning>,
     /// Encoding of a text.
     pub encoding: Option<Encoding>,
-    /// Layout of a text, and the unit of its heights.
-    pub table: Option<(TableLayout, Option<LengthUnit>)>,
+    /// Layout of a text.
+    pub table: Option<TableLayout>,
 }
 
 impl Areal {
-    /// Heights scaled to metres by the header, without other facts.
+    /// Heights scaled to metres by the file, without other facts.
     pub(crate) fn new(format: Format, heights: Heights) -> Self {
+        Self::of(format, Lengths::Metres(heights))
+    }
+
+    /// Heights that the file scales by its `unit`, or numbers if it states none.
+    pub(super) fn in_own_unit(format: Format, heights: Heights, unit: Option<LengthUnit>) -> Self {
+        match unit {
+            Some(unit) => Self::new(format, heights.times(unit)),
+            None => Self::of(format, Lengths::Numbers(heights, None)),
+        }
+    }
+
+    /// Heights without other facts.
+    pub(crate) fn of(format: Format, heights: Lengths<Heights>) -> Self {
         Self {
             format,
             heights,
             spacings: [None; 2],
-            unit: HeightUnit::Scaled,
             metadata: Metadata::default(),
             warnings: Vec::new(),
             encoding: None,
@@ -84,9 +97,9 @@ impl Areal {
         }
     }
 
-    /// The surface with spacings \[m\]; invalid spacings are omitted.
+    /// The surface with spacings \[m\] of the file; invalid spacings are omitted.
     pub(crate) fn spaced(self, dx: f64, dy: f64) -> Self {
-        let real = |dx: f64| (dx.is_finite() && dx > 0.0).then_some(dx);
+        let real = |dx: f64| (dx.is_finite() && dx > 0.0).then_some(Lengths::Metres(dx));
         Self {
             spacings: [real(dx), real(dy)],
             ..self
@@ -95,44 +108,39 @@ impl Areal {
 
     /// The trace requested by `options`.
     pub(crate) fn trace(mut self, options: &ReadOptions) -> Result<Found, ReadFault> {
-        let [columns, rows] = self.heights.size();
-        let (across, points) = match options.line {
-            TraceLine::Row | TraceLine::Mean => (rows, columns),
-            TraceLine::Column | TraceLine::MeanColumn => (columns, rows),
+        let surface = self.heights.values();
+        let [columns, rows] = surface.size();
+        let is_along_y = options.line.is_along_y();
+        let (across, points) = match is_along_y {
+            false => (rows, columns),
+            true => (columns, rows),
         };
-        let at = |point: usize, line: usize| match options.line {
-            TraceLine::Row | TraceLine::Mean => self.heights.height(point, line),
-            TraceLine::Column | TraceLine::MeanColumn => self.heights.height(line, point),
+        let at = |point: usize, line: usize| match is_along_y {
+            false => surface.height(point, line),
+            true => surface.height(line, point),
         };
-        let heights: Vec<f64> = match options.line {
-            TraceLine::Mean | TraceLine::MeanColumn => {
-                let mean = |point| mean((0..across).map(|line| at(point, line)));
-                (0..points).map(mean).collect()
-            }
-            TraceLine::Row | TraceLine::Column => {
-                let line = chosen_row(options.row, across, points)?;
-                (0..points).map(|point| at(point, line)).collect()
-            }
+        let line = match options.line.is_mean() {
+            true => 0,
+            false => chosen_row(options.row, across, points)?,
+        };
+        enough_of_line(points, across, options.line)?;
+        let heights: Vec<f64> = if options.line.is_mean() {
+            let mean = |point| mean((0..across).map(|line| at(point, line)));
+            (0..points).map(mean).collect()
+        } else {
+            (0..points).map(|point| at(point, line)).collect()
         };
         if options.line.is_mean() && across > 1 {
             self.warnings.push(Warning::MeanLine { lines: across });
         }
-        let axis = usize::from(matches!(
-            options.line,
-            TraceLine::Column | TraceLine::MeanColumn
-        ));
-        let spacing = self.spacings[axis].map(|dx| (dx, SpacingSource::Header));
-        let z_unit = match self.unit {
-            HeightUnit::Metres | HeightUnit::Scaled => LengthUnit::Metre,
-            HeightUnit::Unstated => units::of_heights(self.format, &heights, options)?,
-        };
+        let spacing = self.spacings[usize::from(is_along_y)];
         Ok(Found {
-            spacing,
-            z_unit,
-            scaled: self.unit == HeightUnit::Scaled,
+            spacing: spacing.map(|dx| (dx, SpacingSource::Header)),
             metadata: self.metadata,
             warnings: self.warnings,
-            ..Found::new(self.format, heights)
+            encoding: self.encoding,
+            table: self.table,
+            ..Found::new(self.format, self.heights.with(heights))
         })
     }
 
@@ -142,32 +150,38 @@ impl Areal {
         file: &str,
         options: &ReadOptions,
     ) -> Result<Surface, ReadFault> {
-        let [columns, rows] = self.heights.size();
-        let axis = Axis::Height;
-        let unit = match (self.unit, options.z_unit) {
-            (HeightUnit::Metres | HeightUnit::Scaled, None) => LengthUnit::Metre,
-            (HeightUnit::Scaled, Some(stated)) => {
-                self.warnings.push(Warning::UnitNotUsed { axis, stated });
-                LengthUnit::Metre
-            }
-            (HeightUnit::Metres, Some(stated)) => {
-                let overridden = unit_overridden(axis, stated, LengthUnit::Metre);
-                self.warnings.extend(overridden);
-                stated
-            }
-            (HeightUnit::Unstated, Some(stated)) => stated,
-            (HeightUnit::Unstated, None) => {
-                return Err(ReadFault::no_unit(axis, span(&self.heights)));
-            }
+        let is_scaled = self.heights.are_metres();
+        let warnings = &mut self.warnings;
+        let no_unit = |heights: &Heights, _: &mut Vec<Warning>| {
+            Err(ReadFault::no_unit(Axis::Height, span(heights)))
         };
+        let (heights, unit) =
+            self.heights
+                .in_unit(Axis::Height, options.z_unit, warnings, no_unit)?;
+        let [columns, rows] = heights.size();
         let mut z = Vec::with_capacity(columns.saturating_mul(rows));
         for row in 0..rows {
-            z.extend((0..columns).map(|column| unit.metres(self.heights.height(column, row))));
+            z.extend((0..columns).map(|column| unit.metres(heights.height(column, row))));
         }
-        let spacings = match options.dx {
-            Some(dx) => [Some(dx.si()), self.spacings[1]],
-            None => self.spacings,
+        // A spacing without a unit is not known.
+        let unknown = |_: &f64, _: &mut Vec<Warning>| Err(ReadFault::no_spacing(SpacingHint::None));
+        let of_file = |step: Lengths<f64>, seen: &mut Vec<Warning>| {
+            let found = step
+                .in_unit(Axis::Trace, options.x_unit, seen, unknown)
+                .ok();
+            found.map(|(step, unit)| Length::from_si(unit.metres(step)))
         };
+        let mut seen = Vec::new();
+        let length = self.spacings[0].map(|step| step.values() * (columns.max(1) - 1) as f64);
+        let found = self.spacings.map(|step| of_file(step?, &mut seen));
+        let spacings = [options.dx, options.dy];
+        for (stated, found) in spacings.into_iter().zip(found) {
+            let both = stated.zip(found);
+            warnings.extend(both.and_then(|(stated, found)| overridden(stated, found)));
+        }
+        seen.dedup();
+        warnings.extend(seen);
+        let spacings = [0, 1].map(|axis| spacings[axis].or(found[axis]));
         let surface = Surface::new(
             file,
             self.format,
@@ -177,14 +191,14 @@ impl Areal {
             self.metadata,
             self.warnings,
         );
-        let (table, of_table) = self.table.unzip();
         Ok(Surface {
             facts: SurfaceFacts {
-                z_unit: Some(options.z_unit.or(of_table.flatten()).unwrap_or(unit)),
-                is_scaled: self.unit == HeightUnit::Scaled,
+                z_unit: Some(unit),
+                is_scaled,
                 encoding: self.encoding,
-                table,
-                spacing: self.spacings[0],
+                table: self.table,
+                spacing: found[0],
+                length_without_unit: length.filter(|_| found[0].is_none()),
             },
             ..surface
         })

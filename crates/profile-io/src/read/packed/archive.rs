@@ -5,6 +5,7 @@
 
 use std::io::{BufReader, Read};
 
+use asperity_core::is_of_system;
 use zip::ZipArchive;
 
 use crate::read::areal::held::most_unpacked;
@@ -20,6 +21,7 @@ const MOST_MEMBERS: usize = 10_000;
 pub(super) struct Archive<'a> {
     format: Format,
     zip: ZipArchive<BufReader<&'a mut dyn Stream>>,
+    /// Names by index, empty for files that a system added.
     names: Vec<String>,
     size: u64,
 }
@@ -38,7 +40,10 @@ impl<'a> Archive<'a> {
         }
         let names = zip
             .file_names()
-            .map(|name| name.map_or_else(|_| String::new(), |name| name.replace('\\', "/")))
+            .map(|name| match name {
+                Ok(name) if !is_of_system(&name) => name.replace('\\', "/"),
+                _ => String::new(),
+            })
             .collect();
         Ok(Self {
             format,

@@ -10,6 +10,7 @@ use crate::read::format::Format;
 use crate::read::found::Found;
 use crate::read::grid::SpacingSource;
 use crate::read::header;
+use crate::read::lengths::Lengths;
 use crate::read::metadata::{Metadata, number, short};
 use crate::read::options::{Axis, LengthUnit};
 use crate::read::text::Stream;
@@ -52,10 +53,8 @@ pub(super) fn read(stream: &mut dyn Stream) -> Result<Found, ReadFault> {
         return Err(miscounted(FORMAT, heights.len(), stated));
     }
     Ok(Found {
-        z_unit: unit,
-        x_unit: unit,
-        spacing: spacing.map(|dx| (dx, SpacingSource::Header)),
+        spacing: spacing.map(|dx| (Lengths::of(dx, unit), SpacingSource::Header)),
         metadata,
-        ..Found::new(FORMAT, heights)
+        ..Found::new(FORMAT, Lengths::of(heights, unit))
     })
 }

@@ -11,14 +11,15 @@ use std::ops::Range;
 use super::archive::Archive;
 use super::hashed::Hashed;
 use super::xml::{Leaf, walk};
-use crate::read::areal::trace::{Areal, HeightUnit, Heights};
+use crate::read::areal::trace::{Areal, Heights};
 use crate::read::damage::{damaged, miscounted, not_a_number};
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::found::Found;
 use crate::read::grid::{SpacingSource, chosen_row};
+use crate::read::lengths::Lengths;
 use crate::read::metadata::{self, Metadata};
-use crate::read::options::ReadOptions;
+use crate::read::options::{LengthUnit, ReadOptions};
 use crate::read::text::Stream;
 use crate::warning::Warning;
 
@@ -125,11 +126,11 @@ pub(super) fn read(
     let found = matrix(stream, size, Wanted::Row(options.row))?;
     let [dx, _] = found.spacings();
     Ok(Found {
-        x: found.points.x,
-        spacing: dx.map(|dx| (dx, SpacingSource::Header)),
+        x: found.points.x.map(|x| Lengths::of(x, LengthUnit::Metre)),
+        spacing: dx.map(|dx| (Lengths::of(dx, LengthUnit::Metre), SpacingSource::Header)),
         metadata: found.main.metadata,
         warnings: found.warnings,
-        ..Found::new(FORMAT, found.points.z)
+        ..Found::new(FORMAT, Lengths::of(found.points.z, LengthUnit::Metre))
     })
 }
 
@@ -142,11 +143,10 @@ pub(super) fn surface(stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadF
         values: found.points.z,
     };
     Ok(Areal {
-        spacings,
+        spacings: spacings.map(|step| step.map(|step| Lengths::of(step, LengthUnit::Metre))),
         metadata: found.main.metadata,
         warnings: found.warnings,
-        unit: HeightUnit::Metres,
-        ..Areal::new(FORMAT, heights)
+        ..Areal::of(FORMAT, Lengths::of(heights, LengthUnit::Metre))
     })
 }
 
