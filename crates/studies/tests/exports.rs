@@ -766,7 +766,7 @@ fn a_cycle_that_leaves_the_map_gives_no_single_efficiency() {
     assert_eq!(error.code(), "E205");
     let said = error.to_string();
     assert!(
-        said.contains("75.0 % of the energy") && said.contains("300.0 N m"),
+        said.contains("75.0 % of the energy") && said.contains("300.0 at line 4 (t = 2.00 s)"),
         "{said}"
     );
 }
