@@ -40,7 +40,7 @@ EXAMPLES = {
     "cycle": [SMALL, 'losses = asperity.map(case, torque_nm=[-200, -60, -20, 20, 60, 200], speed_rpm=[500, 4000, 16000])',
               'energies = asperity.cycle(losses, "demo/urban.csv")', ("bool(energies.finishes.lost_wh[0] > 0)", "True")],
     "sensitivity": [SMALL, "found = asperity.sensitivity(case)", ("len(found.rows) > 5", "True")],
-    "ridges": [SMALL, "found = asperity.ridges(case)", ("found.pressed_loss_w < found.loss_w", "True")],
+    "ridges": [SMALL, "found = asperity.ridges(case)", ("found.pressed_at_medians_w < found.loss_at_medians_w", "True")],
     "callout": ['case = asperity.Case(asperity.demo(), model={"positions": 2, "offsets": 2})',
                 'found = asperity.callout(case, "600 W", parameter="rq", traces=3, lots=20, confidence=0.8)', ("found.limits.parameter[0]", "'Rq'")],
     "evidence": [SMALL, "table = asperity.evidence(case).rows", ("bool(table.width[0] <= table.width[-1])", "True")],
@@ -87,7 +87,14 @@ OPEN = (
     "along", "axes", "by_traces", "curve", "curves", "defaults", "draws", "evidence", "helpful", "held_out", "identifiability", "input", "kinks", "lubricant", "near", "nuisance", "other_law", "stages",
 )
 """Values that are keys of a case, or how a result was found; they stay without a class."""
-STATED = {"code": "Optional[str]", "dropped": "Optional[str]", "would_help": "Optional[str]", "OilFitPoint.curve": "int"}
+STATED = {
+    "code": "Optional[str]", "dropped": "Optional[str]", "would_help": "Optional[str]", "OilFitPoint.curve": "int",
+    # Of cases with draws only.
+    **dict.fromkeys(
+        ("ComparisonFinish.loss_at_medians_w", "ComparisonFinishMesh.loss_at_medians_w", "CycleFinish.lost_at_medians_wh", "Sensitivity.loss_at_medians_w"),
+        "Optional[float]",
+    ),
+}
 """Types of columns that are empty in the examples, or left open elsewhere."""
 LISTS = {"float": "Floats", "int": "Floats", "str": "list[str]"}
 """Types of lists, by the type of what they hold."""

@@ -14,12 +14,12 @@ const PICTURES: [(&str, &str, &str); 11] = [
     (
         "wrong_oil",
         "wrong_oil-sweep/sweep.html",
-        "loss_median_w-over-base-oil",
+        "loss_w-over-base-oil",
     ),
     (
         "hot_day",
         "hot_day-sweep/sweep.html",
-        "loss_median_w-over-operation-bulk_temperature",
+        "loss_w-over-operation-bulk_temperature",
     ),
     ("ridges", "demo-case-ridges/ridges.html", "watts-pinion"),
     ("run_in", "run-in/report.html", "flanks-change"),
@@ -60,16 +60,16 @@ fn pages_of_the_demo_print_what_they_show_and_their_pictures_are_drawn() {
         assert!(document.contains(&format!("]({file})")), "{file}");
     }
     // The sweep has the loss of the run for the oil of the case.
-    let median = |file: &str, row: &str| {
+    let loss = |file: &str, row: &str| {
         let text = read(file);
         let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
         let header = lines.next().unwrap();
-        let column = header.iter().position(|name| *name == "loss_median_w");
+        let column = header.iter().position(|name| *name == "loss_w");
         let row = lines.find(|cells| cells.contains(&row)).unwrap();
         row[column.unwrap()].parse::<f64>().unwrap()
     };
-    let swept = median("wrong_oil-sweep/sweep.csv", "polyalphaolefin");
-    let compared = median("demo-case-compare/compare.csv", "ground");
+    let swept = loss("wrong_oil-sweep/sweep.csv", "polyalphaolefin");
+    let compared = loss("demo-case-compare/compare.csv", "ground");
     assert!((swept / compared - 1.0).abs() < 1e-12, "{swept} {compared}");
     let hot = read("hot_day-sweep/sweep.html");
     assert!(hot.contains("All cases have model.offsets = 4 and model.positions = 6."));

@@ -32,6 +32,29 @@ def test_the_losses_alone_are_those_of_the_run(name, command):
     assert asperity.Case(case).run("contacts").loss_w == expected
 
 
+def test_every_face_of_a_case_states_one_loss():
+    pytest.importorskip("pandas")
+    case = asperity.Case(CASES / "e-drive.toml", model={"positions": 4, "offsets": 4})
+    run = case.run()
+    loss, at_medians = run.loss_w, run.summary.loss_at_medians_w
+    assert at_medians == pytest.approx(case.run("losses").loss_w, rel=1e-12) and abs(loss / at_medians - 1) > 1e-4
+    path = run.path
+    per_m = path.film_w_per_m + path.lubricated_asperity_w_per_m + path.boundary_w_per_m + path.rolling_w_per_m
+    power = (1 - run.efficiency) * run.summary.power_in_w
+    for found in (run.uncertainty.loss.median_w, run.offsets.loss_w.mean(), (path.weight_m * per_m).sum(), power):
+        assert found == pytest.approx(loss, rel=1e-9)
+    both = asperity.compare(case, {"a": case, "b": case})
+    assert both.offsets["a"].loss_w.mean() == pytest.approx(loss, rel=1e-9)
+    compared = both.to_pandas()
+    rows = asperity.sweep(case, {"torque_nm": [145]}, columns=["loss_w", "loss_at_medians_w", "loss_p05_w"]).to_pandas()
+    losses = asperity.map(case, torque_nm=[20, 145], speed_rpm=[1000, 9000]).to_pandas().xs((145.0, 9000.0), level=("torque_nm", "speed_rpm"))
+    for frame in (compared, rows, losses):
+        assert frame.loss_w.iloc[0] == pytest.approx(loss, rel=1e-9) and frame.loss_at_medians_w.iloc[0] == pytest.approx(at_medians, rel=1e-9)
+        assert frame.loss_p05_w.iloc[0] == pytest.approx(run.uncertainty.loss.quantiles_w[0], rel=1e-9)
+    changes = asperity.sensitivity(case)
+    assert (changes.loss_w, changes.loss_at_medians_w) == pytest.approx((loss, at_medians), rel=1e-9)
+
+
 @pytest.mark.parametrize("kind", SETS)
 def test_a_run_of_several_meshes_is_that_of_the_command(kind, command, tmp_path):
     file = tmp_path / f"{kind}.json"

@@ -60,14 +60,15 @@ def test_a_comparison_of_files_profiles_pairs_and_cases(drive, tmp_path):
     difference = others[0].difference
     assert difference.quantiles_w[0] < difference.median_w < difference.quantiles_w[1]
     assert 0.5 <= difference.probability <= 1 and len(difference.models) and difference.verdict
-    assert found.verdicts[0].startswith("With profile ") and others[-1].uncertainty.loss.median_w > 0
+    assert found.verdicts[0].startswith("With profile ") and others[-1].uncertainty.loss.median_w == others[-1].loss_w
     assert str(found).startswith("e-drive") and "ground" in repr(found) and "<table" in found._repr_html_()
     found.write(tmp_path / "out")
     assert asperity.read_result(tmp_path / "out").title == found.title
     pytest.importorskip("pandas")
     frame = found.to_pandas()
     assert list(frame.index) == found.names and frame.loss_w["profile"] == found.finishes.loss_w[1]
-    assert frame.difference_median_w["profile"] == difference.median_w and frame.loss_p05_w["ground"] < frame.loss_median_w["ground"]
+    assert frame.difference_median_w["profile"] == difference.median_w and frame.loss_p05_w["ground"] < frame.loss_w["ground"]
+    assert frame.loss_at_medians_w["ground"] == first.loss_at_medians_w != first.loss_w
     pytest.importorskip("xarray")
     assert found.to_xarray().loss_w.sizes == {"finish": 4, "offset": 2}
 
@@ -85,9 +86,10 @@ def test_finishes_with_different_numbers_of_offsets_stand_in_one_array():
 
 def test_a_point_of_a_map_is_a_run(drive, tmp_path):
     found = asperity.map(drive, torque="50..145:2 N m", speed=["3000 1/min", "9000 1/min"])
-    run = drive.replace({"operation.torque": "50 N m", "operation.speed": "3000 1/min"}).run("losses")
+    run = drive.replace({"operation.torque": "50 N m", "operation.speed": "3000 1/min"}).run()
     at = found.torque_nm.tolist().index(50), found.speed_rpm.tolist().index(3000)
-    assert found.loss_w[0, 0, at[0], at[1]] == run.loss_w
+    assert found.loss_at_medians_w[0, 0, at[0], at[1]] == run.summary.loss_at_medians_w
+    assert found.loss_w[0, 0, at[0], at[1]] == pytest.approx(run.loss_w, rel=1e-9)
     assert found.loss_torque(torque_nm=50, speed="3000 1/min") == found.loss_torque_nm[0, 0, at[0], at[1]]
     assert found.loss_torque(torque_nm=[50, 145], speed_rpm=5000).shape == (2,)
     with pytest.warns(asperity.AsperityWarning, match="1 of 2 places are outside"):
@@ -99,7 +101,7 @@ def test_a_point_of_a_map_is_a_run(drive, tmp_path):
     assert "<svg" in found._repr_html_() and "points" in repr(found) and str(found)
     pytest.importorskip("xarray")
     data = found.to_xarray()
-    assert float(data.loss_w.sel(torque_nm=50, speed_rpm=3000).squeeze()) == run.loss_w
+    assert float(data.loss_w.sel(torque_nm=50, speed_rpm=3000).squeeze()) == found.loss_w[0, 0, at[0], at[1]]
     assert found.to_pandas().loss_w.size == found.loss_w.size
 
 
@@ -230,8 +232,7 @@ def test_choices_and_samples(drive):
 def test_choices_and_values_stay_in_their_order(drive, tmp_path):
     fine, rough = ({"surface.pinion.file": str(file)} for file in (FINE, GROUND))
     axes = {"finish": {"z": rough, "a": fine, "m": rough}, "lubricant.oil": ["n100", "m100"]}
-    oil = drive.replace(dict.fromkeys(["lubricant.viscosity", "lubricant.density", "lubricant.base_oil"]) | {"lubricant.oil": "m100"})
-    rows = asperity.sweep(oil, axes, columns=["loss_w"])
+    rows = asperity.sweep(drive, axes, columns=["loss_w"])
     assert rows.to_xarray().finish.values.tolist() == ["z", "a", "m"] and list(dict.fromkeys(rows.run()["lubricant.oil"])) == ["n100", "m100"]
     losses = rows.run().loss_w
     assert losses[0] == losses[4] != losses[2]
@@ -259,12 +260,20 @@ def test_an_oil_that_the_library_does_not_have_is_refused_before_the_first_case(
         asperity.sweep(drive, {"lubricant.oil": ["m100", "m101"]})
 
 
-def test_a_row_that_names_an_oil_leaves_out_the_oil_of_the_case(drive):
-    rows = list(asperity.sweep(drive, {"lubricant.oil": ["m100", "n100"]}).run())
-    assert not any("W442" in row["outside"] for row in rows)
-    own = {"lubricant.viscosity": None, "lubricant.density": None, "lubricant.base_oil": None}
-    alone = drive.replace({"lubricant.oil": "m100", **own}).run("losses").loss_w
-    assert rows[0].loss_w == pytest.approx(alone, rel=1e-9)
+def test_an_oil_replaces_the_numbers_of_the_oil_of_the_case_and_its_calibration(drive, tmp_path):
+    tables = drive.inputs.to_dict()
+    named = asperity.Case({**tables, "lubricant": {"oil": "m100"}}, folder=CASES)
+    expected = named.run("losses").loss_w
+    own = drive.replace(calibration={"boundary_friction": {"value": 0.2, "low": 0.19, "high": 0.21}})
+    assert own.run("losses").loss_w != drive.run("losses").loss_w
+    for changed in ({"lubricant.oil": "m100"}, {"lubricant": {"oil": "m100"}}, {"lubricant.oil": "m100", "lubricant.viscosity": None}):
+        found = own.replace(changed)
+        assert found.run("losses").loss_w == expected
+        assert any(row.code == "W442" and row.text.startswith("m100 replaces ") and "calibration" in row.text for row in found.warnings)
+    kept = own.replace({"lubricant.oil": "m100", "lubricant.density": "900 kg/m3"}).inputs
+    assert kept.lubricant.to_dict() == {"oil": "m100", "density": "900 kg/m3"}, "what is named together is one oil"
+    rows = asperity.sweep(drive, {"lubricant.oil": ["m100", "n100"]}).run()
+    assert rows.loss_w[0] == pytest.approx(expected, rel=1e-9)
 
 
 def test_a_case_without_result_is_a_row_with_its_code(drive):

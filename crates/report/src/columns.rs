@@ -281,12 +281,11 @@ pub struct Column {
     cells: Vec<Cell>,
 }
 
-/// Names of a number and of the ends of its interval in a file: `loss_w` and `loss_median_w` have `loss_p05_w` and `loss_p95_w`.
+/// Names of a number and of the ends of its interval in a file: `loss_w` has `loss_p05_w` and `loss_p95_w`.
 fn names_of_interval(name: &str) -> [String; 3] {
-    let end = |which: &str| match (name.contains("_median"), name.rsplit_once('_')) {
-        (true, _) => name.replace("_median", which),
-        (false, Some((stem, unit))) => format!("{stem}{which}_{unit}"),
-        (false, None) => format!("{name}{which}"),
+    let end = |which: &str| match name.rsplit_once('_') {
+        Some((stem, unit)) => format!("{stem}{which}_{unit}"),
+        None => format!("{name}{which}"),
     };
     [name.to_owned(), end("_p05"), end("_p95")]
 }

@@ -421,7 +421,7 @@ def demo(page):
 
 
 def loss(page):
-    return page.frame_locator("#report").locator("dd[data-key='uncertainty.loss.median_w']").first.inner_text()
+    return page.frame_locator("#report").locator("dd[data-key='summary.loss_w']").first.inner_text()
 
 
 def test_a_result_is_grey_as_soon_as_an_input_changes_and_names_its_inputs(page):

@@ -54,6 +54,8 @@ impl CaseInput {
     /// assert!(case.lubricant.density.is_some());
     /// case.make_way_for(["lubricant.oil"]);
     /// assert!(case.lubricant.density.is_none());
+    /// case.set("lubricant.oil", "m100")?;
+    /// assert_eq!(case.lubricant.replaced, ["lubricant.density"]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn make_way_for<'a>(&mut self, keys: impl IntoIterator<Item = &'a str>) {

@@ -36,6 +36,11 @@ pub(crate) trait CaseFile: Serialize + DeserializeOwned {
         written::table(self)
     }
 
+    /// This file, read from the changed keys of `before`, with what `before` has besides keys.
+    fn changed_from(self, _before: &Self) -> Self {
+        self
+    }
+
     /// The case as the text states it.
     fn read(source: &Source) -> Result<Self, CaseError> {
         let schema = Self::schema_of(source);
@@ -49,13 +54,14 @@ pub(crate) trait CaseFile: Serialize + DeserializeOwned {
         refuse_unknown(self.schema(), std::iter::once(path), |_| place.clone())?;
         let typed = typed(value);
         let is_text = typed.is_str();
-        *self = match replaced(self, path, typed, &place) {
+        let changed = match replaced(self, path, typed, &place) {
             // Text that parses as another type, such as a title of digits.
             Err(_) if !is_text && takes_text(self.schema(), path) => {
                 replaced(self, path, Value::String(value.to_owned()), &place)?
             }
             replaced => replaced?,
         };
+        *self = changed.changed_from(self);
         Ok(())
     }
 
@@ -73,7 +79,8 @@ pub(crate) trait CaseFile: Serialize + DeserializeOwned {
         if let Some(table) = table {
             table.remove(last);
         }
-        *self = read_table(root, self.schema(), |_| place.clone())?;
+        let changed: Self = read_table(root, self.schema(), |_| place.clone())?;
+        *self = changed.changed_from(self);
         Ok(())
     }
 
@@ -239,6 +246,14 @@ impl CaseFile for CaseInput {
             Some(false) => Err((Some("surface".to_owned()), missing("pinion"))),
             Some(true) => Ok(input),
         }
+    }
+
+    /// The oil that another one replaced is not a key.
+    fn changed_from(mut self, before: &Self) -> Self {
+        self.lubricant
+            .replaced
+            .clone_from(&before.lubricant.replaced);
+        self
     }
 
     /// A flank whose keys were taken away stays a table, so that others can be set after it.

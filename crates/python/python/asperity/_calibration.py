@@ -9,7 +9,7 @@ from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._keys import Schema
 from ._quantity import SI_UNITS
-from ._record import Table, drawn
+from ._record import Table, with_ends
 from ._study import Study, files_of
 from ._values import CalibrationParameterTable, CalibrationPointTable, CalibrationValues, DesignParameterTable, DesignPointTable, DesignValues, EvidenceRowTable, EvidenceValues
 
@@ -117,4 +117,5 @@ class Evidence(Study, EvidenceValues):
 
     def _rows(self) -> list[tuple[str, str]]:
         left = [(one["measurement"], f"{one['low_w']:.4g}..{one['high_w']:.4g} W") for one in self._values["rows"]]
-        return [("loss", drawn(self._values)), *left]
+        loss = self._values["loss"]
+        return [("loss", with_ends(loss["median_w"], loss["quantiles_w"])), *left]

@@ -177,6 +177,7 @@ class Case(Fixed):
         Keys are given by their paths, ``case.replace({"operation.torque": "20 N m"})``, by tables,
         ``case.replace(operation={"torque": "20 N m"})``, whose other keys stay, or by the operating point,
         ``case.replace(torque_nm=20)``, ``case.replace(torque="20 N m")``. None takes a key away, so that its default holds again.
+        An oil, ``lubricant.oil`` or ``lubricant.oil_file``, replaces all numbers of the oil of the case, and its calibration.
 
         A flank takes a `Profile` or the name of a file, which replaces all keys of that flank: ``mirrored``, ``range`` and roughness
         values of the trace before do not stay. Its ``file`` takes both, too, and the other keys stay:
@@ -197,9 +198,7 @@ class Case(Fixed):
 
         Example:
             >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
-            >>> # The properties that the case states would replace those of the oil.
-            >>> lighter = case.replace({"lubricant.oil": "n100", "lubricant.viscosity": None, "lubricant.density": None,
-            ...                         "lubricant.base_oil": None}, torque="20 N m")
+            >>> lighter = case.replace({"lubricant.oil": "n100"}, torque="20 N m")
             >>> lighter.run("losses").loss_w < case.run("losses").loss_w
             True
         """
@@ -359,8 +358,8 @@ class Case(Fixed):
 
         Example:
             >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
-            >>> drawn = case.run().uncertainty
-            >>> drawn is not None and bool(drawn.loss.quantiles_w[0] < drawn.loss.median_w)
+            >>> result = case.run()
+            >>> result.uncertainty is not None and bool(result.uncertainty.loss.quantiles_w[0] < result.loss_w)
             True
         """
         with Steps(progress, self.title) as steps:

@@ -158,8 +158,8 @@ ResultName = Literal[
 
 SummaryName = Literal[
     "scope", "gearbox_efficiency", "gearbox_loss_w", "efficiency", "efficiency_deviation", "offsets", "power_in_w",
-    "torque_out_nm", "loss_w", "sliding_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w",
-    "deformation_w", "deformation_in_contact_w", "hysteresis_w", "elastic_cycling_w", "asperity_share",
+    "torque_out_nm", "loss_w", "loss_at_medians_w", "sliding_w", "film_w", "lubricated_asperity_w", "boundary_w",
+    "rolling_w", "deformation_w", "deformation_in_contact_w", "hysteresis_w", "elastic_cycling_w", "asperity_share",
     "asperity_share_standard_error", "boundary_share", "mu_equivalent", "loss_factor_ohlendorf", "loss_factor_local",
     "mixed_share", "regime", "positions", "worst_load_error", "worst_duality_gap",
 ]
@@ -179,7 +179,7 @@ PathColumn = Literal[
 
 
 MapName = Literal[
-    "loss_w", "loss_median_w", "loss_p05_w", "loss_p95_w", "loss_torque_nm", "loss_torque_deviation_nm", "efficiency",
-    "efficiency_deviation", "sliding_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w",
+    "loss_w", "loss_p05_w", "loss_p95_w", "loss_at_medians_w", "loss_torque_nm", "loss_torque_deviation_nm",
+    "efficiency", "efficiency_deviation", "sliding_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w",
     "deformation_w", "mu_equivalent", "mixed_share", "extended", "code", "regime",
 ]

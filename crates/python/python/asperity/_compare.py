@@ -13,7 +13,7 @@ from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._errors import of_several, wrong_kind
 from ._profile import Trace
-from ._record import Table, drawn, variable
+from ._record import Table, variable, with_ends
 from ._result import OF_OFFSETS
 from ._study import RawStudy, Study
 from ._values import ComparisonCorrelationTable, ComparisonFinishTable, ComparisonValues
@@ -30,10 +30,11 @@ Variant = Union[Finish, CaseKeys]
 """A finish, other values of keys or tables of the case, or another case."""
 
 
-def _loss(finish: Mapping[str, Any]) -> Any:
-    """Median and quantiles of the loss of a finish, of a pair of gears or a gear train; None without draws."""
+def _quantiles(finish: Mapping[str, Any]) -> Any:
+    """5 and 95 % quantiles of the loss of a finish, of a pair of gears or a gear train; None without draws."""
     uncertainty = finish.get("uncertainty")
-    return uncertainty["loss"] if uncertainty else finish.get("loss_distribution")
+    found = uncertainty["loss"] if uncertainty else finish.get("loss_distribution")
+    return found and found["quantiles_w"]
 
 
 def cases_of(case: CaseLike, finishes: Optional[Mapping[str, Variant]]) -> list[tuple[str, _asperity.Case]]:
@@ -101,13 +102,12 @@ class Comparison(Study, ComparisonValues):
         return {name: Table(rows, declared=OF_OFFSETS) for name, rows in zip(self.names, json.loads(self._more[0]))}
 
     def to_pandas(self) -> pandas.DataFrame:
-        """One row per finish, by its name: loss, its median and quantiles, difference to the first with its quantiles and verdict."""
+        """One row per finish, by its name: loss and its quantiles, difference to the first with its quantiles and verdict."""
         rows = []
         for finish in self._values["finishes"]:
-            row = {key: finish.get(key) for key in ("name", "efficiency", "power_in_w", "loss_w", "mixed_share", "regime")}
-            loss, difference = _loss(finish) or {}, finish.get("difference") or {}
-            row["loss_median_w"] = loss.get("median_w")
-            row["loss_p05_w"], row["loss_p95_w"] = loss.get("quantiles_w", (None, None))
+            row = {key: finish.get(key) for key in ("name", "efficiency", "power_in_w", "loss_w", "loss_at_medians_w", "mixed_share", "regime")}
+            difference = finish.get("difference") or {}
+            row["loss_p05_w"], row["loss_p95_w"] = _quantiles(finish) or (None, None)
             row["difference_median_w"] = difference.get("median_w")
             row["difference_p05_w"], row["difference_p95_w"] = difference.get("quantiles_w", (None, None))
             row["difference_median_share"] = difference.get("median_share")
@@ -139,9 +139,7 @@ class Comparison(Study, ComparisonValues):
         return f"<Comparison {self._values['title']!r}: {losses}>"
 
     def _losses(self) -> list[tuple[str, str]]:
-        finishes = self._values["finishes"]
-        losses = [drawn({"loss": _loss(of)}) if _loss(of) else f"{of['loss_w']:.4g} W" for of in finishes]
-        return [*zip(self.names, losses)]
+        return [(str(of["name"]), with_ends(of["loss_w"], _quantiles(of))) for of in self._values["finishes"]]
 
     def _rows(self) -> list[tuple[str, str]]:
         return [*self._losses(), *(("", verdict) for verdict in self.verdicts)]

@@ -15,7 +15,7 @@ from ._choices import ExportFormat
 from ._errors import AsperityError, Code, warn, wrong_kind
 from ._html import Chart, page, shown
 from ._quantity import Floats, Numbers, Quantities, Quantity, operating, together
-from ._record import held, variable
+from ._record import held, variable, with_ends
 from ._study import RawStudy, Study, Unpickled, files_of
 from ._values import CycleFinishTable, CycleValues, MapArrays, MapRowTable, MapValues, MapWarningTable
 
@@ -266,10 +266,7 @@ class Cycle(Study, CycleValues):
 
     def _rows(self) -> list[tuple[str, str]]:
         def lost(of: Mapping[str, Any]) -> str:
-            if of.get("lost_median_wh") is None:
-                return f"{of['lost_wh']:.4g} W h"
-            low, high = of["lost_quantiles_wh"]
-            return f"{of['lost_median_wh']:.4g} ({low:.4g}..{high:.4g}) W h"
+            return with_ends(of["lost_wh"], of.get("lost_quantiles_wh"), "W h")
 
         return [(f"lost with {finish['name']}", lost(finish)) for finish in self._values["finishes"]]
 

@@ -199,11 +199,10 @@ def variable(dimensions: Any, name: str, values: Any, unit: str | None = None) -
     return dimensions, array, described(name, unit) if array.dtype.kind in "fi" else {"long_name": name.replace("_", " ")}
 
 
-def drawn(uncertainty: Mapping[str, Any]) -> str:
-    """Median of a loss with its 5 and 95 % quantiles."""
-    loss = uncertainty["loss"]
-    low, high = loss["quantiles_w"]
-    return f"{loss['median_w']:.4g} ({low:.4g}..{high:.4g}) W"
+def with_ends(value: float, quantiles: Any, unit: str = "W") -> str:
+    """A loss with its 5 and 95 % quantiles, if it is drawn."""
+    ends = "" if quantiles is None else " ({:.4g}..{:.4g})".format(*quantiles)
+    return f"{value:.4g}{ends} {unit}"
 
 
 _NUMBERS = {"float": np.float64, "Optional[float]": np.float64, "Optional[int]": np.float64, "int": np.int64, "bool": np.bool_}

@@ -13,7 +13,7 @@ from . import _asperity
 from ._errors import AsperityError, Code, Row, checked_or_none, of_several, wrong_kind
 from ._html import Chart, page, shown
 from ._quantity import Floats, in_numbers
-from ._record import Record, Table, Values, drawn, variable
+from ._record import Record, Table, Values, variable, with_ends
 from ._values import PathRow, PathRowTable, ResultValues, SummaryValues, Uncertainty
 
 if TYPE_CHECKING:
@@ -140,12 +140,12 @@ class RunResult(Values, ResultValues):
 
     @property
     def loss_w(self) -> float:
-        """All losses, W."""
+        """All losses, W: the median of the draws, without draws the loss of the run."""
         return float(self._summary()["loss_w"])
 
     @property
     def uncertainty(self) -> Optional[Uncertainty]:
-        """Draws of the loss: ``loss`` with ``median_w``, ``quantiles_w`` (5 and 95 %) and ``parts`` by component,
+        """Draws of the loss: ``loss`` with ``quantiles_w`` (5 and 95 %) and ``parts`` by component,
         ``structures``, ``other_models``; None where nothing was drawn, as by ``run("losses")`` or ``band=False``, and of a gear train, whose
         interval is ``summary.loss_distribution``."""
         found = self._values.get("uncertainty")
@@ -297,21 +297,14 @@ class RunResult(Values, ResultValues):
         return repr(self)
 
     def __repr__(self) -> str:
-        found = self._drawn()
-        loss = drawn({"loss": found}) if found else f"{self.loss_w:.6g} W (one run, no interval drawn)"
-        return f"<RunResult {self.title!r}: loss {loss}, efficiency {self._printed_efficiency()}>"
+        quantiles = self._quantiles()
+        loss = f"{self.loss_w:.6g} W (one run, no interval drawn)" if quantiles is None else with_ends(self.loss_w, quantiles)
+        return f"<RunResult {self.title!r}: loss {loss}, efficiency {100 * self.efficiency:.4f} %>"
 
-    def _drawn(self) -> Optional[Mapping[str, Any]]:
-        """Median and quantiles of the loss of a pair of gears or of a gear train, if they were drawn."""
-        found: Optional[Mapping[str, Any]] = (self._values.get("uncertainty") or {}).get("loss") or self._summary().get("loss_distribution")
-        return found
-
-    def _printed_efficiency(self) -> str:
-        """The median of the draws, or the efficiency of a run without them."""
-        found = self._drawn()
-        # The loss is in proportion to what the efficiency lacks.
-        lacking = (1 - self.efficiency) * (found["median_w"] / self.loss_w if found and self.loss_w else 1.0)
-        return f"{100 * (1 - lacking):.4f} %"
+    def _quantiles(self) -> Any:
+        """5 and 95 % quantiles of the loss of a pair of gears or of a gear train, if they were drawn."""
+        found = (self._values.get("uncertainty") or {}).get("loss") or self._summary().get("loss_distribution")
+        return found and found["quantiles_w"]
 
     def _repr_html_(self) -> str:
         of = self._summary()
@@ -324,11 +317,11 @@ class RunResult(Values, ResultValues):
             ("mu_equivalent", "equivalent friction coefficient", ""),
             ("mixed_share", "share of the path in mixed or boundary lubrication", ""),
         )
-        rows = [("efficiency", self._printed_efficiency())]
-        if found := self._drawn():
-            rows.append(("loss, median and 5 to 95 %", drawn({"loss": found})))
-        else:
-            rows.append(("loss", f"{self.loss_w:.4g} W"))
+        quantiles = self._quantiles()
+        rows = [
+            ("efficiency", f"{100 * self.efficiency:.4f} %"),
+            ("loss" if quantiles is None else "loss, in brackets 5 to 95 %", with_ends(self.loss_w, quantiles)),
+        ]
         rows += [(name, f"{of[key]:.4g} {unit}".strip()) for key, name, unit in names if key in of]
         rows += [("regime", str(of["regime"]))] if "regime" in of else []
         rows += [(str(warning.code), str(warning.text)) for warning in self.warnings]

@@ -12,7 +12,8 @@ if TYPE_CHECKING:
 
 
 class Ridges(Study, RidgesValues):
-    """Costliest ridges: ``loss_w``, ``pressed_loss_w`` of a run with all of them pressed to the mean line, ``by_log_height_w``.
+    """Costliest ridges: ``loss_at_medians_w``, ``pressed_at_medians_w`` of a run with all of them pressed to the mean line,
+    ``by_log_height_w``, with every constant at its median.
 
     The gradient holds windows and sets of the contacts; running-in is not in it.
     """
@@ -32,5 +33,5 @@ class Ridges(Study, RidgesValues):
         return self.rows.to_pandas()
 
     def __repr__(self) -> str:
-        saved = self._values["loss_w"] - self._values["pressed_loss_w"]
+        saved = self._values["loss_at_medians_w"] - self._values["pressed_at_medians_w"]
         return f"<Ridges {self._values['title']!r}: pressing {len(self._values['rows'])} ridges saves {saved:.3g} W>"

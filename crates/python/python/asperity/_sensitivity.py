@@ -17,7 +17,7 @@ COLUMNS = [
 
 
 class Sensitivity(Study, SensitivityValues):
-    """Changes of a loss, one thing changed at a time: ``title``, ``loss_w``, ``efficiency``, ``rows``.
+    """Changes of a loss, one thing changed at a time: ``title``, ``loss_w``, ``loss_at_medians_w``, ``efficiency``, ``rows``.
 
     They are answers of the model at the same windows of the traces, not measurements.
     """

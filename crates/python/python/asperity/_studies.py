@@ -110,8 +110,8 @@ def map(
     """Losses over torque, speed and temperature, in both directions of the power.
 
     The losses are of the mesh only, without bearings, seals and churning. Every point is the run at this torque,
-    speed and temperature; its quantiles (loss_median_w, loss_p05_w, loss_p95_w) are from draws at three torques and
-    three speeds.
+    speed and temperature; the median of its loss and the quantiles (loss_p05_w, loss_p95_w) are from draws at three
+    torques and three speeds.
 
     Parameters:
         case: the case.
@@ -256,7 +256,7 @@ def ridges(
     Example:
         >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
         >>> found = asperity.ridges(case)
-        >>> found.pressed_loss_w < found.loss_w
+        >>> found.pressed_at_medians_w < found.loss_at_medians_w
         True
     """
     return ran(Ridges, "ridges", (as_case(case)._raw,), {}, threads, progress)

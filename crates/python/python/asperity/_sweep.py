@@ -246,7 +246,8 @@ def sweep(
         sample: ``method`` (``"sobol"``, ``"latin-hypercube"``, ``"random"``, ``"list"``), ``count``, ``seed``,
             ``vary`` (by key, or as in axes by the operating point, ``{"uniform": [a, b]}``, ``"normal"``, ``"log-uniform"``, ``"triangular"``), ``indices``.
         columns: results of the summary, of a mesh of a gear train ``mesh.NAME.loss_w``; default efficiency, losses,
-            equivalent friction, mixed share. ``loss_median_w``, ``loss_p05_w`` and ``loss_p95_w`` draw the interval.
+            equivalent friction, mixed share. ``loss_p05_w``, ``loss_p95_w`` and ``loss_at_medians_w`` draw the interval;
+            ``loss_w`` is then the median of the draws.
         detail: ``"losses"`` or ``"contacts"``.
         study: a study file in place of all these (docs/FILE_FORMATS.md).
         folder: folder that files of the sample are relative to.
@@ -261,8 +262,6 @@ def sweep(
 
     Example:
         >>> case = asperity.Case(asperity.demo(), model={"positions": 4, "offsets": 2})
-        >>> # The properties that the case states would replace those of the oils.
-        >>> case = case.replace({"lubricant.oil": "m100", "lubricant.viscosity": None, "lubricant.density": None, "lubricant.base_oil": None})
         >>> cases = asperity.sweep(case, {"torque": "50..100:3 N m", "lubricant.oil": ["m100", "n100"]})
         >>> [row.torque_nm for row in cases][:3]
         [50.0, 50.0, 75.0]

@@ -25,7 +25,7 @@ class UncertaintyPart(Values):
 
     _absent = {"name": "", "about": None, "remedy": ""}
     name: str
-    about: Optional[Literal["pressure-viscosity", "tip-relief", "fast-model", "sampling", "lay"]]
+    about: Optional[Literal["pressure-viscosity", "tip-relief", "fast-model", "sampling", "lay", "oil"]]
     sd_ln: float
     p05_w: float
     p95_w: float
@@ -104,7 +104,6 @@ class Uncertainty(Values):
     _kinds = {"loss": LossDistribution, "constants": DrawnConstantTable, "structures": AlternativeRowTable, "other_models": AlternativeRowTable, "evidence": EvidenceRowTable}
     _absent = {"constants": [], "held": [], "roughness_over_film": None, "boundary_w": None, "structures": [], "other_models": [], "with_traces_w": None, "path_sliding_w_per_m": [], "evidence": []}
     loss: LossDistribution
-    at_medians_w: float
     efficiency_median: float
     efficiency_quantiles: Floats
     constants: DrawnConstantTable
@@ -127,7 +126,7 @@ class Uncertainty(Values):
 class SummaryValues(Values):
     """Values of `Summary` in Rust."""
 
-    _absent = {"gearbox_efficiency": None, "gearbox_loss_w": None, "efficiency_deviation": None, "asperity_share_standard_error": None, "regime": None}
+    _absent = {"gearbox_efficiency": None, "gearbox_loss_w": None, "efficiency_deviation": None, "loss_at_medians_w": None, "asperity_share_standard_error": None, "regime": None}
     scope: Literal["mesh", "gearbox"]
     gearbox_efficiency: Optional[float]
     gearbox_loss_w: Optional[float]
@@ -137,6 +136,7 @@ class SummaryValues(Values):
     power_in_w: float
     torque_out_nm: float
     loss_w: float
+    loss_at_medians_w: Optional[float]
     sliding_w: float
     film_w: float
     lubricated_asperity_w: float
@@ -364,11 +364,11 @@ class ComparisonFinishChangeTable(TableOf[ComparisonFinishChange, NoReturn, Lite
 
 class ComparisonFinishMesh(Values):
     _kinds = {"difference": ComparisonFinishDifference}
-    _absent = {"difference": None}
+    _absent = {"loss_at_medians_w": None, "difference": None}
     mesh: str
     count: int
     loss_w: float
-    loss_median_w: float
+    loss_at_medians_w: Optional[float]
     loss_p05_w: float
     loss_p95_w: float
     difference: Optional[ComparisonFinishDifference]
@@ -376,20 +376,21 @@ class ComparisonFinishMesh(Values):
     regime: str
 
 
-class ComparisonFinishMeshTable(TableOf[ComparisonFinishMesh, Literal["loss_w", "loss_median_w", "loss_p05_w", "loss_p95_w", "mixed_share"], Literal["mesh", "count", "difference", "regime"]]):
+class ComparisonFinishMeshTable(TableOf[ComparisonFinishMesh, Literal["loss_w", "loss_at_medians_w", "loss_p05_w", "loss_p95_w", "mixed_share"], Literal["mesh", "count", "difference", "regime"]]):
     _row = ComparisonFinishMesh
-    mesh: NDArray[Any]; count: NDArray[Any]; loss_w: Floats; loss_median_w: Floats; loss_p05_w: Floats
+    mesh: NDArray[Any]; count: NDArray[Any]; loss_w: Floats; loss_at_medians_w: Floats; loss_p05_w: Floats
     loss_p95_w: Floats; difference: NDArray[Any]; mixed_share: Floats; regime: NDArray[Any]
 
 
 class ComparisonFinish(Values):
     _kinds = {"uncertainty": Uncertainty, "difference": ComparisonFinishDifference, "deciding": ComparisonFinishDecidingTable, "changes": ComparisonFinishChangeTable, "loss_distribution": LossDistribution, "meshes": ComparisonFinishMeshTable}
-    _absent = {"uncertainty": None, "difference": None, "mixed_share": None, "regime": None, "deciding": None, "changes": None, "loss_distribution": None, "meshes": None}
+    _absent = {"loss_at_medians_w": None, "uncertainty": None, "difference": None, "mixed_share": None, "regime": None, "deciding": None, "changes": None, "loss_distribution": None, "meshes": None}
     name: str
     files: list[Any]
     efficiency: float
     power_in_w: float
     loss_w: float
+    loss_at_medians_w: Optional[float]
     uncertainty: Optional[Uncertainty]
     difference: Optional[ComparisonFinishDifference]
     mixed_share: Optional[float]
@@ -403,12 +404,12 @@ class ComparisonFinish(Values):
     meshes: Optional[ComparisonFinishMeshTable]
 
 
-class ComparisonFinishTable(TableOf[ComparisonFinish, Literal["efficiency", "power_in_w", "loss_w", "mixed_share", "viscosity_mm2_per_s"], Literal["name", "files", "uncertainty", "difference", "regime", "base_oil", "warnings", "deciding", "changes", "loss_distribution", "meshes"]]):
+class ComparisonFinishTable(TableOf[ComparisonFinish, Literal["efficiency", "power_in_w", "loss_w", "loss_at_medians_w", "mixed_share", "viscosity_mm2_per_s"], Literal["name", "files", "uncertainty", "difference", "regime", "base_oil", "warnings", "deciding", "changes", "loss_distribution", "meshes"]]):
     _row = ComparisonFinish
     name: NDArray[Any]; files: NDArray[Any]; efficiency: Floats; power_in_w: Floats; loss_w: Floats
-    uncertainty: NDArray[Any]; difference: NDArray[Any]; mixed_share: Floats; regime: NDArray[Any]
-    base_oil: NDArray[Any]; viscosity_mm2_per_s: Floats; warnings: NDArray[Any]; deciding: NDArray[Any]
-    changes: NDArray[Any]; loss_distribution: NDArray[Any]; meshes: NDArray[Any]
+    loss_at_medians_w: Floats; uncertainty: NDArray[Any]; difference: NDArray[Any]; mixed_share: Floats
+    regime: NDArray[Any]; base_oil: NDArray[Any]; viscosity_mm2_per_s: Floats; warnings: NDArray[Any]
+    deciding: NDArray[Any]; changes: NDArray[Any]; loss_distribution: NDArray[Any]; meshes: NDArray[Any]
 
 
 class ComparisonCorrelation(Values):
@@ -474,9 +475,9 @@ class MapRow(Values):
     torque_nm: float
     speed_rpm: float
     loss_w: float
-    loss_median_w: float
     loss_p05_w: float
     loss_p95_w: float
+    loss_at_medians_w: float
     loss_torque_nm: float
     loss_torque_deviation_nm: float
     efficiency: float
@@ -494,10 +495,10 @@ class MapRow(Values):
     regime: str
 
 
-class MapRowTable(TableOf[MapRow, Literal["temperature_c", "torque_nm", "speed_rpm", "loss_w", "loss_median_w", "loss_p05_w", "loss_p95_w", "loss_torque_nm", "loss_torque_deviation_nm", "efficiency", "efficiency_deviation", "sliding_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w", "deformation_w", "mu_equivalent", "mixed_share"], Literal["finish", "extended", "code", "regime"]]):
+class MapRowTable(TableOf[MapRow, Literal["temperature_c", "torque_nm", "speed_rpm", "loss_w", "loss_p05_w", "loss_p95_w", "loss_at_medians_w", "loss_torque_nm", "loss_torque_deviation_nm", "efficiency", "efficiency_deviation", "sliding_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w", "deformation_w", "mu_equivalent", "mixed_share"], Literal["finish", "extended", "code", "regime"]]):
     _row = MapRow
     finish: NDArray[Any]; temperature_c: Floats; torque_nm: Floats; speed_rpm: Floats; loss_w: Floats
-    loss_median_w: Floats; loss_p05_w: Floats; loss_p95_w: Floats; loss_torque_nm: Floats
+    loss_p05_w: Floats; loss_p95_w: Floats; loss_at_medians_w: Floats; loss_torque_nm: Floats
     loss_torque_deviation_nm: Floats; efficiency: Floats; efficiency_deviation: Floats; sliding_w: Floats
     film_w: Floats; lubricated_asperity_w: Floats; boundary_w: Floats; rolling_w: Floats; deformation_w: Floats
     mu_equivalent: Floats; mixed_share: Floats; extended: NDArray[Any]; code: NDArray[Any]; regime: NDArray[Any]
@@ -519,29 +520,27 @@ class MapValues(Values):
 
 
 class CycleFinish(Values):
-    _absent = {"wh_per_100_km": None, "difference_wh": None, "difference_median_wh": None, "difference_p05_wh": None, "difference_p95_wh": None}
+    _absent = {"lost_at_medians_wh": None, "wh_per_100_km": None, "difference_wh": None, "difference_p05_wh": None, "difference_p95_wh": None}
     name: str
     lost_wh: float
-    lost_median_wh: float
     lost_p05_wh: float
     lost_p95_wh: float
+    lost_at_medians_wh: Optional[float]
     lost_drive_wh: float
     lost_coast_wh: float
     share_of_drive: float
     drive_efficiency: float
     wh_per_100_km: Optional[float]
     difference_wh: Optional[float]
-    difference_median_wh: Optional[float]
     difference_p05_wh: Optional[float]
     difference_p95_wh: Optional[float]
 
 
-class CycleFinishTable(TableOf[CycleFinish, Literal["lost_wh", "lost_median_wh", "lost_p05_wh", "lost_p95_wh", "lost_drive_wh", "lost_coast_wh", "share_of_drive", "drive_efficiency", "wh_per_100_km", "difference_wh", "difference_median_wh", "difference_p05_wh", "difference_p95_wh"], Literal["name"]]):
+class CycleFinishTable(TableOf[CycleFinish, Literal["lost_wh", "lost_p05_wh", "lost_p95_wh", "lost_at_medians_wh", "lost_drive_wh", "lost_coast_wh", "share_of_drive", "drive_efficiency", "wh_per_100_km", "difference_wh", "difference_p05_wh", "difference_p95_wh"], Literal["name"]]):
     _row = CycleFinish
-    name: NDArray[Any]; lost_wh: Floats; lost_median_wh: Floats; lost_p05_wh: Floats; lost_p95_wh: Floats
+    name: NDArray[Any]; lost_wh: Floats; lost_p05_wh: Floats; lost_p95_wh: Floats; lost_at_medians_wh: Floats
     lost_drive_wh: Floats; lost_coast_wh: Floats; share_of_drive: Floats; drive_efficiency: Floats
-    wh_per_100_km: Floats; difference_wh: Floats; difference_median_wh: Floats; difference_p05_wh: Floats
-    difference_p95_wh: Floats
+    wh_per_100_km: Floats; difference_wh: Floats; difference_p05_wh: Floats; difference_p95_wh: Floats
 
 
 class CycleValues(Values):
@@ -587,9 +586,11 @@ class SensitivityRowTable(TableOf[SensitivityRow, Literal["difference_w", "chang
 
 class SensitivityValues(Values):
     _kinds = {"rows": SensitivityRowTable}
+    _absent = {"loss_at_medians_w": None}
     title: str
     conditions: str
     loss_w: float
+    loss_at_medians_w: Optional[float]
     efficiency: float
 
 
@@ -632,8 +633,8 @@ class RidgesValues(Values):
     _absent = {"kinks": None, "along": None, "near": None}
     title: str
     conditions: str
-    loss_w: float
-    pressed_loss_w: float
+    loss_at_medians_w: float
+    pressed_at_medians_w: float
     sampling_quantiles_w: Floats
     saving_quantiles_w: Floats
     by_log_height_w: float
@@ -986,17 +987,17 @@ class ProfileChangeInCaseFlankTable(TableOf[ProfileChangeInCaseFlank, Literal["r
 
 
 class ProfileChangeInCaseState(Values):
-    _absent = {"loss_median_w": None, "loss_p05_w": None, "loss_p95_w": None}
+    _absent = {"loss_p05_w": None, "loss_p95_w": None, "loss_at_medians_w": None}
     state: str
     loss_w: float
-    loss_median_w: Optional[float]
     loss_p05_w: Optional[float]
     loss_p95_w: Optional[float]
+    loss_at_medians_w: Optional[float]
 
 
-class ProfileChangeInCaseStateTable(TableOf[ProfileChangeInCaseState, Literal["loss_w", "loss_median_w", "loss_p05_w", "loss_p95_w"], Literal["state"]]):
+class ProfileChangeInCaseStateTable(TableOf[ProfileChangeInCaseState, Literal["loss_w", "loss_p05_w", "loss_p95_w", "loss_at_medians_w"], Literal["state"]]):
     _row = ProfileChangeInCaseState
-    state: NDArray[Any]; loss_w: Floats; loss_median_w: Floats; loss_p05_w: Floats; loss_p95_w: Floats
+    state: NDArray[Any]; loss_w: Floats; loss_p05_w: Floats; loss_p95_w: Floats; loss_at_medians_w: Floats
 
 
 class ProfileChangeInCaseWarning(Values):
@@ -1256,9 +1257,9 @@ class MapArrays:
     """Arrays of a map."""
 
     loss_w: NDArray[Any]
-    loss_median_w: NDArray[Any]
     loss_p05_w: NDArray[Any]
     loss_p95_w: NDArray[Any]
+    loss_at_medians_w: NDArray[Any]
     loss_torque_nm: NDArray[Any]
     loss_torque_deviation_nm: NDArray[Any]
     efficiency: NDArray[Any]

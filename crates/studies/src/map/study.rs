@@ -216,8 +216,8 @@ impl StudySettings for MapSettings {
         ],
     ];
     const METHOD: &'static str = "The losses are of the mesh only, without bearings, seals and churning. Every point is the run at this \
-        torque, speed and temperature; its quantiles (loss_median_w, loss_p05_w, loss_p95_w) are from draws at three torques and three \
-        speeds.";
+        torque, speed and temperature; the median of its loss and the quantiles (loss_p05_w, loss_p95_w) are from draws at three torques \
+        and three speeds.";
     const STEPS: &'static str = "points";
 
     fn work(&self, CaseOrFinishes(given): &CaseOrFinishes) -> Result<Option<Work>, Fault> {
