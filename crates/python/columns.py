@@ -70,13 +70,14 @@ def meaning(row, column, texts):
     if alone := ONLY_HERE.get(f"{row}.{column}"):
         return plainly(alone)
     stem, end = column, ""
-    for mark, words in (("_p05", "5 % quantile: "), ("_p95", "95 % quantile: "), ("_low", "lower end: "), ("_high", "upper end: "), ("_median", "median: ")):
+    for mark, words in (("_p05", "5 % quantile: "), ("_p95", "95 % quantile: "), ("_low", "lower end: "), ("_high", "upper end: ")):
         if mark in f"_{column}" and column not in texts:
             stem, end = f"_{column}".replace(mark, "").strip("_"), words
             break
     stems = [stem, *(stem.replace(f"_{unit}", f"_quantiles_{unit}") for unit in ("w", "nm", "um")), f"{stem}_quantiles", "quantiles_w"]
     if text := ONLY_HERE.get(f"{row}.{stem}") or next((texts[key] for key in (stems if end else [stem]) if key in texts), ONLY_HERE.get(stem)):
-        return end + plainly(text)
+        # An end of an interval is not the median.
+        return end + plainly(text).split(": the median", 1)[0] if end else plainly(text)
     raise ValueError(f"{row}.{column}: no text says what it is; describe its field in Rust, or add it to columns.py")
 
 
