@@ -162,7 +162,10 @@ fn keys_of_the_case_and_its_calibration_replace_constants_of_the_oil_file() {
         .collect();
     let own = own.replacen("[lubricant]\n", "[lubricant]\noil_file = \"oil.toml\"\n", 1);
     let of_file = at_medians(&bench, &own);
-    assert_eq!(of_file["summary"]["loss_w"], plain["summary"]["loss_w"]);
+    assert_eq!(
+        of_file["summary"]["loss_w"],
+        plain["summary"]["loss_at_medians_w"]
+    );
 
     // An oil file whose family was assumed is enough as well, and the law of its fit is listed.
     let file = fs::read_to_string(bench.path("oil.toml")).unwrap();
@@ -172,7 +175,10 @@ fn keys_of_the_case_and_its_calibration_replace_constants_of_the_oil_file() {
         file.replacen("base_oil = ", "assume_base_oil = ", 1),
     );
     let of_assumed = at_medians(&bench, &own);
-    assert_eq!(of_assumed["summary"]["loss_w"], plain["summary"]["loss_w"]);
+    assert_eq!(
+        of_assumed["summary"]["loss_w"],
+        plain["summary"]["loss_at_medians_w"]
+    );
     let defaults = of_assumed["defaults"].to_string();
     for key in ["lubricant.base_oil", "model.film_pressure_law"] {
         assert!(defaults.contains(key), "{key}: {defaults}");
@@ -250,7 +256,7 @@ fn an_undecided_law_of_pressure_is_in_the_interval() {
         assert!(!said.contains("the interval has"), "{said}");
         found
     });
-    let loss = |result: &Value| result["summary"]["loss_w"].as_f64().unwrap();
+    let loss = |result: &Value| result["summary"]["loss_at_medians_w"].as_f64().unwrap();
     assert_eq!(loss(&both), loss(&alone[0]));
     assert!(loss(&alone[1]) < 0.95 * loss(&alone[0]));
     let [own, other] = [&alone[0], &alone[1]].map(interval);
@@ -512,19 +518,24 @@ fn the_interval_of_every_command_is_drawn_from_the_oil_file() {
             ("cycle", width(&cycle["finishes"][0]["lost_quantiles_wh"])),
             ("compare", of_table(&compare)),
         ];
+        let both = |of: &Value| {
+            let keys = ["loss_w", "loss_at_medians_w"];
+            keys.map(|key| of[key].as_f64().unwrap())
+        };
         let losses = [
-            run["summary"]["loss_w"].as_f64().unwrap(),
-            sensitivity["loss_w"].as_f64().unwrap(),
-            cell(&bench, &sweep, "loss_w"),
+            both(&run["summary"]),
+            both(&sensitivity),
+            [cell(&bench, &sweep, "loss_w"); 2],
         ];
         (widths, losses)
     });
     for ((command, family), (_, fitted)) in family.0.into_iter().zip(fitted.0) {
         assert!(fitted < 0.6 * family, "{command}: {family} {fitted}");
     }
-    // A sweep and the sensitivity have no interval by the constants; their runs use the fitted ones.
-    let [run, sensitivity, sweep] = fitted.1;
-    assert_eq!((run, run), (sensitivity, sweep));
+    // A sweep without columns of an interval draws none; its runs use the fitted constants.
+    let [[run, at_medians], [sensitivity, its_medians], [sweep, _]] = fitted.1;
+    assert_eq!([run, at_medians], [sensitivity, its_medians]);
+    assert_eq!(at_medians, sweep);
     assert!(
         family
             .1

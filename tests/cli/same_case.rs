@@ -392,12 +392,15 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
         true => "\"loss_w\", \"loss_at_medians_w\", \"loss_p05_w\"",
         false => "\"loss_w\"",
     };
-    bench.write(
-        "study.toml",
-        format!(
-            "case = \"{case}\"\ncolumns = [{columns}]\n\n[[axis]]\nkey = \"model.hysteresis\"\nvalues = [\"1 %\", \"2 %\"]\n"
-        ),
-    );
+    let set = faces.iter().filter_map(|option| option.split_once('='));
+    let axis = |(key, value): (&str, &str)| {
+        let quoted = value.trim_matches(['[', ']']);
+        format!("[[axis]]\nkey = \"{key}\"\nvalues = [\"{quoted}\"]\n")
+    };
+    let hysteresis = "[[axis]]\nkey = \"model.hysteresis\"\nvalues = [\"1 %\", \"2 %\"]\n";
+    let axes = set.map(axis).collect::<String>() + hysteresis;
+    let study = format!("case = \"{case}\"\ncolumns = [{columns}]\n{axes}");
+    bench.write("study.toml", study);
     let hysteresis = ["--set", "model.hysteresis=1 %"];
     let run = [
         &["run", case, "--json", "--no-output"][..],
@@ -412,7 +415,7 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
         &result["summary"]
     };
     let parts = ["sweep", "run", "study.toml", "--parts", "parts", "-q"];
-    bench.run(&[&parts[..], &faces].concat()).well();
+    bench.run(&parts).well();
     let merge = [
         "sweep",
         "merge",
@@ -423,7 +426,7 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
         "-o",
         "swept",
     ];
-    bench.run(&[&merge[..], &faces].concat()).well();
+    bench.run(&merge).well();
     let swept = column(bench, "swept/sweep.csv", "loss_w");
     is(swept[0].unwrap(), of(summary, "loss_w"), "sweep.csv");
     if is_drawn {
@@ -515,7 +518,7 @@ fn one_loss_of_a_map(bench: &Bench, case: &str, [torque, speed]: [f64; 2], more:
     assert!((lost / loss - 1.0).abs() < 0.01, "{lost} {loss}");
 }
 
-const FEW: [&str; 4] = ["--set", "model.positions=3", "--set", "model.offsets=4"];
+const FEW: [&str; 4] = ["--set", "model.positions=4", "--set", "model.offsets=4"];
 
 #[test]
 fn every_face_of_a_pair_states_one_loss() {
@@ -541,10 +544,10 @@ fn every_face_of_a_pair_states_one_loss() {
 #[test]
 fn every_face_of_areal_windows_states_one_loss() {
     let bench = Bench::new();
-    let rows: Vec<Vec<f64>> = (0..12)
-        .map(|row| heights(2400 + 40 * row)[40 * row..].to_vec())
+    let rows: Vec<Vec<f64>> = (0..24)
+        .map(|row| heights(1500 + 40 * row)[40 * row..].to_vec())
         .collect();
-    bench.write("flank.sur", digital_surf(&rows, 5.0));
+    bench.write("flank.sur", digital_surf(&rows, 2.0));
     let scan = |text: String, gear: &str| {
         let file = format!("{gear} = {{ file = \"{gear}.csv\"");
         text.replace(&file, &format!("{gear} = {{ file = \"flank.sur\""))
@@ -552,7 +555,11 @@ fn every_face_of_areal_windows_states_one_loss() {
     let case = ["pinion", "wheel"]
         .into_iter()
         .fold(E_DRIVE.to_owned(), scan);
-    bench.write("case.toml", case);
+    let case = case.replace(
+        "cutoff = \"0.25 mm\"",
+        "cutoff = \"0.08 mm\"\ncontact = \"patch\"",
+    );
+    bench.write("case.toml", case.replace("145 N m", "30 N m"));
     let lay = ["--set", "model.lay=0.18"];
     one_loss(&bench, "case.toml", &[&FEW[..], &lay].concat());
 }

@@ -156,7 +156,10 @@ fn studies_run_on_all_pairs() {
     let header = rows.lines().next().unwrap();
     // The first row is at standstill.
     let row = rows.lines().last().unwrap();
-    let column = header.split(',').position(|name| name == "loss_w").unwrap();
+    let column = header
+        .split(',')
+        .position(|name| name == "loss_at_medians_w")
+        .unwrap();
     let mapped: f64 = row.split(',').nth(column).unwrap().parse().unwrap();
     let expected = loss(&[]);
     assert!(
@@ -180,7 +183,9 @@ fn studies_run_on_all_pairs() {
         ])
         .well()
         .json();
-    let single = compared["finishes"][0]["loss_w"].as_f64().unwrap();
+    let single = compared["finishes"][0]["loss_at_medians_w"]
+        .as_f64()
+        .unwrap();
     let text = fs::read_to_string(bench.path("case.toml")).unwrap();
     assert!(text.contains("traces"), "the case itself keeps its list");
     let alone = loss(&[

@@ -215,7 +215,8 @@ fn the_lay_of_a_surface_replaces_the_assumed_one() {
         run.well().json()
     };
     let (measured, stated) = (run(&[]), run(&["--set", &format!("model.lay={gammas:?}")]));
-    let loss = |result: &serde_json::Value| result["summary"]["loss_w"].as_f64().unwrap();
+    let loss =
+        |result: &serde_json::Value| result["summary"]["loss_at_medians_w"].as_f64().unwrap();
     assert_eq!(loss(&measured), loss(&stated));
     let drawn = |result: &serde_json::Value| {
         let constants = result["uncertainty"]["constants"]

@@ -352,8 +352,8 @@ fn unknown_keys_and_columns_are_refused_before_the_first_case() {
             ["\"operation.sped\"", "\"speed\""],
         ),
         (
-            columns("\"loss_w\", \"loss_p5_w\""),
-            ["\"loss_p5_w\"", "\"loss_p05_w\""],
+            columns("\"loss_w\", \"loss_p0_w\""),
+            ["\"loss_p0_w\"", "\"loss_p05_w\""],
         ),
         (
             columns("\"efficency\""),

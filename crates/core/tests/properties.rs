@@ -47,9 +47,11 @@ where
         for unit in Q::UNITS {
             for spelling in std::iter::once(&unit.symbol).chain(unit.spellings) {
                 assert!(format!("1 {spelling}").parse::<Q>().is_ok(), "{spelling}");
-                let is_listed = said
-                    .split([':', ',', '('])
-                    .any(|part| part.trim() == *spelling);
+                let list = said
+                    .split_once("one of: ")
+                    .or_else(|| said.split_once("accepted: "));
+                let list = list.unwrap().1.split(" (as ").next().unwrap();
+                let is_listed = list.split(", ").any(|part| part == *spelling);
                 assert!(is_listed, "{spelling}: {said}");
             }
         }

@@ -612,6 +612,7 @@ mod tests {
     fn a_full_film_is_all_along_the_path_only_where_nothing_is_mixed() {
         let of = |mixed_share: f64, asperity_share: f64, boundary_w: f64| {
             let summary = serde_json::json!({
+                "regime": Regime::of_friction(mixed_share, boundary_w, 90.0),
                 "scope": "mesh", "efficiency": 0.99, "offsets": 2, "power_in_w": 1e5, "torque_out_nm": 1.0,
                 "loss_w": 100.0, "sliding_w": 90.0, "film_w": 80.0, "lubricated_asperity_w": 5.0,
                 "boundary_w": boundary_w, "rolling_w": 10.0, "deformation_w": [0.0, 0.0],

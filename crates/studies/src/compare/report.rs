@@ -212,7 +212,7 @@ fn of_flanks<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
 const COMPONENTS: &str = "Each component is drawn alone, with every other at its median.";
 
 /// Text above the other models.
-const OTHER_MODELS: &str = "Each other model has its constants at their medians, its loss is scaled as the run to the median of the draws, and the evidence is against its result there. The \
+const OTHER_MODELS: &str = "Each other model has its constants at their medians, and the evidence is against its result there. Its loss is scaled as the run to the median of the draws. The \
     interval of the verdict is of the default model with drawn constants. Its ends need constants far from their medians: there the \
     default, too, may save as much as an excluded model.";
 
