@@ -50,9 +50,7 @@ impl Outcome {
         restated.run_in(result.run_in.as_mut())?;
         restated.offsets(&mut self.offsets)
     }
-}
 
-impl Outcome {
     /// States the loss `loss_w` \[W\] of `case` with its uncertainty instead of the present ones.
     pub(crate) fn restate_drawn(&mut self, case: &Case, loss_w: f64) -> Result<(), Error> {
         let before = self.result.summary.loss_w;

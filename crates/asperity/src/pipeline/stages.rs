@@ -303,6 +303,8 @@ pub(crate) fn by_solved_contacts(loaded: &LoadedCase) -> LoadedCase {
 /// ```text
 /// k = S_fast(θ₀, lay)/S_fast(θ₀, lay 0)                                               [Record-lay]
 /// ```
+///
+/// S_fast: sliding loss by the fast model \[W\]; θ₀: constants at their medians.
 fn friction_of_lay(loaded: &LoadedCase) -> Result<f64, Error> {
     cite!("Record-lay");
     let mut case = by_solved_contacts(loaded);

@@ -112,7 +112,8 @@ impl PathRecords {
         chosen(loaded, positions).len()
     }
 
-    /// Shares and friction at `s` in the expectation over the two rules of boundary friction; `smooth` is the friction of the smooth film there. Beyond the first and the
+    /// Shares and friction at `s` in the expectation over the two rules of boundary friction; `smooth` is the friction of the
+    /// smooth film there. Beyond the first and the
     /// last record those hold.
     pub(crate) fn at(&self, s: Length, smooth: Option<f64>) -> RecordedShare {
         let between = self.between(s);
