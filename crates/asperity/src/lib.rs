@@ -64,6 +64,7 @@ pub mod records;
 pub mod reference_solution;
 pub mod result;
 mod run;
+pub mod running_in;
 mod sampling;
 pub mod train;
 pub mod uncertainty;

@@ -340,6 +340,48 @@ impl Surfaces {
         .placed(self.placement)
     }
 
+    /// Zones of the face that have traces of their own, 1 without.
+    #[must_use]
+    pub fn zones(&self) -> usize {
+        let first = self.sample.as_ref().and_then(|sample| sample.met.first());
+        first.map_or(1, Vec::len)
+    }
+
+    /// The traces of a tooth of the pinion and one of the wheel in a zone of the face.
+    #[must_use]
+    pub fn of_teeth(&self, [pinion, wheel]: [usize; 2], zone: usize) -> &Self {
+        let teeth = self.teeth().unwrap_or([1, 1]);
+        let pairs = self.sample.as_ref().map(|sample| &sample.met);
+        let pair = pairs.and_then(|met| met.get(pinion * teeth[1] + wheel));
+        pair.and_then(|zones| zones.get(zone)).unwrap_or(self)
+    }
+
+    /// The flanks with other traces of every tooth of the pinion and of the wheel in every zone of the face.
+    ///
+    /// # Errors
+    /// The errors of `of`.
+    pub fn with_traces_of_teeth<E>(
+        &self,
+        of: impl Fn([usize; 2], usize) -> Result<[Profile; 2], E>,
+    ) -> Result<Self, E> {
+        let Some(sample) = &self.sample else {
+            return Ok(self.with_traces(of([0, 0], 0)?));
+        };
+        let [pinions, wheels] = self.teeth().unwrap_or([1, 1]);
+        let pairs = (0..pinions).flat_map(|pinion| (0..wheels).map(move |wheel| [pinion, wheel]));
+        let in_zones = |teeth: [usize; 2]| {
+            let zones = 0..self.zones();
+            let changed =
+                zones.map(|zone| Ok(self.of_teeth(teeth, zone).with_traces(of(teeth, zone)?)));
+            changed.collect::<Result<Vec<Self>, E>>()
+        };
+        let pairs = PairsOfTeeth {
+            teeth: sample.teeth,
+            met: pairs.map(in_zones).collect::<Result<_, E>>()?,
+        };
+        Ok(Self::of_pairs(pairs).unwrap_or_else(|| self.clone()))
+    }
+
     /// The flanks with all heights multiplied by `factor`.
     ///
     /// # Errors

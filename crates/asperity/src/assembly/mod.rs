@@ -30,7 +30,7 @@ use asperity_gear::EdgeContactNote;
 
 use self::deformation_losses::of_all_offsets;
 use self::published_laws::published_laws;
-use crate::contacts::running_in::RanIn;
+use crate::running_in::RanIn;
 use crate::gearbox;
 use crate::lubrication::{ContactNumbers, LubricatedPosition, LubricatedWindow, rolling};
 use crate::pictures::Picture;
@@ -246,7 +246,7 @@ impl Solved<'_> {
             running_in,
             measured,
             run_in,
-            cycles: ran_in.cycles,
+            steps: ran_in.steps,
         })
     }
 
@@ -294,7 +294,7 @@ impl Solved<'_> {
         Ok((summary, gearbox))
     }
 
-    fn summary(&self) -> Result<Summary, PositionError> {
+    pub(crate) fn summary(&self) -> Result<Summary, PositionError> {
         let case = &self.loaded.case;
         let (positions, meshes) = (&self.positions, &self.meshes);
         let factors = [case.gears.ohlendorf_loss_factor(), self.map.loss_factor()];

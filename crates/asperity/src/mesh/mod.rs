@@ -6,7 +6,7 @@ mod inputs;
 pub use asperity_case::mesh_position::{MeshPosition, Resolution};
 
 use asperity_contact::hertz_line::HertzLine;
-use asperity_core::quantity::{AngularSpeed, Length};
+use asperity_core::quantity::{AngularSpeed, Length, Torque};
 use asperity_gear::LoadMap;
 
 use self::cells::Place;
@@ -40,6 +40,17 @@ impl Mesh {
     pub fn of(case: &Case) -> Result<Self, PositionError> {
         let inputs = MeshInputs::of(case);
         Self::under(&inputs, case.speed, inputs.load.load_map()?)
+    }
+
+    /// The mesh of a case at another torque: its gears, with the tip relief that the case states or assumes.
+    ///
+    /// # Errors
+    /// As [`of`](Self::of).
+    pub fn at_torque(case: &Case, torque: Torque) -> Result<Self, PositionError> {
+        let mut inputs = MeshInputs::of(case);
+        inputs.load = inputs.load.at(torque);
+        let load = inputs.load.load_map()?;
+        Self::under(&inputs, case.speed, load)
     }
 
     /// The mesh positions at a speed of the pinion under a load over the flanks that is known.

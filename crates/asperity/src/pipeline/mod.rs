@@ -34,4 +34,4 @@ pub use store::ContactStore;
 pub use survey::{RegimeRow, survey};
 
 pub(crate) use over_gap::over_gap;
-pub(crate) use stages::{by_solved_contacts, losses_of, outcome};
+pub(crate) use stages::{OnFlanks, by_solved_contacts, losses_of, on_flanks, outcome};

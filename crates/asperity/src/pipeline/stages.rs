@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::cite;
+use asperity_core::numerics::mean;
 use asperity_core::provenance::Provenance;
 use asperity_ehl_regime::inlet_flow::Lay;
 use rayon::prelude::*;
@@ -13,17 +14,18 @@ use super::bulk_temperature;
 use super::kept_fields::KeptFields;
 
 use crate::assembly::{Solved, equations_used, sources_used, warnings_of_case};
-use crate::contacts::{ContactInputs, Contacts, Offsets, WindowContact, running_in};
+use crate::contacts::{ContactInputs, Contacts, Offsets, WindowContact};
 use crate::lubrication::{
-    ChosenLaws, LubricatedPosition, Lubrication, check_mesh_position, plausible_film, records_of,
+    ChosenLaws, LubricatedPosition, LubricatedWindow, Lubrication, check_mesh_position, plausible_film, records_of,
 };
 use crate::mesh::{Mesh, MeshInputs, MeshPosition, numbered};
 use crate::pictures::Picture;
 use crate::records::PathRecords;
-use crate::result::{Losses, Outcome, RunInFlanks};
+use crate::result::{Losses, Outcome, RunInFlanks, Summary};
+use crate::running_in;
 use asperity_case::case::{Case, LoadShareName, LoadedCase, Positions};
 use asperity_case::error::{Error, PositionError};
-use asperity_case::flanks::is_substituted;
+use asperity_case::flanks::{Surfaces, is_substituted};
 use asperity_case::flanks::placement::check_coverage;
 use asperity_case::message::Warning;
 
@@ -57,7 +59,7 @@ pub fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
     };
     let films = numbered(mesh.positions.par_iter().map(firsts).collect())?;
     if loaded.case.model.run_in {
-        running_in::places(&loaded.case, &loaded.surfaces, &mesh.positions).map_err(Box::new)?;
+        running_in::check(&loaded.case, &loaded.surfaces, &mesh.positions).map_err(Box::new)?;
     }
     Ok(warnings_of_case(loaded, &mesh, &films).map_err(Box::new)?)
 }
@@ -319,6 +321,54 @@ fn friction_of_lay(loaded: &LoadedCase) -> Result<f64, Error> {
     Ok(if across > 0.0 { own / across } else { 1.0 })
 }
 
+/// A case on flanks that have run in.
+pub(crate) struct OnFlanks {
+    pub summary: Summary,
+    /// Share of the load on asperities at each mesh position.
+    pub shares: Vec<f64>,
+    /// Minimum film over composite Rq, mean over the positions.
+    pub film_ratio: f64,
+}
+
+/// The losses of a case, whose bulk temperature is known, on other flanks in a mesh.
+///
+/// # Errors
+/// As [`losses`].
+pub(crate) fn on_flanks(
+    loaded: &LoadedCase,
+    surfaces: &Surfaces,
+    mesh: &Mesh,
+) -> Result<OnFlanks, Error> {
+    let mut worn = loaded.clone();
+    worn.surfaces = surfaces.clone();
+    let contacts = Cow::Owned(contacts_of(&worn, mesh, [].iter())?);
+    let stages = Stages::on(
+        &worn,
+        mesh.clone(),
+        contacts,
+        &|_, _| {},
+        Provenance::new(),
+    )?;
+    let positions = stages.lubricated()?;
+    let over = |position: &LubricatedPosition, of: fn(&LubricatedWindow) -> f64| {
+        mean(position.offsets.iter().map(of))
+    };
+    let shares = positions
+        .iter()
+        .map(|position| over(position, |window| 1.0 - window.film_share));
+    let shares = shares.collect();
+    let ratios = positions
+        .iter()
+        .map(|position| over(position, |window| window.film_ratio));
+    let film_ratio = mean(ratios);
+    let summary = stages.summed(|| stages.solved(positions)?.summary())?;
+    Ok(OnFlanks {
+        summary,
+        shares,
+        film_ratio,
+    })
+}
+
 /// The values of a run between its functions.
 pub(super) struct Stages<'a> {
     loaded: &'a LoadedCase,
@@ -499,11 +549,11 @@ impl<'a> Stages<'a> {
             return Ok(None);
         }
         let measured = self.record_count + self.mesh.positions.len();
-        let before = measured + running_in::MAX_CYCLES;
+        let before = measured + running_in::MAX_STEPS;
         let total = before + measured;
         let cycle = |number| (self.progress)(measured + number, total);
         let flanks =
-            || running_in::run_in(case, &self.loaded.surfaces, &self.mesh.positions, &cycle);
+            || running_in::run_in(case, &self.loaded.surfaces, &self.mesh.positions, None, &cycle);
         let ran_in = self.summed(flanks)?;
         let mut worn = self.loaded.clone();
         worn.surfaces = ran_in.surfaces.clone();
@@ -530,7 +580,7 @@ impl RunInSteps {
     /// Steps after `measured`, the steps of the flanks as measured: the cycles, and the flanks run in.
     fn after(&self, measured: usize) -> usize {
         match self.0 {
-            true => running_in::MAX_CYCLES + measured,
+            true => running_in::MAX_STEPS + measured,
             false => 0,
         }
     }

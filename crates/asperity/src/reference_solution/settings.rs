@@ -16,7 +16,7 @@ use asperity_oil::{DensityLaw, FilmRheology, PressureViscosityLaw, ShearLaw, Tra
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 
 use super::error::ReferenceError;
-use crate::contacts::running_in::run_in;
+use crate::running_in::run_in;
 use crate::mesh::{Mesh, MeshPosition, position_at};
 use asperity_case::case::{Case, LoadedCase};
 use asperity_case::error::PositionError;
@@ -139,7 +139,7 @@ impl ReferenceContact {
         if !case.model.run_in {
             return Self::at(loaded, position, settings);
         }
-        let ran_in = run_in(case, &loaded.surfaces, &Mesh::of(case)?.positions, &|_| {})?;
+        let ran_in = run_in(case, &loaded.surfaces, &Mesh::of(case)?.positions, None, &|_| {})?;
         let mut worn = loaded.clone();
         worn.surfaces = ran_in.surfaces;
         Self::at(&worn, position, settings)

@@ -38,7 +38,7 @@ pub use loss_band::*;
 pub use micropitting_report::{MicropittingCell, MicropittingReport};
 pub use outside_input::OutsideInput;
 pub use ridges::Ridges;
-pub use run_in::{FlankHeights, RunInCycle};
+pub use run_in::{FlankHeights, RunInStep};
 pub use scan_comparison::{GapRow, ScanComparison, ScanLoss};
 pub use trace_pairs::{ToothTrace, TracePairs};
 
@@ -517,8 +517,8 @@ pub struct RunInFlanks {
     pub measured: FlankHeights,
     /// Roughness of the run-in flanks.
     pub run_in: FlankHeights,
-    /// Every cycle of the running-in.
-    pub cycles: Vec<RunInCycle>,
+    /// Each doubling of the engagements.
+    pub steps: Vec<RunInStep>,
 }
 
 /// An equation the result rests on.

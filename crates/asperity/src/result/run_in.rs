@@ -2,18 +2,19 @@
 
 use serde::{Deserialize, Serialize};
 
-/// One cycle of running-in.
+/// Flanks after a number of engagements of a tooth of the pinion in the plastic stage of running-in.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
-pub struct RunInCycle {
-    /// Number of the cycle from 1.
-    pub cycle: usize,
-    /// Contacts in it.
-    pub passes: usize,
-    /// Mean plastic work of a contact \[J/m\].
+pub struct RunInStep {
+    /// Engagements of a tooth of the pinion; one of the wheel has had z₁/z₂ as many.
+    pub engagements: f64,
+    /// Plastic work of a contact, mean since the step before \[J/m\].
     pub plastic_work_j_per_m: f64,
-    /// Rq of pinion and wheel after it \[µm\].
-    pub rq_um: [f64; 2],
+    /// Height removed from pinion and wheel, mean over the traces \[nm\].
+    pub removed_nm: [f64; 2],
+    /// Roughness of both flanks.
+    #[serde(flatten)]
+    pub heights: FlankHeights,
 }
 
 /// Roughness of both flanks.

@@ -63,7 +63,8 @@ impl LoadInputs {
     }
 
     /// The same at another torque.
-    pub(crate) fn at(&self, torque: Torque) -> Self {
+    #[must_use]
+    pub fn at(&self, torque: Torque) -> Self {
         Self {
             torque,
             ..self.clone()

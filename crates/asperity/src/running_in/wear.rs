@@ -1,0 +1,87 @@
+//! Mild wear of flanks that have run in plastically, by Archard's law from the pressure of the asperities.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | z | height of a flank at one of its points | m |
+//! | N | engagements of a tooth of the pinion | - |
+//! | k | wear coefficient | 1/Pa |
+//! | p_a | pressure of asperities under a film that carries its share of the load | Pa |
+//! | V_s, u | sliding speed; speed of this flank through the contact | m/s |
+//! | β_b | base helix angle | rad |
+//! | X | place of the contact on the flank | m |
+//! | z₁, z₂ | numbers of teeth | - |
+
+use asperity_contact::{Boundary, Solver};
+use asperity_core::cite;
+use asperity_core::quantity::{LineLoad, Pressure};
+use rayon::prelude::*;
+
+use super::track::{Pass, Track};
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
+
+/// Contacts by which the wear of a package is found, as a multiple of the contacts of a cycle: more change Rq after 1e6 engagements
+/// by less than 1 %.
+const SAMPLES: f64 = 2.0;
+/// Asperity share below which a position does not wear.
+const NO_SHARE: f64 = 1e-6;
+
+/// Wear of every point of a track over k and engagements of the pinion \[m Pa\], gear by gear and tooth by tooth.
+pub(super) type WearRates = [Vec<Vec<f64>>; 2];
+
+/// Wear of a track by its next contacts from number `from`, with the asperity share of each mesh position.
+///
+/// ```text
+/// dz/dN = −k ∫ p_a |V_s|/(u cos β_b) dX,  of the wheel times z₁/z₂                             [Wear-1]
+/// ```
+///
+/// The integral over one engagement is T_i times the mean over contacts whose places fill T_i evenly. Film wears nothing.
+///
+/// # Errors
+/// When a contact has no solution.
+pub(super) fn rates(
+    (case, limit): (&Case, Pressure),
+    track: &Track<'_>,
+    shares: &[f64],
+    from: usize,
+) -> Result<(WearRates, usize), PositionError> {
+    cite!("Wear-1");
+    let count = (SAMPLES * track.passes).ceil() as usize;
+    let passes: Vec<Pass> = (from..from + count).map(|k| track.pass(k)).collect();
+    let press = |solver: &mut Solver, pass: &Pass| -> Result<Option<Vec<f64>>, PositionError> {
+        let (at, share) = (track.positions[pass.position], shares[pass.position]);
+        if share < NO_SHARE {
+            return Ok(None);
+        }
+        let places: Vec<f64> = track.places().collect();
+        let film = at.hertz_pressure(&places, 1.0 - share)?;
+        let load = LineLoad::from_si(share * at.load.si());
+        let contact = track.press((solver, case), pass, (load, Some(&film)), limit)?;
+        Ok(Some(contact.pressure))
+    };
+    let solver = || Solver::new(track.points, Boundary::FreeEnds);
+    let chunk = passes.len().div_ceil(16).max(1);
+    let solved: Vec<Result<Vec<_>, PositionError>> = passes
+        .par_chunks(chunk)
+        .map(|passes| {
+            let mut solver = solver()?;
+            passes.iter().map(|pass| press(&mut solver, pass)).collect()
+        })
+        .collect();
+    let mut rates = [track.zeros(0), track.zeros(1)];
+    let cosine = case.gears.base_helix.si().cos();
+    let teeth = case.gears.teeth.map(f64::from);
+    let pressures = solved.into_iter().collect::<Result<Vec<_>, _>>()?;
+    for (pass, pressure) in passes.iter().zip(pressures.into_iter().flatten()) {
+        let Some(pressure) = pressure else { continue };
+        let motion = &track.positions[pass.position].motion;
+        for (body, fields) in rates.iter_mut().enumerate() {
+            let speed = [motion.u1, motion.u2][body].si().abs();
+            let slip = motion.sliding.si().abs() / (speed * cosine);
+            let oftener = teeth[0] / teeth[body];
+            let factor = track.way(body) / count as f64 * slip * oftener;
+            track.add((body, fields), pass, pressure.iter().map(|p| factor * p));
+        }
+    }
+    Ok((rates, count))
+}
