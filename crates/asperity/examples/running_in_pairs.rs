@@ -43,6 +43,7 @@ fn history_of(case: &LoadedCase, recipe: &SelfAffine, seeds: [u64; 2], torque: T
         engagements: None,
         limit: limits(&case.case)?[1],
         worn: 5e-12,
+        least: None,
     };
     let found = history(&case, &settings, &|_| {})?;
     Ok((case, found))

@@ -13,6 +13,7 @@ macro_rules! every_study {
             $visit::<$crate::ridges::RidgeSettings>(),
             $visit::<$crate::callout::CallOutSettings>(),
             $visit::<$crate::change::ChangeSettings>(),
+            $visit::<$crate::running_in::RunningInSettings>(),
             $visit::<asperity_calibration::evidence::EvidenceSettings>(),
             $visit::<asperity_calibration::CalibrationSettings>(),
             $visit::<asperity_calibration::DesignSettings>(),

@@ -29,8 +29,10 @@ pub struct HistorySettings {
     pub engagements: Option<f64>,
     /// Pressure at which asperities flow, one of [`limits`](super::limits).
     pub limit: Pressure,
-    /// Wear coefficient times engagements at which the history ends \[1/Pa\].
+    /// Wear coefficient times engagements at which the history ends \[1/Pa\]; 0 ends it with the plastic stage.
     pub worn: f64,
+    /// Rq of pinion or wheel, 0 or 1, over that of the flank as measured, at which the history ends before.
+    pub least: Option<(usize, f64)>,
 }
 
 /// Flanks at a point of their history.
@@ -101,11 +103,12 @@ pub fn history(
     let found = tracks(case, &loaded.surfaces, positions).map_err(Box::new)?;
     let (fresh, _) = course.state(&found, (0.0, 0.0))?;
     each(&fresh);
+    let measured = fresh.heights.rq_um;
     let mut states = vec![fresh];
     let mut flow = Flow::new(case, found, settings.limit).map_err(Box::new)?;
     let (steps, is_settled) = plastic(&mut flow, settings.engagements, |steps, tracks| {
         // Every third doubling: the loss falls little in one.
-        if steps.len() % 3 == 1 {
+        if settings.worn > 0.0 && steps.len() % 3 == 1 {
             let at = steps.last().map_or(0.0, |step| step.engagements);
             let (state, _) = course.state(tracks, (at, 0.0))?;
             each(&state);
@@ -123,7 +126,9 @@ pub fn history(
         each(&state);
         let rq = state.heights.rq_um;
         states.push(state);
-        if worn >= settings.worn || film.shares.iter().all(|share| *share == 0.0) {
+        let is_reached = |(body, ratio): (usize, f64)| rq[body] <= ratio * measured[body];
+        let is_still = film.shares.iter().all(|share| *share == 0.0);
+        if worn >= settings.worn || is_still || settings.least.is_some_and(is_reached) {
             break;
         }
         let wish = worn.max(FIRST * settings.worn).min(settings.worn - worn);

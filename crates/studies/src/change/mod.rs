@@ -16,7 +16,7 @@
 //! # Ok::<(), asperity::message::Fault>(())
 //! ```
 
-mod digits;
+pub(crate) mod digits;
 mod in_case;
 mod pairs;
 mod report;
