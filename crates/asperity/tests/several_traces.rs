@@ -493,7 +493,6 @@ fn what_several_traces_cannot_mean_is_refused() {
     }
     let several = case("traces = [\"0\", \"1\"]", "file = \"2\"");
     for (key, value) in [
-        ("model.run_in", "true"),
         ("model.load_share", "ehl"),
         ("model.full_film", "ehl-transient"),
     ] {

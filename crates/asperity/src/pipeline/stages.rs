@@ -56,7 +56,7 @@ pub fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
         Ok(film)
     };
     let films = numbered(mesh.positions.par_iter().map(firsts).collect())?;
-    if loaded.case.model.run_in {
+    if loaded.case.running_in.is_some() {
         running_in::places(&loaded.case, &loaded.surfaces, &mesh.positions).map_err(Box::new)?;
     }
     Ok(warnings_of_case(loaded, &mesh, &films).map_err(Box::new)?)
@@ -293,8 +293,8 @@ pub(crate) fn by_solved_contacts(loaded: &LoadedCase) -> LoadedCase {
     let mut fast = loaded.clone();
     let (model, input) = (&mut fast.case.model, &mut fast.case.input.model);
     model.load_share = LoadShareName::Solved;
-    model.run_in = false;
     input.inner_boundary = Some(model.inner_boundary);
+    fast.case.running_in = None;
     fast
 }
 
@@ -393,10 +393,7 @@ impl<'a> Stages<'a> {
         let solve = |at: &MeshPosition| {
             self.used.collect(|| {
                 let contacts = self.contacts.at(at)?;
-                let mut position = lubrication.position(at, contacts)?;
-                if case.model.include_running_in {
-                    lubrication.press(&mut position, contacts)?;
-                }
+                let position = lubrication.position(at, contacts)?;
                 (self.progress)(1 + done.fetch_add(1, Ordering::Relaxed), count + later);
                 Ok(position)
             })
@@ -495,7 +492,7 @@ impl<'a> Stages<'a> {
     /// The flanks of the case run in and what the mesh then loses, if the case requests it.
     fn run_in(&self) -> Result<Option<RunInFlanks>, Error> {
         let case = &self.loaded.case;
-        if !case.model.run_in {
+        if case.running_in.is_none() {
             return Ok(None);
         }
         let measured = self.record_count + self.mesh.positions.len();
@@ -524,7 +521,7 @@ struct RunInSteps(bool);
 
 impl RunInSteps {
     fn of(case: &Case) -> Self {
-        Self(case.model.run_in)
+        Self(case.running_in.is_some())
     }
 
     /// Steps after `measured`, the steps of the flanks as measured: the cycles, and the flanks run in.

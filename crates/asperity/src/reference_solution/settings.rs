@@ -136,7 +136,7 @@ impl ReferenceContact {
         let case = &loaded.case;
         let path = case.gears.path();
         let position = position_at(case, path.a + (path.e - path.a) * path_fraction)?;
-        if !case.model.run_in {
+        if case.running_in.is_none() {
             return Self::at(loaded, position, settings);
         }
         let ran_in = run_in(case, &loaded.surfaces, &Mesh::of(case)?.positions, &|_| {})?;

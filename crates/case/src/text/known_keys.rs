@@ -148,7 +148,7 @@ fn properties(object: &Value) -> impl Iterator<Item = &str> + Clone {
 }
 
 /// Names of a key in older versions and other programs, with the present name.
-const OTHER_NAMES: [(&str, &str); 7] = [
+const OTHER_NAMES: [(&str, &str); 8] = [
     ("load_sharing", "load_distribution"),
     ("friction", "film_friction"),
     ("friction_law", "film_friction"),
@@ -156,6 +156,7 @@ const OTHER_NAMES: [(&str, &str); 7] = [
     ("sump_temperature", "oil_temperature"),
     ("flank_temperature", "bulk_temperature"),
     ("width", "face_width"),
+    ("run_in", "running_in"),
 ];
 
 /// The known key for another name of it, else the key most similar to `seen`; `None` if no key is similar.

@@ -821,7 +821,7 @@ CaseKeys = TypedDict(
         "model.offsets": "Optional[int]",
         "model.position": 'Optional[Union[Literal["A", "B", "C", "D", "E"], float]]',
         "model.positions": "Optional[int]",
-        "model.run_in": "Optional[bool]",
+        "operation.running_in": "Optional[bool]",
         "model.spot_speed": 'Optional[Literal["carried", "entrainment", "half-sliding"]]',
         "model.stiffness_factor": "Optional[float]",
         "model.thermal": 'Optional[Literal["gupta", "murch-wilson", "none"]]',
