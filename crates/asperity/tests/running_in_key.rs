@@ -95,9 +95,9 @@ fn impossible_running_in_is_refused_at_its_key() {
         (
             TORQUE,
             "inf N m",
-            "E209",
+            "E204",
             TORQUE,
-            "must be finite and not zero",
+            "must start with a number",
         ),
         (TORQUE, "302", "E204", TORQUE, "has no unit"),
         (TORQUE, "3e9 N m", "E212", TORQUE, "usual is 0.01 to"),
