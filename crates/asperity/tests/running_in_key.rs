@@ -127,7 +127,7 @@ fn impossible_running_in_is_refused_at_its_key() {
             "true",
             "E203",
             "model.run_in",
-            "unknown key",
+            "Did you mean \"operation.running_in\"",
         ),
         (
             "model.include_running_in",

@@ -180,8 +180,10 @@ table! {
     /// Law of the bulk temperature that follows from the loss, with `oil_temperature`.
     #[serde(skip_serializing_if = "Option::is_none")]
     bulk: Option<BulkInput> => table;
-    /// Runs the flanks in before the loss is computed: `true` at the torque of the operation, or a table. The result has both
-    /// losses, of the flanks as measured and run in. Default: the flanks are as measured.
+    /// Runs the flanks in before the loss is computed: `true` at the torque of the operation until their roughness no longer
+    /// changes, or a table `{ torque = "302 N m", engagements = 1e3 }` with their own torque, at the pinion or input shaft, and the
+    /// engagements of a tooth of the pinion, 1 to 1e10; both keys are optional. The result has both losses, of the flanks as
+    /// measured and run in. Default: `false`.
     #[serde(skip_serializing_if = "Option::is_none")]
     running_in: Option<RunningInEntry> => table;
 
