@@ -98,7 +98,7 @@ fn main() {
     type Make<'a> = &'a (dyn Fn() -> LoadedCase + Sync);
     let cases: [(&str, Make<'_>); 10] = [
         ("16 offsets", &|| with(&[("model.offsets", "16")])),
-        ("running-in", &|| with(&[("model.run_in", "true")])),
+        ("running-in", &|| with(&[("operation.running_in", "true")])),
         ("share by Lambda*", &|| {
             with(&[("model.load_share", "lambda-star")])
         }),

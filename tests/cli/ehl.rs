@@ -272,7 +272,7 @@ fn flanks_can_have_run_in() {
         "--json",
     ];
     let fresh = bench.run(&options).well().json();
-    let worn = [&options[..], &["--set", "model.run_in=true"]].concat();
+    let worn = [&options[..], &["--set", "operation.running_in=true"]].concat();
     let worn = bench.run(&worn).well().json();
     let left = |found: &Value| number(found, "attenuated_roughness_um");
     assert!(left(&worn) < left(&fresh));

@@ -357,7 +357,12 @@ fn the_pages_of_runs_are_in_plain_sentences() {
     page("one/report.html");
     bench.run(&["report", "one", "--position", "1"]).well();
     page("one/report.html");
-    let more = ["--set", "model.run_in=true", "--set", "micropitting={}"];
+    let more = [
+        "--set",
+        "operation.running_in=true",
+        "--set",
+        "micropitting={}",
+    ];
     bench
         .run(&[&["run", "case.toml", "-o", "two"][..], &more].concat())
         .well();

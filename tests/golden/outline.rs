@@ -213,7 +213,7 @@ fn a_case_with_gearbox_rating_and_running_in_gives_what_it_gave() {
         ("gearbox.seals", seals),
         ("gearbox.jet", jet),
         ("micropitting", "{ permissible = 0.2, load_factor = 1.21 }"),
-        ("model.run_in", "true"),
+        ("operation.running_in", "true"),
         // Some of the contacts pass it.
         ("material.pinion.elastic_limit", "3900 MPa"),
         ("material.wheel.elastic_limit", "3900 MPa"),

@@ -294,7 +294,7 @@ fn changes() -> &'static (f64, Vec<f64>, f64) {
     CHANGED.get_or_init(|| {
         let base = losses(&with(
             "e-drive",
-            &[&FEW[..], &[("model.run_in", "true")]].concat(),
+            &[&FEW[..], &[("operation.running_in", "true")]].concat(),
         ));
         let changed = CHANGES.map(|(key, value)| few("e-drive", &[(key, value)]).loss_w);
         let run_in = base.run_in.unwrap().summary.loss_w;
@@ -309,7 +309,7 @@ pub fn one_key_changed() -> String {
         "| key | value | loss W | change |\n|---|---|---|---|\n| - | defaults | {base:.0} | |\n"
     );
     let rows = CHANGES.iter().zip(changed).map(|(row, loss)| (*row, *loss));
-    for ((key, value), loss) in rows.chain([(("model.run_in", "true"), *run_in)]) {
+    for ((key, value), loss) in rows.chain([(("operation.running_in", "true"), *run_in)]) {
         let change = 100.0 * (loss / base - 1.0);
         let value = match value {
             "0.16666666666666666" => "1/6",

@@ -8,7 +8,7 @@
 
 use std::path::Path;
 
-use asperity::case::{LoadedCase, load_with};
+use asperity::case::{LoadedCase, RunningInPlan, load_with};
 use asperity::flanks::surfaces::{Surfaces, Texture};
 use asperity::quantity::{Length, Torque};
 use asperity::running_in::{History, HistorySettings, history, limits};
@@ -39,8 +39,10 @@ fn history_of(case: &LoadedCase, recipe: &SelfAffine, seeds: [u64; 2], torque: T
     let mut case = case.clone();
     case.surfaces = Surfaces::new([Texture::Trace(pinion?), Texture::Trace(wheel?)], None, false);
     let settings = HistorySettings {
-        torque: Some(torque),
-        engagements: None,
+        plan: RunningInPlan {
+            torque,
+            engagements: None,
+        },
         limit: limits(&case.case)?[1],
         worn: 5e-12,
         least: None,

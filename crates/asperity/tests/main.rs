@@ -16,6 +16,7 @@ mod ranges;
 mod records;
 mod rows;
 mod run_in;
+mod running_in_key;
 mod several_traces;
 mod surrogates;
 mod symbols;

@@ -320,6 +320,18 @@ fn scans_are_compared_where_no_asperities_touch_and_at_the_highest_pressure() {
 }
 
 #[test]
+fn patches_do_not_run_in() {
+    let whole = case(["1-200-1", "1-200-9"], "contact = \"patch\"").unwrap();
+    let error = whole.with_key("operation.running_in", "true").unwrap_err();
+    assert_eq!(error.code(), Code::E205);
+    assert!(
+        error.to_string().contains("operation.running_in"),
+        "{error}"
+    );
+    whole.with_key("operation.running_in", "false").unwrap();
+}
+
+#[test]
 fn a_patch_of_some_rows_is_refused() {
     let flanks = ["1-200-1", "1-200-9"].map(|name| format!("file = \"{name}\", rows = 3"));
     let error = case_of(flanks, "contact = \"patch\"")

@@ -13,7 +13,7 @@ fn result(positions: usize) -> RunResult {
     let case = load(&file, None).unwrap().with(|input| {
         input.model.positions = Some(positions);
         input.model.offsets = Some(2);
-        input.model.run_in = Some(false);
+        input.operation.running_in = None;
     });
     asperity::Run::new(&case.unwrap()).execute().unwrap().result
 }

@@ -16,7 +16,7 @@ fn with(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
     let few = [
         ("model.positions", "8"),
         ("model.offsets", "2"),
-        ("model.run_in", "true"),
+        ("operation.running_in", "true"),
     ];
     few.iter().chain(keys).fold(case, |case, (key, value)| {
         case.with_key(key, value).unwrap()
@@ -121,7 +121,7 @@ fn running_in_is_the_same_on_one_and_two_threads_and_for_kept_contacts() {
     let tables = asperity::pipeline::contacts(&case).unwrap();
     let kept = asperity::pipeline::losses_with(&tables, &case).unwrap();
     assert_eq!(kept.run_in, one.run_in);
-    let without = case.with_key("model.run_in", "false").unwrap();
+    let without = case.with_key("operation.running_in", "false").unwrap();
     let plain = losses(&without);
     assert!(plain.run_in.is_none() && plain.summary == one.summary);
 }
@@ -137,5 +137,8 @@ fn running_in_needs_both_traces() {
     });
     let error = values.unwrap_err();
     assert_eq!(error.code(), "E205");
-    assert!(error.to_string().contains("model.run_in"), "{error}");
+    assert!(
+        error.to_string().contains("operation.running_in"),
+        "{error}"
+    );
 }

@@ -493,7 +493,6 @@ fn what_several_traces_cannot_mean_is_refused() {
     }
     let several = case("traces = [\"0\", \"1\"]", "file = \"2\"");
     for (key, value) in [
-        ("model.run_in", "true"),
         ("model.load_share", "ehl"),
         ("model.full_film", "ehl-transient"),
     ] {
@@ -501,6 +500,7 @@ fn what_several_traces_cannot_mean_is_refused() {
         assert_eq!(error.code(), "E205", "{error}");
         assert!(error.to_string().contains("one pair of traces"), "{error}");
     }
+    several.with_key("operation.running_in", "true").unwrap();
     let dry = asperity::contacts::dry_contact::dry_contact(&several, 0.5).unwrap_err();
     assert_eq!(dry.code(), "E312");
     let gradient = asperity::pipeline::gradient(&several).unwrap_err();

@@ -214,7 +214,10 @@ fn only_a_law_that_takes_values_does_without_the_contact() {
             .any(|default| default.key == "surface.pinion.rq")
     };
     assert!(lists(&formula) && !lists(&solved));
-    for (key, value) in [("model.run_in", "true"), ("model.load_share", "ehl")] {
+    for (key, value) in [
+        ("operation.running_in", "true"),
+        ("model.load_share", "ehl"),
+    ] {
         let error = solved.with_key(key, value).unwrap_err();
         assert_eq!(error.code(), "E205", "{error}");
     }

@@ -83,7 +83,7 @@ impl RigModel {
         let groups = nodes.iter().map(|(case_number, torque)| {
             let changed = cases[*case_number].with(|input| {
                 input.operation.torque = Torque::from_si(*torque);
-                input.model.run_in = None;
+                input.operation.running_in = None;
                 // The table states the scope of the measured losses.
                 input.gearbox = None;
             });

@@ -41,6 +41,7 @@ pub use crate::input::model::{EhlChoices, EhlInput, LEAST_OFFSETS, Model, ModelI
 pub use crate::input::one_or_two::OneOrTwo;
 pub use crate::input::path_point::{NamedPoint, PathPoint, Positions};
 pub use crate::input::rows::Limits;
+pub use crate::input::running_in_input::{RunningInEntry, RunningInInput};
 pub use crate::input::trace_list::{TraceEntry, TraceInput, TraceList};
 #[cfg(feature = "case-files")]
 pub use crate::load::{
@@ -64,6 +65,7 @@ pub use crate::resolved::oil_file::{
     POORLY_EXPLAINED, STEEPEST_FALL, law_error,
 };
 pub use crate::resolved::resolve::{Case, resolve};
+pub use crate::resolved::running_in::RunningInPlan;
 pub use crate::resolved::shafting::{Flow, MeshLoad, Shafting, StageKind};
 pub use crate::resolved::steel::STEEL_FLOW_PRESSURE;
 pub use crate::source::case_error::CaseError;

@@ -32,7 +32,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
         (LossKind::Sliding, loss.sliding),
         (LossKind::Rolling, loss.rolling),
     ];
-    let mesh = mesh_efficiency(&operation, &losses, false)?;
+    let mesh = mesh_efficiency(&operation, &losses)?;
     println!(
         "sliding {:.4}, rolling {:.4}: efficiency {:.4} %",
         loss.sliding,

@@ -30,8 +30,6 @@ pub enum LossKind {
     DeformationWheel,
     /// Elastic energy that is not recovered.
     Hysteresis,
-    /// Plastic work during running-in.
-    RunningIn,
 }
 
 /// One part of the losses.
@@ -117,7 +115,7 @@ impl Breakdown {
     /// let operation = MeshOperation {
     ///     pinion_torque: "285 N m".parse()?, pinion_speed: "3000 1/min".parse()?, teeth: [50, 120],
     /// };
-    /// let mesh = mesh_efficiency(&operation, &[(LossKind::Sliding, "318 W".parse()?)], false)?;
+    /// let mesh = mesh_efficiency(&operation, &[(LossKind::Sliding, "318 W".parse()?)])?;
     /// assert!(mesh.breakdown.imbalance(&mesh.flow, &operation) < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -141,17 +139,13 @@ impl Breakdown {
 pub struct MeshEfficiency {
     /// Powers and torques.
     pub flow: PowerFlow,
-    /// Losses that the efficiency includes.
+    /// Losses by kind.
     pub breakdown: Breakdown,
-    /// Running-in work that the efficiency does not include; empty if it is included.
-    pub apart: Breakdown,
     /// Time between two engagements.
     pub engagement_period: Time,
 }
 
 /// Computes efficiency, output torque and breakdown from the losses.
-///
-/// [`LossKind::RunningIn`] is excluded from the efficiency unless `include_running_in`.
 ///
 /// # Errors
 /// When a loss is negative, the losses are not below the input, or the operation is not valid.
@@ -161,24 +155,20 @@ pub struct MeshEfficiency {
 /// let operation = MeshOperation {
 ///     pinion_torque: "285 N m".parse()?, pinion_speed: "3000 1/min".parse()?, teeth: [50, 120],
 /// };
-/// let losses = [(LossKind::Sliding, "300 W".parse()?), (LossKind::RunningIn, "9 W".parse()?)];
-/// let steady = mesh_efficiency(&operation, &losses, false)?;
-/// assert_eq!((steady.flow.loss.si(), steady.apart.total.si()), (300.0, 9.0));
+/// let losses = [(LossKind::Sliding, "300 W".parse()?), (LossKind::Rolling, "9 W".parse()?)];
+/// let mesh = mesh_efficiency(&operation, &losses)?;
+/// assert_eq!((mesh.flow.loss.si(), mesh.breakdown.total.si()), (309.0, 309.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn mesh_efficiency(
     operation: &MeshOperation,
     losses: &[(LossKind, Power)],
-    include_running_in: bool,
 ) -> Result<MeshEfficiency, EfficiencyError> {
     let period = engagement_period(operation.teeth[0], operation.pinion_speed)?;
-    let counts = |loss: &(LossKind, Power)| include_running_in || loss.0 != LossKind::RunningIn;
-    let (counted, apart): (Vec<_>, Vec<_>) = losses.iter().copied().partition(counts);
-    let breakdown = Breakdown::new(&counted, period)?;
+    let breakdown = Breakdown::new(losses, period)?;
     Ok(MeshEfficiency {
         flow: power_flow(operation, breakdown.total)?,
         breakdown,
-        apart: Breakdown::new(&apart, period)?,
         engagement_period: period,
     })
 }

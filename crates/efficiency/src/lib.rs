@@ -23,7 +23,7 @@
 //!     teeth: [50, 120],
 //! };
 //! let losses = [(LossKind::Sliding, loss.sliding), (LossKind::Rolling, loss.rolling)];
-//! let mesh = mesh_efficiency(&operation, &losses, false)?;
+//! let mesh = mesh_efficiency(&operation, &losses)?;
 //! // 280 W of sliding and 115.2 W of rolling out of 89.5 kW.
 //! assert!((mesh.flow.efficiency - 0.995_586).abs() < 1e-6);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -76,7 +76,7 @@ fn losses_cannot_be_negative_or_unknown() {
     let expected = "a mesh loss needs at least one position";
     assert_eq!(none.unwrap_err().to_string(), expected);
     let negative = [(LossKind::Sliding, Power::from_si(-1.0))];
-    assert!(is_domain(mesh_efficiency(&operation(), &negative, false)));
+    assert!(is_domain(mesh_efficiency(&operation(), &negative)));
 }
 
 #[test]
@@ -127,10 +127,7 @@ fn operations_that_are_none_are_refused() {
         },
     ];
     for operation in bad {
-        assert!(
-            is_domain(mesh_efficiency(&operation, &[], false)),
-            "{operation:?}"
-        );
+        assert!(is_domain(mesh_efficiency(&operation, &[])), "{operation:?}");
     }
     let speed = AngularSpeed::from_si(1.0);
     assert!(is_domain(output_torque(
@@ -145,30 +142,11 @@ fn operations_that_are_none_are_refused() {
 
 #[test]
 fn a_mesh_without_losses_gives_all_of_its_power_out() {
-    let mesh = mesh_efficiency(
-        &operation(),
-        &[(LossKind::Sliding, Power::from_si(0.0))],
-        false,
-    )
-    .unwrap();
+    let mesh = mesh_efficiency(&operation(), &[(LossKind::Sliding, Power::from_si(0.0))]).unwrap();
     assert_eq!(mesh.flow.efficiency, 1.0);
     // Through the speed ratio 3/2, which rounds.
     assert!((mesh.flow.output_torque.si() - 150.0).abs() < 1e-12);
     assert_eq!(mesh.breakdown.components[0].share_percent, 0.0);
-}
-
-#[test]
-fn running_in_counts_only_when_asked() {
-    let losses = [
-        (LossKind::Sliding, Power::from_si(8.0)),
-        (LossKind::RunningIn, Power::from_si(2.0)),
-    ];
-    let steady = mesh_efficiency(&operation(), &losses, false).unwrap();
-    assert_eq!(steady.flow.efficiency, 0.992);
-    assert_eq!(steady.apart.power(LossKind::RunningIn).si(), 2.0);
-    let all = mesh_efficiency(&operation(), &losses, true).unwrap();
-    assert_eq!(all.flow.efficiency, 0.99);
-    assert!(all.apart.components.is_empty());
 }
 
 #[test]

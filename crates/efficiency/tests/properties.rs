@@ -7,13 +7,12 @@ use asperity_efficiency::{
 };
 use proptest::prelude::*;
 
-const KINDS: [LossKind; 6] = [
+const KINDS: [LossKind; 5] = [
     LossKind::Sliding,
     LossKind::Rolling,
     LossKind::DeformationPinion,
     LossKind::DeformationWheel,
     LossKind::Hysteresis,
-    LossKind::RunningIn,
 ];
 
 /// Sums of a few positive numbers.
@@ -58,7 +57,7 @@ fn positions() -> impl Strategy<Value = Vec<PositionLoss>> {
 proptest! {
     #[test]
     fn input_is_output_and_losses_whichever_gear_drives(operation in operations(), losses in losses()) {
-        let Ok(mesh) = mesh_efficiency(&operation, &losses, true) else {
+        let Ok(mesh) = mesh_efficiency(&operation, &losses) else {
             // Up to 350 W may be more than a slow mesh gets; that is refused, not balanced.
             let power = operation.pinion_torque.si() * operation.pinion_speed.si();
             prop_assert!(power > 0.0 && power <= 350.0);
@@ -120,7 +119,7 @@ proptest! {
     fn more_loss_is_less_efficiency_and_more_equivalent_friction(operation in operations(), loss in 1.0f64..100.0) {
         let of = |loss: f64| {
             let losses = [(LossKind::Sliding, Power::from_si(loss))];
-            mesh_efficiency(&operation, &losses, false).unwrap().flow.efficiency
+            mesh_efficiency(&operation, &losses).unwrap().flow.efficiency
         };
         let (less, more) = (of(loss), of(1.5 * loss));
         prop_assert!(more < less);

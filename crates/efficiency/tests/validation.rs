@@ -85,7 +85,7 @@ fn the_smooth_full_film_losses_give_the_efficiency_of_the_reference_case() {
         (LossKind::Sliding, Power::from_si(317.9)),
         (LossKind::Rolling, Power::from_si(122.5)),
     ];
-    let mesh = mesh_efficiency(&OPERATION, &losses, false).unwrap();
+    let mesh = mesh_efficiency(&OPERATION, &losses).unwrap();
     assert_close(mesh.flow.input_power.si(), INPUT, 1e-14);
     // Printed with five decimals.
     assert!((mesh.flow.efficiency - 0.995_08).abs() < 5e-6);
@@ -98,11 +98,7 @@ fn the_smooth_full_film_losses_give_the_efficiency_of_the_reference_case() {
 
 #[test]
 fn torque_and_speed_of_the_driven_gear_carry_the_output_power() {
-    let mesh = mesh_efficiency(
-        &OPERATION,
-        &[(LossKind::Sliding, Power::from_si(440.4))],
-        false,
-    );
+    let mesh = mesh_efficiency(&OPERATION, &[(LossKind::Sliding, Power::from_si(440.4))]);
     let flow = mesh.unwrap().flow;
     let wheel_speed = OPERATION.pinion_speed / 2.4;
     assert_close(

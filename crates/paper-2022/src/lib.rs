@@ -91,7 +91,6 @@ impl Formulation for Paper {
             "model.film_pressure",
             "model.gap_roughness",
             "model.asperity_share_factor",
-            "model.run_in",
         ]
     }
 
@@ -107,7 +106,7 @@ impl Formulation for Paper {
             ),
             ("calibration", OF_CORRECTED),
             ("lubricant.oil_file", OF_CORRECTED),
-            ("model.run_in", OF_CORRECTED),
+            ("operation.running_in", OF_CORRECTED),
             (
                 "model.inlet_layer",
                 "starves the film of the formulas in the corrected formulation; leave it out or choose these",

@@ -23,8 +23,8 @@ const STATED: [(&str, &str); 6] = [
     ),
     ("micropitting", "{}"),
     ("model.inlet_layer", "1 um"),
-    ("model.run_in", "true"),
     ("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#),
+    ("operation.running_in", "true"),
     ("operation.temperature_deviation", "3 K"),
 ];
 
@@ -62,9 +62,9 @@ fn each_key_of_the_other_formulation_is_refused() {
 fn a_switch_that_is_off_is_not_refused() {
     let case = e_drive().with(|input| {
         input.formulation = Some(register());
-        input.model.run_in = Some(false);
+        input.set("operation.running_in", "false").unwrap();
     });
-    assert!(!case.unwrap().case.model.run_in);
+    assert_eq!(case.unwrap().case.running_in, None);
 }
 
 /// The rows of the table `model` in the schema.

@@ -2,12 +2,12 @@
 
 use asperity::result::gearbox::GearboxReport;
 use asperity::result::loss_band::{Digits, Uncertainty, with_interval};
-use asperity::result::{RunResult, RunningIn, Summary};
+use asperity::result::{RunResult, Summary};
 
 /// Loss and its parts as text with units.
 pub(crate) struct PrintedLoss {
     pub loss: String,
-    /// Film, lubricated asperities, boundary layer and rolling; deformation and running-in where they matter.
+    /// Film, lubricated asperities, boundary layer and rolling; deformation where it matters.
     pub parts: Vec<PrintedPart>,
     /// Lubricated asperities and boundary layer together.
     pub asperities: String,
@@ -31,11 +31,7 @@ pub(crate) struct PrintedPart {
 
 impl PrintedLoss {
     /// The loss and its parts with the digits that the interval leaves; three or four digits without uncertainty.
-    pub(crate) fn of(
-        s: &Summary,
-        running_in: &RunningIn,
-        uncertainty: Option<&Uncertainty>,
-    ) -> Self {
+    pub(crate) fn of(s: &Summary, uncertainty: Option<&Uncertainty>) -> Self {
         let powers = Powers {
             digits: uncertainty.map_or_else(|| Digits::of_power(s.loss_w), Uncertainty::digits),
             is_banded: uncertainty.is_some(),
@@ -43,13 +39,7 @@ impl PrintedLoss {
         };
         let loss = powers.digits.steps(s.loss_w);
         let [pinion, wheel] = s.deformation_w;
-        let of_mesh = [
-            s.sliding_w,
-            s.rolling_w,
-            pinion,
-            wheel,
-            running_in.included_w(),
-        ];
+        let of_mesh = [s.sliding_w, s.rolling_w, pinion, wheel];
         let steps = powers.digits.parts(loss, &of_mesh);
         let of_sliding = [s.film_w, s.lubricated_asperity_w, s.boundary_w];
         let in_sliding = powers.digits.parts(steps[0], &of_sliding);
@@ -101,7 +91,7 @@ fn sum_of(shares: &[String]) -> Option<String> {
 /// Parts of the loss of a mesh: name, watts and text, which add up to the printed loss.
 pub fn parts_of(result: &RunResult) -> impl Iterator<Item = (&'static str, f64, String)> {
     let uncertainty = result.uncertainty.as_ref();
-    let printed = PrintedLoss::of(&result.summary, &result.running_in, uncertainty);
+    let printed = PrintedLoss::of(&result.summary, uncertainty);
     let parts = printed.parts.into_iter();
     parts.map(|part| (part.name, part.watts, part.text))
 }
@@ -110,14 +100,13 @@ pub fn parts_of(result: &RunResult) -> impl Iterator<Item = (&'static str, f64, 
 pub(crate) const LUBRICATED: &str = "lubricated asperities";
 pub(crate) const BOUNDARY: &str = "boundary layer";
 /// Names of the parts and their keys in `result.json`.
-const PARTS: [(&str, &str); 7] = [
+const PARTS: [(&str, &str); 6] = [
     ("film", "summary.film_w"),
     (LUBRICATED, "summary.lubricated_asperity_w"),
     (BOUNDARY, "summary.boundary_w"),
     ("rolling", "summary.rolling_w"),
     ("deformation of the pinion", "summary.deformation_w"),
     ("deformation of the wheel", "summary.deformation_w"),
-    ("running-in", "running_in.first_pass_w"),
 ];
 /// Number of parts that every loss has.
 const ALWAYS: usize = 4;
@@ -133,7 +122,7 @@ pub(crate) fn of_mesh(result: &RunResult) -> [String; 2] {
     match &result.uncertainty {
         Some(uncertainty) => with_interval(uncertainty.loss.drawn(), s.power_in_w, UNITS),
         None => [
-            PrintedLoss::of(s, &result.running_in, None).loss,
+            PrintedLoss::of(s, None).loss,
             format!("{:.4} %", 100.0 * s.efficiency),
         ],
     }

@@ -178,7 +178,7 @@ fn line(text: &str, indent: &str, columns: usize) -> String {
 fn verdict(result: &RunResult, columns: usize) -> Vec<(Part, String)> {
     let of_mesh = result.uncertainty.as_ref();
     let head = line(&one_line(&result.title), INDENT, columns) + &headline(result) + "\n";
-    let printed = PrintedLoss::of(&result.summary, &result.running_in, of_mesh);
+    let printed = PrintedLoss::of(&result.summary, of_mesh);
     let gearbox = result.gearbox.as_ref();
     let gearbox = gearbox.map(|gearbox| gearbox_headline(gearbox, of_mesh));
     let regime = format!("regime  {}", regime(&result.summary));
@@ -460,12 +460,8 @@ fn solver_notes(result: &RunResult) -> Vec<String> {
     }
     let work = result.running_in.energy_per_engagement_j;
     if work > 0.0 {
-        let counted = match result.running_in.included {
-            true => "",
-            false => " (not counted)",
-        };
         lines.push(format!(
-            "running-in  {work:.2e} J of plastic work in the first engagement{counted}"
+            "running-in  {work:.2e} J of plastic work in the first engagement (not counted)"
         ));
     }
     lines
@@ -498,7 +494,7 @@ fn run_in(result: &RunResult) -> Vec<String> {
         return Vec::new();
     };
     let (before, after) = (&result.summary, &run_in.summary);
-    let printed = PrintedLoss::of(after, &run_in.running_in, None);
+    let printed = PrintedLoss::of(after, None);
     let states = [
         ("as measured", before, run_in.measured.rq_um),
         ("run in", after, run_in.run_in.rq_um),

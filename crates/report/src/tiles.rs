@@ -61,7 +61,7 @@ impl Tile {
 #[must_use]
 pub fn tiles(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
-    let printed = PrintedLoss::of(s, &result.running_in, result.uncertainty.as_ref());
+    let printed = PrintedLoss::of(s, result.uncertainty.as_ref());
     let [loss, efficiency] = of_mesh(result);
     let interval = match &result.uncertainty {
         Some(_) => "median, in brackets 5 to 95 %",

@@ -127,7 +127,7 @@ fn measured_mesh(loaded: &LoadedCase, kept: &KeptFields) -> Result<Cost, Error> 
     let model = &loaded.case.model;
     let few = loaded.with(|input| {
         input.model.positions = Some(model.positions.min(SAMPLED));
-        input.model.run_in = None;
+        input.operation.running_in = None;
         input
             .operation
             .set_bulk_temperature(loaded.case.temperature);
@@ -232,7 +232,8 @@ impl Work {
             None => SECONDS_ONCE,
         };
         // Running-in solves the contacts again.
-        let solves = if model.run_in { 2.0 } else { 1.0 };
+        let runs_in = loaded.case.running_in.is_some();
+        let solves = if runs_in { 2.0 } else { 1.0 };
         let with_named = match tables {
             true => 1.0 + NAMED as f64 / positions as f64,
             false => 1.0,
@@ -248,7 +249,7 @@ impl Work {
         };
         let of_film = SECONDS_OF_FILM * offsets
             + SECONDS_OF_TRANSFORM * transformed * transformed.max(2.0).log2();
-        let worn = match model.run_in {
+        let worn = match runs_in {
             // Windows lie a contact width apart.
             true => CYCLES * window * (trace.len() as f64 * model.window / window).powi(2),
             false => 0.0,

@@ -54,7 +54,7 @@ fn more_work_takes_longer() {
     assert!(fourfold.bytes > reference.bytes);
     let bulk = r#"{ law = "iso", lubrication = "jet" }"#;
     for keys in [
-        &[("model.run_in", "true")][..],
+        &[("operation.running_in", "true")][..],
         &[
             ("operation.oil_temperature", "90 °C"),
             ("operation.bulk", bulk),

@@ -35,12 +35,8 @@ pub(crate) fn efficiency_at(
         (LossKind::Sliding, loss.sliding),
         (LossKind::Rolling, loss.rolling),
     ];
-    losses.extend(deformation_losses(case, positions, offset)?);
-    Ok(mesh_efficiency(
-        &operation(case),
-        &losses,
-        case.model.include_running_in,
-    )?)
+    losses.extend(deformation_losses(positions, offset));
+    Ok(mesh_efficiency(&operation(case), &losses)?)
 }
 
 /// Operating point of the mesh.

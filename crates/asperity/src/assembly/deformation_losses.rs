@@ -10,36 +10,22 @@ use asperity_case::error::PositionError;
 use asperity_case::window_pressures::DeformationPower;
 
 /// Losses by deformation of the mesh at one offset: what is left after contact if the pressures of the windows gave it, as the
-/// elastic part in contact is given back, otherwise the plastic work of running-in.
+/// elastic part in contact is given back, otherwise none.
 pub(super) fn deformation_losses(
-    case: &Case,
     positions: &[LubricatedPosition],
     offset: usize,
-) -> Result<Vec<(LossKind, Power)>, PositionError> {
+) -> Vec<(LossKind, Power)> {
     let windows = positions.iter().map(|position| &position.offsets[offset]);
     let powers: Option<Vec<DeformationPower>> = windows.map(|window| window.deformation).collect();
     let Some(powers) = powers else {
-        let power = running_in_power(case, positions, offset)?;
-        return Ok(vec![(LossKind::RunningIn, power)]);
+        return Vec::new();
     };
     let kinds = [LossKind::DeformationPinion, LossKind::DeformationWheel];
     let of = |body: usize| {
         let powers = powers.iter().map(|power| power.after_contact[body]);
         Power::from_si(powers.sum())
     };
-    Ok(kinds.into_iter().zip([of(0), of(1)]).collect())
-}
-
-/// Plastic work of the first engagement at one offset, as a power.
-fn running_in_power(
-    case: &Case,
-    positions: &[LubricatedPosition],
-    offset: usize,
-) -> Result<Power, PositionError> {
-    let swept = swept(case, positions, |position| {
-        position.offsets.get(offset).map_or(0.0, plastic_work)
-    })?;
-    Ok(swept.plastic)
+    kinds.into_iter().zip([of(0), of(1)]).collect()
 }
 
 /// Powers of deformation with the plastic work of all offsets.

@@ -59,8 +59,8 @@ impl Solved<'_> {
     pub(crate) fn losses(self) -> Result<Losses, PositionError> {
         let (summary, gearbox) = self.with_gearbox()?;
         let path = self.path()?;
-        let running_in = running_in(&self.loaded.case, &self.meshes);
-        check(&summary, &running_in, gearbox.as_ref(), &path)?;
+        let running_in = self.running_in()?;
+        check(&summary, gearbox.as_ref(), &path)?;
         // Losses do not need the second load map of a warning, and are no worse without it.
         let edge_contact = self.map.edge_contact_note().ok().flatten();
         let of_mesh = (&summary, gearbox.as_ref(), edge_contact.as_ref());
@@ -88,8 +88,8 @@ impl Solved<'_> {
         let case = &self.loaded.case;
         let (summary, gearbox) = self.with_gearbox()?;
         let path = self.path()?;
-        let running_in = running_in(case, &self.meshes);
-        check(&summary, &running_in, gearbox.as_ref(), &path)?;
+        let running_in = self.running_in()?;
+        check(&summary, gearbox.as_ref(), &path)?;
         let load = LoadReport::new(case, self.map)?;
         let named = points.iter().filter(|(name, _)| ["A", "E"].contains(name));
         let ends: Vec<&LubricatedPosition> = named.map(|(_, position)| position).collect();
@@ -239,14 +239,32 @@ impl Solved<'_> {
     pub(crate) fn run_in_flanks(&self, ran_in: RanIn) -> Result<RunInFlanks, PositionError> {
         let [measured, run_in] = ran_in.heights;
         let summary = self.summary()?;
-        let running_in = running_in(&self.loaded.case, &self.meshes);
-        check(&summary, &running_in, None, &self.path()?)?;
+        let running_in = self.running_in()?;
+        check(&summary, None, &self.path()?)?;
         Ok(RunInFlanks {
             summary,
             running_in,
             measured,
             run_in,
             steps: ran_in.steps,
+        })
+    }
+
+    /// Plastic work of the first engagement, which no loss includes; none where the pressures of the windows give the deformation,
+    /// of which it is a part.
+    fn running_in(&self) -> Result<RunningIn, PositionError> {
+        let mut windows = self.positions.iter().flat_map(|at| &at.offsets);
+        let power = match windows.all(|window| window.deformation.is_some()) {
+            true => 0.0,
+            false => of_all_offsets(&self.loaded.case, &self.positions)?
+                .plastic
+                .si(),
+        };
+        let period = self.meshes.first();
+        let period = period.map_or(0.0, |mesh| mesh.engagement_period.si());
+        Ok(RunningIn {
+            energy_per_engagement_j: power * period,
+            first_pass_w: power,
         })
     }
 
@@ -316,19 +334,13 @@ impl Solved<'_> {
 }
 
 /// Invariants of a result: every number finite, parts that add up to their totals, efficiencies within 0 and 1.
-fn check(
-    s: &Summary,
-    running_in: &RunningIn,
-    gearbox: Option<&GearboxReport>,
-    path: &[PositionRow],
-) -> Result<(), Fault> {
+fn check(s: &Summary, gearbox: Option<&GearboxReport>, path: &[PositionRow]) -> Result<(), Fault> {
     let along = |of: fn(&PositionRow) -> f64| {
         let powers = path.iter().map(|row| row.weight_m * of(row));
         powers.collect::<Vec<f64>>()
     };
     let [pinion, wheel] = s.deformation_w;
-    let first_pass = running_in.included_w();
-    let loss = [s.sliding_w, s.rolling_w, pinion, wheel, first_pass];
+    let loss = [s.sliding_w, s.rolling_w, pinion, wheel];
     let sliding = [s.film_w, s.lubricated_asperity_w, s.boundary_w];
     let sliding_along = along(|row| row.sliding_w_per_m);
     let rolling_along = along(|row| row.rolling_w_per_m);
@@ -616,26 +628,6 @@ fn record_rows(case: &Case, records: &PathRecords) -> Vec<RecordRow> {
     records.places.iter().map(row).collect()
 }
 
-fn running_in(case: &Case, meshes: &[MeshEfficiency]) -> RunningIn {
-    let included = case.model.include_running_in;
-    let of = |mesh: &MeshEfficiency| {
-        if included {
-            mesh.breakdown.power(LossKind::RunningIn).si()
-        } else {
-            mesh.apart.power(LossKind::RunningIn).si()
-        }
-    };
-    let power = mean(meshes.iter().map(of));
-    let period = meshes
-        .first()
-        .map_or(0.0, |mesh| mesh.engagement_period.si());
-    RunningIn {
-        energy_per_engagement_j: power * period,
-        first_pass_w: power,
-        included,
-    }
-}
-
 /// Share of the offsets of a position that are in the mixed regime.
 pub(crate) fn mixed_share(position: &LubricatedPosition) -> f64 {
     let is_mixed = |offset: &LubricatedWindow| f64::from(offset.regime == Regime::Mixed);
@@ -674,25 +666,23 @@ mod tests {
             fault(&mut faulty);
             let Losses {
                 summary,
-                running_in,
                 gearbox,
                 path,
                 ..
             } = &faulty;
-            let checked = check(summary, running_in, gearbox.as_ref(), path);
+            let checked = check(summary, gearbox.as_ref(), path);
             checked.err().map(|fault| fault.code())
         };
         assert_eq!(code(|_| ()), None);
-        let sums: [fn(&mut Losses); 7] = [
+        let sums: [fn(&mut Losses); 6] = [
             |run| run.summary.loss_w *= 1.0 + 1e-6,
             |run| run.summary.film_w += 1e-3,
             |run| run.summary.deformation_w[1] += 1e-3,
-            |run| run.running_in.included = true,
             |run| run.path[1].sliding_w_per_m *= 1.0 + 1e-6,
             |run| run.path[2].rolling_w_per_m *= 1.0 + 1e-6,
             |run| run.summary.efficiency -= 1e-6,
         ];
-        assert_eq!(sums.map(code), [Some(Code::E501); 7]);
+        assert_eq!(sums.map(code), [Some(Code::E501); 6]);
         let impossible: [fn(&mut Losses); 4] = [
             |run| run.summary.efficiency = 1.5,
             |run| run.summary.rolling_w = f64::NAN,

@@ -44,9 +44,6 @@ impl Outcome {
                 .for_each(|loss| *loss *= restated.ratio);
             restated.pairs(pairs.sampling.as_mut());
         }
-        if result.running_in.included {
-            result.running_in.first_pass_w *= restated.ratio;
-        }
         restated.run_in(result.run_in.as_mut())?;
         restated.offsets(&mut self.offsets)
     }
@@ -73,9 +70,6 @@ impl Losses {
         restated.with_gearbox(&mut self.summary, &mut self.gearbox)?;
         self.path.iter_mut().for_each(|row| restated.row(row));
         restated.pairs(self.pairs.as_mut());
-        if self.running_in.included {
-            self.running_in.first_pass_w *= restated.ratio;
-        }
         restated.run_in(self.run_in.as_mut())?;
         restated.offsets(&mut self.offsets)
     }

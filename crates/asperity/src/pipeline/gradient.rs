@@ -249,8 +249,6 @@ pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
         "model.load_share"
     } else if model.film_friction.shear_law().is_none() {
         "model.film_friction"
-    } else if model.include_running_in {
-        "model.include_running_in"
     } else {
         return Ok(());
     };
@@ -641,7 +639,6 @@ mod tests {
         for (key, value) in [
             ("model.load_share", "lambda-star"),
             ("model.film_friction", "xu"),
-            ("model.include_running_in", "true"),
         ] {
             let error = gradient(&e_drive(&[(key, value)])).unwrap_err();
             assert_eq!(error.code(), Code::E205, "{key}: {error}");

@@ -58,8 +58,8 @@ pub fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
         Ok(film)
     };
     let films = numbered(mesh.positions.par_iter().map(firsts).collect())?;
-    if loaded.case.model.run_in {
-        running_in::check(&loaded.case, &loaded.surfaces, &mesh.positions).map_err(Box::new)?;
+    if let Some(plan) = &loaded.case.running_in {
+        running_in::check(&loaded.case, &loaded.surfaces, plan).map_err(Box::new)?;
     }
     Ok(warnings_of_case(loaded, &mesh, &films).map_err(Box::new)?)
 }
@@ -295,8 +295,8 @@ pub(crate) fn by_solved_contacts(loaded: &LoadedCase) -> LoadedCase {
     let mut fast = loaded.clone();
     let (model, input) = (&mut fast.case.model, &mut fast.case.input.model);
     model.load_share = LoadShareName::Solved;
-    model.run_in = false;
     input.inner_boundary = Some(model.inner_boundary);
+    fast.case.running_in = None;
     fast
 }
 
@@ -443,10 +443,7 @@ impl<'a> Stages<'a> {
         let solve = |at: &MeshPosition| {
             self.used.collect(|| {
                 let contacts = self.contacts.at(at)?;
-                let mut position = lubrication.position(at, contacts)?;
-                if case.model.include_running_in {
-                    lubrication.press(&mut position, contacts)?;
-                }
+                let position = lubrication.position(at, contacts)?;
                 (self.progress)(1 + done.fetch_add(1, Ordering::Relaxed), count + later);
                 Ok(position)
             })
@@ -545,15 +542,14 @@ impl<'a> Stages<'a> {
     /// The flanks of the case run in and what the mesh then loses, if the case requests it.
     fn run_in(&self) -> Result<Option<RunInFlanks>, Error> {
         let case = &self.loaded.case;
-        if !case.model.run_in {
+        let Some(plan) = &case.running_in else {
             return Ok(None);
-        }
+        };
         let measured = self.record_count + self.mesh.positions.len();
         let before = measured + running_in::MAX_STEPS;
         let total = before + measured;
         let cycle = |number| (self.progress)(measured + number, total);
-        let flanks =
-            || running_in::run_in(case, &self.loaded.surfaces, &self.mesh.positions, None, &cycle);
+        let flanks = || running_in::run_in(case, &self.loaded.surfaces, plan, &cycle);
         let ran_in = self.summed(flanks)?;
         let mut worn = self.loaded.clone();
         worn.surfaces = ran_in.surfaces.clone();
@@ -574,7 +570,7 @@ struct RunInSteps(bool);
 
 impl RunInSteps {
     fn of(case: &Case) -> Self {
-        Self(case.model.run_in)
+        Self(case.running_in.is_some())
     }
 
     /// Steps after `measured`, the steps of the flanks as measured: the cycles, and the flanks run in.

@@ -17,7 +17,7 @@ use asperity_roughness::gaussian_filter::{Ends, mean_line};
 
 use super::error::ReferenceError;
 use crate::running_in::run_in;
-use crate::mesh::{Mesh, MeshPosition, position_at};
+use crate::mesh::{MeshPosition, position_at};
 use asperity_case::case::{Case, LoadedCase};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::Texture;
@@ -136,10 +136,10 @@ impl ReferenceContact {
         let case = &loaded.case;
         let path = case.gears.path();
         let position = position_at(case, path.a + (path.e - path.a) * path_fraction)?;
-        if !case.model.run_in {
+        let Some(plan) = &case.running_in else {
             return Self::at(loaded, position, settings);
-        }
-        let ran_in = run_in(case, &loaded.surfaces, &Mesh::of(case)?.positions, None, &|_| {})?;
+        };
+        let ran_in = run_in(case, &loaded.surfaces, plan, &|_| {})?;
         let mut worn = loaded.clone();
         worn.surfaces = ran_in.surfaces;
         Self::at(&worn, position, settings)

@@ -482,7 +482,7 @@ pub struct RecordedFriction {
     pub windows: f64,
 }
 
-/// Plastic work of the first engagement, which decays as the flanks run in.
+/// Plastic work of the first engagement, which decays as the flanks run in and is in no loss.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct RunningIn {
@@ -490,19 +490,6 @@ pub struct RunningIn {
     pub energy_per_engagement_j: f64,
     /// The same as a power at the first pass \[W\]; it decays to nothing.
     pub first_pass_w: f64,
-    /// Whether it is included in the losses.
-    pub included: bool,
-}
-
-impl RunningIn {
-    /// The part of the losses \[W\]: zero unless it is included.
-    #[must_use]
-    pub fn included_w(&self) -> f64 {
-        match self.included {
-            true => self.first_pass_w,
-            false => 0.0,
-        }
-    }
 }
 
 /// The mesh with flanks that have run in.

@@ -1,6 +1,6 @@
 //! A history of running-in: the plastic stage, then wear in packages, with film and loss on the flanks of each.
 
-use asperity_core::quantity::{Pressure, Torque};
+use asperity_core::quantity::Pressure;
 
 use super::flow::Flow;
 use super::track::Track;
@@ -9,7 +9,7 @@ use super::{heights, plastic, removed, surfaces, tracks};
 use crate::mesh::Mesh;
 use crate::pipeline::{OnFlanks, on_flanks};
 use crate::result::{FlankHeights, RunInStep};
-use asperity_case::case::LoadedCase;
+use asperity_case::case::{LoadedCase, RunningInPlan};
 use asperity_case::error::Error;
 use asperity_case::flanks::Surfaces;
 
@@ -23,10 +23,8 @@ const FIRST: f64 = 2e-3;
 /// What a history of running-in is computed for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HistorySettings {
-    /// Torque at the pinion while the flanks run in; `None` for that of the case.
-    pub torque: Option<Torque>,
-    /// Engagements at which the plastic stage ends, if it does not settle before.
-    pub engagements: Option<f64>,
+    /// Torque while the flanks run in, and engagements at which the plastic stage ends if it does not settle before.
+    pub plan: RunningInPlan,
     /// Pressure at which asperities flow, one of [`limits`](super::limits).
     pub limit: Pressure,
     /// Wear coefficient times engagements at which the history ends \[1/Pa\]; 0 ends it with the plastic stage.
@@ -89,11 +87,12 @@ pub fn history(
 ) -> Result<History, Error> {
     let case = &loaded.case;
     let mesh = Mesh::of(case).map_err(Box::new)?;
-    let other = settings.torque.filter(|torque| *torque != case.torque);
-    let running = other
-        .map(|torque| Mesh::at_torque(case, torque))
-        .transpose()
-        .map_err(Box::new)?;
+    let RunningInPlan {
+        torque,
+        engagements,
+    } = settings.plan;
+    let running = (torque != case.torque).then(|| Mesh::at_torque(case, torque));
+    let running = running.transpose().map_err(Box::new)?;
     let course = Course {
         loaded,
         mesh: &mesh,
@@ -106,7 +105,7 @@ pub fn history(
     let measured = fresh.heights.rq_um;
     let mut states = vec![fresh];
     let mut flow = Flow::new(case, found, settings.limit).map_err(Box::new)?;
-    let (steps, is_settled) = plastic(&mut flow, settings.engagements, |steps, tracks| {
+    let (steps, is_settled) = plastic(&mut flow, engagements, |steps, tracks| {
         // Every third doubling: the loss falls little in one.
         if settings.worn > 0.0 && steps.len() % 3 == 1 {
             let at = steps.last().map_or(0.0, |step| step.engagements);

@@ -32,9 +32,9 @@ use asperity_roughness::section_heights::section_heights;
 use self::flow::Flow;
 use self::track::Track;
 use crate::contacts::softer;
-use crate::mesh::MeshPosition;
+use crate::mesh::{Mesh, MeshPosition};
 use crate::result::{FlankHeights, RunInStep};
-use asperity_case::case::Case;
+use asperity_case::case::{Case, RunningInPlan};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::Surfaces;
 
@@ -80,22 +80,22 @@ pub fn limits(case: &Case) -> Result<[Pressure; 3], PositionError> {
     Ok([hardness * FIRST_YIELD, middle, highest])
 }
 
-/// Runs the flanks of a case in plastically, under the loads of `positions`, until a doubling of the engagements changes Rq by less
-/// than 0.5 %, or to `engagements` of a tooth of the pinion; `done` is called after each doubling with its number.
+/// Runs the flanks of a case in plastically, at the torque of `plan`, until a doubling of the engagements changes Rq by less than
+/// 0.5 %, or to its engagements; `done` is called after each doubling with its number.
 ///
 /// # Errors
 /// When a flank has no trace or a contact no solution.
 pub fn run_in(
     case: &Case,
     measured: &Surfaces,
-    positions: &[MeshPosition],
-    engagements: Option<f64>,
+    plan: &RunningInPlan,
     done: &dyn Fn(usize),
 ) -> Result<RanIn, PositionError> {
     let [_, limit, _] = limits(case)?;
-    let tracks = tracks(case, measured, positions)?;
+    let positions = Mesh::at_torque(case, plan.torque)?.positions;
+    let tracks = tracks(case, measured, &positions)?;
     let mut flow = Flow::new(case, tracks, limit)?;
-    let (steps, is_settled) = plastic(&mut flow, engagements, |steps, _| {
+    let (steps, is_settled) = plastic(&mut flow, plan.engagements, |steps, _| {
         done(steps.len());
         Ok::<_, Box<PositionError>>(())
     })
@@ -151,9 +151,10 @@ fn plastic<E: From<Box<PositionError>>>(
 pub(crate) fn check(
     case: &Case,
     measured: &Surfaces,
-    positions: &[MeshPosition],
+    plan: &RunningInPlan,
 ) -> Result<(), PositionError> {
-    tracks(case, measured, positions).map(|_| ())
+    let positions = Mesh::at_torque(case, plan.torque)?.positions;
+    tracks(case, measured, &positions).map(|_| ())
 }
 
 /// The tracks of all zones of the face.

@@ -60,9 +60,9 @@ pub fn has_band(loaded: &LoadedCase) -> bool {
 /// Losses of the flanks of `loaded` as measured, with its stored contacts if there are any.
 pub(super) fn evaluated(loaded: &LoadedCase, contacts: Option<&Contacts>) -> Result<Losses, Error> {
     let mut loaded = Cow::Borrowed(loaded);
-    if loaded.case.model.run_in {
+    if loaded.case.running_in.is_some() {
         // No draw looks at the flanks run in.
-        loaded.to_mut().case.model.run_in = false;
+        loaded.to_mut().case.running_in = None;
     }
     match contacts {
         Some(contacts) => losses_with(contacts, &loaded),

@@ -26,7 +26,7 @@ pub(super) fn loss_slopes(
     let oil = OilBase::of_case(&case.case, ConstantsOf::File)?;
     let named = |source: asperity::Error| Fault::from(source).about(&oil.name);
     // Losses of a mesh with new flanks.
-    let case = case.with(|input| (input.model.run_in, input.gearbox) = (None, None));
+    let case = case.with(|input| (input.operation.running_in, input.gearbox) = (None, None));
     let case = case.map_err(named)?;
     let solved;
     let contacts = match known {

@@ -23,6 +23,7 @@ use super::flank_place::{FlankPlaceInput, TraceStart};
 use super::gear_input::{EndReliefInput, GearFlankInput};
 use super::one_or_two::OneOrTwo;
 use super::rows::{OPEN, ratio, table};
+use super::running_in_input::RunningInEntry;
 use super::trace_list::{TraceEntry, TraceInput, TraceList};
 
 /// Whether no key of a table is stated.
@@ -179,6 +180,12 @@ table! {
     /// Law of the bulk temperature that follows from the loss, with `oil_temperature`.
     #[serde(skip_serializing_if = "Option::is_none")]
     bulk: Option<BulkInput> => table;
+    /// Runs the flanks in before the loss is computed: `true` at the torque of the operation until their roughness no longer
+    /// changes, or a table `{ torque = "302 N m", engagements = 1e3 }` with their own torque, at the pinion or input shaft, and the
+    /// engagements of a tooth of the pinion, 1 to 1e10; both keys are optional. The result has both losses, of the flanks as
+    /// measured and run in. Default: `false`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    running_in: Option<RunningInEntry> => table;
 
     => {
         "bulk_temperature": "difference of the flanks", OperationInput::difference, "K" usual [-80.0, 80.0] possible [-500.0, 500.0];
@@ -273,6 +280,15 @@ impl OperationInput {
         self.oil_temperature = None;
         self.temperature = None;
         self.bulk = None;
+    }
+
+    /// States the load of a mesh in a train; the torque of its running-in keeps its ratio to that of the operation.
+    pub(crate) fn set_load(&mut self, torque: Torque, speed: AngularSpeed) {
+        let ratio = torque.si() / self.torque.si();
+        if let Some(RunningInEntry::Stated(stated)) = &mut self.running_in {
+            stated.torque = stated.torque.map(|torque| torque * ratio);
+        }
+        (self.torque, self.speed) = (torque, speed);
     }
 
     /// Path of the key that states the temperature.

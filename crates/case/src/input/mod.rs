@@ -20,6 +20,7 @@ pub mod one_or_two;
 pub mod path_point;
 pub mod ranges;
 pub mod rows;
+pub mod running_in_input;
 pub mod trace_list;
 pub mod train_heat_input;
 pub mod window_pressures;

@@ -163,12 +163,6 @@ choices! {
     /// Tolerance of the contact solver's certificate on lines; of patches a thousand times as much; default 1e-8.
     tolerance: f64 = default(1e-8) usual "" [1e-10, 1e-6],
         check("tolerance", |t| (1e-16..=LOOSEST_TOLERANCE).contains(&t), "must be 1e-16 to 1e-4");
-    /// Include the plastic work of running-in in the losses; default false.
-    include_running_in: bool = default(false);
-    /// Run the flanks in, and compute the losses of the run-in flanks in addition to those of the flanks as measured;
-    /// default false.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    run_in: bool = default(false);
     /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 0.5 % (`paper`: 0).
     hysteresis: Ratio => f64 = default(Ratio::new(HYSTERESIS)) usual "%" [0.01, 5.0],
         check("hysteresis", |h| (0.0..=1.0).contains(&h), "must be 0 to 1");

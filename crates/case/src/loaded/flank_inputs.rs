@@ -71,7 +71,7 @@ impl FlankInputs {
             has_patches: solves
                 && law.supply().is_some()
                 && case.model.gap_law == GapLaw::Inlet
-                && !case.model.run_in,
+                && case.running_in.is_none(),
             has_one_position: case.formulation.positions() == Positions::Single,
         }
     }

@@ -428,9 +428,9 @@ fn enter(
     case.defaults.retain(is_default);
     case.defaults.extend(assumed.iter().cloned());
     flanks.lays.enter(case);
-    if case.model.run_in && (!surfaces.are_measured() || surfaces.is_surrogate()) {
-        let section = Section::of(source, "model");
-        return Err(section.conflict("run_in", "needs the traces of both flanks"));
+    if case.running_in.is_some() && (!surfaces.are_measured() || surfaces.is_surrogate()) {
+        let section = Section::of(source, "operation");
+        return Err(section.conflict("running_in", "needs the traces of both flanks"));
     }
     case.face_zones.clone_from(&flanks.zones);
     let mut check = None;
@@ -452,7 +452,11 @@ fn enter(
 fn warnings_of(case: &Case, flanks: &Flanks, source: &Source) -> Vec<Warning> {
     let (input, gears) = (&case.input, &case.gears);
     let loads = at_pitch_point(gears, case.modulus, case.torque, case.speed);
-    let mut warnings = unusual(input, source, &case.oil, &loads);
+    let running_in = case.running_in.filter(|plan| plan.torque != case.torque);
+    let of_plan = running_in
+        .map(|plan| plan.load(&input.operation, (gears, case.modulus), case.flow_pressure));
+    let loads = loads.into_iter().chain(of_plan);
+    let mut warnings = unusual(input, source, &case.oil, loads);
     warnings.extend(step_up(gears, source));
     warnings.extend(flanks.warnings.iter().cloned());
     warnings.extend(divided_shifts(&input.gears, gears, source));
@@ -472,7 +476,6 @@ fn warnings_of(case: &Case, flanks: &Flanks, source: &Source) -> Vec<Warning> {
 fn refuse_several(case: &Case, source: &Source) -> Result<(), CaseError> {
     let model = &case.model;
     let of_one_pair = [
-        ("run_in", model.run_in),
         ("load_share", model.load_share == LoadShareName::Ehl),
         ("full_film", model.full_film == FullFilmName::EhlTransient),
     ];

@@ -14,6 +14,7 @@ pub mod plausibility;
 #[cfg_attr(not(feature = "case-files"), path = "no_oil_file.rs")]
 pub mod read_oil_file;
 pub mod resolve;
+pub mod running_in;
 pub mod shafting;
 pub mod solved_teeth;
 pub mod steel;

@@ -66,16 +66,8 @@ pub(crate) fn at_pitch_point(
     torque: Torque,
     speed: AngularSpeed,
 ) -> [AtPitchPoint; 2] {
-    let (load, radius) = at_pitch(gears, torque);
     [
-        AtPitchPoint {
-            value: 1e-9 * (load * modulus.si() / (PI * radius)).sqrt(),
-            unit: "GPa",
-            usual: [0.06, 3.0],
-            most: 1e-9 * HIGHEST_PRESSURE.si(),
-            key: "torque",
-            name: "Hertz pressure at the pitch point (by torque, face width, teeth, module, Young's modulus)",
-        },
+        hertz(gears, modulus, torque),
         AtPitchPoint {
             value: gears.working_pitch_radius[0].si().abs() * speed.si(),
             unit: "m/s",
@@ -87,7 +79,60 @@ pub(crate) fn at_pitch_point(
     ]
 }
 
+fn hertz(gears: &GearPair, modulus: Pressure, torque: Torque) -> AtPitchPoint {
+    let (load, radius) = at_pitch(gears, torque);
+    AtPitchPoint {
+        value: 1e-9 * (load * modulus.si() / (PI * radius)).sqrt(),
+        unit: "GPa",
+        usual: [0.06, 3.0],
+        most: 1e-9 * HIGHEST_PRESSURE.si(),
+        key: "torque",
+        name: "Hertz pressure at the pitch point (by torque, face width, teeth, module, Young's modulus)",
+    }
+}
+
+/// Hertz pressure at which flanks run in, over the flow pressure of the softer one: they flow as a whole from 1 on, and below
+/// their surface from 0.6 on.
+const RUNNING_IN_USUAL: f64 = 0.5;
+
+/// Hertz pressure of running-in at the pitch point, reported at `key`; the softer flank flows at `softer`.
+pub(crate) fn at_running_in(
+    gears: &GearPair,
+    modulus: Pressure,
+    torque: Torque,
+    (softer, key): (Pressure, &'static str),
+) -> AtPitchPoint {
+    let load = hertz(gears, modulus, torque);
+    let [least, most] = load.usual;
+    let flow = 1e-9 * softer.si();
+    AtPitchPoint {
+        usual: [least, most.min(RUNNING_IN_USUAL * flow)],
+        most: load.most.min(flow),
+        key,
+        ..load
+    }
+}
+
 impl AtPitchPoint {
+    /// Refuses a running-in in which flanks flow as a whole, with the part of the torque that does not do so.
+    pub(crate) fn refuse_flow(&self, source: &Source) -> Result<(), CaseError> {
+        if self.value < self.most {
+            return Ok(());
+        }
+        let key = Section::of(source, "operation").key(self.key);
+        let seen = format!(
+            "a Hertz pressure of {} GPa at the pitch point, where the softer flank flows as a whole at {} GPa,",
+            decimals(self.value, 1),
+            digits(self.most)
+        );
+        // The pressure rises with the root of the torque.
+        let part = (self.usual[1] / self.value).powi(2);
+        let step = 10_f64.powf(part.log10().floor() - 1.0);
+        let part = digits((part / step).floor() * step);
+        let usual = format!("{}, up to {part} of this torque", self.usual());
+        Err(impossible_at(source, key, seen, usual))
+    }
+
     pub(crate) fn usual(&self) -> String {
         let [low, high] = self.usual;
         format!("{low} to {high} {}", self.unit)
@@ -135,7 +180,7 @@ pub(crate) fn unusual(
     input: &CaseInput,
     source: &Source,
     oil: &LubricantState,
-    loads: &[AtPitchPoint],
+    loads: impl Iterator<Item = AtPitchPoint>,
 ) -> Vec<Warning> {
     let mut warnings = ranges::unusual(input, source);
     let viscosity = oil.dynamic_viscosity.si();
@@ -147,7 +192,7 @@ pub(crate) fn unusual(
             format!("{key}: the oil has {viscosity} Pa s there; usual is {low} to {high} Pa s");
         warnings.push(Warning::new(UNUSUAL, text));
     }
-    warnings.extend(loads.iter().filter_map(AtPitchPoint::unusual));
+    warnings.extend(loads.filter_map(|load| load.unusual()));
     warnings.extend(former_name(&input.operation));
     warnings
 }

@@ -23,6 +23,7 @@ use super::gears::{gears, load_settings, micro_geometry, note_relief};
 use super::load_inputs::LoadInputs;
 use super::oil_file::OilFile;
 use super::plausibility::{at_pitch_point, refuse_stiff_oil};
+use super::running_in::{RunningInPlan, running_in};
 use super::solved_teeth::{LoadCheck, SolvedTeeth};
 use super::steel::{Steels, steels};
 use crate::input::case_input::{CaseInput, OperationInput, SurfaceInput, TEMPERATURE_KEYS};
@@ -63,6 +64,8 @@ pub struct Case {
     pub torque: Torque,
     /// Speed of the pinion.
     pub speed: AngularSpeed,
+    /// Running-in of the flanks before the loss is computed, if the case states one.
+    pub running_in: Option<RunningInPlan>,
     /// Bulk temperature of the flanks; the temperature of the oil if `bulk` is not evaluated yet.
     pub temperature: Temperature,
     /// Law of the bulk temperature if it follows from the loss and is not known yet.
@@ -135,6 +138,7 @@ pub(crate) fn resolve_with(
     } = input.operation;
     let temperature = operating_temperature(&input.operation, source)?;
     check_operation((torque, speed), (&gears, modulus), source)?;
+    let running_in = running_in(&input.operation, (&gears, modulus), flow_pressure, source)?;
     let lubricant_at = |error| lubricant_at(source, &input.operation, error);
     let lubricant = completed_oil(&input.lubricant, oil_file.as_deref());
     let lubricant = lubricant.and_then(|oil| oil.resolve(temperature));
@@ -187,6 +191,7 @@ pub(crate) fn resolve_with(
         modulus,
         torque,
         speed,
+        running_in,
         temperature,
         bulk,
         found_bulk: None,

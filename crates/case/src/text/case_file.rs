@@ -308,6 +308,10 @@ fn replaced<T: CaseFile>(
         let entry = table
             .entry(part)
             .or_insert_with(|| Value::Table(Table::new()));
+        // `true` states a table without keys.
+        if entry.is_bool() {
+            *entry = Value::Table(Table::new());
+        }
         table = match entry {
             Value::Table(inner) => inner,
             other => {

@@ -34,7 +34,8 @@ fn unknown_at<'a>(schema: &Value, path: &'a str) -> Option<(&'a str, Option<Stri
             .collect();
         if next.is_empty() {
             let known = candidates.iter().flat_map(|object| properties(object));
-            let meant = nearest(segment, known).or_else(|| in_another_table(schema, segment));
+            let meant =
+                nearest(segment, known).or_else(|| in_another_table(schema, present_name(segment)));
             return Some((path, meant));
         }
         nodes = next;
@@ -148,7 +149,7 @@ fn properties(object: &Value) -> impl Iterator<Item = &str> + Clone {
 }
 
 /// Names of a key in older versions and other programs, with the present name.
-const OTHER_NAMES: [(&str, &str); 7] = [
+const OTHER_NAMES: [(&str, &str); 8] = [
     ("load_sharing", "load_distribution"),
     ("friction", "film_friction"),
     ("friction_law", "film_friction"),
@@ -156,7 +157,16 @@ const OTHER_NAMES: [(&str, &str); 7] = [
     ("sump_temperature", "oil_temperature"),
     ("flank_temperature", "bulk_temperature"),
     ("width", "face_width"),
+    ("run_in", "running_in"),
 ];
+
+/// The present name of a key by another name of it.
+fn present_name(seen: &str) -> &str {
+    let mut others = OTHER_NAMES.iter();
+    others
+        .find_map(|(other, ours)| (*other == seen).then_some(*ours))
+        .unwrap_or(seen)
+}
 
 /// The known key for another name of it, else the key most similar to `seen`; `None` if no key is similar.
 pub(crate) fn nearest<'a>(
@@ -166,10 +176,8 @@ pub(crate) fn nearest<'a>(
     if let Some(key) = key_named(seen, known.clone()) {
         return Some(key.to_owned());
     }
-    let ours = (OTHER_NAMES.iter()).find_map(|(other, ours)| (*other == seen).then_some(*ours));
-    if let Some(ours) = ours
-        && known.clone().any(|key| key == ours)
-    {
+    let ours = present_name(seen);
+    if known.clone().any(|key| key == ours) {
         return Some(ours.to_owned());
     }
     most_similar(seen, known).map(str::to_owned)

@@ -91,8 +91,7 @@ impl TrainParts {
         let flow = train.flow(&[])?;
         for (stage, loads) in stages.iter_mut().zip(&flow.loads) {
             for (mesh, load) in stage.meshes.iter_mut().zip(loads) {
-                mesh.case.operation.torque = load.torque;
-                mesh.case.operation.speed = load.speed;
+                mesh.case.operation.set_load(load.torque, load.speed);
                 mesh.case.title = Some(format!("{title}: {}", mesh.name));
             }
         }

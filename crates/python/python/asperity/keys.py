@@ -275,7 +275,6 @@ class ModelInput(TypedDict, total=False):
     gap_law: Optional[Literal["inlet", "power"]]
     gap_roughness: Optional[Literal["peaks", "rms"]]
     hysteresis: Optional[Union[float, str]]
-    include_running_in: Optional[bool]
     inlet_layer: Optional[Quantity]
     inner_boundary: Optional[float]
     lambda_film: Optional[Literal["mass-flow", "gap"]]
@@ -287,7 +286,6 @@ class ModelInput(TypedDict, total=False):
     offsets: Optional[int]
     position: Optional[Union[Literal["A", "B", "C", "D", "E"], float]]
     positions: Optional[int]
-    run_in: Optional[bool]
     spot_speed: Optional[Literal["carried", "entrainment", "half-sliding"]]
     stiffness_factor: Optional[float]
     thermal: Optional[Literal["gupta", "murch-wilson", "none"]]
@@ -317,6 +315,7 @@ class OperationInput(TypedDict, total=False):
     bulk: Optional[BulkInput]
     bulk_temperature: Optional[Union[Sequence[Quantity], Quantity]]
     oil_temperature: Optional[Quantity]
+    running_in: Optional[Union[bool, RunningInInput]]
     speed: Optional[Quantity]
     temperature: Optional[Quantity]
     temperature_deviation: Optional[Quantity]
@@ -331,6 +330,13 @@ class BulkInput(TypedDict, total=False):
     lubrication: Optional[Literal["jet", "dip", "jet-and-dip", "submerged"]]
     pinion_to_oil: Optional[Quantity]
     wheel_to_oil: Optional[Quantity]
+
+
+class RunningInInput(TypedDict, total=False):
+    """Running-in of the flanks: `{ torque = '302 N m', engagements = 1e3 }`."""
+
+    engagements: Optional[float]
+    torque: Optional[Quantity]
 
 
 class SurfaceInput(TypedDict, total=False):
@@ -806,7 +812,6 @@ CaseKeys = TypedDict(
         "model.gap_law": 'Optional[Literal["inlet", "power"]]',
         "model.gap_roughness": 'Optional[Literal["peaks", "rms"]]',
         "model.hysteresis": "Optional[Union[float, str]]",
-        "model.include_running_in": "Optional[bool]",
         "model.inlet_layer": "Optional[Quantity]",
         "model.inner_boundary": "Optional[float]",
         "model.lambda_film": 'Optional[Literal["mass-flow", "gap"]]',
@@ -821,7 +826,6 @@ CaseKeys = TypedDict(
         "model.offsets": "Optional[int]",
         "model.position": 'Optional[Union[Literal["A", "B", "C", "D", "E"], float]]',
         "model.positions": "Optional[int]",
-        "model.run_in": "Optional[bool]",
         "model.spot_speed": 'Optional[Literal["carried", "entrainment", "half-sliding"]]',
         "model.stiffness_factor": "Optional[float]",
         "model.thermal": 'Optional[Literal["gupta", "murch-wilson", "none"]]',
@@ -838,6 +842,9 @@ CaseKeys = TypedDict(
         "operation.bulk_temperature.0": "Optional[Quantity]",
         "operation.bulk_temperature.1": "Optional[Quantity]",
         "operation.oil_temperature": "Optional[Quantity]",
+        "operation.running_in": "Optional[Union[bool, RunningInInput]]",
+        "operation.running_in.engagements": "Optional[float]",
+        "operation.running_in.torque": "Optional[Quantity]",
         "operation.speed": "Optional[Quantity]",
         "operation.temperature": "Optional[Quantity]",
         "operation.temperature_deviation": "Optional[Quantity]",

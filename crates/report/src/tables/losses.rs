@@ -19,13 +19,11 @@ pub struct LossRow {
 /// Parts of the loss: sliding, rolling and the others of the formulation; then the parts of sliding and rolling.
 pub fn losses(result: &RunResult) -> Vec<LossRow> {
     let s = &result.summary;
-    let running_in = result.running_in.included_w();
     let parts = [
         ("sliding", s.sliding_w),
         ("rolling", s.rolling_w),
         ("deformation pinion", s.deformation_w[0]),
         ("deformation wheel", s.deformation_w[1]),
-        ("running-in", running_in),
         ("of sliding: film", s.film_w),
         ("of sliding: lubricated asperities", s.lubricated_asperity_w),
         ("of sliding: boundary", s.boundary_w),

@@ -142,7 +142,7 @@ impl Process {
         lots: usize,
     ) -> Result<Self, Fault> {
         let mut case = loaded.without_gearbox();
-        case.case.model.run_in = false;
+        case.case.running_in = None;
         case.case.model.offsets = OFFSETS;
         case.case.input.model.offsets = Some(OFFSETS);
         let traces = [traces(&case.surfaces, 0)?, traces(&case.surfaces, 1)?];

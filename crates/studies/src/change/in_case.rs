@@ -1,4 +1,4 @@
-//! Worth of the change of traces in a case: wear coefficient, loss before and after, and the prediction of `model.run_in`.
+//! Worth of the change of traces in a case: wear coefficient, loss before and after, and the prediction of `operation.running_in`.
 
 use std::path::PathBuf;
 
@@ -107,13 +107,13 @@ pub struct FlankChange {
     pub before_rq_um: f64,
     /// Rq after it.
     pub after_rq_um: f64,
-    /// Rq of the flank before that `model.run_in` predicts.
+    /// Rq of the flank before that `operation.running_in` predicts.
     pub run_in_rq_um: Option<f64>,
     /// Rpk before the test.
     pub before_rpk_um: f64,
     /// Rpk after it.
     pub after_rpk_um: f64,
-    /// Rpk that `model.run_in` predicts.
+    /// Rpk that `operation.running_in` predicts.
     pub run_in_rpk_um: Option<f64>,
 }
 
@@ -150,11 +150,11 @@ pub struct ChangeInCase {
     pub conditions: String,
     /// Flanks that changed.
     pub flanks: Vec<FlankChange>,
-    /// Losses before and after the test, and as `model.run_in` predicts it.
+    /// Losses before and after the test, and as `operation.running_in` predicts it.
     pub states: Vec<StateLoss>,
     /// Loss after minus loss before, draw by draw; `None` if the model has no uncertainty, or the windows have no scatter.
     pub difference: Option<PairedDifference>,
-    /// Reason for a missing prediction of `model.run_in`.
+    /// Reason for a missing prediction of `operation.running_in`.
     pub no_run_in: Option<String>,
     /// Warnings of the case.
     pub warnings: Vec<Warning>,
@@ -295,7 +295,11 @@ fn drawn(case: &LoadedCase) -> Result<(Outcome, Option<Predictive>), Error> {
 
 /// The flanks before run in by the model, or why the case does not allow it.
 fn run_in(before: &LoadedCase) -> Result<(Option<Outcome>, Option<String>), Error> {
-    let case = match before.with_key("model.run_in", "true") {
+    let case = match before.case.running_in {
+        Some(_) => Ok(before.clone()),
+        None => before.with_key("operation.running_in", "true"),
+    };
+    let case = match case {
         Ok(case) => case,
         Err(error) => return Ok((None, Some(error.to_string()))),
     };

@@ -202,7 +202,7 @@ impl StudySettings for ChangeSettings {
         the common length, before and after the test. Each pair is a tooth. Both runs share all draws but two. The errors of the \
         model are correlated by the concordance of the changed heights. The sampling error follows from the differences of the \
         windows. A trace without a stated place lies at any place of the flank, and the interval of the wear coefficient contains this. \
-        model.run_in presses the flanks before the test into each other and removes nothing by wear.";
+        operation.running_in presses the flanks before the test into each other and removes nothing by wear.";
     const STEPS: &'static str = "pairs";
 
     fn work(&self, _: &TracePairs) -> Result<Option<Work>, Fault> {

@@ -101,10 +101,12 @@ fn wear(of: &FlankChange) -> String {
     )
 }
 
-/// Prediction of `model.run_in` next to what was measured.
+/// Prediction of `operation.running_in` next to what was measured.
 pub(super) fn run_in(of: &ChangeInCase) -> Option<String> {
     if let Some(why) = &of.no_run_in {
-        return Some(format!("There is no prediction by model.run_in: {why}"));
+        return Some(format!(
+            "There is no prediction by operation.running_in: {why}"
+        ));
     }
     let [before, predicted, after] = [BEFORE, RUN_IN, AFTER].map(|name| of.loss(name));
     let losses = [before?, predicted?, after?];
@@ -125,8 +127,8 @@ pub(super) fn run_in(of: &ChangeInCase) -> Option<String> {
     });
     let heights: Vec<String> = heights.collect();
     Some(format!(
-        "The flanks before the test lose {before} W, and run in by model.run_in {predicted} W. The flanks measured after the test lose \
-         {after} W. With the filters of the case, model.run_in predicts {}.{both}",
+        "The flanks before the test lose {before} W, and run in by operation.running_in {predicted} W. The flanks measured after the test lose \
+         {after} W. With the filters of the case, operation.running_in predicts {}.{both}",
         heights.join("; ")
     ))
 }

@@ -91,7 +91,7 @@ pub struct FinishResult {
     /// Keys of the case that differ from the first one, unless these are of the flanks only.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub changes: Vec<ChangedKey>,
-    /// Loss of the flanks run in \[W\], scaled as `loss_w`, if the case sets `model.run_in`.
+    /// Loss of the flanks run in \[W\], scaled as `loss_w`, if the case sets `operation.running_in`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub run_in_loss_w: Option<f64>,
     /// Losses of the gearbox, if the case states them; the same parts for every finish.

@@ -402,7 +402,7 @@ pub(super) fn note(comparison: &Comparison) -> String {
     }
 }
 
-/// Losses of the finishes run in; empty without `model.run_in`.
+/// Losses of the finishes run in; empty without `operation.running_in`.
 pub(super) fn run_in(comparison: &Comparison) -> Vec<String> {
     let of = |finish: &FinishResult| {
         let after = finish.run_in_loss_w?;

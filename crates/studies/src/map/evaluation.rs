@@ -72,7 +72,7 @@ pub(super) fn computed_speed(speed: f64) -> f64 {
 pub(super) fn at_torque(case: &LoadedCase, torque: Torque) -> Result<LoadedCase, Error> {
     case.with(|input| {
         input.operation.torque = torque;
-        input.model.run_in = None;
+        input.operation.running_in = None;
         // The gearbox is the same for every finish and is added to the map once.
         input.gearbox = None;
     })

@@ -10,7 +10,7 @@ use asperity::core::cancel::checkpoint;
 use asperity::fingerprint::Fingerprint;
 use asperity::flanks::Surfaces;
 use asperity::pipeline::Progress;
-use asperity::result::{Losses, OffsetRow};
+use asperity::result::OffsetRow;
 use asperity::uncertainty::{DrawnCase, Predictive, common_draws, median_with_ends};
 use asperity::{Error, PositionError};
 use asperity_core::numerics::{deviation, distinct};
@@ -555,12 +555,6 @@ fn check(n: &Numbers, omega: f64, power_in_w: f64) -> Result<(), Fault> {
     })
 }
 
-/// Loss by deformation \[W\], running-in included if the case includes it.
-fn deformation(losses: &Losses) -> f64 {
-    let bodies: f64 = losses.summary.deformation_w.iter().sum();
-    bodies + losses.running_in.included_w()
-}
-
 /// The losses as computed, or with the other gear driving.
 fn numbers(evaluated: &EvaluatedMesh, omega: f64, is_reversed: bool) -> Numbers {
     let summary = &evaluated.losses.summary;
@@ -596,7 +590,7 @@ fn numbers(evaluated: &EvaluatedMesh, omega: f64, is_reversed: bool) -> Numbers 
         lubricated_asperity_w: summary.lubricated_asperity_w,
         boundary_w: summary.boundary_w,
         rolling_w: summary.rolling_w,
-        deformation_w: deformation(&evaluated.losses),
+        deformation_w: summary.deformation_w.iter().sum(),
         mu_equivalent: mu,
         mixed_share: summary.mixed_share,
     }
@@ -636,7 +630,7 @@ fn extended(evaluated: &EvaluatedMesh, omega: f64, torque_nm: f64, at: f64) -> N
         lubricated_asperity_w: share * summary.lubricated_asperity_w,
         boundary_w: share * summary.boundary_w,
         rolling_w: summary.rolling_w,
-        deformation_w: share * deformation(&evaluated.losses),
+        deformation_w: share * summary.deformation_w.iter().sum::<f64>(),
         mu_equivalent: efficiency.map(|value| (1.0 - value) / summary.loss_factor_local),
         mixed_share: summary.mixed_share,
     }

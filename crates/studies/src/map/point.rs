@@ -173,7 +173,7 @@ pub struct Numbers {
     pub boundary_w: f64,
     /// Rolling loss \[W\].
     pub rolling_w: f64,
-    /// Loss by deformation of the flanks \[W\], running-in included if the case includes it.
+    /// Loss by deformation of the flanks \[W\].
     pub deformation_w: f64,
     /// Equivalent friction coefficient; `None` without torque, and of a gear train.
     pub mu_equivalent: Option<f64>,

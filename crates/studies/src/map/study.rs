@@ -178,6 +178,7 @@ impl StudyResult for MapStudy {
 fn differs_by_point(first: &CaseInput, other: &CaseInput) -> bool {
     let operation = OperationInput {
         temperature_deviation: other.operation.temperature_deviation,
+        running_in: other.operation.running_in,
         ..first.operation
     };
     let at_point = CaseInput {

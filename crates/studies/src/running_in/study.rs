@@ -4,10 +4,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::Run;
-use asperity::case::LoadedCase;
+use asperity::case::{LoadedCase, RunningInPlan};
 use asperity::core::cancel::checkpoint;
 use asperity::gear::{FlankPoint, Gear};
-use asperity::mesh::Mesh;
 use asperity::message::Warning;
 use asperity::pipeline::settled;
 use asperity::profile_io::read::{ReadOptions, read};
@@ -281,13 +280,16 @@ impl RunningInSettings {
         fresh_w: f64,
         step: &(dyn Fn() + Sync),
     ) -> Result<Found, Fault> {
-        let plan = case.case.running_in.as_ref();
-        let torque = plan.map_or(case.case.torque, |plan| plan.torque);
+        let stated = case.case.running_in.as_ref();
+        let torque = stated.map_or(case.case.torque, |plan| plan.torque);
+        let plan = RunningInPlan {
+            torque,
+            engagements: Some(self.engagements),
+        };
         let flank = self.flank as usize;
         let at = |limit: Pressure, worn: f64| -> Result<History, Fault> {
             let settings = HistorySettings {
-                torque: Some(torque),
-                engagements: Some(self.engagements),
+                plan,
                 limit,
                 worn,
                 least: ratio.map(|ratio| (flank, 2.0 * ratio.low - 1.0)),
@@ -331,7 +333,7 @@ impl RunningInSettings {
         let rows: Vec<_> = self.counts().map(|n| histories.row(n, &clock)).collect();
         let last = rows[rows.len() - 1];
         let done_engagements = done(&rows);
-        let flanks = self.flanks_at_end(case, (&histories, torque), &clock)?;
+        let flanks = self.flanks_at_end(case, (&histories, &plan), &clock)?;
         let ends_at = tested.as_ref().and_then(|tested| {
             let reached = |n: &f64| !tested.fall.reaches(tested.ratio(*n));
             self.counts().find(reached)
@@ -362,7 +364,7 @@ impl RunningInSettings {
     fn flanks_at_end(
         &self,
         case: &LoadedCase,
-        (histories, torque): (&Histories<'_>, Torque),
+        (histories, plan): (&Histories<'_>, &RunningInPlan),
         clock: &Clock,
     ) -> Result<Vec<RunInTrace>, Fault> {
         if self.engagements > histories.plastic() {
@@ -370,9 +372,7 @@ impl RunningInSettings {
             let flanks = after(histories.worn(), worn)?;
             return flanks.map_or(Ok(Vec::new()), |flanks| traces(&flanks));
         }
-        let positions = Mesh::at_torque(&case.case, torque)?.positions;
-        let until = Some(self.engagements);
-        let ran_in = run_in(&case.case, &case.surfaces, &positions, until, &|_| {})?;
+        let ran_in = run_in(&case.case, &case.surfaces, plan, &|_| {})?;
         traces(&ran_in.surfaces)
     }
 
