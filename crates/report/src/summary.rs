@@ -13,6 +13,7 @@ use asperity::result::{
     BulkReport, FlankRecord, GearboxReport, MicropittingReport, PairSampling, PositionRow, Regime,
     RunResult, Summary, TracePairs,
 };
+use asperity_core::decimals;
 use asperity_core::Code;
 use asperity_storage::one_line;
 
@@ -192,7 +193,7 @@ fn verdict(result: &RunResult, columns: usize) -> Vec<(Part, String)> {
             .map(|bulk| (Part::Bulk, bulk_text(bulk))),
     );
     let lines = lines.chain(replaced_oil(&result.warnings).map(needed));
-    let lines = lines.chain(run_in_loss(result).map(needed));
+    let lines = lines.chain(run_in(result).map(needed));
     let lines = lines.chain(of_mesh.map_or(Vec::new(), |of_mesh| composition(of_mesh, columns)));
     let lines = lines.chain(ridges::line(result).map(needed));
     let lines = lines.map(|(part, text)| (part, line(&text, INDENT, columns)));
@@ -257,7 +258,6 @@ fn details(result: &RunResult, columns: usize) -> String {
     lines.extend(relief_text(result));
     lines.push(convergence(result));
     lines.extend(solver_notes(result));
-    lines.extend(run_in(result));
     lines
         .iter()
         .map(|text| line(text, INDENT, columns))
@@ -474,41 +474,22 @@ pub(crate) fn replaced_oil(warnings: &[Warning]) -> Option<String> {
     of_oil.map(|warning| format!("oil     {}", warning.text))
 }
 
-/// The losses run in and as measured in a line of the first screen, if the flanks were run in.
-fn run_in_loss(result: &RunResult) -> Option<String> {
+/// Loss and Rq run in and as measured, in a line, if the flanks were run in.
+pub(crate) fn run_in(result: &RunResult) -> Option<String> {
+    let run_in = result.run_in.as_ref()?;
     let rounded = |loss: f64| match &result.uncertainty {
         Some(uncertainty) => format!("{} W", uncertainty.digits().rounded(loss)),
         None => watts(loss),
     };
-    let after = result.run_in.as_ref()?.summary.loss_w;
+    let [[after, of_wheel], [before, wheel]] = [run_in.run_in.rq_um, run_in.measured.rq_um];
+    let engagements = run_in.steps.last().map_or(0.0, |step| step.engagements);
     Some(format!(
-        "run in  loss {} instead of {}",
-        rounded(after),
+        "Run in over {engagements} engagements at {} N m: loss {} instead of {}, Rq {after:.3} and {of_wheel:.3} for {before:.3} and {wheel:.3} µm; \
+        asperity running-in says how long and at which torque",
+        decimals(run_in.torque_nm, 1),
+        rounded(run_in.summary.loss_w),
         rounded(result.summary.loss_w)
     ))
-}
-
-/// The losses as measured and run in, if the flanks were run in.
-fn run_in(result: &RunResult) -> Vec<String> {
-    let Some(run_in) = &result.run_in else {
-        return Vec::new();
-    };
-    let (before, after) = (&result.summary, &run_in.summary);
-    let printed = PrintedLoss::of(after, None);
-    let states = [
-        ("as measured", before, run_in.measured.rq_um),
-        ("run in", after, run_in.run_in.rq_um),
-    ];
-    let state = |(name, s, [pinion, wheel]): (&str, &Summary, [f64; 2])| {
-        format!(
-            "{name}: loss {}, {:.4} %, boundary layer on {:.1} % of the load, Rq {pinion:.3} and {wheel:.3} um",
-            watts(s.loss_w),
-            100.0 * s.efficiency,
-            100.0 * s.boundary_share,
-        )
-    };
-    let parts = format!("run in: {}", parts(&printed));
-    states.map(state).into_iter().chain([parts]).collect()
 }
 
 /// Largest parts of the uncertainty that the first screen names.

@@ -241,7 +241,10 @@ impl Solved<'_> {
         let summary = self.summary()?;
         let running_in = self.running_in()?;
         check(&summary, None, &self.path()?)?;
+        let plan = self.loaded.case.running_in.as_ref();
+        let torque = plan.map_or(self.loaded.case.torque, |plan| plan.torque);
         Ok(RunInFlanks {
+            torque_nm: torque.si(),
             summary,
             running_in,
             measured,

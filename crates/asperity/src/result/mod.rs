@@ -496,6 +496,8 @@ pub struct RunningIn {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct RunInFlanks {
+    /// Torque at the pinion while they ran in \[N m\].
+    pub torque_nm: f64,
     /// Efficiency and losses of the run-in flanks.
     pub summary: Summary,
     /// Plastic work that an engagement still does.

@@ -3,7 +3,7 @@
 use asperity::key_words::advice;
 use asperity::message::{Code, Warning, outside_codes};
 use asperity::result::loss_band::{Trust, Uncertainty, rounded};
-use asperity::result::{FlankHeights, RunInFlanks, RunResult, Summary};
+use asperity::result::RunResult;
 use asperity_core::quantity::Length;
 use asperity_roughness::Parameters;
 use maud::{Markup, html};
@@ -12,7 +12,7 @@ use super::page::{figure, source};
 use crate::printed::{PrintedLoss, PrintedPart, of_mesh};
 use crate::summary::priced;
 use crate::units::MICRO;
-use crate::{columns, other_models};
+use crate::other_models;
 
 /// The first screen: headline, parts, band, losses along the path, and the pair in mesh; then what the case requests.
 pub(super) fn section(result: &RunResult) -> Markup {
@@ -56,7 +56,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
         @if let Some(pairs) = &result.pairs { @if let Some(sampling) = &pairs.sampling {
             (super::pairs::section(pairs, sampling, &result.flanks))
         } }
-        @if let Some(run_in) = &result.run_in { (as_measured_and_run_in(result, run_in)) }
+        @if let Some(line) = crate::summary::run_in(result) { p { (line) } }
         @if let Some(report) = &result.micropitting { (super::micropitting::section(report)) }
     }
 }
@@ -167,61 +167,6 @@ pub(crate) fn warnings(warnings: &[Warning]) -> Markup {
     }
 }
 
-/// Losses and roughness of the flanks, as measured and run in.
-fn as_measured_and_run_in(result: &RunResult, run_in: &RunInFlanks) -> Markup {
-    let passes: usize = run_in.cycles.iter().map(|cycle| cycle.passes).sum();
-    let states = [
-        (&result.summary, &run_in.measured),
-        (&run_in.summary, &run_in.run_in),
-    ];
-    let cells = |of: &dyn Fn(&Summary, &FlankHeights) -> String| {
-        states.map(|(summary, heights)| of(summary, heights))
-    };
-    let both = |values: [f64; 2]| format!("{:.3} and {:.3} µm", values[0], values[1]);
-    let watts = |power: f64| format!("{} W", significant(power));
-    let rows = [
-        (
-            "efficiency (mesh only)",
-            cells(&|s, _| format!("{:.4} %", 100.0 * s.efficiency)),
-        ),
-        ("loss", cells(&|s, _| watts(s.loss_w))),
-        ("sliding in film", cells(&|s, _| watts(s.film_w))),
-        (
-            "lubricated asperities",
-            cells(&|s, _| watts(s.lubricated_asperity_w)),
-        ),
-        ("boundary layer", cells(&|s, _| watts(s.boundary_w))),
-        (
-            "share of the load on asperities",
-            cells(&|s, _| percent(s.asperity_share)),
-        ),
-        (
-            "share of the load on the boundary layer",
-            cells(&|s, _| percent(s.boundary_share)),
-        ),
-        (
-            "Rq of pinion and wheel",
-            cells(&|_, heights| both(heights.rq_um)),
-        ),
-        (
-            "Rpk of pinion and wheel",
-            cells(&|_, heights| both(heights.rpk_um)),
-        ),
-    ];
-    html! {
-        h3 { "As measured and run in" }
-        p {
-            "The flanks ran in over " (passes) " contacts under the full load without a film; the rest of this page is for \
-            the flanks as measured."
-        }
-        (columns! { row in &rows;
-            head name "number" "" = row.0;
-            text measured "as measured" "" = &row.1[0];
-            text after "run in" "" = &row.1[1];
-        })
-    }
-}
-
 /// Name, formatted value and key in `result.json` of a number.
 type Tile = (&'static str, String, &'static str);
 
@@ -283,24 +228,5 @@ pub(super) fn laws(result: &RunResult) -> Markup {
         h3 { "Published friction laws, each in place of film and asperity friction" }
         (other_models::published_laws(result))
         (source("friction_laws.csv"))
-    }
-}
-
-/// Three digits or more, with an exponent only for small numbers.
-fn significant(value: f64) -> String {
-    match value.abs() {
-        0.0 => "0".to_owned(),
-        size if size >= 100.0 => format!("{value:.0}"),
-        size if size >= 0.01 => format!("{value:.2}"),
-        _ => format!("{value:.1e}"),
-    }
-}
-
-fn percent(share: f64) -> String {
-    let value = 100.0 * share;
-    if value == 0.0 || value >= 0.01 {
-        format!("{value:.2} %")
-    } else {
-        format!("{value:.0e} %")
     }
 }

@@ -207,7 +207,7 @@ fn charts(found: &RunningInFound) -> Vec<Drawing> {
         let name = newton_metres(course.torque_nm);
         curve(chart, k, &name, course, |row| row.loss_w)
     });
-    charts.push(Drawing::Chart(losses));
+    charts.push(Drawing::Curves(losses));
     let course = &found.courses[0];
     for (id, title, unit, curves) in SHOWN {
         let chart = Chart::new(id, title, TABLE, axis(), Axis::new(title, unit));
@@ -223,7 +223,7 @@ fn charts(found: &RunningInFound) -> Vec<Drawing> {
             }
             _ => chart,
         };
-        charts.push(Drawing::Chart(chart));
+        charts.push(Drawing::Curves(chart));
     }
     charts
 }

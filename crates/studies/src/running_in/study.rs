@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity::Run;
+use asperity::{PositionError, Run};
 use asperity::case::{LoadedCase, RunningInPlan};
 use asperity::core::cancel::checkpoint;
 use asperity::gear::{FlankPoint, Gear};
@@ -12,7 +12,7 @@ use asperity::pipeline::settled;
 use asperity::profile_io::read::{ReadOptions, read};
 use asperity::running_in::{History, HistorySettings, history, limits, run_in};
 use asperity_core::quantity::{Pressure, Quantity, Torque};
-use asperity_core::{Code, DomainError, Estimate, Fault, estimate_keys};
+use asperity_core::{Code, DomainError, Estimate, EstimateKeys, Fault, estimate_keys};
 use asperity_report::{Settings as _, StudySettings, Watch, Work, settings};
 use serde::Serialize;
 
@@ -73,7 +73,7 @@ pub struct TestPair {
     /// The same by plastic flow alone.
     pub plastic_rq_ratio: f64,
     /// Wear coefficient with the pressure of the asperities; `None` where plastic flow explains the change.
-    #[serde(flatten, serialize_with = "<KKeys as asperity_core::EstimateKeys>::serialize")]
+    #[serde(flatten, serialize_with = "KKeys::serialize")]
     pub k_mm3_per_n_m: Option<Estimate>,
 }
 
@@ -198,10 +198,13 @@ impl RunningInSettings {
         }
         let of = |file: &Path| -> Result<_, Fault> {
             let reading = read(file, &ReadOptions::default())?;
-            let warnings = reading.warnings.iter().map(|warning| {
-                Warning::new(warning.code(), format!("{}: {warning}", reading.name))
-            });
-            Ok((reading.name.clone(), reading.profile, warnings.collect::<Vec<_>>()))
+            let name = reading.name.clone();
+            let warnings = reading
+                .warnings
+                .iter()
+                .map(|warning| Warning::new(warning.code(), format!("{name}: {warning}")))
+                .collect::<Vec<_>>();
+            Ok((name, reading.profile.clone(), warnings))
         };
         let pairs = self.before.iter().zip(&self.after).map(|(before, after)| {
             let ((before, first, of_first), (after, second, of_second)) = (of(before)?, of(after)?);
@@ -267,7 +270,7 @@ impl RunningInSettings {
         let at = |torque: &Torque| {
             let stated = format!("{} {}", torque.si(), Torque::SI_UNIT);
             let keyed = case.with_key("operation.running_in", &format!("{{ torque = \"{stated}\" }}"));
-            Ok(keyed.map_err(|error| error.about("torque"))?)
+            keyed.map_err(|error| Fault::from(error).about("torque"))
         };
         self.torque.iter().map(at).collect()
     }
@@ -295,7 +298,7 @@ impl RunningInSettings {
                 least: ratio.map(|ratio| (flank, 2.0 * ratio.low - 1.0)),
             };
             let history = history(case, &settings, &|_| step())?;
-            checkpoint()?;
+            checkpoint().map_err(asperity::Error::from)?;
             Ok(history)
         };
         let [low, limit, high] = limits(&case.case).map_err(Fault::from)?;
@@ -395,7 +398,7 @@ fn masses(case: &LoadedCase, removed_nm: [Estimate; 2]) -> Result<[f64; 2], Faul
     let path = gears.path();
     let of = |body: usize| -> Result<f64, Fault> {
         let gear = [Gear::Pinion, Gear::Wheel][body];
-        let arc = |s| gears.arc_of(gear, FlankPoint::Position(s)).map_err(Fault::from);
+        let arc = |s| gears.arc_of(gear, FlankPoint::Position(s)).map_err(PositionError::from);
         let length = (arc(path.e)?.si() - arc(path.a)?.si()).abs();
         let area = length * gears.face_width.si() * f64::from(gears.teeth[body]);
         let density = case.case.materials[body].density.si();
