@@ -34,10 +34,19 @@ fn between(random: &mut ChaCha8Rng, low: f64, high: f64) -> f64 {
 }
 
 /// The history of one pair of traces of a recipe.
-fn history_of(case: &LoadedCase, recipe: &SelfAffine, seeds: [u64; 2], torque: Torque) -> Result<(LoadedCase, History), Failure> {
+fn history_of(
+    case: &LoadedCase,
+    recipe: &SelfAffine,
+    seeds: [u64; 2],
+    torque: Torque,
+) -> Result<(LoadedCase, History), Failure> {
     let [pinion, wheel] = seeds.map(|seed| SelfAffine { seed, ..*recipe }.generate());
     let mut case = case.clone();
-    case.surfaces = Surfaces::new([Texture::Trace(pinion?), Texture::Trace(wheel?)], None, false);
+    case.surfaces = Surfaces::new(
+        [Texture::Trace(pinion?), Texture::Trace(wheel?)],
+        None,
+        false,
+    );
     let settings = HistorySettings {
         plan: RunningInPlan {
             torque,
@@ -61,8 +70,13 @@ fn at_worn(history: &History, worn: f64) -> f64 {
 /// Rq of the pinion over the wear.
 fn wear(history: &History) -> Vec<(f64, f64)> {
     let last = history.steps.last().map_or(0.0, |step| step.engagements);
-    let states = history.states.iter().filter(|state| state.engagements == last);
-    states.map(|state| (state.worn, state.heights.rq_um[0])).collect()
+    let states = history
+        .states
+        .iter()
+        .filter(|state| state.engagements == last);
+    states
+        .map(|state| (state.worn, state.heights.rq_um[0]))
+        .collect()
 }
 
 /// The least wear at which a history has this Rq over Rq before.
@@ -72,7 +86,8 @@ fn worn_at(history: &History, ratio: f64) -> f64 {
     for pair in points.windows(2) {
         let ((w0, a), (w1, b)) = (pair[0], pair[1]);
         if b / first <= ratio {
-            return (w0 + (w1 - w0) * ((a / first - ratio) / ((a - b) / first)).clamp(0.0, 1.0)).max(0.0);
+            return (w0 + (w1 - w0) * ((a / first - ratio) / ((a - b) / first)).clamp(0.0, 1.0))
+                .max(0.0);
         }
     }
     points.last().map_or(0.0, |(worn, _)| *worn)
@@ -94,7 +109,9 @@ fn main() -> Result<(), Failure> {
     let case = load_with(&file, &|input| {
         (input.model.positions, input.model.offsets) = (Some(5), Some(2));
     })?;
-    println!("trial,truth,place,engagements,of_pair,true,archard,logarithm,k_true,k_found,plastic,measured");
+    println!(
+        "trial,truth,place,engagements,of_pair,true,archard,logarithm,k_true,k_found,plastic,measured"
+    );
     for trial in 0..count {
         let mut random = ChaCha8Rng::seed_from_u64(20_261_130 + trial);
         let recipe = SelfAffine {
@@ -113,8 +130,16 @@ fn main() -> Result<(), Failure> {
         let (_, truth) = history_of(&case, &recipe, [seeds[0], seeds[2]], torque)?;
         let first = truth.states[0].heights.rq_um[0];
         let plastic = at_worn(&known, 0.0);
-        let end = truth.states.iter().find(|state| state.worn == 0.0 && Some(state.engagements) == truth.steps.last().map(|step| step.engagements));
-        let flowed = end.ok_or("no end of the plastic stage")?.surfaces.traces()?[0].heights().to_vec();
+        let end = truth.states.iter().find(|state| {
+            state.worn == 0.0
+                && Some(state.engagements) == truth.steps.last().map(|step| step.engagements)
+        });
+        let flowed = end
+            .ok_or("no end of the plastic stage")?
+            .surfaces
+            .traces()?[0]
+            .heights()
+            .to_vec();
         let k = 3e-19 * 10_f64.powf(between(&mut random, -1.0, 1.0));
         let cut = between(&mut random, 0.05, 0.25);
         let fall = between(&mut random, 0.01, 0.06);
@@ -123,7 +148,9 @@ fn main() -> Result<(), Failure> {
         let tens = |engagements: f64| (1.0 + engagements / BEGIN).log10();
         let truths: [(&str, &dyn Fn(f64) -> f64); 3] = [
             ("wear", &|n| at_worn(&truth, k * n)),
-            ("truncation", &|n| truncated(&flowed, cut * tens(n) / 3.0) / first),
+            ("truncation", &|n| {
+                truncated(&flowed, cut * tens(n) / 3.0) / first
+            }),
             ("logarithm", &|n| at_worn(&truth, 0.0) - fall * tens(n)),
         ];
         for (name, truth) in truths {

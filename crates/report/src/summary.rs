@@ -13,8 +13,8 @@ use asperity::result::{
     BulkReport, FlankRecord, GearboxReport, MicropittingReport, PairSampling, PositionRow, Regime,
     RunResult, Summary, TracePairs,
 };
-use asperity_core::decimals;
 use asperity_core::Code;
+use asperity_core::decimals;
 use asperity_storage::one_line;
 
 /// Indentation of the text of a message, behind its code.

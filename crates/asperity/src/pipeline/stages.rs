@@ -16,7 +16,8 @@ use super::kept_fields::KeptFields;
 use crate::assembly::{Solved, equations_used, sources_used, warnings_of_case};
 use crate::contacts::{ContactInputs, Contacts, Offsets, WindowContact};
 use crate::lubrication::{
-    ChosenLaws, LubricatedPosition, LubricatedWindow, Lubrication, check_mesh_position, plausible_film, records_of,
+    ChosenLaws, LubricatedPosition, LubricatedWindow, Lubrication, check_mesh_position,
+    plausible_film, records_of,
 };
 use crate::mesh::{Mesh, MeshInputs, MeshPosition, numbered};
 use crate::pictures::Picture;
@@ -25,8 +26,8 @@ use crate::result::{Losses, Outcome, RunInFlanks, Summary};
 use crate::running_in;
 use asperity_case::case::{Case, LoadShareName, LoadedCase, Positions};
 use asperity_case::error::{Error, PositionError};
-use asperity_case::flanks::{Surfaces, is_substituted};
 use asperity_case::flanks::placement::check_coverage;
+use asperity_case::flanks::{Surfaces, is_substituted};
 use asperity_case::message::Warning;
 
 /// Progress callback, called with (done, total).
@@ -342,13 +343,7 @@ pub(crate) fn on_flanks(
     let mut worn = loaded.clone();
     worn.surfaces = surfaces.clone();
     let contacts = Cow::Owned(contacts_of(&worn, mesh, [].iter())?);
-    let stages = Stages::on(
-        &worn,
-        mesh.clone(),
-        contacts,
-        &|_, _| {},
-        Provenance::new(),
-    )?;
+    let stages = Stages::on(&worn, mesh.clone(), contacts, &|_, _| {}, Provenance::new())?;
     let positions = stages.lubricated()?;
     let over = |position: &LubricatedPosition, of: fn(&LubricatedWindow) -> f64| {
         mean(position.offsets.iter().map(of))

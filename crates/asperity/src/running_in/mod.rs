@@ -129,7 +129,10 @@ fn plastic<E: From<Box<PositionError>>>(
         };
         let is_settled = steps.last().is_some_and(|last: &RunInStep| {
             let pairs = last.heights.rq_um.into_iter().zip(step.heights.rq_um);
-            until >= LEAST && pairs.into_iter().all(|(a, b)| (b / a - 1.0).abs() < SETTLED)
+            until >= LEAST
+                && pairs
+                    .into_iter()
+                    .all(|(a, b)| (b / a - 1.0).abs() < SETTLED)
         });
         let is_still = plastic_work_j_per_m == 0.0 && until >= LEAST;
         steps.push(step);

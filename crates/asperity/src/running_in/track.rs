@@ -397,7 +397,9 @@ impl Tooth {
         let count = self.heights.len() as isize;
         match self.placed {
             None => usize::try_from(at.rem_euclid(count)).ok(),
-            Some(_) => usize::try_from(at).ok().filter(|at| *at < self.heights.len()),
+            Some(_) => usize::try_from(at)
+                .ok()
+                .filter(|at| *at < self.heights.len()),
         }
     }
 
@@ -410,7 +412,8 @@ impl Tooth {
         let height = |i: usize| {
             let at = (start + i as isize).rem_euclid(count as isize) as usize;
             let half = 0.5 * self.step;
-            let part = |from_end: usize| 1.0 - from_end.min(self.closing) as f64 / self.closing as f64;
+            let part =
+                |from_end: usize| 1.0 - from_end.min(self.closing) as f64 / self.closing as f64;
             self.heights[at] - half * part(at) + half * part(count - 1 - at)
         };
         (0..points).map(height).collect()
@@ -442,4 +445,110 @@ fn trace_of(
 /// Points of the window at a position.
 fn window_points(case: &Case, position: &MeshPosition, spacing: Length) -> usize {
     2 * (case.model.window * (position.hertz.half_width / spacing)).ceil() as usize + 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Mesh;
+    use crate::running_in::limits;
+    use asperity_case::case::{LoadedCase, load_with};
+    use asperity_case::flanks::Texture;
+
+    fn case() -> LoadedCase {
+        let file = std::path::Path::new("../../fixtures/cases/fzg-c.toml");
+        load_with(file, &|input| input.model.positions = Some(8)).unwrap()
+    }
+
+    fn on(case: &LoadedCase, heights: [Vec<f64>; 2]) -> Surfaces {
+        let spacing = case.surfaces.traces().unwrap()[0].spacing();
+        let texture = |z| Texture::Trace(Profile::new(spacing, z).unwrap());
+        Surfaces::new(heights.map(texture), None, false)
+    }
+
+    #[test]
+    fn each_tooth_is_in_contact_as_often_as_its_gear_engages() {
+        let case = case();
+        let mesh = Mesh::of(&case.case).unwrap();
+        // The wheel's trace is half as long: its teeth of the gear that are not measured take what is left.
+        let mut heights = case
+            .surfaces
+            .traces()
+            .unwrap()
+            .map(|trace| trace.heights().to_vec());
+        let whole = heights[1].len();
+        heights[1].truncate(2 * whole / 3);
+        for surfaces in [case.surfaces.clone(), on(&case, heights)] {
+            let track = Track::of(&case.case, &surfaces, 0, &mesh.positions)
+                .unwrap()
+                .unwrap();
+            let cycles = 50.0;
+            let mut touched = [track.zeros(0), track.zeros(1)];
+            let widths = track
+                .positions
+                .iter()
+                .map(|at| 2.0 * (at.hertz.half_width / track.spacing));
+            let width = widths.sum::<f64>() / track.positions.len() as f64;
+            for number in 0..(cycles * track.passes) as usize {
+                let pass = track.pass(number);
+                for (body, fields) in touched.iter_mut().enumerate() {
+                    track.add((body, fields), &pass, (0..width as usize).map(|_| 1.0));
+                }
+            }
+            for (body, expected) in [(0, ENGAGEMENTS), (1, ENGAGEMENTS * 16.0 / 24.0)] {
+                let of = &touched[body][0];
+                let mean = of.iter().sum::<f64>() / of.len() as f64 / cycles;
+                assert!((mean / expected - 1.0).abs() < 0.01, "{body}: {mean}");
+                // Evenly: no point is in contact half or twice as often.
+                let of_mean = of.iter().map(|n| n / cycles / mean);
+                assert!(of_mean.clone().fold(f64::MAX, f64::min) > 0.85);
+                assert!(of_mean.fold(0.0, f64::max) < 1.15);
+            }
+        }
+    }
+
+    #[test]
+    fn the_same_load_at_the_same_place_flows_once_and_more_load_flows_more() {
+        let case = case();
+        let mesh = Mesh::of(&case.case).unwrap();
+        let [_, limit, _] = limits(&case.case).unwrap();
+        let fresh = Track::of(&case.case, &case.surfaces, 0, &mesh.positions)
+            .unwrap()
+            .unwrap();
+        let mut solver = Solver::new(fresh.points, Boundary::FreeEnds).unwrap();
+        let mut last = 0.0;
+        for factor in [0.5, 1.0, 1.5, 2.0] {
+            let mut track = fresh.clone();
+            let pass = track.pass(3);
+            let load = LineLoad::from_si(factor * track.positions[pass.position].load.si());
+            let mut flow = |track: &Track<'_>| {
+                let contact = track.press((&mut solver, &case.case), &pass, (load, None), limit);
+                contact.unwrap().plastic_displacement
+            };
+            let once = flow(&track);
+            for body in 0..2 {
+                track.lower(body, &pass, once.iter().map(|w| 0.5 * w));
+            }
+            let again: f64 = flow(&track).iter().sum();
+            let once: f64 = once.iter().sum();
+            assert!(once > last, "{factor}: {once}");
+            assert!(again < 1e-2 * once, "{factor}: {again} of {once}");
+            last = once;
+        }
+    }
+
+    #[test]
+    fn a_periodic_trace_closes_and_contacts_go_on_at_its_other_end() {
+        let heights: Vec<f64> = (0..1000).map(|i| 1e-9 * f64::from(i)).collect();
+        let mut tooth = Tooth::new(&heights, None, 100.0);
+        let window = tooth.window(900, 200);
+        // Half of the step is taken off each end: the heights meet in the middle.
+        assert!((window[99] - window[100]).abs() < 2e-8 && (window[0] - 900e-9).abs() < 1e-15);
+        assert!((window[199] - 99e-9).abs() < 1e-8);
+        tooth.lower(990, (0..20).map(|_| 1e-9));
+        assert!(
+            (tooth.heights[5] - 4e-9).abs() < 1e-18 && (tooth.heights[995] - 994e-9).abs() < 1e-15
+        );
+        assert!(tooth.heights[10..990] == heights[10..990]);
+    }
 }

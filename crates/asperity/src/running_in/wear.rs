@@ -85,3 +85,58 @@ pub(super) fn rates(
     }
     Ok((rates, count))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Mesh;
+    use crate::running_in::limits;
+    use asperity_case::case::load_with;
+    use asperity_case::flanks::{Surfaces, Texture};
+    use asperity_core::Profile;
+    use asperity_core::numerics::mean;
+    use asperity_core::quantity::Length;
+
+    #[test]
+    fn wear_of_a_smooth_contact_is_archards() {
+        let file = std::path::Path::new("../../fixtures/cases/fzg-c.toml");
+        let case = load_with(file, &|input| input.model.positions = Some(8))
+            .unwrap()
+            .case;
+        let mesh = Mesh::of(&case).unwrap();
+        let smooth = || {
+            let spacing = Length::from_si(0.5e-6);
+            Texture::Trace(Profile::new(spacing, vec![0.0; 6000]).unwrap())
+        };
+        let surfaces = Surfaces::new([smooth(), smooth()], None, false);
+        let track = Track::of(&case, &surfaces, 0, &mesh.positions)
+            .unwrap()
+            .unwrap();
+        let [_, limit, _] = limits(&case).unwrap();
+        let wear = |share: f64| {
+            let shares = vec![share; track.positions.len()];
+            rates((&case, limit), &track, &shares, 0).unwrap().0
+        };
+        let (whole, half) = (wear(1.0), wear(0.5));
+        for body in 0..2 {
+            // Archard: load times slip, as mean over the flank, and of the wheel two thirds as often.
+            let oftener = [1.0, 16.0 / 24.0][body];
+            let expected = track.positions.iter().map(|at| {
+                let speed = [at.motion.u1, at.motion.u2][body].si();
+                oftener * at.load.si() * (at.motion.sliding.si() / speed).abs()
+            });
+            let of = |fields: &[Vec<f64>]| mean(fields[0].iter().copied());
+            let found = of(&whole[body]) / mean(expected);
+            assert!((found - 1.0).abs() < 0.1, "{body}: {found}");
+            let ratio = of(&half[body]) / of(&whole[body]);
+            assert!((ratio - 0.5).abs() < 0.01, "{body}: {ratio}");
+        }
+        assert!(
+            wear(0.0)
+                .iter()
+                .flatten()
+                .flatten()
+                .all(|rate| *rate == 0.0)
+        );
+    }
+}

@@ -2,17 +2,17 @@
 
 use asperity::key_words::advice;
 use asperity::message::{Code, Warning, outside_codes};
-use asperity::result::loss_band::{Trust, Uncertainty, rounded};
 use asperity::result::RunResult;
+use asperity::result::loss_band::{Trust, Uncertainty, rounded};
 use asperity_core::quantity::Length;
 use asperity_roughness::Parameters;
 use maud::{Markup, html};
 
 use super::page::{figure, source};
+use crate::other_models;
 use crate::printed::{PrintedLoss, PrintedPart, of_mesh};
 use crate::summary::priced;
 use crate::units::MICRO;
-use crate::other_models;
 
 /// The first screen: headline, parts, band, losses along the path, and the pair in mesh; then what the case requests.
 pub(super) fn section(result: &RunResult) -> Markup {

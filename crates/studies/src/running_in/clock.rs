@@ -125,7 +125,10 @@ impl Tested {
         };
         let middle = by_logarithm(self.measured.value);
         let ends = self.measured.ends();
-        let all = ends.map(by_logarithm).into_iter().chain(ends.map(in_proportion));
+        let all = ends
+            .map(by_logarithm)
+            .into_iter()
+            .chain(ends.map(in_proportion));
         let (mut low, mut high) = (middle, middle);
         for q in all {
             (low, high) = (low.min(q), high.max(q));
@@ -149,7 +152,10 @@ impl Tested {
         let [high, low] = self.measured.ends().map(of);
         (k > 0.0).then(|| {
             let ends = [low.min(high), low.max(high)];
-            Estimate::new(k, [ends[0].min(k / LEAST_FACTOR), ends[1].max(k * LEAST_FACTOR)])
+            Estimate::new(
+                k,
+                [ends[0].min(k / LEAST_FACTOR), ends[1].max(k * LEAST_FACTOR)],
+            )
         })
     }
 }
@@ -187,7 +193,9 @@ mod tests {
     fn the_coefficient_is_the_wear_over_the_engagements() {
         let k = tested([0.795, 0.8, 0.805]).coefficient().unwrap();
         assert!((k.value / 1e-18 - 1.0).abs() < 1e-9);
-        assert!((k.low / k.value - 1.0 / 1.5).abs() < 1e-9 && (k.high / k.value - 1.5).abs() < 1e-9);
+        assert!(
+            (k.low / k.value - 1.0 / 1.5).abs() < 1e-9 && (k.high / k.value - 1.5).abs() < 1e-9
+        );
         let wide = tested([0.7, 0.8, 0.9]).coefficient().unwrap();
         assert!(wide.low == 0.0 && (wide.high / 2e-18 - 1.0).abs() < 1e-9);
         assert!(tested([0.9, 0.91, 0.92]).coefficient().is_none());

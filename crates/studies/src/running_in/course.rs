@@ -134,8 +134,9 @@ impl Histories<'_> {
     /// States of the plastic stage over ln(1 + N).
     fn flowed(&self) -> Vec<(f64, Values)> {
         let states = self.middle.states.iter().filter(|state| state.worn == 0.0);
-        let mut points: Vec<(f64, Values)> =
-            states.map(|state| (state.engagements.ln_1p(), values(state))).collect();
+        let mut points: Vec<(f64, Values)> = states
+            .map(|state| (state.engagements.ln_1p(), values(state)))
+            .collect();
         // Roughness and height removed are known at each doubling.
         let at_states = points.clone();
         for step in &self.middle.steps {

@@ -181,44 +181,97 @@ fn rows(found: &RunningInFound) -> Table {
         interval wheel_rpk_um "Rpk wheel" "µm" = shown(row.wheel_rpk_um, LEAST_UM);
         interval pinion_removed_nm "removed from pinion" "nm" = shown(row.pinion_removed_nm, 0.1);
         interval wheel_removed_nm "removed from wheel" "nm" = shown(row.wheel_removed_nm, 0.1);
-        interval asperity_share "asperity share" "" = shown(row.asperity_share, LEAST_SHARE);
-        interval film_ratio "film over Rq" "" = shown(row.film_ratio, LEAST_SHARE);
+        interval asperity_share_mean "asperity share" "" = shown(row.asperity_share, LEAST_SHARE);
+        interval film_ratio_mean "film over Rq" "" = shown(row.film_ratio, LEAST_SHARE);
         interval loss_w "loss" "W" = power(row.loss_w);
     };
     table.in_file(TABLE)
 }
 
 /// Quantity of a chart: identifier, title, unit, and the curves with their names.
-type Shown = (&'static str, &'static str, &'static str, &'static [(&'static str, fn(&CourseRow) -> Estimate)]);
+type Shown = (
+    &'static str,
+    &'static str,
+    &'static str,
+    &'static [(&'static str, fn(&CourseRow) -> Estimate)],
+);
 
 /// The charts of the first torque.
 const SHOWN: [Shown; 4] = [
-    ("rq", "Rq", "µm", &[("pinion", |row| row.pinion_rq_um), ("wheel", |row| row.wheel_rq_um)]),
-    ("rpk", "Rpk", "µm", &[("pinion", |row| row.pinion_rpk_um), ("wheel", |row| row.wheel_rpk_um)]),
-    ("share", "Share of the load on asperities", "", &[("share", |row| row.asperity_share)]),
-    ("ratio", "Film over Rq", "", &[("ratio", |row| row.film_ratio)]),
+    (
+        "rq",
+        "Rq",
+        "µm",
+        &[
+            ("pinion", |row| row.pinion_rq_um),
+            ("wheel", |row| row.wheel_rq_um),
+        ],
+    ),
+    (
+        "rpk",
+        "Rpk",
+        "µm",
+        &[
+            ("pinion", |row| row.pinion_rpk_um),
+            ("wheel", |row| row.wheel_rpk_um),
+        ],
+    ),
+    (
+        "share",
+        "Share of the load on asperities",
+        "",
+        &[("share", |row| row.asperity_share)],
+    ),
+    (
+        "ratio",
+        "Film over Rq",
+        "",
+        &[("ratio", |row| row.film_ratio)],
+    ),
 ];
 
 fn charts(found: &RunningInFound) -> Vec<Drawing> {
     let axis = || Axis::new("engagements of a tooth of the pinion", "").log();
     let mut charts = Vec::new();
-    let loss = Chart::new("loss", "Loss of the mesh", TABLE, axis(), Axis::new("loss", "W"));
-    let losses = found.courses.iter().enumerate().fold(loss, |chart, (k, course)| {
-        let name = newton_metres(course.torque_nm);
-        curve(chart, k, &name, course, |row| row.loss_w)
-    });
-    charts.push(Drawing::Curves(losses));
+    let loss = Chart::new(
+        "loss",
+        "Loss of the mesh",
+        TABLE,
+        axis(),
+        Axis::new("loss", "W"),
+    );
+    let names: Vec<String> = found
+        .courses
+        .iter()
+        .map(|course| newton_metres(course.torque_nm))
+        .collect();
+    let of_loss = |row: &CourseRow| row.loss_w;
+    let losses = found.courses.iter().zip(&names);
+    let losses: Vec<Curve<'_>> = losses
+        .map(|(course, name)| {
+            (
+                name.as_str(),
+                course,
+                &of_loss as &dyn Fn(&CourseRow) -> Estimate,
+            )
+        })
+        .collect();
+    charts.push(Drawing::Curves(curves(loss, &losses)));
     let course = &found.courses[0];
-    for (id, title, unit, curves) in SHOWN {
+    for (id, title, unit, shown) in SHOWN {
         let chart = Chart::new(id, title, TABLE, axis(), Axis::new(title, unit));
-        let chart = curves.iter().enumerate().fold(chart, |chart, (k, (name, of))| {
-            curve(chart, k, name, course, of)
-        });
+        let all: Vec<Curve<'_>> = shown
+            .iter()
+            .map(|(name, of)| (*name, course, of as &dyn Fn(&CourseRow) -> Estimate))
+            .collect();
+        let chart = curves(chart, &all);
         let chart = match (&found.test, id) {
             (Some(test), "rq") => {
-                let body = test.flank as usize;
-                let first = curves[body].1(&course.rows[0]).value;
-                let points = [[1.0, first], [test.engagements, first * test.rq_ratio.value]];
+                let first = shown[test.flank as usize].1(&course.rows[0]).value;
+                let points = [
+                    [1.0, first],
+                    [test.engagements, first * test.rq_ratio.value],
+                ];
                 chart.with(Series::through("traces of the test", Line::Scatter, points))
             }
             _ => chart,
@@ -228,21 +281,41 @@ fn charts(found: &RunningInFound) -> Vec<Drawing> {
     charts
 }
 
-/// A curve with its band from the first engagement on.
-fn curve(
-    chart: Chart,
-    k: usize,
-    name: &str,
-    course: &Course,
-    of: impl Fn(&CourseRow) -> Estimate,
-) -> Chart {
-    let rows = || course.rows.iter().filter(|row| row.engagements >= 1.0);
-    let x: Vec<f64> = rows().map(|row| row.engagements).collect();
-    let [value, low, high] = [
-        rows().map(|row| of(row).value).collect::<Vec<f64>>(),
-        rows().map(|row| of(row).low).collect(),
-        rows().map(|row| of(row).high).collect(),
-    ];
-    let chart = chart.curve(name, Line::Solid, &x, &value);
-    chart.with(Series::band_of(k, &format!("{name}, 5 to 95 %"), &x, &low, &high))
+/// A curve: its name, its course and its quantity.
+type Curve<'a> = (&'a str, &'a Course, &'a dyn Fn(&CourseRow) -> Estimate);
+
+/// Curves from the first engagement on, then their bands.
+fn curves(chart: Chart, curves: &[Curve<'_>]) -> Chart {
+    let rows = |course: &Course| {
+        let rows = course.rows.iter().filter(|row| row.engagements >= 1.0);
+        rows.copied().collect::<Vec<CourseRow>>()
+    };
+    let over = |course: &Course, of: &dyn Fn(&CourseRow) -> f64| -> Vec<f64> {
+        rows(course).iter().map(of).collect()
+    };
+    let x = |course: &Course| over(course, &|row| row.engagements);
+    let with_lines = curves.iter().fold(chart, |chart, (name, course, of)| {
+        chart.curve(
+            name,
+            Line::Solid,
+            &x(course),
+            &over(course, &|row| of(row).value),
+        )
+    });
+    curves
+        .iter()
+        .enumerate()
+        .fold(with_lines, |chart, (k, (name, course, of))| {
+            let [low, high] = [
+                over(course, &|row| of(row).low),
+                over(course, &|row| of(row).high),
+            ];
+            chart.with(Series::band_of(
+                k,
+                &format!("{name}, 5 to 95 %"),
+                &x(course),
+                &low,
+                &high,
+            ))
+        })
 }

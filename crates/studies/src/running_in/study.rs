@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity::{PositionError, Run};
 use asperity::case::{LoadedCase, RunningInPlan};
 use asperity::core::cancel::checkpoint;
 use asperity::gear::{FlankPoint, Gear};
@@ -11,6 +10,7 @@ use asperity::message::Warning;
 use asperity::pipeline::settled;
 use asperity::profile_io::read::{ReadOptions, read};
 use asperity::running_in::{History, HistorySettings, history, limits, run_in};
+use asperity::{PositionError, Run};
 use asperity_core::quantity::{Pressure, Quantity, Torque};
 use asperity_core::{Code, DomainError, Estimate, EstimateKeys, Fault, estimate_keys};
 use asperity_report::{Settings as _, StudySettings, Watch, Work, settings};
@@ -155,7 +155,11 @@ impl StudySettings for RunningInSettings {
             engagements: self.engagements,
             of_wheel: f64::from(case.case.gears.teeth[0]) / f64::from(case.case.gears.teeth[1]),
             loss_w: summary.loss_w,
-            loss_quantiles_w: fresh.result.uncertainty.as_ref().map(|of| of.loss.quantiles_w),
+            loss_quantiles_w: fresh
+                .result
+                .uncertainty
+                .as_ref()
+                .map(|of| of.loss.quantiles_w),
             test: None,
             courses: Vec::new(),
             warnings: fresh.result.warnings.clone(),
@@ -173,7 +177,8 @@ impl StudySettings for RunningInSettings {
             let (course, of_course, flanks) =
                 self.course(&case, (&clock, of_test), summary.loss_w, &step)?;
             if k == 0 {
-                (found.flanks, found.test) = (flanks, of_course.as_ref().map(|tested| self.pair(tested)));
+                (found.flanks, found.test) =
+                    (flanks, of_course.as_ref().map(|tested| self.pair(tested)));
                 // At other torques the test says the coefficient only.
                 if let Some(k) = of_course.and_then(|tested| tested.coefficient()) {
                     clock = Clock::Coefficient(k);
@@ -269,7 +274,10 @@ impl RunningInSettings {
         }
         let at = |torque: &Torque| {
             let stated = format!("{} {}", torque.si(), Torque::SI_UNIT);
-            let keyed = case.with_key("operation.running_in", &format!("{{ torque = \"{stated}\" }}"));
+            let keyed = case.with_key(
+                "operation.running_in",
+                &format!("{{ torque = \"{stated}\" }}"),
+            );
             keyed.map_err(|error| Fault::from(error).about("torque"))
         };
         self.torque.iter().map(at).collect()
@@ -317,18 +325,22 @@ impl RunningInSettings {
             to_median: fresh_w / loss_w,
             per_hour,
         };
-        let tested = ratio.zip(self.test_engagements).map(|(measured, engagements)| {
-            let rq = |heights: [f64; 2]| heights[flank];
-            let first = rq(middle.states[0].heights.rq_um);
-            let points = histories.worn().map(|state| (state.worn, rq(state.heights.rq_um) / first));
-            let points: Vec<(f64, f64)> = points.collect();
-            Tested {
-                plastic: points.first().map_or(1.0, |(_, q)| *q),
-                fall: Fall::new(points),
-                engagements,
-                measured,
-            }
-        });
+        let tested = ratio
+            .zip(self.test_engagements)
+            .map(|(measured, engagements)| {
+                let rq = |heights: [f64; 2]| heights[flank];
+                let first = rq(middle.states[0].heights.rq_um);
+                let points = histories
+                    .worn()
+                    .map(|state| (state.worn, rq(state.heights.rq_um) / first));
+                let points: Vec<(f64, f64)> = points.collect();
+                Tested {
+                    plastic: points.first().map_or(1.0, |(_, q)| *q),
+                    fall: Fall::new(points),
+                    engagements,
+                    measured,
+                }
+            });
         let clock = match &tested {
             Some(tested) => Clock::Test(tested.clone()),
             None => clock.clone(),
@@ -398,7 +410,11 @@ fn masses(case: &LoadedCase, removed_nm: [Estimate; 2]) -> Result<[f64; 2], Faul
     let path = gears.path();
     let of = |body: usize| -> Result<f64, Fault> {
         let gear = [Gear::Pinion, Gear::Wheel][body];
-        let arc = |s| gears.arc_of(gear, FlankPoint::Position(s)).map_err(PositionError::from);
+        let arc = |s| {
+            gears
+                .arc_of(gear, FlankPoint::Position(s))
+                .map_err(PositionError::from)
+        };
         let length = (arc(path.e)?.si() - arc(path.a)?.si()).abs();
         let area = length * gears.face_width.si() * f64::from(gears.teeth[body]);
         let density = case.case.materials[body].density.si();
