@@ -108,13 +108,7 @@ fn impossible_running_in_is_refused_at_its_key() {
         (ENGAGEMENTS, "inf", "E209", ENGAGEMENTS, "must be 1 to 1e10"),
         (ENGAGEMENTS, "nan", "E209", ENGAGEMENTS, "must be 1 to 1e10"),
         (KEY, "yes", "E204", KEY, "true, false, or a table"),
-        (
-            KEY,
-            "{ load = 3 }",
-            "E204",
-            "operation.running_in.load",
-            "unknown field",
-        ),
+        (KEY, "{ load = 3 }", "E204", KEY, "unknown field"),
         (
             "operation.running_in.load",
             "3",
