@@ -184,11 +184,18 @@ impl Histories<'_> {
             let above = most(by_wear).hypot(most(by_limit));
             Estimate::new(middle[k], [middle[k] - below, middle[k] + above])
         };
+        // Between the traces of a test Rq of their flank is known without the wear of the model.
+        let rq = |body: usize| match clock {
+            Clock::Test(of) if of.flank == body && engagements > plastic => {
+                of.ratio(engagements).map(|ratio| ratio * fresh[body])
+            }
+            _ => estimate(body),
+        };
         CourseRow {
             engagements,
             hours: engagements / self.per_hour,
-            pinion_rq_um: estimate(0),
-            wheel_rq_um: estimate(1),
+            pinion_rq_um: rq(0),
+            wheel_rq_um: rq(1),
             pinion_rpk_um: estimate(2),
             wheel_rpk_um: estimate(3),
             pinion_removed_nm: estimate(4),

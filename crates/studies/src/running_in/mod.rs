@@ -18,6 +18,8 @@
 mod clock;
 mod course;
 mod flanks;
+#[cfg(test)]
+mod made_pairs;
 mod report;
 mod study;
 

@@ -337,6 +337,7 @@ impl RunningInSettings {
                 Tested {
                     plastic: points.first().map_or(1.0, |(_, q)| *q),
                     fall: Fall::new(points),
+                    flank,
                     engagements,
                     measured,
                 }
@@ -350,7 +351,7 @@ impl RunningInSettings {
         let done_engagements = done(&rows);
         let flanks = self.flanks_at_end(case, (&histories, &plan), &clock)?;
         let ends_at = tested.as_ref().and_then(|tested| {
-            let reached = |n: &f64| !tested.fall.reaches(tested.ratio(*n));
+            let reached = |n: &f64| !tested.fall.reaches(tested.ratio(*n).value);
             self.counts().find(reached)
         });
         let course = Course {
