@@ -1,7 +1,9 @@
 // Looks at a page as its users do and tells the page around it, or at the end of itself, what it saw.
 "use strict";
 (() => {
-  const WANTED = window.CHECK; // {page: its number, drive: whether to zoom and slide, pixels: whether to name points}
+  // {page: its number, drive: whether to read curves, zoom and slide, colours: whether to look at them, save: whether to save
+  // charts, pixels: whether to name points}
+  const WANTED = window.CHECK;
   const faults = [];
   window.addEventListener("error", (e) => faults.push(e.message));
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
@@ -247,6 +249,26 @@
     return [];
   }
 
+  // Places at equal distances along the lines of a path; the browser walks a path anew for each.
+  function along(path, count) {
+    const parts = path.getAttribute("d").split(/(?=M)/).map(points);
+    const lines = parts.flatMap((part) => part.slice(1).map(([x, y], k) => {
+      const [from, before] = part[k];
+      return [from, before, x - from, y - before, Math.hypot(x - from, y - before)];
+    }));
+    // Dots have no lines.
+    if (!lines.length) return parts.flat().map(([x, y]) => new DOMPoint(x, y));
+    const step = lines.reduce((sum, line) => sum + line[4], 0) / count, places = [];
+    let walked = 0;
+    for (const [x, y, wide, high, length] of lines) {
+      while (places.length < count && (places.length + 0.5) * step <= walked + length) {
+        const s = ((places.length + 0.5) * step - walked) / length;
+        places.push(new DOMPoint(x + s * wide, y + s * high));
+      }
+      walked += length;
+    }
+    return places;
+  }
   // Places on what is seen of the curves, with the colour that is due there.
   function pixels() {
     const PLACES = 60, STEPS = 1200;
@@ -255,8 +277,8 @@
       const clip = document.getElementById(/#([^)"]+)/.exec(path.closest("[clip-path]").getAttribute("clip-path"))[1]).firstElementChild;
       const [x, y, wide, high] = ["x", "y", "width", "height"].map((a) => Number(clip.getAttribute(a)));
       const [from, to] = [[x, y], [x + wide, y + high]].map(([x, y]) => new DOMPoint(x, y).matrixTransform(toScreen));
-      const { stroke } = shades(path), length = path.getTotalLength(), ctm = path.getScreenCTM();
-      const places = Array.from({ length: STEPS }, (_, k) => path.getPointAtLength(length * (k + 0.5) / STEPS).matrixTransform(ctm))
+      const { stroke } = shades(path), ctm = path.getScreenCTM();
+      const places = along(path, STEPS).map((place) => place.matrixTransform(ctm))
         .filter((p) => p.x >= from.x && p.x <= to.x && p.y >= from.y && p.y <= to.y);
       return { chart: nameOf(svg), curve: path.getAttribute("class"), colour: stroke.match(/\d+/g).map(Number),
         places: places.filter((_, k) => k % Math.ceil(places.length / PLACES) === 0).map((p) => [p.x, p.y]) };
@@ -274,12 +296,13 @@
     });
     return {
       dark: matchMedia("(prefers-color-scheme:dark)").matches,
-      curves: charts.flatMap(drawn), labels: charts.flatMap(labels), undefined: undefinedNumbers(), colours: colours(), sizes,
+      curves: WANTED.drive ? charts.flatMap(drawn) : [], labels: charts.flatMap(labels),
+      undefined: WANTED.drive ? undefinedNumbers() : [], colours: WANTED.colours ? colours() : { count: 0, wrong: [] }, sizes,
       shown: Object.fromEntries(all("[data-key]").map((e) => [e.dataset.key, e.textContent])),
       zoom: WANTED.drive ? all("figure.zoomable").map(driven) : [],
       sliders: WANTED.drive ? all("figure.facing .slider input").map(slid) : [],
       gears: WANTED.drive ? all("figure.mesh .slider input").map(turned) : [],
-      saved: WANTED.drive ? saved() : [],
+      saved: WANTED.save ? saved() : [],
       beyond: beyondPage, printed: paper,
       pixels: WANTED.pixels ? pixels() : [],
       resources: performance.getEntriesByType("resource").map((r) => r.name),
@@ -292,6 +315,6 @@
   const report = document.createElement("pre");
   report.id = "found";
   report.hidden = true;
-  report.textContent = JSON.stringify([found]);
+  report.textContent = JSON.stringify(found);
   document.body.append(report);
 })();

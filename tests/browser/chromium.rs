@@ -125,7 +125,9 @@ pub struct Look {
     pub is_dark: bool,
     /// Fonts there are.
     pub fonts: Fonts,
-    /// Whether their charts are zoomed and their sliders moved.
+    /// Whether their colours are looked at, and their charts are saved where they are widest.
+    pub colours: bool,
+    /// Whether their curves are read, their charts are zoomed and their sliders moved.
     pub drives: bool,
 }
 
@@ -136,6 +138,7 @@ impl Look {
             widths: widths.to_vec(),
             is_dark: false,
             fonts: Fonts::Installed,
+            colours: true,
             drives: true,
         }
     }
@@ -238,7 +241,7 @@ fn run(
     )
 }
 
-/// What the check wrote into `document`.
+/// What the check wrote into `document`, a line each page.
 fn found(document: &str) -> Vec<Value> {
     let start = document
         .find("<pre id=\"found\"")
@@ -249,7 +252,8 @@ fn found(document: &str) -> Vec<Value> {
         .replace("&lt;", "<")
         .replace("&gt;", ">")
         .replace("&amp;", "&");
-    serde_json::from_str(&text).unwrap()
+    let pages = text.lines().map(|line| serde_json::from_str(line).unwrap());
+    pages.collect()
 }
 
 /// Opens `pages`, of a name and a text each, in one browser without any network, page by page in all widths.
@@ -263,16 +267,18 @@ pub fn open(browser: &str, pages: &[(&str, &str)], look: &Look) -> Vec<Opened> {
     }
     let frames: String = (windows.iter().enumerate())
         .map(|(k, (_, text, width))| {
-            let wanted = json!({"page": k, "drive": look.drives, "pixels": false});
+            let save = look.colours && look.widths.iter().max() == Some(width);
+            let wanted = json!({
+                "page": k, "drive": look.drives, "colours": look.colours, "save": save, "pixels": false
+            });
             let file = format!("page-{k}.html");
             std::fs::write(place.path().join(&file), with_check(text, &wanted)).unwrap();
             format!("<iframe src=\"{file}\" width=\"{width}\" height=\"900\"></iframe>")
         })
         .collect();
     let around = format!(
-        "<!doctype html><meta charset=\"utf-8\"><pre id=\"found\" hidden></pre><script>const all = [];\
-         addEventListener(\"message\", (e) => {{ all.push(e.data);\
-         document.getElementById(\"found\").textContent = JSON.stringify(all); }});</script>{frames}"
+        "<!doctype html><meta charset=\"utf-8\"><pre id=\"found\" hidden></pre><script>\
+         addEventListener(\"message\", (e) => document.getElementById(\"found\").append(JSON.stringify(e.data), \"\\n\"));</script>{frames}"
     );
     let file = place.path().join("around.html");
     std::fs::write(&file, around).unwrap();
@@ -324,7 +330,7 @@ impl Picture {
 pub fn render(browser: &str, page: &str, size: [u32; 2], look: &Look) -> Picture {
     let place = tempfile::tempdir().unwrap();
     let file = place.path().join("page.html");
-    let wanted = json!({"page": 0, "drive": false, "pixels": true});
+    let wanted = json!({"page": 0, "pixels": true});
     std::fs::write(&file, with_check(page, &wanted)).unwrap();
     let image = place.path().join("page.png");
     let more = [

@@ -59,10 +59,10 @@ fn small_e_drive(change: &dyn Fn(&mut CaseInput)) -> LoadedCase {
     load_with(&shipped("e-drive.toml"), &small).unwrap()
 }
 
-/// A small e-drive, changed and run.
+/// A small e-drive, changed and run, with the fields of the position that its page shows.
 pub fn e_drive(change: &dyn Fn(&mut CaseInput)) -> Outcome {
     Run::new(&small_e_drive(change))
-        .fields(&KeptFields::All)
+        .fields(&KeptFields::Highest)
         .band(true)
         .execute()
         .unwrap()
@@ -172,7 +172,13 @@ fn reports(bench: &Bench) -> Vec<Page> {
             page(&format!("report, {name}"), &folder.join("report.html"))
         })
         .collect();
-    let set = train::run(&planetary_set(), Some(&KeptFields::All), true, &|_, _| {}).unwrap();
+    let set = train::run(
+        &planetary_set(),
+        Some(&KeptFields::Highest),
+        true,
+        &|_, _| {},
+    )
+    .unwrap();
     let folder = bench.path("set");
     write_folder(&set, &folder, &Fields::Page).unwrap();
     for (name, file) in [("set", "report.html"), ("mesh", "planet_ring/report.html")] {
@@ -447,8 +453,12 @@ fn figures(bench: &Bench) -> Page {
 
 fn make() -> Pages {
     let bench = Bench::new();
-    let mut all = reports(&bench);
-    all.extend(studies(&bench));
+    let mut all = std::thread::scope(|scope| {
+        let studies = scope.spawn(|| studies(&bench));
+        let mut all = reports(&bench);
+        all.extend(studies.join().unwrap());
+        all
+    });
     all.push(figures(&bench));
     Pages { all, _bench: bench }
 }

@@ -59,7 +59,7 @@ fn unreadable() -> Vec<Bad> {
         bad("prose.csv", "Dear Sir,\nthe flank is fine.\n", &[], "E102", &["the first reads \"Dear Sir,\""]),
         bad("thin.csv", trace("x_um,z_um", 1000), &["--columns", "7"], "E102", &["no rows of numbers"]),
         bad("nounit.csv", format!("x,z\n{}", rows(1000, |i, z| format!("{:.1},{}", 0.5 * i as f64, far(z)))), &[], "E104",
-            &["nounit.csv: no unit found for the heights, which span", "Pass --z-unit um | nm | mm"]),
+            &["nounit.csv: no unit found for the heights, which span", "Pass --z-unit um | nm"]),
         bad("back.csv", with_row(500, "1.0,0.1"), &[], "E105", &["back.csv:502: x goes from 249.5 to 1", "--columns"]),
         bad("few.csv", trace("x_um,z_um", 50), &[], "E106", &["few.csv: 50 points", "at least 100"]),
         bad("gap.csv", with_row(77, "38.5,NaN"), &[], "E107", &["gap.csv:79: 1 of 1000 points", "\"38.5,NaN\"", "--gaps interpolate"]),
@@ -208,7 +208,7 @@ fn options_of_the_reader_are_keys_of_a_case() {
         with_line("pinion", "pinion = { file = \"nounit.csv\" }"),
     );
     let says = [
-        "Write z_unit = \"um\", or \"nm\", or \"mm\" in surface.pinion",
+        "Write z_unit = \"um\", or \"nm\" in surface.pinion",
         "(named at case.toml:",
     ];
     bench.run(&["run", "case.toml"]).refused(2, "E104", &says);

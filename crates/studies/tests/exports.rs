@@ -128,11 +128,17 @@ fn the_verdict_of_a_map_is_interpolated_to_the_operating_point() {
     );
     // Outside of the map it is at the next point.
     map.operating_point = Some([41.0, 34_000.0]);
-    let said = verdict(&map);
-    assert!(
-        said.contains("at 40 N m and 16000 1/min.") && said.contains("next to the operating point"),
-        "{said}"
-    );
+    for (celsius, of_case) in [(None, ""), (Some(75.0), ", 75 °C")] {
+        map.operating_temperature_c = celsius;
+        let said = verdict(&map);
+        let due = format!(
+            "These losses are at the point of the map next to the operating point of the case: 41 N m, 34000 1/min{of_case}."
+        );
+        assert!(
+            said.contains("at 40 N m and 16000 1/min") && said.contains(&due),
+            "{said}"
+        );
+    }
 }
 
 /// Places of all quadrants, off the nodes: torque \[N m\], speed \[1/min\].

@@ -251,6 +251,10 @@ pub(super) fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) ->
              pass --range for the part of the trace without it, or leave --robust out"
                 .to_owned()
         }
+        error if error.is_of_noise_cutoff() && plan.recipe.lambda_s < Some(reading.spacing) => format!(
+            ". Its points are {} apart. Pass a longer --lambda-s, or --lambda-s none",
+            reading.spacing
+        ),
         _ => String::new(),
     };
     Failure::new(Code::E120, format!("{name}: {error}{advice}"))

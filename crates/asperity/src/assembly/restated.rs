@@ -8,7 +8,8 @@ use asperity_efficiency::output_torque::power_flow;
 use super::cycle::operation;
 use crate::gearbox;
 use crate::result::{
-    GearboxReport, Losses, OffsetRow, Outcome, PairSampling, PositionRow, RunInFlanks, Summary,
+    GearboxReport, Losses, OffsetRow, Outcome, PairSampling, PositionRow, RunInFlanks, RunningIn,
+    Summary,
 };
 use asperity_case::case::Case;
 use asperity_case::error::{Error, PositionError};
@@ -32,9 +33,9 @@ impl Outcome {
         let result = &mut self.result;
         let restated = Restated::new(case, &result.summary, loss_w);
         restated.with_gearbox(&mut result.summary, &mut result.gearbox)?;
-        result.path.iter_mut().for_each(|row| restated.row(row));
         let points = result.points.iter_mut().map(|point| &mut point.row);
         points.for_each(|row| restated.row(row));
+        let mut sampling = None;
         if let Some(pairs) = &mut result.pairs {
             let losses = pairs.losses_w.iter_mut().flatten();
             let of_traces = pairs.traces.iter_mut().flatten();
@@ -42,10 +43,10 @@ impl Outcome {
             losses
                 .chain(of_traces)
                 .for_each(|loss| *loss *= restated.ratio);
-            restated.pairs(pairs.sampling.as_mut());
+            sampling = pairs.sampling.as_mut();
         }
-        restated.run_in(result.run_in.as_mut())?;
-        restated.offsets(&mut self.offsets)
+        let run_in = result.run_in.as_mut();
+        restated.parts(&mut result.path, sampling, run_in, &mut self.offsets)
     }
 
     /// States the loss `loss_w` \[W\] of `case` with its uncertainty instead of the present ones.
@@ -68,10 +69,8 @@ impl Losses {
     pub fn restate(&mut self, case: &Case, loss_w: f64) -> Result<(), Error> {
         let restated = Restated::new(case, &self.summary, loss_w);
         restated.with_gearbox(&mut self.summary, &mut self.gearbox)?;
-        self.path.iter_mut().for_each(|row| restated.row(row));
-        restated.pairs(self.pairs.as_mut());
-        restated.run_in(self.run_in.as_mut())?;
-        restated.offsets(&mut self.offsets)
+        let (sampling, run_in) = (self.pairs.as_mut(), self.run_in.as_mut());
+        restated.parts(&mut self.path, sampling, run_in, &mut self.offsets)
     }
 }
 
@@ -147,15 +146,23 @@ impl<'a> Restated<'a> {
         }
     }
 
-    fn pairs(&self, sampling: Option<&mut PairSampling>) {
-        let Some(sampling) = sampling else {
-            return;
-        };
-        *sampling = sampling.times(self.ratio);
-    }
-
-    fn offsets(&self, rows: &mut [OffsetRow]) -> Result<(), Error> {
-        for row in rows {
+    /// The losses along the path, of pairs of traces, of flanks run in and of offsets. Flanks that have run in
+    /// are not drawn: they have the ratio of the flanks as measured.
+    fn parts(
+        &self,
+        path: &mut [PositionRow],
+        sampling: Option<&mut PairSampling>,
+        run_in: Option<&mut RunInFlanks>,
+        offsets: &mut [OffsetRow],
+    ) -> Result<(), Error> {
+        path.iter_mut().for_each(|row| self.row(row));
+        if let Some(sampling) = sampling {
+            *sampling = sampling.times(self.ratio);
+        }
+        if let Some(flanks) = run_in {
+            self.summary(&mut flanks.summary).map_err(Box::new)?;
+        }
+        for row in offsets {
             for power in [&mut row.loss_w, &mut row.sliding_w, &mut row.rolling_w] {
                 *power *= self.ratio;
             }
@@ -164,14 +171,6 @@ impl<'a> Restated<'a> {
                 .map_err(PositionError::from)
                 .map_err(Box::new)?
                 .efficiency;
-        }
-        Ok(())
-    }
-
-    /// Flanks that have run in are not drawn: they have the ratio of the flanks as measured.
-    fn run_in(&self, flanks: Option<&mut RunInFlanks>) -> Result<(), Error> {
-        if let Some(flanks) = flanks {
-            self.summary(&mut flanks.summary).map_err(Box::new)?;
         }
         Ok(())
     }

@@ -160,12 +160,26 @@ impl ReadFault {
         )
     }
 
-    /// No unit is stated, and values of this span, in the unit of the file, do not determine it.
+    /// No unit is stated, and values of this span, in the unit of the file, do not determine it. The units that are proposed give
+    /// a span that instruments measure.
     pub(super) fn no_unit(axis: Axis, span: f64) -> Self {
+        // Spans [m]: a layer of atoms to a contour, a step profiler to a wafer.
+        let range = match axis {
+            Axis::Height => 1e-9..=0.05,
+            Axis::Trace => 1e-6..=0.5,
+        };
+        use LengthUnit::{Metre, Micrometre, Millimetre, Nanometre};
+        let units = [Micrometre, Nanometre, Millimetre, Metre].into_iter();
+        let possible = units.filter(|unit| range.contains(&unit.metres(span)));
+        let proposed: Vec<String> = possible.map(|unit| unit.to_string()).collect();
+        let value = match proposed.is_empty() {
+            true => Value::Any,
+            false => Value::OneOf(proposed.join(" | ").into()),
+        };
         Self::new(
             Code::E104,
             format!("no unit found for the {axis}, which span {}", number(span)),
-            Remedy::set(axis.setting(), Value::OneOf("um | nm | mm".into())),
+            Remedy::set(axis.setting(), value),
         )
     }
 

@@ -67,23 +67,58 @@ const ROW_SPACING: [&str; 9] = [
     "pitch y",
     "scale y",
 ];
-/// Names of the sides of a matrix: Gwyddion in English and German, SPIP.
-const WIDTH: [&str; 3] = ["width", "breite", "x length"];
-const HEIGHT: [&str; 3] = ["height", "höhe", "y length"];
-/// Names of the numbers of points of a row and of rows: SPIP, Profilm, Nova.
-const COLUMNS: [&str; 3] = ["x pixels", "numcols", "nx"];
-const ROWS: [&str; 3] = ["y pixels", "numrows", "ny"];
+/// Names of the sides of a matrix: Gwyddion in all its languages, SPIP.
+const WIDTH: [&str; 11] = [
+    "width",
+    "breite",
+    "largeur",
+    "anchura",
+    "larghezza",
+    "largura",
+    "šířka",
+    "ширина",
+    "幅",
+    "폭",
+    "x length",
+];
+const HEIGHT: [&str; 10] = [
+    "height",
+    "höhe",
+    "hauteur",
+    "altura",
+    "altezza",
+    "výška",
+    "высота",
+    "高さ",
+    "높이",
+    "y length",
+];
+/// Names of the numbers of points of a row and of rows: SPIP, Profilm, Nova, holographic microscopes.
+const COLUMNS: [&str; 4] = ["x pixels", "numcols", "nx", "w"];
+const ROWS: [&str; 4] = ["y pixels", "numrows", "ny", "h"];
+/// Names of the length that one in the numbers of a matrix is: holographic microscopes, SPIP in nanometres.
+const SCALE: &str = "height conversion factor";
+const SCALE_IN_NANOMETRES: &str = "bit2nm";
 /// Names of the unit of lengths that are stated without one.
 const LATERAL_UNIT: [&str; 4] = ["x unit", "unit x", "xy unit", "lateral unit"];
 /// First line of SPIP ASCII, whose sides are in nanometres.
 const SPIP: &str = "File Format = ASCII";
-/// Names of the unit of heights: Gwyddion, Bruker NanoScope, Keyence, Nova.
-const UNIT: [&str; 17] = [
+/// Names of the unit of heights: Gwyddion in all its languages, Bruker NanoScope, Keyence, Nova, holographic microscopes.
+const UNIT: [&str; 26] = [
     "unit",
     "einheit",
     "value units",
     "werteinheiten",
+    "einheiten",
+    "unités",
+    "unità valore",
+    "unidades de valor",
+    "jednotky hodnot",
+    "единицы измерения",
+    "値の単位",
+    "값 단위",
     "exported image units",
+    "data unit",
     "data units",
     "unit data",
     "z unit",
@@ -130,6 +165,8 @@ pub(super) struct HeaderValues {
     lateral_of_sides: Option<LengthUnit>,
     /// Unit of the heights.
     pub z_unit: Option<Stated>,
+    /// Length that one in the numbers of a matrix is \[m\].
+    scale: Option<f64>,
     /// Base radius of the gear.
     pub base_radius: Option<Length>,
     /// Filters of the heights.
@@ -153,7 +190,11 @@ impl HeaderValues {
             line.text.trim_start_matches(marks)
         };
         let texts = header.iter().map(text);
-        let stated: Vec<(&str, String)> = texts.clone().filter_map(stated).collect();
+        let stated: Vec<(&str, String)> = texts
+            .clone()
+            .flat_map(statements)
+            .filter_map(stated)
+            .collect();
         let names = texts.clone().zip(texts.clone().skip(1));
         let below: Vec<_> = names
             .flat_map(|(above, below)| named_above(above, below))
@@ -202,6 +243,10 @@ impl HeaderValues {
                     .map(Stated::Length)
                     .or_else(|| (!value.is_empty()).then(|| Stated::Other(value.to_owned())))
             }
+            () if name == SCALE => self.scale = self::length(&key.replace("->", ""), value, None),
+            () if name == SCALE_IN_NANOMETRES => {
+                self.scale = self::length(key, value, Some(LengthUnit::Nanometre));
+            }
             () if name == FILTER => self.filter = filter(value),
             () => {}
         }
@@ -217,6 +262,12 @@ impl HeaderValues {
             part(0, columns).or(self.spacing),
             part(1, rows).or(self.row_spacing).or(self.spacing),
         ]
+    }
+
+    /// Length that one in the heights of a matrix is \[m\], unless they have a unit of length.
+    pub(super) fn scale(&self) -> Option<f64> {
+        let has_unit = matches!(self.z_unit, Some(Stated::Length(_)));
+        self.scale.filter(|_| !has_unit)
     }
 
     /// Whether the header belongs to a matrix of heights whose lines have this number of columns.
@@ -241,9 +292,22 @@ impl HeaderValues {
     }
 }
 
+/// The statements of a line: each word of "h=650 w=650", or the line.
+fn statements(text: &str) -> Vec<&str> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let is_statement = |word: &&str| {
+        let parts = word.split_once('=');
+        parts.is_some_and(|(key, value)| !key.is_empty() && !value.is_empty())
+    };
+    match words.len() > 1 && words.iter().all(is_statement) {
+        true => words,
+        false => vec![text],
+    }
+}
+
 /// Name and value of a line, whose value may be in several cells, number and unit for example.
 fn stated(text: &str) -> Option<(&str, String)> {
-    let (key, value) = text.split_once(['=', ':', '\t', ';', ','])?;
+    let (key, value) = text.split_once(['=', ':', '：', '\t', ';', ','])?;
     let has_commas = text[key.len()..].starts_with(',');
     let cells = value
         .split(|c: char| "\t;\"".contains(c) || has_commas && c == ',')
@@ -351,10 +415,13 @@ mod tests {
     }
 
     #[test]
-    fn a_gwyddion_header_gives_both_spacings_and_the_unit() {
+    fn a_gwyddion_header_gives_both_spacings_and_the_unit_in_any_language() {
         for text in [
             "# Channel: a\n# Width: 12 µm\n# Height: 6000 nm\n# Value units: nm",
             "# Kanal: a\n# Breite: 12 µm\n# Höhe: 6000 nm\n# Value units: nm",
+            "# Canal : a\n# Largeur : 12 µm\n# Hauteur : 6000 nm\n# Unités : nm",
+            "# チャネル：a\n# 幅：12 µm\n# 高さ：6000 nm\n# 値の単位：nm",
+            "# Канал: a\n# Ширина: 12 µm\n# Высота: 6000 nm\n# Единицы измерения: nm",
         ] {
             let values = of(text);
             let [x, y] = values.spacings(24, 12).map(Option::unwrap);

@@ -110,8 +110,10 @@ impl<'a, 'l> Matrix<'a, 'l> {
         }
         self.check_rows(rows)?;
         grid::unmark(&mut values);
-        let unit = header::unit_of_file(self.values.z_unit.as_ref(), Axis::Height, options)?;
-        let heights = Lengths::Numbers(Heights::Values { values, columns }, unit);
+        let heights = self.lengths(values, options)?;
+        let kind = heights.with(());
+        let values = heights.into_values();
+        let heights = kind.with(Heights::Values { values, columns });
         Ok(Areal {
             spacings: self.spacings(rows),
             warnings: self.fewer()?.into_iter().collect(),
@@ -139,7 +141,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
             ));
         }
         grid::enough_of_line(self.points(), rows, options.line)?;
-        let unit = header::unit_of_file(self.values.z_unit.as_ref(), Axis::Height, options)?;
+        let heights = self.lengths(heights, options)?;
         let [spacing, _] = self.spacings(rows);
         Ok(Found {
             spacing: spacing.map(|dx| (dx, SpacingSource::Header)),
@@ -147,8 +149,23 @@ impl<'a, 'l> Matrix<'a, 'l> {
             encoding: Some(text.encoding),
             table: Some(self.layout()),
             mark,
-            ..Found::new(FORMAT, Lengths::Numbers(heights, unit))
+            ..Found::new(FORMAT, heights)
         })
+    }
+
+    /// The heights with their unit, or in metres if the header has their scale.
+    fn lengths(
+        &self,
+        mut heights: Vec<f64>,
+        options: &ReadOptions,
+    ) -> Result<Lengths<Vec<f64>>, ReadFault> {
+        let Some(scale) = self.values.scale() else {
+            let unit = header::unit_of_file(self.values.z_unit.as_ref(), Axis::Height, options)?;
+            return Ok(Lengths::Numbers(heights, unit));
+        };
+        grid::unmark(&mut heights);
+        heights.iter_mut().for_each(|height| *height *= scale);
+        Ok(Lengths::Metres(heights))
     }
 
     /// Heights of the rows that `is_wanted`, and the number of all rows; the first word in place of a height is stored.

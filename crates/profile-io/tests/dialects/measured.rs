@@ -61,7 +61,7 @@ fn a_missing_unit_is_assumed_only_when_no_other_is_possible() {
         "{refused}"
     );
     assert!(
-        refused.remedy().to_string() == "Set z_unit to um | nm | mm",
+        refused.remedy().to_string() == "Set z_unit to um | nm",
         "{refused}"
     );
     let furlong = Dialect {

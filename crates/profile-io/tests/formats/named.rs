@@ -1,8 +1,9 @@
 //! Text files of instruments that name themselves, and the ends of their blocks.
 
 use asperity_core::Code;
+use asperity_profile_io::Warning;
 use asperity_profile_io::read::{
-    Format, ReadOptions, Surface, TraceLine, read_bytes, read_surface_bytes,
+    Axis, Format, LengthUnit, ReadOptions, Surface, TraceLine, read_bytes, read_surface_bytes,
 };
 
 use super::areal_files::{self, COLUMNS, HOLE, ROWS, is_hole, nanometres};
@@ -119,11 +120,18 @@ fn matrices_with_a_header_of_their_instrument_are_read_without_an_option() {
         "File Format = ASCII\nCreated by Nova 1.1.0\nNX = {COLUMNS}\nNY = {ROWS}\nScale X = 0.5\nScale Y = 2.0\nUnit X = um\nUnit Y = um\nUnit Data = um\nStart of Data :\n"
     );
     let japanese = "\"機種\"\t\"VK-X1000 Series\"\n\"XYキャリブレーション\"\t\"0.5\"\t\"μm\"\n\"横\"\t\"120\"\n\"単位\"\t\"μm\"\n\n\"高さ\"\n";
+    // A holographic microscope, whose numbers are angles, and SPIP without a unit.
+    let hologram = format!(
+        "h={ROWS} w={COLUMNS}\npixel size=5e-007 m\ndata unit=rad\nheight conversion factor (-> m)=1e-006\n"
+    );
+    let bits = spip.replace("# z-unit = um", "# Bit2nm = 1000");
     let profilm =
         format!("numCols\tnumRows\tpixelSize (um)\n{COLUMNS}\t{ROWS}\t0.5\nZ-data (um)\n");
     for (header, dy) in [
         (spip.as_str(), 2.0),
         (&nova, 2.0),
+        (&hologram, 0.5),
+        (&bits, 2.0),
         (japanese, 0.5),
         (&profilm, 0.5),
     ] {
@@ -173,6 +181,88 @@ fn matrices_with_a_header_of_their_instrument_are_read_without_an_option() {
         names.join("\t")
     );
     is_right("olympus", &surface("a.csv", text.as_bytes()), 2.0);
+}
+
+/// Wyko and Zygo scale their numbers themselves, whatever unit is stated; SPIP has any unit in its head.
+#[test]
+fn a_unit_stated_beside_a_named_file_changes_no_height() {
+    use LengthUnit::{Inch, Metre, Micrometre, Mil, Millimetre, Nanometre};
+    let (x, y) = (500 * COLUMNS, 2000 * ROWS);
+    for unit in [Millimetre, Micrometre, Nanometre, Mil, Inch, Metre] {
+        let height = |x, y| areal_files::um(x, y) / (1e6 * unit.metres(1.0));
+        let row = |y| (0..COLUMNS).map(move |x| format!("{:.12e}", height(x, y)));
+        let rows: String = (0..ROWS)
+            .map(|y| row(y).collect::<Vec<_>>().join("\t") + "\n")
+            .collect();
+        let spip = format!(
+            "# File Format = ASCII\n# x-pixels = {COLUMNS}\n# y-pixels = {ROWS}\n# x-length = {x}\n# y-length = {y}\n# z-unit = {unit}\n# Start of Data:\n{rows}"
+        );
+        is_right("spip", &surface("a.asc", spip.as_bytes()), 2.0);
+        let files = [
+            spip.into_bytes(),
+            areal_files::wyko_text(true),
+            areal_files::wyko_text(false),
+            areal_files::zygo_text(),
+            areal_files::zygo_xyz(),
+        ];
+        for (number, bytes) in files.iter().enumerate() {
+            let read = |x_unit, z_unit| {
+                let options = ReadOptions {
+                    x_unit,
+                    z_unit,
+                    row: Some(ROWS),
+                    ..ReadOptions::default()
+                };
+                let surface = read_surface_bytes("a.asc", bytes, &options).unwrap();
+                let heights: Vec<u64> = surface.z.iter().map(|z| z.to_bits()).collect();
+                let profile = read_bytes("a.asc", bytes, &options).unwrap().profile;
+                (heights, surface.dx, surface.dy, profile)
+            };
+            let (plain, stated) = (read(None, None), Some(unit));
+            for units in [(stated, None), (None, stated), (stated, stated)] {
+                assert_eq!(read(units.0, units.1), plain, "{number} {units:?}");
+            }
+        }
+    }
+}
+
+/// The scale of a header is applied once, and what it is of is not a unit.
+#[test]
+fn numbers_with_a_scale_are_metres_and_a_matrix_with_its_size_may_be_narrow() {
+    let header = |more: &str| format!("h=5 w=12\npixel size=5e-007 m\ndata unit=rad\n{more}");
+    let row = |y: u32| (0..12).map(move |x| format!("{}.5", x * y));
+    let rows: String = (0..5)
+        .map(|y| row(y).collect::<Vec<_>>().join(" ") + "\n")
+        .collect();
+    let scaled = header("height conversion factor (-> m)=2.5e-008\n") + &rows;
+    let found = surface("a.txt", scaled.as_bytes());
+    assert_eq!((found.columns, found.rows), (12, 5));
+    assert!((found.z[4 * 12 + 11] - 44.5 * 2.5e-8).abs() < 1e-18);
+    assert!((found.dy.unwrap().si() - 0.5e-6).abs() < 1e-15);
+    // A stated unit changes nothing, and says so.
+    let stated = ReadOptions {
+        z_unit: "um".parse().ok(),
+        ..ReadOptions::default()
+    };
+    let again = read_surface_bytes("a.txt", scaled.as_bytes(), &stated).unwrap();
+    assert_eq!(again.z, found.z);
+    let (axis, unit) = (Axis::Height, LengthUnit::Micrometre);
+    assert!(
+        again
+            .warnings
+            .contains(&Warning::UnitNotUsed { axis, stated: unit })
+    );
+    let row = ReadOptions {
+        row: Some(1),
+        ..ReadOptions::default()
+    };
+    let short = read_bytes("a.txt", scaled.as_bytes(), &row).unwrap_err();
+    assert_eq!(short.code(), Code::E106, "{short}");
+    // Angles without a scale are no heights.
+    assert_eq!(
+        refused("a.txt", (header("") + &rows).as_bytes()).0,
+        Code::E114
+    );
 }
 
 #[test]

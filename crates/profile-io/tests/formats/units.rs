@@ -323,6 +323,22 @@ fn each_column_of_points_has_its_own_unit() {
     assert!(read(Some("um")).is_ok());
 }
 
+/// Heights of some 4 um, in metres, micrometres and nanometres.
+#[test]
+fn proposed_units_give_heights_that_instruments_measure() {
+    for (micrometres, units) in [(1e6, "mm | m"), (1.0, "um | nm | mm"), (1e-3, "um | nm")] {
+        let text = String::from_utf8(matrix("um", micrometres)).unwrap();
+        let text = text.replacen("# Value units: um\n", "", 1);
+        let refused =
+            read_surface_bytes("a.txt", text.as_bytes(), &ReadOptions::default()).unwrap_err();
+        assert_eq!(
+            refused.remedy().to_string(),
+            format!("Set z_unit to {units}"),
+            "{refused}"
+        );
+    }
+}
+
 #[test]
 fn spacings_of_points_and_rows_are_stated_where_the_file_has_none() {
     let text = String::from_utf8(matrix("um", 1.0)).unwrap();
