@@ -8,8 +8,7 @@ use asperity_efficiency::output_torque::power_flow;
 use super::cycle::operation;
 use crate::gearbox;
 use crate::result::{
-    GearboxReport, Losses, OffsetRow, Outcome, PairSampling, PositionRow, RunInFlanks,
-    Summary,
+    GearboxReport, Losses, OffsetRow, Outcome, PairSampling, PositionRow, RunInFlanks, Summary,
 };
 use asperity_case::case::Case;
 use asperity_case::error::{Error, PositionError};

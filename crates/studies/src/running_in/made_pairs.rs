@@ -30,12 +30,7 @@ fn between(random: &mut ChaCha8Rng, low: f64, high: f64) -> f64 {
 }
 
 /// The history of one pair of traces of a recipe.
-fn history_of(
-    case: &LoadedCase,
-    recipe: &SelfAffine,
-    seeds: [u64; 2],
-    torque: Torque,
-) -> History {
+fn history_of(case: &LoadedCase, recipe: &SelfAffine, seeds: [u64; 2], torque: Torque) -> History {
     let [pinion, wheel] = seeds.map(|seed| SelfAffine { seed, ..*recipe }.generate().unwrap());
     let mut case = case.clone();
     case.surfaces = Surfaces::new([Texture::Trace(pinion), Texture::Trace(wheel)], None, false);
