@@ -22,7 +22,7 @@ const PICTURES: [(&str, &str, &str); 11] = [
         "loss_w-over-operation-bulk_temperature",
     ),
     ("ridges", "demo-case-ridges/ridges.html", "watts-pinion"),
-    ("run_in", "run-in/report.html", "flanks-change"),
+    ("running_in", "running-in/running_in.html", "loss"),
     ("relief", "relief/report.html", "load"),
     ("planetary", "planetary/sun_planet/report.html", "mesh"),
     ("own_law", "own-law/report.html", "friction"),
