@@ -130,12 +130,7 @@ pub(crate) fn resolve_with(
     } = steels(&input, source, &mut defaults)?;
     let modulus =
         reduced_modulus(&materials[0], &materials[1]).map_err(domain(source, "material.pinion"))?;
-    let OperationInput {
-        torque,
-        speed,
-        bulk,
-        ..
-    } = input.operation;
+    let (torque, speed) = (input.operation.torque, input.operation.speed);
     let temperature = operating_temperature(&input.operation, source)?;
     check_operation((torque, speed), (&gears, modulus), source)?;
     let running_in = running_in(&input.operation, (&gears, modulus), flow_pressure, source)?;
@@ -156,7 +151,7 @@ pub(crate) fn resolve_with(
         positions: formulation.positions(),
     };
     let model = model(&choices, &stated, &gears, source, &mut defaults)?;
-    let bulk = bulk_model(bulk.as_ref(), &model, source)?;
+    let bulk = bulk_model(input.operation.bulk.as_ref(), &model, source)?;
     let load_settings = load_settings(&input, &model, source, &mut defaults);
     let mesh = LoadConditions {
         pair: &gears,
