@@ -4,4 +4,5 @@ mod energies;
 mod estimate;
 mod exports;
 mod ridges;
+mod running_in;
 mod trains;

@@ -1,0 +1,195 @@
+//! The study of running-in against runs of the flanks that it writes.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests do")]
+
+use std::path::Path;
+
+use asperity::case::{self, LoadedCase};
+use asperity_report::{Settings, StudyResult, StudySettings, Watch};
+use asperity_studies::running_in::{RunningInFound, RunningInSettings};
+
+fn case() -> LoadedCase {
+    let file = Path::new("../../fixtures/cases/fzg-c.toml");
+    case::load_with(file, &|input| {
+        (input.model.positions, input.model.offsets) = (Some(6), Some(4));
+    })
+    .unwrap()
+}
+
+fn found(case: &LoadedCase, stated: serde_json::Value) -> Result<RunningInFound, String> {
+    let settings = RunningInSettings::of_json(stated).unwrap();
+    let found = settings.run(case.clone(), &Watch::SILENT);
+    found.map_err(|fault| format!("{} {fault}", fault.code()))
+}
+
+#[test]
+fn torques_run_in_side_by_side_and_more_load_is_worth_more() {
+    let case = case();
+    let stated = serde_json::json!({ "torque": ["94 N m", "302 N m"], "engagements": 1e4 });
+    let study = found(&case, stated).unwrap();
+    let [low, high] = &study.courses[..] else {
+        panic!("two torques")
+    };
+    assert!((study.of_wheel - 16.0 / 24.0).abs() < 1e-12);
+    assert!(high.factor.high < 1.0 && high.factor.value < low.factor.value);
+    for course in [low, high] {
+        assert!(
+            course.factor.low <= course.factor.value && course.factor.value <= course.factor.high
+        );
+        assert!(course.rows[0].engagements == 0.0 && course.rows[0].loss_w.half_width() == 0.0);
+        assert!((course.rows[0].loss_w.value / study.loss_w - 1.0).abs() < 1e-9);
+        let each = |of: fn(&asperity_studies::running_in::CourseRow) -> f64| {
+            course.rows.iter().map(of).collect::<Vec<f64>>()
+        };
+        assert!(each(|row| row.pinion_removed_nm.value).is_sorted());
+        assert!(each(|row| row.wheel_removed_nm.value).is_sorted());
+        let done = course.done_engagements.unwrap();
+        assert!((8.0..1e3).contains(&done), "{done}");
+        // 2166 engagements a minute.
+        assert!((course.done_hours.unwrap() / (done / 2166.0 / 60.0) - 1.0).abs() < 1e-9);
+        assert!(
+            course
+                .removed_mg
+                .iter()
+                .all(|mass| (0.1..5.0).contains(mass))
+        );
+    }
+}
+
+#[test]
+fn the_flanks_written_lose_what_the_history_says() {
+    let case = case();
+    let folder = tempfile::tempdir().unwrap();
+    // In the plastic stage and beyond it.
+    for engagements in [20.0, 1e5] {
+        let study = found(&case, serde_json::json!({ "engagements": engagements })).unwrap();
+        let target = folder.path().join(format!("{engagements}"));
+        study.write(&target).unwrap();
+        let run_in = case.with(|input| {
+            let surface = &mut input.surface;
+            surface.form = Some(asperity_roughness::form::Form::None);
+            (surface.cutoff, surface.noise_cutoff) = ("0 mm".parse().ok(), "0 um".parse().ok());
+            let flank = |name: &str| case::FlankInput {
+                file: Some(target.join(format!("{name}.csv"))),
+                ..Default::default()
+            };
+            (surface.pinion, surface.wheel) = (flank("pinion"), Some(flank("wheel")));
+        });
+        let loss = asperity::losses(&run_in.unwrap()).unwrap().summary.loss_w;
+        let fresh = asperity::losses(&case).unwrap().summary.loss_w;
+        let factor = study.courses[0].factor.value;
+        assert!(
+            (loss / fresh / factor - 1.0).abs() < 5e-3,
+            "{} {factor}",
+            loss / fresh
+        );
+    }
+}
+
+#[test]
+fn superfinished_flanks_gain_nothing_by_flow() {
+    let file = Path::new("../../fixtures/cases/e-drive-superfinished.toml");
+    let case = case::load_with(file, &|input| {
+        (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+    });
+    let study = found(&case.unwrap(), serde_json::json!({ "engagements": 1e5 })).unwrap();
+    let course = &study.courses[0];
+    let at = |n: f64| course.rows.iter().find(|row| row.engagements == n).unwrap();
+    assert_eq!(at(100.0).pinion_rq_um.value, at(0.0).pinion_rq_um.value);
+    assert!(study.summary().contains("wear"), "{}", study.summary());
+}
+
+#[test]
+fn a_history_passes_through_the_traces_of_a_test() {
+    let case = case();
+    let folder = tempfile::tempdir().unwrap();
+    // The test: the flanks of another history after 2e5 engagements with more wear than usual.
+    let test = found(
+        &case,
+        serde_json::json!({ "torque": ["302 N m"], "engagements": 2e5 }),
+    )
+    .unwrap();
+    test.write(&folder.path().join("test")).unwrap();
+    let fresh = found(&case, serde_json::json!({ "engagements": 1.0 })).unwrap();
+    fresh.write(&folder.path().join("fresh")).unwrap();
+    let trace = |name: &str| folder.path().join(name).join("pinion.csv");
+    let stated = |engagements: f64| {
+        serde_json::json!({
+            "engagements": engagements, "before": [trace("fresh")], "after": [trace("test")], "test_engagements": 2e5,
+        })
+    };
+    let study = found(&case, stated(2e5)).unwrap();
+    let pair = study.test.as_ref().unwrap();
+    let last = study.courses[0].rows.last().unwrap();
+    let ratio = last.pinion_rq_um.value / study.courses[0].rows[0].pinion_rq_um.value;
+    assert!(
+        (ratio / pair.rq_ratio.value - 1.0).abs() < 1e-6,
+        "{ratio} {pair:?}"
+    );
+    assert!(pair.rq_ratio.value < pair.plastic_rq_ratio && pair.k_mm3_per_n_m.is_some());
+    let too_far = found(&case, stated(3e6)).unwrap_err();
+    assert!(
+        too_far.starts_with("E205") && too_far.contains("ten times"),
+        "{too_far}"
+    );
+}
+
+#[test]
+fn what_cannot_run_in_is_refused_with_a_way_out() {
+    let case = case();
+    for (stated, code, says) in [
+        (serde_json::json!({ "torque": ["0 N m"] }), "E209", "torque"),
+        (
+            serde_json::json!({ "torque": ["90 kN m"] }),
+            "E212",
+            "torque",
+        ),
+        (
+            serde_json::json!({ "engagements": 0.5 }),
+            "E209",
+            "engagements",
+        ),
+        (
+            serde_json::json!({ "engagements": 1e11 }),
+            "E209",
+            "engagements",
+        ),
+        (
+            serde_json::json!({ "test_engagements": 1e5 }),
+            "E205",
+            "no traces of a test",
+        ),
+        (
+            serde_json::json!({ "before": ["a.csv"], "test_engagements": 1e5 }),
+            "E205",
+            "each trace before",
+        ),
+        (
+            serde_json::json!({ "before": ["a.csv"], "after": ["b.csv"] }),
+            "E205",
+            "needs its engagements",
+        ),
+        (
+            serde_json::json!({ "before": ["a.csv"], "after": ["b.csv"], "test_engagements": 1e6 }),
+            "E103",
+            "a.csv",
+        ),
+    ] {
+        let refused = found(&case, stated.clone()).unwrap_err();
+        assert!(
+            refused.starts_with(code) && refused.contains(says),
+            "{stated}: {refused}"
+        );
+    }
+    let values = case.with(|input| {
+        input.surface.wheel = Some(case::FlankInput {
+            rq: "0.3 um".parse().ok(),
+            ..Default::default()
+        });
+    });
+    let refused = found(&values.unwrap(), serde_json::json!({})).unwrap_err();
+    assert!(
+        refused.contains("needs the traces of both flanks"),
+        "{refused}"
+    );
+}
