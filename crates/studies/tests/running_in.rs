@@ -11,7 +11,8 @@ use asperity_studies::running_in::{RunningInFound, RunningInSettings};
 fn case() -> LoadedCase {
     let file = Path::new("../../fixtures/cases/fzg-c.toml");
     case::load_with(file, &|input| {
-        (input.model.positions, input.model.offsets) = (Some(6), Some(4));
+        (input.model.positions, input.model.offsets) = (Some(4), Some(1));
+        let _ = input.set("operation.torque", "302 N m");
     })
     .unwrap()
 }
@@ -25,7 +26,7 @@ fn found(case: &LoadedCase, stated: serde_json::Value) -> Result<RunningInFound,
 #[test]
 fn torques_run_in_side_by_side_and_more_load_is_worth_more() {
     let case = case();
-    let stated = serde_json::json!({ "torque": ["94 N m", "302 N m"], "engagements": 1e4 });
+    let stated = serde_json::json!({ "torque": ["94 N m", "302 N m"], "engagements": 1e3 });
     let study = found(&case, stated).unwrap();
     let [low, high] = &study.courses[..] else {
         panic!("two torques")
@@ -61,7 +62,7 @@ fn the_flanks_written_lose_what_the_history_says() {
     let case = case();
     let folder = tempfile::tempdir().unwrap();
     // In the plastic stage and beyond it.
-    for engagements in [20.0, 1e5] {
+    for engagements in [10.0, 3e3] {
         let study = found(&case, serde_json::json!({ "engagements": engagements })).unwrap();
         let target = folder.path().join(format!("{engagements}"));
         study.write(&target).unwrap();
@@ -95,7 +96,8 @@ fn superfinished_flanks_gain_nothing_by_flow() {
     let study = found(&case.unwrap(), serde_json::json!({ "engagements": 1e5 })).unwrap();
     let course = &study.courses[0];
     let at = |n: f64| course.rows.iter().find(|row| row.engagements == n).unwrap();
-    assert_eq!(at(100.0).pinion_rq_um.value, at(0.0).pinion_rq_um.value);
+    let ratio = at(100.0).pinion_rq_um.value / at(0.0).pinion_rq_um.value;
+    assert!((ratio - 1.0).abs() < 1e-5, "{ratio}");
     assert!(study.summary().contains("wear"), "{}", study.summary());
 }
 
@@ -162,7 +164,7 @@ fn what_cannot_run_in_is_refused_with_a_way_out() {
         (
             serde_json::json!({ "before": ["a.csv"], "test_engagements": 1e5 }),
             "E205",
-            "each trace before",
+            "do not pair: 1 and 0",
         ),
         (
             serde_json::json!({ "before": ["a.csv"], "after": ["b.csv"] }),

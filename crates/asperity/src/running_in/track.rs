@@ -28,8 +28,8 @@ use asperity_case::flanks::{LEAST_POINTS_PER_HALF_WIDTH, Surfaces};
 
 /// Engagements of a pinion's tooth in a cycle, in which each of its points is in contact as often.
 pub(super) const ENGAGEMENTS: f64 = 4.0;
-/// Tolerance of the contacts: a tighter one changes Rq by less than 1e-4.
-const TOLERANCE: f64 = 1e-5;
+/// Tolerance of the contacts: a tighter one changes Rq by less than 1e-3.
+const TOLERANCE: f64 = 1e-4;
 /// Steps from contact to contact of the mesh position and of the places on pinion and wheel, as parts of the whole: powers of the
 /// inverse of the real root of x⁴ = x + 1, which fill three dimensions evenly.
 const STEPS: [f64; 3] = [

@@ -86,9 +86,11 @@ fn worth(found: &RunningInFound, course: &Course) -> String {
 fn how_long(course: &Course) -> String {
     match (course.done_engagements, course.done_hours) {
         (Some(engagements), Some(hours)) => {
-            let time = match hours < 1.0 {
-                true => format!("{} min", decimals(60.0 * hours, 1)),
-                false => format!("{} h", decimals(hours, 1)),
+            let seconds = 3600.0 * hours;
+            let time = match seconds {
+                short if short < 120.0 => format!("{} s", decimals(short, 0)),
+                long if long < 7200.0 => format!("{} min", decimals(long / 60.0, 0)),
+                _ => format!("{} h", decimals(hours, 1)),
             };
             format!(
                 "90 % of the change of Rq are done after {} engagements of a tooth of the pinion, {time} at the speed of the case.",

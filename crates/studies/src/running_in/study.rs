@@ -246,7 +246,9 @@ impl RunningInSettings {
                 "Name the traces before and after it, or leave the setting out.",
             ),
             (before, after, _) if before != after => refused(
-                format!("before: {before} traces before the test, and {after} after it"),
+                format!(
+                    "before: traces before and after the test do not pair: {before} and {after}"
+                ),
                 "Name for each trace before the test the trace of the same place after it.",
             ),
             (.., None) => refused(
@@ -298,9 +300,12 @@ impl RunningInSettings {
             engagements: Some(self.engagements),
         };
         let flank = self.flank as usize;
-        let at = |limit: Pressure, worn: f64| -> Result<History, Fault> {
+        let at = |limit: Pressure, worn: f64, engagements: f64| -> Result<History, Fault> {
             let settings = HistorySettings {
-                plan,
+                plan: RunningInPlan {
+                    torque,
+                    engagements: Some(engagements),
+                },
                 limit,
                 worn,
                 least: ratio.map(|ratio| (flank, 2.0 * ratio.low - 1.0)),
@@ -315,8 +320,10 @@ impl RunningInSettings {
             (Clock::Coefficient(k), None) => k.high,
             (Clock::Test(_), None) => UPPER * USUAL,
         };
-        let middle = at(limit, most * self.engagements)?;
-        let ends = [at(low, 0.0)?, at(high, 0.0)?];
+        let middle = at(limit, most * self.engagements, self.engagements)?;
+        // Other limits change how much flows, and hardly how long.
+        let plastic = middle.steps.last().map_or(0.0, |step| step.engagements);
+        let ends = [at(low, 0.0, plastic)?, at(high, 0.0, plastic)?];
         let loss_w = middle.states[0].loss_w;
         let per_hour = case.case.speed.si() * 3600.0 / std::f64::consts::TAU;
         let histories = Histories {
