@@ -37,6 +37,8 @@ const STEPS: [f64; 3] = [
     0.671_043_606_703_789_3,
     0.549_700_477_901_970_3,
 ];
+/// Half-widths of a window to each side: without a film rough flanks touch within 1.3 of them.
+const REACH: f64 = 1.5;
 /// Part of the length of all traces below which no other teeth are added.
 const NO_OTHERS: f64 = 1e-9;
 
@@ -116,7 +118,7 @@ impl<'a> Track<'a> {
                 least = least.min(trace_of(surfaces, body, tooth, zone)?.0.len());
             }
         }
-        let window = |at: &MeshPosition| window_points(case, at, spacing);
+        let window = |at: &MeshPosition| window_points(at, spacing);
         let is_held = |at: &&MeshPosition| {
             let points = at.hertz.half_width / spacing;
             at.zone.min(surfaces.zones() - 1) == zone
@@ -443,8 +445,8 @@ fn trace_of(
 }
 
 /// Points of the window at a position.
-fn window_points(case: &Case, position: &MeshPosition, spacing: Length) -> usize {
-    2 * (case.model.window * (position.hertz.half_width / spacing)).ceil() as usize + 1
+fn window_points(position: &MeshPosition, spacing: Length) -> usize {
+    2 * (REACH * (position.hertz.half_width / spacing)).ceil() as usize + 1
 }
 
 #[cfg(test)]
