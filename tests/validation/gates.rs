@@ -9,10 +9,10 @@ use asperity::Run;
 use asperity::case::{LoadedCase, RunningInPlan};
 use asperity::flanks::Surfaces;
 use asperity::lubrication::load_share_law::{LoadShare, ShareConditions, SharedLoad};
-use asperity::pipeline::{contacts, losses_with};
+use asperity::pipeline::{HistorySettings, contacts, history, losses_with};
 use asperity::quantity::Torque;
 use asperity::result::{FlankHeights, Losses, OffsetRow};
-use asperity::running_in::{HistorySettings, history, limits, run_in};
+use asperity::running_in::{limits, run_in};
 use asperity_core::Profile;
 
 use asperity_ehl_regime::GapLaw;

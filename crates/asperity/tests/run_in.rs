@@ -9,9 +9,10 @@ use std::path::Path;
 
 use asperity::case::{LoadedCase, RunningInPlan, load};
 use asperity::flanks::surfaces::{Surfaces, Texture};
+use asperity::pipeline::{HistorySettings, history};
 use asperity::quantity::{Length, Torque};
 use asperity::result::{Losses, RunInFlanks};
-use asperity::running_in::{HistorySettings, RanIn, history, limits, run_in};
+use asperity::running_in::{RanIn, limits, run_in};
 use asperity_core::Profile;
 
 fn with(name: &str, keys: &[(&str, &str)]) -> LoadedCase {

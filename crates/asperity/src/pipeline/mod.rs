@@ -14,6 +14,7 @@
 
 mod bulk_temperature;
 mod gradient;
+mod history;
 mod kept_fields;
 mod over_gap;
 mod scan_use;
@@ -24,6 +25,7 @@ mod survey;
 pub use gradient::{
     LossGradient, check_heights, gradient, gradient_with, mean_along, refuse as check_gradient,
 };
+pub use history::{History, HistorySettings, HistoryState, history};
 pub use kept_fields::KeptFields;
 pub use scan_use::{ScanUse, less_of_scans};
 pub use stages::{
@@ -34,4 +36,4 @@ pub use store::ContactStore;
 pub use survey::{RegimeRow, survey};
 
 pub(crate) use over_gap::over_gap;
-pub(crate) use stages::{OnFlanks, by_solved_contacts, losses_of, on_flanks, outcome};
+pub(crate) use stages::{by_solved_contacts, losses_of, outcome};

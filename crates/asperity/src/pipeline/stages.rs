@@ -323,7 +323,7 @@ fn friction_of_lay(loaded: &LoadedCase) -> Result<f64, Error> {
 }
 
 /// A case on flanks that have run in.
-pub(crate) struct OnFlanks {
+pub(super) struct OnFlanks {
     pub summary: Summary,
     /// Share of the load on asperities at each mesh position.
     pub shares: Vec<f64>,
@@ -335,7 +335,7 @@ pub(crate) struct OnFlanks {
 ///
 /// # Errors
 /// As [`losses`].
-pub(crate) fn on_flanks(
+pub(super) fn on_flanks(
     loaded: &LoadedCase,
     surfaces: &Surfaces,
     mesh: &Mesh,

@@ -21,7 +21,7 @@ use asperity_case::error::PositionError;
 const AT_ONCE: usize = 8;
 
 /// Tracks whose flanks flow.
-pub(super) struct Flow<'a> {
+pub(crate) struct Flow<'a> {
     case: &'a Case,
     tracks: Vec<Track<'a>>,
     /// Contacts made on each track.

@@ -17,7 +17,6 @@
 //! Left out: growth of a surface film, and what changes between flanks at rest.
 
 mod flow;
-mod history;
 mod track;
 mod wear;
 
@@ -29,8 +28,6 @@ use asperity_core::{Profile, cite};
 use asperity_roughness::material_ratio::rk_parameters;
 use asperity_roughness::section_heights::section_heights;
 
-use self::flow::Flow;
-use self::track::Track;
 use crate::contacts::softer;
 use crate::mesh::{Mesh, MeshPosition};
 use crate::result::{FlankHeights, RunInStep};
@@ -38,7 +35,9 @@ use asperity_case::case::{Case, RunningInPlan};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::Surfaces;
 
-pub use history::{History, HistorySettings, HistoryState, history};
+pub(crate) use flow::Flow;
+pub(crate) use track::Track;
+pub(crate) use wear::{WearRates, rates};
 
 /// Most doublings of the engagements.
 pub(crate) const MAX_STEPS: usize = 13;
@@ -111,7 +110,7 @@ pub fn run_in(
 }
 
 /// The plastic stage, with `each` called after each doubling; whether it settled.
-fn plastic<E: From<Box<PositionError>>>(
+pub(crate) fn plastic<E: From<Box<PositionError>>>(
     flow: &mut Flow<'_>,
     engagements: Option<f64>,
     mut each: impl FnMut(&[RunInStep], &[Track<'_>]) -> Result<(), E>,
@@ -161,7 +160,7 @@ pub(crate) fn check(
 }
 
 /// The tracks of all zones of the face.
-fn tracks<'a>(
+pub(crate) fn tracks<'a>(
     case: &Case,
     measured: &Surfaces,
     positions: &'a [MeshPosition],
@@ -177,7 +176,10 @@ fn tracks<'a>(
 }
 
 /// The flanks with the traces of the tracks.
-fn surfaces(measured: &Surfaces, tracks: &[Track<'_>]) -> Result<Surfaces, PositionError> {
+pub(crate) fn surfaces(
+    measured: &Surfaces,
+    tracks: &[Track<'_>],
+) -> Result<Surfaces, PositionError> {
     measured.with_traces_of_teeth(|teeth: [usize; 2], zone| {
         let profile = |body: usize| {
             let heights = tracks[zone].heights_of(body, teeth[body]);
@@ -188,12 +190,12 @@ fn surfaces(measured: &Surfaces, tracks: &[Track<'_>]) -> Result<Surfaces, Posit
 }
 
 /// Height removed from a flank, mean over all zones and teeth \[m\].
-fn removed(tracks: &[Track<'_>], body: usize) -> f64 {
+pub(crate) fn removed(tracks: &[Track<'_>], body: usize) -> f64 {
     mean(tracks.iter().map(|track| track.removed(body)))
 }
 
 /// Roughness of the tracks, mean over all zones and teeth.
-fn heights(tracks: &[Track<'_>]) -> Result<FlankHeights, PositionError> {
+pub(crate) fn heights(tracks: &[Track<'_>]) -> Result<FlankHeights, PositionError> {
     of_traces([0, 1].map(|body| {
         let traces = tracks.iter().flat_map(move |track| track.heights(body));
         traces.collect::<Vec<_>>()

@@ -5,7 +5,7 @@
 //! | E_i | engagements of a tooth of gear i in a cycle | - |
 //! | z_i | number of teeth | - |
 //! | R_i | length of the measured traces of gear i | m |
-//! | T_i | length of all traces of gear i, those of other teeth included | m |
+//! | T_i | length of all traces of gear i, other teeth included | m |
 //! | b̄ | mean half width of the contacts | m |
 //! | P | contacts in a cycle | - |
 //!
@@ -27,7 +27,7 @@ use asperity_case::flanks::placement::PlacedTrace;
 use asperity_case::flanks::{LEAST_POINTS_PER_HALF_WIDTH, Surfaces};
 
 /// Engagements of a pinion's tooth in a cycle, in which each of its points is in contact as often.
-pub(super) const ENGAGEMENTS: f64 = 4.0;
+pub(crate) const ENGAGEMENTS: f64 = 4.0;
 /// Tolerance of the contacts: a tighter one changes Rq by less than 1e-3.
 const TOLERANCE: f64 = 1e-4;
 /// Steps from contact to contact of the mesh position and of the places on pinion and wheel, as parts of the whole: powers of the
@@ -70,7 +70,7 @@ struct Teeth {
 
 /// Traces of both gears in a zone of the face, and the mesh positions there.
 #[derive(Debug, Clone)]
-pub(super) struct Track<'a> {
+pub(crate) struct Track<'a> {
     gears: [Teeth; 2],
     pub positions: Vec<&'a MeshPosition>,
     pub spacing: Length,
@@ -82,7 +82,7 @@ pub(super) struct Track<'a> {
 
 /// A contact of two teeth.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Pass {
+pub(crate) struct Pass {
     /// Number of the mesh position on its track.
     pub position: usize,
     teeth: [usize; 2],
@@ -201,7 +201,7 @@ impl<'a> Track<'a> {
         })
     }
 
-    /// The windows of a contact pressed together under `load`, beside the pressure `film` of a film.
+    /// The windows of a contact pressed together under `load`, in addition to the pressure `film` of a film.
     ///
     /// # Errors
     /// When the contact has no solution.

@@ -27,7 +27,7 @@ const SAMPLES: f64 = 2.0;
 const NO_SHARE: f64 = 1e-6;
 
 /// Wear of every point of a track over k and engagements of the pinion \[m Pa\], gear by gear and tooth by tooth.
-pub(super) type WearRates = [Vec<Vec<f64>>; 2];
+pub(crate) type WearRates = [Vec<Vec<f64>>; 2];
 
 /// Wear of a track by its next contacts from number `from`, with the asperity share of each mesh position.
 ///
@@ -39,7 +39,7 @@ pub(super) type WearRates = [Vec<Vec<f64>>; 2];
 ///
 /// # Errors
 /// When a contact has no solution.
-pub(super) fn rates(
+pub(crate) fn rates(
     (case, limit): (&Case, Pressure),
     track: &Track<'_>,
     shares: &[f64],

@@ -6,7 +6,7 @@
 //! | N₁ | engagements at which the logarithm begins to count, 1000 | - |
 //! | k | wear coefficient | 1/Pa |
 //! | q | Rq over Rq before | - |
-//! | q₀, q_p | the same after plastic flow alone, and after the test | - |
+//! | q₀, q_p | the same after plastic flow without wear, and after the test | - |
 
 use asperity_core::numerics::interpolate;
 use asperity_core::{Estimate, cite};

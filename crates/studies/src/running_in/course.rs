@@ -1,6 +1,6 @@
 //! The course of running-in at one torque: all quantities over engagements, with their intervals.
 
-use asperity::running_in::{History, HistoryState};
+use asperity::pipeline::{History, HistoryState};
 use asperity_core::numerics::interpolate;
 use asperity_core::{Estimate, EstimateKeys, estimate_keys};
 use serde::Serialize;
@@ -55,7 +55,7 @@ pub struct CourseRow {
     /// Minimum film over composite Rq, mean over the path.
     #[serde(flatten, with = "RatioKeys")]
     pub film_ratio: Estimate,
-    /// Loss of the mesh: that of the fresh flanks, a median where it is drawn, times the ratio of the runs at the medians of the constants.
+    /// Loss of the mesh: the loss of the fresh flanks, a median where it is drawn, times the ratio of the runs at the medians of the constants.
     #[serde(flatten, with = "LossKeys")]
     pub loss_w: Estimate,
 }
@@ -80,8 +80,8 @@ pub struct Course {
     pub factor: Estimate,
     /// Mass removed from pinion and wheel \[mg\].
     pub removed_mg: [f64; 2],
-    /// Engagements at which the wear of the model ends before those that were asked for: it cannot smooth the flanks as far as the
-    /// traces of the test show.
+    /// Engagements at which the wear of the model ends before the history: it cannot smooth the flanks as far as the traces of the test
+    /// show.
     pub ends_at: Option<f64>,
     /// Flanks over engagements.
     pub rows: Vec<CourseRow>,
@@ -94,9 +94,9 @@ type Values = [f64; COUNT];
 pub(super) struct Histories<'a> {
     /// At the shakedown limit.
     pub middle: &'a History,
-    /// The ends of the plastic stage at both ends of the range of the limit.
+    /// The same number of engagements of the plastic stage at both ends of the range of the limit.
     pub ends: [&'a History; 2],
-    /// Loss of the fresh flanks \[W\] over that of the run at the medians.
+    /// Loss of the fresh flanks \[W\] over the loss of the run at the medians.
     pub to_median: f64,
     /// Revolutions of the pinion in an hour.
     pub per_hour: f64,
@@ -168,16 +168,28 @@ impl Histories<'_> {
             std::array::from_fn(|k| at[k] + of[k] - end[k])
         };
         let [middle, low, high] = [wear.value, wear.low, wear.high].map(changed);
-        let of_limits = self.ends.map(|of| of.states.last().map_or(end, values));
-        // Part of the plastic stage that is done, by the Rq of both flanks.
+        // What another limit changes grows with the part of the flow that is done, by the Rq of both flanks.
         let both = |of: &Values| of[0].hypot(of[1]);
-        let part = match both(&fresh) - both(&end) {
-            whole if whole > 0.0 => ((both(&fresh) - both(&at)) / whole).clamp(0.0, 1.0),
-            _ => 0.0,
-        };
+        let done = |of: &Values| both(&fresh) - both(of);
+        let of_limits = self.ends.map(|ends| {
+            let until = ends
+                .steps
+                .last()
+                .map_or(plastic, |step| step.engagements)
+                .ln_1p();
+            let own = between(&flowed, until);
+            let part = match done(&own) {
+                whole if whole > 0.0 => (done(&at) / whole).max(0.0),
+                _ => (engagements.ln_1p() / until).min(1.0),
+            };
+            let other = ends.states.last().map_or(own, values);
+            (0..COUNT)
+                .map(|k| part * (other[k] - own[k]))
+                .collect::<Vec<f64>>()
+        });
         let estimate = |k: usize| {
             let by_wear = [low[k], high[k]].map(|v| v - middle[k]);
-            let by_limit = of_limits.map(|of| part * (of[k] - end[k]));
+            let by_limit = of_limits.each_ref().map(|of| of[k]);
             let least = |of: [f64; 2]| of[0].min(of[1]).min(0.0);
             let most = |of: [f64; 2]| of[0].max(of[1]).max(0.0);
             let below = least(by_wear).hypot(least(by_limit));

@@ -1,7 +1,7 @@
 //! Flanks that have run in, at a number of engagements, as files that a run reads.
 
 use asperity::flanks::Surfaces;
-use asperity::running_in::HistoryState;
+use asperity::pipeline::HistoryState;
 use asperity_core::{DomainError, Fault, Profile};
 use asperity_report::tables::BODIES;
 use serde::Serialize;

@@ -7,8 +7,9 @@ use std::path::Path;
 use super::clock::{Clock, Fall, Tested};
 use asperity::case::{LoadedCase, RunningInPlan, load_with};
 use asperity::flanks::surfaces::{Surfaces, Texture};
+use asperity::pipeline::{History, HistorySettings, history};
 use asperity::quantity::{Length, Torque};
-use asperity::running_in::{History, HistorySettings, history, limits};
+use asperity::running_in::limits;
 use asperity_core::Estimate;
 use asperity_roughness::generate::SelfAffine;
 use chacha20::ChaCha8Rng;
@@ -80,15 +81,15 @@ struct Score {
     count: f64,
 }
 
-/// The record: 100 trials take three quarters of an hour.
+/// The record: 40 trials take half an hour.
 ///
 /// ```text
 /// cargo test --release -p asperity-studies --lib -- --ignored --nocapture made_pairs
 /// ```
 #[test]
-#[ignore = "takes three quarters of an hour"]
+#[ignore = "takes half an hour"]
 fn the_clock_of_the_history_loses_least_on_made_pairs() {
-    const TRIALS: u64 = 100;
+    const TRIALS: u64 = 40;
     let file = Path::new("../../fixtures/cases/fzg-c.toml");
     let case = load_with(file, &|input| {
         (input.model.positions, input.model.offsets) = (Some(5), Some(2));

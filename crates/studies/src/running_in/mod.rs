@@ -1,4 +1,4 @@
-//! How flanks run in: roughness, film and loss over engagements, by plastic flow and mild wear, at one torque or several.
+//! Running-in of flanks: roughness, film and loss over engagements, by plastic flow and mild wear, at one torque or several.
 //!
 //! ```
 //! use asperity::case;

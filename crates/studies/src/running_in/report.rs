@@ -113,7 +113,7 @@ fn best(courses: &[Course]) -> Option<String> {
     })
 }
 
-/// What the traces of the test say.
+/// Findings of the test.
 fn of_test(test: &TestPair) -> String {
     let percent = test.rq_ratio.map(|ratio| 100.0 * (ratio - 1.0));
     let measured = digits(percent, 0.1).interval_with(" %", percent);
@@ -136,7 +136,7 @@ fn of_test(test: &TestPair) -> String {
     )
 }
 
-/// What limits the history at a torque.
+/// Limits of the history at a torque.
 fn remarks(course: &Course, engagements: f64) -> Vec<String> {
     let torque = newton_metres(course.torque_nm);
     let settled = (!course.is_settled && course.plastic_engagements < engagements).then(|| {

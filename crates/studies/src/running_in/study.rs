@@ -7,9 +7,9 @@ use asperity::case::{LoadedCase, RunningInPlan};
 use asperity::core::cancel::checkpoint;
 use asperity::gear::{FlankPoint, Gear};
 use asperity::message::Warning;
-use asperity::pipeline::settled;
+use asperity::pipeline::{History, HistorySettings, history, settled};
 use asperity::profile_io::read::{ReadOptions, read};
-use asperity::running_in::{History, HistorySettings, history, limits, run_in};
+use asperity::running_in::{limits, run_in};
 use asperity::{PositionError, Run};
 use asperity_core::quantity::{Pressure, Quantity, Torque};
 use asperity_core::{Code, DomainError, Estimate, EstimateKeys, Fault, estimate_keys};
@@ -23,10 +23,12 @@ use crate::change::{ChangeSettings, TracePair, TracePairs, WornFlank};
 
 /// Most engagements over those of a test that a history goes to.
 const BEYOND: f64 = 10.0;
-/// Wear at which a history between traces ends, over that of the usual coefficient.
+/// Wear at which a history between traces ends, over the wear by the usual coefficient.
 const MOST_WORN: f64 = 1e3;
-/// Wear at which a history without a test ends, over that of the usual coefficient.
+/// Wear at which a history without a test ends, over the wear by the usual coefficient.
 const UPPER: f64 = 10.0;
+/// Engagements over which flanks flow at the ends of the range of the limit: it changes how much flows, and hardly how long.
+const OF_LIMITS: f64 = 128.0;
 /// Part of the noise floor of a parameter, a 95 % bound to either side, from the middle to the 5 and 95 % quantiles.
 const OF_FLOOR: f64 = 0.839;
 /// States of a history, for its progress.
@@ -39,7 +41,7 @@ const MM3_PER_N_M: f64 = 1e9;
 settings! {
     /// Settings of a study of running-in.
     pub struct RunningInSettings {
-        /// Torques at the pinion at which the flanks run in, side by side [default: that of operation.running_in, else of the case]
+        /// Torques at the pinion at which the flanks run in, side by side [default: the torque of operation.running_in, else of the case]
         [value_name = "TORQUE", value_delimiter = ','] torque: Vec<Torque>,
         /// Engagements of a tooth of the pinion to which the history goes
         [value_name = "N"] engagements: f64 = 1000000.0,
@@ -70,7 +72,7 @@ pub struct TestPair {
     /// Rq after the test over Rq before it.
     #[serde(flatten, with = "RqRatioKeys")]
     pub rq_ratio: Estimate,
-    /// The same by plastic flow alone.
+    /// The same by plastic flow without wear.
     pub plastic_rq_ratio: f64,
     /// Wear coefficient with the pressure of the asperities; `None` where plastic flow explains the change.
     #[serde(flatten, serialize_with = "KKeys::serialize")]
@@ -321,9 +323,9 @@ impl RunningInSettings {
             (Clock::Test(_), None) => UPPER * USUAL,
         };
         let middle = at(limit, most * self.engagements, self.engagements)?;
-        // Other limits change how much flows, and hardly how long.
         let plastic = middle.steps.last().map_or(0.0, |step| step.engagements);
-        let ends = [at(low, 0.0, plastic)?, at(high, 0.0, plastic)?];
+        let limited = plastic.min(OF_LIMITS);
+        let ends = [at(low, 0.0, limited)?, at(high, 0.0, limited)?];
         let loss_w = middle.states[0].loss_w;
         let per_hour = case.case.speed.si() * 3600.0 / std::f64::consts::TAU;
         let histories = Histories {
@@ -399,7 +401,7 @@ impl RunningInSettings {
         traces(&ran_in.surfaces)
     }
 
-    /// The test as the result has it.
+    /// The test in the result.
     fn pair(&self, tested: &Tested) -> TestPair {
         let in_unit = |k: Estimate| k.map(|k| MM3_PER_N_M * k);
         TestPair {

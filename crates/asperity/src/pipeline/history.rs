@@ -2,13 +2,12 @@
 
 use asperity_core::quantity::Pressure;
 
-use super::flow::Flow;
-use super::track::Track;
-use super::wear::{WearRates, rates};
-use super::{heights, plastic, removed, surfaces, tracks};
+use super::stages::{OnFlanks, on_flanks};
 use crate::mesh::Mesh;
-use crate::pipeline::{OnFlanks, on_flanks};
 use crate::result::{FlankHeights, RunInStep};
+use crate::running_in::{
+    Flow, Track, WearRates, heights, plastic, rates, removed, surfaces, tracks,
+};
 use asperity_case::case::{LoadedCase, RunningInPlan};
 use asperity_case::error::Error;
 use asperity_case::flanks::Surfaces;
@@ -20,12 +19,12 @@ const PACKAGE: f64 = 0.02;
 /// First package over the whole wear, where Rq changes less; each further one doubles what is worn.
 const FIRST: f64 = 2e-3;
 
-/// What a history of running-in is computed for.
+/// Settings of a history of running-in.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HistorySettings {
     /// Torque while the flanks run in, and engagements at which the plastic stage ends if it does not settle before.
     pub plan: RunningInPlan,
-    /// Pressure at which asperities flow, one of [`limits`](super::limits).
+    /// Pressure at which asperities flow, one of [`limits`](crate::running_in::limits).
     pub limit: Pressure,
     /// Wear coefficient times engagements at which the history ends \[1/Pa\]; 0 ends it with the plastic stage.
     pub worn: f64,
@@ -59,7 +58,7 @@ pub struct HistoryState {
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct History {
-    /// Flanks as measured, at the doublings of the plastic stage that are kept, and after each package of wear.
+    /// Flanks as measured, at doublings of the plastic stage, and after each package of wear.
     pub states: Vec<HistoryState>,
     /// Each doubling of the engagements in the plastic stage.
     pub steps: Vec<RunInStep>,
@@ -67,7 +66,7 @@ pub struct History {
     pub is_settled: bool,
 }
 
-/// What a history is computed on.
+/// Case and meshes of a history.
 struct Course<'a> {
     loaded: &'a LoadedCase,
     /// Mesh at the torque of the case.
