@@ -62,7 +62,8 @@ def fields():
 def plainly(text):
     """The first sentence of a text of Rust as Markdown."""
     text = re.sub(r"\[(`[^`]*`)\](?:\([^)]*\))?", r"\1", text.replace("\\[", "[").replace("\\]", "]")).split(". ")[0].rstrip(".")
-    return text[:1].lower() + text[1:] if text[1:2].islower() else text
+    is_word = text[1:2].islower() and not re.match(r"R(?:q|pk)\b", text)
+    return text[:1].lower() + text[1:] if is_word else text
 
 
 def meaning(row, column, texts):
