@@ -179,7 +179,9 @@ def types():
                 of = f"`{ast.unparse(node.value)}`".replace("|", "\\|") if is_union else "`asperity.keys`" if home is asperity.keys else "class"
                 rows.append(f"| `{name}` | {of} | {first(about)} |\n")
                 named.add(name)
-    listed = sorted(name for name in NAMED if getattr(getattr(_values, name, None), "__module__", "") == _values.__name__)
+    listed = {name for name in NAMED if getattr(getattr(_values, name, None), "__module__", "") == _values.__name__}
+    rows_of = [getattr(_values, name)._row for name in listed if name.endswith("Table")]
+    listed = sorted(listed | {kind.__name__ for row in rows_of for kind in row._kinds.values() if kind.__name__.endswith("Table")})
     known = {*named, *listed, *OF_PYTHON, *asperity.__all__, *(name for name, *_ in _asperity.choices())}
     if unknown := NAMED - known:
         raise ValueError(f"types that the page does not explain: {sorted(unknown)}; add them to TYPES")
