@@ -19,6 +19,8 @@ ONLY_HERE = {
     "CycleFinish.lost_p95_wh": "95 % quantile of the same [Wh]",
     "CycleFinish.difference_p05_wh": "5 % quantile of the difference from the first finish [Wh]",
     "CycleFinish.difference_p95_wh": "95 % quantile of the same [Wh]",
+    "ComparisonFinishDeciding.p05_w": "5 % quantile of the difference about its present median [W]",
+    "ComparisonFinishDeciding.p95_w": "95 % quantile of the same [W]",
     "UncertaintyPart.p05_w": "5 % quantile of the loss where only this component is drawn [W]",
     "UncertaintyPart.p95_w": "95 % quantile of the same [W]",
     "ProfileChangePair.removed_nm": "height that the test removed, mean over the overlap [nm]",
@@ -62,7 +64,8 @@ def fields():
 def plainly(text):
     """The first sentence of a text of Rust as Markdown."""
     text = re.sub(r"\[(`[^`]*`)\](?:\([^)]*\))?", r"\1", text.replace("\\[", "[").replace("\\]", "]")).split(". ")[0].rstrip(".")
-    return text[:1].lower() + text[1:] if text[1:2].islower() else text
+    is_word = text[1:2].islower() and not re.match(r"R(?:q|pk)\b", text)
+    return text[:1].lower() + text[1:] if is_word else text
 
 
 def meaning(row, column, texts):

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import asperity
 import columns
-from asperity import _asperity, _case, _columns, _compare, _oil, _own_laws, _profile, _progress, _quantity, _studies, _values
+from asperity import _asperity, _case, _columns, _compare, _files, _oil, _own_laws, _profile, _progress, _quantity, _studies, _values
 
 FILE = Path(__file__).resolve().parents[2] / "docs" / "PYTHON_API.md"
 HEAD = """# Python API
@@ -27,7 +27,7 @@ TOPICS = {
     "Profiles": "read_profile generate generate_like Profile Parts Parameters profile_change ProfileChange",
     "Contacts": "solve_contact press_flanks subsurface_stress Contact Stress ehl EhlRecord",
     "Laws over arrays": "hertz film_thickness thermal_reduction friction_coefficient",
-    "Studies": "compare Comparison map read_map Map cycle Cycle sensitivity Sensitivity ridges Ridges callout CallOut sweep Sweep",
+    "Studies": "compare Comparison map read_map Map cycle Cycle sensitivity Sensitivity ridges Ridges running_in RunningIn callout CallOut sweep Sweep",
     "Measurements": "calibrate Calibration design Design evidence Evidence",
     "Oils": "oil_traction Traction oil_plan OilPlan oil_fit OilFit stribeck Stribeck",
     "The library": "gears steels oils schema",
@@ -35,7 +35,7 @@ TOPICS = {
     "Tables and charts": "Record Table Chart",
 }
 TYPES = {
-    _case: "CaseLike", _profile: "Trace Traces", _compare: "Finish Variant", _columns: "Columns FrameLike", _oil: "OilLike", _own_laws: "Law", _progress: "Progress",
+    _case: "CaseLike", _profile: "Trace Traces", _compare: "Finish Variant", _columns: "Columns FrameLike", _files: "Paths", _oil: "OilLike", _own_laws: "Law", _progress: "Progress",
     _quantity: "Scalar Values Quantity Quantities Numbers Floats PintLike", asperity.keys: "CaseTables CaseKeys",
 }
 """Types of arguments and results by the module that has them."""
@@ -179,7 +179,9 @@ def types():
                 of = f"`{ast.unparse(node.value)}`".replace("|", "\\|") if is_union else "`asperity.keys`" if home is asperity.keys else "class"
                 rows.append(f"| `{name}` | {of} | {first(about)} |\n")
                 named.add(name)
-    listed = sorted(name for name in NAMED if getattr(getattr(_values, name, None), "__module__", "") == _values.__name__)
+    listed = {name for name in NAMED if getattr(getattr(_values, name, None), "__module__", "") == _values.__name__}
+    rows_of = [getattr(_values, name)._row for name in listed if name.endswith("Table")]
+    listed = sorted(listed | {kind.__name__ for row in rows_of for kind in row._kinds.values() if kind.__name__.endswith("Table")})
     known = {*named, *listed, *OF_PYTHON, *asperity.__all__, *(name for name, *_ in _asperity.choices())}
     if unknown := NAMED - known:
         raise ValueError(f"types that the page does not explain: {sorted(unknown)}; add them to TYPES")

@@ -13,6 +13,7 @@ use asperity::profile_io::read::{
 use asperity::result::{
     PositionRow, Regime, RunResult, SamplingPart, Scope, Summary, Trust, Uncertainty,
 };
+use asperity::roughness::form::Form;
 use asperity::roughness::gaussian_filter::Ends;
 use asperity::roughness::generate::{Amplitudes, Method, Surface};
 use asperity::roughness::height_parameters::Mode;
@@ -161,6 +162,7 @@ pub fn choices() -> Vec<Listed> {
         listed::<MapBand>("Band"),
         listed::<Format>("ExportFormat"),
         listed::<FormOfProfile>("Form"),
+        listed::<Form>("TraceForm"),
         listed::<Ends>("Ends"),
         listed::<Mode>("Standard"),
         listed::<BoundaryOfContact>("Boundary"),

@@ -57,6 +57,10 @@ STUDIES = {
         [E_DRIVE, *KEYS, LOAD_SHARE, "--loss", "600 W", "--lots", "20"],
         lambda at: asperity.callout(few(load_share="zhu-hu"), "600 W", lots=20),
     ),
+    "running_in": (
+        [E_DRIVE, *KEYS, "--torque=60 N m,145 N m", "--engagements=50"],
+        lambda at: asperity.running_in(few(), torque_nm=[60, 145], engagements=50),
+    ),
     "evidence": ([E_DRIVE, *KEYS, "--hours", "traction-plan=3"], lambda at: asperity.evidence(few(), hours={"traction-plan": 3})),
     "design": (
         ["rig.toml", "--torque", "60,183.4", "--speed", SPEEDS, "--simulate", "4"],

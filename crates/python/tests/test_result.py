@@ -218,6 +218,14 @@ def test_a_folder_of_a_train_is_read_whole_or_refused(tmp_path):
         asperity.read_result(tmp_path / "train")
 
 
+def test_a_run_after_running_in_has_the_steps_of_it(case):
+    run = case.replace({"operation.running_in": {"torque": "100 N m", "engagements": 4}}).run(band=False)
+    steps = run.run_in.steps
+    assert run.run_in.torque_nm == 100 and steps.engagements.tolist() == [1, 2, 4] and (steps.plastic_work_j_per_m > 0).all()
+    assert np.array_equal(steps[-1].rq_um, run.run_in.run_in.rq_um) and (run.run_in.run_in.rq_um < run.run_in.measured.rq_um).all()
+    assert (steps[-1].removed_nm > 0).all() and (steps[-1].rpk_um > 0).all()
+
+
 def test_what_was_not_computed_is_none_and_each_name_is_described(case, result):
     import re
     import asperity._asperity as compiled

@@ -341,3 +341,62 @@ def test_sweeps_are_equal_by_their_content(drive):
     assert one == asperity.sweep(drive, {"torque": ["50 N m", "100 N m"]}) and hash(one) == hash(asperity.sweep(drive, {"torque_nm": [50, 100]}))
     assert one != asperity.sweep(drive, {"torque_nm": [50, 101]}) and one != asperity.sweep(drive, {"torque_nm": [50, 100]}, columns=["loss_w"])
     assert one != asperity.sweep(drive.with_laws(film_friction=lambda at: 0.03), {"torque_nm": [50, 100]}) and one != 3
+
+
+def test_flanks_run_in_at_several_torques(drive, tmp_path):
+    found = asperity.running_in(drive, torque_nm=[60, 145], engagements=100)
+    assert found.courses.torque_nm.tolist() == [60, 145] and found.test is None and found.engagements == 100
+    for course in found.courses:
+        rows = course.rows
+        assert rows.engagements.tolist() == [0, 1, 2, 5, 10, 20, 50, 100]
+        for name in ("loss{}_w", "pinion_rq{}_um", "wheel_rpk{}_um", "wheel_removed{}_nm", "asperity_share{}", "film_ratio{}"):
+            low, middle, high = (rows[name.format(end)] for end in ("_p05", "", "_p95"))
+            assert (low <= middle).all() and (middle <= high).all() and low[-1] < high[-1], name
+        assert rows.loss_w[0] == found.loss_w and course.factor == pytest.approx(rows.loss_w[-1] / found.loss_w)
+        assert course.factor_quantiles[0] < course.factor < course.factor_quantiles[1] and (course.removed_mg > 0).all()
+        assert rows.pinion_rq_um[-1] < rows.pinion_rq_um[0] and 0 < course.done_engagements < 100 and course.ends_at is None
+    assert found.courses[1].rows.pinion_rq_um[-1] < found.courses[0].rows.pinion_rq_um[-1]
+    assert "60 N m" in repr(found) and "<table" in found._repr_html_() and pickle.loads(pickle.dumps(found)) == found
+    found.write(tmp_path / "out")
+    assert asperity.read_result(tmp_path / "out").courses[1].rows[0].loss_w == found.loss_w
+    frame = pytest.importorskip("pandas").read_csv(tmp_path / "out" / "running_in.csv")
+    ours = found.to_pandas()
+    assert len(ours) == 16 and ours.torque_nm.tolist() == frame.torque_nm.tolist() and ours.loss_p95_w.tolist() == frame.loss_p95_w.tolist()
+
+
+def test_a_test_states_the_wear_of_running_in(drive, tmp_path):
+    before = asperity.read_profile(GROUND).prepare()
+    files = [tmp_path / "before.csv", tmp_path / "after.csv"]
+    for file, profile in zip(files, [before, asperity.Profile(before.heights.clip(max=0.1e-6), before.spacing)]):
+        profile.write(file)
+    given = {"before": files[0], "after": [files[1]], "test_engagements": 100}
+    test = asperity.running_in(drive, **given, engagements=100).test
+    assert test.flank == "pinion" and test.engagements == 100 and test.rq_ratio < test.plastic_rq_ratio < 1
+    low, high = test.k_quantiles_mm3_per_n_m
+    assert 0 <= low < test.k_mm3_per_n_m < high
+
+
+def test_a_running_in_that_cannot_be_is_refused(drive):
+    for given, code, text in (
+        ({"torque_nm": 0}, "E209", "torque = 0 N m: must be finite and not zero"),
+        ({"torque": "145"}, "E204", "145 has no unit"),
+        ({"torque": 145}, "E204", "torque_nm"),
+        ({"torque_nm": [np.nan]}, "E209", "torque_nm"),
+        ({"torque": "60 N m", "torque_nm": 60}, "E205", "both are given"),
+        ({"engagements": 0.5}, "E209", "engagements"),
+        ({"test_engagements": 1e6}, "E205", "no traces of a test"),
+        ({"before": GROUND, "test_engagements": 1e6}, "E205", "1 traces before the test, and 0 after"),
+        ({"before": asperity.read_profile(GROUND), "after": GROUND}, "E204", "before: a path"),
+        ({"before": "missing.csv", "after": GROUND, "test_engagements": 1e6}, "E103", "missing.csv"),
+    ):
+        with pytest.raises(asperity.AsperityError, match=text) as refused:
+            asperity.running_in(drive, **given)
+        assert refused.value.code == code, given
+
+
+def test_a_trace_that_is_bowed_is_matched_with_a_bow():
+    flank = asperity.generate(points=8000, spacing=0.5e-6, rq=0.4e-6, hurst=0.8, roll_off=50e-6, short_cut=2e-6, seed=2)
+    bowed = asperity.Profile(flank.heights.clip(max=0.3e-6) + 0.5e-6 * np.linspace(-1, 1, 8000) ** 2, flank.spacing)
+    level, bent = (asperity.profile_change(flank, bowed, form=form) for form in ("level", "poly2"))
+    assert level.pairs.bow_um[0] != level.pairs.bow_um[0] and bent.pairs.bow_um[0] == pytest.approx(-0.5, rel=1e-3)
+    assert level.mean_with_bow.removed_nm == pytest.approx(bent.mean.removed_nm) and bent.mean_with_bow is None

@@ -106,6 +106,8 @@ MISTAKES = [
     "energies.finishes[0].lost_quantiles_wh",
     "worn.pairs[0].removed_um",
     'worn.parameters["before"]',
+    "run_in.courses.loss_w",
+    "run_in.courses[0].rows.loss_kw",
     "r.fields(1).von_mise",
     "contact.stress([1e-6]).sigma",
 ]
@@ -114,9 +116,10 @@ BEGIN = (
     'import asperity\ncase = asperity.Case("case.toml")\nr = case.run()\nm = asperity.map(case)\n'
     'drawn = r.uncertainty\nassert drawn is not None\ncontact = case.contact()\nfound = asperity.compare(case, {})\n'
     'change = asperity.sensitivity(case)\nenergies = asperity.cycle(m, "urban.csv")\nfit = asperity.oil_fit("curves.csv", "m100")\nflank = asperity.read_profile("flank.csv")\n'
-    "worn = asperity.profile_change(flank, flank)\n"
+    "worn = asperity.profile_change(flank, flank)\nrun_in = asperity.running_in(case)\n"
     "loss: float = drawn.loss.median_w + contact.p_max_pa + flank.parameters()['ra_um'] + r.path[0].film_minimum_um\n"
     "loss = found.finishes[0].loss_w + float(found.finishes.loss_w[0]) + float(m.rows['loss_w'][0]) + energies.finishes[0].lost_wh\n"
+    "loss = run_in.courses[0].factor + run_in.courses[0].rows[0].loss_p05_w + float(run_in.courses[0].rows.loss_w[0])\n"
     "loss = energies.finishes[0].lost_p05_wh + worn.pairs[0].removed_p95_nm + float(worn.parameters.before_um[0])\n"
 )
 

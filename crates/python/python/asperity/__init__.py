@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from ._result import Fields, Path, Regime, RunResult, Summary
     from ._profile_change import ProfileChange
     from ._ridges import Ridges
+    from ._running_in import RunningIn
     from ._sensitivity import Sensitivity
     from ._stored import read_result
     from ._studies import *
@@ -60,6 +61,7 @@ else:
         "_result": "Fields Path Regime RunResult Summary",
         "_profile_change": "ProfileChange",
         "_ridges": "Ridges",
+        "_running_in": "RunningIn",
         "_sensitivity": "Sensitivity",
         "_stored": "read_result",
         "_studies": " ".join(["map", *_study_names.__all__]),
@@ -110,6 +112,7 @@ __all__ = [
     "RexsCase",
     "Ridges",
     "RunResult",
+    "RunningIn",
     "Sensitivity",
     "Stress",
     "Stribeck",

@@ -33,6 +33,11 @@ Form = Literal[
 ]
 
 
+TraceForm = Literal[
+    "none", "mean", "level", "poly2", "circle",
+]
+
+
 Ends = Literal[
     "cut", "reg0", "reg1", "reflect",
 ]

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from os import PathLike, fspath
 from typing import IO, Any, Union
 
 from ._errors import AsperityError, Code, wrong_kind
+
+Paths = Union[str, PathLike[str], Sequence[Union[str, PathLike[str]]]]
+"""A path, or a list of paths."""
 
 
 def is_read(file: Any) -> bool:
@@ -22,6 +25,16 @@ def text_of(file: Any) -> str:
         return content.decode("utf-8") if isinstance(content, bytes) else str(content)
     except UnicodeDecodeError as error:
         raise AsperityError(f"the text cannot be read: {error}", Code.E202, "Encode the text in UTF-8.") from error
+
+
+def paths(given: Paths, name: str) -> list[str]:
+    """One path or several as text; ``name`` is that of the argument."""
+    found: list[str] = []
+    for path in given if isinstance(given, (list, tuple)) else [given]:
+        if not isinstance(path, (str, PathLike)):
+            raise wrong_kind(name, path, "a path, or a list of paths")
+        found.append(fspath(path))
+    return found
 
 
 @contextmanager

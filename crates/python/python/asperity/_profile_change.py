@@ -25,7 +25,7 @@ def raw_traces(traces: Traces) -> list[tuple[str, _asperity.Trace]]:
 
 class ProfileChange(Study, ProfileChangeValues):
     """Traces after a test on the traces before it: ``mean`` (removed_nm, lost_nm, gained_nm, each with quantiles of 5 and
-    95 %), ``scatter_nm`` from pair to pair; ``in_case``, with a case, has the flanks (sliding, Archard's coefficient), the losses
+    95 %), ``mean_with_bow``, the same with a bow, where the traces are undecided without one, ``scatter_nm`` from pair to pair; ``in_case``, with a case, has the flanks (sliding, Archard's coefficient), the losses
     of their states before and after the test, and the difference."""
 
     @property

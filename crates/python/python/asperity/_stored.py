@@ -15,7 +15,7 @@ from ._record import Record
 from ._result import RunResult
 
 
-_STUDIES = ("compare", "sensitivity", "ridges", "callout", "sweep", "calibration", "design", "evidence", "cycle", "change", "oil_fit", "oil_plan", "traction", "stribeck")
+_STUDIES = ("compare", "sensitivity", "ridges", "running_in", "callout", "sweep", "calibration", "design", "evidence", "cycle", "change", "oil_fit", "oil_plan", "traction", "stribeck")
 """Names of the JSON files of all studies except maps."""
 
 

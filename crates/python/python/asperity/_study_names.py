@@ -15,6 +15,7 @@ __all__ = [
     "oil_traction",
     "profile_change",
     "ridges",
+    "running_in",
     "sensitivity",
     "stribeck",
 ]

@@ -126,7 +126,7 @@ class Uncertainty(Values):
 class SummaryValues(Values):
     """Values of `Summary` in Rust."""
 
-    _absent = {"gearbox_efficiency": None, "gearbox_loss_w": None, "efficiency_deviation": None, "loss_at_medians_w": None, "asperity_share_standard_error": None, "regime": None}
+    _absent = {"gearbox_efficiency": None, "gearbox_loss_w": None, "efficiency_deviation": None, "loss_at_medians_w": None, "asperity_share_standard_error": None}
     scope: Literal["mesh", "gearbox"]
     gearbox_efficiency: Optional[float]
     gearbox_loss_w: Optional[float]
@@ -153,7 +153,7 @@ class SummaryValues(Values):
     loss_factor_ohlendorf: float
     loss_factor_local: float
     mixed_share: float
-    regime: Optional[Literal["full-film", "mixed", "boundary"]]
+    regime: Literal["full-film", "mixed", "boundary"]
     positions: int
     worst_load_error: float
     worst_duality_gap: float
@@ -176,7 +176,7 @@ class PathRow(Values):
     """Values of `PositionRow` in Rust."""
 
     _kinds = {"full_film": FullFilmRow}
-    _absent = {"lambda_star": None, "film_ratio": None, "film_share_standard_error": None, "boundary_of_asperities": None, "mean_gap_um": None, "roughness_over_film": None, "full_film": None, "flash_max_k": None, "sliding_deviation_w_per_m": None, "sliding_standard_error_w_per_m": None, "sliding_error_freedom": None, "face_zone": None, "contact_fraction": None, "p_max_mpa": None, "plastic_work_j_per_m": None, "von_mises_max_mpa": None, "von_mises_depth_um": None, "yield_depth_um": None, "yield_share": None}
+    _absent = {"lambda_star": None, "film_ratio": None, "film_share_standard_error": None, "boundary_of_asperities": None, "mean_gap_um": None, "roughness_over_film": None, "full_film": None, "sliding_deviation_w_per_m": None, "sliding_standard_error_w_per_m": None, "sliding_error_freedom": None, "face_zone": None, "contact_fraction": None, "p_max_mpa": None, "plastic_work_j_per_m": None, "von_mises_max_mpa": None, "von_mises_depth_um": None, "yield_depth_um": None, "yield_share": None}
     position: int
     s_mm: float
     path_fraction: float
@@ -209,7 +209,7 @@ class PathRow(Values):
     mu_film: float
     mu: float
     flash_k: float
-    flash_max_k: Optional[float]
+    flash_max_k: float
     sliding_w_per_m: float
     sliding_deviation_w_per_m: Optional[float]
     sliding_standard_error_w_per_m: Optional[float]
@@ -514,6 +514,7 @@ class MapValues(Values):
     axes: Any
     ratio: float
     operating_point: Floats
+    operating_temperature_c: float
     input: Any
     defaults: Any
     are_variants: Optional[bool]
@@ -883,6 +884,7 @@ class ProfileChangeMean(Values):
 
 
 class ProfileChangePair(Values):
+    _absent = {"bow_um": None, "bow_p05_um": None, "bow_p95_um": None}
     before: str
     after: str
     shift_um: float
@@ -897,6 +899,9 @@ class ProfileChangePair(Values):
     tilt_um_per_mm: float
     tilt_p05_um_per_mm: float
     tilt_p95_um_per_mm: float
+    bow_um: Optional[float]
+    bow_p05_um: Optional[float]
+    bow_p95_um: Optional[float]
     correlation: float
     elsewhere: float
     matched_percent: float
@@ -914,15 +919,15 @@ class ProfileChangePair(Values):
     gained_p95_nm: float
 
 
-class ProfileChangePairTable(TableOf[ProfileChangePair, Literal["shift_um", "shift_p05_um", "shift_p95_um", "stretch_percent", "stretch_p05_percent", "stretch_p95_percent", "height_um", "height_p05_um", "height_p95_um", "tilt_um_per_mm", "tilt_p05_um_per_mm", "tilt_p95_um_per_mm", "correlation", "elsewhere", "matched_percent", "noise_nm", "overlap_mm", "removed_um2", "removed_nm", "removed_p05_nm", "removed_p95_nm", "lost_nm", "lost_p05_nm", "lost_p95_nm", "gained_nm", "gained_p05_nm", "gained_p95_nm"], Literal["before", "after"]]):
+class ProfileChangePairTable(TableOf[ProfileChangePair, Literal["shift_um", "shift_p05_um", "shift_p95_um", "stretch_percent", "stretch_p05_percent", "stretch_p95_percent", "height_um", "height_p05_um", "height_p95_um", "tilt_um_per_mm", "tilt_p05_um_per_mm", "tilt_p95_um_per_mm", "bow_um", "bow_p05_um", "bow_p95_um", "correlation", "elsewhere", "matched_percent", "noise_nm", "overlap_mm", "removed_um2", "removed_nm", "removed_p05_nm", "removed_p95_nm", "lost_nm", "lost_p05_nm", "lost_p95_nm", "gained_nm", "gained_p05_nm", "gained_p95_nm"], Literal["before", "after"]]):
     _row = ProfileChangePair
     before: NDArray[Any]; after: NDArray[Any]; shift_um: Floats; shift_p05_um: Floats; shift_p95_um: Floats
     stretch_percent: Floats; stretch_p05_percent: Floats; stretch_p95_percent: Floats; height_um: Floats
     height_p05_um: Floats; height_p95_um: Floats; tilt_um_per_mm: Floats; tilt_p05_um_per_mm: Floats
-    tilt_p95_um_per_mm: Floats; correlation: Floats; elsewhere: Floats; matched_percent: Floats; noise_nm: Floats
-    overlap_mm: Floats; removed_um2: Floats; removed_nm: Floats; removed_p05_nm: Floats; removed_p95_nm: Floats
-    lost_nm: Floats; lost_p05_nm: Floats; lost_p95_nm: Floats; gained_nm: Floats; gained_p05_nm: Floats
-    gained_p95_nm: Floats
+    tilt_p95_um_per_mm: Floats; bow_um: Floats; bow_p05_um: Floats; bow_p95_um: Floats; correlation: Floats
+    elsewhere: Floats; matched_percent: Floats; noise_nm: Floats; overlap_mm: Floats; removed_um2: Floats
+    removed_nm: Floats; removed_p05_nm: Floats; removed_p95_nm: Floats; lost_nm: Floats; lost_p05_nm: Floats
+    lost_p95_nm: Floats; gained_nm: Floats; gained_p05_nm: Floats; gained_p95_nm: Floats
 
 
 class ProfileChangeParameter(Values):
@@ -1025,13 +1030,103 @@ class ProfileChangeInCase(Values):
 
 
 class ProfileChangeValues(Values):
-    _kinds = {"mean": ProfileChangeMean, "pairs": ProfileChangePairTable, "parameters": ProfileChangeParameterTable, "material_ratio": ProfileChangeMaterialRatioTable, "in_case": ProfileChangeInCase}
-    _absent = {"scatter_nm": None, "in_case": None}
+    _kinds = {"mean": ProfileChangeMean, "pairs": ProfileChangePairTable, "parameters": ProfileChangeParameterTable, "material_ratio": ProfileChangeMaterialRatioTable, "mean_with_bow": ProfileChangeMean, "in_case": ProfileChangeInCase}
+    _absent = {"scatter_nm": None, "mean_with_bow": None, "in_case": None}
     title: str
     mean: ProfileChangeMean
     scatter_nm: Optional[float]
     warnings: list[Any]
+    mean_with_bow: Optional[ProfileChangeMean]
     in_case: Optional[ProfileChangeInCase]
+
+
+class RunningInTest(Values):
+    _absent = {"k_mm3_per_n_m": None, "k_quantiles_mm3_per_n_m": None}
+    flank: str
+    engagements: float
+    rq_ratio: float
+    rq_ratio_quantiles: Floats
+    plastic_rq_ratio: float
+    k_mm3_per_n_m: Optional[float]
+    k_quantiles_mm3_per_n_m: Optional[Floats]
+
+
+class RunningInCourseRow(Values):
+    engagements: float
+    hours: float
+    pinion_rq_um: float
+    pinion_rq_p05_um: float
+    pinion_rq_p95_um: float
+    wheel_rq_um: float
+    wheel_rq_p05_um: float
+    wheel_rq_p95_um: float
+    pinion_rpk_um: float
+    pinion_rpk_p05_um: float
+    pinion_rpk_p95_um: float
+    wheel_rpk_um: float
+    wheel_rpk_p05_um: float
+    wheel_rpk_p95_um: float
+    pinion_removed_nm: float
+    pinion_removed_p05_nm: float
+    pinion_removed_p95_nm: float
+    wheel_removed_nm: float
+    wheel_removed_p05_nm: float
+    wheel_removed_p95_nm: float
+    asperity_share: float
+    asperity_share_p05: float
+    asperity_share_p95: float
+    film_ratio: float
+    film_ratio_p05: float
+    film_ratio_p95: float
+    loss_w: float
+    loss_p05_w: float
+    loss_p95_w: float
+
+
+class RunningInCourseRowTable(TableOf[RunningInCourseRow, Literal["engagements", "hours", "pinion_rq_um", "pinion_rq_p05_um", "pinion_rq_p95_um", "wheel_rq_um", "wheel_rq_p05_um", "wheel_rq_p95_um", "pinion_rpk_um", "pinion_rpk_p05_um", "pinion_rpk_p95_um", "wheel_rpk_um", "wheel_rpk_p05_um", "wheel_rpk_p95_um", "pinion_removed_nm", "pinion_removed_p05_nm", "pinion_removed_p95_nm", "wheel_removed_nm", "wheel_removed_p05_nm", "wheel_removed_p95_nm", "asperity_share", "asperity_share_p05", "asperity_share_p95", "film_ratio", "film_ratio_p05", "film_ratio_p95", "loss_w", "loss_p05_w", "loss_p95_w"], NoReturn]):
+    _row = RunningInCourseRow
+    engagements: Floats; hours: Floats; pinion_rq_um: Floats; pinion_rq_p05_um: Floats; pinion_rq_p95_um: Floats
+    wheel_rq_um: Floats; wheel_rq_p05_um: Floats; wheel_rq_p95_um: Floats; pinion_rpk_um: Floats
+    pinion_rpk_p05_um: Floats; pinion_rpk_p95_um: Floats; wheel_rpk_um: Floats; wheel_rpk_p05_um: Floats
+    wheel_rpk_p95_um: Floats; pinion_removed_nm: Floats; pinion_removed_p05_nm: Floats; pinion_removed_p95_nm: Floats
+    wheel_removed_nm: Floats; wheel_removed_p05_nm: Floats; wheel_removed_p95_nm: Floats; asperity_share: Floats
+    asperity_share_p05: Floats; asperity_share_p95: Floats; film_ratio: Floats; film_ratio_p05: Floats
+    film_ratio_p95: Floats; loss_w: Floats; loss_p05_w: Floats; loss_p95_w: Floats
+
+
+class RunningInCourse(Values):
+    _kinds = {"rows": RunningInCourseRowTable}
+    _absent = {"done_engagements": None, "done_hours": None, "ends_at": None}
+    torque_nm: float
+    plastic_engagements: float
+    is_settled: bool
+    done_engagements: Optional[float]
+    done_hours: Optional[float]
+    factor: float
+    factor_p05: float
+    factor_p95: float
+    removed_mg: Floats
+    ends_at: Optional[float]
+    rows: RunningInCourseRowTable
+
+
+class RunningInCourseTable(TableOf[RunningInCourse, Literal["torque_nm", "plastic_engagements", "done_engagements", "done_hours", "factor", "factor_p05", "factor_p95", "ends_at"], Literal["is_settled", "removed_mg", "rows"]]):
+    _row = RunningInCourse
+    torque_nm: Floats; plastic_engagements: Floats; is_settled: NDArray[Any]; done_engagements: Floats
+    done_hours: Floats; factor: Floats; factor_p05: Floats; factor_p95: Floats; removed_mg: NDArray[Any]
+    ends_at: Floats; rows: NDArray[Any]
+
+
+class RunningInValues(Values):
+    _kinds = {"test": RunningInTest, "courses": RunningInCourseTable, "warnings": ProfileChangeInCaseWarningTable}
+    _absent = {"loss_quantiles_w": None, "test": None}
+    title: str
+    engagements: float
+    of_wheel: float
+    loss_w: float
+    loss_quantiles_w: Optional[Floats]
+    test: Optional[RunningInTest]
+    warnings: ProfileChangeInCaseWarningTable
 
 
 class OilPlanPoint(Values):
