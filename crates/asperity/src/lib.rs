@@ -64,7 +64,6 @@ pub mod records;
 pub mod reference_solution;
 pub mod result;
 mod run;
-pub mod running_in;
 mod sampling;
 pub mod train;
 pub mod uncertainty;
@@ -75,7 +74,7 @@ pub use asperity_case::{
 };
 pub use assembly::Reversed;
 pub use case::{Case, CaseInput, LoadedCase};
-pub use contacts::Contacts;
+pub use contacts::{Contacts, running_in};
 pub use error::{Error, PositionError, UnsolvedContact};
 pub use pipeline::{ContactStore, losses};
 pub use result::{Outcome, RunResult};

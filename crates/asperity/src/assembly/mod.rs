@@ -30,6 +30,7 @@ use asperity_gear::EdgeContactNote;
 
 use self::deformation_losses::of_all_offsets;
 use self::published_laws::published_laws;
+use crate::contacts::running_in::RanIn;
 use crate::gearbox;
 use crate::lubrication::{ContactNumbers, LubricatedPosition, LubricatedWindow, rolling};
 use crate::pictures::Picture;
@@ -40,7 +41,6 @@ use crate::result::{
     PositionRow, RecordRow, Regime, RunInFlanks, RunResult, RunningIn, SCHEMA_VERSION, Scope,
     Summary, ToothTrace, TracePairs,
 };
-use crate::running_in::RanIn;
 use crate::sampling::{means_of_pairs, sampling_of_teeth};
 use asperity_case::balance::{efficiency, finite, sum};
 use asperity_case::case::{BulkReport, Case, CaseInput};

@@ -5,6 +5,7 @@ pub mod dry_contact;
 mod inputs;
 mod offsets;
 mod pressed;
+pub mod running_in;
 mod tables;
 mod window_contact;
 
@@ -12,7 +13,6 @@ pub use displacements::Displacements;
 pub use dry_contact::{DryContact, dry_contact};
 pub use tables::Contacts;
 
-pub(crate) use displacements::flow_shares;
 pub(crate) use inputs::{ContactInputs, Offsets};
-pub(crate) use pressed::{Pressing, pressing_history, softer};
+pub(crate) use pressed::{Pressing, pressing_history};
 pub(crate) use window_contact::WindowContact;

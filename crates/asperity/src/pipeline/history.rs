@@ -3,11 +3,11 @@
 use asperity_core::quantity::Pressure;
 
 use super::stages::{OnFlanks, on_flanks};
-use crate::mesh::Mesh;
-use crate::result::{FlankHeights, RunInStep};
-use crate::running_in::{
+use crate::contacts::running_in::{
     Flow, Track, WearRates, heights, plastic, rates, removed, surfaces, tracks,
 };
+use crate::mesh::Mesh;
+use crate::result::{FlankHeights, RunInStep};
 use asperity_case::case::{LoadedCase, RunningInPlan};
 use asperity_case::error::Error;
 use asperity_case::flanks::Surfaces;
@@ -24,7 +24,7 @@ const FIRST: f64 = 2e-3;
 pub struct HistorySettings {
     /// Torque while the flanks run in, and engagements at which the plastic stage ends if it does not settle before.
     pub plan: RunningInPlan,
-    /// Pressure at which asperities flow, one of [`limits`](crate::running_in::limits).
+    /// Pressure at which asperities flow, one of [`limits`](crate::contacts::running_in::limits).
     pub limit: Pressure,
     /// Wear coefficient times engagements at which the history ends \[1/Pa\]; 0 ends it with the plastic stage.
     pub worn: f64,

@@ -14,6 +14,7 @@ use super::bulk_temperature;
 use super::kept_fields::KeptFields;
 
 use crate::assembly::{Solved, equations_used, sources_used, warnings_of_case};
+use crate::contacts::running_in;
 use crate::contacts::{ContactInputs, Contacts, Offsets, WindowContact};
 use crate::lubrication::{
     ChosenLaws, LubricatedPosition, LubricatedWindow, Lubrication, check_mesh_position,
@@ -23,7 +24,6 @@ use crate::mesh::{Mesh, MeshInputs, MeshPosition, numbered};
 use crate::pictures::Picture;
 use crate::records::PathRecords;
 use crate::result::{Losses, Outcome, RunInFlanks, Summary};
-use crate::running_in;
 use asperity_case::case::{Case, LoadShareName, LoadedCase, Positions};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::flanks::placement::check_coverage;

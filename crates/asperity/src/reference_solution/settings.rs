@@ -16,8 +16,8 @@ use asperity_oil::{DensityLaw, FilmRheology, PressureViscosityLaw, ShearLaw, Tra
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 
 use super::error::ReferenceError;
+use crate::contacts::running_in::run_in;
 use crate::mesh::{MeshPosition, position_at};
-use crate::running_in::run_in;
 use asperity_case::case::{Case, LoadedCase};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::Texture;

@@ -13,7 +13,7 @@ use asperity_core::quantity::Pressure;
 use rayon::prelude::*;
 
 use super::track::{ENGAGEMENTS, Pass, Track};
-use crate::contacts::flow_shares;
+use crate::contacts::displacements::flow_shares;
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 

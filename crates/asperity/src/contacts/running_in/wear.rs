@@ -89,8 +89,8 @@ pub(crate) fn rates(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contacts::running_in::limits;
     use crate::mesh::Mesh;
-    use crate::running_in::limits;
     use asperity_case::case::load_with;
     use asperity_case::flanks::{Surfaces, Texture};
     use asperity_core::Profile;

@@ -452,8 +452,8 @@ fn window_points(position: &MeshPosition, spacing: Length) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contacts::running_in::limits;
     use crate::mesh::Mesh;
-    use crate::running_in::limits;
     use asperity_case::case::{LoadedCase, load_with};
     use asperity_case::flanks::Texture;
 

@@ -28,7 +28,7 @@ use asperity_core::{Profile, cite};
 use asperity_roughness::material_ratio::rk_parameters;
 use asperity_roughness::section_heights::section_heights;
 
-use crate::contacts::softer;
+use crate::contacts::pressed::softer;
 use crate::mesh::{Mesh, MeshPosition};
 use crate::result::{FlankHeights, RunInStep};
 use asperity_case::case::{Case, RunningInPlan};
