@@ -12,11 +12,13 @@ from conftest import CASES, SETS, quantities_as_text, small, trace
 
 TABLES = {name: kind for name, kind in inspect.getmembers(_values, inspect.isclass) if issubclass(kind, TableOf) and kind is not TableOf}
 PURE = set(
-    "boundary_friction boundary_of_asperities boundary_share change contact_fraction correlation count curve deviation drive_efficiency efficiency "
-    "efficiency_deviation elsewhere engagements expected_traction face_zone film_ratio film_share film_share_standard_error first_point fitted iterations k_times_hardness "
-    "lambda_star last_point limit_over_recipe line load_error load_share mixed_share mu mu_equivalent mu_film of_traces pairs path_fraction points "
-    "position prior readings repeats residual_sigma roughness_over_film scatter sd_ln share_of_drive simulated_traction slide_to_roll "
-    "sliding_error_freedom slope_per_decade thermal_reduction traces traction traction_p05 traction_p95 width with_loss within_finishes yield_share".split()
+    "asperity_share asperity_share_p05 asperity_share_p95 boundary_friction boundary_of_asperities boundary_share change contact_fraction "
+    "correlation count curve deviation done_engagements drive_efficiency efficiency efficiency_deviation elsewhere ends_at engagements "
+    "expected_traction face_zone factor factor_p05 factor_p95 film_ratio film_ratio_p05 film_ratio_p95 film_share film_share_standard_error "
+    "first_point fitted iterations k_times_hardness lambda_star last_point limit_over_recipe line load_error load_share mixed_share mu "
+    "mu_equivalent mu_film of_traces pairs path_fraction plastic_engagements points position prior readings repeats residual_sigma "
+    "roughness_over_film scatter sd_ln share_of_drive simulated_traction slide_to_roll sliding_error_freedom slope_per_decade thermal_reduction "
+    "traces traction traction_p05 traction_p95 width with_loss within_finishes yield_share".split()
 )
 """Columns of counts, and of numbers without a dimension."""
 

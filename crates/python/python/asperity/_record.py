@@ -173,7 +173,7 @@ def _short(value: Any) -> str:
 _UNITS = {
     "_wh_per_100_km": "W h/(100 km)", "_w_per_m": "W/m", "_n_per_mm": "N/mm", "_n_per_m": "N/m", "_m_per_s": "m/s", "_m_s": "m/s", "_km_h": "km/h",
     "_j_per_m": "J/m", "_um_per_mm": "um/mm", "_per_um2": "1/um**2", "_per_k": "1/K", "_um2": "um**2", "_rpm": "1/min", "_mpa": "MPa", "_gpa": "GPa",
-    "_pa": "Pa", "_nm": "nm", "_um": "um", "_mm": "mm", "_km": "km", "_m": "m", "_wh": "W h", "_w": "W", "_k": "K", "_c": "degC",
+    "_pa": "Pa", "_nm": "nm", "_um": "um", "_mm": "mm", "_mg": "mg", "_km": "km", "_m": "m", "_wh": "W h", "_w": "W", "_k": "K", "_c": "degC",
     "_s": "s", "_n": "N", "_percent": "percent", "_deg": "degree", "_hours": "h", "_minutes": "min",
 }
 """Units by the ends of names; a longer end stands before an end that it contains."""
