@@ -463,8 +463,7 @@ fn running_in_gates(law: GapLaw) -> Vec<Gate> {
             Class::Measured,
             "order of 0.1",
             [0.03, 0.2],
-        )
-        .against([0.1; 2]),
+        ),
         row(
             "superfinished",
             "superfinished",
