@@ -113,8 +113,8 @@ impl<'a> Track<'a> {
         let count = surfaces.teeth().unwrap_or([1, 1]);
         let spacing = surfaces.traces()?[0].spacing();
         let mut least = usize::MAX;
-        for body in 0..2 {
-            for tooth in 0..count[body] {
+        for (body, teeth) in count.into_iter().enumerate() {
+            for tooth in 0..teeth {
                 least = least.min(trace_of(surfaces, body, tooth, zone)?.0.len());
             }
         }
