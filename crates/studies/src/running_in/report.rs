@@ -88,6 +88,7 @@ fn how_long(course: &Course) -> String {
         (Some(engagements), Some(hours)) => {
             let seconds = 3600.0 * hours;
             let time = match seconds {
+                short if short < 0.5 => "less than 1 s".to_owned(),
                 short if short < 120.0 => format!("{} s", decimals(short, 0)),
                 long if long < 7200.0 => format!("{} min", decimals(long / 60.0, 0)),
                 _ => format!("{} h", decimals(hours, 1)),
