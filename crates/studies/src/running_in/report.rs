@@ -94,7 +94,7 @@ fn how_long(course: &Course) -> String {
                 _ => format!("{} h", decimals(hours, 1)),
             };
             format!(
-                "90 % of the change of Rq are done after {} engagements of a tooth of the pinion, {time} at the speed of the case.",
+                "90 % of the change of Rq are done after {} engagements of a tooth of the pinion ({time}).",
                 count(engagements)
             )
         }
@@ -148,7 +148,7 @@ fn remarks(course: &Course, engagements: f64) -> Vec<String> {
     });
     let ends = course.ends_at.map(|n| {
         format!(
-            "At {torque} the wear of the model cannot smooth the flanks as far as the test shows: from {} engagements on the history stays where it is.",
+            "At {torque} the wear of the model ends before the test: from {} engagements on the history stays.",
             count(n)
         )
     });
