@@ -98,7 +98,7 @@ fn superfinished_flanks_gain_nothing_by_flow() {
     let at = |n: f64| course.rows.iter().find(|row| row.engagements == n).unwrap();
     let ratio = at(100.0).pinion_rq_um.value / at(0.0).pinion_rq_um.value;
     assert!((ratio - 1.0).abs() < 1e-5, "{ratio}");
-    assert!(study.summary().contains("wear"), "{}", study.summary());
+    assert!(study.summary().contains("only wear"), "{}", study.summary());
 }
 
 #[test]
@@ -169,7 +169,7 @@ fn what_cannot_run_in_is_refused_with_a_way_out() {
         (
             serde_json::json!({ "before": ["a.csv"], "after": ["b.csv"] }),
             "E205",
-            "needs its engagements",
+            "need its engagements",
         ),
         (
             serde_json::json!({ "before": ["a.csv"], "after": ["b.csv"], "test_engagements": 1e6 }),

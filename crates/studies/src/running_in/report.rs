@@ -26,6 +26,7 @@ impl StudyResult for RunningInFound {
         let mut report = Report::new(&self.title, "running-in")
             .section("What running-in is worth")
             .verdict([worth(self, first), how_long(first)])
+            .verdict(no_flow(first))
             .verdict(best(&self.courses))
             .text(self.test.as_ref().map(of_test))
             .text(self.courses.iter().flat_map(|course| remarks(course, self.engagements)))
@@ -98,8 +99,24 @@ fn how_long(course: &Course) -> String {
                 count(engagements)
             )
         }
-        _ => "Nothing flows, and Rq does not change: only wear, as far as its interval reaches, changes these flanks.".to_owned(),
+        _ => "Rq does not change.".to_owned(),
     }
+}
+
+/// That flanks change by wear only, where nothing flows.
+fn no_flow(course: &Course) -> Option<&'static str> {
+    /// Height removed that is none \[nm\].
+    const NONE: f64 = 0.01;
+    let flowed = course
+        .rows
+        .iter()
+        .rev()
+        .find(|row| row.engagements <= course.plastic_engagements)?;
+    let removed = flowed
+        .pinion_removed_nm
+        .value
+        .max(flowed.wheel_removed_nm.value);
+    (removed < NONE).then_some("Nothing flows: only wear changes these flanks.")
 }
 
 /// The torque that leaves the least loss; `None` of one.
