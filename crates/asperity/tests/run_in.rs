@@ -257,7 +257,7 @@ fn flanks_of_several_teeth_run_in_as_they_meet() {
 }
 
 #[test]
-fn wear_goes_on_where_flow_ends_and_takes_less_of_smoother_flanks() {
+fn wear_goes_on_where_flow_ends() {
     let case = with("fzg-c", &[]);
     let settings = HistorySettings {
         plan: RunningInPlan {
@@ -280,7 +280,6 @@ fn wear_goes_on_where_flow_ends_and_takes_less_of_smoother_flanks() {
         let each = found.states.iter().map(|state| state.removed[body]);
         assert!(each.is_sorted());
     }
-    // The shares of fresh and worn flanks: wear limits itself.
     assert!(last.asperity_share < 0.6 * found.states[0].asperity_share);
 }
 

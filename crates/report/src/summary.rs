@@ -483,9 +483,13 @@ pub(crate) fn run_in(result: &RunResult) -> Option<String> {
     };
     let [[after, of_wheel], [before, wheel]] = [run_in.run_in.rq_um, run_in.measured.rq_um];
     let engagements = run_in.steps.last().map_or(0.0, |step| step.engagements);
+    let more = match run_in.is_settled {
+        true => "",
+        false => ", with which Rq still changes",
+    };
     Some(format!(
-        "Run in over {engagements} engagements at {} N m: loss {} instead of {}, Rq {after:.3} and {of_wheel:.3} for {before:.3} and {wheel:.3} µm; \
-        asperity running-in says how long and at which torque",
+        "Run in over {engagements} engagements at {} N m{more}: loss {} instead of {}, Rq {after:.3} and {of_wheel:.3} for {before:.3} and {wheel:.3} µm; \
+        asperity running-in computes how long and at which torque",
         decimals(run_in.torque_nm, 1),
         rounded(run_in.summary.loss_w),
         rounded(result.summary.loss_w)

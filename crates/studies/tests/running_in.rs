@@ -159,7 +159,7 @@ fn what_cannot_run_in_is_refused_with_a_way_out() {
         (
             serde_json::json!({ "test_engagements": 1e5 }),
             "E205",
-            "no traces of a test",
+            "the test has no traces",
         ),
         (
             serde_json::json!({ "before": ["a.csv"], "test_engagements": 1e5 }),

@@ -250,6 +250,7 @@ impl Solved<'_> {
             measured,
             run_in,
             steps: ran_in.steps,
+            is_settled: ran_in.is_settled,
         })
     }
 

@@ -508,6 +508,8 @@ pub struct RunInFlanks {
     pub run_in: FlankHeights,
     /// Each doubling of the engagements.
     pub steps: Vec<RunInStep>,
+    /// Whether the last doubling changed Rq by less than 0.5 %.
+    pub is_settled: bool,
 }
 
 /// An equation the result rests on.

@@ -18,7 +18,7 @@ const USUAL_FACTOR: f64 = 10.0;
 /// Least factor each way of a wear coefficient from one pair of traces.
 const LEAST_FACTOR: f64 = 1.5;
 /// N₁.
-const BEGIN: f64 = 1e3;
+pub(super) const BEGIN: f64 = 1e3;
 /// Parts by which made pairs differ from the logarithm, half widths of intervals from 5 to 95 %: of the fall that was measured, where none of
 /// the logarithm of the test is over or twice as much; and of the fall by plastic flow, from tooth to tooth.
 const OF_LAW: f64 = 0.7;

@@ -80,8 +80,7 @@ pub struct Course {
     pub factor: Estimate,
     /// Mass removed from pinion and wheel \[mg\].
     pub removed_mg: [f64; 2],
-    /// Engagements at which the wear of the model ends before the history: it cannot smooth the flanks as far as the traces of the test
-    /// show.
+    /// Engagements from which the wear of the model does not reach the history or the upper end of its interval; `None` if it reaches both.
     pub ends_at: Option<f64>,
     /// Flanks over engagements.
     pub rows: Vec<CourseRow>,

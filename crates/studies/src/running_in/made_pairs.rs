@@ -1,10 +1,10 @@
 //! Histories of running-in between made traces before and after a test, by three truths: wear by a coefficient, truncation of the
 //! highest asperities, and Rq that falls with the logarithm of the engagements. Which clock of a history loses least on them, and
-//! how often its interval holds them, is in docs/records/running-in-pairs.md.
+//! how often its interval holds them, is in docs/model/contact.md.
 
 use std::path::Path;
 
-use super::clock::{Clock, Fall, Tested};
+use super::clock::{BEGIN, Clock, Fall, Tested, USUAL};
 use asperity::case::{LoadedCase, RunningInPlan, load_with};
 use asperity::flanks::surfaces::{Surfaces, Texture};
 use asperity::pipeline::{History, HistorySettings, history};
@@ -15,8 +15,6 @@ use asperity_roughness::generate::SelfAffine;
 use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
-/// Engagements at which the logarithm begins to count.
-const BEGIN: f64 = 1e3;
 /// Measured error of Rq over Rq before.
 const NOISE: f64 = 0.005;
 
@@ -115,7 +113,7 @@ fn the_clock_of_the_history_loses_least_on_made_pairs() {
         let own = history_of(&case, &recipe, [seeds[0], seeds[2]], torque);
         let first = own.states[0].heights.rq_um[0];
         let (truth, flowed) = wear(&own);
-        let k = 3e-19 * 10_f64.powf(between(&mut random, -1.0, 1.0));
+        let k = USUAL * 10_f64.powf(between(&mut random, -1.0, 1.0));
         let cut = between(&mut random, 0.05, 0.25);
         let fall = between(&mut random, 0.01, 0.06);
         let pair = 10_f64.powf(between(&mut random, 4.5, 5.5));

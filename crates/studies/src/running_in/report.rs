@@ -165,7 +165,7 @@ fn remarks(course: &Course, engagements: f64) -> Vec<String> {
     });
     let ends = course.ends_at.map(|n| {
         format!(
-            "At {torque} the wear of the model ends before the test: from {} engagements on the history stays.",
+            "At {torque} the wear of the model ends early: from {} engagements on the history, or the upper end of its interval, stays.",
             count(n)
         )
     });

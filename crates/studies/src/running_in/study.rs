@@ -35,6 +35,8 @@ const OF_FLOOR: f64 = 0.839;
 const STATES: usize = 30;
 /// Runs whose time the history at a torque takes.
 const RUNS: usize = 40;
+/// Round-off of a sum of packages of wear.
+const ROUND_OFF: f64 = 1e-9;
 /// Cubic millimetres per newton metre in 1/Pa.
 const MM3_PER_N_M: f64 = 1e9;
 
@@ -244,7 +246,7 @@ impl RunningInSettings {
         match (self.before.len(), self.after.len(), self.test_engagements) {
             (0, 0, None) => Ok(()),
             (0, 0, Some(_)) => refused(
-                "test_engagements: there are no traces of a test".to_owned(),
+                "test_engagements: the test has no traces".to_owned(),
                 "Name the traces before and after it, or leave the setting out.",
             ),
             (before, after, _) if before != after => refused(
@@ -356,21 +358,25 @@ impl RunningInSettings {
             None => clock.clone(),
         };
         let rows: Vec<_> = self.counts().map(|n| histories.row(n, &clock)).collect();
-        let last = rows[rows.len() - 1];
+        let end = rows[rows.len() - 1];
         let done_engagements = done(&rows);
         let flanks = self.flanks_at_end(case, (&histories, &plan), &clock)?;
-        let ends_at = tested.as_ref().and_then(|tested| {
-            let reached = |n: &f64| !tested.fall.reaches(tested.ratio(*n).value);
-            self.counts().find(reached)
-        });
+        let last = histories.worn().last();
+        let [most, share] = last.map_or([0.0; 2], |state| [state.worn, state.asperity_share]);
+        // Flanks that a film parts do not wear on.
+        let is_beyond = |n: &f64| match &tested {
+            Some(tested) => !tested.fall.reaches(tested.ratio(*n).value),
+            None => share > 0.0 && clock.worn(*n).high > (1.0 + ROUND_OFF) * most,
+        };
+        let ends_at = self.counts().find(is_beyond);
         let course = Course {
             torque_nm: torque.si(),
             plastic_engagements: histories.plastic(),
             is_settled: middle.is_settled,
             done_hours: done_engagements.map(|n| n / per_hour),
             done_engagements,
-            factor: last.loss_w.map(|w| w / fresh_w),
-            removed_mg: masses(case, [last.pinion_removed_nm, last.wheel_removed_nm])?,
+            factor: end.loss_w.map(|w| w / fresh_w),
+            removed_mg: masses(case, [end.pinion_removed_nm, end.wheel_removed_nm])?,
             ends_at,
             rows,
         };

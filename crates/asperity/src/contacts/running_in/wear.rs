@@ -9,6 +9,7 @@
 //! | V_s, u | sliding speed; speed of this flank through the contact | m/s |
 //! | β_b | base helix angle | rad |
 //! | X | place of the contact on the flank | m |
+//! | T_i | length of all traces of gear i, other teeth included | m |
 //! | z₁, z₂ | numbers of teeth | - |
 
 use asperity_contact::{Boundary, Solver};
