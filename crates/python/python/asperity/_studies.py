@@ -416,7 +416,7 @@ def running_in(
 
     Parameters:
         case: the case.
-        torque_nm, torque: torques at the pinion at which the flanks run in, side by side [default: that of
+        torque_nm, torque: torques at the pinion at which the flanks run in, side by side [default: the torque of
             operation.running_in, else of the case].
         engagements: engagements of a tooth of the pinion to which the history goes.
         before: traces of a flank before a test on these gears with this oil, at the first torque.
