@@ -384,8 +384,8 @@ def test_a_running_in_that_cannot_be_is_refused(drive):
         ({"torque_nm": [np.nan]}, "E209", "torque_nm"),
         ({"torque": "60 N m", "torque_nm": 60}, "E205", "both are given"),
         ({"engagements": 0.5}, "E209", "engagements"),
-        ({"test_engagements": 1e6}, "E205", "no traces of a test"),
-        ({"before": GROUND, "test_engagements": 1e6}, "E205", "1 traces before the test, and 0 after"),
+        ({"test_engagements": 1e6}, "E205", "the test has no traces"),
+        ({"before": GROUND, "test_engagements": 1e6}, "E205", "traces before and after the test do not pair: 1 and 0"),
         ({"before": asperity.read_profile(GROUND), "after": GROUND}, "E204", "before: a path"),
         ({"before": "missing.csv", "after": GROUND, "test_engagements": 1e6}, "E103", "missing.csv"),
     ):
