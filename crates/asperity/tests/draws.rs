@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use asperity::core::numerics::{Z_95, Z_975, range, standard_normal_quantile, student_t_quantile};
 use asperity::ehl_regime::GapLaw;
 use asperity_uncertainty::{
-    AXES, Component, Draw, Expected, FilmLaw, InnerBoundary, Measured, Measurement, OtherLaw,
+    Component, Draw, Expected, FilmLaw, InnerBoundary, Measured, Measurement, OtherLaw,
     PatchFlowError, Predictive, QuadraticSurface, Quantiles, Ranged, RecordedRule, SamplingError,
     StudentOfNormal, UncertainParameter, flank_draws, latin_hypercube,
 };
@@ -204,7 +204,7 @@ fn measured_constants_are_drawn_with_their_correlation() {
         correlations: vec![vec![1.0], vec![-0.9, 0.19_f64.sqrt()]],
         ..plain()
     };
-    let drawn: Vec<[f64; AXES.len()]> = shared_draws(&found)
+    let drawn: Vec<[f64; UncertainParameter::ALL.len()]> = shared_draws(&found)
         .into_iter()
         .map(|draw| found.standardised(&draw, &found.correlations))
         .collect();
@@ -502,7 +502,7 @@ fn a_constant_alone_moves_the_loss_along_its_surface() {
         "{alone:?}"
     );
     assert_eq!(
-        AXES[found.constants[0].kind as usize],
+        UncertainParameter::ALL[found.constants[0].kind as usize],
         UncertainParameter::BoundaryFriction
     );
 }

@@ -8,7 +8,7 @@ use asperity_core::numerics::standard_normal_quantile;
 use serde::{Deserialize, Serialize};
 
 use crate::hypercube::permutations;
-use crate::parameters::AXES;
+use asperity_case::case::UncertainParameter;
 
 /// Number of draws: with 4096 the ends of the interval of the ground e-drive differ by 2 % between seeds, and the error
 /// falls with the square root of the number.
@@ -25,7 +25,7 @@ const FACTORS: usize = 6;
 const FIRST: usize = 6;
 const SECOND: usize = 8;
 const FILM_LAW: usize = SECOND + FACTORS;
-const PRESSURE_LAW: usize = AXES.len() + FACTORS + 1;
+const PRESSURE_LAW: usize = UncertainParameter::ALL.len() + FACTORS + 1;
 const FAR_LAY: usize = PRESSURE_LAW + 1;
 const HELD_THERMAL: usize = FAR_LAY + 1;
 const PATCH_GAP: usize = HELD_THERMAL + 1;
@@ -44,7 +44,7 @@ const fn order(k: usize) -> usize {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Draw {
     /// Constants by their axis.
-    pub constants: [f64; AXES.len()],
+    pub constants: [f64; UncertainParameter::ALL.len()],
     /// β_i in its range, 0 to 1.
     pub inner_boundary: f64,
     /// Weight of the bias of the model, 0 to 1.
@@ -90,7 +90,7 @@ impl Draw {
     /// The run: medians, and no bias of the model.
     pub const fn medians() -> Self {
         Self {
-            constants: [0.0; AXES.len()],
+            constants: [0.0; UncertainParameter::ALL.len()],
             inner_boundary: 0.5,
             weight: 0.0,
             rolling: 0.0,
@@ -165,7 +165,7 @@ pub struct Common {
     /// Number of their windows, which have the sampling.
     pub windows: usize,
     /// ρ of each constant by its axis.
-    pub constants: [f64; AXES.len()],
+    pub constants: [f64; UncertainParameter::ALL.len()],
     /// ρ of the error of the model.
     pub model: f64,
     /// Whether the unknown tip relief belongs to the same gears.
@@ -180,7 +180,7 @@ impl From<usize> for Common {
         Self {
             flanks,
             windows: flanks,
-            constants: [1.0; AXES.len()],
+            constants: [1.0; UncertainParameter::ALL.len()],
             model: 1.0,
             relief: true,
             curves: true,
