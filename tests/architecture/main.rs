@@ -8,6 +8,7 @@ mod key_names;
 mod long_functions;
 mod message_numbers;
 mod plain_english;
+mod read_only;
 mod tables_once;
 mod walk;
 mod words;
