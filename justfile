@@ -16,7 +16,7 @@ test-all:
 ci:
     .ci/run
 
-# Compute the tables of docs/VALIDATION.md anew, the gates of measurement among them.
+# Write the tables of docs/VALIDATION.md and other pages, and tests/golden/evidence.
 validation:
     ASPERITY_WRITE=1 cargo test --workspace --test validation
 
