@@ -4,11 +4,11 @@
 run case="fixtures/cases/e-drive.toml":
     cargo run --release -- run {{ case }}
 
-# All tests.
+# The tests of the workspace.
 test:
     cargo test --workspace
 
-# All tests, those of the dense reference solver among them, as every night.
+# The same, those of the dense reference solver among them, as every night.
 test-all:
     cargo test --workspace --locked --features asperity-ehl/oracle
 

@@ -102,12 +102,3 @@ fn keys_of_the_bulk_temperature_that_do_not_fit_are_refused() {
         run(&Bench::new(), &settings).refused(2, "E205", &[says]);
     }
 }
-
-#[test]
-fn the_former_name_of_the_temperature_is_noted() {
-    let said = run(&Bench::new(), &["operation.temperature=90 °C"]).well();
-    let text = said.unwrapped();
-    let told = text.lines().find(|line| line.starts_with("W203"));
-    let says = "W203 operation.temperature is the former name of operation.bulk_temperature";
-    assert!(told.is_some_and(|line| line.starts_with(says)), "{text}");
-}

@@ -209,46 +209,6 @@ fn parameters_set_past_the_keys_act_at_the_temperature_found() {
 }
 
 #[test]
-fn the_former_name_means_what_it_meant_and_is_noted() {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
-    let case = load_with(&file, &|input| {
-        (input.model.positions, input.model.offsets) = (Some(4), Some(2));
-    })
-    .unwrap();
-    let noted = |case: &LoadedCase| {
-        let mut warnings = case.warnings.iter();
-        let note = warnings.find(|warning| warning.code == "W203");
-        note.map(|note| note.text.clone())
-    };
-    let law = r#"{ law = "network", pinion_to_oil = "12 W/K", wheel_to_oil = "18 W/K" }"#;
-    let former = case.with_key("operation.temperature", "90 °C").unwrap();
-    let former_oil = former.with_key("operation.bulk", law).unwrap();
-    for (former, now, name) in [
-        (&former, &case, "operation.bulk_temperature"),
-        (
-            &former_oil,
-            &with_law(&case, law),
-            "operation.oil_temperature",
-        ),
-    ] {
-        let note = noted(former).unwrap();
-        assert!(
-            note.contains("operation.temperature") && note.contains(name),
-            "{note}"
-        );
-        assert_eq!(noted(now), None);
-        let [former, now] = [former, now].map(|case| losses(case).unwrap());
-        assert_eq!((former.summary, former.bulk), (now.summary, now.bulk));
-    }
-    // The note goes with the name.
-    let renamed = former
-        .with_key("operation.bulk_temperature", "90 °C")
-        .unwrap();
-    assert_eq!(noted(&renamed), None);
-    assert_eq!(renamed.case.input, case.case.input);
-}
-
-#[test]
 fn a_key_of_the_temperature_replaces_the_others() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
     let mut input = load_with(&file, &|_| {}).unwrap().case.input;
@@ -257,14 +217,11 @@ fn a_key_of_the_temperature_replaces_the_others() {
     input.set("operation.oil_temperature", "80 °C").unwrap();
     let operation = &input.operation;
     assert!(operation.bulk_temperature.is_none() && operation.bulk.is_some());
-    input.set("operation.temperature", "70 °C").unwrap();
-    let operation = &input.operation;
-    assert!(operation.oil_temperature.is_none() && operation.bulk.is_some());
     input
         .set("operation.bulk_temperature", r#"["80 °C", "100 °C"]"#)
         .unwrap();
     let operation = &input.operation;
-    assert!(operation.temperature.is_none() && operation.bulk.is_none());
+    assert!(operation.oil_temperature.is_none() && operation.bulk.is_none());
 }
 
 #[test]

@@ -114,7 +114,7 @@ const MODELS: [Model; 9] = [
         for_all: false,
     },
     Model {
-        name: "former",
+        name: "formula",
         make: |of| LoadShareSettings {
             spot_speed: SpotSpeed::Entrainment,
             film_pressure: FilmPressure::Hertz,
@@ -453,7 +453,7 @@ pub fn model_table() -> String {
     );
     for (model, name) in [
         (
-            "former",
+            "formula",
             "film at Hertz's pressure, σ_d of all heights, spots fed at the entrainment speed",
         ),
         (DEFAULT, "**default**"),

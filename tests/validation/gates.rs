@@ -718,7 +718,7 @@ fn drive_losses(law: GapLaw) -> Vec<Gate> {
 
 #[test]
 fn the_gap_law_power_keeps_its_losses() {
-    // Loss of the e-drive at the medians with 16 offsets, ground and superfinished, with the former spots and film. Before the width of spots followed from
+    // Loss of the e-drive at the medians with 16 offsets, ground and superfinished, with spots fed at the entrainment speed and the film of a formula. Before the width of spots followed from
     // their pressures: 599.5 and 523.8, 622.7 and 448.5, 684.3 and 393.9 W; and before spots parted at the lowest pressure between
     // them: 600.9 and 523.8, 627.1 and 448.8, 692.1 and 395.0 W. By the gap over whole cells: 694.3 W at 120 °C.
     let before = [

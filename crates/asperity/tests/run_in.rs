@@ -56,7 +56,7 @@ fn more_load_and_more_engagements_remove_more() {
         let each = long.steps.iter().map(|step| step.removed_nm[body]);
         assert!(each.is_sorted_by(|a, b| a < b), "{:?}", long.steps);
     }
-    // The former model pressed one window of this trace at 1000 N m, and flattened less than at 94.
+    // One window of this trace pressed at 1000 N m flattens less than at 94 N m.
     let at = [30.0, 94.1, 302.0, 535.0, 1000.0].map(|torque| removed(&ran_in(&case, torque, 48.0)));
     for body in 0..2 {
         assert!(at.is_sorted_by(|a, b| 1.05 * a[body] < b[body]), "{at:?}");

@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use asperity::case::CalibratedName;
 use asperity::fingerprint::sha256;
 use asperity::message::Warning;
+use asperity::result::SCHEMA_VERSION;
 use asperity_report::Watch;
 use nalgebra::DVector;
 
@@ -20,8 +21,7 @@ use crate::least_squares::minimum;
 use crate::parameters::{ASSEMBLY, BEARINGS, ROLLING, TEMPERATURE};
 use crate::problem::{Observation, Problem};
 use crate::result::{
-    Calibration, Evidence, FittedParameter, FittedPoint, Identifiability, NuisanceRow,
-    SCHEMA_VERSION, Verdict,
+    Calibration, Evidence, FittedParameter, FittedPoint, Identifiability, NuisanceRow, Verdict,
 };
 use crate::rig::{Rig, RigCase};
 use crate::rig_model::PointLosses;

@@ -207,7 +207,6 @@ pub struct EvidenceTable {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub no_curves: Option<String>,
     /// Whether the temperature is drawn.
-    #[serde(default)]
     pub is_temperature_drawn: bool,
     /// Comparison of patches of the scans with rows of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -58,7 +58,7 @@ pub use design::{Design, Limits, plan};
 pub use files::{RigFiles, table_text};
 pub use result::{
     Calibration, Evidence, FittedParameter, FittedPoint, HeldOut, HelpfulPoint, Identifiability,
-    IdentifiedParameter, NuisanceRow, SCHEMA_VERSION, StageRow, Verdict,
+    IdentifiedParameter, NuisanceRow, StageRow, Verdict,
 };
 pub use rig::{Rig, RigCase};
 pub use rig_table::{Reach, RigRow, RigTable, Scope};

@@ -4,9 +4,6 @@ use asperity::message::Warning;
 use asperity_core::{Estimate, EstimateKeys, estimate_keys};
 use serde::{Deserialize, Serialize};
 
-/// Version of the structure of `calibration.json`.
-pub const SCHEMA_VERSION: u32 = 2;
-
 /// Identification of a parameter by a design.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]

@@ -161,7 +161,8 @@ const STEMS: [(&str, &str); 6] = [
     ("loss", "loss_w"),
     ("sigma", "sigma_w"),
 ];
-pub use asperity::case::SIMULATED;
+/// Word in a comment of a table that declares its measurements as simulated.
+pub const SIMULATED: &str = "SIMULATED";
 
 /// Column of simulated values, `true`: the mark that programs retain which leave out comments.
 pub(crate) const SIMULATED_COLUMN: &str = "simulated";

@@ -17,9 +17,7 @@ pub use asperity_flanks::statements::Statements;
 
 pub use crate::input::bulk_input::{BulkInput, BulkLaw, Lubrication};
 pub use crate::input::calibration::cholesky;
-pub use crate::input::calibration::{
-    CalibratedName, CalibrationInput, CorrelationInput, SIMULATED,
-};
+pub use crate::input::calibration::{CalibratedName, CalibrationInput, CorrelationInput};
 pub use crate::input::case_input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
     OperationInput, SurfaceInput, VehicleInput,

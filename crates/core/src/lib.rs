@@ -10,6 +10,10 @@
 /// The program and its version, as results and files name it.
 pub const PROGRAM: &str = concat!("asperity ", env!("CARGO_PKG_VERSION"));
 
+/// Version of every structure that a program reads back: `result.json`, `map.json`, `calibration.json`. It is raised when a field
+/// changes its meaning.
+pub const SCHEMA_VERSION: u32 = 1;
+
 pub mod cancel;
 pub mod checked;
 pub mod derived;

@@ -102,10 +102,8 @@ pub struct MarkedValue {
     /// The default.
     pub value: f64,
     /// Lower end of the range, if known.
-    #[serde(default)]
     pub low: Option<f64>,
     /// Upper end of the range, if known.
-    #[serde(default)]
     pub high: Option<f64>,
     /// Confidence.
     pub mark: Mark,

@@ -146,14 +146,14 @@ def test_results_warn_at_the_line_of_the_caller():
 
 
 def test_a_case_warns_of_its_files_once():
-    former = {"torque": "145 N m", "speed": "9000 1/min", "temperature": "90 °C"}
-    with pytest.warns(AsperityWarning, match="W203"):
-        named = asperity.Case(small(operation=former))
+    fast = {"torque": "145 N m", "speed": "70000 1/min", "bulk_temperature": "90 °C"}
+    with pytest.warns(AsperityWarning, match="W201"):
+        named = asperity.Case(small(operation=fast))
     with warnings.catch_warnings(record=True) as seen:
         warnings.simplefilter("always")
         result = named.replace(torque_nm=100).run(band=False)
     told = [warning.message.code for warning in seen]
-    assert "W203" in list(result.warnings.code) and "W203" not in told and told
+    assert "W201" in list(result.warnings.code) and "W201" not in told and told
 
 
 def test_a_map_warns_with_the_codes_of_its_points(drive):

@@ -22,7 +22,6 @@ pub struct PageTables {
     /// The mesh position shown; `None` if no rough contact was solved.
     pub contact: Option<ContactTables>,
     /// The flanks facing each other along the path; empty if no rough contact was solved.
-    #[serde(default)]
     pub views: Vec<ContactView>,
     /// File that holds the tables, if they do not have separate files.
     pub file: Option<String>,
@@ -34,7 +33,6 @@ struct Stored {
     flanks: [Option<FlankTables>; 2],
     load_map: Vec<LoadMapRow>,
     contact: Option<ContactTables>,
-    #[serde(default)]
     views: Vec<ContactView>,
     file: Option<String>,
 }

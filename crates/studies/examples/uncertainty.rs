@@ -42,7 +42,7 @@ fn loss(case: &LoadedCase) -> f64 {
 /// The band of each finish and operating point, the median over the run, and losses by other choices, which it holds.
 fn cells() {
     println!(
-        "| N m | °C | finish | loss W | ln(median/run) | former defaults | half sliding | step rule |"
+        "| N m | °C | finish | loss W | ln(median/run) | μ_b 0.08, lay 0 | half sliding | step rule |"
     );
     println!("|---|---|---|---|---|---|---|---|");
     for torque in ["145", "50", "20"] {
@@ -56,8 +56,8 @@ fn cells() {
                 let case = shipped(name, &at);
                 let (found, predictive) = drawn(&case);
                 let [low, high] = found.loss.drawn().ends();
-                let former = [("model.boundary_friction", "0.08"), ("model.lay", "0")];
-                let former = former.iter().fold(case.clone(), |case, (key, value)| {
+                let other = [("model.boundary_friction", "0.08"), ("model.lay", "0")];
+                let other = other.iter().fold(case.clone(), |case, (key, value)| {
                     case.with_key(key, value).unwrap()
                 });
                 let held = |loss: f64| {
@@ -79,7 +79,7 @@ fn cells() {
                     "| {torque} | {temperature} | {name} | {:.0} ({low:.0}..{high:.0}) | {:+.3} | {} | {} | {} |",
                     found.loss.drawn().value,
                     (found.loss.median_w / predictive.at_medians_w).ln(),
-                    held(loss(&former)),
+                    held(loss(&other)),
                     held(of("0.6")),
                     held(of("0.9")),
                 );

@@ -10,7 +10,6 @@ pub struct SamplingError {
     /// Its degrees of freedom.
     pub freedom: f64,
     /// Standard deviation by the form of surrogates, which roughness values do not determine.
-    #[serde(default)]
     pub form: f64,
     /// Changes of ln loss where placed traces are misplaced to either side.
     pub shifts: Option<[f64; 2]>,

@@ -108,8 +108,6 @@ function byField(input) {
   const seen = structuredClone(input);
   const width = input.gears?.face_width;
   if (typeof width === "string") seen.gears.face_width = [width, ""];
-  const { operation } = seen;
-  if (operation && !operation.bulk) operation.bulk_temperature ??= operation.temperature;
   for (const body of ["pinion", "wheel"]) {
     if (at(seen, `gears.${body}.tip_relief`) === "none") seen.gears[body].tip_relief = { amount: "none" };
   }

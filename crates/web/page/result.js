@@ -45,7 +45,7 @@ function node(name, text, className) {
 function inputsOf({ operation, mesh, surface }) {
   const files = filesOf([surface, mesh]).map((name) => name.split(/[/\\]/).pop());
   const traces = files.length ? `, ${files.join(" and ")}` : "";
-  const temperature = operation.bulk_temperature ?? operation.oil_temperature ?? operation.temperature;
+  const temperature = operation.bulk_temperature ?? operation.oil_temperature;
   return `${operation.torque}, ${operation.speed}, ${temperature}${traces}`;
 }
 

@@ -42,8 +42,7 @@ pub use run_in::{FlankHeights, RunInStep};
 pub use scan_comparison::{GapRow, ScanComparison, ScanLoss};
 pub use trace_pairs::{ToothTrace, TracePairs};
 
-/// Version of the structure of `result.json`; raised when a field changes its meaning.
-pub const SCHEMA_VERSION: u32 = 3;
+pub use asperity_core::SCHEMA_VERSION;
 
 /// The result of a run, without the fields of single positions.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -119,7 +118,6 @@ pub struct RunResult {
     /// The oil at the temperature of the flanks.
     pub lubricant: LubricantState,
     /// Constants of film friction by the family of the oil, each with its band, source and how sure it is.
-    #[serde(default)]
     pub film_constants: Vec<FilmConstant>,
     /// The case as read.
     #[serde(
@@ -355,7 +353,6 @@ pub struct PositionRow {
     /// Sliding loss per metre of contact line, mean over that length \[W/m\].
     pub sliding_w_per_m: f64,
     /// Standard deviation of the sliding loss over the offsets \[W/m\]; absent with one offset.
-    #[serde(default)]
     pub sliding_deviation_w_per_m: Option<f64>,
     /// Standard error of the sliding loss over pairs of several teeth \[W/m\]; `None` with one trace for each flank.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -386,10 +383,8 @@ pub struct PositionRow {
     pub von_mises_depth_um: Option<f64>,
     /// Greatest depth at which the von Mises stress exceeds the elastic limit at the first offset \[µm\]; 0 if it does
     /// so nowhere.
-    #[serde(default)]
     pub yield_depth_um: Option<f64>,
     /// Share in which it does so, of the section as wide as the Hertz contact and half as deep.
-    #[serde(default)]
     pub yield_share: Option<f64>,
     /// Iterations of the contact solver, summed over the offsets.
     pub iterations: usize,

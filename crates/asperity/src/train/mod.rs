@@ -39,7 +39,6 @@ pub struct Whole {
     /// Title of the case.
     pub title: String,
     /// Scope of the result: the meshes only.
-    #[serde(default)]
     pub scope: Scope,
     /// The planetary set of a case `[planetary]`.
     #[serde(flatten)]
@@ -57,10 +56,8 @@ pub struct Whole {
     /// Power that enters through all shafts \[W\].
     pub power_in_w: f64,
     /// Power that leaves through all shafts \[W\], by their torques and speeds.
-    #[serde(default)]
     pub power_out_w: f64,
     /// Loss of all meshes by its kinds.
-    #[serde(default)]
     pub kinds: LossKinds,
     /// Heat balance, if the case states one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -69,7 +66,6 @@ pub struct Whole {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gearbox: Option<GearboxReport>,
     /// Shafts with their torques and speeds.
-    #[serde(default)]
     pub shafts: Vec<ShaftRow>,
     /// The meshes, in a planetary set one of each kind.
     pub meshes: Vec<MeshRow>,
@@ -169,7 +165,6 @@ pub struct ShaftRow {
     /// Power into the train at the shaft \[W\].
     pub power_w: f64,
     /// Part of the carried torque that follows from the losses \[N m\].
-    #[serde(default)]
     pub by_losses_nm: f64,
 }
 
@@ -194,7 +189,6 @@ pub struct MeshRow {
     /// Gears of the mesh.
     pub mesh: String,
     /// Number of equal meshes.
-    #[serde(default = "one")]
     pub count: u32,
     /// Torque at its pinion \[N m\], negative when the wheel drives.
     pub torque_nm: f64,
@@ -212,10 +206,8 @@ pub struct MeshRow {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss_p95_w: Option<f64>,
     /// Its part by sliding \[W\].
-    #[serde(default)]
     pub sliding_w: f64,
     /// Its part by rolling \[W\].
-    #[serde(default)]
     pub rolling_w: f64,
     /// Efficiency of the mesh.
     pub efficiency: f64,
@@ -227,10 +219,6 @@ pub struct MeshRow {
     pub hertz_pressure_mpa: f64,
     /// The same at the most loaded planet, √K_γ times as high \[MPa\].
     pub hertz_pressure_most_loaded_mpa: f64,
-}
-
-fn one() -> u32 {
-    1
 }
 
 /// A run of a case: of a gear train, or of its only mesh. Its JSON is the result of the case.

@@ -31,10 +31,6 @@ table! {
     correlations: Option<Vec<CorrelationInput>> => table;
 }
 
-/// Word in a comment of a table that declares its measurements as simulated; files of constants have a field for it, and those
-/// of former versions this word in their source.
-pub const SIMULATED: &str = "SIMULATED";
-
 impl<T: Numbers> Numbers for Estimate<T> {
     fn numbers(&self, unit: &str) -> Vec<f64> {
         let values = [&self.value, &self.low, &self.high].into_iter();

@@ -170,9 +170,6 @@ table! {
     /// by `operation.bulk.law`, which must be stated.
     #[serde(skip_serializing_if = "Option::is_none")]
     oil_temperature: Option<Temperature> = "°C" usual [-30.0, 160.0] possible [-100.0, 400.0];
-    /// Former name of `bulk_temperature`, or of `oil_temperature` if `operation.bulk` is stated.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    temperature: Option<Temperature> = "°C" usual [-30.0, 160.0] possible [-100.0, 400.0];
     /// Standard deviation of the stated temperature, of oil or flanks, by its measurement; 3 K for an oil sump without a probe
     /// in the jet. Without it the temperature is taken as exact.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -193,19 +190,9 @@ table! {
 }
 
 /// Paths of the keys that state a temperature, and the keys that each of them replaces if it is set.
-pub(crate) const TEMPERATURE_KEYS: [(&str, &[&str]); 3] = [
-    (
-        "operation.bulk_temperature",
-        &["oil_temperature", "temperature", "bulk"],
-    ),
-    (
-        "operation.oil_temperature",
-        &["bulk_temperature", "temperature"],
-    ),
-    (
-        "operation.temperature",
-        &["bulk_temperature", "oil_temperature"],
-    ),
+pub(crate) const TEMPERATURE_KEYS: [(&str, &[&str]); 2] = [
+    ("operation.bulk_temperature", &["oil_temperature", "bulk"]),
+    ("operation.oil_temperature", &["bulk_temperature"]),
 ];
 
 impl OperationInput {
@@ -227,7 +214,7 @@ impl OperationInput {
             Temperature::from_si(0.5 * (pinion.si() + wheel.si()))
         };
         let of_flanks = self.bulk_temperature.map(mean);
-        of_flanks.or(self.oil_temperature).or(self.temperature)
+        of_flanks.or(self.oil_temperature)
     }
 
     /// Torque, speed and temperature in words.
@@ -269,7 +256,6 @@ impl OperationInput {
                 self.bulk_temperature = Some(OneOrTwo::Two(flanks));
             }
             (None, Some(_)) => self.oil_temperature = Some(temperature),
-            (None, None) if self.temperature.is_some() => self.temperature = Some(temperature),
             _ => self.bulk_temperature = Some(OneOrTwo::One(temperature)),
         }
     }
@@ -278,7 +264,6 @@ impl OperationInput {
     pub fn set_bulk_temperature(&mut self, bulk: Temperature) {
         self.bulk_temperature = Some(OneOrTwo::One(bulk));
         self.oil_temperature = None;
-        self.temperature = None;
         self.bulk = None;
     }
 
@@ -293,14 +278,9 @@ impl OperationInput {
 
     /// Path of the key that states the temperature.
     pub(crate) fn temperature_key(&self) -> &'static str {
-        let [(bulk, _), (oil, _), (former, _)] = TEMPERATURE_KEYS;
-        match (
-            self.bulk_temperature,
-            self.oil_temperature,
-            self.temperature,
-        ) {
-            (None, Some(_), _) => oil,
-            (None, None, Some(_)) => former,
+        let [(bulk, _), (oil, _)] = TEMPERATURE_KEYS;
+        match (self.bulk_temperature, self.oil_temperature) {
+            (None, Some(_)) => oil,
             _ => bulk,
         }
     }

@@ -12,7 +12,6 @@ use super::flank_inputs::FlankInputs;
 use super::flanks::{Flanks, flanks};
 use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
-use crate::input::calibration::SIMULATED;
 use crate::input::case_input::CaseInput;
 use crate::input::files::{
     Content, FileContents, FileSums, Files, HeldTrace, Reader, XU_COEFFICIENTS,
@@ -585,8 +584,7 @@ fn simulated(input: &CaseInput, oil_file: Option<&OilFile>) -> Vec<Warning> {
         ("calibration", fit.simulated.unwrap_or(false), source)
     });
     let fits = of_oil.into_iter().chain(of_rig);
-    // Files of former versions say it in the source.
-    let simulated = fits.filter(|(_, simulated, source)| *simulated || source.contains(SIMULATED));
+    let simulated = fits.filter(|(_, simulated, _)| *simulated);
     let warning = |(key, _, source)| {
         let text = format!("{key}: constants were fitted to simulated measurements: {source}");
         Warning::new(Code::W446, text)

@@ -9,7 +9,7 @@ use asperity_flanks::meeting::at_pitch;
 use asperity_gear::GearPair;
 use asperity_oil::LubricantState;
 
-use crate::input::case_input::{CaseInput, GearsInput, OperationInput, TEMPERATURE_KEYS};
+use crate::input::case_input::{CaseInput, GearsInput, OperationInput};
 use crate::input::ranges::{self, UNUSUAL, digits, impossible_at, with_unit, within};
 use crate::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
 use crate::source::case_error::CaseError;
@@ -23,8 +23,6 @@ const DIVIDED: Code = Code::W445;
 const CLEARANCE: Code = Code::W453;
 /// Code of the warning that names the keys of symbols.
 pub(crate) const SYMBOLS: Code = Code::W202;
-/// Code of a key that is read by its former name.
-const FORMER_NAME: Code = Code::W203;
 
 /// Viscosity of the oil at the bulk temperature \[Pa s\]: usual, and beyond which it is no oil of a gear drive.
 const OIL_USUAL: [f64; 2] = [1e-3, 10.0];
@@ -163,18 +161,6 @@ impl AtPitchPoint {
     }
 }
 
-/// The note that the temperature is stated by its former name.
-fn former_name(operation: &OperationInput) -> Option<Warning> {
-    operation.temperature?;
-    let [(of_flanks, _), (of_oil, _), (former, _)] = TEMPERATURE_KEYS;
-    let now = match operation.bulk {
-        Some(_) => of_oil,
-        None => of_flanks,
-    };
-    let text = format!("{former} is the former name of {now}, as which it is read");
-    Some(Warning::new(FORMER_NAME, text))
-}
-
 /// Warnings about the unusual numbers of a case.
 pub(crate) fn unusual(
     input: &CaseInput,
@@ -193,7 +179,6 @@ pub(crate) fn unusual(
         warnings.push(Warning::new(UNUSUAL, text));
     }
     warnings.extend(loads.filter_map(|load| load.unusual()));
-    warnings.extend(former_name(&input.operation));
     warnings
 }
 

@@ -529,14 +529,9 @@ fn operating_temperature(
     let OperationInput {
         bulk_temperature,
         oil_temperature,
-        temperature: former,
         bulk,
         ..
     } = operation;
-    if former.is_some() && (bulk_temperature.is_some() || oil_temperature.is_some()) {
-        let rule = "is the former name of operation.bulk_temperature, and of operation.oil_temperature with operation.bulk; leave it out";
-        return Err(section.conflict_of_key("temperature", rule));
-    }
     if bulk_temperature.is_some() && oil_temperature.is_some() {
         let rule = "is not used if operation.bulk_temperature is stated; leave one of the two out";
         return Err(section.conflict_of_key("oil_temperature", rule));

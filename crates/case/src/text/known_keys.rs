@@ -35,7 +35,7 @@ fn unknown_at<'a>(schema: &Value, path: &'a str) -> Option<(&'a str, Option<Stri
         if next.is_empty() {
             let known = candidates.iter().flat_map(|object| properties(object));
             let meant =
-                nearest(segment, known).or_else(|| in_another_table(schema, present_name(segment)));
+                nearest(segment, known).or_else(|| in_another_table(schema, own_name(segment)));
             return Some((path, meant));
         }
         nodes = next;
@@ -148,20 +148,19 @@ fn properties(object: &Value) -> impl Iterator<Item = &str> + Clone {
         .flat_map(|map| map.keys().map(String::as_str))
 }
 
-/// Names of a key in older versions and other programs, with the present name.
-const OTHER_NAMES: [(&str, &str); 8] = [
+/// Names of a key in other programs and texts, with the name here.
+const OTHER_NAMES: [(&str, &str); 7] = [
     ("load_sharing", "load_distribution"),
     ("friction", "film_friction"),
     ("friction_law", "film_friction"),
-    ("film_share", "load_share"),
     ("sump_temperature", "oil_temperature"),
     ("flank_temperature", "bulk_temperature"),
+    ("temperature", "bulk_temperature"),
     ("width", "face_width"),
-    ("run_in", "running_in"),
 ];
 
-/// The present name of a key by another name of it.
-fn present_name(seen: &str) -> &str {
+/// The name here of a key by another name of it.
+fn own_name(seen: &str) -> &str {
     let mut others = OTHER_NAMES.iter();
     others
         .find_map(|(other, ours)| (*other == seen).then_some(*ours))
@@ -176,7 +175,7 @@ pub(crate) fn nearest<'a>(
     if let Some(key) = key_named(seen, known.clone()) {
         return Some(key.to_owned());
     }
-    let ours = present_name(seen);
+    let ours = own_name(seen);
     if known.clone().any(|key| key == ours) {
         return Some(ours.to_owned());
     }

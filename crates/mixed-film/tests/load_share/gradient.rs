@@ -86,11 +86,11 @@ fn bump(points: usize, middle: usize, width: usize) -> Vec<f64> {
 #[test]
 fn the_gradient_over_the_heights_is_the_central_difference() {
     let flanks = ground();
-    let former = former();
+    let alone = independent();
     let carried = LoadShareSettings {
         spot_speed: SpotSpeed::Carried,
         gap_roughness: GapRoughness::Peaks,
-        ..former
+        ..alone
     };
     let with = |settings, gap_law, film_pressure| LoadShareSettings {
         gap_law,
@@ -100,11 +100,11 @@ fn the_gradient_over_the_heights_is_the_central_difference() {
     // Largest errors of the middle and of the worst height, and of bumps.
     for (settings, limits) in [
         (
-            with(former, GapLaw::Inlet, FilmPressure::Hertz),
+            with(alone, GapLaw::Inlet, FilmPressure::Hertz),
             [1e-7, 1e-3, 1e-3],
         ),
         (
-            with(former, GapLaw::Power, FilmPressure::Hertz),
+            with(alone, GapLaw::Power, FilmPressure::Hertz),
             [1e-7, 1e-3, 1e-3],
         ),
         (
@@ -167,7 +167,7 @@ fn the_gradient_at_the_largest_share_is_the_central_difference() {
         film_pressure: FilmPressure::Rippled,
         spot_speed: SpotSpeed::Carried,
         gap_roughness: GapRoughness::Peaks,
-        ..former()
+        ..independent()
     };
     let (_, table) = exact_table(&e_drive(), &flanks);
     let solved = share(&e_drive(), &flanks, &table, STARTS, 90.0, &settings);

@@ -247,7 +247,7 @@ fn ground_table() -> &'static ContactTable {
 
 /// The laws that the independent program has: the film of a formula and at the Hertz pressure, all spots with the film of the
 /// entrainment speed, all heights in the supply.
-fn former() -> LoadShareSettings {
+fn independent() -> LoadShareSettings {
     LoadShareSettings {
         film_law: FilmLaw::DowsonToyoda,
         supply: InletSupply::Grubin,
@@ -310,7 +310,7 @@ fn load_share_of_the_reference_windows() {
             boundary_friction: of("mu_b"),
             lay: Lay::ACROSS,
             gap_law: GapLaw::Power,
-            ..former()
+            ..independent()
         };
         settings.film.nodes = std::num::NonZeroUsize::new(32).unwrap();
         let mut film = PositionFilm::new(&rheology, &contact, celsius(90.0), &settings).unwrap();
@@ -630,7 +630,7 @@ fn friction_solves_its_equation_where_heat_raises_it() {
             boundary_friction: 0.08,
             lay: Lay::ACROSS,
             gap_law: GapLaw::Power,
-            ..former()
+            ..independent()
         },
     );
     assert!((hot.asperity_share - 0.76373).abs() < 0.002, "{hot:?}");
@@ -834,7 +834,7 @@ fn spots_keep_the_film_of_the_inlet_without_sliding() {
     let by = |spot_speed| {
         let settings = LoadShareSettings {
             spot_speed,
-            ..former()
+            ..independent()
         };
         share(&contact, ground(), ground_table(), STARTS, 90.0, &settings)
     };
@@ -848,13 +848,13 @@ fn the_share_of_carried_spots_on_the_boundary_layer_is_between_its_ends() {
         with(LoadShareSettings {
             spot_speed: SpotSpeed::Carried,
             inner_boundary,
-            ..former()
+            ..independent()
         })
     };
     let fed = |spot_speed| {
         with(LoadShareSettings {
             spot_speed,
-            ..former()
+            ..independent()
         })
     };
     let (carried, flowing) = (fed(SpotSpeed::Entrainment), fed(SpotSpeed::HalfSliding));
@@ -876,12 +876,12 @@ fn the_share_of_carried_spots_on_the_boundary_layer_is_between_its_ends() {
     let none = LoadShareSettings {
         spot_speed: SpotSpeed::Carried,
         boundary_layer: Length::from_si(0.0),
-        ..former()
+        ..independent()
     };
     assert_eq!(with(none), 0.0);
     let refused = LoadShareSettings {
         inner_boundary: 1.1,
-        ..former()
+        ..independent()
     };
     let rheology = oil("e-fluid");
     assert!(PositionFilm::new(&rheology, &e_drive(), celsius(90.0), &refused).is_err());
@@ -892,7 +892,7 @@ fn the_film_shears_less_at_its_own_pressure() {
     let by = |film_pressure, temperature: f64, flanks: &Flanks| {
         let settings = LoadShareSettings {
             film_pressure,
-            ..former()
+            ..independent()
         };
         let (contact, starts) = (e_drive(), [100, 100]);
         let table = table(&contact, flanks, starts, FLOW);
@@ -933,7 +933,7 @@ fn a_film_ripples_at_none_of_smooth_flanks() {
     let by = |film_pressure| {
         let settings = LoadShareSettings {
             film_pressure,
-            ..former()
+            ..independent()
         };
         share(&contact, &smooth, &table, [0, 0], 90.0, &settings)
     };
@@ -971,7 +971,7 @@ fn heights_above_the_mean_line_count_up_to_a_third_of_lay() {
         at(&LoadShareSettings {
             gap_roughness,
             lay: Lay::new(gamma).unwrap(),
-            ..former()
+            ..independent()
         })
         .attenuated_rms
     };

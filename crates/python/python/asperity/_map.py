@@ -145,8 +145,7 @@ class Map(Study, MapArrays, MapValues):
     def _node(self, at: Optional[Floats]) -> int:
         """Number of a temperature among the nodes."""
         if at is None:
-            of_case = self._values.get("operating_temperature_c")
-            return 0 if of_case is None else int(np.argmin(np.abs(self.temperature_c - of_case)))
+            return int(np.argmin(np.abs(self.temperature_c - self._values["operating_temperature_c"])))
         nodes = self.temperature_c
         is_node = np.isclose(nodes, at, rtol=0.0, atol=1e-9) if at.shape == (1,) else np.zeros(1)
         if not is_node.any():

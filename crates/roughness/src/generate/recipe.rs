@@ -42,13 +42,11 @@ pub struct Recipe {
     #[serde(default)]
     pub amplitudes: Amplitudes,
     /// Added pits or micropitting.
-    #[serde(default)]
     pub pits: Option<Pits>,
     /// Added open pores of a sintered steel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pores: Option<Pores>,
     /// Added scratches.
-    #[serde(default)]
     pub scratches: Option<Scratches>,
     /// Whether the result is reversed.
     #[serde(default)]

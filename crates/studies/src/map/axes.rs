@@ -102,14 +102,13 @@ impl Axes {
             .collect()
     }
 
-    /// Default temperature: the one of a case.
+    /// Temperature at which a case states its load \[°C\], rounded as a node; of a train that of its first mesh.
     #[must_use]
-    pub fn default_temperature(case: &Train) -> Vec<f64> {
-        let temperature = case.meshes().map(|mesh| mesh.case.case.temperature);
-        temperature
-            .take(1)
-            .map(|at| rounded(at.celsius()))
-            .collect()
+    pub fn case_temperature(case: &Train) -> f64 {
+        let first = case.meshes().next();
+        first.map_or(f64::NAN, |mesh| {
+            rounded(mesh.case.case.temperature.celsius())
+        })
     }
 
     /// Number of points of the map.

@@ -51,19 +51,16 @@ pub struct DrawnNodes {
     /// Number of the flanks within a gear train: equal flanks have the same errors of model and sampling.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub flanks: usize,
-    /// Draws in common with the first finish; `None` of the first itself, and in older maps.
+    /// Draws in common with the first finish; `None` of the first itself.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub common: Option<Common>,
 }
 
 impl DrawnNodes {
-    /// Draws in common with the first finish, which has `meshes`; with the numbers of its own flanks where they are not known.
-    fn common(&self, beside: Option<bool>, meshes: usize) -> Common {
-        match (beside, self.common) {
-            (Some(_), Some(common)) => common,
-            (Some(false), None) => (meshes + self.flanks).into(),
-            _ => self.flanks.into(),
-        }
+    /// Draws in common with the first finish if `is_beside_first`, else those of its own flanks.
+    fn common(&self, is_beside_first: bool) -> Common {
+        let common = self.common.filter(|_| is_beside_first);
+        common.unwrap_or_else(|| self.flanks.into())
     }
 }
 
@@ -146,11 +143,11 @@ pub(crate) type Place = [u32; 4];
 
 impl<'a> Drawn<'a> {
     /// The draws at the nodes of each side with this number of `meshes`, see [`FinishMap::drawn`](super::FinishMap::drawn).
-    /// For a difference from the first finish, `beside` states whether both have equal flanks, and the draws are put in common.
+    /// For a difference from the first finish (`is_beside_first`) the draws are put in common.
     pub(super) fn of(
         sides: &'a [DrawnNodes],
         meshes: usize,
-        beside: Option<bool>,
+        is_beside_first: bool,
         sampling: f64,
     ) -> Option<Self> {
         let of_side = |of_meshes: &'a [DrawnNodes]| {
@@ -162,7 +159,7 @@ impl<'a> Drawn<'a> {
                     let predictive = mesh.predictive.get(node)?;
                     let count = f64::from(mesh.count);
                     at_medians += count * predictive.at_medians_w;
-                    let common = mesh.common(beside, meshes);
+                    let common = mesh.common(is_beside_first);
                     let of_mesh = predictive.draws_of_sum_w(common, sampling);
                     add_times(&mut drawn, count, &of_mesh);
                 }

@@ -8,9 +8,9 @@ use asperity::case::train::{LoadedMesh, Train};
 use asperity::case::{LoadedCase, MeshLoad};
 use asperity::core::cancel::checkpoint;
 use asperity::fingerprint::Fingerprint;
-use asperity::flanks::Surfaces;
 use asperity::pipeline::Progress;
 use asperity::result::OffsetRow;
+use asperity::result::SCHEMA_VERSION;
 use asperity::uncertainty::{DrawnCase, Predictive, common_draws, median_with_ends};
 use asperity::{Error, PositionError};
 use asperity_core::numerics::{deviation, distinct};
@@ -27,9 +27,6 @@ use super::evaluation::{
 };
 use super::point::{EXTENDED, FinishMap, Map, MapWarning, MeshPart, Numbers, Point, ranges};
 use crate::compare::{Finish, differs_by_flanks, files};
-
-/// Version of the structure of `map.json`.
-pub(crate) const SCHEMA_VERSION: u32 = 2;
 
 /// Computes the losses of every finish at every node of `axes`, with draws at the points of `band`. A point without a
 /// result has its error code.
@@ -53,7 +50,6 @@ pub fn map<C: Clone + Into<Train>>(
     // A table that does not cover the map is an error before the computation.
     let mut gearbox = gearbox_of(case, axes, &[])?;
     let mut maps: Vec<FinishMap> = Vec::with_capacity(finishes.len());
-    let mut flanks_of_first: Vec<Surfaces> = Vec::new();
     let sides = finishes
         .iter()
         .map(|finish| Sides::of(&finish.case, axes))
@@ -64,14 +60,7 @@ pub fn map<C: Clone + Into<Train>>(
     let done = AtomicUsize::new(0);
     let progress = || progress(1 + done.fetch_add(1, Ordering::Relaxed), total);
     for (finish, sides) in finishes.iter().zip(&sides) {
-        let (mut map, flanks) = of_finish(finish, sides, (axes, &speeds), band, &progress)?;
-        if maps.is_empty() {
-            flanks_of_first.clone_from(&flanks);
-        }
-        let mut pairs = flanks.iter().zip(&flanks_of_first);
-        map.has_flanks_of_first = flanks.len() == flanks_of_first.len()
-            && pairs.all(|(own, first)| own.has_flanks_of(first));
-        maps.push(map);
+        maps.push(of_finish(finish, sides, (axes, &speeds), band, &progress)?);
     }
     if let Some((first, others)) = maps.split_first_mut() {
         for (finish, own) in others.iter_mut().zip(&finishes[1..]) {
@@ -98,11 +87,11 @@ pub fn map<C: Clone + Into<Train>>(
         gearbox,
         axes: axes.clone(),
         ratio: case.ratio(),
-        operating_point: Some([
+        operating_point: [
             operation.torque.si(),
             operation.speed.si() * 30.0 / std::f64::consts::PI,
-        ]),
-        operating_temperature_c: Axes::default_temperature(case).first().copied(),
+        ],
+        operating_temperature_c: Axes::case_temperature(case),
         warnings: maps.iter().flat_map(warnings).collect(),
         table_warnings: Vec::new(),
         finishes: maps,
@@ -232,7 +221,7 @@ fn of_finish(
     (axes, speeds): (&Axes, &[f64]),
     band: MapBand,
     progress: &(dyn Fn() + Sync),
-) -> Result<(FinishMap, Vec<Surfaces>), Error> {
+) -> Result<FinishMap, Error> {
     let train = &finish.case;
     let drawn = sides
         .torques
@@ -249,7 +238,7 @@ fn of_finish(
     }
     let draws = draws(train, &computed, drawn, sides.differ, (axes, speeds));
     let meshes = train.counts().len();
-    let drawn = Drawn::of(&draws, meshes, None, 1.0);
+    let drawn = Drawn::of(&draws, meshes, false, 1.0);
     let nodes = axes.temperature_c.iter().enumerate().flat_map(|(row, t)| {
         let of_torque = move |torque: &f64| {
             let torque = *torque;
@@ -292,12 +281,11 @@ fn of_finish(
         }
         drives.push(drive);
     }
-    let map = FinishMap {
+    Ok(FinishMap {
         name: finish.name.clone(),
         fingerprint: fingerprint.hex(),
         files: unique(drives.iter().flat_map(files)),
         coast_files: unique(coasts.iter().flat_map(files)),
-        has_flanks_of_first: false,
         difference_w: None,
         resolved_from_nm: sides.from,
         draws,
@@ -306,9 +294,7 @@ fn of_finish(
             None => of_meshes(train, &parts),
         },
         points,
-    };
-    let of_sides = drives.into_iter().chain(coasts);
-    Ok((map, of_sides.map(|case| case.surfaces).collect()))
+    })
 }
 
 /// Loss torques of each mesh at all points.

@@ -195,23 +195,23 @@ pub(super) fn sections<'a>(
 fn of_case(map: &Map) -> Option<String> {
     /// Largest difference of a temperature that is rounded as a node \[K\].
     const EQUAL: f64 = 0.05;
-    let [torque, speed] = map.operating_point?;
+    let [torque, speed] = map.operating_point;
     let celsius = map.operating_temperature_c;
     let at = map.axes.temperature_c.get(map.case_temperature())?;
-    let other = celsius.filter(|celsius| (celsius - at).abs() > EQUAL);
-    let of_case = celsius.map_or(String::new(), |celsius| format!(", {} °C", number(celsius)));
-    Some(match (map.has_typical(), other) {
-        (true, None) => "These losses are at the operating point of the case, interpolated between the points of the map.".to_owned(),
-        (true, Some(celsius)) => format!(
+    let is_other = (celsius - at).abs() > EQUAL;
+    Some(match (map.has_typical(), is_other) {
+        (true, false) => "These losses are at the operating point of the case, interpolated between the points of the map.".to_owned(),
+        (true, true) => format!(
             "These losses are at torque and speed of the case, interpolated between the points of the map, and at {} °C, the temperature of \
                 the map next to the {} °C of the case.",
             number(*at),
             number(celsius)
         ),
         (false, _) => format!(
-            "These losses are at the point of the map next to the operating point of the case: {} N m, {} 1/min{of_case}.",
+            "These losses are at the point of the map next to the operating point of the case: {} N m, {} 1/min, {} °C.",
             number(torque),
-            decimals(speed, 0)
+            decimals(speed, 0),
+            number(celsius)
         ),
     })
 }
@@ -219,7 +219,7 @@ fn of_case(map: &Map) -> Option<String> {
 /// The operating point of the case, to be marked on a map without points of a cycle.
 fn case_point(map: &Map, visited: &[[f64; 2]]) -> Option<[f64; 2]> {
     let is_marked = visited.is_empty() && map.has_typical();
-    map.operating_point.filter(|_| is_marked)
+    is_marked.then_some(map.operating_point)
 }
 
 /// Loss and efficiency of every finish and temperature, side by side, with the operating point of the case unless those of a cycle

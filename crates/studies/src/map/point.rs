@@ -34,12 +34,10 @@ pub struct Map {
     /// Revolutions of the pinion per revolution of the wheel, or of the input shaft per revolution of the output shaft; `None`
     /// of several outputs.
     pub ratio: Option<f64>,
-    /// Torque \[N m\] and speed \[1/min\] at which the case states its load; `None` in older maps.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub operating_point: Option<[f64; 2]>,
-    /// Temperature of the flanks of the case \[°C\]; `None` in older maps.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub operating_temperature_c: Option<f64>,
+    /// Torque \[N m\] and speed \[1/min\] at which the case states its load.
+    pub operating_point: [f64; 2],
+    /// Temperature at which the case states its load \[°C\].
+    pub operating_temperature_c: f64,
     /// The finishes; the first is the reference of differences.
     pub finishes: Vec<FinishMap>,
     /// Whether they differ by more than their flanks.
@@ -87,17 +85,13 @@ pub struct MeshPart {
 pub struct FinishMap {
     /// Name of the finish.
     pub name: String,
-    /// SHA-256 of its case, of the content of all files read for it, and of the program version; empty in older maps.
-    #[serde(default)]
+    /// SHA-256 of its case, of the content of all files read for it, and of the program version.
     pub fingerprint: String,
     /// Names and SHA-256 of the files that it read.
     pub files: Vec<[String; 2]>,
     /// Names and SHA-256 of the files of the coast flanks, if there are any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub coast_files: Vec<[String; 2]>,
-    /// Whether the first finish has the same flanks, so that both have the same errors of model and sampling.
-    #[serde(default)]
-    pub has_flanks_of_first: bool,
     /// Loss minus the loss with the first finish at the point of its largest loss: median of the draws with their 5 % and 95 %
     /// quantiles \[W\]; `None` of the first finish, and without draws.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -286,44 +280,41 @@ impl Map {
         loaded.all(|point| point.code.is_some()).then_some(first)
     }
 
-    /// Index of the temperature next to the one of the case; the first of an older map.
+    /// Index of the temperature next to the one of the case.
     #[must_use]
     pub fn case_temperature(&self) -> usize {
-        let Some(celsius) = self.operating_temperature_c else {
-            return 0;
-        };
-        let away = |node: &f64| (node - celsius).abs();
+        let away = |node: &f64| (node - self.operating_temperature_c).abs();
         let nodes = self.axes.temperature_c.iter().enumerate();
         let next = nodes.min_by(|a, b| away(a.1).total_cmp(&away(b.1)));
         next.map_or(0, |(index, _)| index)
     }
 
     /// The operating point of the case with the losses of `finish`, interpolated between points of the map at the temperature
-    /// [`case_temperature`](Self::case_temperature); if one finish has no loss around it, the next point for all. Without an operating
-    /// point the point of the largest loss with the first finish.
+    /// [`case_temperature`](Self::case_temperature); if one finish has no loss around it, the next point for all.
     pub(super) fn typical(&self, finish: &FinishMap) -> Option<Point> {
-        match self.operating_point.filter(|_| self.has_typical()) {
-            Some(at) => finish.between(&self.axes, self.case_temperature(), at),
-            None => finish.points.get(self.next_to_typical()?).cloned(),
+        if self.has_typical() {
+            finish.between(&self.axes, self.case_temperature(), self.operating_point)
+        } else {
+            finish.points.get(self.next_to_typical()?).cloned()
         }
     }
 
     /// Whether the operating point of the case is between points of the map, where all finishes have losses.
     pub(super) fn has_typical(&self) -> bool {
-        self.operating_point.is_some_and(|at| {
-            let mut finishes = self.finishes.iter();
-            let temperature = self.case_temperature();
-            finishes.all(|finish| finish.between(&self.axes, temperature, at).is_some())
+        let mut finishes = self.finishes.iter();
+        let temperature = self.case_temperature();
+        finishes.all(|finish| {
+            finish
+                .between(&self.axes, temperature, self.operating_point)
+                .is_some()
         })
     }
 
     /// Index of the point next to the operating point of the case, in parts of the largest torque and speed, that has a loss with
-    /// the first finish. Without an operating point the point of its largest loss.
+    /// the first finish.
     fn next_to_typical(&self) -> Option<usize> {
         let first = self.finishes.first()?;
-        let Some([torque, speed]) = self.operating_point else {
-            return first.largest().map(|(at, _)| at);
-        };
+        let [torque, speed] = self.operating_point;
         let of = |nodes: &[f64]| {
             nodes
                 .iter()
@@ -421,8 +412,12 @@ impl FinishMap {
     /// multiplied by `sampling`. `None` for a map without draws.
     #[must_use]
     pub fn drawn(&self, is_beside_first: bool, sampling: f64) -> Option<Drawn<'_>> {
-        let beside = is_beside_first.then_some(self.has_flanks_of_first);
-        Drawn::of(&self.draws, self.meshes.len().max(1), beside, sampling)
+        Drawn::of(
+            &self.draws,
+            self.meshes.len().max(1),
+            is_beside_first,
+            sampling,
+        )
     }
 }
 

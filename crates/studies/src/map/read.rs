@@ -9,9 +9,9 @@ use asperity_table::own::{self, OwnFault};
 
 use super::axes::Axes;
 use super::draws::DrawnNodes;
-use super::grid::SCHEMA_VERSION;
 use super::point::{Map, Point};
 use super::table::PointRow;
+use asperity::result::SCHEMA_VERSION;
 
 /// Largest size of a file in bytes.
 const LARGEST: u64 = 1_000_000_000;

@@ -82,7 +82,7 @@ impl MapSettings {
         let speed = Nodes::of_case(self.speed.as_ref(), "speed", rpm)?;
         let speed = speed.unwrap_or_else(|| Axes::default_speed(case));
         let temperature = match &self.temperature {
-            None => Axes::default_temperature(case),
+            None => vec![Axes::case_temperature(case)],
             Some(stated) => stated.nodes("temperature")?,
         };
         let axes = Axes::new(&torque, &speed, &temperature);
