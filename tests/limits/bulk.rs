@@ -5,7 +5,7 @@ use std::path::Path;
 use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::oil::ViscosityLaw;
 use asperity::quantity::Temperature;
-use asperity::uncertainty::UncertainParameter;
+use asperity::uncertainty::{UncertainParameter, range};
 use asperity::{losses, pipeline};
 
 fn case(name: &str, law: &str) -> LoadedCase {
@@ -52,11 +52,7 @@ fn the_rise_is_that_of_the_loss_at_the_temperature_found() {
         // The loss is that of flanks given at this temperature.
         let settled = pipeline::settled(&case, None).unwrap();
         let given = case
-            .with(|input| {
-                input
-                    .operation
-                    .set_bulk_temperature(settled.case.temperature)
-            })
+            .with(|input| input.operation.set_bulk_temperature(settled.temperature()))
             .unwrap();
         let given = losses(&given).unwrap();
         assert_eq!(given.summary, found.summary);
@@ -120,7 +116,12 @@ fn a_viscosity_given_without_a_temperature_thins_as_the_flanks_warm() {
     };
     let warm = with_law(&case, law);
     let stated = case
-        .with(|input| input.lubricant = input.lubricant.stated_at(case.case.temperature).unwrap())
+        .with(|input| {
+            input.lubricant = input
+                .lubricant
+                .stated_at(case.case.stated_temperature)
+                .unwrap()
+        })
         .unwrap();
     let stated_warm = with_law(&stated, law);
     let (hot, cold) = (loss(&warm), loss(&case));
@@ -134,7 +135,7 @@ fn a_viscosity_given_without_a_temperature_thins_as_the_flanks_warm() {
 #[test]
 fn a_given_viscosity_belongs_to_the_temperature_that_the_case_states() {
     let case = given_viscosity();
-    let viscosity = |case: &LoadedCase| case.case.oil.dynamic_viscosity.si();
+    let viscosity = |case: &LoadedCase| case.at_stated().unwrap().oil().dynamic_viscosity.si();
     let hot_flanks = |input: &mut CaseInput| {
         let hot = Temperature::from_celsius(120.0);
         input.operation.set_temperature(hot);
@@ -190,9 +191,13 @@ fn parameters_set_past_the_keys_act_at_the_temperature_found() {
     let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "jet" }"#);
     let tables = pipeline::contacts(&case).unwrap();
     let loss = |parameter: UncertainParameter, factor: f64| {
-        let value = parameter.range(&case).unwrap().unwrap().value;
-        let mut changed = case.clone();
-        parameter.set(&mut changed, factor * value).unwrap();
+        let value = range(parameter, &case.at_stated().unwrap())
+            .unwrap()
+            .unwrap()
+            .value;
+        let changed = case
+            .overridden(|over| over.set(parameter, factor * value))
+            .unwrap();
         let found = pipeline::losses_with(&tables, &changed).unwrap();
         found.summary.loss_w
     };
@@ -211,7 +216,7 @@ fn parameters_set_past_the_keys_act_at_the_temperature_found() {
 #[test]
 fn a_key_of_the_temperature_replaces_the_others() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
-    let mut input = load_with(&file, &|_| {}).unwrap().case.input;
+    let mut input = load_with(&file, &|_| {}).unwrap().case.input.clone();
     let law = r#"{ law = "iso", lubrication = "dip" }"#;
     input.set("operation.bulk", law).unwrap();
     input.set("operation.oil_temperature", "80 °C").unwrap();
@@ -248,5 +253,5 @@ fn film_and_friction_take_the_mean_of_two_flanks() {
     for (flank, expected) in flanks.into_iter().zip([100.0, 120.0]) {
         assert!((celsius(flank) - expected).abs() < 1e-9);
     }
-    assert!((celsius(hotter.case.temperature) - 110.0).abs() < 1e-9);
+    assert!((celsius(hotter.case.stated_temperature) - 110.0).abs() < 1e-9);
 }

@@ -4,9 +4,12 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
-use asperity::case::{Case, FilmFrictionLaw, LoadShareName, LoadedCase, Model, load};
+use asperity::case::{
+    CaseInput, FilmFrictionLaw, LoadShareName, LoadedCase, Model, load, load_with,
+};
 use asperity::core::quantity::LineLoad;
 use asperity::formulation::FormulationChoice;
+use asperity::laws::Laws;
 use asperity::result::{EquationUse, Outcome};
 use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
 use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadLaw, LoadMap};
@@ -61,13 +64,13 @@ const SHARE: [(LoadShareName, &[&str]); 3] = [
 /// A shipped case with few positions and offsets.
 fn shipped(name: &str, formulation: FormulationChoice) -> LoadedCase {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases");
-    let Ok(mut loaded) = load(&folder.join(format!("{name}.toml")), Some(formulation)) else {
-        panic!("{name} is refused");
+    let few = |input: &mut CaseInput| {
+        input.formulation = Some(formulation);
+        if formulation == FormulationChoice::default() {
+            (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+        }
     };
-    if formulation == FormulationChoice::default() {
-        (loaded.case.model.positions, loaded.case.model.offsets) = (4, 2);
-    }
-    loaded
+    load_with(&folder.join(format!("{name}.toml")), &few).unwrap()
 }
 
 /// Tags as their rows have them.
@@ -108,9 +111,11 @@ fn runs() -> &'static [(&'static str, LoadedCase, Outcome)] {
 }
 
 /// Tags of losses with `change` made to the case.
-fn used_by_losses(loaded: &LoadedCase, change: impl FnOnce(&mut Case)) -> BTreeSet<&'static str> {
-    let mut loaded = loaded.clone();
-    change(&mut loaded.case);
+fn used_by_losses(
+    loaded: &LoadedCase,
+    change: impl FnOnce(&mut CaseInput),
+) -> BTreeSet<&'static str> {
+    let loaded = loaded.with(change).unwrap();
     tags(&asperity::losses(&loaded).unwrap().equations)
 }
 
@@ -160,17 +165,21 @@ fn a_run_names_the_laws_that_it_uses_and_not_the_others() {
 fn only_a_rough_contact_names_the_equations_of_plastic_flow() {
     let touching = shipped("e-drive", FormulationChoice::default());
     assert!(used(&touching).contains("Plastic-1"));
-    let by_parameters = |case: &mut Case| case.model.load_share = LoadShareName::LambdaStar;
+    let by_parameters =
+        |input: &mut CaseInput| input.model.load_share = Some(LoadShareName::LambdaStar);
     assert!(!used_by_losses(&touching, by_parameters).contains("Plastic-1"));
 }
 
 #[test]
 fn another_law_changes_its_own_equations_alone() {
-    let mut loaded = shipped("e-drive", FormulationChoice::default());
+    let loaded = shipped("e-drive", FormulationChoice::default());
     // Laws that add nothing of the rough contact.
-    loaded.case.model.film_friction = FilmFrictionLaw::Xu;
-    loaded.case.model.load_share = LoadShareName::LambdaStar;
-    let changed = |change: &dyn Fn(&mut Case)| used_by_losses(&loaded, change);
+    let loaded = loaded.with(|input| {
+        input.model.film_friction = Some(FilmFrictionLaw::Xu);
+        input.model.load_share = Some(LoadShareName::LambdaStar);
+    });
+    let loaded = loaded.unwrap();
+    let changed = |change: &dyn Fn(&mut CaseInput)| used_by_losses(&loaded, change);
     let differ = |a: &BTreeSet<&'static str>, b: &BTreeSet<&'static str>| -> BTreeSet<&str> {
         a.symmetric_difference(b).copied().collect()
     };
@@ -180,19 +189,19 @@ fn another_law_changes_its_own_equations_alone() {
     };
     let film: Vec<_> = FILM
         .iter()
-        .map(|law| changed(&|case| case.model.film = law.0))
+        .map(|law| changed(&|input| input.model.film = Some(law.0)))
         .collect();
     let friction: Vec<_> = FRICTION
         .iter()
-        .map(|law| changed(&|case| case.model.film_friction = law.0))
+        .map(|law| changed(&|input| input.model.film_friction = Some(law.0)))
         .collect();
     let thermal: Vec<_> = THERMAL
         .iter()
-        .map(|law| changed(&|case| case.model.thermal = law.0))
+        .map(|law| changed(&|input| input.model.thermal = Some(law.0)))
         .collect();
     let share: Vec<_> = SHARE
         .iter()
-        .map(|law| changed(&|case| case.model.load_share = law.0))
+        .map(|law| changed(&|input| input.model.load_share = Some(law.0)))
         .collect();
     // The first is a film alone with more tags than its own.
     for k in 2..FRICTION.len() {
@@ -236,28 +245,26 @@ fn losses_contacts_and_a_whole_run_agree_to_the_last_digit() {
 
 #[test]
 fn a_law_given_by_hand_is_the_law_named() {
-    let named = |change: &dyn Fn(&mut Case)| {
-        let mut loaded = shipped("e-drive", FormulationChoice::default());
-        change(&mut loaded.case);
-        asperity::losses(&loaded).unwrap()
+    let named = |change: &dyn Fn(&mut CaseInput)| {
+        let loaded = shipped("e-drive", FormulationChoice::default());
+        asperity::losses(&loaded.with(change).unwrap()).unwrap()
     };
-    let own = |change: &dyn Fn(Case) -> Case| {
-        let mut loaded = shipped("e-drive", FormulationChoice::default());
-        loaded.case = change(loaded.case);
-        asperity::losses(&loaded).unwrap()
+    let own = |change: &dyn Fn(&mut Laws)| {
+        let loaded = shipped("e-drive", FormulationChoice::default());
+        asperity::losses(&loaded.with_laws(change)).unwrap()
     };
     let plain = named(&|_| ());
-    let film = named(&|case| case.model.film = FilmLaw::Moes);
-    let share = named(&|case| case.model.load_share = LoadShareName::ZhuHu);
+    let film = named(&|input| input.model.film = Some(FilmLaw::Moes));
+    let share = named(&|input| input.model.load_share = Some(LoadShareName::ZhuHu));
     assert_ne!(plain.offsets, film.offsets);
     assert_ne!(plain.offsets, share.offsets);
-    let by_hand = own(&|case| case.with_film_law(Arc::new(FilmLaw::Moes)));
+    let by_hand = own(&|laws| laws.film = Some(Arc::new(FilmLaw::Moes)));
     assert_eq!(film.offsets, by_hand.offsets);
-    let by_hand = own(&|case| case.with_load_share(Arc::new(LoadShareLaw::ZhuHu)));
+    let by_hand = own(&|laws| laws.load_share = Some(Arc::new(LoadShareLaw::ZhuHu)));
     assert_eq!(share.offsets, by_hand.offsets);
     let law = LoadLaw::MinPotential;
-    let sharing = |case: Case| case.with_load_distribution(Arc::new(law.clone()));
-    let map = named(&|case| case.model.load_distribution = law.clone());
+    let sharing = |laws: &mut Laws| laws.load_distribution = Some(Arc::new(law.clone()));
+    let map = named(&|input| input.model.load_distribution = Some(law.clone()));
     assert_ne!(plain.offsets, map.offsets);
     assert_eq!(map.offsets, own(&sharing).offsets);
 }
@@ -280,8 +287,8 @@ impl LoadDistribution for Unloaded {
 
 #[test]
 fn a_load_distribution_without_load_is_refused_by_its_name() {
-    let mut loaded = shipped("e-drive", FormulationChoice::default());
-    loaded.case = loaded.case.with_load_distribution(Arc::new(Unloaded));
+    let loaded = shipped("e-drive", FormulationChoice::default());
+    let loaded = loaded.with_laws(|laws| laws.load_distribution = Some(Arc::new(Unloaded)));
     let refused = asperity::losses(&loaded).unwrap_err();
     let says = "the load distribution \"unloaded\" returns no load at any position";
     assert!(refused.to_string().contains(says), "{refused}");
@@ -292,9 +299,8 @@ fn a_load_distribution_without_load_is_refused_by_its_name() {
 fn the_fingerprint_of_a_case_includes_its_user_defined_laws() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
     let loaded = load(&file, None).unwrap();
-    let with = |change: &dyn Fn(Case) -> Case| {
-        let mut loaded = loaded.clone();
-        loaded.case = change(loaded.case);
+    let with = |change: &dyn Fn(&mut Laws)| {
+        let loaded = loaded.with_laws(change);
         // A changed case keeps the laws.
         let hotter = loaded
             .with_key("operation.bulk_temperature", "91 °C")
@@ -306,16 +312,14 @@ fn the_fingerprint_of_a_case_includes_its_user_defined_laws() {
         assert_eq!(loaded.fingerprint(), back.fingerprint());
         loaded.fingerprint()
     };
-    let laws: [&dyn Fn(Case) -> Case; 6] = [
-        &|case| case,
-        &|case| case.with_film_law(Arc::new(FilmLaw::Moes)),
-        &|case| case.with_film_law(Arc::new(FilmLaw::HamrockDowson)),
-        &|case| {
-            let law = case.film_friction();
-            case.with_film_friction(law)
-        },
-        &|case| case.with_load_share(Arc::new(LoadShareLaw::ZhuHu)),
-        &|case| case.with_load_distribution(Arc::new(LoadLaw::MinPotential)),
+    let friction = loaded.at_stated().unwrap().film_friction();
+    let laws: [&dyn Fn(&mut Laws); 6] = [
+        &|_| (),
+        &|laws| laws.film = Some(Arc::new(FilmLaw::Moes)),
+        &|laws| laws.film = Some(Arc::new(FilmLaw::HamrockDowson)),
+        &|laws| laws.friction = Some(Arc::clone(&friction)),
+        &|laws| laws.load_share = Some(Arc::new(LoadShareLaw::ZhuHu)),
+        &|laws| laws.load_distribution = Some(Arc::new(LoadLaw::MinPotential)),
     ];
     let distinct: BTreeSet<String> = laws.iter().map(|change| with(*change)).collect();
     assert_eq!(distinct.len(), laws.len());

@@ -141,7 +141,7 @@ fn a_user_defined_law_is_the_named_law_in_every_mesh_of_a_train() {
     let named = run(&train_of(GEARS, &[("model.film", "moes")]), false);
     let train = train_of(GEARS, &[]);
     assert_ne!(named.loss_w, run(&train, false).loss_w);
-    let own = train.with_laws(&|case| case.with_film_law(Arc::new(FilmLaw::Moes)));
+    let own = train.with_laws(&|laws| laws.film = Some(Arc::new(FilmLaw::Moes)));
     assert_eq!(named.loss_w, run(&own, false).loss_w);
     let rows = own.defaults.iter().filter(|row| row.key == "model.film");
     let sources: Vec<_> = rows.map(|row| row.source.as_deref()).collect();
@@ -583,7 +583,7 @@ fn a_spur_gear_between_its_bearings_loads_them_by_the_lever() {
     };
     let mesh = &train.mesh("m3").unwrap().case.case;
     let normal = mesh.gears.forces(mesh.torque).unwrap().normal_base.si();
-    let oil = mesh.lubricant.at(mesh.temperature).unwrap().value;
+    let oil = mesh.lubricant.at(mesh.stated_temperature).unwrap().value;
     let stage = train_gearbox_bearing(&train);
     for (part, share) in [(near, 0.75), (far, 0.25)] {
         let load = [share * normal, 0.0].map(Force::from_si);
@@ -645,7 +645,7 @@ fn tables_of_idle_gears_and_clutches_and_jets_take_their_power_from_their_shafts
     let mesh = &train.mesh("m2").unwrap().case.case;
     let density = mesh
         .lubricant
-        .at(mesh.temperature)
+        .at(mesh.stated_temperature)
         .unwrap()
         .value
         .density
@@ -738,7 +738,7 @@ fn bearings_of_planets_carry_the_forces_of_sun_and_ring_and_take_their_power_fro
         panic!("{found:?}")
     };
     let case = &loaded.meshes().next().unwrap().case.case;
-    let oil = case.lubricant.at(case.temperature).unwrap().value;
+    let oil = case.lubricant.at(case.stated_temperature).unwrap().value;
     let speed = AngularSpeed::from_si(report.planet_relative_rad_per_s.abs());
     let one = rolling
         .torque(load, speed, oil.kinematic_viscosity)

@@ -10,6 +10,7 @@ mod constant_friction;
 mod equations_used;
 mod friction_laws;
 mod gear_train;
+mod overrides;
 mod placement;
 mod positions;
 mod regime;

@@ -375,7 +375,7 @@ fn several_traces_have_the_mean_of_their_forms() {
             Ok(factor) => Ok(flank(factor).into_bytes()),
             Err(_) => Err(std::io::ErrorKind::NotFound.into()),
         };
-        let case = from_text("case.toml", &text, &read).unwrap().case;
+        let case = from_text("case.toml", &text, &read).unwrap().case.clone();
         case.micro_geometry.measured[0].clone().unwrap()
     };
     let (one, three) = (form("\"1\""), form("\"0.5\", \"1\", \"1.5\""));

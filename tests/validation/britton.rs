@@ -52,9 +52,9 @@ struct Windows {
 fn windows() -> &'static [Windows; 2] {
     static FOUND: OnceLock<[Windows; 2]> = OnceLock::new();
     FOUND.get_or_init(|| {
-        let ground = shipped("e-drive").surfaces;
+        let ground = shipped("e-drive").surfaces.clone();
         let ground = ground.with_heights_times(0.4 / 0.24).unwrap();
-        let fine = shipped("e-drive-superfinished").surfaces;
+        let fine = shipped("e-drive-superfinished").surfaces.clone();
         [ground, fine].map(|surfaces| {
             Windows::of(surfaces.textures().clone().map(|texture| match texture {
                 Texture::Trace(profile) => profile,
@@ -133,7 +133,7 @@ pub fn britton(law: GapLaw, celsius: f64) -> Britton {
 
 /// Mean friction over the windows, and the smooth film over their Rq.
 fn friction(gap_law: GapLaw, celsius: f64, windows: &Windows) -> (Estimate, f64) {
-    let model = shipped("e-drive").case.model;
+    let model = shipped("e-drive").case.model.clone();
     let flanks = windows.flanks.each_ref();
     let rq = |trace: &Profile| {
         let square = trace.heights().iter().map(|z| z * z).sum::<f64>() / trace.len() as f64;

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::OnceLock;
 
-use asperity::LoadedCase;
+use asperity::case::OperatingCase;
 use asperity::ehl::{MovingProfile, RecordSettings};
 use asperity::lubrication::{
     ComparedWindow, WINDOWS, compared_windows, points_of_window, share_settings, windows_at,
@@ -180,7 +180,7 @@ fn first_57() -> &'static [Compared] {
 
 /// The contact of a condition with its windows.
 pub struct Windows {
-    loaded: LoadedCase,
+    loaded: OperatingCase,
     contact: ReferenceContact,
     windows: Vec<ComparedWindow>,
     spectra: [TraceSpectrum; 2],
@@ -195,6 +195,7 @@ impl Windows {
         let loaded = keys.iter().fold(loaded, |loaded, (key, value)| {
             loaded.with_key(key, value).unwrap()
         });
+        let loaded = loaded.at_stated().unwrap();
         let settings = ReferenceSettings {
             record: RecordSettings::default(),
             eyring_stress: None,
@@ -296,7 +297,7 @@ impl Windows {
     ) -> Vec<LoadShareSolution> {
         let case = &self.loaded.case;
         let line = (self.contact.position).line_contact(case.modulus, case.materials);
-        let rheology = case.rheology.clone().unwrap();
+        let rheology = self.loaded.rheology().unwrap().clone();
         let constants = TractionConstants {
             eyring_stress: match case.lubricant.base_oil() {
                 Some(BaseOil::Pao) => EYRING_STRESS[0],
@@ -305,7 +306,8 @@ impl Windows {
             ..*rheology.constants()
         };
         let rheology = rheology.with_constants(constants).unwrap();
-        let mut film = PositionFilm::new(&rheology, &line, case.temperature, settings).unwrap();
+        let mut film =
+            PositionFilm::new(&rheology, &line, self.loaded.temperature(), settings).unwrap();
         let spectra = self.spectra.each_ref();
         let flattening = film.flattening(&PairSpectrum::of(spectra)).unwrap();
         let whole = AttenuatedTraces::new(spectra, &flattening);

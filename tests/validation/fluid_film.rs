@@ -104,12 +104,12 @@ fn across_thin_films_the_pressure_hardly_varies() {
 #[test]
 fn across_thick_films_it_grows_with_thickness_over_radius() {
     // Rolling walls at u: ρ u² ln(1 + h/r₂), which is h/r₂ up to the next term of the logarithm.
-    let case = table_2().load().case;
+    let case = table_2().load().at_stated().unwrap();
     let pitch = case
         .gears
         .kinematics(case.gears.path().c, case.speed)
         .unwrap();
-    let scale = case.oil.density.si() * pitch.entrainment.si().powi(2);
+    let scale = case.oil().density.si() * pitch.entrainment.si().powi(2);
     for row in survey(None).rows {
         let ratio = row.thickness_over_radius;
         for difference in [row.reynolds_cross_pa, row.paper_pa] {

@@ -204,8 +204,8 @@ fn fzg_gates(law: GapLaw) -> Vec<Gate> {
             ("model.boundary_friction", "0.065"),
             ("operation.speed", &turns),
         ];
-        let mut arana = measured("fzg-c-mod", &keys);
-        arana.case = arana.case.with_load_share(Arc::new(Arana));
+        let arana = measured("fzg-c-mod", &keys);
+        let arana = arana.with_laws(|laws| laws.load_share = Some(Arc::new(Arana)));
         let arana = Estimate::exact(losses(&arana).summary.loss_w);
         let change = ours.mean(&|row| row.loss_w).change_to(arana);
         let measured = match speed {
@@ -443,11 +443,8 @@ fn running_in_gates(law: GapLaw) -> Vec<Gate> {
         let offsets = Sampled::of(&case).losses.offsets.len().to_string();
         // The same windows for both states.
         let case = case.with_key("model.offsets", &offsets).unwrap();
-        let [low, high] = LOW_AND_HIGH.map(|torque| {
-            let mut worn = case.clone();
-            worn.surfaces = run_in_at(&case, torque);
-            Sampled::of(&worn)
-        });
+        let [low, high] =
+            LOW_AND_HIGH.map(|torque| Sampled::of(&case.with_surfaces(run_in_at(&case, torque))));
         let gain = |low: &OffsetRow, high: &OffsetRow| 100.0 * (high.efficiency - low.efficiency);
         low.paired(&high.losses, &gain)
     };
@@ -478,8 +475,7 @@ fn running_in_gates(law: GapLaw) -> Vec<Gate> {
 fn history_gates() -> Vec<Gate> {
     let warm = [("operation.bulk_temperature", "50 °C")];
     let case = with_smooth_wheel(&measured("fzg-c-ground", &warm));
-    let mut worn = case.clone();
-    worn.surfaces = run_in_at(&case, LOW_AND_HIGH[1]);
+    let worn = case.with_surfaces(run_in_at(&case, LOW_AND_HIGH[1]));
     let ratio = full_film_speed(&worn) / full_film_speed(&case);
     let speed = Gate::new(
         Class::Measured,
@@ -503,7 +499,7 @@ fn history_gates() -> Vec<Gate> {
         worn: 1e5 * usual,
         least: None,
     };
-    let found = history(&ground, &settings, &|_| {}).unwrap();
+    let found = history(&ground.at_stated().unwrap(), &settings, &|_| {}).unwrap();
     let both = |heights: &FlankHeights| heights.rq_um[0].hypot(heights.rq_um[1]);
     let [first, last] = [&found.states[0], &found.states[found.states.len() - 1]];
     let early = both(&found.steps[found.steps.len() - 1].heights);
@@ -536,9 +532,7 @@ fn with_smooth_wheel(case: &LoadedCase) -> LoadedCase {
     let [pinion, wheel] = case.surfaces.traces().unwrap();
     let smooth = wheel.heights().iter().map(|z| 0.05 * z).collect();
     let smooth = Profile::new(wheel.spacing(), smooth).unwrap();
-    let mut changed = case.clone();
-    changed.surfaces = case.surfaces.with_traces([pinion.clone(), smooth]);
-    changed
+    case.with_surfaces(case.surfaces.with_traces([pinion.clone(), smooth]))
 }
 
 /// Speed of the pitch line at which the asperities carry 1 % of the load \[m/s\].
@@ -546,8 +540,7 @@ fn full_film_speed(case: &LoadedCase) -> f64 {
     let tables = contacts(case).unwrap();
     let points = (0..12).map(|k| {
         let speed = 0.25 * 2.0_f64.powi(k);
-        let mut faster = case.with_key("operation.speed", &turns(speed)).unwrap();
-        faster.surfaces = case.surfaces.clone();
+        let faster = case.with_key("operation.speed", &turns(speed)).unwrap();
         let share = losses_with(&tables, &faster)
             .unwrap()
             .summary

@@ -171,7 +171,7 @@ impl Printed {
     }
 
     fn at_pitch_point(&self) -> MeshPosition {
-        let case = self.case().load().case;
+        let case = self.case().load().case.clone();
         position_at(&case, case.gears.path().c).unwrap()
     }
 }
@@ -238,7 +238,7 @@ fn other_load_distributions_lie_around_that_of_an_independent_gear_tool() {
 /// where the load here is that at the mean length. Its p₀ is that of the transverse radius; its half
 /// width is that of the normal radius, printed as one half of it.
 fn hertz_as_there(pair: &Printed) -> [Comparison; 2] {
-    let gears = pair.case().load().case.gears;
+    let gears = pair.case().load().case.gears.clone();
     let path = gears.path();
     let length = gears.contact_length(path.eps_2 - path.eps_beta).unwrap();
     let load_ratio = gears.mean_contact_length() / length;
@@ -261,7 +261,7 @@ pub fn helical_pairs() -> Table {
     let mut rows = Vec::new();
     for pair in [H701, H951] {
         rows.extend(pair.geometry());
-        let gears = pair.case().load().case.gears;
+        let gears = pair.case().load().case.gears.clone();
         let factors = gears.loss_factors(&LoadSharing::Uniform).unwrap();
         let local = |kind, actual, tolerance| {
             let quantity = format!("{}: H_V, local, {kind}", pair.name);
@@ -296,7 +296,7 @@ fn fzg_gears_press_as_hard_as_reported_where_one_pair_carries_all() {
     // the lowest point of single contact.
     let case =
         std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/fzg-c.toml");
-    let case = asperity::case::load(&case, None).unwrap().case;
+    let case = asperity::case::load(&case, None).unwrap().case.clone();
     let b = case.gears.path().b;
     // Just inside, where the share has reached one.
     let inside = b + (case.gears.path().c - b) * 1e-3;

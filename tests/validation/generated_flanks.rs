@@ -38,10 +38,8 @@ fn losses_of(case: &LoadedCase, traces: &[Profile]) -> Vec<f64> {
 
 fn loss(case: &LoadedCase, [pinion, wheel]: &[Profile; 2]) -> f64 {
     let prepared = |trace: &Profile| prepare(trace, &case.case.preparation).unwrap().profile;
-    let mut case = case.clone();
-    case.surfaces = case
-        .surfaces
-        .with_traces([prepared(pinion), prepared(wheel)]);
+    let traces = [prepared(pinion), prepared(wheel)];
+    let case = case.with_surfaces(case.surfaces.with_traces(traces));
     losses(&case).unwrap().summary.loss_w
 }
 

@@ -46,7 +46,7 @@ impl Sampled {
     }
 
     fn with(case: &LoadedCase, losses: Losses) -> Self {
-        let error = standard_error(case, &losses).unwrap();
+        let error = standard_error(&case.at_stated().unwrap(), &losses).unwrap();
         Self {
             error_w: error * losses.summary.loss_w,
             losses,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::case::{Case, load};
+use asperity::case::{OperatingCase, load};
 use asperity::ehl::{LineContact, Oil, SteadyFilm, SteadySettings, steady};
 use asperity::lubrication::formula_film;
 use asperity::mesh::{Mesh, MeshPosition};
@@ -42,7 +42,7 @@ fn mean_in_the_middle(solved: &SteadyFilm) -> Length {
     solved.scales.film_length(mean)
 }
 
-fn rows(name: &str, case: &Case, station: &MeshPosition) -> [Comparison; 5] {
+fn rows(name: &str, case: &OperatingCase, station: &MeshPosition) -> [Comparison; 5] {
     let contact = LineContact {
         radius: station.motion.radius,
         modulus: case.modulus,
@@ -51,8 +51,8 @@ fn rows(name: &str, case: &Case, station: &MeshPosition) -> [Comparison; 5] {
         speed_2: station.motion.u2,
     };
     let oil = Oil {
-        viscosity: case.oil.dynamic_viscosity,
-        pressure_viscosity: case.oil.pressure_viscosity,
+        viscosity: case.oil().dynamic_viscosity,
+        pressure_viscosity: case.oil().pressure_viscosity,
         viscosity_law: PressureViscosityLaw::Roelands { exponent: 0.6 },
         density_law: DensityLaw::DowsonHigginson,
         shear_law: ShearLaw::Newtonian,
@@ -65,7 +65,7 @@ fn rows(name: &str, case: &Case, station: &MeshPosition) -> [Comparison; 5] {
     let (law, formula) = (film(FilmLaw::Steady), film(FilmLaw::DowsonToyoda));
     let gap = CentralFilm::Gap.thickness(law.central, solved.scales.max_pressure);
     let line = station.line_contact(case.modulus, case.materials);
-    let (eta, alpha) = (case.oil.dynamic_viscosity, case.oil.pressure_viscosity);
+    let (eta, alpha) = (case.oil().dynamic_viscosity, case.oil().pressure_viscosity);
     let rolling = rolling_force(&line, eta, alpha, 1.0).unwrap();
     let path = case.gears.path();
     let place = (station.s - path.a) / (path.e - path.a);
@@ -120,7 +120,8 @@ pub fn films() -> Table {
     for name in CASES {
         let case = load(&folder.join(format!("{name}.toml")), None)
             .unwrap()
-            .case;
+            .at_stated()
+            .unwrap();
         let stations = Mesh::of(&case).unwrap().positions;
         let last = stations.len() - 1;
         for k in [0, last / 2, last] {

@@ -90,7 +90,7 @@ fn places(case: &Case) -> [Length; 3] {
 }
 
 pub fn points() -> Table {
-    let case = table_2().load().case;
+    let case = table_2().load().case.clone();
     let mut rows = Vec::new();
     for ((name, expected), s) in POINTS.into_iter().zip(places(&case)) {
         let station = position_at(&case, s).unwrap();
@@ -150,7 +150,7 @@ pub fn films() -> Table {
         let case = table_2()
             .with("model.film", law)
             .with("model.thermal", "none");
-        let case = case.load().case;
+        let case = case.load().at_stated().unwrap();
         let station = position_at(&case, case.gears.path().c).unwrap();
         let film = formula_film(&case, &station).unwrap().film;
         let quantity = format!("central film at C, {name}");
@@ -160,7 +160,7 @@ pub fn films() -> Table {
             push(quantity, "µm", minimum, film.minimum.si() * 1e6);
         }
     }
-    let case = table_2().load().case;
+    let case = table_2().load().at_stated().unwrap();
     for (((name, _), s), expected) in POINTS.into_iter().zip(places(&case)).zip(REDUCTIONS) {
         let position = position_at(&case, s).unwrap();
         let reduction = formula_film(&case, &position).unwrap().thermal_reduction;

@@ -52,7 +52,7 @@ fn base(oil: &str, set: &SetArgs, constants: ConstantsOf) -> Result<NamedOil, Fa
         }
         let loaded = load_case(path, set, None)?;
         return Ok(NamedOil {
-            oil: OilBase::of_case(&loaded.case, constants)?,
+            oil: OilBase::of_case(&loaded, constants)?,
             name,
             case: Some(loaded),
         });

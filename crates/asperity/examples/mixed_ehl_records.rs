@@ -356,7 +356,11 @@ impl Condition {
         record: &RecordSettings,
     ) -> Outcome<ReferenceContact> {
         let settings = self.settings(record);
-        Ok(ReferenceContact::of(loaded, self.position, &settings)?)
+        Ok(ReferenceContact::of(
+            &loaded.at_stated()?,
+            self.position,
+            &settings,
+        )?)
     }
 
     /// Loads the case from the folder of the workspace.
@@ -927,7 +931,7 @@ fn unsolved_row(condition: &Condition) -> String {
 
 /// Attenuated roughness over the isothermal central film of the formula.
 fn roughness_over_film(loaded: &LoadedCase, contact: &ReferenceContact) -> Outcome<f64> {
-    let formula = formula_film(&loaded.case, &contact.position)?;
+    let formula = formula_film(&loaded.at_stated()?, &contact.position)?;
     let film = formula.film.central / formula.thermal_reduction;
     Ok(contact.attenuated_roughness / film)
 }

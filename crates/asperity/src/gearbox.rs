@@ -20,8 +20,7 @@ use asperity_oil::LubricantState;
 use crate::result::gearbox::{GearboxPart, GearboxReport};
 use asperity_case::case::train::Train;
 use asperity_case::case::{
-    BearingLoads, Case, Flow, Gearbox, Hand, MeshLoad, MeshPlace, OperationInput, PartKind,
-    Shafting, StageKind,
+    BearingLoads, Case, Flow, Gearbox, Hand, MeshLoad, MeshPlace, PartKind, Shafting, StageKind,
 };
 use asperity_case::error::PositionError;
 
@@ -61,7 +60,7 @@ pub(crate) fn parts_of_mesh(case: &Case) -> Result<Vec<GearboxPart>, PositionErr
     let Some(gearbox) = &case.gearbox else {
         return Ok(Vec::new());
     };
-    Gears::of_mesh(case).parts(gearbox, MeshLoad::of(case), oil_temperature(case), &[])
+    Gears::of_mesh(case).parts(gearbox, MeshLoad::of(case), case.stated_temperature, &[])
 }
 
 /// The gearbox of a train with its meshes, and the flow of its powers.
@@ -88,17 +87,6 @@ pub(crate) fn report_of_mesh(
     let losses = [vec![mesh]];
     let flow = gears.shafting.flow(&losses)?;
     Ok(Some(gears.report(gearbox, &flow, &losses)?.0))
-}
-
-/// Temperature of the oil at the parts of a gearbox that states none.
-fn oil_temperature(case: &Case) -> Temperature {
-    // What was found from the loss of the mesh is the temperature of its flanks.
-    let stated = case
-        .found_bulk
-        .as_ref()
-        .map(|found| &found.stated.operation);
-    let of_oil = stated.and_then(OperationInput::stated_temperature);
-    of_oil.unwrap_or(case.temperature)
 }
 
 /// Kind of a part, with the law of its loss.
@@ -171,7 +159,7 @@ impl<'a> Gears<'a> {
         losses: &[Vec<Power>],
     ) -> Result<(GearboxReport, Flow), PositionError> {
         let shafting = &self.shafting;
-        let temperature = oil_temperature(self.cases[0]);
+        let temperature = self.cases[0].stated_temperature;
         let torques = shafting.loading_torques(&flow.speeds, losses)?;
         let operation = (shafting.operation().torque, temperature);
         let found = self.dragging(gearbox, (&flow.speeds, &torques), operation)?;

@@ -12,7 +12,7 @@ use crate::contacts::{Displacements, Pressing, WindowContact, pressing_history};
 use crate::lubrication::{LubricatedPosition, Lubrication, RoughFilm, doubts};
 use crate::mesh::MeshPosition;
 use crate::result::{ContactView, HistoryRow, PatchFields, PositionFields, SubsurfaceFields};
-use asperity_case::case::Case;
+use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::WindowPair;
 use asperity_case::window_pressures::{LoadStep, Pressed};
@@ -109,7 +109,7 @@ fn patch(
 
 /// Fields along a contact with a summary of the stress below it.
 fn fields(
-    case: &Case,
+    case: &OperatingCase,
     position: &LubricatedPosition,
     pair: &WindowPair,
     pressed: Pressed,
@@ -207,7 +207,7 @@ fn view(fields: &PositionFields, position: &MeshPosition) -> ContactView {
 }
 
 fn stress_below(
-    case: &Case,
+    case: &OperatingCase,
     position: &MeshPosition,
     pair: &WindowPair,
     pressure: &[f64],

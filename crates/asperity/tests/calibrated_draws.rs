@@ -1,7 +1,7 @@
 //! Draws of calibrated parameters.
 
 use asperity::case::{CalibratedName, CalibrationInput, CorrelationInput, LoadedCase, cholesky};
-use asperity::uncertainty::UncertainParameter;
+use asperity::uncertainty::{UncertainParameter, range};
 use asperity_core::Estimate;
 use asperity_core::numerics::{Z_95, Z_975};
 
@@ -30,12 +30,13 @@ fn calibrated_values_take_the_place_of_defaults_and_their_bands_of_the_ranges() 
     })
     .unwrap();
     assert_eq!(found.case.model.boundary_friction, 0.09);
+    let at_stated = found.at_stated().unwrap();
     // 5 and 95 % quantiles of lognormal constants with these of 2.5 and 97.5 %.
     for (name, value, ends) in [
         (UncertainParameter::BoundaryFriction, 0.09, [0.08, 0.11]),
         (UncertainParameter::EyringStress, 4.4e6, [4.1e6, 4.8e6]),
     ] {
-        let range = name.range(&found).unwrap().unwrap();
+        let range = range(name, &at_stated).unwrap().unwrap();
         assert_eq!(range.value, value);
         for (end, band) in range.ends().into_iter().zip(ends) {
             let expected = value * f64::powf(band / value, Z_95 / Z_975);
@@ -44,7 +45,7 @@ fn calibrated_values_take_the_place_of_defaults_and_their_bands_of_the_ranges() 
     }
     // What is not calibrated keeps its range.
     assert_eq!(
-        UncertainParameter::BoundaryLayer.range(&found).unwrap(),
+        range(UncertainParameter::BoundaryLayer, &at_stated).unwrap(),
         Some(Estimate::new(10e-9, [5e-9, 20e-9]))
     );
     let key = "model.boundary_friction";

@@ -96,7 +96,7 @@ fn a_trace_from_bytes_or_heights_is_the_trace_of_the_file() {
     assert_eq!(loss(&slices), loss(&file));
     let cut = |case: &LoadedCase| {
         let cut = case.with_key("surface.wheel.range", "0.2 mm .. 2.8 mm");
-        cut.unwrap().surfaces
+        cut.unwrap().surfaces.clone()
     };
     assert_eq!(cut(&slices), cut(&file));
     assert_ne!(cut(&file), file.surfaces);
@@ -126,7 +126,7 @@ fn a_range_stays_with_its_trace() {
 
 #[test]
 fn without_a_flank_of_its_own_the_wheel_runs_on_the_pinions_mirrored() {
-    let input = e_drive().case.input;
+    let input = e_drive().case.input.clone();
     let heights = e_drive().flanks[0]
         .reading
         .as_ref()
@@ -326,7 +326,7 @@ fn errors_carry_code_place_and_remedy_as_data() {
     let _: &dyn std::error::Error = &error;
 
     let heights: String = (0..4000).map(|i| format!("{}.5\n", i % 7)).collect();
-    let input = e_drive().case.input;
+    let input = e_drive().case.input.clone();
     let error = Case::builder(input.gears, input.operation, input.lubricant)
         .pinion(Trace::from_bytes("z.txt", heights, ReadOptions::default()))
         .build()

@@ -6,9 +6,9 @@ use std::cell::RefCell;
 use asperity::core::numerics::{Z_95, Z_975, range, standard_normal_quantile, student_t_quantile};
 use asperity::ehl_regime::GapLaw;
 use asperity_uncertainty::{
-    AXES, Component, Draw, Expected, FilmLaw, InnerBoundary, Measured, Measurement, OtherLaw,
+    Component, Draw, Expected, FilmLaw, InnerBoundary, Measured, Measurement, OtherLaw,
     PatchFlowError, Predictive, QuadraticSurface, Quantiles, Ranged, RecordedRule, SamplingError,
-    StudentOfNormal, UncertainParameter, flank_draws, latin_hypercube,
+    StudentOfNormal, UncertainParameter, flank_draws, latin_hypercube, permutation,
 };
 
 /// A case of which nothing is uncertain but the error of the model and the rolling loss.
@@ -204,7 +204,7 @@ fn measured_constants_are_drawn_with_their_correlation() {
         correlations: vec![vec![1.0], vec![-0.9, 0.19_f64.sqrt()]],
         ..plain()
     };
-    let drawn: Vec<[f64; AXES.len()]> = shared_draws(&found)
+    let drawn: Vec<[f64; UncertainParameter::ALL.len()]> = shared_draws(&found)
         .into_iter()
         .map(|draw| found.standardised(&draw, &found.correlations))
         .collect();
@@ -502,7 +502,7 @@ fn a_constant_alone_moves_the_loss_along_its_surface() {
         "{alone:?}"
     );
     assert_eq!(
-        AXES[found.constants[0].kind as usize],
+        UncertainParameter::ALL[found.constants[0].kind as usize],
         UncertainParameter::BoundaryFriction
     );
 }
@@ -628,4 +628,28 @@ fn records_have_their_own_error_and_half_of_the_draws_for_each_rule() {
     let alone = found.alone(Component::InnerBoundary).unwrap();
     let [low, high] = alone.drawn.ends();
     assert!((high / low - 1.1).abs() < 1e-12);
+}
+
+#[test]
+fn an_axis_has_the_stream_of_its_name_and_moves_no_other() {
+    let drawn = shared_draws(&plain());
+    let strata = drawn.len();
+    let place = |stratum: usize| (stratum as f64 + 0.5) / strata as f64;
+    for (k, kind) in UncertainParameter::ALL.into_iter().enumerate() {
+        let order = permutation(strata, 3, &format!("{kind:?}"));
+        // The outermost 0.5 % of either side is not drawn.
+        let z = |j: usize| standard_normal_quantile(0.005 + 0.99 * place(order[j]));
+        assert!(
+            (0..strata).all(|j| drawn[j].constants[k] == z(j)),
+            "{kind:?}"
+        );
+    }
+    let length = permutation(strata, 3, "length");
+    assert!((0..strata).all(|j| drawn[j].length == place(length[j])));
+    // Orders of two axes have nothing in common.
+    let product: f64 = drawn
+        .iter()
+        .map(|draw| draw.constants[0] * draw.constants[1])
+        .sum();
+    assert!((product / strata as f64).abs() < 0.03, "{product}");
 }

@@ -176,7 +176,7 @@ fn scans_are_taken_by_their_lay() {
     );
     assert!(less_of_scans(&ridged).is_none());
     let less = less_of_scans(&isotropic).unwrap();
-    let rows = less.case.unwrap().surfaces;
+    let rows = less.case.unwrap().surfaces.clone();
     assert!(less.are_patches && rows.sheets().is_none() && rows.pairs() == 16);
     let of_one = case_text("pinion = { file = \"gaps 1-200-1\" }", "", "").unwrap();
     let less = less_of_scans(&of_one).unwrap().case.unwrap();

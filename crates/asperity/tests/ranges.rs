@@ -276,7 +276,7 @@ fn a_number_a_thousand_times_off_is_refused_or_noted_first() {
         let input: CaseInput = serde_json::from_value(value).map_err(|error| error.to_string())?;
         let case = e_drive.with(|case| *case = input);
         let case = case.map_err(|error| error.to_string())?;
-        let mut warnings = case.warnings.into_iter();
+        let mut warnings = case.warnings.clone().into_iter();
         Ok::<_, String>(
             warnings
                 .find(|warning| warning.code == "W201")

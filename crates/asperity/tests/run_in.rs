@@ -121,8 +121,8 @@ fn a_trace_appended_to_itself_or_turned_round_runs_in_alike() {
         let texture = |trace: &Profile| {
             Texture::Trace(Profile::new(trace.spacing(), change(trace.heights())).unwrap())
         };
-        let mut other = case.clone();
-        other.surfaces = Surfaces::new([texture(traces[0]), texture(traces[1])], None, false);
+        let flanks = Surfaces::new([texture(traces[0]), texture(traces[1])], None, false);
+        let other = case.with_surfaces(flanks);
         ran_in(&other, 302.0, 64.0)
     };
     let own = on(&|z| z.to_vec());
@@ -268,7 +268,7 @@ fn wear_goes_on_where_flow_ends() {
         worn: 1e-12,
         least: None,
     };
-    let found = history(&case, &settings, &|_| {}).unwrap();
+    let found = history(&case.at_stated().unwrap(), &settings, &|_| {}).unwrap();
     assert!(
         found
             .states
@@ -302,7 +302,7 @@ fn the_limit_of_the_pressure_lies_between_first_yield_and_no_friction() {
             worn: 0.0,
             least: None,
         };
-        history(&case, &settings, &|_| {})
+        history(&case.at_stated().unwrap(), &settings, &|_| {})
             .unwrap()
             .states
             .last()

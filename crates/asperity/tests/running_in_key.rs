@@ -66,7 +66,7 @@ fn a_case_with_running_in_is_the_same_as_text_and_as_json() {
         r#"{ torque = "302 N m" }"#,
         "{ engagements = 10.0 }",
     ] {
-        let input = with(&[(KEY, value)]).unwrap().case.input;
+        let input = with(&[(KEY, value)]).unwrap().case.input.clone();
         assert!(input.operation.running_in.is_some());
         let text: CaseInput = input.to_toml().unwrap().parse().unwrap();
         assert_eq!(text, input, "{value}");

@@ -412,7 +412,8 @@ fn traces_give_way_to_other_keys_one_after_the_other() {
     )
     .unwrap()
     .case
-    .input;
+    .input
+    .clone();
     input.unset("surface.pinion.traces").unwrap();
     input.unset("surface.wheel.traces").unwrap();
     input.set("model.positions", "4").unwrap();
@@ -542,7 +543,7 @@ fn zones_lie_between_the_traces_of_a_tooth() {
     // In each zone the nearest traces of both teeth of the pinion and of the tooth of the wheel.
     let alone = [(0, 3), (1, 4), (2, 5)].map(|(pinion, wheel)| {
         let [pinion, wheel] = [pinion, wheel].map(|file: u32| format!("file = \"{file}\""));
-        short(&pinion, &wheel).surfaces
+        short(&pinion, &wheel).surfaces.clone()
     });
     for (zone, [pinion, wheel]) in [[0, 4], [0, 5], [1, 5], [1, 3]].into_iter().enumerate() {
         for (pair, pinion) in [pinion, 2].into_iter().enumerate() {

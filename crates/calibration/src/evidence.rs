@@ -352,7 +352,7 @@ fn rows(
     let mut of_meshes = Vec::with_capacity(meshes.len());
     for mesh in meshes {
         let mut measurements = of_case(mesh.0);
-        match OilBase::of_case(&mesh.0.case, ConstantsOf::Family) {
+        match OilBase::of_case(mesh.0, ConstantsOf::Family) {
             _ if mesh.0.case.load_share().needs_records() => {
                 no_curves = Some(
                     "other constants of the film need other records of mixed lubrication"

@@ -20,9 +20,8 @@
 //! two are estimates.
 
 use asperity::LoadedCase;
-use asperity::PositionError;
 use asperity::case::CalibratedName;
-use asperity::uncertainty::UncertainParameter;
+use asperity::uncertainty::{UncertainParameter, deviation_of_curves, range};
 use asperity_core::Estimate;
 
 /// Parameter of the fit with its default.
@@ -52,11 +51,12 @@ impl Parameter {
     ///
     /// # Errors
     /// When the family of the oil is not known.
-    pub fn of(case: &LoadedCase) -> Result<Vec<Self>, PositionError> {
+    pub fn of(case: &LoadedCase) -> Result<Vec<Self>, asperity::Error> {
+        let case = case.at_stated()?;
         let mut parameters = Vec::new();
         for name in CalibratedName::ALL {
-            if let Some(default) = UncertainParameter::from(name).range(case)? {
-                let fitted = UncertainParameter::from(name).deviation_of_curves(case)?;
+            if let Some(default) = range(name.into(), &case).map_err(Box::new)? {
+                let fitted = deviation_of_curves(name.into(), &case).map_err(Box::new)?;
                 parameters.push(Self {
                     name,
                     default,

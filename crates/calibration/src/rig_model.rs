@@ -6,7 +6,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use asperity::Contacts;
 use asperity::LoadedCase;
 use asperity::pipeline::{coldest_losses_with, contacts};
-use asperity::uncertainty::UncertainParameter;
 use asperity_core::Fault;
 use asperity_core::numerics::median;
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
@@ -177,12 +176,15 @@ impl RigModel {
             let temperature = Temperature::from_celsius(place.temperature_c + offset);
             input.operation.set_temperature(temperature);
         });
-        let mut case = changed.map_err(named)?;
-        for (parameter, logarithm) in self.parameters.iter().zip(logarithms) {
-            let value = parameter.default.value * logarithm.exp();
-            let set = UncertainParameter::from(parameter.name).set(&mut case, value);
-            set.map_err(named)?;
-        }
+        let changed = changed.and_then(|case| {
+            case.overridden(|over| {
+                for (parameter, logarithm) in self.parameters.iter().zip(logarithms) {
+                    let value = parameter.default.value * logarithm.exp();
+                    over.set(parameter.name.into(), value);
+                }
+            })
+        });
+        let case = changed.map_err(named)?;
         let result = coldest_losses_with(&group.tables, &case).map_err(named)?;
         Ok(PointLosses {
             sliding_w: result.summary.sliding_w * place.torque_factor,

@@ -139,7 +139,7 @@ impl DesignSettings {
             true => speed,
             false => rounded(speed * SLOWEST.powf(1.0 - k as f64 / (SPEEDS - 1) as f64)),
         };
-        let at = case.temperature.celsius();
+        let at = case.stated_temperature.celsius();
         let [cold, hot] = [at.min(TEMPERATURES[0]), at.max(TEMPERATURES[1])];
         Ok(Limits {
             torques_nm: Nodes::of_case(self.torque.as_ref(), "torque", case.torque.si())?

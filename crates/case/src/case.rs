@@ -1,7 +1,8 @@
 //! The case: the inputs of a run, completed with defaults.
 //!
 //! [`CaseInput`] is the case as the user writes it; [`Case`] has every choice made and checked; [`LoadedCase`] adds
-//! the flanks and is ready for a run. All defaults in use are listed.
+//! the flanks and is ready for a run; [`OperatingCase`] has the temperature of the flanks and the oil there. Each is made once and read
+//! only; [`Overrides`] are what draws and studies vary beside the keys. All defaults in use are listed.
 //!
 //! | from | by |
 //! |---|---|
@@ -15,6 +16,7 @@
 
 pub use asperity_flanks::statements::Statements;
 
+pub use crate::constant::{Measured, UncertainParameter};
 pub use crate::input::bulk_input::{BulkInput, BulkLaw, Lubrication};
 pub use crate::input::calibration::cholesky;
 pub use crate::input::calibration::{CalibratedName, CalibrationInput, CorrelationInput};
@@ -51,10 +53,12 @@ pub use crate::load::{
     page::markdown,
 };
 pub use crate::loaded::builder::CaseBuilder;
-pub use crate::loaded::loaded_case::LoadedCase;
+pub use crate::loaded::loaded_case::{Loaded, LoadedCase};
+pub use crate::loaded::operating_case::OperatingCase;
 pub use crate::loaded::trace::{Flank, Trace};
+pub use crate::overrides::{Alternative, Overrides};
 pub use crate::resolved::assumed_relief::AssumedRelief;
-pub use crate::resolved::bulk::{BulkModel, BulkReport, FoundBulk};
+pub use crate::resolved::bulk::{BulkModel, BulkReport};
 pub use crate::resolved::gearbox::{BearingLoads, Gearbox, MeshPlace, Part, PartKind};
 pub use crate::resolved::gears::gear_pair;
 pub use crate::resolved::load_inputs::LoadInputs;
@@ -62,7 +66,7 @@ pub use crate::resolved::oil_file::{
     DECISIVE, FitQuality, FittedFriction, FittedName, OilConstant, OilFile, OilSchema,
     POORLY_EXPLAINED, STEEPEST_FALL, law_error,
 };
-pub use crate::resolved::resolve::{Case, resolve};
+pub use crate::resolved::resolve::{Case, Resolved, resolve};
 pub use crate::resolved::running_in::RunningInPlan;
 pub use crate::resolved::shafting::{Flow, MeshLoad, Shafting, StageKind};
 pub use crate::resolved::steel::STEEL_FLOW_PRESSURE;

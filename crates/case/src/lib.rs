@@ -14,6 +14,7 @@
 
 pub mod balance;
 pub mod case;
+mod constant;
 pub mod error;
 pub mod fingerprint;
 pub mod formula_film;
@@ -25,6 +26,7 @@ mod load;
 mod loaded;
 #[cfg_attr(not(feature = "case-files"), path = "no_loss_table.rs")]
 pub mod loss_table;
+mod overrides;
 
 pub mod physical_limits;
 pub mod recorded_share;

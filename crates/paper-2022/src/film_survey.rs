@@ -1,6 +1,6 @@
 //! Pressure difference across the film by its thickness: the paper's Fig. 8.
 
-use asperity::case::LoadedCase;
+use asperity::case::{LoadedCase, OperatingCase};
 use asperity::lubrication::{check_mesh_position, plausible_film};
 use asperity::mesh::position_at;
 use asperity::pipeline::settled;
@@ -49,12 +49,11 @@ pub fn film(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Error
     film_rows(&found, place).map_err(|error| Error::Whole(Box::new(error)))
 }
 
-fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, PositionError> {
+fn film_rows(case: &OperatingCase, place: Option<f64>) -> Result<FilmSurvey, PositionError> {
     /// Four thicknesses a decade over six decades from 1 nm.
     const PER_DECADE: i32 = 4;
     const DECADES: i32 = 6;
     const THINNEST: f64 = 1e-9;
-    let case = &loaded.case;
     let path = case.gears.path();
     let place = place.unwrap_or((path.c - path.a) / (path.e - path.a));
     let s = path.a + (path.e - path.a) * place;
@@ -67,7 +66,7 @@ fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Posi
         let thickness = THINNEST * 10f64.powf(f64::from(step) / f64::from(PER_DECADE));
         let film = film_between(
             &case.gears,
-            &case.oil,
+            case.oil(),
             &position,
             Length::from_si(thickness),
         );

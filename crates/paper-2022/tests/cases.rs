@@ -100,8 +100,8 @@ impl FilmThicknessLaw for NoFilm {
 
 #[test]
 fn pressure_across_a_film_that_cannot_be_is_refused() {
-    let mut case = load(&cases()[0], None).unwrap();
+    let case = load(&cases()[0], None).unwrap();
     assert_eq!(film(&case, None).unwrap().rows.len(), 25);
-    case.case = case.case.with_film_law(Arc::new(NoFilm));
+    let case = case.with_laws(|laws| laws.film = Some(Arc::new(NoFilm)));
     assert_eq!(film(&case, None).unwrap_err().code(), "E308");
 }

@@ -29,7 +29,7 @@ impl Oil<'_> {
             },
             Self::Case(case) => {
                 let case = case.only()?.clone();
-                Ok((OilBase::of_case(&case.case, constants)?, Some(case)))
+                Ok((OilBase::of_case(&case, constants)?, Some(case)))
             }
         }
     }

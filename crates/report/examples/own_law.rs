@@ -38,8 +38,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 /// Runs `case` with the law and writes its result into `folder`; the summary.
 pub fn own_law(case: &Path, folder: &Path) -> Result<String, Box<dyn std::error::Error>> {
-    let mut loaded = asperity::case::load(case, None)?;
-    loaded.case = loaded.case.with_film_friction(Arc::new(TwoTerms));
+    let loaded = asperity::case::load(case, None)?;
+    let loaded = loaded.with_laws(|laws| laws.friction = Some(Arc::new(TwoTerms)));
     let outcome = asperity::Run::new(&loaded).band(true).execute()?;
     asperity_report::write_folder(&outcome, folder, &Fields::Page)?;
     Ok(asperity_report::summary(&outcome.result))

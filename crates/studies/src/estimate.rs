@@ -130,12 +130,11 @@ fn measured_mesh(loaded: &LoadedCase, kept: &KeptFields) -> Result<Cost, Error> 
         input.operation.running_in = None;
         input
             .operation
-            .set_bulk_temperature(loaded.case.temperature);
+            .set_bulk_temperature(loaded.case.stated_temperature);
     })?;
     let of_offsets = |offsets: usize| -> Result<[f64; 2], Error> {
-        let mut few = few.first_pair();
-        few.case.model.offsets = offsets;
-        few.case.input.model.offsets = Some(offsets);
+        let few = few.first_pair();
+        let few = few.overridden(|over| over.offsets = Some(offsets))?;
         let begin = Instant::now();
         // Without tables the loss alone does not solve every contact.
         single_thread.install(|| match has_tables(&few) {

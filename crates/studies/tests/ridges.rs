@@ -8,7 +8,7 @@ use asperity::case::{self, LoadedCase};
 use asperity::mixed_film::TraceChange;
 use asperity::pipeline::{LossGradient, gradient, gradient_with, mean_along};
 use asperity::result::ridges::{RidgeRow, height_of_mean_line};
-use asperity::uncertainty::{UncertainParameter, sampling_interval};
+use asperity::uncertainty::{UncertainParameter, range, sampling_interval};
 use asperity_core::Profile;
 use asperity_report::ridges::notes;
 use asperity_roughness::preparation::prepare;
@@ -53,9 +53,7 @@ fn pressed(case: &LoadedCase, rows: &[RidgeRow], part: f64) -> LoadedCase {
         }
         Profile::new(traces[body].spacing(), z).unwrap()
     };
-    let mut changed = case.clone();
-    changed.surfaces = changed.surfaces.with_traces([of(0), of(1)]);
-    changed
+    case.with_surfaces(case.surfaces.with_traces([of(0), of(1)]))
 }
 
 /// Fall of the heights of each trace from one case to another.
@@ -194,10 +192,13 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
     let of_rows: Vec<_> = of_rows.collect();
     let mut beyond_sampling = 0;
     for kind in [BoundaryFriction, Lay] {
-        for end in kind.range(&case).unwrap().unwrap().ends() {
+        for end in range(kind, &case.at_stated().unwrap())
+            .unwrap()
+            .unwrap()
+            .ends()
+        {
             let moved = exact.each_ref().map(|found| {
-                let mut case = found.case.clone();
-                kind.set(&mut case, end).unwrap();
+                let case = found.case.overridden(|over| over.set(kind, end)).unwrap();
                 gradient_with(&found.contacts, &case).unwrap()
             });
             let [a, _, b] = moved.each_ref().map(|one| one.losses.summary.loss_w);

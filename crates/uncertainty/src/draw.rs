@@ -7,8 +7,8 @@ use asperity_core::cite;
 use asperity_core::numerics::standard_normal_quantile;
 use serde::{Deserialize, Serialize};
 
-use crate::hypercube::permutations;
-use crate::parameters::AXES;
+use crate::hypercube::permutation;
+use asperity_case::case::UncertainParameter;
 
 /// Number of draws: with 4096 the ends of the interval of the ground e-drive differ by 2 % between seeds, and the error
 /// falls with the square root of the number.
@@ -18,33 +18,12 @@ pub const DRAWS: usize = 16_384;
 const CUT: f64 = 0.005;
 /// Seed of the draws that all flanks share; the draws of flanks number k have the next seeds.
 const SEED: u64 = 3;
-/// Axes besides the constants.
-const FACTORS: usize = 6;
-/// Constants whose axes precede the factors, and constants whose axes follow them. The error of the film law, the later
-/// constants and the law of pressure come next: an axis that is appended leaves the others as they are.
-const FIRST: usize = 6;
-const SECOND: usize = 8;
-const FILM_LAW: usize = SECOND + FACTORS;
-const PRESSURE_LAW: usize = AXES.len() + FACTORS + 1;
-const FAR_LAY: usize = PRESSURE_LAW + 1;
-const HELD_THERMAL: usize = FAR_LAY + 1;
-const PATCH_GAP: usize = HELD_THERMAL + 1;
-const PATCH_LAW: usize = PATCH_GAP + 1;
-
-/// Place of the axis of constant `k` among the orders.
-const fn order(k: usize) -> usize {
-    match k {
-        0..FIRST => k,
-        FIRST..SECOND => k + FACTORS,
-        _ => k + FACTORS + 1,
-    }
-}
 
 /// One draw of everything that is uncertain: standard normal where not said otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Draw {
-    /// Constants by their axis.
-    pub constants: [f64; AXES.len()],
+    /// Constants, in the order of [`UncertainParameter::ALL`].
+    pub constants: [f64; UncertainParameter::ALL.len()],
     /// β_i in its range, 0 to 1.
     pub inner_boundary: f64,
     /// Weight of the bias of the model, 0 to 1.
@@ -90,7 +69,7 @@ impl Draw {
     /// The run: medians, and no bias of the model.
     pub const fn medians() -> Self {
         Self {
-            constants: [0.0; AXES.len()],
+            constants: [0.0; UncertainParameter::ALL.len()],
             inner_boundary: 0.5,
             weight: 0.0,
             rolling: 0.0,
@@ -116,37 +95,56 @@ impl Draw {
 /// The draws that all flanks share, with the flanks of the run.
 pub fn shared_draws() -> impl Iterator<Item = Draw> {
     static SHARED: OnceLock<Vec<Draw>> = OnceLock::new();
-    let drawn = SHARED.get_or_init(|| draws_in(&orders(SEED)).collect());
-    drawn.iter().copied()
+    SHARED.get_or_init(|| draws(SEED)).iter().copied()
 }
 
-/// The strata of all draws on every axis.
-pub fn orders(seed: u64) -> Vec<Vec<usize>> {
-    permutations(DRAWS, PATCH_LAW + 1, seed)
-}
-
-/// The draws with their strata in these orders.
-pub fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
+/// The draws of a seed, each axis in the strata of the stream of its name: another axis moves none of the others.
+fn draws(seed: u64) -> Vec<Draw> {
     let (cut, normal) = (cut_normal(), normal());
-    (0..DRAWS).map(move |j| {
-        let factor = |k: usize| orders[FIRST + k][j];
+    let axis = |name: &str| permutation(DRAWS, seed, name);
+    let constants = UncertainParameter::ALL.map(|kind| axis(&format!("{kind:?}")));
+    let normals = ["rolling", "power", "film_law", "patch_gap"].map(axis);
+    let places = [
+        "inner_boundary",
+        "weight",
+        "relief",
+        "length",
+        "pressure_law",
+        "far_lay",
+        "held_thermal",
+        "patch_law",
+    ];
+    let places = places.map(axis);
+    let draw = |j: usize| {
+        let [rolling, power, film_law, patch_gap] = normals.each_ref().map(|axis| normal[axis[j]]);
+        let [
+            inner_boundary,
+            weight,
+            relief,
+            length,
+            pressure_law,
+            far_lay,
+            held_thermal,
+            patch_law,
+        ] = places.each_ref().map(|axis| place(axis[j]));
         Draw {
-            constants: std::array::from_fn(|k| cut[orders[order(k)][j]]),
-            inner_boundary: place(factor(0)),
-            weight: place(factor(1)),
-            rolling: normal[factor(2)],
-            relief: place(factor(3)),
-            length: place(factor(4)),
-            power: normal[factor(5)],
-            film_law: normal[orders[FILM_LAW][j]],
-            pressure_law: place(orders[PRESSURE_LAW][j]),
-            far_lay: place(orders[FAR_LAY][j]),
-            held_thermal: place(orders[HELD_THERMAL][j]),
-            patch_gap: normal[orders[PATCH_GAP][j]],
-            patch_law: place(orders[PATCH_LAW][j]),
+            constants: constants.each_ref().map(|axis| cut[axis[j]]),
+            inner_boundary,
+            weight,
+            rolling,
+            relief,
+            length,
+            power,
+            film_law,
+            pressure_law,
+            far_lay,
+            held_thermal,
+            patch_gap,
+            patch_law,
             ..Draw::medians()
         }
-    })
+    };
+    (0..DRAWS).map(draw).collect()
 }
 
 /// Draws of a mesh in the comparison with another one: shared where a constant belongs to the same thing, of a second set where it
@@ -164,8 +162,8 @@ pub struct Common {
     pub flanks: usize,
     /// Number of their windows, which have the sampling.
     pub windows: usize,
-    /// ρ of each constant by its axis.
-    pub constants: [f64; AXES.len()],
+    /// ρ of each constant.
+    pub constants: [f64; UncertainParameter::ALL.len()],
     /// ρ of the error of the model.
     pub model: f64,
     /// Whether the unknown tip relief belongs to the same gears.
@@ -180,7 +178,7 @@ impl From<usize> for Common {
         Self {
             flanks,
             windows: flanks,
-            constants: [1.0; AXES.len()],
+            constants: [1.0; UncertainParameter::ALL.len()],
             model: 1.0,
             relief: true,
             curves: true,
@@ -248,8 +246,7 @@ fn second_set() -> &'static [Draw] {
     static SECOND_SET: OnceLock<Vec<Draw>> = OnceLock::new();
     SECOND_SET.get_or_init(|| {
         let of_flanks = flank_draws((SECOND_SEED + 1) as usize);
-        let orders = orders(SECOND_SEED);
-        let both = draws_in(&orders).zip(of_flanks);
+        let both = draws(SECOND_SEED).into_iter().zip(of_flanks);
         both.map(|(draw, of_flanks)| Draw { of_flanks, ..draw })
             .collect()
     })
@@ -259,12 +256,14 @@ fn second_set() -> &'static [Draw] {
 pub fn flank_draws(flanks: usize) -> impl Iterator<Item = FlankDraw> {
     static FIRST_FLANKS: OnceLock<Vec<FlankDraw>> = OnceLock::new();
     let drawn = || -> Vec<FlankDraw> {
-        let (orders, normal) = (permutations(DRAWS, 4, SEED + 1 + flanks as u64), normal());
+        let (seed, normal) = (SEED + 1 + flanks as u64, normal());
+        let axis = |name: &str| permutation(DRAWS, seed, name);
+        let [model, sampling, misplaced, form] = ["model", "sampling", "place", "form"].map(axis);
         let draw = |j: usize| FlankDraw {
-            model: normal[orders[0][j]],
-            sampling: normal[orders[1][j]],
-            place: place(orders[2][j]),
-            form: normal[orders[3][j]],
+            model: normal[model[j]],
+            sampling: normal[sampling[j]],
+            place: place(misplaced[j]),
+            form: normal[form[j]],
         };
         (0..DRAWS).map(draw).collect()
     };

@@ -11,10 +11,10 @@ use asperity_core::cite;
 use asperity_core::numerics::standard_normal_quantile;
 
 use crate::draw::Draw;
-use crate::parameters::{AXES, UncertainParameter};
 use crate::predictive::{FilmLaw, Predictive};
 use crate::quantiles::{PROBABILITIES, Quantiles};
 use crate::sampling_error::SamplingError;
+use asperity_case::case::UncertainParameter;
 use asperity_case::case::law_error;
 
 /// Simulated results of a measurement of losses.
@@ -222,7 +222,7 @@ impl Predictive {
     fn losses_after(&self, measurement: Measurement, flanks: usize) -> Option<Vec<f64>> {
         use UncertainParameter as P;
         let mut left = self.clone();
-        let narrowed = |scales: [f64; AXES.len()], left: &Self| {
+        let narrowed = |scales: [f64; UncertainParameter::ALL.len()], left: &Self| {
             left.losses_by(flanks, &|draw| {
                 for (z, scale) in draw.constants.iter_mut().zip(scales) {
                     *z *= scale;
@@ -230,7 +230,13 @@ impl Predictive {
             })
         };
         let scaled = |kinds: &[P], scale: f64| {
-            std::array::from_fn(|k| if kinds.contains(&AXES[k]) { scale } else { 1.0 })
+            std::array::from_fn(|k| {
+                if kinds.contains(&UncertainParameter::ALL[k]) {
+                    scale
+                } else {
+                    1.0
+                }
+            })
         };
         match measurement {
             Measurement::FilmFriction { deviation, slope } => {

@@ -21,18 +21,39 @@ pub fn latin_hypercube(draws: usize, dimensions: usize, seed: u64) -> Vec<Vec<f6
 }
 
 /// A random order of the strata along each axis.
-pub fn permutations(draws: usize, dimensions: usize, seed: u64) -> Vec<Vec<usize>> {
+fn permutations(draws: usize, dimensions: usize, seed: u64) -> Vec<Vec<usize>> {
     cite!("Latin-hypercube");
     let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let axis = |_| {
-        let mut order: Vec<usize> = (0..draws).collect();
-        for j in (1..draws).rev() {
-            let other = (uniform(&mut random) * (j + 1) as f64) as usize;
-            order.swap(j, other.min(j));
-        }
-        order
-    };
-    (0..dimensions).map(axis).collect()
+    (0..dimensions)
+        .map(|_| shuffled(draws, &mut random))
+        .collect()
+}
+
+/// A random order of `draws` strata along the axis called `name`, which has a stream of its own: the order depends on no other axis.
+pub fn permutation(draws: usize, seed: u64, name: &str) -> Vec<usize> {
+    cite!("Latin-hypercube");
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    random.set_stream(stream(name));
+    shuffled(draws, &mut random)
+}
+
+/// Number of the stream of a name: FNV-1a.
+fn stream(name: &str) -> u64 {
+    const BASIS: u64 = 0xcbf2_9ce4_8422_2325;
+    const PRIME: u64 = 0x0100_0000_01b3;
+    let bytes = name.bytes();
+    bytes.fold(BASIS, |sum, byte| {
+        (sum ^ u64::from(byte)).wrapping_mul(PRIME)
+    })
+}
+
+fn shuffled(draws: usize, random: &mut ChaCha8Rng) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..draws).collect();
+    for j in (1..draws).rev() {
+        let other = (uniform(random) * (j + 1) as f64) as usize;
+        order.swap(j, other.min(j));
+    }
+    order
 }
 
 /// Even over 0 ≤ u < 1, by the upper 53 bits.

@@ -23,10 +23,11 @@ mod relief;
 mod sampling_error;
 mod surface;
 
+pub use asperity_case::case::{Measured, UncertainParameter};
 pub use draw::{Common, Draw, FlankDraw, flank_draws};
 pub use expected::{Expected, Measurement, MeshDraws};
-pub use hypercube::{StudentOfNormal, latin_hypercube};
-pub use parameters::{AXES, Measured, Ranged, UncertainParameter, at_temperature, parameters};
+pub use hypercube::{StudentOfNormal, latin_hypercube, permutation};
+pub use parameters::{Ranged, deviation_of_curves, parameters, range};
 pub use predictive::{
     COMPARED, Component, DrawnLoss, FilmLaw, InnerBoundary, OtherLaw, PATCH_GAP_ERROR,
     PatchFlowError, Predictive, RecordedRule, model_deviation,

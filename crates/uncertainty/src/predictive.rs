@@ -26,11 +26,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::draw::{Common, DRAWS, Draw, flank_draws, shared_draws};
 use crate::hypercube::StudentOfNormal;
-use crate::parameters::{AXES, Ranged, UncertainParameter};
+use crate::parameters::Ranged;
 use crate::quantiles::{ENDS, Quantiles, sorted_quantiles};
 use crate::relief::ReliefFactors;
 use crate::sampling_error::SamplingError;
 use crate::surface::QuadraticSurface;
+use asperity_case::case::UncertainParameter;
 
 /// Mean and standard deviation of the power of the ratio of loss factors.
 const RELIEF_POWER: [f64; 2] = [1.15, 0.08];
@@ -484,8 +485,12 @@ impl Predictive {
     }
 
     /// Standardised constants of a draw, measured ones correlated; beyond the constants 0.
-    pub fn standardised(&self, draw: &Draw, correlations: &[Vec<f64>]) -> [f64; AXES.len()] {
-        let mut z = [0.0; AXES.len()];
+    pub fn standardised(
+        &self,
+        draw: &Draw,
+        correlations: &[Vec<f64>],
+    ) -> [f64; UncertainParameter::ALL.len()] {
+        let mut z = [0.0; UncertainParameter::ALL.len()];
         for (z, constant) in z.iter_mut().zip(&self.constants) {
             *z = draw.constants[constant.kind as usize];
         }

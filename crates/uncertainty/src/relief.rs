@@ -33,7 +33,11 @@ impl ReliefFactors {
         let Some(assumed) = &case.assumed_relief else {
             return Ok(None);
         };
-        let factor = |c: f64, l: f64| loss_factor(case, assumed, c, l);
+        let inputs = case.load_inputs();
+        let factor = |c: f64, l: f64| {
+            let map = inputs.with_relief(assumed, c, l).load_map()?;
+            Ok::<_, PositionError>(map.loss_factor())
+        };
         let mut factors = [[0.0; 5]; 2];
         for (row, l) in factors.iter_mut().zip(LENGTHS) {
             for (place, c) in row.iter_mut().zip(AMOUNTS) {
@@ -61,15 +65,4 @@ impl ReliefFactors {
         let [short, long] = [at(&self.factors[0]), at(&self.factors[1])];
         (short + length * (long - short)) / self.of_run
     }
-}
-
-/// H_V with the relief c δ over the roll length l L; edge contact of the tips where there is none.
-fn loss_factor(case: &Case, assumed: &AssumedRelief, c: f64, l: f64) -> Result<f64, PositionError> {
-    let mut other = case.clone();
-    other.micro_geometry = assumed.put_into(&case.micro_geometry, c, l);
-    // The edges of a ring are no part of the model.
-    if c == 0.0 && !case.gears.internal {
-        other.load_settings.edge_contact = true;
-    }
-    Ok(other.load_map()?.loss_factor())
 }

@@ -71,8 +71,9 @@ fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
 }
 
 fn of_case(path: &Path, args: &ContactArgs) -> Result<SolvedContact, Failure> {
-    let mut loaded = load_case(path, &args.set, None)?;
-    loaded.case.model.tolerance = args.tolerance;
+    let loaded = load_case(path, &args.set, None)?;
+    let stated = loaded.with(|input| input.model.tolerance = Some(args.tolerance));
+    let loaded = stated.map_err(|error| Failure::about(path, &error))?;
     let position = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
     let DryContact {
         path_fraction,

@@ -54,9 +54,9 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
     );
     if args.smooth {
         let heat = Heat {
-            bulk: loaded.case.temperature,
-            temperature_coefficient: loaded.case.oil.temperature_coefficient,
-            oil_conductivity: loaded.case.oil.thermal_conductivity,
+            bulk: loaded.temperature(),
+            temperature_coefficient: loaded.oil().temperature_coefficient,
+            oil_conductivity: loaded.oil().thermal_conductivity,
             material: loaded.case.materials[0],
         };
         let friction = contact.record.friction;

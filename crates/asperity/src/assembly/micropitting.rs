@@ -15,7 +15,7 @@ use crate::lubrication::LubricatedPosition;
 use crate::mesh::MeshPosition;
 use crate::result::ContactView;
 use crate::result::{MicropittingCell, MicropittingReport};
-use asperity_case::case::{Case, LoadedCase, MicropittingInput};
+use asperity_case::case::{Case, MicropittingInput, OperatingCase};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::Surfaces;
 
@@ -41,7 +41,7 @@ const fn range(name: &'static str, low: f64, high: f64, unit: &'static str) -> F
 
 /// Rating of a solved path, `None` unless the case requests it; `ends` are the points A and E, if they were solved.
 pub(crate) fn report(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     positions: &[LubricatedPosition],
     views: &[Option<&ContactView>],
     ends: &[&LubricatedPosition],
@@ -71,7 +71,7 @@ pub(crate) fn report(
             true => "root of the pinion against the tip of the wheel".to_owned(),
             false => "tip of the pinion against the root of the wheel".to_owned(),
         },
-        outside: outside_of_scope(&loaded.case),
+        outside: outside_of_scope(loaded),
         load_factor: rating.load_factor,
         permissible: given.permissible,
         safety: given
@@ -106,7 +106,7 @@ pub(super) fn outside_of_scope(case: &Case) -> Vec<String> {
 
 /// Data common to all places.
 struct Rating<'a> {
-    loaded: &'a LoadedCase,
+    loaded: &'a OperatingCase,
     load_factor: f64,
     ra: [Length; 2],
     /// Thermal contact coefficients of both gears.
@@ -118,8 +118,8 @@ struct Rating<'a> {
 }
 
 impl<'a> Rating<'a> {
-    fn of(loaded: &'a LoadedCase, given: &MicropittingInput) -> Result<Self, PositionError> {
-        let case = &loaded.case;
+    fn of(loaded: &'a OperatingCase, given: &MicropittingInput) -> Result<Self, PositionError> {
+        let case = loaded;
         let effusivity = case.materials.each_ref().map(|steel| {
             let product = steel.conductivity.si() * steel.density.si() * steel.heat_capacity.si();
             product.sqrt()
@@ -147,7 +147,7 @@ impl<'a> Rating<'a> {
         let at = &position.at;
         let seen = view.map(|view| self.seen(view, at));
         let offsets = position.offsets.iter();
-        let case = &self.loaded.case;
+        let case = self.loaded;
         let path = case.gears.path();
         let pressure = at.hertz.max_pressure * self.load_factor.sqrt();
         let contact = RatedContact {
@@ -157,8 +157,8 @@ impl<'a> Rating<'a> {
             modulus: case.modulus * 2.0,
         };
         let flash = contact.flash(friction(position), self.effusivity)?;
-        let hot = Temperature::from_si(case.temperature.si() + flash);
-        let film = contact.film(self.oil(case.temperature)?, self.oil(hot)?)?;
+        let hot = Temperature::from_si(case.temperature().si() + flash);
+        let film = contact.film(self.oil(case.temperature())?, self.oil(hot)?)?;
         Ok(MicropittingCell {
             path_fraction: (at.s - path.a) / (path.e - path.a),
             pressure_mpa: pressure.si() * 1e-6,

@@ -43,7 +43,7 @@ use crate::result::{
 };
 use crate::sampling::{means_of_pairs, sampling_of_teeth};
 use asperity_case::balance::{efficiency, finite, sum};
-use asperity_case::case::{BulkReport, Case, CaseInput};
+use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::message::Warning;
 
@@ -73,7 +73,7 @@ impl Solved<'_> {
             pairs: self.pairs().and_then(|(_, sampling)| sampling),
             running_in,
             run_in: None,
-            bulk: bulk_report(&self.loaded.case),
+            bulk: self.loaded.bulk_report().cloned(),
             gearbox,
             equations: Vec::new(),
         })
@@ -85,7 +85,7 @@ impl Solved<'_> {
         pictures: Vec<Option<Picture>>,
         points: &[(&'static str, LubricatedPosition)],
     ) -> Result<Outcome, PositionError> {
-        let case = &self.loaded.case;
+        let case = self.loaded;
         let (summary, gearbox) = self.with_gearbox()?;
         let path = self.path()?;
         let running_in = self.running_in()?;
@@ -112,7 +112,7 @@ impl Solved<'_> {
             points: self.points(points)?,
             records,
             uncertainty: None,
-            bulk: bulk_report(case),
+            bulk: case.bulk_report().cloned(),
             gearbox,
             micropitting,
             running_in,
@@ -126,9 +126,9 @@ impl Solved<'_> {
             flanks: [0, 1].map(|body| FlankRecord::from(&self.loaded.flanks[body])),
             pairs: self.trace_pairs(),
             gears: case.gears.clone(),
-            lubricant: case.oil,
+            lubricant: *case.oil(),
             film_constants: film_constants(case)?,
-            inputs: inputs(case),
+            inputs: case.input.clone(),
             defaults: case.defaults.clone(),
             equations: Vec::new(),
             references: Vec::new(),
@@ -165,13 +165,13 @@ impl Solved<'_> {
         let evidence = self.map.evidence();
         let at = positions.iter().map(|position| &position.at);
         warnings::load(loaded, at, (edge_contact, evidence), &mut warnings);
-        warnings::records(&loaded.case, records, &mut warnings)?;
+        warnings::records(loaded, records, &mut warnings)?;
         gravest_first(&mut warnings, |warning| Some(warning.code));
         Ok(warnings)
     }
 
     fn record_rows(&self) -> Vec<RecordRow> {
-        let rows = |records| record_rows(&self.loaded.case, records);
+        let rows = |records| record_rows(self.loaded, records);
         self.records.map(rows).unwrap_or_default()
     }
 
@@ -215,7 +215,7 @@ impl Solved<'_> {
 
     /// A row of the path with what is known of it between traces.
     fn row(&self, position: &LubricatedPosition, rolling: f64, per_width: f64) -> PositionRow {
-        let case = &self.loaded.case;
+        let case = self.loaded;
         let row = row(case, position, rolling, per_width);
         let sliding = position.at.mean_sliding();
         let forces: Vec<f64> = position
@@ -260,9 +260,7 @@ impl Solved<'_> {
         let mut windows = self.positions.iter().flat_map(|at| &at.offsets);
         let power = match windows.all(|window| window.deformation.is_some()) {
             true => 0.0,
-            false => of_all_offsets(&self.loaded.case, &self.positions)?
-                .plastic
-                .si(),
+            false => of_all_offsets(self.loaded, &self.positions)?.plastic.si(),
         };
         let period = self.meshes.first();
         let period = period.map_or(0.0, |mesh| mesh.engagement_period.si());
@@ -273,7 +271,7 @@ impl Solved<'_> {
     }
 
     fn path(&self) -> Result<Vec<PositionRow>, PositionError> {
-        let case = &self.loaded.case;
+        let case = self.loaded;
         let forces = case.gears.forces(case.torque)?;
         let per_width = forces.transverse_base.si() / case.gears.face_width.si();
         Ok(self
@@ -288,7 +286,7 @@ impl Solved<'_> {
         &self,
         points: &[(&'static str, LubricatedPosition)],
     ) -> Result<Vec<PointRow>, PositionError> {
-        let case = &self.loaded.case;
+        let case = self.loaded;
         let forces = case.gears.forces(case.torque)?;
         let per_width = forces.transverse_base.si() / case.gears.face_width.si();
         points
@@ -307,7 +305,7 @@ impl Solved<'_> {
     fn with_gearbox(&self) -> Result<(Summary, Option<GearboxReport>), PositionError> {
         let mut summary = self.summary()?;
         let mesh = Power::from_si(summary.loss_w);
-        let gearbox = gearbox::report_of_mesh(&self.loaded.case, mesh)?;
+        let gearbox = gearbox::report_of_mesh(self.loaded, mesh)?;
         if let Some(found) = &gearbox {
             summary.scope = Scope::Gearbox;
             summary.gearbox_efficiency = Some(found.efficiency);
@@ -317,7 +315,7 @@ impl Solved<'_> {
     }
 
     pub(crate) fn summary(&self) -> Result<Summary, PositionError> {
-        let case = &self.loaded.case;
+        let case = self.loaded;
         let (positions, meshes) = (&self.positions, &self.meshes);
         let factors = [case.gears.ohlendorf_loss_factor(), self.map.loss_factor()];
         let mut summary = summary(positions, meshes, &operation(case), factors)?;
@@ -636,18 +634,6 @@ fn record_rows(case: &Case, records: &PathRecords) -> Vec<RecordRow> {
 pub(crate) fn mixed_share(position: &LubricatedPosition) -> f64 {
     let is_mixed = |offset: &LubricatedWindow| f64::from(offset.regime == Regime::Mixed);
     mean(position.offsets.iter().map(is_mixed))
-}
-
-fn bulk_report(case: &Case) -> Option<BulkReport> {
-    case.found_bulk.as_ref().map(|found| found.report.clone())
-}
-
-/// The case as stated, before its bulk temperature was computed.
-fn inputs(case: &Case) -> CaseInput {
-    match &case.found_bulk {
-        Some(found) => CaseInput::clone(&found.stated),
-        None => case.input.clone(),
-    }
 }
 
 #[cfg(test)]

@@ -27,7 +27,7 @@ pub(crate) fn published_laws(solved: &Solved<'_>) -> Result<Vec<PublishedLawRow>
 
 fn row(solved: &Solved<'_>, law: FrictionLaw) -> Result<PublishedLawRow, PositionError> {
     let about = law.published();
-    let temperature = solved.loaded.case.temperature;
+    let temperature = solved.loaded.temperature();
     let mut outside: BTreeSet<String> = about
         .outside(temperature)?
         .iter()
@@ -61,7 +61,7 @@ fn applied(
     law: FrictionLaw,
     outside: &mut BTreeSet<String>,
 ) -> Result<PublishedOutcome, PositionError> {
-    let (case, positions) = (&solved.loaded.case, &solved.positions);
+    let (case, positions) = (solved.loaded, &solved.positions);
     let settings = case.model.friction_settings;
     let named = NamedFriction { law, settings };
     let mut forces = Vec::with_capacity(positions.len());
@@ -69,7 +69,7 @@ fn applied(
         let mut of_offsets = Vec::with_capacity(position.offsets.len());
         for offset in &position.offsets {
             let (at, film) = (&position.at, &position.film);
-            let contact = film_contact(case, (at, film), &offset.roughness, &case.oil)?;
+            let contact = film_contact(case, (at, film), &offset.roughness, case.oil())?;
             let found = named.traction(&contact)?;
             for note in &found.outside {
                 outside.insert(format!("{} of {}", note.name, note.correlation));

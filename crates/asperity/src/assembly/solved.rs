@@ -6,12 +6,12 @@ use asperity_gear::LoadMap;
 use super::cycle::efficiency_at;
 use crate::lubrication::{LubricatedPosition, rolling};
 use crate::records::PathRecords;
-use asperity_case::case::LoadedCase;
+use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 
 /// Solved positions with the rolling force at each and the mesh at each offset.
 pub(crate) struct Solved<'a> {
-    pub loaded: &'a LoadedCase,
+    pub loaded: &'a OperatingCase,
     /// Load over the flanks.
     pub map: &'a LoadMap,
     pub positions: Vec<LubricatedPosition>,
@@ -26,12 +26,12 @@ pub(crate) struct Solved<'a> {
 impl<'a> Solved<'a> {
     /// Sums the losses of the positions over the path.
     pub(crate) fn new(
-        loaded: &'a LoadedCase,
+        loaded: &'a OperatingCase,
         map: &'a LoadMap,
         positions: Vec<LubricatedPosition>,
         records: Option<&'a PathRecords>,
     ) -> Result<Self, PositionError> {
-        let case = &loaded.case;
+        let case = loaded;
         let rolling = positions
             .iter()
             .map(|position| rolling(case, &position.at, &position.film))

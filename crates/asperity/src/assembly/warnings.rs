@@ -19,7 +19,7 @@ use crate::reference_solution::{LARGEST_ROUGHNESS, elastic_above_flow};
 use crate::result::gearbox::GearboxPart;
 use crate::result::{FullFilmRow, OutsideInput, RecordRow, Regime, Summary};
 use crate::sampling::{length_for, windows_of_traces};
-use asperity_case::case::{Case, LoadedCase, Positions};
+use asperity_case::case::{Case, OperatingCase, Positions};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::is_substituted;
 use asperity_case::flanks::local_roughness::FEW_ASPERITIES;
@@ -33,7 +33,7 @@ const LEAST_SHARE: f64 = 0.005;
 
 /// Warnings about the positions and the summary.
 pub(crate) fn warnings(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     positions: &[LubricatedPosition],
     pictures: &[Option<Picture>],
     summary: &Summary,
@@ -66,13 +66,13 @@ pub(crate) fn warnings(
     one_tooth(loaded, &mut found);
     roughness(loaded, positions, &mut found)?;
     full_film(positions, &mut found);
-    above_tested_pressure(&loaded.case, positions, summary, &mut found);
+    above_tested_pressure(loaded, positions, summary, &mut found);
     Ok(found)
 }
 
 /// Warnings about a case on its mesh with its smooth films that need no solution of its contacts.
 pub(crate) fn of_case(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     mesh: &Mesh,
     films: &[FormulaFilm],
 ) -> Result<Vec<Warning>, PositionError> {
@@ -88,7 +88,7 @@ pub(crate) fn of_case(
     one_tooth(loaded, &mut found);
     values_alone(loaded, &mut found)?;
     short_traces(loaded, at(), &mut found);
-    gearbox(&parts_of_mesh(&loaded.case)?, &mut found);
+    gearbox(&parts_of_mesh(loaded)?, &mut found);
     micropitting(loaded, &mut found);
     found.extend(far_lay(loaded, None)?);
     no_sliding(loaded, at(), &mut found);
@@ -101,8 +101,8 @@ pub(crate) fn of_case(
 }
 
 /// W401 and W428: properties of oil and steel outside the range of their laws.
-fn notes(loaded: &LoadedCase, found: &mut Vec<Warning>) {
-    for note in loaded.case.oil_notes.iter().chain(&loaded.case.steel_notes) {
+fn notes(loaded: &OperatingCase, found: &mut Vec<Warning>) {
+    for note in loaded.oil_notes().iter().chain(&loaded.case.steel_notes) {
         found.push(Warning {
             about: (note.correlation == GOLD_FIT).then_some(Subject::PressureViscosity),
             ..Warning::new(code(note), note.to_string())
@@ -111,7 +111,7 @@ fn notes(loaded: &LoadedCase, found: &mut Vec<Warning>) {
 }
 
 /// W404: one trace for both flanks.
-fn same_trace(loaded: &LoadedCase, found: &mut Vec<Warning>) {
+fn same_trace(loaded: &OperatingCase, found: &mut Vec<Warning>) {
     if loaded.surfaces.same_trace {
         found.push(Warning::new(
             Code::W404,
@@ -123,7 +123,7 @@ fn same_trace(loaded: &LoadedCase, found: &mut Vec<Warning>) {
 /// W452: a lay beyond the records of mixed lubrication; where it was drawn, with the ratio of the loss at a lay of 1/6 to the loss
 /// of the case.
 pub(crate) fn far_lay(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     confirmed: Option<f64>,
 ) -> Result<Option<Warning>, PositionError> {
     let Some(lay) = loaded.lay_beyond_records()? else {
@@ -211,8 +211,8 @@ fn load_above(t: f64) -> f64 {
 }
 
 /// W426: a hotter equilibrium exists in addition to the bulk temperature.
-fn bulk(loaded: &LoadedCase, found: &mut Vec<Warning>) {
-    let Some(report) = loaded.case.found_bulk.as_ref().map(|found| &found.report) else {
+fn bulk(loaded: &OperatingCase, found: &mut Vec<Warning>) {
+    let Some(report) = loaded.bulk_report() else {
         return;
     };
     let hot = match (report.hotter_c, report.runs_away_from_c) {
@@ -227,7 +227,7 @@ fn bulk(loaded: &LoadedCase, found: &mut Vec<Warning>) {
 }
 
 /// W439: the amounts that a tip relief which is not stated may have, and the loss at both ends where it was drawn.
-pub(crate) fn relief(loaded: &LoadedCase, at_ends: Option<[f64; 2]>) -> Option<Warning> {
+pub(crate) fn relief(loaded: &OperatingCase, at_ends: Option<[f64; 2]>) -> Option<Warning> {
     let assumed = loaded.case.assumed_relief.as_ref()?;
     let gears = match assumed.gears {
         [true, false] => "of the pinion",
@@ -259,9 +259,9 @@ pub(crate) fn gearbox<'a>(
 }
 
 /// W432: a case to be rated outside the scope of the specification.
-pub(crate) fn micropitting(loaded: &LoadedCase, found: &mut Vec<Warning>) {
+pub(crate) fn micropitting(loaded: &OperatingCase, found: &mut Vec<Warning>) {
     let outside = match loaded.case.input.micropitting {
-        Some(_) => outside_of_scope(&loaded.case),
+        Some(_) => outside_of_scope(loaded),
         None => return,
     };
     if !outside.is_empty() {
@@ -274,7 +274,7 @@ pub(crate) fn micropitting(loaded: &LoadedCase, found: &mut Vec<Warning>) {
 }
 
 /// W450: one tooth of a flank is traced, and several of the other.
-fn one_tooth(loaded: &LoadedCase, found: &mut Vec<Warning>) {
+fn one_tooth(loaded: &OperatingCase, found: &mut Vec<Warning>) {
     let gear = match loaded.surfaces.several_teeth() {
         Some([1, _]) => Gear::Pinion,
         Some([_, 1]) => Gear::Wheel,
@@ -301,11 +301,11 @@ fn load_reached(summary: &Summary, found: &mut Vec<Warning>) {
 
 /// Distinct inputs outside their ranges: W401, W402, W403 and W405, in the order of their texts.
 pub(crate) fn outside(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     positions: &[LubricatedPosition],
     summary: &Summary,
 ) -> Result<Vec<OutsideInput>, PositionError> {
-    let of_the_case = loaded.case.oil_notes.iter().chain(&loaded.case.steel_notes);
+    let of_the_case = loaded.oil_notes().iter().chain(&loaded.case.steel_notes);
     let of_positions = positions.iter().flat_map(outside_at);
     let mut found = BTreeMap::new();
     let mut add = |code, correlation, input| {
@@ -344,7 +344,7 @@ fn code(note: &OutOfRange) -> Code {
 
 /// W421 to W425, W433: load over the teeth, and its cells.
 pub(crate) fn load<'a>(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     positions: impl ExactSizeIterator<Item = &'a MeshPosition>,
     (edge_contact, evidence): (Option<&EdgeContactNote>, &LoadMapEvidence),
     found: &mut Vec<Warning>,
@@ -489,7 +489,7 @@ fn short(value: f64) -> String {
 
 /// W412: the single position is the pitch point, where there is no sliding.
 fn no_sliding<'a>(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     mut positions: impl Iterator<Item = &'a MeshPosition>,
     found: &mut Vec<Warning>,
 ) {
@@ -544,7 +544,7 @@ fn contacts(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
 /// W405: yield below the surface by the smooth contact, with the words about its zone; the pressure that the flanks bear, and
 /// whether it is passed.
 fn yielding<'a>(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     positions: impl Iterator<Item = &'a MeshPosition>,
     zone: &str,
     found: &mut Vec<Warning>,
@@ -568,7 +568,7 @@ fn yielding<'a>(
 
 /// W405, W409, W410: yield below the surface, and flow of the asperities.
 fn stress(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     positions: &[LubricatedPosition],
     pictures: &[Option<Picture>],
     found: &mut Vec<Warning>,
@@ -711,7 +711,7 @@ fn full_film(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
 
 /// W406, W407, W408, W411: limits of the traces.
 fn roughness(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     positions: &[LubricatedPosition],
     found: &mut Vec<Warning>,
 ) -> Result<(), PositionError> {
@@ -762,7 +762,7 @@ fn roughness(
 }
 
 /// W408: the film ratio from which the load share of a flank without a trace follows.
-fn values_alone(loaded: &LoadedCase, found: &mut Vec<Warning>) -> Result<(), PositionError> {
+fn values_alone(loaded: &OperatingCase, found: &mut Vec<Warning>) -> Result<(), PositionError> {
     if loaded.surfaces.are_measured() {
         return Ok(());
     }
@@ -780,7 +780,7 @@ fn values_alone(loaded: &LoadedCase, found: &mut Vec<Warning>) -> Result<(), Pos
 
 /// W407: traces of few independent windows.
 fn short_traces<'a>(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     positions: impl Iterator<Item = &'a MeshPosition>,
     found: &mut Vec<Warning>,
 ) {
@@ -811,7 +811,7 @@ fn short_traces<'a>(
 
 /// W417: contacts beyond the ends of placed traces.
 fn covered<'a>(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     positions: impl Iterator<Item = &'a MeshPosition> + Clone,
     found: &mut Vec<Warning>,
 ) {

@@ -57,7 +57,8 @@ impl Offsets {
     pub(crate) fn of(loaded: &LoadedCase) -> Self {
         let (case, surfaces) = (&loaded.case, &loaded.surfaces);
         let default = case.model.offsets;
-        if case.input.model.offsets.is_some() || case.formulation.pressures().is_some() {
+        let is_stated = case.input.model.offsets.is_some() || case.overrides.offsets.is_some();
+        if is_stated || case.formulation.pressures().is_some() {
             return Self::Fixed(default);
         }
         if surfaces.is_surrogate() {
@@ -102,7 +103,7 @@ impl WindowInputs {
             modulus: case.modulus,
             flow_pressure: case.flow_pressure,
             tolerance: case.model.tolerance,
-            exact: case.laws.exact_contacts,
+            exact: case.overrides.exact_contacts,
         }
     }
 

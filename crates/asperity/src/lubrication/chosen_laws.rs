@@ -5,7 +5,7 @@ use std::sync::Arc;
 use asperity_ehl_regime::FilmThicknessLaw;
 use asperity_tribo_friction::FilmFriction;
 
-use asperity_case::case::Case;
+use asperity_case::case::OperatingCase;
 use asperity_case::load_share_law::LoadShare;
 
 /// Every law of a run.
@@ -18,7 +18,7 @@ pub(crate) struct ChosenLaws {
 
 impl ChosenLaws {
     /// The laws of `case`.
-    pub(crate) fn of(case: &Case) -> Self {
+    pub(crate) fn of(case: &OperatingCase) -> Self {
         Self {
             film: case.film_law(),
             friction: case.film_friction(),

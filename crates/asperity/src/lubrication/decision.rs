@@ -10,7 +10,7 @@ use super::chosen_laws::ChosenLaws;
 use super::friction;
 use crate::mesh::MeshPosition;
 use crate::records::RecordedShare;
-use asperity_case::case::Case;
+use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Roughness, WindowPair};
 use asperity_case::formula_film::FormulaFilm;
@@ -42,7 +42,7 @@ pub(crate) struct Undecided<'a> {
 impl<'a> Undecided<'a> {
     /// Film parameters with this roughness.
     pub(crate) fn of(
-        case: &'a Case,
+        case: &'a OperatingCase,
         laws: &ChosenLaws,
         (position, film): (&MeshPosition, &FormulaFilm),
         roughness: &Roughness,
@@ -64,14 +64,14 @@ impl<'a> Undecided<'a> {
             lambda_star: star(&film.shown)?,
             lambda_star_of_share: star(&film_of_share)?,
             film_ratio: ratio,
-            contact: friction::film_contact(case, (position, film), roughness, &case.oil)?,
+            contact: friction::film_contact(case, (position, film), roughness, case.oil())?,
         })
     }
 
     /// Inputs of the load share.
     pub(crate) fn conditions<'b>(
         &'b self,
-        case: &Case,
+        case: &OperatingCase,
         (position, film): (&'b MeshPosition, &'b FormulaFilm),
         (roughness, window): (&'b Roughness, Option<&'b WindowPair>),
         (solved, recorded): (Option<&'b LoadShareSolution>, Option<&'b RecordedShare>),
@@ -93,7 +93,7 @@ impl<'a> Undecided<'a> {
     /// The regime, by the rule of the case.
     pub(crate) fn decided(
         &self,
-        case: &Case,
+        case: &OperatingCase,
         shared: SharedLoad,
     ) -> Result<Decision, PositionError> {
         let film_ratio = self.lambda_star.unwrap_or(self.film_ratio);

@@ -11,7 +11,7 @@ use asperity_tribo_friction::{
 
 use super::chosen_laws::ChosenLaws;
 use crate::mesh::MeshPosition;
-use asperity_case::case::Case;
+use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Roughness, Surfaces};
 use asperity_case::formula_film::FormulaFilm;
@@ -34,7 +34,7 @@ const FLASH_PASSES: usize = 50;
 /// Friction in a film with `film_share` of the load by `law`, for each of the roughnesses at a position. With flash feedback the
 /// oil is taken at bulk plus flash temperature, found by repeated substitution.
 pub(crate) fn in_film<'a>(
-    case: &Case,
+    case: &OperatingCase,
     law: &dyn FilmFriction,
     position: (&MeshPosition, &FormulaFilm),
     film_share: f64,
@@ -49,7 +49,7 @@ pub(crate) fn in_film<'a>(
     let begin = |(k, roughness)| Open {
         k,
         roughness,
-        oil: case.oil,
+        oil: *case.oil(),
         before: 0.0,
     };
     let mut open: Vec<Open<'_>> = roughness.into_iter().enumerate().map(begin).collect();
@@ -72,7 +72,7 @@ pub(crate) fn in_film<'a>(
                 settled.push((one.k, InFilm { mu, outside }));
                 continue;
             }
-            let temperature = Temperature::from_si(case.temperature.si() + flash);
+            let temperature = Temperature::from_si(case.temperature().si() + flash);
             left.push(Open {
                 before: flash,
                 oil: case.lubricant.at(temperature)?.value,
@@ -93,25 +93,29 @@ pub(crate) fn in_film<'a>(
 
 /// Friction coefficient of the smooth film by the law of the case.
 pub(crate) fn smooth(
-    case: &Case,
+    case: &OperatingCase,
     laws: &ChosenLaws,
     surfaces: &Surfaces,
     position: (&MeshPosition, &FormulaFilm),
 ) -> Result<f64, PositionError> {
     let roughness = surfaces.roughness_as_a_whole()?;
-    let contact = film_contact(case, position, &roughness, &case.oil)?;
+    let contact = film_contact(case, position, &roughness, case.oil())?;
     Ok(laws.friction.traction(&contact)?.value.coefficient)
 }
 
 /// Flash temperature \[K\] of a contact whose whole friction coefficient is `mu`.
-pub(crate) fn flash(case: &Case, position: &MeshPosition, mu: f64) -> Result<f64, PositionError> {
+pub(crate) fn flash(
+    case: &OperatingCase,
+    position: &MeshPosition,
+    mu: f64,
+) -> Result<f64, PositionError> {
     let contact = position.line_contact(case.modulus, case.materials);
     Ok(flash_temperature(&contact, position.hertz.half_width, mu)?)
 }
 
 /// The local contact at `position` with the oil in the state `oil`, the whole load on the film.
 pub(crate) fn film_contact<'a>(
-    case: &'a Case,
+    case: &'a OperatingCase,
     (position, film): (&MeshPosition, &FormulaFilm),
     roughness: &Roughness,
     oil: &LubricantState,
@@ -123,14 +127,14 @@ pub(crate) fn film_contact<'a>(
         half_width: position.hertz.half_width,
         film_share: 1.0,
         materials: case.materials,
-        bulk_temperature: case.temperature,
+        bulk_temperature: case.temperature(),
         oil: *oil,
         lubricant: &case.lubricant,
     })
 }
 
 fn conditions(
-    case: &Case,
+    case: &OperatingCase,
     (position, film): (&MeshPosition, &FormulaFilm),
     roughness: &Roughness,
     oil: &LubricantState,
@@ -159,7 +163,7 @@ fn conditions(
 }
 
 /// Inputs of the laws for the whole mesh: everything at the pitch point.
-fn mesh_conditions(case: &Case) -> Result<MeshConditions, PositionError> {
+fn mesh_conditions(case: &OperatingCase) -> Result<MeshConditions, PositionError> {
     let gears = &case.gears;
     let forces = gears.forces(case.torque)?;
     let pitch = gears.kinematics(gears.path().c, case.speed)?;
@@ -191,7 +195,11 @@ pub(crate) struct Rubbing {
 
 impl Rubbing {
     /// With film and asperities sharing the load as `shared` says.
-    pub(crate) fn of_share(case: &Case, position: &MeshPosition, shared: &SharedLoad) -> Self {
+    pub(crate) fn of_share(
+        case: &OperatingCase,
+        position: &MeshPosition,
+        shared: &SharedLoad,
+    ) -> Self {
         let load = position.load.si();
         let solid = (1.0 - shared.film_share) * load;
         let boundary = shared.boundary_part * solid;
@@ -204,7 +212,7 @@ impl Rubbing {
 
     /// Summed over the pressures of the window, points `spacing` apart.
     pub(crate) fn of_pressures(
-        case: &Case,
+        case: &OperatingCase,
         spacing: Length,
         pressed: &Pressed,
     ) -> Result<Self, PositionError> {
@@ -254,7 +262,7 @@ impl Rubbing {
 }
 
 /// Resistance to rolling by hysteresis per metre of contact line \[N/m\]: α_h 2 f a/(3πR).
-pub(crate) fn hysteresis_force(case: &Case, position: &MeshPosition) -> f64 {
+pub(crate) fn hysteresis_force(case: &OperatingCase, position: &MeshPosition) -> f64 {
     let (f, a) = (position.load.si(), position.hertz.half_width.si());
     let swept = 2.0 * f * a / (3.0 * std::f64::consts::PI * position.motion.radius.si());
     case.model.hysteresis * swept

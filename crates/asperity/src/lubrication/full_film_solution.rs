@@ -10,14 +10,14 @@ use super::full_film::{Fields, FullFilm};
 use crate::mesh::MeshPosition;
 use crate::records::PathRecords;
 use crate::reference_solution::smooth_contact;
-use asperity_case::case::{Case, FullFilmName};
+use asperity_case::case::{FullFilmName, OperatingCase};
 use asperity_case::error::PositionError;
 use asperity_case::formula_film::FormulaFilm;
 
 /// The full film of `position` by the choice of the case; none for formulas, and where records were asked
 /// for and there are none. `law` is the friction of the film by the case's law, none for a published one.
 pub(crate) fn full_film_at(
-    case: &Case,
+    case: &OperatingCase,
     (position, formula): (&MeshPosition, &FormulaFilm),
     records: Option<&PathRecords>,
     law: Option<f64>,
@@ -35,7 +35,7 @@ pub(crate) fn full_film_at(
 ///
 /// The inlet is isothermal; the thermal reduction of the case thins the film as it does that of the formula.
 fn smooth(
-    case: &Case,
+    case: &OperatingCase,
     (position, formula): (&MeshPosition, &FormulaFilm),
     law: Option<f64>,
 ) -> Result<FullFilm, PositionError> {
@@ -104,7 +104,7 @@ fn recorded(
 }
 
 /// Viscosity over pressure of the film friction of the case.
-fn viscosity_law(case: &Case, of_film: PressureViscosityLaw) -> PressureViscosityLaw {
+fn viscosity_law(case: &OperatingCase, of_film: PressureViscosityLaw) -> PressureViscosityLaw {
     match case.model.film_pressure_law {
         PressureLaw::Barus => PressureViscosityLaw::Barus,
         _ => of_film,
@@ -112,19 +112,18 @@ fn viscosity_law(case: &Case, of_film: PressureViscosityLaw) -> PressureViscosit
 }
 
 /// Shear law of the film friction with the limiting stress and the heat of the case.
-fn traction_law(case: &Case) -> Result<TractionLaw, PositionError> {
+fn traction_law(case: &OperatingCase) -> Result<TractionLaw, PositionError> {
     let rheology = case
-        .rheology
-        .as_ref()
+        .rheology()
         .ok_or_else(asperity_oil::LubricantError::no_base_oil)?;
     let constants = rheology.constants();
     Ok(TractionLaw {
         shear: constants.shear_law(rheology.laws().0),
-        limit: Some(constants.limiting_shear_at(case.temperature)),
+        limit: Some(constants.limiting_shear_at(case.temperature())),
         heat: Some(Heat {
-            bulk: case.temperature,
-            temperature_coefficient: case.oil.temperature_coefficient,
-            oil_conductivity: case.oil.thermal_conductivity,
+            bulk: case.temperature(),
+            temperature_coefficient: case.oil().temperature_coefficient,
+            oil_conductivity: case.oil().thermal_conductivity,
             material: case.materials[0],
         }),
     })

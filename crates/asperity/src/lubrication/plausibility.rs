@@ -6,7 +6,7 @@
 use super::film_of_case::formula_film;
 use super::position::LubricatedPosition;
 use crate::mesh::MeshPosition;
-use asperity_case::case::Case;
+use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::formula_film::FormulaFilm;
 use asperity_case::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
@@ -36,7 +36,10 @@ pub fn check_mesh_position(position: &MeshPosition) -> Result<(), PositionError>
 ///
 /// # Errors
 /// When a law refuses the numbers, or with a film beyond physical sense.
-pub fn plausible_film(case: &Case, position: &MeshPosition) -> Result<FormulaFilm, PositionError> {
+pub fn plausible_film(
+    case: &OperatingCase,
+    position: &MeshPosition,
+) -> Result<FormulaFilm, PositionError> {
     let film = formula_film(case, position)?;
     below("central film", film.film.central.si(), "m", FILM)?;
     let minimum = film.film.minimum.si();

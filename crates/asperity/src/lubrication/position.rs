@@ -7,7 +7,7 @@ use super::friction::{InFilm, Rubbing};
 use super::full_film::FullFilm;
 use crate::mesh::MeshPosition;
 use crate::records::RecordedShare;
-use asperity_case::case::Case;
+use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::Roughness;
 use asperity_case::formula_film::FormulaFilm;
@@ -96,7 +96,12 @@ pub(crate) struct LubricatedWindow {
 
 impl LubricatedWindow {
     /// Shear stress on the pinion's flank \[Pa\] under the pressures `pressed`.
-    pub fn shear(&self, case: &Case, position: &MeshPosition, pressed: &Pressed) -> Vec<f64> {
+    pub fn shear(
+        &self,
+        case: &OperatingCase,
+        position: &MeshPosition,
+        pressed: &Pressed,
+    ) -> Vec<f64> {
         // Friction drags the pinion's flank against its sliding.
         let sign = -position.motion.sliding.si().signum();
         let mu_solid = self.asperity_coefficient(case.model.boundary_friction);

@@ -5,7 +5,7 @@ use super::film_of_case::formula_film;
 use super::friction;
 use crate::mesh::MeshPosition;
 use crate::records::PathRecords;
-use asperity_case::case::{FullFilmName, LoadedCase};
+use asperity_case::case::{FullFilmName, OperatingCase};
 use asperity_case::error::PositionError;
 
 /// Records of mixed lubrication along `positions`, if the load share or the full film requires them, and how
@@ -14,12 +14,12 @@ use asperity_case::error::PositionError;
 /// # Errors
 /// When a record has no solution.
 pub(crate) fn records_of(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     laws: &ChosenLaws,
     positions: &[MeshPosition],
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<(Option<PathRecords>, usize), PositionError> {
-    let case = &loaded.case;
+    let case = loaded;
     let is_film = case.model.full_film == FullFilmName::EhlTransient;
     if !laws.load_share.needs_records() && !is_film {
         return Ok((None, 0));

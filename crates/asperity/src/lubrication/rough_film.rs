@@ -9,7 +9,7 @@ use super::chosen_laws::ChosenLaws;
 use crate::contacts::WindowContact;
 use crate::mesh::MeshPosition;
 use crate::result::PatchFields;
-use asperity_case::case::Case;
+use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
@@ -20,7 +20,7 @@ use asperity_mixed_film::{
 
 /// Film of a position with the traces as its inlet leaves them.
 pub(crate) struct RoughFilm<'a> {
-    case: &'a Case,
+    case: &'a OperatingCase,
     film: PositionFilm<'a>,
     surfaces: Surfaces,
     /// Flattening of the traces, once a window was needed.
@@ -33,7 +33,7 @@ impl<'a> RoughFilm<'a> {
     /// The film at `position`, if the load-share law requires the rough contact and both flanks are
     /// measured.
     pub(crate) fn at(
-        case: &'a Case,
+        case: &'a OperatingCase,
         laws: &ChosenLaws,
         surfaces: &Surfaces,
         (position, film): (&MeshPosition, &FormulaFilm),
@@ -45,7 +45,7 @@ impl<'a> RoughFilm<'a> {
         else {
             return Ok(None);
         };
-        let Some(rheology) = &case.rheology else {
+        let Some(rheology) = case.rheology() else {
             return Ok(None);
         };
         let model = &case.model;
@@ -62,7 +62,7 @@ impl<'a> RoughFilm<'a> {
             inner_boundary: model.inner_boundary,
             film_pressure: model.film_pressure,
             gap_roughness: model.gap_roughness,
-            patch_gap: case.laws.patch_gap,
+            patch_gap: case.overrides.patch_gap,
             share_factor: model.asperity_share_factor,
             ..LoadShareSettings::default()
         };
@@ -72,7 +72,7 @@ impl<'a> RoughFilm<'a> {
             thermal_factor: film.thermal_reduction,
         };
         let film =
-            PositionFilm::with_film(rheology, &contact, case.temperature, &settings, smooth)?;
+            PositionFilm::with_film(rheology, &contact, case.temperature(), &settings, smooth)?;
         Ok(Some(Self {
             case,
             film,
@@ -222,9 +222,9 @@ impl RoughFilm<'_> {
 }
 
 /// Whether the load share of the case depends on the rough contact.
-pub(crate) fn is_asked_for(case: &Case, laws: &ChosenLaws, surfaces: &Surfaces) -> bool {
+pub(crate) fn is_asked_for(case: &OperatingCase, laws: &ChosenLaws, surfaces: &Surfaces) -> bool {
     laws.load_share.supply().is_some()
-        && case.rheology.is_some()
+        && case.rheology().is_some()
         && surfaces.are_measured()
         && case.formulation.pressures().is_none()
 }

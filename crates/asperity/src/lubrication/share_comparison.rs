@@ -14,7 +14,7 @@ use super::chosen_laws::ChosenLaws;
 use super::decision::lambda_star_of;
 use super::film_of_case::formula_film;
 use crate::reference_solution::{ReferenceContact, ReferenceError, rheology};
-use asperity_case::case::LoadedCase;
+use asperity_case::case::OperatingCase;
 use asperity_case::flanks::{Roughness, Surfaces, Texture};
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, InletSupply, LoadShareError, LoadShareSettings,
@@ -73,7 +73,7 @@ pub struct ComparedWindow {
 /// # Errors
 /// When a window leaves its trace, a rough contact does not converge or a law refuses the numbers.
 pub fn shares(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     contact: &ReferenceContact,
     record: &Record,
 ) -> Result<ShareComparison, ReferenceError> {
@@ -140,7 +140,7 @@ fn reference_share(record: &Record) -> f64 {
 /// # Errors
 /// When the roughness of a trace is not finite.
 pub fn share_settings(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     contact: &ReferenceContact,
 ) -> Result<LoadShareSettings, ReferenceError> {
     let model = &loaded.case.model;
@@ -167,12 +167,12 @@ pub fn share_settings(
 
 /// Load share and friction of the windows, with Ψ of the inlet from both whole traces.
 fn solved(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     contact: &ReferenceContact,
     windows: &[ComparedWindow],
     settings: &LoadShareSettings,
 ) -> Result<Vec<LoadShareSolution>, ReferenceError> {
-    let case = &loaded.case;
+    let case = loaded;
     let line = contact.position.line_contact(case.modulus, case.materials);
     let rheology = rheology(case)?;
     let formula = formula_film(case, &contact.position)?;
@@ -180,7 +180,7 @@ fn solved(
         central: formula.film.central,
         thermal_factor: formula.thermal_reduction,
     };
-    let mut film = PositionFilm::with_film(&rheology, &line, case.temperature, settings, smooth)?;
+    let mut film = PositionFilm::with_film(&rheology, &line, case.temperature(), settings, smooth)?;
     let spectrum = |trace: &Profile| TraceSpectrum::new(trace.heights(), trace.spacing());
     let [first, second] = contact.traces.each_ref().map(spectrum);
     let spectra = [&first?, &second?];
@@ -198,7 +198,7 @@ fn solved(
 /// # Errors
 /// When a window leaves its trace or a rough contact does not converge.
 pub fn compared_windows(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     contact: &ReferenceContact,
     count: usize,
 ) -> Result<Vec<ComparedWindow>, ReferenceError> {
@@ -227,11 +227,11 @@ pub fn points_of_window(contact: &ReferenceContact) -> usize {
 /// # Errors
 /// When a window leaves its trace or a rough contact does not converge.
 pub fn windows_at(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     contact: &ReferenceContact,
     starts: &[[usize; 2]],
 ) -> Result<Vec<ComparedWindow>, ReferenceError> {
-    let case = &loaded.case;
+    let case = loaded;
     let line = contact.position.line_contact(case.modulus, case.materials);
     let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
     let spacing = contact.traces[0].spacing();
@@ -279,14 +279,14 @@ pub fn windows_at(
 
 /// Mean solid share of a law of Λ* or of the classical film ratio; none where a window has no Λ* to decide by.
 fn mean_share(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     contact: &ReferenceContact,
     windows: &[ComparedWindow],
     law: LoadShareLaw,
 ) -> Result<Option<f64>, ReferenceError> {
-    let laws = ChosenLaws::of(&loaded.case);
+    let laws = ChosenLaws::of(loaded);
     let position = &contact.position;
-    let film = formula_film(&loaded.case, position)?.film;
+    let film = formula_film(loaded, position)?.film;
     let mut sum = 0.0;
     for window in windows {
         let combined = window.roughness.combined_rq()?;
@@ -300,11 +300,11 @@ fn mean_share(
 }
 
 fn regression(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     contact: &ReferenceContact,
     windows: &[ComparedWindow],
 ) -> Result<f64, ReferenceError> {
-    let case = &loaded.case;
+    let case = loaded;
     let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
     let film = formula_film(case, &contact.position)?.conditions;
     let mut sum = 0.0;

@@ -29,7 +29,7 @@ use super::rough_film::RoughFilm;
 use crate::contacts::{Pressing, WindowContact};
 use crate::mesh::MeshPosition;
 use crate::records::{PathRecords, RecordedShare};
-use asperity_case::case::{Case, FullFilmName};
+use asperity_case::case::{FullFilmName, OperatingCase};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, WindowPair};
 use asperity_case::formula_film::FormulaFilm;
@@ -56,7 +56,7 @@ pub(crate) struct PositionGradient {
 /// Everything that is the same at all positions.
 #[derive(Clone, Copy)]
 pub(crate) struct Lubrication<'a> {
-    pub case: &'a Case,
+    pub case: &'a OperatingCase,
     pub laws: &'a ChosenLaws,
     pub surfaces: &'a Surfaces,
     /// Records of mixed lubrication along the path.
@@ -311,7 +311,7 @@ impl Lubrication<'_> {
             materials: &case.materials,
             flow_pressure: case.flow_pressure,
             modulus: case.modulus,
-            oil: &case.oil,
+            oil: case.oil(),
             model: &case.model,
         };
         let pressed = match is_full {

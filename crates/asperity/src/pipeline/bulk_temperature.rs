@@ -13,25 +13,24 @@ use asperity_tribo_friction::flash::heat_share;
 
 use crate::mesh::Mesh;
 use crate::result::Losses;
-use asperity_case::case::{BulkModel, BulkReport, FoundBulk, LoadedCase, Lubrication};
+use asperity_case::case::{BulkModel, BulkReport, LoadedCase, Lubrication, OperatingCase};
 use asperity_case::error::{Error, PositionError};
-use asperity_uncertainty::at_temperature;
 
-/// The case at the bulk temperature of `model`; `losses` computes a case whose bulk temperature is stated, and `mesh` its mesh.
+/// The case at the bulk temperature of `model`; `losses` computes a case at a bulk temperature, and `mesh` its mesh.
 /// A hotter equilibrium is sought if `seeks_hotter` is set.
 pub(crate) fn settle(
     loaded: &LoadedCase,
     model: BulkModel,
     mesh: impl Fn(&LoadedCase) -> Result<Mesh, PositionError>,
-    losses: impl Fn(&LoadedCase) -> Result<Losses, Error>,
+    losses: impl Fn(&OperatingCase) -> Result<Losses, Error>,
     seeks_hotter: bool,
-) -> Result<LoadedCase, Error> {
+) -> Result<OperatingCase, Error> {
     let used = Provenance::new();
     let law = used.collect(|| Law::of(loaded, model, mesh));
     let law = law.map_err(Box::new)?;
-    let oil = loaded.case.temperature;
+    let oil = loaded.case.stated_temperature;
     let made = |bulk: Temperature| {
-        let losses = losses(&at_temperature(loaded, bulk)?)?;
+        let losses = losses(&loaded.at(bulk)?)?;
         let [pinion, wheel] = law
             .rises(Power::from_si(losses.summary.loss_w))
             .map_err(Box::new)?;
@@ -41,12 +40,8 @@ pub(crate) fn settle(
         true => fixed_point(oil, made),
         false => lowest_fixed_point(oil, made),
     })?;
-    let mut settled = at_temperature(loaded, found.temperature)?;
+    let settled = loaded.at_found(found.temperature, law.report(oil, &found))?;
     settled.provenance.include(&used);
-    settled.case.found_bulk = Some(FoundBulk {
-        stated: Box::new(loaded.case.input.clone()),
-        report: law.report(oil, &found),
-    });
     Ok(settled)
 }
 

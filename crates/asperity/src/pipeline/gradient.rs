@@ -15,14 +15,13 @@ use asperity_roughness::resampling::respaced_gradient;
 use rayon::prelude::*;
 
 use super::bulk_temperature::rise_exponent;
-use super::stages::{Stages, losses_with, sampled, warmed};
+use super::stages::{Stages, losses_at, sampled, warmed};
 use crate::contacts::Contacts;
 use crate::lubrication::PositionGradient;
 use crate::mesh::numbered;
 use crate::result::Losses;
-use asperity_case::case::{LoadShareName, LoadedCase};
+use asperity_case::case::{LoadShareName, LoadedCase, OperatingCase};
 use asperity_case::error::{Error, PositionError};
-use asperity_uncertainty::at_temperature;
 
 /// Step of the difference quotient of the loss over the bulk temperature \[K\].
 const TEMPERATURE_STEP: f64 = 0.1;
@@ -150,8 +149,7 @@ pub fn mean_along([before, half, after]: [&[Vec<f64>]; 3]) -> Vec<Vec<f64>> {
 
 fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGradient, Error> {
     refuse(loaded).map_err(Box::new)?;
-    let mut exact = loaded.clone();
-    exact.case.laws.exact_contacts = true;
+    let exact = loaded.overridden(|over| over.exact_contacts = true)?;
     let used = Provenance::new();
     let (sampled, contacts) = used.collect(|| sampled(&exact, known, &[]))?;
     let warm = warmed(&sampled, &contacts, false)?;
@@ -177,7 +175,7 @@ fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGrad
         .sum();
     let losses = stages.summed(|| stages.solved(positions)?.losses())?;
     cite!("Loss-gradient");
-    let heat_balance = heat_balance((&sampled, &warm), &contacts, &losses)?;
+    let heat_balance = heat_balance(&warm, &contacts, &losses)?;
     let positions: Vec<_> = found.into_iter().flatten().collect();
     let spectra = warm.surfaces.whole_spectra().map_err(Box::new)?;
     let of_position = |at: &PositionGradient| {
@@ -197,8 +195,8 @@ fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGrad
     drop(stages);
     drop(warm);
     let contacts = contacts.into_owned();
-    let mut case = sampled.into_owned();
-    case.case.input.model.offsets = Some(case.case.model.offsets);
+    let offsets = contacts.offsets();
+    let case = sampled.overridden(|over| over.offsets = Some(offsets))?;
     Ok(LossGradient {
         by_height,
         losses,
@@ -211,22 +209,18 @@ fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGrad
     })
 }
 
-/// 1/(1 − n (∂P/∂T) (T_b − T_oil)/P) of a case as stated and at its bulk temperature.
-fn heat_balance(
-    (stated, warm): (&LoadedCase, &LoadedCase),
-    contacts: &Contacts,
-    losses: &Losses,
-) -> Result<f64, Error> {
-    let (Some(found), Some(law)) = (&warm.case.found_bulk, stated.case.bulk) else {
+/// 1/(1 − n (∂P/∂T) (T_b − T_oil)/P) of a case at its bulk temperature; 1 where that is stated.
+fn heat_balance(warm: &OperatingCase, contacts: &Contacts, losses: &Losses) -> Result<f64, Error> {
+    let (Some(found), Some(law)) = (warm.bulk_report(), warm.bulk) else {
         return Ok(1.0);
     };
     let loss = |step: f64| {
-        let bulk = Temperature::from_si(warm.case.temperature.si() + step);
-        let losses = losses_with(contacts, &at_temperature(warm, bulk)?)?;
+        let bulk = Temperature::from_si(warm.temperature().si() + step);
+        let losses = losses_at(contacts, &warm.loaded().at(bulk)?)?;
         Ok::<f64, Error>(losses.summary.loss_w)
     };
     let slope = (loss(TEMPERATURE_STEP)? - loss(-TEMPERATURE_STEP)?) / (2.0 * TEMPERATURE_STEP);
-    let rise = rise_exponent(law) * (found.report.bulk_c - found.report.oil_c);
+    let rise = rise_exponent(law) * (found.bulk_c - found.oil_c);
     Ok(1.0 / (1.0 - slope * rise / losses.summary.loss_w))
 }
 
@@ -322,10 +316,8 @@ mod tests {
     /// The case with other heights.
     fn with_heights(case: &LoadedCase, heights: [Vec<f64>; 2]) -> LoadedCase {
         let spacing = case.surfaces.traces().unwrap()[0].spacing();
-        let mut changed = case.clone();
         let traces = heights.map(|z| Profile::new(spacing, z).unwrap());
-        changed.surfaces = changed.surfaces.with_traces(traces);
-        changed
+        case.with_surfaces(case.surfaces.with_traces(traces))
     }
 
     /// The case with a trace moved by `step` times `shape`.
@@ -380,7 +372,8 @@ mod tests {
     /// The contacts of all windows that touch.
     fn row_contacts(case: &LoadedCase) -> Vec<RowContact> {
         let (sampled, contacts) = sampled(case, None, &[]).unwrap();
-        let stages = Stages::of(&sampled, &contacts, &|_, _| {}, Provenance::new()).unwrap();
+        let stated = sampled.at_stated().unwrap();
+        let stages = Stages::of(&stated, &contacts, &|_, _| {}, Provenance::new()).unwrap();
         let points = case.surfaces.traces().unwrap().map(Profile::len);
         let mut found = Vec::new();
         for (number, position) in stages.lubricated().unwrap().iter().enumerate() {
@@ -525,9 +518,10 @@ mod tests {
         let few = |input: &mut CaseInput| {
             (input.model.positions, input.model.offsets) = (Some(4), Some(2));
         };
-        let mut loaded = load_holding(source, folder, &held, &[], &few).unwrap();
-        loaded.case.laws.exact_contacts = true;
+        let loaded = load_holding(source, folder, &held, &[], &few).unwrap();
         loaded
+            .overridden(|over| over.exact_contacts = true)
+            .unwrap()
     }
 
     #[test]
@@ -535,7 +529,7 @@ mod tests {
         /// Height of the bumps: cells that enter a contact within 1 nm would count.
         const STEP: f64 = 1e-10;
         let spacing = asperity_core::quantity::Length::from_si;
-        let files = e_drive(&[]).flanks;
+        let files = e_drive(&[]).flanks.clone();
         // The wheel is mirrored, and resampled after its preparation.
         let traces = [(0, 0.5e-6), (1, 0.7e-6)].map(|(body, dx): (usize, f64)| {
             resampled(files[body].trace.as_ref().unwrap(), spacing(dx)).unwrap()

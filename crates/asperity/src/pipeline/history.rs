@@ -8,7 +8,7 @@ use crate::contacts::running_in::{
 };
 use crate::mesh::Mesh;
 use crate::result::{FlankHeights, RunInStep};
-use asperity_case::case::{LoadedCase, RunningInPlan};
+use asperity_case::case::{OperatingCase, RunningInPlan};
 use asperity_case::error::Error;
 use asperity_case::flanks::Surfaces;
 
@@ -68,23 +68,22 @@ pub struct History {
 
 /// Case and meshes of a history.
 struct Course<'a> {
-    loaded: &'a LoadedCase,
+    case: &'a OperatingCase,
     /// Mesh at the torque of the case.
     mesh: &'a Mesh,
     /// Mesh at the torque of the running-in, if it is another.
     running: Option<&'a Mesh>,
 }
 
-/// The history of the flanks of a case whose bulk temperature is known; `each` is called after each state.
+/// The history of the flanks of a case at its bulk temperature; `each` is called after each state.
 ///
 /// # Errors
 /// When a flank has no trace, or a contact or a film no solution.
 pub fn history(
-    loaded: &LoadedCase,
+    case: &OperatingCase,
     settings: &HistorySettings,
     each: &dyn Fn(&HistoryState),
 ) -> Result<History, Error> {
-    let case = &loaded.case;
     let mesh = Mesh::of(case).map_err(Box::new)?;
     let RunningInPlan {
         torque,
@@ -93,12 +92,12 @@ pub fn history(
     let running = (torque != case.torque).then(|| Mesh::at_torque(case, torque));
     let running = running.transpose().map_err(Box::new)?;
     let course = Course {
-        loaded,
+        case,
         mesh: &mesh,
         running: running.as_ref(),
     };
     let positions = &running.as_ref().unwrap_or(&mesh).positions;
-    let found = tracks(case, &loaded.surfaces, positions).map_err(Box::new)?;
+    let found = tracks(case, &case.surfaces, positions).map_err(Box::new)?;
     let (fresh, _) = course.state(&found, (0.0, 0.0))?;
     each(&fresh);
     let measured = fresh.heights.rq_um;
@@ -180,8 +179,8 @@ impl Course<'_> {
         tracks: &[Track<'_>],
         (engagements, worn): (f64, f64),
     ) -> Result<(HistoryState, OnFlanks), Error> {
-        let surfaces = surfaces(&self.loaded.surfaces, tracks).map_err(Box::new)?;
-        let of_case = on_flanks(self.loaded, &surfaces, self.mesh)?;
+        let surfaces = surfaces(&self.case.surfaces, tracks).map_err(Box::new)?;
+        let of_case = on_flanks(self.case, &surfaces, self.mesh)?;
         let state = HistoryState {
             engagements,
             worn,
@@ -193,7 +192,7 @@ impl Course<'_> {
             surfaces,
         };
         let film = match self.running {
-            Some(mesh) => on_flanks(self.loaded, &state.surfaces, mesh)?,
+            Some(mesh) => on_flanks(self.case, &state.surfaces, mesh)?,
             None => of_case,
         };
         Ok((state, film))

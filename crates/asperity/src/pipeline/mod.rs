@@ -30,7 +30,7 @@ pub use kept_fields::KeptFields;
 pub use scan_use::{ScanUse, less_of_scans};
 pub use stages::{
     Progress, check, chooses_offsets, coldest_losses_with, contacts, contacts_beside, losses,
-    losses_with, settled,
+    losses_at, losses_with, settled,
 };
 pub use store::ContactStore;
 pub use survey::{RegimeRow, survey};

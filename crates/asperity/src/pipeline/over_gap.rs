@@ -6,7 +6,7 @@ use asperity_core::quantity::Length;
 use super::stages::Stages;
 use crate::contacts::Contacts;
 use crate::lubrication::RoughFilm;
-use asperity_case::case::LoadedCase;
+use asperity_case::case::OperatingCase;
 use asperity_case::error::{Error, PositionError};
 
 /// Number of gaps.
@@ -33,11 +33,11 @@ pub(crate) struct OverGap {
 /// # Errors
 /// When a contact has no solution.
 pub(crate) fn over_gap(
-    (loaded, contacts): (&LoadedCase, &Contacts),
+    (case, contacts): (&OperatingCase, &Contacts),
     number: usize,
     gaps: Option<&[Length]>,
 ) -> Result<Option<OverGap>, Error> {
-    let stages = Stages::of(loaded, contacts, &|_, _| {}, Provenance::new())?;
+    let stages = Stages::of(case, contacts, &|_, _| {}, Provenance::new())?;
     Ok(at_position(&stages, number, gaps).map_err(Box::new)?)
 }
 

@@ -24,7 +24,7 @@ use crate::mesh::{Mesh, MeshInputs, MeshPosition, numbered};
 use crate::pictures::Picture;
 use crate::records::PathRecords;
 use crate::result::{Losses, Outcome, RunInFlanks, Summary};
-use asperity_case::case::{Case, LoadShareName, LoadedCase, Positions};
+use asperity_case::case::{Alternative, Case, LoadShareName, LoadedCase, OperatingCase, Positions};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::flanks::placement::check_coverage;
 use asperity_case::flanks::{Surfaces, is_substituted};
@@ -51,10 +51,11 @@ pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 /// # Ok::<(), asperity::Error>(())
 /// ```
 pub fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
+    let stated = &loaded.at_stated()?;
     let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
     let firsts = |position: &MeshPosition| {
         check_mesh_position(position)?;
-        let film = plausible_film(&loaded.case, position)?;
+        let film = plausible_film(stated, position)?;
         WindowContact::check(loaded, position)?;
         Ok(film)
     };
@@ -62,7 +63,7 @@ pub fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
     if let Some(plan) = &loaded.case.running_in {
         running_in::check(&loaded.case, &loaded.surfaces, plan).map_err(Box::new)?;
     }
-    Ok(warnings_of_case(loaded, &mesh, &films).map_err(Box::new)?)
+    Ok(warnings_of_case(stated, &mesh, &films).map_err(Box::new)?)
 }
 
 /// The mesh of a case on traces that cover it, under the load of `contacts` if that is known.
@@ -113,7 +114,7 @@ pub(super) fn sampled<'a>(
             Cow::Owned(contacts_of(loaded, &mesh, others.iter())?)
         }
     };
-    Ok((with_offsets(loaded, contacts.offsets()), contacts))
+    Ok((with_offsets(loaded, contacts.offsets())?, contacts))
 }
 
 /// The contacts of `loaded`, with the load of `mesh` over the flanks.
@@ -133,18 +134,12 @@ pub fn chooses_offsets(loaded: &LoadedCase) -> bool {
 }
 
 /// `loaded` with this number of offsets.
-fn with_offsets(loaded: &LoadedCase, offsets: usize) -> Cow<'_, LoadedCase> {
+fn with_offsets(loaded: &LoadedCase, offsets: usize) -> Result<Cow<'_, LoadedCase>, Error> {
     if offsets == loaded.case.model.offsets {
-        return Cow::Borrowed(loaded);
+        return Ok(Cow::Borrowed(loaded));
     }
-    let mut more = loaded.clone();
-    more.case.model.offsets = offsets;
-    for used in &mut more.case.defaults {
-        if used.key == "model.offsets" {
-            used.value = offsets.to_string();
-        }
-    }
-    Cow::Owned(more)
+    let more = loaded.overridden(|over| over.offsets = Some(offsets))?;
+    Ok(Cow::Owned(more))
 }
 
 /// Losses of a case. They equal the losses of a whole run to the last digit.
@@ -179,8 +174,21 @@ pub fn losses_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<Losses, E
     losses_of(loaded, Some(contacts), &|_, _| {})
 }
 
-/// The case at its equilibrium bulk temperature, with rough contacts computed before, if any; the case itself if its
-/// temperature is stated.
+/// Losses of a case at a bulk temperature, with rough contacts that were computed before, as [`losses_with`].
+///
+/// # Errors
+/// As [`losses_with`].
+pub fn losses_at(contacts: &Contacts, case: &OperatingCase) -> Result<Losses, Error> {
+    contacts.check(case).map_err(Box::new)?;
+    let used = Provenance::new();
+    let case = match contacts.offsets() == case.model.offsets {
+        true => Cow::Borrowed(case),
+        false => Cow::Owned(case.overridden(|over| over.offsets = Some(contacts.offsets()))?),
+    };
+    losses_of_stages((&case, contacts), &|_, _| {}, used)
+}
+
+/// The case at its bulk temperature, stated or in equilibrium with its loss, with rough contacts computed before, if any.
 ///
 /// ```
 /// use asperity::{case, pipeline};
@@ -188,28 +196,25 @@ pub fn losses_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<Losses, E
 /// let case = case::load_with(file, &|input| {
 ///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
 /// })?;
-/// assert!(pipeline::settled(&case, None)?.case.found_bulk.is_none());
+/// assert!(pipeline::settled(&case, None)?.bulk_report().is_none());
 /// let unknown = case.with(|input| {
 ///     let _ = input.set("operation.oil_temperature", "90 °C");
 ///     let _ = input.set("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#);
 /// })?;
 /// let settled = pipeline::settled(&unknown, None)?;
-/// let bulk = settled.case.found_bulk.as_ref().ok_or("it is computed")?;
-/// assert!(bulk.report.bulk_c > bulk.report.oil_c + 5.0);
+/// let bulk = settled.bulk_report().ok_or("it is computed")?;
+/// assert!(bulk.bulk_c > bulk.oil_c + 5.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// As [`losses`], and when the temperature does not settle.
-pub fn settled<'a>(
-    loaded: &'a LoadedCase,
-    known: Option<&Contacts>,
-) -> Result<Cow<'a, LoadedCase>, Error> {
+pub fn settled(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<OperatingCase, Error> {
     if loaded.case.bulk.is_none() {
-        return Ok(Cow::Borrowed(loaded));
+        return loaded.at_stated();
     }
     let (sampled, contacts) = sampled(loaded, known, &[])?;
-    Ok(Cow::Owned(warmed(&sampled, &contacts, true)?.into_owned()))
+    warmed(&sampled, &contacts, true)
 }
 
 /// The losses of a case with contacts computed before, as [`losses_with`] gives them, without a search for a hotter
@@ -220,21 +225,21 @@ pub fn settled<'a>(
 pub fn coldest_losses_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<Losses, Error> {
     let (sampled, contacts) = sampled(loaded, Some(contacts), &[])?;
     let warmed = warmed(&sampled, &contacts, false)?;
-    losses_with(&contacts, &warmed)
+    losses_at(&contacts, &warmed)
 }
 
-/// The case at its equilibrium bulk temperature, with its contacts; a hotter one is sought if `seeks_hotter` is set.
-pub(super) fn warmed<'a>(
-    loaded: &'a LoadedCase,
+/// The case at its bulk temperature, with its contacts; a hotter equilibrium is sought if `seeks_hotter` is set.
+pub(super) fn warmed(
+    loaded: &LoadedCase,
     contacts: &Contacts,
     seeks_hotter: bool,
-) -> Result<Cow<'a, LoadedCase>, Error> {
+) -> Result<OperatingCase, Error> {
     let Some(model) = loaded.case.bulk else {
-        return Ok(Cow::Borrowed(loaded));
+        return loaded.at_stated();
     };
-    let losses = |case: &LoadedCase| losses_with(contacts, case);
+    let losses = |case: &OperatingCase| losses_at(contacts, case);
     let mesh = |case: &LoadedCase| placed_mesh(case, Some(contacts));
-    bulk_temperature::settle(loaded, model, mesh, losses, seeks_hotter).map(Cow::Owned)
+    bulk_temperature::settle(loaded, model, mesh, losses, seeks_hotter)
 }
 
 pub(crate) fn losses_of(
@@ -245,7 +250,15 @@ pub(crate) fn losses_of(
     let used = Provenance::new();
     let (sampled, contacts) = used.collect(|| sampled(loaded, known, &[]))?;
     let warmed = warmed(&sampled, &contacts, true)?;
-    let stages = Stages::of(&warmed, &contacts, progress, used)?;
+    losses_of_stages((&warmed, &contacts), progress, used)
+}
+
+fn losses_of_stages(
+    (case, contacts): (&OperatingCase, &Contacts),
+    progress: Progress<'_>,
+    used: Provenance,
+) -> Result<Losses, Error> {
+    let stages = Stages::of(case, contacts, progress, used)?;
     let positions = stages.lubricated()?;
     let mut losses = stages.summed(|| stages.solved(positions)?.losses())?;
     losses.run_in = stages.run_in()?;
@@ -260,7 +273,7 @@ pub(crate) fn outcome(
     pictures: Option<&KeptFields>,
     others: &[Contacts],
     progress: Progress<'_>,
-) -> Result<(Outcome, LoadedCase, Contacts), Error> {
+) -> Result<(Outcome, OperatingCase, Contacts), Error> {
     let used = Provenance::new();
     let (sampled, contacts) = used.collect(|| sampled(loaded, None, others))?;
     let warmed = warmed(&sampled, &contacts, true)?;
@@ -288,17 +301,16 @@ pub(crate) fn outcome(
     let tags = stages.tags();
     (result.equations, result.references) = (equations_used(&tags), sources_used(&tags));
     drop(stages);
-    Ok((outcome, warmed.into_owned(), contacts.into_owned()))
+    Ok((outcome, warmed, contacts.into_owned()))
 }
 
-/// The case by the fast model, with β_i as it is: records of mixed lubrication have no spots.
-pub(crate) fn by_solved_contacts(loaded: &LoadedCase) -> LoadedCase {
-    let mut fast = loaded.clone();
-    let (model, input) = (&mut fast.case.model, &mut fast.case.input.model);
-    model.load_share = LoadShareName::Solved;
-    input.inner_boundary = Some(model.inner_boundary);
-    fast.case.running_in = None;
-    fast
+/// The flanks as measured of the case by the fast model, with β_i as it is: records of mixed lubrication have no spots.
+pub(crate) fn by_solved_contacts(case: &OperatingCase) -> Result<OperatingCase, Error> {
+    case.overridden(|over| {
+        over.alternative = Some(Alternative::LoadShare(LoadShareName::Solved));
+        over.inner_boundary = Some(case.model.inner_boundary);
+        over.as_measured = true;
+    })
 }
 
 /// Sliding loss at the lay of the flanks over the loss with ridges across rolling, which records of mixed lubrication have.
@@ -308,17 +320,17 @@ pub(crate) fn by_solved_contacts(loaded: &LoadedCase) -> LoadedCase {
 /// ```
 ///
 /// S_fast: sliding loss by the fast model \[W\]; θ₀: constants at their medians.
-fn friction_of_lay(loaded: &LoadedCase) -> Result<f64, Error> {
+fn friction_of_lay(case: &OperatingCase) -> Result<f64, Error> {
     cite!("Record-lay");
-    let mut case = by_solved_contacts(loaded);
-    let lay = case.surfaces.lay(case.case.model.lay).map_err(Box::new)?;
+    let case = by_solved_contacts(case)?;
+    let lay = case.surfaces.lay(case.model.lay).map_err(Box::new)?;
     if lay == Lay::ACROSS {
         return Ok(1.0);
     }
     let contacts = contacts(&case)?;
-    let own = losses_with(&contacts, &case)?.summary.sliding_w;
-    case.case.model.lay = [Lay::ACROSS; 2];
-    let across = losses_with(&contacts, &case)?.summary.sliding_w;
+    let own = losses_at(&contacts, &case)?.summary.sliding_w;
+    let across = case.overridden(|over| over.lay = Some([Lay::ACROSS; 2]))?;
+    let across = losses_at(&contacts, &across)?.summary.sliding_w;
     Ok(if across > 0.0 { own / across } else { 1.0 })
 }
 
@@ -336,12 +348,11 @@ pub(super) struct OnFlanks {
 /// # Errors
 /// As [`losses`].
 pub(super) fn on_flanks(
-    loaded: &LoadedCase,
+    case: &OperatingCase,
     surfaces: &Surfaces,
     mesh: &Mesh,
 ) -> Result<OnFlanks, Error> {
-    let mut worn = loaded.clone();
-    worn.surfaces = surfaces.clone();
+    let worn = case.with_surfaces(surfaces.clone());
     let contacts = Cow::Owned(contacts_of(&worn, mesh, [].iter())?);
     let stages = Stages::on(&worn, mesh.clone(), contacts, &|_, _| {}, Provenance::new())?;
     let positions = stages.lubricated()?;
@@ -366,7 +377,7 @@ pub(super) fn on_flanks(
 
 /// The values of a run between its functions.
 pub(super) struct Stages<'a> {
-    loaded: &'a LoadedCase,
+    case: &'a OperatingCase,
     laws: ChosenLaws,
     pub mesh: Mesh,
     pub contacts: Cow<'a, Contacts>,
@@ -380,35 +391,35 @@ pub(super) struct Stages<'a> {
 
 impl<'a> Stages<'a> {
     pub fn of(
-        loaded: &'a LoadedCase,
+        case: &'a OperatingCase,
         contacts: &'a Contacts,
         progress: Progress<'a>,
         used: Provenance,
     ) -> Result<Self, Error> {
         let mesh = used
-            .collect(|| placed_mesh(loaded, Some(contacts)))
+            .collect(|| placed_mesh(case, Some(contacts)))
             .map_err(Box::new)?;
-        Self::on(loaded, mesh, Cow::Borrowed(contacts), progress, used)
+        Self::on(case, mesh, Cow::Borrowed(contacts), progress, used)
     }
 
     /// The stages on flanks whose contacts are known, with their records.
     fn on(
-        loaded: &'a LoadedCase,
+        case: &'a OperatingCase,
         mesh: Mesh,
         contacts: Cow<'a, Contacts>,
         progress: Progress<'a>,
         used: Provenance,
     ) -> Result<Self, Error> {
-        let laws = ChosenLaws::of(&loaded.case);
-        let later = RunInSteps::of(&loaded.case);
+        let laws = ChosenLaws::of(case);
+        let later = RunInSteps::of(case);
         let shown = |done, total| progress(done, total + later.after(total));
-        let records = || records_of(loaded, &laws, &mesh.positions, &shown);
+        let records = || records_of(case, &laws, &mesh.positions, &shown);
         let (mut records, record_count) = used.collect(records).map_err(Box::new)?;
         if let Some(records) = records.as_mut().filter(|_| laws.load_share.needs_records()) {
-            records.of_lay = used.collect(|| friction_of_lay(loaded))?;
+            records.of_lay = used.collect(|| friction_of_lay(case))?;
         }
         Ok(Self {
-            loaded,
+            case,
             laws,
             mesh,
             contacts,
@@ -421,9 +432,9 @@ impl<'a> Stages<'a> {
 
     pub fn lubrication(&self) -> Lubrication<'_> {
         Lubrication {
-            case: &self.loaded.case,
+            case: self.case,
             laws: &self.laws,
-            surfaces: &self.loaded.surfaces,
+            surfaces: &self.case.surfaces,
             records: self.records.as_ref(),
         }
     }
@@ -431,7 +442,7 @@ impl<'a> Stages<'a> {
     /// Film, load share and friction of every position, in parallel.
     pub fn lubricated(&self) -> Result<Vec<LubricatedPosition>, Error> {
         let lubrication = self.lubrication();
-        let case = &self.loaded.case;
+        let case = self.case;
         let done = AtomicUsize::new(self.record_count);
         let count = self.record_count + self.mesh.positions.len();
         let later = RunInSteps::of(case).after(count);
@@ -483,7 +494,7 @@ impl<'a> Stages<'a> {
     /// the traces do not resolve, as another law would give the load share there, and points whose window is
     /// longer than the traces.
     fn points(&self) -> Result<Vec<(&'static str, LubricatedPosition)>, PositionError> {
-        let (loaded, case) = (self.loaded, &self.loaded.case);
+        let case = self.case;
         if case.formulation.positions() == Positions::Single {
             return Ok(Vec::new());
         }
@@ -492,7 +503,7 @@ impl<'a> Stages<'a> {
             .mesh
             .named_points(case)?
             .into_iter()
-            .filter(|(_, at)| !is_substituted(&loaded.surfaces, at))
+            .filter(|(_, at)| !is_substituted(&case.surfaces, at))
             .collect();
         let solve = |(name, at): &(&'static str, MeshPosition)| {
             self.used.collect(|| {
@@ -514,12 +525,7 @@ impl<'a> Stages<'a> {
 
     /// The positions with their sums over the path.
     pub fn solved(&self, positions: Vec<LubricatedPosition>) -> Result<Solved<'_>, PositionError> {
-        Solved::new(
-            self.loaded,
-            &self.mesh.load,
-            positions,
-            self.records.as_ref(),
-        )
+        Solved::new(self.case, &self.mesh.load, positions, self.records.as_ref())
     }
 
     /// The result of `sums` with its equations noted.
@@ -529,14 +535,14 @@ impl<'a> Stages<'a> {
 
     /// Tags of the equations that preparation and run used.
     fn tags(&self) -> BTreeSet<&'static str> {
-        let mut tags = self.loaded.provenance.tags();
+        let mut tags = self.case.provenance.tags();
         tags.extend(self.used.tags());
         tags
     }
 
     /// The flanks of the case run in and what the mesh then loses, if the case requests it.
     fn run_in(&self) -> Result<Option<RunInFlanks>, Error> {
-        let case = &self.loaded.case;
+        let case = self.case;
         let Some(plan) = &case.running_in else {
             return Ok(None);
         };
@@ -544,11 +550,10 @@ impl<'a> Stages<'a> {
         let before = measured + running_in::MAX_STEPS;
         let total = before + measured;
         let cycle = |number| (self.progress)(measured + number, total);
-        let flanks = || running_in::run_in(case, &self.loaded.surfaces, plan, &cycle);
+        let flanks = || running_in::run_in(case, &case.surfaces, plan, &cycle);
         let ran_in = self.summed(flanks)?;
-        let mut worn = self.loaded.clone();
-        worn.surfaces = ran_in.surfaces.clone();
-        worn.case.input.model.offsets = Some(self.contacts.offsets());
+        let worn = case.overridden(|over| over.offsets = Some(self.contacts.offsets()))?;
+        let worn = worn.with_surfaces(ran_in.surfaces.clone());
         let shown = |done, _| (self.progress)(before + done, total);
         let mesh = self.mesh.clone();
         let contacts = Cow::Owned(self.used.collect(|| contacts_of(&worn, &mesh, [].iter()))?);
@@ -612,9 +617,9 @@ mod tests {
     #[test]
     fn a_film_that_cannot_be_is_refused_by_check_survey_and_run_alike() {
         let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
-        let mut case = load_with(file, &|input| input.model.positions = Some(4)).unwrap();
+        let case = load_with(file, &|input| input.model.positions = Some(4)).unwrap();
         check(&case).unwrap();
-        case.case = case.case.with_film_law(Arc::new(NoFilm));
+        let case = case.with_laws(|laws| laws.film = Some(Arc::new(NoFilm)));
         assert_eq!(losses(&case).unwrap_err().code(), Code::E308);
         assert_eq!(check(&case).unwrap_err().code(), Code::E308);
         assert_eq!(survey(&case).unwrap_err().code(), Code::E308);

@@ -48,7 +48,7 @@ pub struct RegimeRow {
 pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, Error> {
     let (sampled, contacts) = sampled(loaded, None, &[])?;
     let warmed = warmed(&sampled, &contacts, true)?;
-    let case = &warmed.case;
+    let case = &warmed;
     let stages = Stages::of(&warmed, &contacts, &|_, _| {}, Provenance::new())?;
     let rows = stages.mesh.positions.iter().map(|at| {
         let (film, decisions) = stages

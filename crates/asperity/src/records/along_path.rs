@@ -13,7 +13,7 @@ use super::store::RecordStore;
 use crate::mesh::{MeshPosition, Resolution};
 use crate::reference_solution::{Inlet, ReferenceContact, ReferenceError, ReferenceSettings};
 use crate::result::RecordedFriction;
-use asperity_case::case::LoadedCase;
+use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{AVERAGING_WIDTH, is_substituted};
 use asperity_case::recorded_share::RecordedShare;
@@ -45,12 +45,12 @@ impl PathRecords {
     /// # Errors
     /// When a record has no solution.
     pub(crate) fn solve(
-        loaded: &LoadedCase,
+        loaded: &OperatingCase,
         positions: &[MeshPosition],
         smooth: &(dyn Fn(&MeshPosition) -> Result<Option<f64>, PositionError> + Sync),
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Option<Self>, PositionError> {
-        let case = &loaded.case;
+        let case = loaded;
         if case.formulation.pressures().is_some() || !loaded.surfaces.are_measured() {
             return Ok(None);
         }
@@ -108,7 +108,7 @@ impl PathRecords {
     }
 
     /// Records that a run has to solve at most.
-    pub(crate) fn count(loaded: &LoadedCase, positions: &[MeshPosition]) -> usize {
+    pub(crate) fn count(loaded: &OperatingCase, positions: &[MeshPosition]) -> usize {
         chosen(loaded, positions).len()
     }
 
@@ -231,7 +231,7 @@ fn on_nodes(x: &[f64], of: &[f64], values: &[f64]) -> Vec<f64> {
 }
 
 /// MeshPositions of the records: evenly among those whose contact the traces resolve and that carry the loss.
-fn chosen(loaded: &LoadedCase, positions: &[MeshPosition]) -> Vec<MeshPosition> {
+fn chosen(loaded: &OperatingCase, positions: &[MeshPosition]) -> Vec<MeshPosition> {
     let carries = |position: &&MeshPosition| {
         position.resolution == Resolution::Required && !is_substituted(&loaded.surfaces, position)
     };
@@ -249,7 +249,7 @@ fn chosen(loaded: &LoadedCase, positions: &[MeshPosition]) -> Vec<MeshPosition> 
 }
 
 fn contacts(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     positions: &[MeshPosition],
 ) -> Result<Vec<ReferenceContact>, PositionError> {
     let choices = &loaded.case.model.ehl;

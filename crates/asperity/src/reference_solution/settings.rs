@@ -18,7 +18,7 @@ use asperity_roughness::gaussian_filter::{Ends, mean_line};
 use super::error::ReferenceError;
 use crate::contacts::running_in::run_in;
 use crate::mesh::{MeshPosition, position_at};
-use asperity_case::case::{Case, LoadedCase};
+use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::Texture;
 
@@ -129,19 +129,18 @@ impl ReferenceContact {
     /// the base
     /// oil is not known.
     pub fn of(
-        loaded: &LoadedCase,
+        loaded: &OperatingCase,
         path_fraction: f64,
         settings: &ReferenceSettings,
     ) -> Result<Self, ReferenceError> {
-        let case = &loaded.case;
+        let case = loaded;
         let path = case.gears.path();
         let position = position_at(case, path.a + (path.e - path.a) * path_fraction)?;
         let Some(plan) = &case.running_in else {
             return Self::at(loaded, position, settings);
         };
         let ran_in = run_in(case, &loaded.surfaces, plan, &|_| {})?;
-        let mut worn = loaded.clone();
-        worn.surfaces = ran_in.surfaces;
+        let worn = loaded.with_surfaces(ran_in.surfaces);
         Self::at(&worn, position, settings)
     }
 
@@ -150,11 +149,11 @@ impl ReferenceContact {
     /// # Errors
     /// As [`Self::of`].
     pub fn at(
-        loaded: &LoadedCase,
+        loaded: &OperatingCase,
         position: MeshPosition,
         settings: &ReferenceSettings,
     ) -> Result<Self, ReferenceError> {
-        let case = &loaded.case;
+        let case = loaded;
         let path = case.gears.path();
         let path_fraction = (position.s - path.a) / (path.e - path.a);
         loaded.surfaces.check_one_pair()?;
@@ -176,14 +175,14 @@ impl ReferenceContact {
             pressure_viscosity: oil.pressure_viscosity * constants.pressure_viscosity_factor,
             eyring_stress: stress,
             limiting_stress: constants.ambient_limit,
-            limiting_slope: constants.limiting_shear_at(case.temperature),
+            limiting_slope: constants.limiting_shear_at(case.temperature()),
             boundary_friction: case.model.boundary_friction,
             boundary_layer: case.model.boundary_layer,
         });
         record.heat = match settings.with_heat {
             true => Some(RecordHeat {
                 rheology: rheology.with_constants(constants)?,
-                bulk: case.temperature,
+                bulk: case.temperature(),
                 bodies: case.materials,
             }),
             false => None,
@@ -231,7 +230,7 @@ fn cells_for(length: Length, wave: Length) -> Result<usize, DomainError> {
 }
 
 /// Bodies and Newtonian oil of a mesh position, without its surfaces.
-pub(crate) fn smooth_contact(case: &Case, position: &MeshPosition) -> (LineContact, Oil) {
+pub(crate) fn smooth_contact(case: &OperatingCase, position: &MeshPosition) -> (LineContact, Oil) {
     (
         line_contact(case, position),
         oil_of(case, ShearLaw::Newtonian),
@@ -239,17 +238,17 @@ pub(crate) fn smooth_contact(case: &Case, position: &MeshPosition) -> (LineConta
 }
 
 /// The oil at the temperature of the case.
-fn oil_of(case: &Case, shear_law: ShearLaw) -> Oil {
+fn oil_of(case: &OperatingCase, shear_law: ShearLaw) -> Oil {
     Oil {
-        viscosity: case.oil.dynamic_viscosity,
-        pressure_viscosity: case.oil.pressure_viscosity,
+        viscosity: case.oil().dynamic_viscosity,
+        pressure_viscosity: case.oil().pressure_viscosity,
         viscosity_law: PressureViscosityLaw::Roelands { exponent: ROELANDS },
         density_law: DensityLaw::DowsonHigginson,
         shear_law,
     }
 }
 
-fn line_contact(case: &Case, position: &MeshPosition) -> LineContact {
+fn line_contact(case: &OperatingCase, position: &MeshPosition) -> LineContact {
     LineContact {
         radius: position.motion.radius,
         modulus: case.modulus,
@@ -260,8 +259,8 @@ fn line_contact(case: &Case, position: &MeshPosition) -> LineContact {
 }
 
 /// The oil in the film, from the case or the constants of its base oil.
-pub(crate) fn rheology(case: &Case) -> Result<FilmRheology, ReferenceError> {
-    match (&case.rheology, case.lubricant.base_oil()) {
+pub(crate) fn rheology(case: &OperatingCase) -> Result<FilmRheology, ReferenceError> {
+    match (case.rheology(), case.lubricant.base_oil()) {
         (Some(rheology), _) => Ok(rheology.clone()),
         (None, Some(base)) => Ok(FilmRheology::new(&case.lubricant, base)?),
         (None, None) => Err(ReferenceError::NoBaseOil),

@@ -10,7 +10,7 @@ use asperity_tribo_friction::boundary::{
 };
 use serde::{Deserialize, Serialize};
 
-use asperity_case::case::{CalibratedName, Case, FittedName};
+use asperity_case::case::{CalibratedName, Case, FittedName, OperatingCase};
 
 /// A constant of the oil's family, with what is known of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -37,8 +37,8 @@ impl FilmConstant {
 }
 
 /// The constants of the oil's family in use; none if neither film friction nor load share depends on it.
-pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, LubricantError> {
-    let (Some(_), Some(base)) = (&case.rheology, case.lubricant.base_oil()) else {
+pub(crate) fn film_constants(case: &OperatingCase) -> Result<Vec<FilmConstant>, LubricantError> {
+    let (Some(_), Some(base)) = (case.rheology(), case.lubricant.base_oil()) else {
         return Ok(Vec::new());
     };
     let given_conductivity = case.lubricant.given_thermal_conductivity().is_some();

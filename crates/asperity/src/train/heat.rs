@@ -116,7 +116,10 @@ pub(crate) fn warmed(loaded: &Train) -> Result<(Train, Option<FoundOil>), Error>
         let of_meshes = cases.zip(&contacts).map(of_mesh);
         let of_meshes = of_meshes.collect::<Result<Vec<Power>, Error>>()?;
         let meshes = train.loss(&of_meshes);
-        let oil = train.meshes().map(|mesh| mesh.case.case.temperature).next();
+        let oil = train
+            .meshes()
+            .map(|mesh| mesh.case.case.stated_temperature)
+            .next();
         let oil = oil.unwrap_or(heat.ambient);
         let operation = train.shafting.operation();
         let of_meshes = train.by_stage(&of_meshes);
@@ -126,7 +129,7 @@ pub(crate) fn warmed(loaded: &Train) -> Result<(Train, Option<FoundOil>), Error>
     };
     let start = loaded
         .meshes()
-        .map(|mesh| mesh.case.case.temperature)
+        .map(|mesh| mesh.case.case.stated_temperature)
         .next();
     let start = start.unwrap_or(heat.ambient);
     let found = fixed_point(start, |oil| {

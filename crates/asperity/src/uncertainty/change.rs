@@ -38,13 +38,16 @@ pub struct ChangeDraws {
 const OFFSETS: usize = 16;
 
 /// A case with the first of its offsets, and their contacts, which are shared with `contacts`.
-#[must_use]
-pub fn few_offsets_of(loaded: &LoadedCase, contacts: &Contacts) -> (LoadedCase, Contacts) {
+///
+/// # Errors
+/// When a value that is overridden is outside its domain.
+pub fn few_offsets_of(
+    loaded: &LoadedCase,
+    contacts: &Contacts,
+) -> Result<(LoadedCase, Contacts), Error> {
     let few = contacts.first(OFFSETS);
-    let mut case = loaded.clone();
-    case.case.model.offsets = few.offsets();
-    case.case.input.model.offsets = Some(few.offsets());
-    (case, few)
+    let case = loaded.overridden(|over| over.offsets = Some(few.offsets()))?;
+    Ok((case, few))
 }
 
 impl ChangeDraws {
@@ -66,7 +69,7 @@ impl ChangeDraws {
         let mut at_medians = 0.0;
         let mut lay = None;
         for ((loaded, contacts), sign) in cases.into_iter().zip([1.0, -1.0]) {
-            let (case, few) = few_offsets_of(loaded, contacts);
+            let (case, few) = few_offsets_of(loaded, contacts)?;
             let nominal = losses_with(&few, &case)?;
             // The ratios of two losses that are close have the windows of their difference.
             let windows = Windows {
@@ -207,8 +210,8 @@ mod tests {
         let heights =
             [&traces, &pressed].map(|both| both.each_ref().map(|one| one.heights().to_vec()));
         let before = gradient(&case).unwrap();
-        let mut changed = before.case.clone();
-        changed.surfaces = changed.surfaces.with_traces(pressed);
+        let surfaces = before.case.surfaces.with_traces(pressed);
+        let changed = before.case.with_surfaces(surfaces);
         let after = gradient(&changed).unwrap();
         let at_medians = watts([&before, &after], &heights);
         let drawn = [&before, &after].map(|found| {
@@ -223,8 +226,10 @@ mod tests {
             let ranged = ranged.unwrap();
             for z in [-Z_95, Z_95] {
                 let found = [&before, &after].map(|found| {
-                    let mut moved = found.case.clone();
-                    kind.set(&mut moved, ranged.at(z)).unwrap();
+                    let moved = found
+                        .case
+                        .overridden(|over| over.set(kind, ranged.at(z)))
+                        .unwrap();
                     gradient_with(&found.contacts, &moved).unwrap()
                 });
                 let expected = watts([&found[0], &found[1]], &heights) / at_medians;

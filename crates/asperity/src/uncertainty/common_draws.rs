@@ -14,7 +14,7 @@
 //! | inner spots, rolling loss, other rules of the model | the model | - |
 
 use asperity_case::case::LoadedCase;
-use asperity_uncertainty::{AXES, Common, Measured, Predictive, UncertainParameter};
+use asperity_uncertainty::{Common, Measured, Predictive, UncertainParameter};
 use serde::{Deserialize, Serialize};
 
 /// Correlation of a constant of two oils of one family. The sources state a range over the family, and not which part of it two
@@ -63,7 +63,8 @@ pub fn common_draws(
         let common = Common {
             flanks: number(&same_traces, |common| common.flanks),
             windows: number(&on_teeth, |common| common.windows),
-            constants: AXES.map(|kind| most(&|known| correlation(kind, *known, *own))),
+            constants: UncertainParameter::ALL
+                .map(|kind| most(&|known| correlation(kind, *known, *own))),
             model: match is_any(&same_traces) {
                 true => most(&|known| of_model(*known, *own)),
                 false => 1.0,
@@ -94,7 +95,9 @@ pub fn common_constants(
     let both = |is_drawn: &dyn Fn(&Predictive) -> bool| is_drawn(first.1) && is_drawn(other.1);
     let one = |is_same: bool| f64::from(u8::from(is_same));
     let is_drawn = |kind| both(&|of: &Predictive| of.constants.iter().any(|one| one.kind == kind));
-    let constants = AXES.into_iter().filter(|kind| is_drawn(*kind));
+    let constants = UncertainParameter::ALL
+        .into_iter()
+        .filter(|kind| is_drawn(*kind));
     let mut rows: Vec<CommonConstant> = constants
         .map(|kind| {
             row(
@@ -316,7 +319,7 @@ mod tests {
             };
             let draw = |side: usize| {
                 let mut draw = Draw::medians();
-                for (k, kind) in AXES.into_iter().enumerate() {
+                for (k, kind) in UncertainParameter::ALL.into_iter().enumerate() {
                     draw.constants[k] = match kind {
                         P::BoundaryFriction | P::BoundaryLayer => of(side, layer, k),
                         P::Lay | P::TemperatureError => z(k),

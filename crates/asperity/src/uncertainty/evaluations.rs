@@ -7,14 +7,14 @@ use asperity_core::numerics::deviation;
 use asperity_core::quantity::Length;
 
 use crate::contacts::Contacts;
-use crate::pipeline::{losses, losses_with};
+use crate::pipeline::{contacts, losses_at};
 use crate::result::loss_band::WindowSampling;
 use crate::result::{Losses, OffsetRow, Outcome, OutsideInput, PairSampling, PositionRow, Summary};
 use crate::sampling::{
     Independent, means_of_pairs, sampling_of_teeth, travel_sampling, wider_like_measured,
     window_sampling, windows_of_traces,
 };
-use asperity_case::case::{FullFilmName, LoadShareName, LoadedCase, cholesky};
+use asperity_case::case::{FullFilmName, LoadShareName, LoadedCase, OperatingCase, cholesky};
 use asperity_case::error::{Error, PositionError};
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::thermal_reduction::GUPTA_HELD;
@@ -58,15 +58,15 @@ pub fn has_band(loaded: &LoadedCase) -> bool {
 }
 
 /// Losses of the flanks of `loaded` as measured, with its stored contacts if there are any.
-pub(super) fn evaluated(loaded: &LoadedCase, contacts: Option<&Contacts>) -> Result<Losses, Error> {
-    let mut loaded = Cow::Borrowed(loaded);
-    if loaded.case.running_in.is_some() {
+pub(super) fn evaluated(case: &OperatingCase, known: Option<&Contacts>) -> Result<Losses, Error> {
+    let mut case = Cow::Borrowed(case);
+    if case.running_in.is_some() {
         // No draw looks at the flanks run in.
-        loaded.to_mut().case.running_in = None;
+        case = Cow::Owned(case.overridden(|over| over.as_measured = true)?);
     }
-    match contacts {
-        Some(contacts) => losses_with(contacts, &loaded),
-        None => losses(&loaded),
+    match known {
+        Some(contacts) => losses_at(contacts, &case),
+        None => losses_at(&contacts(&case)?, &case),
     }
 }
 
@@ -128,7 +128,7 @@ pub(super) struct Evaluated {
 }
 
 /// Number of evaluations of a case.
-pub(super) fn count(loaded: &LoadedCase) -> usize {
+pub(super) fn count(loaded: &OperatingCase) -> usize {
     let dimensions = parameters(loaded).map_or(0, |(drawn, _)| drawn.len());
     match dimensions {
         0 => 0,
@@ -157,14 +157,14 @@ pub(super) fn count(loaded: &LoadedCase) -> usize {
 /// Evaluates a case whose losses follow from its contacts around `nominal`, its losses at the medians; `done` is called after each
 /// evaluation.
 pub(super) fn by_contacts(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     nominal: &Nominal<'_>,
     contacts: Windows<'_>,
     done: &(dyn Fn(usize) + Sync),
 ) -> Result<Evaluated, Error> {
     let (constants, held) = parameters(loaded).map_err(whole)?;
     let Windows { contacts, offsets } = contacts;
-    let base_case = few_offsets(loaded, offsets);
+    let base_case = few_offsets(loaded, offsets)?;
     let each = base_case.case.model.offsets;
     let few = match loaded.surfaces.is_surrogate() {
         true => contacts.of_first_pair(&base_case).first(each),
@@ -201,7 +201,7 @@ fn whole(error: PositionError) -> Error {
 
 /// The distribution of the loss of a run at the medians, in which nothing is evaluated yet.
 fn at_medians(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     nominal: &Nominal<'_>,
     constants: Vec<Ranged>,
 ) -> Result<Predictive, Error> {
@@ -270,7 +270,7 @@ impl<'a> Fits<'a> {
     /// Puts surfaces and factors into `predictive`, and returns the surfaces of the positions.
     fn enter(
         &self,
-        loaded: &LoadedCase,
+        loaded: &OperatingCase,
         predictive: &mut Predictive,
     ) -> Result<Vec<QuadraticSurface>, Error> {
         let middle = &self.middle;
@@ -303,7 +303,7 @@ impl<'a> Fits<'a> {
     }
 
     /// The surface by the other law of pressure that the curves of the oil file admit.
-    fn other_law(&self, loaded: &LoadedCase) -> Result<Option<OtherLaw>, Error> {
+    fn other_law(&self, loaded: &OperatingCase) -> Result<Option<OtherLaw>, Error> {
         let Some(other) = other_law(loaded, self.base.contacts.offsets)? else {
             return Ok(None);
         };
@@ -340,7 +340,7 @@ impl<'a> Fits<'a> {
     /// Factors that single evaluations give: inner boundary friction, thermal reduction beyond its fit, lay beyond the records.
     fn enter_factors(
         &self,
-        loaded: &LoadedCase,
+        loaded: &OperatingCase,
         surface: &QuadraticSurface,
         predictive: &mut Predictive,
     ) -> Result<(), Error> {
@@ -352,8 +352,7 @@ impl<'a> Fits<'a> {
         }
         let is_held = |note: &OutsideInput| note.correlation == GUPTA_HELD;
         if middle.outside.iter().any(is_held) {
-            let mut printed = base.loaded.clone();
-            printed.case.laws.printed_thermal = true;
+            let printed = base.loaded.overridden(|over| over.printed_thermal = true)?;
             let found = evaluated(&printed, Some(base.contacts.contacts))?;
             let rolling = match middle.summary.rolling_w > 0.0 {
                 true => found.summary.rolling_w / middle.summary.rolling_w,
@@ -364,8 +363,8 @@ impl<'a> Fits<'a> {
         if loaded.surfaces.sheets().is_some() {
             predictive.patch_flow = Some(self.by_other_gaps()?);
         } else if loaded.lay_beyond_records().map_err(whole)?.is_some() {
-            let mut confirmed = base.loaded.clone();
-            confirmed.case.model.lay = [Lay::CONFIRMED; 2];
+            let lay = Some([Lay::CONFIRMED; 2]);
+            let confirmed = base.loaded.overridden(|over| over.lay = lay)?;
             let found = evaluated(&confirmed, Some(base.contacts.contacts))?;
             (base.done)(1 + base.number.fetch_add(1, Ordering::Relaxed));
             predictive.far_lay = Some(self.ratio(&found).exp());
@@ -379,8 +378,7 @@ impl Fits<'_> {
     fn by_other_gaps(&self) -> Result<PatchFlowError, Error> {
         let base = &self.base;
         let with = |gap: PatchGap| {
-            let mut other = base.loaded.clone();
-            other.case.laws.patch_gap = gap;
+            let other = base.loaded.overridden(|over| over.patch_gap = gap)?;
             let found = evaluated(&other, Some(base.contacts.contacts))?;
             (base.done)(1 + base.number.fetch_add(1, Ordering::Relaxed));
             Ok::<_, Error>(self.ratio(&found).exp())
@@ -397,35 +395,29 @@ impl Fits<'_> {
 }
 
 /// A case with the offsets and surrogates of the evaluations: a ratio of losses needs few, whatever the case states.
-fn few_offsets(loaded: &LoadedCase, offsets: usize) -> LoadedCase {
-    let mut few = match loaded.surfaces.is_surrogate() {
+fn few_offsets(loaded: &OperatingCase, offsets: usize) -> Result<OperatingCase, Error> {
+    let few = match loaded.surfaces.is_surrogate() {
         true => loaded.first_pair(),
         false => loaded.clone(),
     };
     let each = offsets / few.surfaces.pairs();
     let each = each.max(1).min(loaded.case.model.offsets);
-    few.case.model.offsets = each;
-    few.case.input.model.offsets = Some(each);
-    few
+    few.overridden(|over| over.offsets = Some(each))
 }
 
 /// The case by the other law of pressure, with its probability, where the curves of an oil file do not decide the law.
 struct ByOtherLaw {
-    case: LoadedCase,
+    case: OperatingCase,
     probability: f64,
 }
 
-fn other_law(loaded: &LoadedCase, offsets: usize) -> Result<Option<ByOtherLaw>, Error> {
+fn other_law(loaded: &OperatingCase, offsets: usize) -> Result<Option<ByOtherLaw>, Error> {
     let Some((law, probability)) = loaded.case.other_law() else {
         return Ok(None);
     };
-    let mut by_other = loaded.with(|input| input.model.film_pressure_law = Some(law))?;
-    let (own, model) = (&mut by_other.case.model, &loaded.case.model);
-    own.boundary_friction = model.boundary_friction;
-    own.boundary_layer = model.boundary_layer;
-    own.lay = model.lay;
+    let by_other = loaded.with_keys(|input| input.model.film_pressure_law = Some(law))?;
     Ok(Some(ByOtherLaw {
-        case: few_offsets(&by_other, offsets),
+        case: few_offsets(&by_other, offsets)?,
         probability,
     }))
 }
@@ -442,11 +434,12 @@ fn draws_inner_boundary(loaded: &LoadedCase) -> bool {
         && loaded.surfaces.are_measured()
         && case.model.spot_speed == SpotSpeed::Carried
         && case.input.model.inner_boundary.is_none()
+        && case.overrides.inner_boundary.is_none()
 }
 
 /// Common input of all evaluations.
 struct Base<'a> {
-    loaded: &'a LoadedCase,
+    loaded: &'a OperatingCase,
     constants: &'a [Ranged],
     contacts: Windows<'a>,
     number: AtomicUsize,
@@ -456,14 +449,12 @@ struct Base<'a> {
 impl Base<'_> {
     /// The losses with the constants at `z`, and with another β_i.
     fn at(&self, z: &[f64], inner_boundary: Option<f64>) -> Result<Losses, Error> {
-        let mut drawn = self.loaded.clone();
-        for (constant, z) in self.constants.iter().zip(z) {
-            let value = constant.at(*z);
-            constant.kind.set(&mut drawn, value)?;
-        }
-        if let Some(share) = inner_boundary {
-            drawn.case.model.inner_boundary = share;
-        }
+        let drawn = self.loaded.overridden(|over| {
+            for (constant, z) in self.constants.iter().zip(z) {
+                over.set(constant.kind, constant.at(*z));
+            }
+            over.inner_boundary = inner_boundary.or(over.inner_boundary);
+        })?;
         let found = evaluated(&drawn, Some(self.contacts.contacts))?;
         (self.done)(1 + self.number.fetch_add(1, Ordering::Relaxed));
         Ok(found)
@@ -556,7 +547,7 @@ fn inner_boundary(
 }
 
 /// Rows of the lower triangle of the correlations of the measured constants.
-fn correlations(loaded: &LoadedCase, constants: &[Ranged]) -> Vec<Vec<f64>> {
+fn correlations(loaded: &OperatingCase, constants: &[Ranged]) -> Vec<Vec<f64>> {
     let measured: Vec<_> = constants
         .iter()
         .filter_map(|constant| Some((constant.kind, constant.measured?)))
@@ -573,12 +564,12 @@ fn correlations(loaded: &LoadedCase, constants: &[Ranged]) -> Vec<Vec<f64>> {
 }
 
 /// The error of the law of film friction whose constants an oil file states.
-fn film_law(loaded: &LoadedCase, summary: &Summary) -> Option<FilmLaw> {
+fn film_law(loaded: &OperatingCase, summary: &Summary) -> Option<FilmLaw> {
     let case = &loaded.case;
     let file = case.oil_file.as_ref()?;
     (summary.sliding_w > 0.0).then(|| FilmLaw {
         share: 1.0 - summary.boundary_w / summary.sliding_w,
-        deviation: file.film_friction.law_error(case.temperature),
+        deviation: file.film_friction.law_error(loaded.temperature()),
     })
 }
 
@@ -628,7 +619,7 @@ pub(super) fn widest(path: &[PositionRow]) -> Length {
 
 /// The sampling error of ln loss: between pairs of teeth, over windows, or by the misplacement of placed traces.
 fn sampling_error(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     nominal: &Nominal<'_>,
     asperity_share: f64,
 ) -> Result<SamplingError, Error> {
@@ -689,7 +680,7 @@ fn sampling_error(
 
 /// Sampling error over the windows of one trace or scan of each flank; `None` without them.
 pub(super) fn of_windows(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     nominal: &Nominal<'_>,
     asperity_share: f64,
 ) -> Result<Option<WindowSampling>, PositionError> {
@@ -709,7 +700,7 @@ pub(super) fn of_windows(
 /// Sampling error of a loss by records: of the windows that passed through their contacts, and of no more than the traces have;
 /// `None` without records.
 pub(super) fn travelled(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     nominal: &Nominal<'_>,
     asperity_share: f64,
 ) -> Option<WindowSampling> {
@@ -747,22 +738,21 @@ fn of_surrogates(logs: &[f64], asperity_share: f64) -> SamplingError {
 }
 
 /// Standard error of ln loss by the sampling of the flanks.
-pub(super) fn standard_error(loaded: &LoadedCase, nominal: &Nominal<'_>) -> Result<f64, Error> {
+pub(super) fn standard_error(loaded: &OperatingCase, nominal: &Nominal<'_>) -> Result<f64, Error> {
     let share = Path::of(nominal.path).asperity_share;
     Ok(sampling_error(loaded, nominal, share)?.standard_error)
 }
 
 /// Changes of ln loss where placed traces are misplaced by two half-widths against each other; none where they are
 /// not placed.
-fn misplaced(loaded: &LoadedCase, nominal: f64) -> Result<Option<[f64; 2]>, Error> {
+fn misplaced(loaded: &OperatingCase, nominal: f64) -> Result<Option<[f64; 2]>, Error> {
     const HALF_WIDTHS: f64 = 2.0;
     let mut changes = [0.0; 2];
     for (change, by) in changes.iter_mut().zip([-HALF_WIDTHS, HALF_WIDTHS]) {
         let Some(surfaces) = loaded.surfaces.misplaced(by) else {
             return Ok(None);
         };
-        let mut other = loaded.clone();
-        other.surfaces = surfaces;
+        let other = loaded.with_surfaces(surfaces);
         *change = (evaluated(&other, None)?.summary.loss_w / nominal).ln();
     }
     Ok(Some(changes))

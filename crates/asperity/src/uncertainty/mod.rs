@@ -43,7 +43,7 @@ use crate::result::{
 };
 use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::balance::impossible_efficiency;
-use asperity_case::case::LoadedCase;
+use asperity_case::case::{LoadedCase, OperatingCase};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::message::{Subject, Warning};
 use asperity_uncertainty::{
@@ -53,7 +53,7 @@ use asperity_uncertainty::{
 pub use crate::sampling::{Independent, independent_windows, pair_sampling, window_sampling};
 pub use asperity_uncertainty::{
     Common, ENDS, Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter,
-    median_with_ends, model_deviation, sorted_quantiles,
+    deviation_of_curves, median_with_ends, model_deviation, range, sorted_quantiles,
 };
 pub use change::{ChangeDraws, few_offsets_of, sampling_error_of_changes, sampling_interval};
 pub use common_draws::{CommonConstant, DrawnCase, common_draws};
@@ -75,7 +75,10 @@ const PRECISE: f64 = 0.02;
 #[must_use]
 pub fn evaluations(loaded: &LoadedCase) -> usize {
     match has_band(loaded) {
-        true => count(loaded) + other_models(loaded).len(),
+        true => {
+            let number = |case: OperatingCase| Ok(count(&case) + other_models(&case)?.len());
+            loaded.at_stated().and_then(number).unwrap_or(0)
+        }
         false => 0,
     }
 }
@@ -164,7 +167,7 @@ pub(crate) fn run_and_draw(
 ///
 /// # Errors
 /// As [`losses`](crate::losses), of misplaced traces.
-pub fn standard_error(loaded: &LoadedCase, nominal: &Losses) -> Result<f64, Error> {
+pub fn standard_error(loaded: &OperatingCase, nominal: &Losses) -> Result<f64, Error> {
     evaluations::standard_error(loaded, &Nominal::of(nominal))
 }
 
@@ -180,7 +183,7 @@ fn note(result: &mut RunResult, tags: &BTreeSet<&'static str>) {
 }
 
 fn uncertainty(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     outcome: &Outcome,
     contacts: &Contacts,
     done: &(dyn Fn(usize) + Sync),
@@ -202,7 +205,7 @@ fn uncertainty(
             refuted_by: model.refuted_by.to_owned(),
         }
     };
-    let others = other_models(loaded).into_iter().zip(1..).map(of_model);
+    let others = other_models(loaded)?.into_iter().zip(1..).map(of_model);
     let others = others.chain(by_formula(loaded, &nominal));
     let mut others: Vec<AlternativeRow> = others.collect();
     // A cancelled model is not one without solution.
@@ -315,7 +318,7 @@ fn measurement_of(ranged: &Ranged) -> &'static str {
 /// The measurement that would narrow a component of the loss.
 fn remedy_of(
     component: Component,
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     predictive: &Predictive,
     nominal: &Nominal<'_>,
 ) -> String {
@@ -342,7 +345,7 @@ fn remedy_of(
         }
         Component::HeldThermal => "losses measured at this temperature",
         Component::FilmLaw => match loaded.case.oil_file.as_ref() {
-            Some(file) if file.film_friction.is_far(loaded.case.temperature) => {
+            Some(file) if file.film_friction.is_far(loaded.temperature()) => {
                 "traction curves at the temperature of the flanks"
             }
             _ => RIG,
@@ -356,7 +359,7 @@ fn remedy_of(
 
 /// Every component, drawn with all others at their medians and scaled `to_median`, the largest first.
 fn parts(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     predictive: &Predictive,
     nominal: &Nominal<'_>,
     to_median: f64,
@@ -388,7 +391,7 @@ fn parts(
     parts
 }
 
-fn trust(loaded: &LoadedCase) -> Trust {
+fn trust(loaded: &OperatingCase) -> Trust {
     let law = loaded.case.load_share();
     if loaded.surfaces.is_surrogate() {
         return Trust::Surrogates;
@@ -402,7 +405,7 @@ fn trust(loaded: &LoadedCase) -> Trust {
 
 /// Contribution of the sampling of the flanks, or the reason why there is none.
 fn sampling(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     predictive: &Predictive,
     nominal: &Nominal<'_>,
     to_median: f64,

@@ -6,12 +6,13 @@ use asperity_oil::PressureLaw;
 
 use super::evaluations::{Nominal, Path};
 use crate::result::AlternativeRow;
-use asperity_case::case::{LoadShareName, LoadedCase};
+use asperity_case::case::{Alternative, LoadShareName, OperatingCase};
+use asperity_case::error::Error;
 
 /// A model: its name, the case changed to it, and the measurement that refutes it.
 pub(super) struct OtherModel {
     pub name: &'static str,
-    pub case: LoadedCase,
+    pub case: OperatingCase,
     pub refuted_by: &'static str,
 }
 
@@ -63,7 +64,7 @@ fn step_rule(share: f64, [boundary, film]: [f64; 2], loss_factor_w: f64) -> f64 
 }
 
 /// Change of the loss of a run by the step rule \[W\].
-pub(super) fn step_rule_of(loaded: &LoadedCase, nominal: &Nominal<'_>) -> f64 {
+pub(super) fn step_rule_of(loaded: &OperatingCase, nominal: &Nominal<'_>) -> f64 {
     let (path, s) = (Path::of(nominal.path), nominal.summary);
     let friction = [loaded.case.model.boundary_friction, path.film_friction];
     step_rule(
@@ -74,7 +75,7 @@ pub(super) fn step_rule_of(loaded: &LoadedCase, nominal: &Nominal<'_>) -> f64 {
 }
 
 /// Models whose loss follows from the run.
-pub(super) fn by_formula(loaded: &LoadedCase, nominal: &Nominal<'_>) -> Vec<AlternativeRow> {
+pub(super) fn by_formula(loaded: &OperatingCase, nominal: &Nominal<'_>) -> Vec<AlternativeRow> {
     /// s from which losses by the model were taken to be too high, and the slope of their logarithm over it.
     const BIAS: [f64; 2] = [2.1, 0.16];
     let (path, s) = (Path::of(nominal.path), nominal.summary);
@@ -104,66 +105,56 @@ pub(super) fn by_formula(loaded: &LoadedCase, nominal: &Nominal<'_>) -> Vec<Alte
 }
 
 /// Whether solved contacts give the share of the asperities.
-fn is_solved(loaded: &LoadedCase) -> bool {
+fn is_solved(loaded: &OperatingCase) -> bool {
     loaded.case.laws.load_share.is_none()
         && loaded.case.model.load_share == LoadShareName::Solved
         && loaded.surfaces.are_measured()
 }
 
 /// Every other model that changes something of the case.
-pub(super) fn other_models(loaded: &LoadedCase) -> Vec<OtherModel> {
+pub(super) fn other_models(loaded: &OperatingCase) -> Result<Vec<OtherModel>, Error> {
     let case = &loaded.case;
     let own = &case.laws;
     let mut found = Vec::new();
     // Another model of the film would be another set of records.
     if case.load_share().needs_records() {
-        return found;
+        return Ok(found);
     }
+    let mut add = |name, alternative, refuted_by| -> Result<(), Error> {
+        found.push(OtherModel {
+            name,
+            case: loaded.overridden(|over| over.alternative = Some(alternative))?,
+            refuted_by,
+        });
+        Ok(())
+    };
     if is_solved(loaded) {
         for (name, spot_speed, refuted_by) in SPEEDS {
             if case.model.spot_speed != spot_speed {
-                let mut other = loaded.clone();
-                other.case.model.spot_speed = spot_speed;
-                found.push(OtherModel {
-                    name,
-                    case: other,
-                    refuted_by,
-                });
+                add(name, Alternative::SpotSpeed(spot_speed), refuted_by)?;
             }
         }
-        let mut half = loaded.clone();
-        half.case.model.asperity_share_factor *= 0.5;
-        found.push(OtherModel {
-            name: "asperity share halved",
-            case: half,
-            refuted_by: HALVED,
-        });
+        add(
+            "asperity share halved",
+            Alternative::AsperityShareTimes(0.5),
+            HALVED,
+        )?;
         for (name, law) in DRY {
-            let mut dry = loaded.clone();
-            dry.case.model.load_share = law;
-            found.push(OtherModel {
-                name,
-                case: dry,
-                refuted_by: DRY_REFUTED,
-            });
+            add(name, Alternative::LoadShare(law), DRY_REFUTED)?;
         }
     }
     let shear = case.model.film_friction.shear_law();
     // The constants of an oil file belong to the law of their fit.
     let is_barus = case.model.film_pressure_law == PressureLaw::Barus && case.oil_file.is_none();
-    if let (Some(rheology), Some(shear), true, true) =
-        (&case.rheology, shear, is_barus, own.friction.is_none())
-    {
-        let mut roelands = loaded.clone();
-        roelands.case.model.film_pressure_law = PressureLaw::Roelands;
-        roelands.case.rheology = Some(rheology.clone().with_laws(shear, PressureLaw::Roelands));
-        found.push(OtherModel {
-            name: "viscosity by Roelands in the film",
-            case: roelands,
-            refuted_by: "losses of superfinished gears -72 % at 2000 1/min and -52 % at 8000 1/min",
-        });
+    let is_sheared = loaded.rheology().is_some() && shear.is_some();
+    if is_sheared && is_barus && own.friction.is_none() {
+        add(
+            "viscosity by Roelands in the film",
+            Alternative::FilmPressure(PressureLaw::Roelands),
+            "losses of superfinished gears -72 % at 2000 1/min and -52 % at 8000 1/min",
+        )?;
     }
-    found
+    Ok(found)
 }
 
 #[cfg(test)]
@@ -336,9 +327,10 @@ mod tests {
         let saving = |law: LoadShareName| {
             let loss = |case: &str| {
                 let file = Path::new("../../fixtures/cases").join(case);
-                let mut loaded = load(&file, None).unwrap();
-                loaded.case.model.load_share = law;
-                losses(&loaded).unwrap().summary.loss_w
+                let loaded = load(&file, None).unwrap();
+                let by_law = Some(Alternative::LoadShare(law));
+                let other = loaded.overridden(|over| over.alternative = by_law);
+                losses(&other.unwrap()).unwrap().summary.loss_w
             };
             100.0 * (1.0 - loss("e-drive-superfinished.toml") / loss("e-drive.toml"))
         };

@@ -14,7 +14,7 @@ use crate::contacts::Contacts;
 use crate::pipeline::{by_solved_contacts, contacts as contacts_of, settled};
 use crate::result::{Losses, PositionRow, RecordedFriction};
 use crate::sampling::windows_of_traces;
-use asperity_case::case::LoadedCase;
+use asperity_case::case::{LoadedCase, OperatingCase};
 use asperity_case::error::Error;
 use asperity_case::flanks::AVERAGING_WIDTH;
 
@@ -52,13 +52,13 @@ pub(super) fn predictive_of(
         return Ok(None);
     }
     let found = settled(loaded, Some(windows.contacts))?;
-    let evaluated = evaluate(found.as_ref(), &Nominal::of(nominal), windows, &|_| {})?;
+    let evaluated = evaluate(&found, &Nominal::of(nominal), windows, &|_| {})?;
     Ok(Some(evaluated.predictive))
 }
 
 /// Evaluates a case around `nominal`, its losses at the medians; `done` is called after each evaluation.
 pub(super) fn evaluate(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     nominal: &Nominal<'_>,
     windows: Windows<'_>,
     done: &(dyn Fn(usize) + Sync),
@@ -77,13 +77,13 @@ pub(super) fn evaluate(
 ///
 /// S_records: sliding loss of the run at the medians θ₀, its lay included.
 fn by_records(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     nominal: &Nominal<'_>,
     friction: RecordedFriction,
     done: &(dyn Fn(usize) + Sync),
 ) -> Result<Evaluated, Error> {
     asperity_core::cite!("Record-draw");
-    let fast = by_solved_contacts(loaded);
+    let fast = by_solved_contacts(loaded)?;
     let contacts = contacts_of(&fast)?;
     let losses = evaluated(&fast, Some(&contacts))?;
     let mut found = by_contacts(&fast, &Nominal::of(&losses), Windows::few(&contacts), done)?;
@@ -113,7 +113,7 @@ fn by_records(
 /// Expected of records are their error, the rule of their boundary friction with the mean effect that it has in records, and the
 /// sampling of the traces by the travel that the case requires.
 pub(super) fn would_narrow(
-    loaded: &LoadedCase,
+    loaded: &OperatingCase,
     predictive: &Predictive,
     nominal: &Nominal<'_>,
 ) -> bool {

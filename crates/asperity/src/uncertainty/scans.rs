@@ -4,9 +4,9 @@ use asperity_core::cancel::checkpoint;
 
 use super::difference::difference;
 use crate::contacts::Contacts;
-use crate::pipeline::{KeptFields, less_of_scans, over_gap};
+use crate::pipeline::{KeptFields, less_of_scans, over_gap, settled};
 use crate::result::{GapRow, Outcome, PositionRow, ScanComparison, ScanLoss};
-use asperity_case::case::LoadedCase;
+use asperity_case::case::{LoadedCase, OperatingCase};
 use asperity_case::error::Error;
 use asperity_uncertainty::Predictive;
 
@@ -27,7 +27,7 @@ pub(super) fn is_due(loaded: &LoadedCase, pictures: Option<&KeptFields>) -> bool
 pub(super) fn compare_with_rows(
     outcome: &mut Outcome,
     drawn: Option<&Predictive>,
-    (loaded, contacts): (&LoadedCase, &Contacts),
+    (loaded, contacts): (&OperatingCase, &Contacts),
     (pictures, run): (Option<&KeptFields>, Runs<'_>),
 ) -> Result<(), Error> {
     if !is_due(loaded, pictures) {
@@ -48,7 +48,7 @@ pub(super) fn compare_with_rows(
 fn comparison(
     outcome: &Outcome,
     drawn: Option<&Predictive>,
-    patches: (&LoadedCase, &Contacts),
+    patches: (&OperatingCase, &Contacts),
     run: Runs<'_>,
 ) -> Result<Option<ScanComparison>, Error> {
     let loaded = patches.0;
@@ -67,7 +67,8 @@ fn comparison(
     let Some(patch) = over_gap(patches, shown.position, None)? else {
         return Ok(None);
     };
-    let Some(lines) = over_gap((&rows, &contacts), shown.position, Some(&patch.gaps))? else {
+    let warm = settled(&rows, Some(&contacts))?;
+    let Some(lines) = over_gap((&warm, &contacts), shown.position, Some(&patch.gaps))? else {
         return Ok(None);
     };
     let shares = patch.shares.iter().zip(&lines.shares);
@@ -89,7 +90,7 @@ fn comparison(
         patches: ScanLoss::new(outcome, patch.contact),
         lines: ScanLoss::new(&of_rows, lines.contact),
         difference_w: both.map(|((drawn, own), (of_rows, other))| {
-            let watts = difference((&rows, of_rows, other), (loaded, drawn, own)).watts;
+            let watts = difference((&rows, of_rows, other), (loaded.loaded(), drawn, own)).watts;
             [watts.value, watts.low, watts.high]
         }),
         position: shown.position,

@@ -1,7 +1,7 @@
 //! Oil whose traction is predicted or fitted, with the distribution of its constants in the family.
 
 use super::error as oil_error;
-use asperity::case::{Case, FittedName, OilFile, Source};
+use asperity::case::{Case, FittedName, LoadedCase, OilFile, Source};
 use asperity::oil::{
     FilmRheology, GOLD_TEMPERATURE, LIMITING_SHEAR_BAND, LubricantInput, PRESSURE_VISCOSITY_BAND,
     TractionConstants, eyring_stress_band,
@@ -116,12 +116,12 @@ impl OilBase {
     ///
     /// # Errors
     /// When the viscosity is known at one temperature only, or the film friction has no shear stress.
-    pub fn of_case(case: &Case, constants: ConstantsOf) -> Result<Self, Fault> {
+    pub fn of_case(case: &LoadedCase, constants: ConstantsOf) -> Result<Self, Fault> {
         let name = case.title.clone();
         if !case.lubricant.has_viscosity_law() {
             return Err(oil_error::one_viscosity(name));
         }
-        let Some(mut rheology) = case.rheology.clone() else {
+        let Some(mut rheology) = case.at_stated()?.rheology().cloned() else {
             return Err(oil_error::no_shear_law(name));
         };
         let family = case.lubricant.base_oil();
@@ -140,7 +140,7 @@ impl OilBase {
             name,
             lubricant: properties(case)?,
             rheology,
-            case_temperature: Some(case.temperature),
+            case_temperature: Some(case.stated_temperature),
         })
     }
 

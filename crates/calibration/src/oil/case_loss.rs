@@ -23,7 +23,7 @@ pub(super) fn loss_slopes(
     known: Option<&Contacts>,
     priors: Priors,
 ) -> Result<[f64; CONSTANTS], Fault> {
-    let oil = OilBase::of_case(&case.case, ConstantsOf::File)?;
+    let oil = OilBase::of_case(case, ConstantsOf::File)?;
     let named = |source: asperity::Error| Fault::from(source).about(&oil.name);
     // Losses of a mesh with new flanks.
     let case = case.with(|input| (input.operation.running_in, input.gearbox) = (None, None));
@@ -38,14 +38,15 @@ pub(super) fn loss_slopes(
     };
     // A slope of ln loss needs fewer windows than a loss: those of a change. On e-drive, fzg-c and table2 all windows move the intervals
     // expected of traction curves by at most 3e-4 of themselves.
-    let (case, contacts) = &few_offsets_of(&case, contacts);
+    let (case, contacts) = &few_offsets_of(&case, contacts).map_err(named)?;
     let law = oil.rheology.laws().1;
     let problem = TractionProblem::new(&oil, law, priors, Zero::None, &[]);
     let log_loss = |k: usize, step: f64| -> Result<f64, Fault> {
         let mut x = DVector::zeros(problem.variables());
         x[k] = step;
-        let mut moved = case.clone();
-        moved.case.rheology = Some(problem.rheology(&x)?);
+        let constants = *problem.rheology(&x)?.constants();
+        let moved = case.overridden(|over| over.film_constants = Some(constants));
+        let moved = moved.map_err(named)?;
         let losses = coldest_losses_with(contacts, &moved).map_err(named)?;
         let summary = losses.summary;
         Ok((summary.sliding_w + summary.rolling_w).ln())

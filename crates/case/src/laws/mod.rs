@@ -23,9 +23,9 @@
 //! }
 //!
 //! let file = Path::new("../../fixtures/cases/e-drive.toml");
-//! let mut loaded = asperity_case::case::load(file, None)?;
-//! loaded.case = loaded.case.with_film_friction(Arc::new(Limit));
-//! assert_eq!(loaded.case.film_friction().name(), "limit");
+//! let loaded = asperity_case::case::load(file, None)?;
+//! let loaded = loaded.with_laws(|laws| laws.friction = Some(Arc::new(Limit)));
+//! assert_eq!(loaded.at_stated()?.film_friction().name(), "limit");
 //! # Ok::<(), asperity_case::error::Error>(())
 //! ```
 
@@ -35,12 +35,15 @@ use std::sync::Arc;
 
 use asperity_ehl_regime::FilmThicknessLaw;
 use asperity_gear::LoadDistribution;
-use asperity_mixed_film::PatchGap;
 use asperity_tribo_friction::FilmFriction;
 
+use crate::source::defaults::DefaultUsed;
 use load_share::LoadShare;
 
-/// Choices that only a program can make: user-defined laws, without which those of the case apply, and exact contacts.
+/// Source of the name of a user-defined law.
+pub(crate) const OWN_LAW: &str = "user-defined law";
+
+/// User-defined laws, which only a program can state; without one the law of the case applies.
 #[derive(Debug, Clone, Default)]
 #[non_exhaustive]
 pub struct Laws {
@@ -52,16 +55,35 @@ pub struct Laws {
     pub load_distribution: Option<Arc<dyn LoadDistribution>>,
     /// Film against asperities, in place of `model.load_share`.
     pub load_share: Option<Arc<dyn LoadShare>>,
-    /// Solve every rough contact to its exact sets: slower, and its error is round-off, so that differences of losses can be
-    /// taken over small steps.
-    pub exact_contacts: bool,
-    /// Gupta's thermal factor as printed, also at the loadings at which its steepness is held: for the interval of a loss.
-    pub printed_thermal: bool,
-    /// Gap supplied to patches: for the interval of a loss.
-    pub patch_gap: PatchGap,
 }
 
 impl Laws {
+    /// Names of the user-defined laws by the keys whose laws they replace.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = DefaultUsed> {
+        let names = [
+            ("model.film", self.film.as_ref().map(|law| law.name())),
+            (
+                "model.film_friction",
+                self.friction.as_ref().map(|law| law.name()),
+            ),
+            (
+                "model.load_distribution",
+                self.load_distribution.as_ref().map(|law| law.name()),
+            ),
+            (
+                "model.load_share",
+                self.load_share.as_ref().map(|law| law.name()),
+            ),
+        ];
+        names.into_iter().filter_map(|(key, name)| {
+            Some(DefaultUsed {
+                key: key.into(),
+                value: name?.to_owned(),
+                source: Some(OWN_LAW.into()),
+            })
+        })
+    }
+
     /// Whether a law is user-defined.
     pub fn is_any(&self) -> bool {
         self.film.is_some()

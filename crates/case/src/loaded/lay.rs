@@ -8,7 +8,6 @@ use asperity_roughness::lay::RowLay;
 
 use super::flank_sample::Listed;
 use super::flank_trace::{Context, Keys};
-use crate::resolved::resolve::Case;
 use crate::source::defaults::DefaultUsed;
 use asperity_core::message::Warning;
 use asperity_ehl_regime::Lay;
@@ -37,23 +36,20 @@ impl Lays {
             .filter(|_| lay != FlankLay::ASSUMED)
     }
 
-    /// Uses the lays in a case that states none.
-    pub(crate) fn enter(&self, case: &mut Case) {
-        const KEY: &str = "model.lay";
-        let mut defaults = case.defaults.iter_mut();
-        let listed = defaults.find(|default| default.key == KEY);
+    /// The medians with their row among the defaults, in place of the default of a case that states none; `None` where no surface
+    /// shows them.
+    pub(crate) fn in_place_of_default(&self) -> Option<([Lay; 2], DefaultUsed)> {
         let medians = self.of_flanks.map(|lay| lay.at(0.0));
-        let (Some(listed), false, [Ok(pinion), Ok(wheel)]) =
-            (listed, self.origin.is_empty(), medians.map(Lay::new))
+        let (false, [Ok(pinion), Ok(wheel)]) = (self.origin.is_empty(), medians.map(Lay::new))
         else {
-            return;
+            return None;
         };
-        case.model.lay = [pinion, wheel];
-        *listed = DefaultUsed {
-            key: KEY.into(),
+        let row = DefaultUsed {
+            key: "model.lay".into(),
             value: serde_json::to_string(&medians).unwrap_or_default(),
             source: Some(self.origin.clone().into()),
         };
+        Some(([pinion, wheel], row))
     }
 }
 

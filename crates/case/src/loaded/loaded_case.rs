@@ -1,15 +1,18 @@
 //! A case with its traces: from a file, from a text with a resolver, from a value, or changed from another.
 
+use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity_core::Code;
 use asperity_core::derived::Derived;
 use asperity_core::provenance::Provenance;
+use asperity_core::quantity::Temperature;
 use asperity_tribo_friction::XuCalibration;
 
 use super::flank_inputs::FlankInputs;
 use super::flanks::{Flanks, flanks};
+use super::operating_case::OperatingCase;
 use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::input::case_input::CaseInput;
@@ -19,17 +22,18 @@ use crate::input::files::{
 use crate::input::gearbox_input::GearboxInput;
 use crate::input::law_names::{FullFilmName, LoadShareName};
 use crate::laws::Laws;
+use crate::overrides::Overrides;
+use crate::resolved::bulk::BulkReport;
 use crate::resolved::gearbox::{Gearbox, MeshPlace};
 use crate::resolved::oil_file::OilFile;
 use crate::resolved::plausibility::{
-    SYMBOLS, at_pitch_point, divided_shifts, little_clearance, step_up, unusual,
+    SYMBOLS, at_pitch_point, divided_shifts, little_clearance, step_up, unusual, unusual_oil,
 };
 use crate::resolved::read_oil_file::oil_file;
-use crate::resolved::resolve::{Case, resolve_with};
+use crate::resolved::resolve::{Case, Completed, OfFiles, OfFlanks, OilAt, resolve_with};
 use crate::resolved::shafting::Shafting;
 use crate::resolved::solved_teeth::{LoadCheck, SolvedTeeth};
 use crate::source::case_error::CaseError;
-use crate::source::defaults::DefaultUsed;
 use crate::source::section::Section;
 use crate::source::source_text::{MeshKeys, Source};
 use asperity_core::message::{Subject, Warning};
@@ -38,12 +42,46 @@ use asperity_flanks::flank_lay::FlankLay;
 use asperity_flanks::surfaces::{FlankReport, Surfaces};
 use asperity_flanks::trace_pairs::SampledFlanks;
 use asperity_mixed_film::InletSupply;
-use asperity_oil::{LubricantInput, library_oil};
+use asperity_oil::{LubricantInput, LubricantState, library_oil};
 
-/// A case with its traces, ready to run.
+/// A case with its traces, ready to run, and read only: [`with`](Self::with) changes its keys, [`overridden`](Self::overridden) what a
+/// draw or a study varies beside them, and [`at`](Self::at) gives it the temperature of its flanks.
+#[derive(Debug, Clone)]
+pub struct LoadedCase {
+    loaded: Loaded,
+    /// The case without overrides.
+    stated: Arc<Case>,
+    /// The oil at the temperature that the case states.
+    oil: Arc<OilAt>,
+    /// Values that follow from keys and files, each with its inputs.
+    derived: Arc<DerivedValues>,
+    /// Name of the case, for messages about what is changed.
+    name: Arc<str>,
+    /// The mesh that this is the case of, in a gear train.
+    mesh: Option<Arc<MeshKeys>>,
+    files: Arc<Files>,
+}
+
+impl Deref for LoadedCase {
+    type Target = Loaded;
+
+    fn deref(&self) -> &Loaded {
+        &self.loaded
+    }
+}
+
+impl Deref for Loaded {
+    type Target = Case;
+
+    fn deref(&self) -> &Case {
+        &self.case
+    }
+}
+
+/// The values of a [`LoadedCase`].
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct LoadedCase {
+pub struct Loaded {
     /// The case.
     pub case: Case,
     /// The flanks.
@@ -56,13 +94,6 @@ pub struct LoadedCase {
     pub warnings: Vec<Warning>,
     /// Equations that the preparation of oil, gears and traces used.
     pub provenance: Provenance,
-    /// Values that follow from keys and files, each with its inputs.
-    derived: Arc<DerivedValues>,
-    /// Name of the case, for messages about what is changed.
-    name: Arc<str>,
-    /// The mesh that this is the case of, in a gear train.
-    mesh: Option<Arc<MeshKeys>>,
-    files: Arc<Files>,
 }
 
 /// Values that follow from the keys of a case and from its files: each is made by a function of its inputs alone, and a changed
@@ -97,6 +128,7 @@ impl DerivedValues {
 #[derive(Debug)]
 pub(crate) struct Kept {
     laws: Laws,
+    overrides: Overrides,
     values: DerivedValues,
 }
 
@@ -185,9 +217,9 @@ impl LoadedCase {
         self.files.sums_of_names(names.map(Path::to_owned))
     }
 
-    /// SHA-256 of everything that determines the result: every key of the case, every byte of the files read for it, the
-    /// version of the program, and every user-defined law by its `Debug` text, which must therefore show everything that
-    /// the law depends on. It does not include fields that were changed after the case was read, nor the code of a law.
+    /// SHA-256 of everything that determines the result: every key of the case, every override, every byte of the files read for it,
+    /// the version of the program, and every user-defined law by its `Debug` text, which must therefore show everything that
+    /// the law depends on. It does not include flanks that a program changed, nor the code of a law.
     ///
     /// ```
     /// use asperity_case::case;
@@ -205,6 +237,10 @@ impl LoadedCase {
         if laws.is_any() {
             input += &format!("{laws:?}");
         }
+        let overrides = &self.case.overrides;
+        if !overrides.are_none() {
+            input += &format!("{overrides:?}");
+        }
         let read = self.files_read().into_iter();
         let sums = read.fold(
             Fingerprint::default().with(input),
@@ -213,9 +249,8 @@ impl LoadedCase {
         sums.hex()
     }
 
-    /// The case changed by `change`, checked again; traces are read again only if the change affects them.
-    ///
-    /// The change applies to [`Case::input`]; other changes of the public fields are lost.
+    /// The case with other keys, checked again; traces are read again only if the change affects them. Laws, overrides and flanks of a
+    /// program stay.
     ///
     /// # Errors
     /// When the changed case cannot be run.
@@ -225,14 +260,99 @@ impl LoadedCase {
         Ok(self.changed_to(input, None)?)
     }
 
+    /// The case with what `change` overrides beside its keys.
+    ///
+    /// # Errors
+    /// When a value is outside its domain.
+    pub fn overridden(&self, change: impl FnOnce(&mut Overrides)) -> Result<Self, Error> {
+        let mut overrides = self.case.overrides.clone();
+        change(&mut overrides);
+        let case = self.stated.overridden(overrides, self.flank_lays());
+        let case = case.map_err(Box::new)?;
+        Ok(self.having(|loaded| Loaded { case, ..loaded }))
+    }
+
+    /// The case with other user-defined laws.
+    #[must_use]
+    pub fn with_laws(&self, change: impl FnOnce(&mut Laws)) -> Self {
+        let mut laws = self.case.laws.clone();
+        change(&mut laws);
+        self.remade(|case| case.with_laws(laws.clone()))
+    }
+
+    /// The case on other flanks.
+    #[must_use]
+    pub fn with_surfaces(&self, surfaces: Surfaces) -> Self {
+        self.having(|loaded| Loaded { surfaces, ..loaded })
+    }
+
     /// The case on its first pair of traces, where several teeth or surrogates are in contact.
     #[must_use]
     pub fn first_pair(&self) -> Self {
-        Self {
-            surfaces: self.surfaces.first_pair(),
+        self.having(|loaded| Loaded {
+            surfaces: loaded.surfaces.first_pair(),
             sampled: None,
-            ..self.clone()
+            ..loaded
+        })
+    }
+
+    fn having(&self, change: impl FnOnce(Loaded) -> Loaded) -> Self {
+        let mut other = self.clone();
+        other.loaded = change(other.loaded);
+        other
+    }
+
+    /// The case with another one as resolved, which has the same overrides.
+    fn remade(&self, change: impl Fn(Case) -> Case) -> Self {
+        let stated = Arc::new(change(Case::clone(&self.stated)));
+        let case = change(self.case.clone());
+        Self {
+            stated,
+            ..self.having(|loaded| Loaded { case, ..loaded })
         }
+    }
+
+    /// The case with its flanks at a bulk temperature.
+    ///
+    /// # Errors
+    /// When the oil does not flow there, or a law of it does not hold.
+    pub fn at(&self, bulk: Temperature) -> Result<OperatingCase, Error> {
+        OperatingCase::new(self.clone(), bulk, None, self.oil_at(bulk)?)
+    }
+
+    /// The case at a bulk temperature that was found from its loss.
+    ///
+    /// # Errors
+    /// As [`at`](Self::at).
+    pub fn at_found(&self, bulk: Temperature, report: BulkReport) -> Result<OperatingCase, Error> {
+        OperatingCase::new(self.clone(), bulk, Some(report), self.oil_at(bulk)?)
+    }
+
+    /// The case at the temperature that it states, also where this is the temperature of the oil.
+    ///
+    /// # Errors
+    /// As [`at`](Self::at).
+    pub fn at_stated(&self) -> Result<OperatingCase, Error> {
+        self.at(self.case.stated_temperature)
+    }
+
+    /// The oil at a temperature, without overrides.
+    pub(super) fn oil_at(&self, at: Temperature) -> Result<Arc<OilAt>, Error> {
+        if at == self.stated.stated_temperature {
+            return Ok(Arc::clone(&self.oil));
+        }
+        Ok(Arc::new(self.stated.oil_at(at, &self.source())?))
+    }
+
+    /// The warnings of the case, those about its oil at another temperature.
+    pub(super) fn warnings_at(&self, oil: &LubricantState, at: Temperature) -> Vec<Warning> {
+        let case = &self.stated;
+        if at == case.stated_temperature {
+            return self.warnings.clone();
+        }
+        let stated = oil_warnings(case, &self.oil.state, case.stated_temperature);
+        let others = self.warnings.iter().filter(|one| !stated.contains(one));
+        others.cloned().chain(oil_warnings(case, oil, at)).collect()
     }
 
     /// The case, and every case that is changed from it, without the losses besides its mesh; its input still states them.
@@ -240,12 +360,9 @@ impl LoadedCase {
     pub fn without_gearbox(&self) -> Self {
         let mut values = DerivedValues::clone(&self.derived);
         values.gearbox = values.gearbox.with(|(_, sums)| (None, sums));
-        let mut case = self.case.clone();
-        case.gearbox = None;
         Self {
-            case,
             derived: values.into(),
-            ..self.clone()
+            ..self.remade(Case::without_gearbox)
         }
     }
 
@@ -298,6 +415,7 @@ impl LoadedCase {
         });
         Kept {
             laws: self.case.laws.clone(),
+            overrides: self.case.overrides.clone(),
             values,
         }
     }
@@ -355,7 +473,11 @@ pub(crate) fn complete(
         input.lubricant.oil_file.clone(),
         |file| oil_file(file.as_deref(), source, &files),
     )?;
-    let (mut case, teeth) = provenance.collect(|| {
+    let Completed {
+        case,
+        teeth,
+        oil: state,
+    } = provenance.collect(|| {
         let file = oil.value().0.clone();
         resolve_with(input, file, source, known.map(|known| &known.teeth))
     })?;
@@ -364,36 +486,45 @@ pub(crate) fn complete(
         case.input.model.xu_coefficients.clone(),
         |file| xu_calibration(file.as_deref(), source, &files),
     )?;
-    if let Some(calibration) = &xu.value().0 {
-        case.model.friction_settings.xu.coefficients = calibration.coefficients;
-    }
     let gearbox = Derived::renewed(
         known.map(|known| &known.gearbox),
         case.input.gearbox.clone(),
         |stated| gearbox_of_one_mesh(stated.as_ref(), source, &files),
     )?;
-    case.gearbox.clone_from(&gearbox.value().0);
-    if let Some(kept) = &kept {
-        case.laws = kept.laws.clone();
-        case.list_laws();
-    }
+    let case = case.with_files(OfFiles {
+        xu: xu.value().0.as_ref(),
+        gearbox: gearbox.value().0.clone(),
+        laws: kept.as_ref().map(|kept| kept.laws.clone()),
+    });
     let flanks = Derived::renewed(
         known.map(|known| &known.flanks),
         provenance.collect(|| FlankInputs::of(&case)),
         |inputs| flanks(inputs, source, &files),
     )?;
-    let formed = known.map(|known| &known.formed);
-    let formed = enter(flanks.value(), &mut case, formed, source)?;
     let of_flanks = flanks.value();
-    let warnings = warnings_of(&case, of_flanks, source);
+    let case = case.with_flanks(OfFlanks {
+        assumed: &of_flanks.assumed,
+        lay: of_flanks.lays.in_place_of_default(),
+        zones: &of_flanks.zones,
+        forms: &of_flanks.forms,
+    });
+    let formed = known.map(|known| &known.formed);
+    let formed = check_flanks(of_flanks, &case, formed, source)?;
+    let warnings = warnings_of(&case, &state.state, of_flanks, source);
     provenance.include(&of_flanks.provenance);
-    Ok(LoadedCase {
+    let loaded = Loaded {
         surfaces: of_flanks.surfaces.clone(),
         flanks: Arc::clone(&of_flanks.reports),
         sampled: of_flanks.sampled.clone(),
-        case,
+        case: case.clone(),
         warnings,
         provenance,
+    };
+    let overrides = kept.map(|kept| kept.overrides).unwrap_or_default();
+    let plain = LoadedCase {
+        loaded,
+        stated: Arc::new(case),
+        oil: Arc::new(state),
         derived: Arc::new(DerivedValues {
             flanks,
             gearbox,
@@ -405,38 +536,27 @@ pub(crate) fn complete(
         name: source.name().into(),
         mesh: source.mesh().cloned(),
         files,
-    })
+    };
+    if overrides.are_none() {
+        return Ok(plain);
+    }
+    let refused = |error: Error| Section::of(source, "model").value("lay", error.to_string());
+    plain.overridden(|over| *over = overrides).map_err(refused)
 }
 
-/// Puts what the flanks show into the case: values of their files in place of defaults, lay, zones of the face, and the form of
-/// gears whose relief is taken from traces. Returns the check of the load with that form.
-fn enter(
+/// Refuses what flanks do not admit, and checks the load with their measured form, if they have one.
+fn check_flanks(
     flanks: &Flanks,
-    case: &mut Case,
+    case: &Case,
     known: Option<&Derived<Option<LoadCheck>, ()>>,
     source: &Source,
 ) -> Result<Derived<Option<LoadCheck>, ()>, CaseError> {
-    let Flanks {
-        surfaces,
-        forms,
-        assumed,
-        ..
-    } = flanks;
-    // Values that a file states replace the defaults.
-    let is_default = |default: &DefaultUsed| assumed.iter().all(|stated| stated.key != default.key);
-    case.defaults.retain(is_default);
-    case.defaults.extend(assumed.iter().cloned());
-    flanks.lays.enter(case);
+    let surfaces = &flanks.surfaces;
     if case.running_in.is_some() && (!surfaces.are_measured() || surfaces.is_surrogate()) {
         let section = Section::of(source, "operation");
         return Err(section.conflict("running_in", "needs the traces of both flanks"));
     }
-    case.face_zones.clone_from(&flanks.zones);
-    let mut check = None;
-    if *forms != [None, None] {
-        case.micro_geometry.measured.clone_from(forms);
-        check = Some(case.load_check());
-    }
+    let check = (flanks.forms != [None, None]).then(|| case.load_check());
     let formed = Derived::renewed(known, check, |check| match check {
         Some(check) => check.solve(source),
         None => Ok(()),
@@ -448,14 +568,20 @@ fn enter(
 }
 
 /// Doubts about the keys of a case and its files.
-fn warnings_of(case: &Case, flanks: &Flanks, source: &Source) -> Vec<Warning> {
+fn warnings_of(
+    case: &Case,
+    oil: &LubricantState,
+    flanks: &Flanks,
+    source: &Source,
+) -> Vec<Warning> {
     let (input, gears) = (&case.input, &case.gears);
     let loads = at_pitch_point(gears, case.modulus, case.torque, case.speed);
     let running_in = case.running_in.filter(|plan| plan.torque != case.torque);
     let of_plan = running_in
         .map(|plan| plan.load(&input.operation, (gears, case.modulus), case.flow_pressure));
     let loads = loads.into_iter().chain(of_plan);
-    let mut warnings = unusual(input, source, &case.oil, loads);
+    let mut warnings = unusual(input, source, loads);
+    warnings.extend(oil_warnings(case, oil, case.stated_temperature));
     warnings.extend(step_up(gears, source));
     warnings.extend(flanks.warnings.iter().cloned());
     warnings.extend(divided_shifts(&input.gears, gears, source));
@@ -463,12 +589,18 @@ fn warnings_of(case: &Case, flanks: &Flanks, source: &Source) -> Vec<Warning> {
     warnings.extend(read_as_keys(source));
     let gearbox = case.gearbox.iter();
     warnings.extend(gearbox.flat_map(|gearbox| gearbox.warnings.iter().cloned()));
-    let oil = case.oil_file.iter();
-    warnings.extend(oil.flat_map(|oil| oil.warnings(input, case.temperature)));
     warnings.extend(replaced_oil(&input.lubricant));
     warnings.extend(replaced_properties(&input.lubricant));
     warnings.extend(simulated(input, case.oil_file.as_deref()));
     warnings
+}
+
+/// Doubts about the oil at a temperature.
+fn oil_warnings(case: &Case, oil: &LubricantState, at: Temperature) -> Vec<Warning> {
+    let thin_or_stiff = unusual_oil(&case.input, oil).into_iter();
+    let file = case.oil_file.iter();
+    let of_file = file.flat_map(|file| file.warnings(&case.input, at));
+    thin_or_stiff.chain(of_file).collect()
 }
 
 /// Refuses models of one pair of traces if there are several.

@@ -9,6 +9,7 @@ mod generated;
 pub mod lay;
 pub mod loaded_case;
 mod named_traces;
+pub mod operating_case;
 mod scan_choice;
 pub mod scans;
 pub mod sheets;

@@ -6,7 +6,6 @@ use asperity_efficiency::bulk_temperature::Network;
 use serde::{Deserialize, Serialize};
 
 use crate::input::bulk_input::{BulkInput, BulkLaw, Lubrication};
-use crate::input::case_input::CaseInput;
 use crate::input::law_names::{FullFilmName, LoadShareName};
 use crate::input::model::Model;
 use crate::source::case_error::CaseError;
@@ -48,15 +47,6 @@ pub struct BulkReport {
     /// laws.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub runs_away_from_c: Option<f64>,
-}
-
-/// The bulk temperature of a case that states the temperature of its oil, and the case as stated.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FoundBulk {
-    /// The case as stated, with the temperature of the oil.
-    pub stated: Box<CaseInput>,
-    /// The temperature.
-    pub report: BulkReport,
 }
 
 /// The law of the bulk temperature, if the case states one. A message about the law of a single mesh has its key in the gear

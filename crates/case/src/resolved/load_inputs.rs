@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use super::assumed_relief::AssumedRelief;
+
 use asperity_core::material::Material;
 use asperity_core::quantity::Torque;
 use asperity_gear::{
@@ -69,6 +71,16 @@ impl LoadInputs {
             torque,
             ..self.clone()
         }
+    }
+
+    /// The same with the relief c δ over the roll length l L; edge contact of the tips where there is none.
+    #[must_use]
+    pub fn with_relief(&self, assumed: &AssumedRelief, c: f64, l: f64) -> Self {
+        let mut other = self.clone();
+        other.micro_geometry = assumed.put_into(&self.micro_geometry, c, l);
+        // The edges of a ring are no part of the model.
+        other.settings.edge_contact |= c == 0.0 && !self.gears.internal;
+        other
     }
 
     /// Whether the law lets the teeth deform.

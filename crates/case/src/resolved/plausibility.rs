@@ -161,23 +161,26 @@ impl AtPitchPoint {
     }
 }
 
+/// The warning about an oil that is unusually thin or stiff at the bulk temperature.
+pub(crate) fn unusual_oil(input: &CaseInput, oil: &LubricantState) -> Option<Warning> {
+    let viscosity = oil.dynamic_viscosity.si();
+    if within(viscosity, OIL_USUAL) {
+        return None;
+    }
+    let [low, high] = OIL_USUAL;
+    let viscosity = digits(viscosity);
+    let key = input.operation.temperature_key();
+    let text = format!("{key}: the oil has {viscosity} Pa s there; usual is {low} to {high} Pa s");
+    Some(Warning::new(UNUSUAL, text))
+}
+
 /// Warnings about the unusual numbers of a case.
 pub(crate) fn unusual(
     input: &CaseInput,
     source: &Source,
-    oil: &LubricantState,
     loads: impl Iterator<Item = AtPitchPoint>,
 ) -> Vec<Warning> {
     let mut warnings = ranges::unusual(input, source);
-    let viscosity = oil.dynamic_viscosity.si();
-    if !within(viscosity, OIL_USUAL) {
-        let [low, high] = OIL_USUAL;
-        let viscosity = digits(viscosity);
-        let key = input.operation.temperature_key();
-        let text =
-            format!("{key}: the oil has {viscosity} Pa s there; usual is {low} to {high} Pa s");
-        warnings.push(Warning::new(UNUSUAL, text));
-    }
     warnings.extend(loads.filter_map(|load| load.unusual()));
     warnings
 }

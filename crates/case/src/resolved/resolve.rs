@@ -1,11 +1,15 @@
 //! Completion of a case: defaults filled in, numbers checked.
 
+use std::ops::Deref;
 use std::sync::Arc;
 
 use asperity_core::material::{Material, reduced_modulus};
 use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
-use asperity_core::{DomainError, OutOfRange};
-use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
+use asperity_core::{Checked, DomainError, OutOfRange};
+use asperity_ehl_regime::inlet_flow::Lay;
+use asperity_flanks::error::PositionError;
+use asperity_flanks::flank_lay::FlankLay;
+use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MeasuredForm, MicroGeometry};
 use asperity_oil::{
     Assumption, FilmRheology, Lubricant, LubricantError, LubricantInput, LubricantState,
     PressureLaw,
@@ -13,10 +17,11 @@ use asperity_oil::{
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
+use asperity_tribo_friction::XuCalibration;
 use serde_json::Value;
 
 use super::assumed_relief::{AssumedRelief, ReliefInputs};
-use super::bulk::{BulkModel, FoundBulk, bulk_model};
+use super::bulk::{BulkModel, bulk_model};
 use super::calibrated;
 use super::gearbox::Gearbox;
 use super::gears::{gears, load_settings, micro_geometry, note_relief};
@@ -33,15 +38,29 @@ use crate::input::model::{Model, ModelInput, OfFormulation, model};
 use crate::input::path_point::Positions;
 use crate::input::ranges::refuse_impossible;
 use crate::laws::Laws;
+use crate::overrides::Overrides;
 use crate::source::case_error::CaseError;
 use crate::source::defaults::{DefaultUsed, Defaults};
 use crate::source::section::{Section, domain, in_train};
 use crate::source::source_text::Source;
 use crate::text::{key_of, missing_key};
 
-/// A case with every choice made.
+/// A case with every choice made: made from a [`CaseInput`], and read only. [`Overrides`] are what a draw or a study changes of it.
 #[derive(Debug, Clone)]
-pub struct Case {
+pub struct Case(Resolved);
+
+impl Deref for Case {
+    type Target = Resolved;
+
+    fn deref(&self) -> &Resolved {
+        &self.0
+    }
+}
+
+/// The values of a [`Case`].
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Resolved {
     /// Title.
     pub title: String,
     /// The formulation of the model.
@@ -66,24 +85,16 @@ pub struct Case {
     pub speed: AngularSpeed,
     /// Running-in of the flanks before the loss is computed, if the case states one.
     pub running_in: Option<RunningInPlan>,
-    /// Bulk temperature of the flanks; the temperature of the oil if `bulk` is not evaluated yet.
-    pub temperature: Temperature,
-    /// Law of the bulk temperature if it follows from the loss and is not known yet.
+    /// The temperature that the case states: of the oil where `bulk` has a law, else of the flanks.
+    pub stated_temperature: Temperature,
+    /// Law by which the bulk temperature of the flanks follows from the loss; `None` where the case states it.
     pub bulk: Option<BulkModel>,
-    /// The bulk temperature that follows from the loss, once it is known.
-    pub found_bulk: Option<FoundBulk>,
-    /// The oil.
+    /// The oil, whose state at a temperature an [`OperatingCase`](crate::case::OperatingCase) has.
     pub lubricant: Lubricant,
     /// The oil file that the case names.
     pub oil_file: Option<Arc<OilFile>>,
-    /// The oil at the bulk temperature.
-    pub oil: LubricantState,
-    /// The oil in the film, if film friction or load share use it.
-    pub rheology: Option<FilmRheology>,
     /// Properties of the steels outside the range of their relations.
     pub steel_notes: Vec<OutOfRange>,
-    /// Properties of the oil outside the range of its laws.
-    pub oil_notes: Vec<OutOfRange>,
     /// Preparation of the traces.
     pub preparation: Preparation,
     /// Places y/b between zones of the face with separate traces; empty if the traces represent the whole face.
@@ -94,6 +105,8 @@ pub struct Case {
     pub gearbox: Option<Gearbox>,
     /// User-defined laws.
     pub laws: Laws,
+    /// What a draw or a study changes, in the other values already.
+    pub overrides: Overrides,
     /// The case as read.
     pub input: CaseInput,
     /// Every default in use.
@@ -105,7 +118,7 @@ pub struct Case {
 /// # Errors
 /// When a number is outside its domain, the gears cannot mesh, or the oil cannot be.
 pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
-    resolve_with(input, None, source, None).map(|(case, _)| case)
+    resolve_with(input, None, source, None).map(|found| found.case)
 }
 
 /// Completes and checks a case with the oil file that it names; the load over the teeth is not solved again where it is known.
@@ -114,7 +127,7 @@ pub(crate) fn resolve_with(
     oil_file: Option<Arc<OilFile>>,
     source: &Source,
     known: Option<&SolvedTeeth>,
-) -> Result<(Case, SolvedTeeth), CaseError> {
+) -> Result<Completed, CaseError> {
     refuse_impossible(&input, source)?;
     let oil_file = oil_file.map(|file| file.by_law(input.model.film_pressure_law));
     let mut defaults = Defaults::default();
@@ -171,10 +184,10 @@ pub(crate) fn resolve_with(
         micro_geometry = assumed.put_into(&micro_geometry, amount, length);
     }
     let of_film = (&model, (&input, oil_file.as_deref()));
-    let (oil_state, rheology) = film_oil(&lubricant, oil.value, of_film, temperature, source)?;
-    assume_conductivity(&lubricant, rheology.as_ref(), &mut defaults);
+    let oil = film_oil(&lubricant, oil, of_film, temperature, source)?;
+    assume_conductivity(&lubricant, oil.rheology.as_ref(), &mut defaults);
     let title = input.title.clone();
-    let case = Case {
+    let case = Case(Resolved {
         title: title.unwrap_or_else(|| title_by_gears(&gears.teeth, gears.normal_module)),
         formulation,
         gears,
@@ -187,24 +200,59 @@ pub(crate) fn resolve_with(
         torque,
         speed,
         running_in,
-        temperature,
+        stated_temperature: temperature,
         bulk,
-        found_bulk: None,
         lubricant,
         oil_file,
-        oil: oil_state,
-        rheology,
         steel_notes,
-        oil_notes: oil.outside,
         preparation,
         face_zones: Vec::new(),
         model,
         gearbox: None,
         laws: Laws::default(),
+        overrides: Overrides::default(),
         input,
         defaults: defaults.into_list(),
-    };
-    Ok((case, teeth))
+    });
+    Ok(Completed { case, teeth, oil })
+}
+
+/// A case with what was computed to check it.
+pub(crate) struct Completed {
+    pub case: Case,
+    pub teeth: SolvedTeeth,
+    /// The oil at the temperature that the case states.
+    pub oil: OilAt,
+}
+
+/// The oil of a case at a temperature.
+#[derive(Debug, Clone)]
+pub(crate) struct OilAt {
+    pub state: LubricantState,
+    /// The oil in the film, if film friction or load share use it.
+    pub rheology: Option<FilmRheology>,
+    /// Properties outside the range of their laws.
+    pub notes: Vec<OutOfRange>,
+}
+
+/// What the files of a case add to its keys.
+pub(crate) struct OfFiles<'a> {
+    /// Coefficients of Xu's friction law.
+    pub xu: Option<&'a XuCalibration>,
+    pub gearbox: Option<Gearbox>,
+    pub laws: Option<Laws>,
+}
+
+/// What the flanks of a case add to its keys.
+pub(crate) struct OfFlanks<'a> {
+    /// Values of the files of the traces, in place of defaults.
+    pub assumed: &'a [DefaultUsed],
+    /// Lay of both flanks, and its row among the defaults, where the case states none and a surface shows it.
+    pub lay: Option<([Lay; 2], DefaultUsed)>,
+    /// Places y/b between zones of the face.
+    pub zones: &'a [f64],
+    /// Forms of the flanks of pinion and wheel that were measured.
+    pub forms: &'a [Option<MeasuredForm>; 2],
 }
 
 /// Refuses a load or a speed that no pair of gears has.
@@ -270,6 +318,105 @@ fn load_check(model: &Model, positions: Positions, mesh: &LoadConditions<'_>) ->
 }
 
 impl Case {
+    /// The case with what its files state.
+    pub(crate) fn with_files(mut self, files: OfFiles<'_>) -> Self {
+        if let Some(calibration) = files.xu {
+            self.0.model.friction_settings.xu.coefficients = calibration.coefficients;
+        }
+        self.0.gearbox = files.gearbox;
+        match files.laws {
+            Some(laws) => self.with_laws(laws),
+            None => self,
+        }
+    }
+
+    /// The case with user-defined laws, which are named among the defaults in place of the laws that they replace.
+    pub(crate) fn with_laws(mut self, laws: Laws) -> Self {
+        for row in laws.rows() {
+            self.0.defaults.retain(|default| default.key != row.key);
+            self.0.defaults.push(row);
+        }
+        self.0.laws = laws;
+        self
+    }
+
+    /// The case with what its flanks show.
+    pub(crate) fn with_flanks(mut self, flanks: OfFlanks<'_>) -> Self {
+        let Resolved {
+            defaults, model, ..
+        } = &mut self.0;
+        defaults.retain(|default| {
+            flanks
+                .assumed
+                .iter()
+                .all(|stated| stated.key != default.key)
+        });
+        defaults.extend(flanks.assumed.iter().cloned());
+        if let Some((lay, row)) = flanks.lay
+            && let Some(listed) = defaults.iter_mut().find(|default| default.key == row.key)
+        {
+            model.lay = lay;
+            *listed = row;
+        }
+        self.0.face_zones = flanks.zones.to_vec();
+        if *flanks.forms != [None, None] {
+            self.0.micro_geometry.measured.clone_from(flanks.forms);
+        }
+        self
+    }
+
+    /// The case without the losses besides its mesh; its input still states them.
+    pub(crate) fn without_gearbox(mut self) -> Self {
+        self.0.gearbox = None;
+        self
+    }
+
+    /// The case, in which nothing is overridden yet, with `overrides` and the lays of its flanks.
+    ///
+    /// # Errors
+    /// When a value is outside its domain.
+    pub(crate) fn overridden(
+        &self,
+        overrides: Overrides,
+        lays: [FlankLay; 2],
+    ) -> Result<Self, PositionError> {
+        let mut case = self.0.clone();
+        overrides.put_into(&mut case.model, lays)?;
+        let offsets = case.model.offsets;
+        if offsets != self.model.offsets {
+            let mut defaults = case.defaults.iter_mut();
+            if let Some(used) = defaults.find(|used| used.key == "model.offsets") {
+                used.value = offsets.to_string();
+            }
+        }
+        if overrides.as_measured {
+            case.running_in = None;
+        }
+        case.overrides = overrides;
+        Ok(Self(case))
+    }
+
+    /// The oil at another temperature than the case states.
+    pub(crate) fn oil_at(&self, at: Temperature, source: &Source) -> Result<OilAt, CaseError> {
+        let operation = &self.input.operation;
+        let lubricant_at = |error| lubricant_at(source, operation, error);
+        let file = self.oil_file.as_deref();
+        let stated = self.input.lubricant.stated_at(self.stated_temperature);
+        let stated = stated.and_then(|stated| completed_oil(&stated, file));
+        let lubricant = stated
+            .and_then(|stated| stated.resolve(at))
+            .map_err(lubricant_at)?;
+        let oil = lubricant.at(at).map_err(lubricant_at)?;
+        refuse_stiff_oil(&oil.value, operation, source)?;
+        film_oil(
+            &lubricant,
+            oil,
+            (&self.model, (&self.input, file)),
+            at,
+            source,
+        )
+    }
+
     /// Operating point, and numbers of positions and offsets, in words.
     #[must_use]
     pub fn conditions(&self) -> String {
@@ -347,24 +494,32 @@ pub(crate) fn title_by_gears(teeth: &[u32], module: Length) -> String {
 /// thickness that follows from the oil of the film friction.
 fn film_oil(
     lubricant: &Lubricant,
-    oil: LubricantState,
+    oil: Checked<LubricantState>,
     (model, of_file): (&Model, (&CaseInput, Option<&OilFile>)),
     bulk: Temperature,
     source: &Source,
-) -> Result<(LubricantState, Option<FilmRheology>), CaseError> {
+) -> Result<OilAt, CaseError> {
+    let (state, notes) = (oil.value, oil.outside);
     if model.film_friction.shear_law().is_none() && !model.shears_its_film() {
         without_film_friction(of_file.0, source)?;
-        return Ok((oil, None));
+        return Ok(OilAt {
+            state,
+            rheology: None,
+            notes,
+        });
     }
     let lubricant_at = |error| lubricant_at(source, &of_file.0.operation, error);
     let rheology = rheology(lubricant, model, bulk, of_file).map_err(lubricant_at)?;
-    let state = rheology.state(bulk).map_err(lubricant_at)?;
-    let oil = LubricantState {
-        pressure_viscosity: state.pressure_viscosity,
-        thermal_conductivity: state.conductivity,
-        ..oil
-    };
-    Ok((oil, Some(rheology)))
+    let of_film = rheology.state(bulk).map_err(lubricant_at)?;
+    Ok(OilAt {
+        state: LubricantState {
+            pressure_viscosity: of_film.pressure_viscosity,
+            thermal_conductivity: of_film.conductivity,
+            ..state
+        },
+        rheology: Some(rheology),
+        notes,
+    })
 }
 
 /// Lists the thermal conductivity of a film with constants of its base oil in place of the one by density.

@@ -13,9 +13,9 @@ use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::input::case_input::CaseInput;
 use crate::input::files::{FileContents, FileSums, HeldTrace, Reader};
+use crate::laws::Laws;
 use crate::loaded::loaded_case::LoadedCase;
 use crate::resolved::gearbox::Gearbox;
-use crate::resolved::resolve::Case;
 use crate::resolved::shafting::{Shafting, StageKind};
 use crate::source::case_error::CaseError;
 use crate::source::defaults::DefaultUsed;
@@ -318,11 +318,11 @@ impl Train {
         sum.hex()
     }
 
-    /// The train with user-defined laws in the case of every mesh, as `laws` puts them into a case.
+    /// The train with user-defined laws in the case of every mesh, as `change` states them.
     #[must_use]
-    pub fn with_laws(mut self, laws: &dyn Fn(Case) -> Case) -> Self {
+    pub fn with_laws(mut self, change: &dyn Fn(&mut Laws)) -> Self {
         for mesh in self.stages.iter_mut().flat_map(|stage| &mut stage.meshes) {
-            mesh.case.case = laws(mesh.case.case.clone());
+            mesh.case = mesh.case.with_laws(change);
         }
         let first = self.meshes().next();
         let named: Vec<DefaultUsed> = (first.into_iter())

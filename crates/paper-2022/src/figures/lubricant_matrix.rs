@@ -6,9 +6,10 @@ use asperity::PositionError;
 use asperity::case::LoadedCase;
 use asperity::lubrication::formula_film;
 use asperity::mesh::Mesh;
+use asperity::oil::ViscosityLaw;
 use asperity_core::Fault;
 use asperity_core::numerics::range;
-use asperity_core::quantity::{Density, DynamicViscosity, KinematicViscosity};
+use asperity_core::quantity::{Density, DynamicViscosity};
 use asperity_ns_film::{FluidModel, pressure_difference_across};
 use asperity_report::chart::{Axis, Chart, Line, Series};
 use asperity_report::tables::write;
@@ -113,15 +114,24 @@ fn efficiencies(rows: &[OilRow]) -> Chart {
 }
 
 fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<OilRow, Fault> {
-    let mut case = case.clone();
-    let oil = &mut case.case.oil;
-    oil.density = Density::from_si(density);
-    oil.dynamic_viscosity = DynamicViscosity::from_si(viscosity);
-    oil.kinematic_viscosity = KinematicViscosity::from_si(viscosity / density);
-    let outcome = asperity::Run::new(&case).execute()?;
-    let station = Mesh::of(&case.case)?.positions.remove(0);
-    let central = formula_film(&case.case, &station)?.film.central;
-    let film = film_between(&case.case.gears, &case.case.oil, &station, central);
+    let oil = *case.at_stated()?.oil();
+    let case = case.with(|input| {
+        let lubricant = &mut input.lubricant;
+        lubricant.density = Some(Density::from_si(density));
+        lubricant.density_temperature = None;
+        lubricant.viscosity = Some(ViscosityLaw::Given {
+            dynamic_viscosity: DynamicViscosity::from_si(viscosity),
+            temperature: None,
+        });
+        lubricant.temperature_coefficient = Some(oil.temperature_coefficient);
+        lubricant.pressure_viscosity = Some(oil.pressure_viscosity);
+        lubricant.thermal_conductivity = Some(oil.thermal_conductivity);
+    })?;
+    let case = case.at_stated()?;
+    let outcome = asperity::Run::new(case.loaded()).execute()?;
+    let station = Mesh::of(&case)?.positions.remove(0);
+    let central = formula_film(&case, &station)?.film.central;
+    let film = film_between(&case.case.gears, case.oil(), &station, central);
     let across = |model| {
         pressure_difference_across(model, &film)
             .map(|p| p.si())

@@ -141,10 +141,10 @@ impl Process {
         (scatter, seed): (f64, u64),
         lots: usize,
     ) -> Result<Self, Fault> {
-        let mut case = loaded.without_gearbox();
-        case.case.running_in = None;
-        case.case.model.offsets = OFFSETS;
-        case.case.input.model.offsets = Some(OFFSETS);
+        let case = loaded.without_gearbox().overridden(|over| {
+            over.as_measured = true;
+            over.offsets = Some(OFFSETS);
+        })?;
         let traces = [traces(&case.surfaces, 0)?, traces(&case.surfaces, 1)?];
         check_heights(&case).map_err(|error| asperity::Error::from(Box::new(error)))?;
         let first = [&traces[0][0], &traces[1][0]];
@@ -245,8 +245,8 @@ impl Process {
 
     /// Mean loss of the pairs of `lot` with all heights times `height` \[W\].
     pub(super) fn loss(&self, lot: &Lot, height: f64) -> Result<f64, Fault> {
-        let mut case = self.case.clone();
-        case.surfaces = lot.pairs.with_heights_times(height)?;
+        let flanks = lot.pairs.with_heights_times(height)?;
+        let case = self.case.with_surfaces(flanks);
         Ok(losses(&case)?.summary.loss_w)
     }
 }
@@ -367,15 +367,14 @@ pub(super) fn e_drive_of(points: usize, factors: [f64; 2]) -> LoadedCase {
         input.model.positions = Some(2);
         input.model.load_share = Some(LoadShareName::ZhuHu);
     });
-    let mut case = load.unwrap();
+    let case = load.unwrap();
     let changed = [0, 1].map(|body: usize| {
         let trace = traces(&case.surfaces, body).unwrap().remove(0);
         let heights = trace.heights().iter().take(points);
         let heights = heights.map(|z| factors[body] * z).collect();
         Profile::new(trace.spacing(), heights).unwrap()
     });
-    case.surfaces = case.surfaces.with_traces(changed);
-    case
+    case.with_surfaces(case.surfaces.with_traces(changed))
 }
 
 #[cfg(test)]

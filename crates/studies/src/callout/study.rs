@@ -75,8 +75,8 @@ impl StudySettings for CallOutSettings {
     const STEPS: &'static str = "lots";
 
     fn work(&self, case: &LoadedCase) -> Result<Option<Work>, Fault> {
-        let mut pair = case.first_pair();
-        pair.case.model.offsets = OFFSETS;
+        let pair = case.first_pair();
+        let pair = pair.overridden(|over| over.offsets = Some(OFFSETS))?;
         let runs = PAIRS * (self.lots + CURVE * NOMINAL_LOTS);
         Ok(Some(Work::new(vec![pair], runs)))
     }

@@ -223,7 +223,7 @@ mod tests {
     #[test]
     fn a_point_slides_by_the_width_of_the_contact_times_its_slip() {
         let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
-        let case = asperity::case::load(file, None).unwrap().case;
+        let case = asperity::case::load(file, None).unwrap().case.clone();
         let mesh = Mesh::of(&case).unwrap();
         let found = [Gear::Pinion, Gear::Wheel].map(|gear| Severity::of(&mesh, &case.gears, gear));
         let at = &mesh.positions[0];

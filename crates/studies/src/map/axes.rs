@@ -107,7 +107,7 @@ impl Axes {
     pub fn case_temperature(case: &Train) -> f64 {
         let first = case.meshes().next();
         first.map_or(f64::NAN, |mesh| {
-            rounded(mesh.case.case.temperature.celsius())
+            rounded(mesh.case.case.stated_temperature.celsius())
         })
     }
 

@@ -92,9 +92,11 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
     let traces = traces(&mesh)?;
     let mut rows = costliest(&traces, &before);
     let pressed = |part: f64| {
-        let mut case = before.case.clone();
-        case.surfaces = case.surfaces.with_traces(pressed(&traces, &rows, part));
-        gradient(&case)
+        let flanks = before
+            .case
+            .surfaces
+            .with_traces(pressed(&traces, &rows, part));
+        gradient(&before.case.with_surfaces(flanks))
     };
     let half = pressed(0.5)?;
     progress(2, STEPS);
@@ -291,12 +293,13 @@ fn by_lay(
     ends: [f64; 2],
     (traces, rows): (&[Profile; 2], &[RidgeRow]),
 ) -> Result<Vec<[f64; 2]>, Error> {
-    let (case, contacts) = few_offsets_of(&before.case, &before.contacts);
-    let case = settled(&case, Some(&contacts))?;
+    let (case, contacts) = few_offsets_of(&before.case, &before.contacts)?;
+    // A ratio of watts does not depend on the heat balance.
+    let bulk = settled(&case, Some(&contacts))?.temperature();
+    let case = case.with(|input| input.operation.set_bulk_temperature(bulk))?;
     let offsets = contacts.offsets();
     let at = |lay: f64| -> Result<Vec<f64>, Error> {
-        let mut other = case.clone().into_owned();
-        UncertainParameter::Lay.set(&mut other, lay)?;
+        let other = case.overridden(|over| over.set(UncertainParameter::Lay, lay))?;
         let by_height = gradient_with(&contacts, &other)?.by_height;
         let of = |row: &RidgeRow| offsets as f64 * saving(row, traces, &by_height);
         Ok(rows.iter().map(of).collect())

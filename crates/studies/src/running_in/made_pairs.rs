@@ -31,8 +31,8 @@ fn between(random: &mut ChaCha8Rng, low: f64, high: f64) -> f64 {
 /// The history of one pair of traces of a recipe.
 fn history_of(case: &LoadedCase, recipe: &SelfAffine, seeds: [u64; 2], torque: Torque) -> History {
     let [pinion, wheel] = seeds.map(|seed| SelfAffine { seed, ..*recipe }.generate().unwrap());
-    let mut case = case.clone();
-    case.surfaces = Surfaces::new([Texture::Trace(pinion), Texture::Trace(wheel)], None, false);
+    let flanks = Surfaces::new([Texture::Trace(pinion), Texture::Trace(wheel)], None, false);
+    let case = case.with_surfaces(flanks).at_stated().unwrap();
     let settings = HistorySettings {
         plan: RunningInPlan {
             torque,

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity::case::{LoadedCase, RunningInPlan};
+use asperity::case::{LoadedCase, OperatingCase, RunningInPlan};
 use asperity::core::cancel::checkpoint;
 use asperity::gear::{FlankPoint, Gear};
 use asperity::message::Warning;
@@ -174,9 +174,8 @@ impl StudySettings for RunningInSettings {
         }
         let mut clock = Clock::usual();
         for (k, case) in cases.iter().enumerate() {
-            let case = settled(case, None)?.with(|input| {
-                input.model.offsets = Some(summary.offsets);
-            })?;
+            let case = settled(case, None)?;
+            let case = case.overridden(|over| over.offsets = Some(summary.offsets))?;
             let of_test = test.as_ref().map(|(ratio, _)| *ratio).filter(|_| k == 0);
             let (course, of_course, flanks) =
                 self.course(&case, (&clock, of_test), summary.loss_w, &step)?;
@@ -292,7 +291,7 @@ impl RunningInSettings {
     /// The course at the torque of a case, with the Rq ratio of a test at this torque.
     fn course(
         &self,
-        case: &LoadedCase,
+        case: &OperatingCase,
         (clock, ratio): (&Clock, Option<Estimate>),
         fresh_w: f64,
         step: &(dyn Fn() + Sync),

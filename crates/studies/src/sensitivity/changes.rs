@@ -164,9 +164,7 @@ fn on<E: Into<PositionError>>(
     surfaces: Result<Surfaces, E>,
 ) -> Result<LoadedCase, Error> {
     let surfaces = surfaces.map_err(|error| Error::Whole(Box::new(error.into())))?;
-    let mut case = loaded.clone();
-    case.surfaces = surfaces;
-    Ok(case)
+    Ok(loaded.with_surfaces(surfaces))
 }
 
 /// Shortest and longest wavelength of the prepared traces; `None` if a flank was not measured.
@@ -226,7 +224,7 @@ fn oil(loaded: &LoadedCase) -> Vec<Change> {
             .and_then(|law| loaded.with(|input| input.lubricant.viscosity = Some(law)));
         change("viscosity".to_owned(), format!("× {factor}"), case)
     });
-    let temperature = loaded.case.temperature.celsius();
+    let temperature = loaded.case.stated_temperature.celsius();
     let celsius = |temperature: f64| format!("{} °C", digits(temperature, 5));
     // A viscosity without temperature applies at any temperature of the case.
     let knows_temperature = !matches!(

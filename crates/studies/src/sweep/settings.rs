@@ -77,7 +77,7 @@ mod tests {
     #[test]
     fn an_oil_leaves_out_the_numbers_of_the_oil_of_the_case() {
         let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
-        let mut input = load(file, None).unwrap().case.input;
+        let mut input = load(file, None).unwrap().case.input.clone();
         let setting = |key: &str, value: &str| (key.to_owned(), value.to_owned());
         let own = [setting("lubricant.pressure_viscosity_factor", "0.94")];
         set_all(&mut input, &[], &own).unwrap();

@@ -103,7 +103,8 @@ mod tests {
         let file = std::path::Path::new("../../fixtures/cases/fzg-c.toml");
         let case = load_with(file, &|input| input.model.positions = Some(8))
             .unwrap()
-            .case;
+            .case
+            .clone();
         let mesh = Mesh::of(&case).unwrap();
         let smooth = || {
             let spacing = Length::from_si(0.5e-6);
