@@ -16,7 +16,7 @@ test-all:
 ci:
     .ci/run
 
-# Compute the tables of docs/VALIDATION.md anew, the gates of measurement among them.
+# Write the tables of docs/VALIDATION.md and other pages, and tests/golden/evidence.
 validation:
     ASPERITY_WRITE=1 cargo test --workspace --test validation
 
@@ -37,18 +37,13 @@ bench:
 fixtures:
     cargo run --release -p asperity-fixtures
 
-# Write the table of equations and docs/EQUATIONS.md anew from the doc comments.
+# Write the table of equations anew from the doc comments.
 equations:
     ASPERITY_WRITE=1 cargo test -p asperity-tests --test equations the_table_has_the_formulas
-    cargo run --release -- equations --markdown > docs/EQUATIONS.md
 
-# Write the list of commands anew.
-commands:
-    cargo run --release -- completions markdown > docs/COMMANDS.md
-
-# Build the book with mdBook and mdbook-katex.
-book:
-    mdbook build docs
+# Build the book into target/book with mdBook and mdbook-katex; commands, messages, equations and Python are added.
+book python="python3":
+    .ci/book {{ python }}
 
 # Build the page that runs in a browser; docs/WEB.md says how to serve it.
 page folder="target/web":

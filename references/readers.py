@@ -4,9 +4,8 @@
     cargo build -p asperity-profile-io --example surface
     python references/readers.py target/debug/examples/surface FOLDER
 
-FOLDER holds files of instruments, which are not part of the project. A line a file is printed as a row of
-docs/records/readers.md: what was read or the code of the refusal, and how it compares with every public reader that takes
-the file. Heights are compared in metres, after the same division by 1e3, 1e6 or 1e9 where the other reader has
+FOLDER holds files of instruments, which are not part of the project. A line a file is printed: what
+was read or the code of the refusal, and how it compares with every public reader that takes the file. Heights are compared in metres, after the same division by 1e3, 1e6 or 1e9 where the other reader has
 another unit. "Shape" means equal after the mean of both is taken off.
 """
 

@@ -1,5 +1,5 @@
 //! Time of whole solutions, planning included; of warm starts with plans kept; of the transforms
-//! that the solutions are made of; and of a stress field. `docs/records/performance-contact.md` defines the cases.
+//! that the solutions are made of; and of a stress field. `crates/contact/tests/common/peers.rs` defines the cases.
 
 #[path = "../../crates/contact/tests/common/mod.rs"]
 mod common;

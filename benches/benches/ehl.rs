@@ -1,4 +1,5 @@
-//! Cold steady solutions and time steps of rough contacts; `docs/records/performance-ehl.md` has the table.
+//! Cold steady solutions and time steps of rough contacts on the gear case: 512 cells took 1.4 ms cold, and a step 1.0 to
+//! 3.4 ms (22 November 2026).
 
 #[path = "../../crates/ehl/tests/common/mod.rs"]
 mod common;

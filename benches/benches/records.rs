@@ -1,4 +1,5 @@
-//! Records of gear meshes with heat, of the first 256 steps; `docs/records/performance-ehl.md` has the table.
+//! Records of gear meshes with heat, of the first 256 steps of each record: at most 3.4 ms a step on
+//! 22 November 2026.
 use std::path::Path;
 use std::time::Duration;
 

@@ -137,7 +137,7 @@ pub enum Command {
         after_help = "Examples:\n  asperity completions bash > /etc/bash_completion.d/asperity\n  \
         asperity completions zsh > ~/.zfunc/_asperity\n  \
         asperity completions man > /usr/local/share/man/man1/asperity.1\n  \
-        asperity completions markdown > docs/COMMANDS.md"
+        asperity completions markdown > commands.md"
     )]
     Completions {
         /// The shell, man, or markdown
@@ -175,7 +175,7 @@ pub enum Command {
     Explain {
         /// The code, e.g. W402 [default: all codes]
         code: Option<String>,
-        /// Print the page docs/MESSAGES.md instead: every code with its cause and remedy
+        /// Print all as a page of Markdown: every code with its cause and remedy
         #[arg(long, conflicts_with_all = ["code", "json"])]
         markdown: bool,
     },
@@ -467,7 +467,7 @@ pub enum KernelArg {
 pub struct EquationsArgs {
     /// Tag of one equation, e.g. P7
     pub tag: Option<String>,
-    /// Print the page docs/EQUATIONS.md
+    /// Print all as a page of Markdown: with formulas, tests, sources and misprints
     #[arg(long, conflicts_with = "tag")]
     pub markdown: bool,
 }

@@ -1,6 +1,6 @@
-"""Measures what the Python module costs, and writes the figures into docs/PYTHON.md.
+"""Measures what the Python module costs.
 
-    python crates/python/measure.py [--write]
+    python crates/python/measure.py
 
 Run it with the module installed, on an idle machine; the load is printed with the figures. It builds the example that
 times the same contact in Rust.
@@ -23,7 +23,6 @@ import numpy as np
 import asperity
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs" / "PYTHON.md"
 CASE = ROOT / "fixtures" / "cases" / "e-drive.toml"
 SPACING, MODULUS, LOAD = 1e-7, 115e9, 2e5
 TIMES, SOLUTIONS = 41, 5
@@ -144,11 +143,6 @@ def main():
     table = "| measured | | at most |\n|---|---|---|\n" + "".join(f"| {name} | {value} | {most} |\n" for name, value, most, _ in rows)
     text = f"Measured by `crates/python/measure.py` on {os.cpu_count()} cores (load {load:.1f} before):\n\n{table}"
     print(text)
-    if "--write" in sys.argv:
-        page = PAGE.read_text(encoding="utf-8")
-        before, rest = page.split("<!-- python-figures -->\n")
-        after = rest.split("<!-- end -->")[1]
-        PAGE.write_text(f"{before}<!-- python-figures -->\n{text}<!-- end -->{after}", encoding="utf-8")
     failed = [name for name, _, _, holds in rows if not holds]
     sys.exit("does not hold: " + "; ".join(failed) if failed else 0)
 

@@ -1,19 +1,17 @@
-"""Writes docs/PYTHON_API.md: everything public with its signature and doc string.
+"""Prints the page of the module for the book: everything public with its signature and doc string.
 
-    python crates/python/reference.py          # after building the module
+    python crates/python/reference.py          # after building the module; `just book` does it
 """
 
 import ast
 import inspect
 import re
 import sys
-from pathlib import Path
 
 import asperity
 import columns
 from asperity import _asperity, _case, _columns, _compare, _files, _oil, _own_laws, _profile, _progress, _quantity, _studies, _values
 
-FILE = Path(__file__).resolve().parents[2] / "docs" / "PYTHON_API.md"
 HEAD = """# Python API
 
 <!-- Written by crates/python/reference.py from signatures and doc strings. -->
@@ -162,8 +160,8 @@ def of_function(name, function):
     return f"### {name}\n\n```python\n{signature(name, function)}\n```\n\n{prose(function.__doc__)}"
 
 
-OF_RUNS = {"SummaryValues": "Summary", "PathRowTable": "Path"}
-"""Values of runs whose members are listed with the tables, by the names that signatures have for them."""
+OF_RUNS = {"SummaryValues": "Values of Summary", "PathRowTable": "Columns of Path"}
+"""Values of runs whose members are listed with the tables, with their headings."""
 
 
 def types():
@@ -224,5 +222,5 @@ def written():
 
 
 if __name__ == "__main__":
-    FILE.write_text(written(), encoding="utf-8")
-    sys.exit()
+    sys.stdout.reconfigure(encoding="utf-8")
+    print(written(), end="")

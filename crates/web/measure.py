@@ -2,8 +2,8 @@
 
     python crates/web/measure.py [--write]
 
-ASPERITY_PAGE and ASPERITY_PROGRAM as for the tests; --write puts the figures into docs/WEB.md and a picture of the page
-into docs/figures. The size has a limit; times are told with the load of the machine.
+ASPERITY_PAGE and ASPERITY_PROGRAM as for the tests; --write puts a picture of the page into docs/figures. The size has a
+limit; times are printed with the load of the machine.
 """
 
 import gzip
@@ -22,7 +22,7 @@ from page import browser, ended, open_page, served
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = Path(os.environ.get("ASPERITY_PAGE", ROOT / "target/web"))
 PROGRAM = os.environ.get("ASPERITY_PROGRAM", str(ROOT / "target/release/asperity"))
-PAGE, PICTURE = ROOT / "docs/WEB.md", ROOT / "docs/figures/web.png"
+PICTURE = ROOT / "docs/figures/web.png"
 CASE = ROOT / "fixtures/cases/e-drive.toml"
 TIMES = 7
 LARGEST = 3e6
@@ -84,10 +84,6 @@ def main():
         f"| page over command | {cpu / cpu_native:.2f} | {TIMES_NATIVE} |",
     ])
     print(table)
-    if "--write" in sys.argv:
-        text = PAGE.read_text()
-        marks = r"(<!-- web-figures -->\n).*?(<!-- end -->)"
-        PAGE.write_text(re.sub(marks, lambda m: f"{m[1]}{table}\n{m[2]}", text, flags=re.S))
     if gzipped > LARGEST:
         sys.exit("the page is too large")
     if cpu / cpu_native > TIMES_NATIVE:

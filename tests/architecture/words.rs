@@ -53,7 +53,7 @@ fn options(text: &str) -> impl Iterator<Item = &str> {
 const OF_THE_COMMAND: [&str; 4] = [
     // A page of the documents, which tells how the command takes a case.
     "crates/case/src/load/page.rs",
-    // The heading of the page docs/EQUATIONS.md.
+    // The heading of the page of equations.
     "crates/asperity/src/equations/mod.rs",
     // The first screen of the command `run`.
     "crates/report/src/summary.rs",

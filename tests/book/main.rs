@@ -8,6 +8,7 @@
 
 mod blocks;
 mod chapters;
+mod generated;
 mod links;
 mod pictures;
 mod spelling;

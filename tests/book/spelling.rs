@@ -7,7 +7,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use asperity_tests::markdown::{pages, prose, root, without_code};
+use asperity_tests::markdown::{prose, root, without_code};
+
+use crate::generated::documents;
 
 /// Words that resemble a frequent one and are right.
 const RIGHT: &[&str] = &[
@@ -99,8 +101,7 @@ fn vocabulary() -> (Vec<(String, String)>, BTreeMap<String, usize>) {
         count_comments(&root().join(folder), &mut counts);
     }
     let mut places = Vec::new();
-    for page in pages() {
-        let text = fs::read_to_string(root().join(&page)).unwrap();
+    for (page, text) in documents() {
         for word in prose(&text).into_iter().flat_map(words) {
             *counts.entry(word.clone()).or_default() += 1;
             places.push((word, page.clone()));

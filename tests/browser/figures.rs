@@ -19,7 +19,7 @@ fn every_figure_has_its_table_and_a_place_in_the_docs() {
         .collect();
     names.sort();
     assert_eq!(names, asperity_paper_2022::figures::FILES);
-    let docs = std::fs::read_to_string(root.join("docs/FIGURES.md")).unwrap();
+    let docs = std::fs::read_to_string(root.join("docs/PAPER.md")).unwrap();
     for number in ["06", "07", "08", "09", "10", "11", "12", "13"] {
         let of = |ending: &str| {
             files.iter().any(|file| {
@@ -39,7 +39,7 @@ fn every_figure_has_its_table_and_a_place_in_the_docs() {
         assert!(std::fs::metadata(file).unwrap().len() < LARGEST, "{name}");
         assert!(
             docs.contains(&format!("figures/{name}")),
-            "{name} is shown in docs/FIGURES.md"
+            "{name} is shown in docs/PAPER.md"
         );
         let text = std::fs::read_to_string(file).unwrap();
         let committed = std::fs::read_to_string(root.join("docs/figures").join(&name)).unwrap();

@@ -141,11 +141,6 @@ fn explain_prints_meaning_and_remedy_of_every_code() {
     let made = bench.run(&["explain", "--markdown"]).well().out;
     let headings = made.lines().filter(|line| line.starts_with("### "));
     assert_eq!(headings.count(), EXPLANATIONS.len());
-    let page = fs::read_to_string(root().join("docs/MESSAGES.md")).unwrap();
-    assert_eq!(
-        page, made,
-        "asperity explain --markdown > docs/MESSAGES.md writes it anew"
-    );
     let listed = bench.run(&["explain", "--json"]).well().json();
     assert_eq!(listed.as_array().unwrap().len(), EXPLANATIONS.len());
 }

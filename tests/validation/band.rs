@@ -34,7 +34,7 @@ pub fn both() -> &'static [Banded; 2] {
     BOTH.get_or_init(|| ["e-drive", "e-drive-superfinished"].map(|name| banded(shipped(name))))
 }
 
-/// The table of docs/records/uncertainty.md.
+/// Losses of ground and superfinished flanks with their interval, and the reference computation.
 pub fn table() -> String {
     let mut text = String::from(
         "| e-drive | ground | superfinished | reference computation, ground and superfinished |\n|---|---|---|---|\n",

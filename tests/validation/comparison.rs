@@ -49,7 +49,7 @@ impl Comparison {
 
 /// Comparisons that one test holds.
 pub struct Table {
-    /// Name of the place in the document.
+    /// Name of the place in a document, or of the file of `tests/golden/evidence`.
     pub name: &'static str,
     /// The test that holds it.
     pub test: &'static str,

@@ -1,14 +1,14 @@
-//! `docs/VALIDATION.md`, `docs/PAPER.md`, `docs/records` and `README.md` show what the tests compute.
+//! README, documents and `tests/golden/evidence` have the tables that the tests compute.
 //!
-//! The tables stand between `<!-- name -->` and `<!-- end -->`. `ASPERITY_WRITE=1 cargo test -p
-//! asperity-tests --test validation document` writes them anew.
+//! In a document a table is between `<!-- name -->` and `<!-- end -->`. A table that no document shows is the file `NAME.csv` of
+//! `tests/golden/evidence`. `ASPERITY_WRITE=1 cargo test --workspace --test validation document` writes both.
 
 use std::path::Path;
 
 use crate::{
-    band, ehl_records, film_records, fluid_film, full_film_losses, gates, gear_tool, load_share,
-    measured, oil_file, paper_formulation, paper_statements, parity, petry_johnson, rough_contact,
-    share_laws, spot_values, steady_films, table_2,
+    band, ehl_records, evidence, film_records, fluid_film, full_film_losses, gates, gear_tool,
+    load_share, measured, oil_file, paper_formulation, paper_statements, parity, petry_johnson,
+    rough_contact, share_laws, shipped_cases, spot_values, steady_films, table_2,
 };
 
 /// Every table by the name of its place.
@@ -58,10 +58,14 @@ fn tables() -> Vec<(&'static str, String)> {
     tables
 }
 
+fn mark(name: &str) -> String {
+    format!("<!-- {name} -->\n")
+}
+
 /// `document` with each table in its place.
 fn with_tables(mut document: String, tables: &[(&str, String)]) -> String {
     for (name, table) in tables {
-        let begin = format!("<!-- {name} -->\n");
+        let begin = mark(name);
         let Some(place) = document.find(&begin) else {
             continue;
         };
@@ -75,32 +79,37 @@ fn with_tables(mut document: String, tables: &[(&str, String)]) -> String {
 #[test]
 fn the_documents_show_what_the_tests_compute() {
     let tables = tables();
-    let mut shown = 0;
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut files = vec![root.join("README.md")];
-    for folder in ["docs", "docs/model", "docs/records"] {
+    for folder in ["docs", "docs/model"] {
         let entries = std::fs::read_dir(root.join(folder)).unwrap();
         let paths = entries.map(|entry| entry.unwrap().path());
         files.extend(paths.filter(|path| path.extension().is_some_and(|e| e == "md")));
     }
+    let mut documents = String::new();
     for file in files {
-        shown += hold(&file, &tables);
+        documents += &hold(&file, &tables);
     }
-    assert_eq!(shown, tables.len(), "a table has no place, or two");
+    let mut stored = Vec::new();
+    for (name, table) in &tables {
+        match documents.matches(&mark(name)).count() {
+            0 => {
+                evidence::hold(name, table);
+                stored.push(*name);
+            }
+            places => assert_eq!(places, 1, "{name} has two places"),
+        }
+    }
+    evidence::hold_names(stored.into_iter().chain(shipped_cases::NAMES));
 }
 
-/// Holds or writes a document; how many tables it shows.
-fn hold(path: &Path, tables: &[(&str, String)]) -> usize {
+/// Compares or writes the tables of a document, and returns it.
+fn hold(path: &Path, tables: &[(&str, String)]) -> String {
     let document = std::fs::read_to_string(path).unwrap();
     let made = with_tables(document.clone(), tables);
-    let places = tables.iter().filter(|(name, _)| {
-        let begin = format!("<!-- {name} -->\n");
-        document.contains(&begin)
-    });
-    let places = places.count();
-    if std::env::var_os("ASPERITY_WRITE").is_some() {
+    if evidence::is_writing() {
         std::fs::write(path, &made).unwrap();
-        return places;
+        return made;
     }
     for (shown, made) in document.lines().zip(made.lines()) {
         assert_eq!(
@@ -111,5 +120,5 @@ fn hold(path: &Path, tables: &[(&str, String)]) -> usize {
         );
     }
     assert_eq!(document.len(), made.len(), "{} is stale", path.display());
-    places
+    document
 }

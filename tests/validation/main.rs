@@ -1,8 +1,8 @@
 //! The whole program against numbers from elsewhere, from the case file on.
 //!
 //! Validation that spans crates; the results of a single crate are proven in that crate. Each module
-//! makes tables of reference numbers with ours beside them; its tests hold them, and
-//! `docs/VALIDATION.md` and `docs/records` show them.
+//! compares reference numbers with ours in tables, which are in `docs/VALIDATION.md`, other documents and
+//! `tests/golden/evidence`.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
@@ -11,6 +11,7 @@ mod britton;
 mod comparison;
 mod document;
 mod ehl_records;
+mod evidence;
 mod film_records;
 mod fluid_film;
 mod full_film_losses;

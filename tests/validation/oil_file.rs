@@ -88,7 +88,7 @@ fn all() -> [[&'static Banded; 3]; 2] {
     })
 }
 
-/// The table of docs/records/uncertainty.md.
+/// Loss with the constants of the oil's family and with two oil files.
 pub fn table() -> String {
     let mut text = String::from(
         "| e-drive, tip relief stated | constants | loss W, median (5 to 95 %) | sd of ln loss by the constants | over the family | of it what no curve states | error of the law |\n|---|---|---|---|---|---|---|\n",

@@ -173,7 +173,7 @@ fn statements() -> Vec<Statement> {
             ),
             holds: asymmetry(&reference) > 1.0,
             why: "it holds for the second, in which equal heights face each other everywhere; teeth of one trace meet root to tip, \
-                  the first ([Fig. 10c](FIGURES.md#fig-10-and-11-contact-stress-and-the-stress-below-with-zoom))",
+                  the first ([Fig. 10c](#fig-10-and-11-contact-stress-and-the-stress-below))",
         },
         Statement {
             place: "(P5)",

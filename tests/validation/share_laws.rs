@@ -106,7 +106,7 @@ fn share_picture() -> String {
     ];
     let [x, y] = axes;
     let title = "Asperity share of the e-drive's ground flanks, and published laws";
-    let mut chart = Chart::new("load-share", title, "load-share.md", x, y);
+    let mut chart = Chart::new("load-share", title, "mixed-film.md", x, y);
     chart = chart.with(Series::new("solved", Line::Dots, &lambda, &solved));
     for name in shares()[0].laws.keys() {
         let of: Vec<f64> = shares().iter().map(|row| row.laws[name]).collect();

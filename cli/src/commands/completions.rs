@@ -64,7 +64,7 @@ fn markdown() -> String {
             .unwrap_or_default()
     };
     let mut text = String::from(
-        "# Commands\n\nWritten by `asperity completions markdown > docs/COMMANDS.md`; `asperity COMMAND --help` prints the same.\n",
+        "# Commands\n\n`asperity completions markdown` prints this page, `asperity COMMAND --help` the help of one command.\n",
     );
     let mut details = String::new();
     for (question, names) in questions() {

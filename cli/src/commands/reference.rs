@@ -94,7 +94,7 @@ const KINDS: [(&str, &str); 9] = [
 pub fn messages(common: &Common) -> Result<(), Failure> {
     let mut page = String::from(
         "# Messages\n\nEvery error and warning has a stable code. `asperity explain W401` prints one of these \
-         entries. This page is\nwritten by `asperity explain --markdown`.\n",
+         entries,\n`asperity explain --markdown` this page.\n",
     );
     let escaped = |text: &str| text.replace('<', "\\<").replace('*', "\\*");
     for (start, heading) in KINDS {

@@ -1,5 +1,5 @@
-//! Time, iterations and certificate of one of the problems in `docs/records/performance-contact.md`, and the time
-//! of an iteration over that of its transforms.
+//! Time, iterations and certificate of one of the problems of `tests/common/peers.rs`, and the time of an iteration over the time
+//! of its transforms.
 //!
 //! ```text
 //! cargo run --release -p asperity-contact --example measure -- d 10000

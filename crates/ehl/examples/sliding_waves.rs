@@ -21,7 +21,7 @@
 //! ```
 //!
 //! ' is the derivative over x/a. V_s/(h τ₀) is the fluidity of Eyring's oil that is sheared by sliding. The theory has no inlet: it
-//! starts from a film that follows the wave. Six numbers print their row; without them, the table of the pages is printed.
+//! starts from a film that follows the wave. Six numbers print their row; without them, a table is printed.
 
 use std::f64::consts::{PI, TAU};
 

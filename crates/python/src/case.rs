@@ -308,7 +308,7 @@ impl Case {
         let law = Arc::new(PythonLaw::new(name, exponent, call));
         let train = Train::clone(&self.0);
         Ok(Self(
-            train.with_laws(&|case| law.applied(case, law_of)).into(),
+            train.with_laws(&|laws| law.put_into(laws, law_of)).into(),
         ))
     }
 

@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use asperity::case::Case;
+use asperity::laws::Laws;
 use asperity::core::{Checked, DomainError};
 use asperity::ehl_regime::{FilmConditions, FilmThickness, FilmThicknessLaw, RegimeError};
 use asperity::error::PositionError;
@@ -50,14 +50,14 @@ impl PythonLaw {
         }
     }
 
-    /// The case with this law in place of its own.
-    pub fn applied(self: &Arc<Self>, case: Case, law: LawOf) -> Case {
+    /// Puts this law in place of that of a case.
+    pub fn put_into(self: &Arc<Self>, laws: &mut Laws, law: LawOf) {
         let own = Arc::clone(self);
         match law {
-            LawOf::FilmFriction => case.with_film_friction(own),
-            LawOf::FilmThickness => case.with_film_law(own),
-            LawOf::LoadShare => case.with_load_share(own),
-            LawOf::LoadDistribution => case.with_load_distribution(own),
+            LawOf::FilmFriction => laws.friction = Some(own),
+            LawOf::FilmThickness => laws.film = Some(own),
+            LawOf::LoadShare => laws.load_share = Some(own),
+            LawOf::LoadDistribution => laws.load_distribution = Some(own),
         }
     }
 

@@ -1,4 +1,4 @@
-"""The study of docs/PYTHON.md runs as it is written."""
+"""The optimiser of docs/PYTHON.md and the study of docs/notebooks run as they are written."""
 
 import os
 import subprocess
@@ -15,12 +15,12 @@ from conftest import CASES
 pytest.importorskip("dask")
 pytest.importorskip("pandas")
 pytest.importorskip("xarray")
-PAGE = Path(__file__).parents[3] / "docs" / "PYTHON.md"
+DOCS = Path(__file__).parents[3] / "docs"
 
 
 def test_the_optimiser_of_the_docs_finds_its_temperature(tmp_path, monkeypatch, capsys):
     pytest.importorskip("scipy")
-    text = PAGE.read_text(encoding="utf-8").split("<!-- optimiser -->\n```python\n")[1].split("```")[0]
+    text = (DOCS / "PYTHON.md").read_text(encoding="utf-8").split("<!-- optimiser -->\n```python\n")[1].split("```")[0]
     monkeypatch.chdir(tmp_path)
     names = {}
     with warnings.catch_warnings():
@@ -41,7 +41,7 @@ def test_a_loss_is_as_smooth_as_the_docs_say(name, value, scatters):
 
 
 def test_the_study_of_the_docs_runs_as_it_is_written(tmp_path):
-    text = PAGE.read_text(encoding="utf-8").split("<!-- study -->\n```python\n")[1].split("```")[0]
+    text = (DOCS / "notebooks" / "study.py").read_text(encoding="utf-8")
     assert len([line for line in text.splitlines() if line.strip()]) <= 80
     (tmp_path / "study.py").write_text(text, encoding="utf-8")
     environment = {**os.environ, "PYTHONWARNINGS": "ignore"}

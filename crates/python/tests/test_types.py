@@ -5,6 +5,7 @@ import importlib.util
 import inspect
 import json
 import os
+import re
 import subprocess
 import sys
 import textwrap
@@ -198,9 +199,16 @@ def test_tables_that_differ_by_the_kind_of_the_case_are_different_classes():
     assert shafts == ["Optional[Literal['pinion', 'wheel']]", "Optional[str]"]
 
 
-def test_the_reference_has_everything_public_as_it_is():
-    reference = script("reference")
-    assert reference.written() == reference.FILE.read_text(encoding="utf-8"), "run crates/python/reference.py"
+def test_the_reference_has_everything_public_under_its_own_heading():
+    page = script("reference").written()
+    outside = re.sub(r"^```.*?^```$", "", page, flags=re.DOTALL | re.MULTILINE)
+    headings = re.findall(r"^#+ (.*)$", outside, flags=re.MULTILINE)
+    assert {*asperity.__all__} - {"__version__"} <= {*headings}
+    assert len(headings) == len({*headings})
+    anchors = {re.sub(r"[^\w-]", "", heading.replace(" ", "-")).lower() for heading in headings}
+    for link in re.findall(r"\]\(([^)]*)\)", re.sub(r"`[^`]*`", "", outside)):
+        file, _, anchor = link.partition("#")
+        assert anchor in anchors if not file else (CONFIGURATION.parent / "docs" / file).is_file(), link
 
 
 def test_the_reference_explains_every_type_that_it_names():

@@ -120,7 +120,7 @@ fn traces_of_other_finishes_spacings_and_lengths_are_named() {
 }
 
 #[test]
-#[ignore = "a minute; docs/records/generated-profiles.md has its table"]
+#[ignore = "a minute; prints its table"]
 fn parameters_of_generated_flanks() {
     println!(
         "| finish | method | generated against left out | given against left out | parameters that differ, over those left out (of the given ones) |"

@@ -272,7 +272,7 @@ fn pairs_of_one_place_are_relocated_and_their_removal_is_in_its_interval() {
 }
 
 #[test]
-#[ignore = "minutes; docs/records/relocation.md has its table"]
+#[ignore = "minutes; prints its table"]
 fn intervals_of_removal_hold_their_truth() {
     let seeds = std::env::var("ASPERITY_SEEDS").map_or(9, |seeds| seeds.parse().unwrap());
     for finish in FINISHES {

@@ -1,6 +1,6 @@
-//! The checks of the uncertainty of a loss that take minutes: bands over operating points, offsets, and how often the band
-//! holds the loss of flanks of the same recipe. docs/records/uncertainty.md shows the tables; `--example uncertainty PAIRS
-//! POSITIONS` sets the number of pairs of flanks and of positions.
+//! The checks of the uncertainty of a loss that take minutes: intervals over operating points, offsets, and how often the interval
+//! contains the loss of flanks of the same recipe. `docs/decisions/uncertainty.md` has the result of November 2026; `--example
+//! uncertainty PAIRS POSITIONS` sets the number of pairs of flanks and of positions.
 
 #![allow(
     clippy::print_stdout,

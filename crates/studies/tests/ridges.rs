@@ -93,8 +93,8 @@ fn saving(gradient: &LossGradient, [from, to]: [&LoadedCase; 2]) -> f64 {
     of(0) + of(1)
 }
 
-/// Presses ridges of the e-drive case one at a time; with `ASPERITY_RIDGES=10`, those of the record in
-/// docs/records/load-share.md.
+/// Presses ridges of the e-drive case one at a time. `ASPERITY_RIDGES=10` presses the ten costliest: on 23 November 2026 the mean
+/// gradient was within 7 % of the saving by a run for nine of them, and 17 % too low for one.
 #[test]
 fn a_ridge_pressed_to_half_its_height_saves_what_the_mean_gradient_predicts() {
     const FEW: usize = 2;

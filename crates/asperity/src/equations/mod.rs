@@ -113,13 +113,13 @@ pub fn bibliography<'a>(equations: impl IntoIterator<Item = &'a Equation>) -> Ve
     references
 }
 
-/// `docs/EQUATIONS.md`.
+/// The equations as a page of Markdown, as `asperity equations --markdown` prints it.
 pub fn markdown() -> String {
     let mut page = String::from(
         "# Equations\n\n\
         The file of each equation, its formula as used, and the test that verifies it. Tags `P1` to `P37` are the\n\
         numbers in the 2022 paper; the others come from the sources named. Formula and file are read from the doc\n\
-        comments. This page is written by `asperity equations --markdown`; `asperity equations P7` prints one row.\n\n\
+        comments. `asperity equations --markdown` prints this page, `asperity equations P7` one row.\n\n\
         | tag | gives | formula as used | file | test | sources |\n|---|---|---|---|---|---|\n",
     );
     for equation in all() {

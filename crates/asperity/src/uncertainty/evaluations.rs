@@ -27,8 +27,8 @@ use asperity_uncertainty::{
 };
 
 /// Offsets of the evaluations: a ratio of losses needs fewer than a loss. With 8 instead of 16 the ends of the interval move by 1.5 W of
-/// 920 on the shipped e-drive case and by at most .5 W of 411 on three other cases (docs/records/performance-runs.md). The surface
-/// through the evaluations misses the ratio by 1.8 % on the first case, by at most .5 % on the others.
+/// 920 on the shipped e-drive case and by at most 0.5 W of 411 on three other cases (29 November 2026). The surface through the
+/// evaluations misses the ratio by 1.8 % on the first case, by at most 0.5 % on the others.
 const OFFSETS: usize = 8;
 /// Evaluations that the surface is not fitted to.
 const HELD_OUT: usize = 4;
@@ -37,8 +37,8 @@ const INNER_BOUNDARY: usize = 8;
 /// Evaluations of other gaps supplied to patches.
 const OF_PATCHES: usize = 2;
 /// Films for each constant that changes them, over which the evaluations are spread: the roughness that a film leaves costs as much as
-/// its friction. Over four shipped cases and 64 places that it was not fitted to, the surface misses ln loss by .6 to 1.6 % with
-/// three evaluations of a film and by .7 to 2.0 % with one (docs/records/performance-runs.md).
+/// its friction. Over four shipped cases and 64 places that it was not fitted to, the surface misses ln loss by 0.7 to 1.6 % with
+/// three evaluations of a film and by 0.7 to 2.0 % with one (29 November 2026).
 const FILMS: usize = 8;
 /// Standard deviations that the evaluations reach to either side.
 const REACH: f64 = 2.4;

@@ -33,7 +33,7 @@ const DRY: [(&str, LoadShareName); 3] = [
 ];
 const DRY_REFUTED: &str = "superfinishing the example drive would save 47 to 53 %; measured on other pairs: 15 to 35 %; by the default: 36 %";
 
-/// Films of the spots, with their numbers in docs/records/ehl-friction-parts.md.
+/// Films of the spots, with their numbers in `tests/golden/evidence/ehl-models.csv`.
 const SPEEDS: [(&str, SpotSpeed, &str); 2] = [
     (
         "spots with the film of the inlet",

@@ -1,4 +1,15 @@
-//! The problems that contact programs are compared on; `docs/records/performance-contact.md` defines them in words.
+//! The problems that contact programs are compared on.
+//!
+//! Phases come from splitmix64: the k-th number of seed s is the top 53 bits of the output for the state s · 1 099 511 628 211 + k, over
+//! 2⁵³, and φₖ is 2π times it. Points are in the middle of their cells for free ends, and at j/n for periods.
+//!
+//! | case | gap | load | ends |
+//! |---|---|---|---|
+//! | a | cylinder, R 3 mm, window of 600 µm, E\* = 210 GPa/1.82 | 300 N/mm | free |
+//! | d | a less two profiles of seeds 11 and 22, each Σ k^−1.3 cos(2πkx/L + φₖ), k 6..300, Rq 0.4 µm/√2 | 300 N/mm | free |
+//! | e | d with a pressure limit of 4 GPa | 300 N/mm | free |
+//! | c | −Σ k^−1.3 cos(2πkx + φₖ), k 16..512, seed 20 240 601, root mean square slope 1; E\* = 1, L = 1 | mean 0.015 | periodic |
+//! | cf | c with waves to n/8 at the same scale | mean 0.015, 0.039, 0.075 at n = 4096, 65 536, 1 048 576 | periodic |
 
 #![allow(
     clippy::unwrap_used,

@@ -1,6 +1,6 @@
 //! The figures of the 2022 paper, each with its table: Fig. 6 to 13 except the drawings of gears.
 //!
-//! docs/FIGURES.md compares them with the paper.
+//! docs/PAPER.md compares them with the paper.
 
 mod figure;
 mod lubricant_matrix;

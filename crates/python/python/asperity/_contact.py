@@ -205,7 +205,7 @@ def solve_contact(
         window: whether the part that touches is solved first.
 
     Solved by an active set with conjugate gradients over fast Fourier transforms, every solution with its
-    certificate (docs/EQUATIONS.md, Contact).
+    certificate (``asperity equations Duality-1``).
 
     Returns:
         The `Contact`.

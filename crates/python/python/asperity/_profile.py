@@ -233,7 +233,7 @@ class Profile(Fixed):
 
         The density at frequency 0, and the last of an even number of points, has no second side and is not doubled. The Hann window is
         symmetric, ``numpy.hanning``. The sum of the densities times the step of the frequency is a mean square of the heights about their mean, whose weights
-        are the squares of a Hann window (docs/EQUATIONS.md, PSD-1): near the square of ``rq_um``, but not equal to it. The
+        are the squares of a Hann window (``asperity equations PSD-1``): near the square of ``rq_um``, but not equal to it. The
         spectrum has the form and the waviness of the profile, which `prepare` removes.
         """
         return Table._of_columns(self._raw.psd())
@@ -241,12 +241,12 @@ class Profile(Fixed):
     def autocorrelation(self) -> Table:
         """Autocorrelation of the heights about their mean by shifts: ``shift_m``, ``autocorrelation``, 1 at no shift.
 
-        A shift averages the products of the overlap, and is noisy where that is short (docs/EQUATIONS.md, ACF-1).
+        A shift averages the products of the overlap, and is noisy where that is short (``asperity equations ACF-1``).
         """
         return Table._of_columns(self._raw.autocorrelation())
 
     def material_ratio(self) -> Table:
-        """The material ratio curve: ``material_ratio_percent``, ``height_m`` from the highest point (docs/EQUATIONS.md, Rk-2)."""
+        """The material ratio curve: ``material_ratio_percent``, ``height_m`` from the highest point (``asperity equations Rk-2``)."""
         return Table._of_columns(self._raw.material_ratio())
 
     def __eq__(self, other: object) -> bool:
