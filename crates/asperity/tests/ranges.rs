@@ -116,7 +116,6 @@ fn usual_cases() -> Vec<Value> {
             "dynamic_viscosity": "7 mPa s", "temperature": "90 °C" } } }),
         json!({ "operation": { "bulk_temperature": null, "oil_temperature": "90 °C", "bulk": { "law": "network",
             "pinion_to_oil": "12 W/K", "wheel_to_oil": "30 W/K", "between": "3 W/K" } } }),
-        json!({ "operation": { "bulk_temperature": null, "temperature": "90 °C" } }),
         json!({ "operation": { "running_in": { "torque": "302 N m", "engagements": 1e3 } } }),
         json!({ "surface": { "noise_cutoff": "2.5 um", "outliers": 6.0, "pinion": { "range": "0.2 mm .. 2.9 mm" } } }),
         json!({ "surface": { "pinion": { "dx": "0.5 um" } } }),

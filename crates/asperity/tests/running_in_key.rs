@@ -121,7 +121,7 @@ fn impossible_running_in_is_refused_at_its_key() {
             "true",
             "E203",
             "model.run_in",
-            "Did you mean \"operation.running_in\"",
+            "unknown key",
         ),
         (
             "model.include_running_in",

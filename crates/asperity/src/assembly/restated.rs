@@ -23,6 +23,7 @@ use asperity_case::error::{Error, PositionError};
 /// Loads, films, shares, pressures and temperatures remain those of the run.
 struct Restated<'a> {
     case: &'a Case,
+    loss_w: f64,
     ratio: f64,
 }
 
@@ -78,6 +79,10 @@ impl<'a> Restated<'a> {
         cite!("Loss-at-median");
         Self {
             case,
+            loss_w: match summary.loss_w > 0.0 {
+                true => loss_w,
+                false => summary.loss_w,
+            },
             ratio: match summary.loss_w > 0.0 {
                 true => loss_w / summary.loss_w,
                 false => 1.0,
@@ -90,7 +95,7 @@ impl<'a> Restated<'a> {
         summary: &mut Summary,
         gearbox: &mut Option<GearboxReport>,
     ) -> Result<(), Error> {
-        self.summary(summary).map_err(Box::new)?;
+        self.summary(summary, self.loss_w).map_err(Box::new)?;
         let mesh = Power::from_si(summary.loss_w);
         *gearbox = gearbox::report_of_mesh(self.case, mesh).map_err(Box::new)?;
         if let Some(found) = gearbox {
@@ -100,7 +105,8 @@ impl<'a> Restated<'a> {
         Ok(())
     }
 
-    fn summary(&self, s: &mut Summary) -> Result<(), PositionError> {
+    /// States the loss `loss_w`, which is the ratio times the present one but for rounding.
+    fn summary(&self, s: &mut Summary, loss_w: f64) -> Result<(), PositionError> {
         s.loss_at_medians_w.get_or_insert(s.loss_w);
         let [pinion, wheel] = &mut s.deformation_w;
         for power in [
@@ -116,6 +122,7 @@ impl<'a> Restated<'a> {
         ] {
             *power *= self.ratio;
         }
+        s.loss_w = loss_w;
         let flow = power_flow(&operation(self.case), Power::from_si(s.loss_w))?;
         s.efficiency = flow.efficiency;
         s.efficiency_deviation = s.efficiency_deviation.map(|spread| spread * self.ratio);
@@ -159,7 +166,9 @@ impl<'a> Restated<'a> {
             *sampling = sampling.times(self.ratio);
         }
         if let Some(flanks) = run_in {
-            self.summary(&mut flanks.summary).map_err(Box::new)?;
+            let loss_w = self.ratio * flanks.summary.loss_w;
+            self.summary(&mut flanks.summary, loss_w)
+                .map_err(Box::new)?;
         }
         for row in offsets {
             for power in [&mut row.loss_w, &mut row.sliding_w, &mut row.rolling_w] {
