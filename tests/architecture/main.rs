@@ -7,7 +7,6 @@ mod hosted;
 mod key_names;
 mod long_functions;
 mod message_numbers;
-mod plain_english;
 mod read_only;
 mod tables_once;
 mod walk;

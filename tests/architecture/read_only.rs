@@ -36,7 +36,9 @@ fn assigns(line: &str) -> bool {
 #[test]
 fn no_source_assigns_to_a_resolved_case() {
     let mut found = Vec::new();
-    for file in all_sources() {
+    // The meshes of a train that is being read have keys in their field `case`.
+    let is_of_keys = |file: &PathBuf| file.ends_with("crates/case/src/train/train_parts.rs");
+    for file in all_sources().into_iter().filter(|file| !is_of_keys(file)) {
         let text = read_to_string(&file).unwrap();
         let lines = text.lines().filter(|line| assigns(line));
         found.extend(lines.map(|line| format!("{}: {}", file.display(), line.trim())));

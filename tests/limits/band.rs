@@ -361,7 +361,7 @@ fn the_factor_of_a_relief_is_that_of_a_run_with_it() {
     let unstated = unstated.unwrap();
     let assumed = unstated.case.assumed_relief.clone().unwrap();
     let loss = |c: f64| {
-        let own = RelievedLoad(unstated.case.load_inputs().with_relief(&assumed, c, 0.75));
+        let own = RelievedLoad(assumed.under(&unstated.case.load_inputs(), c, 0.75));
         let other = unstated.with_laws(|laws| laws.load_distribution = Some(Arc::new(own)));
         asperity::losses(&other).unwrap().summary.loss_w
     };

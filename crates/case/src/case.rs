@@ -16,7 +16,6 @@
 
 pub use asperity_flanks::statements::Statements;
 
-pub use crate::constant::{Measured, UncertainParameter};
 pub use crate::input::bulk_input::{BulkInput, BulkLaw, Lubrication};
 pub use crate::input::calibration::cholesky;
 pub use crate::input::calibration::{CalibratedName, CalibrationInput, CorrelationInput};
@@ -56,16 +55,18 @@ pub use crate::loaded::builder::CaseBuilder;
 pub use crate::loaded::loaded_case::{Loaded, LoadedCase};
 pub use crate::loaded::operating_case::OperatingCase;
 pub use crate::loaded::trace::{Flank, Trace};
-pub use crate::overrides::{Alternative, Overrides};
 pub use crate::resolved::assumed_relief::AssumedRelief;
 pub use crate::resolved::bulk::{BulkModel, BulkReport};
+pub use crate::resolved::constant::UncertainParameter;
 pub use crate::resolved::gearbox::{BearingLoads, Gearbox, MeshPlace, Part, PartKind};
 pub use crate::resolved::gears::gear_pair;
 pub use crate::resolved::load_inputs::LoadInputs;
+pub use crate::resolved::measured::Measured;
 pub use crate::resolved::oil_file::{
     DECISIVE, FitQuality, FittedFriction, FittedName, OilConstant, OilFile, OilSchema,
     POORLY_EXPLAINED, STEEPEST_FALL, law_error,
 };
+pub use crate::resolved::overrides::{Alternative, Overrides};
 pub use crate::resolved::resolve::{Case, Resolved, resolve};
 pub use crate::resolved::running_in::RunningInPlan;
 pub use crate::resolved::shafting::{Flow, MeshLoad, Shafting, StageKind};

@@ -14,7 +14,6 @@
 
 pub mod balance;
 pub mod case;
-mod constant;
 pub mod error;
 pub mod fingerprint;
 pub mod formula_film;
@@ -26,7 +25,6 @@ mod load;
 mod loaded;
 #[cfg_attr(not(feature = "case-files"), path = "no_loss_table.rs")]
 pub mod loss_table;
-mod overrides;
 
 pub mod physical_limits;
 pub mod recorded_share;

@@ -35,7 +35,7 @@ impl ReliefFactors {
         };
         let inputs = case.load_inputs();
         let factor = |c: f64, l: f64| {
-            let map = inputs.with_relief(assumed, c, l).load_map()?;
+            let map = assumed.under(&inputs, c, l).load_map()?;
             Ok::<_, PositionError>(map.loss_factor())
         };
         let mut factors = [[0.0; 5]; 2];

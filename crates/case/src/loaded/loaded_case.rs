@@ -12,7 +12,6 @@ use asperity_tribo_friction::XuCalibration;
 
 use super::flank_inputs::FlankInputs;
 use super::flanks::{Flanks, flanks};
-use super::operating_case::OperatingCase;
 use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::input::case_input::CaseInput;
@@ -22,15 +21,15 @@ use crate::input::files::{
 use crate::input::gearbox_input::GearboxInput;
 use crate::input::law_names::{FullFilmName, LoadShareName};
 use crate::laws::Laws;
-use crate::overrides::Overrides;
-use crate::resolved::bulk::BulkReport;
 use crate::resolved::gearbox::{Gearbox, MeshPlace};
+use crate::resolved::oil_at::OilAt;
 use crate::resolved::oil_file::OilFile;
+use crate::resolved::overrides::Overrides;
 use crate::resolved::plausibility::{
     SYMBOLS, at_pitch_point, divided_shifts, little_clearance, step_up, unusual, unusual_oil,
 };
 use crate::resolved::read_oil_file::oil_file;
-use crate::resolved::resolve::{Case, Completed, OfFiles, OfFlanks, OilAt, resolve_with};
+use crate::resolved::resolve::{Case, Completed, OfFiles, OfFlanks, resolve_with};
 use crate::resolved::shafting::Shafting;
 use crate::resolved::solved_teeth::{LoadCheck, SolvedTeeth};
 use crate::source::case_error::CaseError;
@@ -310,30 +309,6 @@ impl LoadedCase {
             stated,
             ..self.having(|loaded| Loaded { case, ..loaded })
         }
-    }
-
-    /// The case with its flanks at a bulk temperature.
-    ///
-    /// # Errors
-    /// When the oil does not flow there, or a law of it does not hold.
-    pub fn at(&self, bulk: Temperature) -> Result<OperatingCase, Error> {
-        OperatingCase::new(self.clone(), bulk, None, self.oil_at(bulk)?)
-    }
-
-    /// The case at a bulk temperature that was found from its loss.
-    ///
-    /// # Errors
-    /// As [`at`](Self::at).
-    pub fn at_found(&self, bulk: Temperature, report: BulkReport) -> Result<OperatingCase, Error> {
-        OperatingCase::new(self.clone(), bulk, Some(report), self.oil_at(bulk)?)
-    }
-
-    /// The case at the temperature that it states, also where this is the temperature of the oil.
-    ///
-    /// # Errors
-    /// As [`at`](Self::at).
-    pub fn at_stated(&self) -> Result<OperatingCase, Error> {
-        self.at(self.case.stated_temperature)
     }
 
     /// The oil at a temperature, without overrides.

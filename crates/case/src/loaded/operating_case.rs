@@ -11,12 +11,12 @@ use asperity_oil::{FilmRheology, LubricantState};
 use asperity_tribo_friction::{FilmFriction, NamedFriction};
 
 use super::loaded_case::LoadedCase;
-use crate::constant::UncertainParameter;
 use crate::error::Error;
 use crate::input::case_input::CaseInput;
-use crate::overrides::Overrides;
 use crate::resolved::bulk::BulkReport;
-use crate::resolved::resolve::OilAt;
+use crate::resolved::constant::UncertainParameter;
+use crate::resolved::oil_at::OilAt;
+use crate::resolved::overrides::Overrides;
 use asperity_core::message::Warning;
 
 /// A case at a bulk temperature, stated or found: the only type with a state of the oil.
@@ -51,8 +51,34 @@ impl Deref for OperatingCase {
     }
 }
 
+impl LoadedCase {
+    /// The case with its flanks at a bulk temperature.
+    ///
+    /// # Errors
+    /// When the oil does not flow there, or a law of it does not hold.
+    pub fn at(&self, bulk: Temperature) -> Result<OperatingCase, Error> {
+        OperatingCase::new(self.clone(), bulk, None, self.oil_at(bulk)?)
+    }
+
+    /// The case at a bulk temperature that was found from its loss.
+    ///
+    /// # Errors
+    /// As [`at`](Self::at).
+    pub fn at_found(&self, bulk: Temperature, report: BulkReport) -> Result<OperatingCase, Error> {
+        OperatingCase::new(self.clone(), bulk, Some(report), self.oil_at(bulk)?)
+    }
+
+    /// The case at the temperature that it states, also where this is the temperature of the oil.
+    ///
+    /// # Errors
+    /// As [`at`](Self::at).
+    pub fn at_stated(&self) -> Result<OperatingCase, Error> {
+        self.at(self.case.stated_temperature)
+    }
+}
+
 impl OperatingCase {
-    pub(super) fn new(
+    fn new(
         loaded: LoadedCase,
         bulk: Temperature,
         report: Option<BulkReport>,

@@ -96,4 +96,10 @@ impl AssumedRelief {
         }
         assumed
     }
+
+    /// The load inputs with the relief c δ over the roll length l L; edge contact of the tips where there is none.
+    #[must_use]
+    pub fn under(&self, load: &LoadInputs, c: f64, l: f64) -> LoadInputs {
+        load.on(self.put_into(load.micro_geometry(), c, l), c == 0.0)
+    }
 }

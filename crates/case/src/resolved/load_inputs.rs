@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use super::assumed_relief::AssumedRelief;
-
 use asperity_core::material::Material;
 use asperity_core::quantity::Torque;
 use asperity_gear::{
@@ -73,13 +71,17 @@ impl LoadInputs {
         }
     }
 
-    /// The same with the relief c δ over the roll length l L; edge contact of the tips where there is none.
-    #[must_use]
-    pub fn with_relief(&self, assumed: &AssumedRelief, c: f64, l: f64) -> Self {
+    /// Modifications of the flanks.
+    pub(crate) const fn micro_geometry(&self) -> &MicroGeometry {
+        &self.micro_geometry
+    }
+
+    /// The same with other modifications of the flanks, and with edge contact of the tips of an external pair if `is_edged`.
+    pub(crate) fn on(&self, micro_geometry: MicroGeometry, is_edged: bool) -> Self {
         let mut other = self.clone();
-        other.micro_geometry = assumed.put_into(&self.micro_geometry, c, l);
+        other.micro_geometry = micro_geometry;
         // The edges of a ring are no part of the model.
-        other.settings.edge_contact |= c == 0.0 && !self.gears.internal;
+        other.settings.edge_contact |= is_edged && !self.gears.internal;
         other
     }
 

@@ -26,7 +26,9 @@ use super::calibrated;
 use super::gearbox::Gearbox;
 use super::gears::{gears, load_settings, micro_geometry, note_relief};
 use super::load_inputs::LoadInputs;
+use super::oil_at::OilAt;
 use super::oil_file::OilFile;
+use super::overrides::Overrides;
 use super::plausibility::{at_pitch_point, refuse_stiff_oil};
 use super::running_in::{RunningInPlan, running_in};
 use super::solved_teeth::{LoadCheck, SolvedTeeth};
@@ -38,7 +40,6 @@ use crate::input::model::{Model, ModelInput, OfFormulation, model};
 use crate::input::path_point::Positions;
 use crate::input::ranges::refuse_impossible;
 use crate::laws::Laws;
-use crate::overrides::Overrides;
 use crate::source::case_error::CaseError;
 use crate::source::defaults::{DefaultUsed, Defaults};
 use crate::source::section::{Section, domain, in_train};
@@ -223,16 +224,6 @@ pub(crate) struct Completed {
     pub teeth: SolvedTeeth,
     /// The oil at the temperature that the case states.
     pub oil: OilAt,
-}
-
-/// The oil of a case at a temperature.
-#[derive(Debug, Clone)]
-pub(crate) struct OilAt {
-    pub state: LubricantState,
-    /// The oil in the film, if film friction or load share use it.
-    pub rheology: Option<FilmRheology>,
-    /// Properties outside the range of their laws.
-    pub notes: Vec<OutOfRange>,
 }
 
 /// What the files of a case add to its keys.

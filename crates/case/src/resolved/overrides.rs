@@ -7,10 +7,10 @@ use asperity_flanks::flank_lay::{FlankLay, with_mean};
 use asperity_mixed_film::{PatchGap, SpotSpeed};
 use asperity_oil::{FilmRheology, LubricantState, PressureLaw, TractionConstants};
 
-use crate::constant::UncertainParameter;
+use super::constant::UncertainParameter;
+use super::oil_at::OilAt;
 use crate::input::law_names::LoadShareName;
 use crate::input::model::Model;
-use crate::resolved::resolve::OilAt;
 
 /// Values in place of those that a case resolves to. They are passed beside its keys, hold at every other temperature, load and key of
 /// the case, and are part of its [fingerprint](crate::case::LoadedCase::fingerprint).

@@ -1,11 +1,9 @@
 //! The constants of a run that are uncertain.
 
-use asperity_core::Estimate;
 use serde::{Deserialize, Serialize};
 
 use crate::input::calibration::CalibratedName;
 use crate::resolved::oil_file::FittedName;
-use crate::resolved::resolve::Case;
 
 /// An uncertain constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -29,18 +27,6 @@ pub enum UncertainParameter {
     PressureViscosityFactor,
     /// Error of the stated temperature \[K\].
     TemperatureError,
-}
-
-/// Measurements that state the distribution of a constant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Measured {
-    /// Losses on a rig, in the table `calibration` of the case.
-    Calibration,
-    /// Traction curves, in an oil file.
-    OilFile,
-    /// The surfaces of both flanks.
-    Surfaces,
 }
 
 impl From<CalibratedName> for UncertainParameter {
@@ -90,41 +76,6 @@ impl UncertainParameter {
             Self::PressureViscosityFactor => Some(FittedName::PressureViscosityFactor),
             _ => None,
         }
-    }
-
-    /// Value and 95 % band by measurements that the case names.
-    #[must_use]
-    pub fn measured(self, case: &Case) -> Option<(Estimate, Measured)> {
-        let calibration = case.input.calibration.as_ref();
-        let calibrated = calibration.and_then(|given| given.of(self.calibrated_name()?));
-        let fitted = || {
-            let (file, name) = (case.oil_file.as_ref()?, self.fitted_name()?);
-            let is_own = name.replaced_by(&case.input).is_none();
-            is_own.then(|| (file.film_friction.of(name), Measured::OilFile))
-        };
-        calibrated
-            .map(|band| (band, Measured::Calibration))
-            .or_else(fitted)
-    }
-
-    /// Correlation with `other`, which the same measurements state; 0 if they state none.
-    pub fn correlation(self, other: Self, measured: Measured, case: &Case) -> f64 {
-        let of_calibration = || {
-            let names = (self.calibrated_name()?, other.calibrated_name()?);
-            let given = case.input.calibration.as_ref()?;
-            Some(given.correlation(names.0, names.1))
-        };
-        let of_file = || {
-            let names = (self.fitted_name()?, other.fitted_name()?);
-            let file = case.oil_file.as_ref()?;
-            Some(file.film_friction.correlation(names.0, names.1))
-        };
-        let found = match measured {
-            Measured::Calibration => of_calibration(),
-            Measured::OilFile => of_file(),
-            Measured::Surfaces => None,
-        };
-        found.unwrap_or(0.0)
     }
 
     /// Its name in words.
