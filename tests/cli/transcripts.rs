@@ -239,6 +239,7 @@ pages! {
     the_chapter_on_the_contact_prints_what_it_shows: "docs/model/contact.md" 2,
     the_chapter_on_the_film_prints_what_it_shows: "docs/model/film.md" 2,
     the_page_on_the_paper_prints_what_it_shows: "docs/PAPER.md" 6,
+    the_page_of_questions_prints_what_it_shows: "docs/faq.md" 4,
 }
 
 #[test]

@@ -179,8 +179,8 @@ pub fn count() -> String {
     let [pass, undecided, fail] = of(Class::Measured);
     let [t3_pass, t3_undecided, t3_fail] = of(Class::UnknownTemperature);
     format!(
-        "Measured gates: {}, of which pass {pass}, undecided within the sampling of the flanks {undecided}, fail {fail}. One more measurement (T3) is at an \
-         unknown temperature, by which it passes or fails: of {} temperatures pass {t3_pass}, undecided {t3_undecided}, fail {t3_fail}.\n",
+        "Of {} measured results the model agrees with {pass} and misses {fail}; {undecided} are undecided within the sampling of the flanks. \
+         One more (T3) was measured at an unknown temperature: of {} temperatures {t3_pass} agree, {t3_undecided} are undecided, {t3_fail} miss.\n",
         pass + undecided + fail,
         t3_pass + t3_undecided + t3_fail
     )
