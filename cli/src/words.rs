@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use asperity::key_words::{ended, explained, table};
+use asperity::key_words::{ended, explained, keys_in_tables};
 use asperity::remedy::{Action, Remedy, Setting, Value};
 use asperity_core::Code;
 
@@ -103,13 +103,11 @@ pub fn advice(code: Code) -> String {
     let mut text = entry.remedy.to_owned();
     if !entry.settings.is_empty() {
         let options: Vec<_> = entry.settings.iter().map(|s| option(*s)).collect();
-        let keys: Vec<&str> = entry.settings.iter().map(|s| s.key()).collect();
-        let table = table(entry.settings[0], "surface.pinion").unwrap_or_default();
         text = format!(
-            "{} ({}; in a case {} in {table}).",
+            "{} ({}; in a case {}).",
             text.trim_end_matches('.'),
             options.join(", "),
-            keys.join(", "),
+            keys_in_tables(entry.settings),
         );
     }
     match command(code) {
@@ -172,5 +170,8 @@ mod tests {
             advice(Code::E110),
             "State the spacing of the points, e.g. 0.5 um (--dx; in a case dx in surface.pinion)."
         );
+        // Keys of several tables.
+        let says = "; in a case z_unit, gaps in surface.pinion, outliers in surface).";
+        assert!(advice(Code::E131).ends_with(says));
     }
 }

@@ -18,7 +18,7 @@ fn all_sources() -> Vec<PathBuf> {
 
 /// Whether a line assigns to a value of a resolved case: `case.case.model.offsets = 4`, `loaded.surfaces = other`.
 fn assigns(line: &str) -> bool {
-    let Some((left, _)) = line.split_once(" = ") else {
+    let Some((left, _)) = line.split_once("= ") else {
         return false;
     };
     let left = left

@@ -127,14 +127,24 @@ pub fn explained(instruction: String, why: &str) -> String {
 /// ```
 pub fn advice(code: Code) -> String {
     let entry = code.explain();
-    let Some(first) = entry.settings.first() else {
+    if entry.settings.is_empty() {
         return entry.remedy.to_owned();
-    };
-    let keys: Vec<&str> = entry.settings.iter().map(|s| s.key()).collect();
-    let keys = keys.join(", ");
-    let general = entry.remedy.trim_end_matches('.');
-    match table(*first, "surface.pinion") {
-        Some(table) => format!("{general} ({keys} in {table})."),
-        None => format!("{general} ({keys})."),
     }
+    let general = entry.remedy.trim_end_matches('.');
+    format!("{general} ({}).", keys_in_tables(entry.settings))
+}
+
+/// Keys of settings with the tables that they belong to: `z_unit, gaps in surface.pinion, outliers in surface`.
+pub fn keys_in_tables(settings: &[Setting]) -> String {
+    let table = |setting: &Setting| table(*setting, "surface.pinion");
+    let groups = settings.chunk_by(|a, b| table(a) == table(b));
+    let texts = groups.map(|group| {
+        let keys: Vec<&str> = group.iter().map(|setting| setting.key()).collect();
+        let keys = keys.join(", ");
+        match group.first().and_then(table) {
+            Some(table) => format!("{keys} in {table}"),
+            None => keys,
+        }
+    });
+    texts.collect::<Vec<_>>().join(", ")
 }
