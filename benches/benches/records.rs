@@ -32,6 +32,7 @@ fn records(criterion: &mut Criterion) {
         .filter(|condition| RECORDS.contains(&&*condition.name));
     for condition in chosen {
         let loaded = condition.load(workspace).expect("a condition");
+        let loaded = loaded.at_stated().expect("a condition");
         let settings = condition.settings(&settings);
         let contact =
             ReferenceContact::of(&loaded, condition.position, &settings).expect("a contact");

@@ -26,7 +26,7 @@ const CURVES: &str = include_str!("../../crates/calibration/tests/golden/tractio
 
 /// The oil file of the curves with the oil of a case: as simulated, or without scatter and with the default errors of points.
 fn oil_file(case: &LoadedCase, is_scattered: bool) -> String {
-    let oil = OilBase::of_case(&case, ConstantsOf::Family).unwrap();
+    let oil = OilBase::of_case(case, ConstantsOf::Family).unwrap();
     let length = Length::from_si;
     let machine = Machine::ball_on_disc(length(9.525e-3), None, length(15e-9)).unwrap();
     let (mut readings, _) = read_table("curves.csv", CURVES, &machine).unwrap();
@@ -160,7 +160,7 @@ const STRATA: usize = 4;
 
 /// Oil files of simulated machines that measure the standard plan on the oil of a case.
 fn simulated_oil_files(case: &LoadedCase) -> Vec<String> {
-    let oil = OilBase::of_case(&case, ConstantsOf::Family).unwrap();
+    let oil = OilBase::of_case(case, ConstantsOf::Family).unwrap();
     let settings = OilPlanSettings::usual().unwrap().plan().unwrap();
     let PlanSettings {
         machine,

@@ -13,6 +13,7 @@ use asperity::core::PROGRAM;
 use asperity::core::Profile;
 use asperity::core::number;
 use asperity::formulation::FormulationChoice;
+use asperity::laws::Laws;
 use asperity::message::{Code, Fault};
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{self, RegimeRow};
@@ -230,10 +231,7 @@ impl Case {
     fn fingerprint(&self) -> String {
         let train = Train::clone(&self.0);
         train
-            .with_laws(&|mut case| {
-                case.laws = Default::default();
-                case
-            })
+            .with_laws(&|laws| *laws = Laws::default())
             .fingerprint()
     }
 

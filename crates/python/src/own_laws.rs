@@ -4,11 +4,11 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use asperity::laws::Laws;
 use asperity::core::{Checked, DomainError};
 use asperity::ehl_regime::{FilmConditions, FilmThickness, FilmThicknessLaw, RegimeError};
 use asperity::error::PositionError;
 use asperity::gear::{GearError, LoadConditions, LoadDistribution, LoadMap, LoadSharing};
+use asperity::laws::Laws;
 use asperity::lubrication::{LoadShare, ShareConditions, SharedLoad};
 use asperity::quantity::{Length, LineLoad, Pressure};
 use asperity::tribo_friction::{FilmContact, FilmFriction, FilmTraction, FrictionError};
