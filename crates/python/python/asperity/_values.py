@@ -444,16 +444,15 @@ class MapFinish(Values):
     name: str
     fingerprint: str
     files: list[Any]
-    has_flanks_of_first: bool
     resolved_from_nm: Floats
     draws: Any
     difference_w: Optional[MapFinishDifference]
 
 
-class MapFinishTable(TableOf[MapFinish, NoReturn, Literal["name", "fingerprint", "files", "has_flanks_of_first", "resolved_from_nm", "draws", "difference_w"]]):
+class MapFinishTable(TableOf[MapFinish, NoReturn, Literal["name", "fingerprint", "files", "resolved_from_nm", "draws", "difference_w"]]):
     _row = MapFinish
-    name: NDArray[Any]; fingerprint: NDArray[Any]; files: NDArray[Any]; has_flanks_of_first: NDArray[Any]
-    resolved_from_nm: NDArray[Any]; draws: NDArray[Any]; difference_w: NDArray[Any]
+    name: NDArray[Any]; fingerprint: NDArray[Any]; files: NDArray[Any]; resolved_from_nm: NDArray[Any]
+    draws: NDArray[Any]; difference_w: NDArray[Any]
 
 
 class MapWarning(Values):

@@ -317,7 +317,6 @@ class OperationInput(TypedDict, total=False):
     oil_temperature: Optional[Quantity]
     running_in: Optional[Union[bool, RunningInInput]]
     speed: Optional[Quantity]
-    temperature: Optional[Quantity]
     temperature_deviation: Optional[Quantity]
     torque: Optional[Quantity]
 
@@ -846,7 +845,6 @@ CaseKeys = TypedDict(
         "operation.running_in.engagements": "Optional[float]",
         "operation.running_in.torque": "Optional[Quantity]",
         "operation.speed": "Optional[Quantity]",
-        "operation.temperature": "Optional[Quantity]",
         "operation.temperature_deviation": "Optional[Quantity]",
         "operation.torque": "Optional[Quantity]",
         "surface.coast": "Optional[CoastInput]",
