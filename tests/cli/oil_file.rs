@@ -91,23 +91,24 @@ fn constants_from_simulated_measurements_are_warned_of() {
         lines.map(str::to_owned).collect::<Vec<String>>()
     };
     let constant = "eyring_stress = { value = \"5 MPa\", low = \"4.5 MPa\", high = \"5.6 MPa\" }\n";
-    let calibrated = |source: &str| format!("\n[calibration]\nsource = \"{source}\"\n{constant}");
-    assert_eq!(checked(&case("", &calibrated("losses.csv"))), [""; 0]);
-    let of_rig = checked(&case("", &calibrated("SIMULATED losses of rig.csv")));
+    let calibrated = |simulated: bool| {
+        format!("\n[calibration]\nsimulated = {simulated}\nsource = \"rig.csv\"\n{constant}")
+    };
+    assert_eq!(checked(&case("", &calibrated(false))), [""; 0]);
     assert_eq!(
-        of_rig,
-        [
-            "W446 calibration: constants were fitted to simulated measurements: SIMULATED losses of rig.csv"
-        ]
+        checked(&case("", &calibrated(true))),
+        ["W446 calibration: constants were fitted to simulated measurements: rig.csv"]
     );
-    let simulated = OIL_FILE.replace("source = \"", "source = \"simulated.csv (SIMULATED) ");
+    let simulated = OIL_FILE.replacen(
+        "source = \"",
+        "simulated = true\nsource = \"simulated.csv ",
+        1,
+    );
     assert_ne!(simulated, OIL_FILE);
     bench.write("oil.toml", simulated);
     let of_oil = checked(&case("", ""));
     assert_eq!(of_oil.len(), 1, "{of_oil:?}");
-    assert!(
-        of_oil[0].contains("lubricant.oil_file") && of_oil[0].contains("simulated.csv (SIMULATED)")
-    );
+    assert!(of_oil[0].contains("lubricant.oil_file") && of_oil[0].contains("simulated.csv"));
 }
 
 #[test]

@@ -72,8 +72,8 @@ fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
 
 fn of_case(path: &Path, args: &ContactArgs) -> Result<SolvedContact, Failure> {
     let loaded = load_case(path, &args.set, None)?;
-    let stated = loaded.with(|input| input.model.tolerance = Some(args.tolerance));
-    let loaded = stated.map_err(|error| Failure::about(path, &error))?;
+    let loaded = loaded.overridden(|over| over.tolerance = Some(args.tolerance));
+    let loaded = loaded.map_err(|error| Failure::about(path, &error))?;
     let position = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
     let DryContact {
         path_fraction,

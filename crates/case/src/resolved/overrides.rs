@@ -37,6 +37,8 @@ pub struct Overrides {
     pub inner_boundary: Option<f64>,
     /// Number of offsets of each pair of traces.
     pub offsets: Option<usize>,
+    /// Tolerance of the contacts.
+    pub tolerance: Option<f64>,
     /// Gap supplied to patches.
     pub patch_gap: PatchGap,
     /// Gupta's thermal factor as printed, also at the loadings at which its steepness is held.
@@ -101,6 +103,7 @@ impl Overrides {
         model.lay = self.lay.unwrap_or(model.lay);
         model.inner_boundary = self.inner_boundary.unwrap_or(model.inner_boundary);
         model.offsets = self.offsets.unwrap_or(model.offsets);
+        model.tolerance = self.tolerance.unwrap_or(model.tolerance);
         match self.alternative {
             Some(Alternative::SpotSpeed(speed)) => model.spot_speed = speed,
             Some(Alternative::AsperityShareTimes(factor)) => model.asperity_share_factor *= factor,
