@@ -72,7 +72,7 @@ pub fn range(
 /// Standard deviation of the logarithm of a constant by the traction curves of an oil file; `None` if they do not state it.
 ///
 /// # Errors
-/// As [`range`](Self::range).
+/// As [`range`].
 pub fn deviation_of_curves(
     kind: UncertainParameter,
     case: &OperatingCase,
