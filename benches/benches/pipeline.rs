@@ -3,11 +3,10 @@ use std::hint::black_box;
 use std::path::Path;
 
 use asperity::Run;
-use asperity::case::{FilmFrictionLaw, LoadShareName, LoadedCase, load};
+use asperity::case::{LoadedCase, load};
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::formulation::FormulationChoice;
 use asperity_benches::WORKSPACE;
-use asperity_gear::load_map::LoadLaw;
 use criterion::{Criterion, criterion_group, criterion_main};
 
 fn case(name: &str, formulation: FormulationChoice) -> LoadedCase {
@@ -47,40 +46,16 @@ fn whole_runs(criterion: &mut Criterion) {
     }
 }
 
-fn first_version(criterion: &mut Criterion) {
-    let place = |loaded: &LoadedCase| loaded.case.model.position;
-    let whole = of_the_first_version(case("table2.toml", FormulationChoice::default()));
-    criterion.bench_function("first version's laws/dry contact", |bencher| {
-        bencher.iter(|| dry_contact(black_box(&whole), place(&whole)).expect("it is solved"));
-    });
-    criterion.bench_function("first version's laws/whole run", |bencher| {
-        bencher.iter(|| {
-            Run::new(black_box(&whole))
-                .execute()
-                .expect("the case runs")
-        });
-    });
-    let mut single = whole.clone();
-    single.case.model.positions = 2;
-    single.case.model.offsets = 1;
-    criterion.bench_function("first version's laws/two positions", |bencher| {
-        bencher.iter(|| {
-            Run::new(black_box(&single))
-                .execute()
-                .expect("the case runs")
-        });
-    });
-}
-
 fn one_position(criterion: &mut Criterion) {
     let loaded = case("table2.toml", FormulationChoice::default());
     let place = loaded.case.model.position;
     criterion.bench_function("position/table2 dry contact of both flanks", |bencher| {
         bencher.iter(|| dry_contact(black_box(&loaded), place).expect("the contact is solved"));
     });
-    let mut single = case("table2.toml", FormulationChoice::default());
-    single.case.model.positions = 2;
-    single.case.model.offsets = 1;
+    let few = loaded.with(|input| {
+        (input.model.positions, input.model.offsets) = (Some(2), Some(1));
+    });
+    let single = few.expect("the case is complete");
     criterion.bench_function(
         "position/table2 corrected, two positions, one offset, with fields",
         |bencher| {
@@ -91,16 +66,6 @@ fn one_position(criterion: &mut Criterion) {
             });
         },
     );
-}
-
-/// `loaded` with the laws of the first version, to hold its times beside these.
-fn of_the_first_version(mut loaded: LoadedCase) -> LoadedCase {
-    let model = &mut loaded.case.model;
-    model.positions = 32;
-    model.load_distribution = LoadLaw::MeanLength;
-    model.load_share = LoadShareName::LambdaStar;
-    model.film_friction = FilmFrictionLaw::Xu;
-    loaded
 }
 
 fn reading(criterion: &mut Criterion) {
@@ -115,6 +80,6 @@ fn reading(criterion: &mut Criterion) {
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(20);
-    targets = reading, one_position, whole_runs, first_version
+    targets = reading, one_position, whole_runs
 }
 criterion_main!(benches);
