@@ -255,3 +255,19 @@ fn film_and_friction_take_the_mean_of_two_flanks() {
     }
     assert!((celsius(hotter.case.stated_temperature) - 110.0).abs() < 1e-9);
 }
+
+#[test]
+fn the_oil_is_warned_of_at_the_temperature_found_and_not_at_the_one_stated() {
+    let law = r#"{ law = "iso", lubrication = "jet" }"#;
+    let case = case("e-drive.toml", law).with(|input| {
+        let thin = r#"{ law = "astm-d341", at_40 = "5 mm2/s", at_100 = "1.3 mm2/s" }"#;
+        input.set("lubricant.viscosity", thin).unwrap();
+    });
+    let case = case.unwrap();
+    let is_of_oil = |warning: &asperity::message::Warning| warning.text.contains("Pa s there");
+    assert!(!case.warnings.iter().any(is_of_oil), "{:?}", case.warnings);
+    let found = losses(&case).unwrap();
+    assert!(found.bulk.unwrap().bulk_c > 100.0);
+    let said: Vec<_> = found.warnings.iter().filter(|one| is_of_oil(one)).collect();
+    assert!(said.len() == 1 && said[0].code == "W201", "{said:?}");
+}

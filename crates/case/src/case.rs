@@ -2,7 +2,7 @@
 //!
 //! [`CaseInput`] is the case as the user writes it; [`Case`] has every choice made and checked; [`LoadedCase`] adds
 //! the flanks and is ready for a run; [`OperatingCase`] has the temperature of the flanks and the oil there. Each is made once and read
-//! only; [`Overrides`] are what draws and studies vary beside the keys. All defaults in use are listed.
+//! only; [`Overrides`] are what draws and studies vary in addition to the keys. All defaults in use are listed.
 //!
 //! | from | by |
 //! |---|---|

@@ -157,7 +157,7 @@ impl Solved<'_> {
         records: &[RecordRow],
     ) -> Result<Vec<Warning>, PositionError> {
         let (loaded, positions) = (self.loaded, &self.positions);
-        let mut warnings = loaded.warnings.clone();
+        let mut warnings = loaded.warnings_here();
         warnings.extend(warnings::warnings(loaded, positions, pictures, summary)?);
         let parts = gearbox.iter().flat_map(|report| &report.parts);
         warnings::gearbox(parts, &mut warnings);

@@ -105,7 +105,7 @@ impl<'a> Restated<'a> {
         Ok(())
     }
 
-    /// States the loss `loss_w`, which is the ratio times the present one but for rounding.
+    /// States the loss `loss_w`, the ratio times the present one up to rounding.
     fn summary(&self, s: &mut Summary, loss_w: f64) -> Result<(), PositionError> {
         s.loss_at_medians_w.get_or_insert(s.loss_w);
         let [pinion, wheel] = &mut s.deformation_w;

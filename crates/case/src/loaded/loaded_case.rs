@@ -44,7 +44,7 @@ use asperity_mixed_film::InletSupply;
 use asperity_oil::{LubricantInput, LubricantState, library_oil};
 
 /// A case with its traces, ready to run, and read only: [`with`](Self::with) changes its keys, [`overridden`](Self::overridden) what a
-/// draw or a study varies beside them, and [`at`](Self::at) gives it the temperature of its flanks.
+/// draw or a study varies in addition, and [`at`](Self::at) gives it the temperature of its flanks.
 #[derive(Debug, Clone)]
 pub struct LoadedCase {
     loaded: Loaded,
@@ -259,7 +259,7 @@ impl LoadedCase {
         Ok(self.changed_to(input, None)?)
     }
 
-    /// The case with what `change` overrides beside its keys.
+    /// The case with the values that `change` overrides.
     ///
     /// # Errors
     /// When a value is outside its domain.

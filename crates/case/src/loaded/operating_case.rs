@@ -40,7 +40,6 @@ pub struct OperatingCase {
     oil: LubricantState,
     rheology: Option<FilmRheology>,
     oil_notes: Vec<OutOfRange>,
-    warnings: Vec<Warning>,
 }
 
 impl Deref for OperatingCase {
@@ -94,7 +93,6 @@ impl OperatingCase {
         let found = overrides.oil(&nominal.state, &at, of_curves.is_some());
         let (oil, rheology) = found.map_err(Box::new)?;
         Ok(Self {
-            warnings: loaded.warnings_at(&at.state, temperature),
             oil_notes: at.notes.clone(),
             loaded,
             bulk,
@@ -142,10 +140,10 @@ impl OperatingCase {
         &self.oil_notes
     }
 
-    /// Warnings about keys and files, those about the oil at this temperature.
+    /// Warnings about keys and files, and about the oil at this temperature instead of the one that the case states.
     #[must_use]
-    pub fn warnings(&self) -> &[Warning] {
-        &self.warnings
+    pub fn warnings_here(&self) -> Vec<Warning> {
+        self.loaded.warnings_at(&self.oil, self.temperature)
     }
 
     /// The friction law of the film in use.

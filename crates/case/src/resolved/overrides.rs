@@ -1,4 +1,4 @@
-//! What a Monte Carlo draw or a study changes of a case, beside its keys.
+//! Values that a Monte Carlo draw or a study changes in a case, in addition to its keys.
 
 use asperity_core::quantity::{Length, PerKelvin, Pressure, PressureViscosity, Temperature};
 use asperity_ehl_regime::inlet_flow::Lay;
@@ -12,8 +12,8 @@ use super::oil_at::OilAt;
 use crate::input::law_names::LoadShareName;
 use crate::input::model::Model;
 
-/// Values in place of those that a case resolves to. They are passed beside its keys, hold at every other temperature, load and key of
-/// the case, and are part of its [fingerprint](crate::case::LoadedCase::fingerprint).
+/// Values in place of those that a case resolves to. They are passed in addition to its keys, hold at every other temperature, load and
+/// key, and are part of its [fingerprint](crate::case::LoadedCase::fingerprint).
 ///
 /// ```
 /// use asperity_case::case::{self, UncertainParameter};
