@@ -120,3 +120,21 @@ fn a_map_of_an_overridden_case_has_its_losses() {
         loss(&case)
     );
 }
+
+#[test]
+fn a_search_for_the_bulk_temperature_leaves_no_equation_in_the_case() {
+    let law = r#"{ law = "iso", lubrication = "jet" }"#;
+    let case = e_drive().with(|input| {
+        input.set("operation.oil_temperature", "80 °C").unwrap();
+        input.set("operation.bulk", law).unwrap();
+    });
+    let case = case.unwrap();
+    let tables = contacts(&case).unwrap();
+    let is_named = |found: asperity::result::Losses| {
+        let mut equations = found.equations.iter();
+        equations.any(|used| used.tag == "Bulk-fixed-point")
+    };
+    assert!(is_named(asperity::losses(&case).unwrap()));
+    let given = case.at(Temperature::from_celsius(100.0)).unwrap();
+    assert!(!is_named(losses_at(&tables, &given).unwrap()));
+}

@@ -40,9 +40,7 @@ pub(crate) fn settle(
         true => fixed_point(oil, made),
         false => lowest_fixed_point(oil, made),
     })?;
-    let settled = loaded.at_found(found.temperature, law.report(oil, &found))?;
-    settled.provenance.include(&used);
-    Ok(settled)
+    loaded.at_found(found.temperature, law.report(oil, &found), &used)
 }
 
 /// Power of the loss to which the rise of a law is proportional.

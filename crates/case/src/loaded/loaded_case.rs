@@ -295,6 +295,17 @@ impl LoadedCase {
         })
     }
 
+    /// The case with a set of its own of the equations that made it, to which those `used` are added.
+    pub(super) fn with_provenance(&self, used: &Provenance) -> Self {
+        let provenance = Provenance::new();
+        provenance.include(&self.provenance);
+        provenance.include(used);
+        self.having(|loaded| Loaded {
+            provenance,
+            ..loaded
+        })
+    }
+
     fn having(&self, change: impl FnOnce(Loaded) -> Loaded) -> Self {
         let mut other = self.clone();
         other.loaded = change(other.loaded);

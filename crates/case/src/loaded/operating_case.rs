@@ -4,6 +4,7 @@ use std::ops::Deref;
 use std::sync::Arc;
 
 use asperity_core::OutOfRange;
+use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Temperature;
 use asperity_flanks::surfaces::Surfaces;
 use asperity_mixed_film::FilmAlone;
@@ -59,12 +60,18 @@ impl LoadedCase {
         OperatingCase::new(self.clone(), bulk, None, self.oil_at(bulk)?)
     }
 
-    /// The case at a bulk temperature that was found from its loss.
+    /// The case at a bulk temperature that was found from its loss by the equations `used`.
     ///
     /// # Errors
     /// As [`at`](Self::at).
-    pub fn at_found(&self, bulk: Temperature, report: BulkReport) -> Result<OperatingCase, Error> {
-        OperatingCase::new(self.clone(), bulk, Some(report), self.oil_at(bulk)?)
+    pub fn at_found(
+        &self,
+        bulk: Temperature,
+        report: BulkReport,
+        used: &Provenance,
+    ) -> Result<OperatingCase, Error> {
+        let loaded = self.with_provenance(used);
+        OperatingCase::new(loaded, bulk, Some(report), self.oil_at(bulk)?)
     }
 
     /// The case at the temperature that it states, also where this is the temperature of the oil.
@@ -167,7 +174,8 @@ impl OperatingCase {
     /// # Errors
     /// When a value is outside its domain.
     pub fn overridden(&self, change: impl FnOnce(&mut Overrides)) -> Result<Self, Error> {
-        self.on(self.loaded.overridden(change)?)
+        let (report, nominal) = (self.report.clone(), Arc::clone(&self.nominal));
+        Self::new(self.loaded.overridden(change)?, self.bulk, report, nominal)
     }
 
     /// The case with other keys at the same bulk temperature.
@@ -196,11 +204,5 @@ impl OperatingCase {
             loaded: self.loaded.first_pair(),
             ..self.clone()
         }
-    }
-
-    /// Another case of the same oil at the same bulk temperature.
-    fn on(&self, loaded: LoadedCase) -> Result<Self, Error> {
-        let (report, nominal) = (self.report.clone(), Arc::clone(&self.nominal));
-        Self::new(loaded, self.bulk, report, nominal)
     }
 }
