@@ -10,6 +10,7 @@
 use std::path::Path;
 use std::time::Instant;
 
+use asperity::core::task::on_threads;
 use asperity::Run;
 use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::core::Profile;
@@ -47,8 +48,7 @@ fn seconds(begin: Instant) -> f64 {
 
 /// Time of the case over its estimate, both on one thread.
 fn taken_over_estimated(name: &str, make: &(dyn Fn() -> LoadedCase + Sync)) -> f64 {
-    let alone = rayon::ThreadPoolBuilder::new().num_threads(1);
-    alone.build().unwrap().install(|| {
+    on_threads(1, || {
         let clock = Instant::now();
         let begin = seconds(clock);
         let case = make();
@@ -62,6 +62,7 @@ fn taken_over_estimated(name: &str, make: &(dyn Fn() -> LoadedCase + Sync)) -> f
         println!("{name}: {taken:.2} s, estimated {:.2} s", estimated.seconds);
         taken / estimated.seconds
     })
+    .unwrap()
 }
 
 /// A rough trace of `points` points, half a micrometre apart.

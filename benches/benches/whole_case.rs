@@ -4,6 +4,7 @@ use std::path::Path;
 
 use asperity::Run;
 use asperity::case::load;
+use asperity::core::task::on_threads;
 use asperity::pipeline::{contacts, losses_with};
 use asperity_benches::WORKSPACE;
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -16,15 +17,13 @@ fn whole_case(criterion: &mut Criterion) {
     let warmer = case
         .with_key("operation.bulk_temperature", "60 °C")
         .expect("a temperature");
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-    let pool = pool.expect("a thread");
     criterion.bench_function("e-drive, another temperature by kept contacts", |bencher| {
-        bencher.iter(|| pool.install(|| losses_with(&tables, black_box(&warmer)).expect("losses")));
+        bencher.iter(|| on_threads(1, || losses_with(&tables, black_box(&warmer)).expect("losses")));
     });
     let mut slow = criterion.benchmark_group("e-drive");
     slow.sample_size(10);
     slow.bench_function("whole run", |bencher| {
-        bencher.iter(|| pool.install(|| Run::new(black_box(&case)).execute().expect("a run")));
+        bencher.iter(|| on_threads(1, || Run::new(black_box(&case)).execute().expect("a run")));
     });
 }
 

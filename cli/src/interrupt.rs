@@ -31,10 +31,8 @@ pub fn handle() {
 /// Does `work`, which the first signal cancels, so that it can store what is finished; a second signal ends the process.
 pub fn cancelling<T>(work: impl FnOnce() -> T) -> T {
     let token = Token::new();
-    rayon::broadcast(|_| token.adopt());
     set(Some(token.clone()));
     let done = token.run(work);
     set(None);
-    rayon::broadcast(|_| Token::new().adopt());
     done
 }

@@ -189,6 +189,10 @@ pub struct Progress {
 
 impl Progress {
     /// Starts the progress of a command with `work`.
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "a clock, which evaluates no equation"
+    )]
     pub fn of(quiet: bool, work: &'static str) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         let (end, ended) = channel();

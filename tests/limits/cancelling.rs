@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::core::cancel::Token;
+use asperity::core::task::on_threads;
 use asperity::{case, pipeline};
 
 fn e_drive() -> case::LoadedCase {
@@ -17,28 +18,22 @@ fn e_drive() -> case::LoadedCase {
 fn a_cancelled_run_is_an_error_whatever_was_computed() {
     let case = e_drive();
     let token = Token::new();
-    // The threads of the pool adopt the token: those of the tests' own pool stay as they are.
-    let adopting = token.clone();
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(2)
-        .start_handler(move |_| adopting.adopt())
-        .build()
-        .unwrap();
-    let whole = pool.install(|| pipeline::losses(&case));
-    assert!(whole.is_ok());
+    let on_two = |work: &(dyn Fn() -> Result<(), asperity::Error> + Sync)| {
+        on_threads(2, || token.run(work)).unwrap()
+    };
+    assert!(on_two(&|| pipeline::losses(&case).map(drop)).is_ok());
     let done = AtomicUsize::new(0);
     let cancelling = |_, _| {
         done.fetch_add(1, Ordering::Relaxed);
         token.cancel();
     };
-    let error = pool
-        .install(|| asperity::Run::new(&case).progress(&cancelling).execute())
-        .unwrap_err();
+    let run = || asperity::Run::new(&case).progress(&cancelling).execute();
+    let error = on_two(&|| run().map(drop)).unwrap_err();
     assert_eq!(error.code(), "E502", "{error}");
     assert!(error.position().unwrap().is_cancelled());
     // One position a thread was under way.
     assert!(done.into_inner() <= 2);
-    assert!(pool.install(|| pipeline::contacts(&case)).is_err());
+    assert!(on_two(&|| pipeline::contacts(&case).map(drop)).is_err());
 }
 
 #[test]
@@ -48,13 +43,6 @@ fn a_cancelled_record_of_mixed_lubrication_is_an_error() {
     let case = case.with_key("model.ehl.cache", "off").unwrap();
     let token = Token::new();
     token.cancel();
-    let error = token.run(|| {
-        // On this thread, which has the token.
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(1)
-            .use_current_thread();
-        let pool = pool.build().unwrap();
-        pool.install(|| pipeline::losses(&case).unwrap_err())
-    });
+    let error = token.run(|| pipeline::losses(&case).unwrap_err());
     assert_eq!(error.code(), "E502", "{error}");
 }

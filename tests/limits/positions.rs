@@ -1,5 +1,6 @@
 //! Many positions, few positions, one position.
 
+use asperity::core::task::on_threads;
 use asperity::result::Summary;
 use asperity_tests::{assert_close, table_2};
 
@@ -45,8 +46,7 @@ fn a_position_a_segment_is_enough_for_what_does_not_change_along_the_path() {
 fn the_number_of_threads_does_not_change_a_digit() {
     let loaded = table_2().load();
     let on = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let outcome = pool.unwrap().install(|| asperity_tests::run(&loaded));
+        let outcome = on_threads(threads, || asperity_tests::run(&loaded)).unwrap();
         serde_json::to_string(&outcome.result).unwrap()
     };
     assert_eq!(on(1), on(4));

@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use asperity::case::{load, load_with};
+use asperity::core::task::par_map;
 use asperity::flanks::{Texture, window_places};
 use asperity::losses;
 use asperity::pipeline::{contacts, contacts_beside, losses_with};
@@ -15,7 +16,6 @@ use asperity_core::numerics::{real_transforms, student_t_quantile};
 use asperity_core::quantity::Length;
 use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
-use rayon::prelude::*;
 use realfft::num_complex::Complex;
 
 /// Half width of the contact \[m\].
@@ -170,33 +170,31 @@ fn deviation(values: &[f64]) -> f64 {
 #[test]
 fn intervals_of_ninety_percent_cover_the_mean_of_the_flank() {
     /// The share that is covered, 91 to 98 %, has a standard deviation of 2 to 1 %; intervals half as wide cover 61 to 75 %.
-    const REPEATS: u64 = 200;
+    const REPEATS: u32 = 200;
     const LONG: usize = 40_000;
     /// Real positions scatter by 0.75 of their sum at one place of the flank; these lose alike there.
     const COMMON: f64 = 0.75;
     let flanks = Flanks::of_the_example();
     let whole = |losses: &[Vec<f64>]| mean(&losses.iter().map(|one| mean(one)).collect::<Vec<_>>());
-    let long: Vec<f64> = (0..32_u64)
-        .into_par_iter()
-        .map(|seed| whole(&flanks.losses(&flanks.traces(LONG, 1_000 + seed), 64)))
-        .collect();
+    let long = par_map(0..32_u32, |seed| {
+        whole(&flanks.losses(&flanks.traces(LONG, 1_000 + u64::from(seed)), 64))
+    });
     let truth = mean(&long).ln();
     // The prior is as wide as the scatter of windows end to end: half the share of the asperities.
     let of_window = |seed| {
         let points = flanks.points + 1;
-        whole(&flanks.losses(&flanks.traces(points, seed), 2)).ln()
+        whole(&flanks.losses(&flanks.traces(points, u64::from(seed)), 2)).ln()
     };
-    let windows: Vec<f64> = (0..REPEATS).into_par_iter().map(of_window).collect();
+    let windows: Vec<f64> = par_map(0..REPEATS, of_window);
     let share = 2.0 * deviation(&windows);
     for millimetres in [1.10, 2.75] {
         let points = (millimetres * 1e-3 / flanks.spacing).round() as usize;
         let way = Length::from_si((points - flanks.points) as f64 * flanks.spacing);
         let windows = independent_windows(way, Length::from_si(HALF_WIDTH));
         // The places of few offsets are the first of many.
-        let most: Vec<Vec<Vec<f64>>> = (0..REPEATS)
-            .into_par_iter()
-            .map(|seed| flanks.losses(&flanks.traces(points, seed), 64))
-            .collect();
+        let most: Vec<Vec<Vec<f64>>> = par_map(0..REPEATS, |seed| {
+            flanks.losses(&flanks.traces(points, u64::from(seed)), 64)
+        });
         for offsets in [16, 64] {
             let covered = most.iter().filter(|losses| {
                 let losses: Vec<Vec<f64>> =

@@ -23,8 +23,8 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::inlet_flow::inlet_factor;
 use asperity_ehl_regime::{Attenuation, FilmLaw, GapLaw, PairSpectrum, TraceSpectrum};
 
+use asperity::core::task::par_map;
 use asperity::oil::{BaseOil, TractionConstants};
-use rayon::prelude::*;
 
 use crate::gate::Estimate;
 use mixed_ehl_records::EYRING_STRESS;
@@ -160,7 +160,7 @@ fn gear_meshes() -> &'static [Compared] {
             pairs.push((condition, record));
         }
         assert!(records.is_empty());
-        let rows = pairs.into_par_iter().map(|(condition, record)| {
+        par_map(pairs, |(condition, record)| {
             let windows = Windows::of(&condition, WINDOWS);
             Compared {
                 record,
@@ -168,8 +168,7 @@ fn gear_meshes() -> &'static [Compared] {
                 power: windows.fast(GapLaw::Power, false),
                 inlet_of_windows: windows.fast(GapLaw::Inlet, true),
             }
-        });
-        rows.collect()
+        })
     })
 }
 

@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
+use asperity::core::task::par_map;
 use asperity::fingerprint::sha256;
 use asperity::mixed_film::{
     FilmPressure, GapRoughness, InletSupply, LoadShareSettings, LoadShareSolution, SpotSpeed,
@@ -17,7 +18,6 @@ use asperity::reference_solution::LARGEST_ROUGHNESS;
 use asperity::uncertainty::model_deviation;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::{FilmLaw, GapLaw};
-use rayon::prelude::*;
 
 use crate::ehl_records::mixed_ehl_records::{
     Condition, blind_conditions, chosen_conditions, conditions, flooded_second_blind_conditions,
@@ -812,7 +812,7 @@ fn largest_bends(windows: usize, steps: [u32; 2]) -> [f64; 2] {
             let windows = Windows::about(&Condition::at_operation(torque, speed), &middles);
             Windowed::of(&windows, &windows.settings()).friction.ln()
         };
-        let logs: Vec<f64> = operations.into_par_iter().map(friction).collect();
+        let logs = par_map(operations, friction);
         let bends = logs
             .windows(3)
             .map(|of| (of[0] - 2.0 * of[1] + of[2]).abs());
@@ -875,7 +875,7 @@ fn parts_of_friction_are_those_of_an_independent_program() {
     all.extend(blind_conditions());
     all.retain(|one| OF_ANOTHER_PROGRAM.iter().any(|(name, _)| *name == one.name));
     assert_eq!(all.len(), OF_ANOTHER_PROGRAM.len());
-    all.into_par_iter().for_each(|condition| {
+    par_map(all, |condition| {
         let windows = Windows::of(&condition, WINDOWS);
         let seen = Windowed::of(&windows, &windows.settings());
         let by_formula = LoadShareSettings {
@@ -942,7 +942,7 @@ fn the_windows_of_every_record() {
         let is_chosen_on = table == GEAR_MESHES || table == BLIND;
         all.extend(conditions().into_iter().map(|one| (is_chosen_on, one)));
     }
-    let parts = all.into_par_iter().map(|(every_model, condition)| {
+    let parts = par_map(all, |(every_model, condition)| {
         let windows = Windows::of(&condition, WINDOWS);
         let mut text = String::new();
         for model in MODELS.iter().filter(|model| every_model || model.for_all) {
@@ -961,7 +961,7 @@ fn the_windows_of_every_record() {
         "# inputs {}\ncondition,model,{}\n{}",
         sum_of_inputs(),
         COLUMNS.join(","),
-        parts.collect::<Vec<_>>().concat()
+        parts.concat()
     );
     if std::env::var_os("ASPERITY_WRITE").is_some() {
         std::fs::write(stored_file(), text).unwrap();

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::{Mutex, OnceLock};
 
 use asperity::case::{CaseInput, LoadedCase, load};
+use asperity::core::task::on_threads;
 use asperity::oil::FilmConstantName;
 use asperity::pipeline::{contacts, losses_with};
 use asperity::result::{Losses, Summary};
@@ -208,10 +209,7 @@ fn every_law_of_the_load_share_runs_by_its_name() {
 #[test]
 fn the_share_is_the_same_on_one_and_two_threads() {
     let case = with("e-drive", &FEW);
-    let on = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        pool.unwrap().install(|| losses(&case).summary)
-    };
+    let on = |threads: usize| on_threads(threads, || losses(&case).summary).unwrap();
     assert_eq!(on(1), on(2));
 }
 

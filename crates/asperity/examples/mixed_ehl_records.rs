@@ -24,6 +24,7 @@ use std::time::Instant;
 
 use asperity::LoadedCase;
 use asperity::case::load_with;
+use asperity::core::task::{par_map, threads};
 use asperity::ehl::{RecordSettings, transient};
 use asperity::lubrication::formula_film;
 use asperity::quantity::Length;
@@ -33,7 +34,6 @@ use asperity::roughness::generate::{
     Ground, HeightDistribution, NonGaussian, PlateauHoned, SelfAffine, lower_envelope,
 };
 use asperity_core::Profile;
-use rayon::prelude::*;
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
@@ -983,14 +983,14 @@ pub fn main() -> Outcome<()> {
         return Ok(());
     }
     println!("{}", COLUMNS.join(","));
-    for at_a_time in chosen.chunks(rayon::current_num_threads()) {
-        let rows = at_a_time.par_iter().map(|condition| {
+    for at_a_time in chosen.chunks(threads()) {
+        let rows = par_map(at_a_time, |condition| {
             row(condition, &settings).unwrap_or_else(|error| {
                 eprintln!("{}: {error}", condition.name);
                 unsolved_row(condition)
             })
         });
-        for row in rows.collect::<Vec<String>>() {
+        for row in rows {
             println!("{row}");
         }
         std::io::stdout().flush()?;

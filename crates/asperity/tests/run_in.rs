@@ -8,6 +8,7 @@
 use std::path::Path;
 
 use asperity::case::{LoadedCase, RunningInPlan, load};
+use asperity::core::task::on_threads;
 use asperity::flanks::surfaces::{Surfaces, Texture};
 use asperity::pipeline::{HistorySettings, history};
 use asperity::quantity::{Length, Torque};
@@ -194,10 +195,7 @@ fn running_in_is_the_same_on_one_and_two_threads_and_for_kept_contacts() {
         ("operation.running_in", "{ engagements = 16 }"),
     ];
     let case = with("e-drive", &keys);
-    let on = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        pool.unwrap().install(|| losses(&case))
-    };
+    let on = |threads: usize| on_threads(threads, || losses(&case)).unwrap();
     let one = on(1);
     assert_eq!(one.run_in, on(2).run_in);
     let tables = asperity::pipeline::contacts(&case).unwrap();

@@ -9,7 +9,7 @@ use asperity::pipeline::{coldest_losses_with, contacts};
 use asperity_core::Fault;
 use asperity_core::numerics::median;
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
-use rayon::prelude::*;
+use asperity_core::task::try_par_map;
 
 use crate::parameters::Parameter;
 
@@ -140,17 +140,11 @@ impl RigModel {
         progress: Progress<'_>,
     ) -> Result<Vec<Vec<PointLosses>>, Fault> {
         let count = settings.len();
-        let all: Vec<Result<PointLosses, Fault>> = (0..self.points.len() * count)
-            .into_par_iter()
-            .map(|k| {
-                let losses = self.at(&self.points[k / count], &settings[k % count]);
-                progress(self.evaluations.fetch_add(1, Ordering::Relaxed) + 1);
-                losses
-            })
-            .collect();
-        let all = all
-            .into_iter()
-            .collect::<Result<Vec<PointLosses>, Fault>>()?;
+        let all = try_par_map(0..self.points.len() * count, |k| {
+            let losses = self.at(&self.points[k / count], &settings[k % count]);
+            progress(self.evaluations.fetch_add(1, Ordering::Relaxed) + 1);
+            losses
+        })?;
         Ok(all
             .chunks(count.max(1))
             .map(<[PointLosses]>::to_vec)

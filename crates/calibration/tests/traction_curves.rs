@@ -10,6 +10,7 @@
     reason = "helpers of tests may unwrap as tests do"
 )]
 
+use asperity::core::task::par_map;
 use asperity::oil::{
     BaseOil, FilmRheology, LubricantInput, PressureLaw, TractionConstants, ViscosityLaw,
 };
@@ -26,7 +27,6 @@ use asperity_core::quantity::{
     ThermalConductivity,
 };
 use nalgebra::DVector;
-use rayon::prelude::*;
 
 const E_FLUID: &str = include_str!("golden/traction_e_fluid.csv");
 const MINERAL: &str = include_str!("golden/traction_mineral.csv");
@@ -569,24 +569,22 @@ fn coverage(is_mineral: bool, oils: u64) -> [f64; 4] {
         .into_iter()
         .filter(|point| judge(&oil, point).unwrap().dropped.is_none())
         .collect();
-    let held: Vec<[bool; 4]> = (0..oils)
-        .into_par_iter()
-        .map(|seed| {
-            let (measured, truth) = measured(&oil, &points, 1000 + seed);
-            let priors = Priors::family(oil.deviations);
-            let errors = REFERENCE.errors;
-            let fit = fit_law(
-                &oil,
-                PressureLaw::Barus,
-                priors,
-                Zero::Common,
-                errors,
-                &measured,
-            );
-            let fit = fit.unwrap();
-            std::array::from_fn(|k| (fit.x[k] - truth[k]).abs() < 1.15 * Z_975 * fit.deviation(k))
-        })
-        .collect();
+    let seeds: Vec<u64> = (0..oils).collect();
+    let held: Vec<[bool; 4]> = par_map(seeds, |seed| {
+        let (measured, truth) = measured(&oil, &points, 1000 + seed);
+        let priors = Priors::family(oil.deviations);
+        let errors = REFERENCE.errors;
+        let fit = fit_law(
+            &oil,
+            PressureLaw::Barus,
+            priors,
+            Zero::Common,
+            errors,
+            &measured,
+        );
+        let fit = fit.unwrap();
+        std::array::from_fn(|k| (fit.x[k] - truth[k]).abs() < 1.15 * Z_975 * fit.deviation(k))
+    });
     std::array::from_fn(|k| held.iter().filter(|one| one[k]).count() as f64 / oils as f64)
 }
 

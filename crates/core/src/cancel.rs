@@ -1,8 +1,8 @@
 //! Cancelling long work from another thread.
 //!
-//! A program gives each thread of one piece of work a [`Token`]. The loops of the library call [`checkpoint`], which
-//! returns [`Cancelled`] once the token is cancelled; the error passes up as any other. Without a token a checkpoint
-//! costs the reading of a thread-local flag.
+//! A program gives a piece of work a [`Token`], which [`Task`](crate::task::Task) takes to other threads. The loops of the library
+//! call [`checkpoint`], which returns [`Cancelled`] once the token is cancelled; the error passes up as any other. Without a token a
+//! checkpoint costs the reading of a thread-local flag.
 //!
 //! ```
 //! use asperity_core::cancel::{Cancelled, Token, checkpoint};
@@ -16,13 +16,10 @@
 //! assert_eq!(endless, Err(Cancelled));
 //! ```
 
-use std::cell::RefCell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-thread_local! {
-    static CURRENT: RefCell<Option<Token>> = const { RefCell::new(None) };
-}
+use crate::task::Task;
 
 /// The work was cancelled; it has no result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, thiserror::Error)]
@@ -51,22 +48,9 @@ impl Token {
         self.0.load(Ordering::Relaxed)
     }
 
-    /// Makes this the token of the thread for good; for the threads of a pool that is made for one piece of work.
-    pub fn adopt(&self) {
-        CURRENT.set(Some(self.clone()));
-    }
-
-    /// Runs `work` with this as the token of the thread.
+    /// Runs `work` with this as the token of the task.
     pub fn run<T>(&self, work: impl FnOnce() -> T) -> T {
-        /// The previous token, restored when the work ends, also by a panic.
-        struct Outer(Option<Token>);
-        impl Drop for Outer {
-            fn drop(&mut self) {
-                CURRENT.set(self.0.take());
-            }
-        }
-        let _outer = Outer(CURRENT.replace(Some(self.clone())));
-        work()
+        Task::current().cancelled_by(self).enter(work)
     }
 }
 
@@ -76,8 +60,11 @@ impl Token {
 /// When the token of this thread is cancelled.
 #[inline]
 pub fn checkpoint() -> Result<(), Cancelled> {
-    let is_cancelled = CURRENT.with_borrow(|token| token.as_ref().is_some_and(Token::is_cancelled));
-    if is_cancelled { Err(Cancelled) } else { Ok(()) }
+    if Task::is_cancelled() {
+        Err(Cancelled)
+    } else {
+        Ok(())
+    }
 }
 
 #[cfg(test)]
@@ -88,22 +75,6 @@ mod tests {
     #[test]
     fn work_that_is_not_cancelled_has_its_result() {
         assert_eq!(Token::new().run(|| checkpoint().map(|()| 7)), Ok(7));
-    }
-
-    #[test]
-    fn a_thread_that_has_adopted_the_token_is_ended() {
-        let token = Token::new();
-        let worker = std::thread::spawn({
-            let token = token.clone();
-            move || -> Result<(), Cancelled> {
-                token.adopt();
-                loop {
-                    checkpoint()?;
-                }
-            }
-        });
-        token.cancel();
-        assert_eq!(worker.join().unwrap(), Err(Cancelled));
     }
 
     #[test]

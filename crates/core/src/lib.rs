@@ -35,6 +35,7 @@ pub mod quantity;
 pub mod remedy;
 mod repeated_fault;
 mod system_file;
+pub mod task;
 mod unique;
 mod unit_text;
 

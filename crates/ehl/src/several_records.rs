@@ -1,8 +1,7 @@
 //! Records of one contact that begin at different places of its surfaces.
 
-use asperity_core::provenance::carried;
 use asperity_core::quantity::Length;
-use rayon::prelude::*;
+use asperity_core::task::try_par_map;
 
 use crate::batch_means::RecordMean;
 use crate::error::EhlError;
@@ -29,21 +28,18 @@ pub fn record_several(
     let periods = [&contact.surface_1, &contact.surface_2].map(|surface| surface.period());
     let has_beginnings = periods.iter().any(Option::is_some);
     let count = if has_beginnings { count.max(1) } else { 1 };
-    (0..count)
-        .into_par_iter()
-        .map(carried(|number| {
-            let [first, second] = [0, 1].map(|surface| {
-                let part = (number as f64 * PARTS[surface]).fract();
-                periods[surface].map_or(Length::from_si(0.0), |period| period * part)
-            });
-            let shifted = RoughContact {
-                surface_1: contact.surface_1.clone().shifted(first),
-                surface_2: contact.surface_2.clone().shifted(second),
-                ..contact.clone()
-            };
-            record_watched(&shifted, settings, |progress| watch(number, progress))
-        }))
-        .collect()
+    try_par_map(0..count, |number| {
+        let [first, second] = [0, 1].map(|surface| {
+            let part = (number as f64 * PARTS[surface]).fract();
+            periods[surface].map_or(Length::from_si(0.0), |period| period * part)
+        });
+        let shifted = RoughContact {
+            surface_1: contact.surface_1.clone().shifted(first),
+            surface_2: contact.surface_2.clone().shifted(second),
+            ..contact.clone()
+        };
+        record_watched(&shifted, settings, |progress| watch(number, progress))
+    })
 }
 
 /// Mean of independent records of one contact: means of their means, standard errors of those, the work of all,

@@ -8,6 +8,7 @@ use std::thread;
 use std::time::Duration;
 
 use asperity::core::cancel::Token;
+use asperity::core::task::Task;
 use asperity::message::{Code, Fault};
 use pyo3::prelude::*;
 
@@ -94,19 +95,16 @@ pub fn in_parallel<T: Send>(
     work: impl FnOnce(&Told) -> Result<T, Failure> + Send,
 ) -> PyResult<T> {
     let threads = threads_for(threads)?;
-    beside(py, progress, move |token, told| {
+    beside(py, progress, move |told| {
         let raised = RAISED.with_borrow(Clone::clone);
-        let adopting = token.clone();
+        let task = Task::current();
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .stack_size(STACK)
-            .start_handler(move |_| {
-                adopting.adopt();
-                RAISED.set(raised.clone());
-            })
+            .start_handler(move |_| RAISED.set(raised.clone()))
             .build();
         let pool = pool.map_err(|error| Failure::from(Fault::internal(error)));
-        pool.and_then(|pool| pool.install(|| work(told)))
+        pool.and_then(|pool| pool.install(|| task.enter(|| work(told))))
     })
 }
 
@@ -115,7 +113,7 @@ pub fn alone<T: Send>(
     py: Python<'_>,
     work: impl FnOnce() -> Result<T, Failure> + Send,
 ) -> PyResult<T> {
-    beside(py, None, move |_, _| work())
+    beside(py, None, move |_| work())
 }
 
 type Done<T> = Result<T, Failure>;
@@ -123,7 +121,7 @@ type Done<T> = Result<T, Failure>;
 fn beside<T: Send>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
-    work: impl FnOnce(&Token, &Told) -> Done<T> + Send,
+    work: impl FnOnce(&Told) -> Done<T> + Send,
 ) -> PyResult<T> {
     let (token, told) = (Token::new(), Told::default());
     let of_laws = Raised::default();
@@ -131,7 +129,7 @@ fn beside<T: Send>(
     thread::scope(|scope| {
         let run = |sender: Sender<Done<T>>| {
             RAISED.set(Some(Arc::clone(&of_laws)));
-            let done = token.run(|| work(&token, &told));
+            let done = token.run(|| work(&told));
             // Nobody listens where the caller has failed; then nothing is missed.
             let _ = sender.send(done);
         };

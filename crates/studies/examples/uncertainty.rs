@@ -15,10 +15,10 @@ use asperity::case::{LoadedCase, load};
 use asperity::core::Profile;
 use asperity::core::numerics::student_t_quantile;
 use asperity::core::quantity::Length;
+use asperity::core::task::par_map;
 use asperity::result::{SamplingPart, Uncertainty};
 use asperity::uncertainty::Predictive;
 use asperity_roughness::generate::Ground;
-use rayon::prelude::*;
 
 /// Keys and their values.
 type Keys<'a> = &'a [(&'a str, &'a str)];
@@ -148,10 +148,10 @@ fn coverage(pairs: u64, positions: &str) {
             ("model.positions", positions),
         ];
         let case = shipped("e-drive.toml", &keys);
-        let found: Vec<(Uncertainty, Predictive)> = (0..pairs)
-            .into_par_iter()
-            .map(|seed| drawn(&with_flanks(&case, 10 + seed)))
-            .collect();
+        let found: Vec<(Uncertainty, Predictive)> =
+            par_map((0..pairs).collect::<Vec<_>>(), |seed| {
+                drawn(&with_flanks(&case, 10 + seed))
+            });
         let logs: Vec<f64> = found.iter().map(|(_, of)| of.at_medians_w.ln()).collect();
         let mean = logs.iter().sum::<f64>() / pairs as f64;
         let squares = logs.iter().map(|log| (log - mean).powi(2)).sum::<f64>();

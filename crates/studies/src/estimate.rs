@@ -5,6 +5,7 @@
 //! (docs/PERFORMANCE.md). The time of a contact also depends on the flanks, by a factor from a third to three. A measured
 //! estimate therefore solves a few contacts of the case and scales the time of all contacts by theirs.
 
+use asperity_core::task::{on_threads, threads};
 use std::time::Instant;
 
 use asperity::case::{FullFilmName, LoadShareName, LoadedCase};
@@ -118,9 +119,6 @@ pub fn measured<'a>(
 
 fn measured_mesh(loaded: &LoadedCase, kept: &KeptFields) -> Result<Cost, Error> {
     let work = Work::of(loaded)?;
-    let Ok(single_thread) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else {
-        return Ok(work.estimate(loaded, kept, 1.0));
-    };
     if work.contacts == 0 || has_records(loaded) {
         return Ok(work.estimate(loaded, kept, 1.0));
     }
@@ -137,10 +135,12 @@ fn measured_mesh(loaded: &LoadedCase, kept: &KeptFields) -> Result<Cost, Error> 
         let few = few.overridden(|over| over.offsets = Some(offsets))?;
         let begin = Instant::now();
         // Without tables the loss alone does not solve every contact.
-        single_thread.install(|| match has_tables(&few) {
+        let run = || match has_tables(&few) {
             true => Run::new(&few).losses().map(drop),
             false => Run::new(&few).without_pictures().execute().map(drop),
-        })?;
+        };
+        // Where the system gives no thread the estimate is of what the threads do.
+        on_threads(1, run).unwrap_or_else(|_| run())?;
         let modelled = Work::of(&few)?.of_contacts;
         Ok([begin.elapsed().as_secs_f64(), modelled])
     };
@@ -276,7 +276,7 @@ impl Work {
 
     /// The estimate with the time of the contacts multiplied by `scale`.
     fn estimate(&self, loaded: &LoadedCase, kept: &KeptFields, scale: f64) -> Cost {
-        let threads = rayon::current_num_threads();
+        let threads = threads();
         let together = threads.min(self.positions.max(1)) as f64;
         let (records, of_a_record) = self.records;
         let rounds = records.div_ceil(threads) as f64;

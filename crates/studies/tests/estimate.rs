@@ -5,6 +5,7 @@
 use std::path::Path;
 
 use asperity::case::{CaseInput, LoadedCase, load};
+use asperity::core::task::on_threads;
 use asperity::pipeline::{KeptFields, contacts};
 use asperity_studies::estimate::{Cost, estimate, measured};
 
@@ -24,8 +25,7 @@ fn with(keys: &[(&str, &str)]) -> LoadedCase {
 
 /// The estimate on one thread, whatever the machine has.
 fn alone(case: &LoadedCase) -> Cost {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-    pool.unwrap().install(|| estimate([case], &KEPT).unwrap())
+    on_threads(1, || estimate([case], &KEPT).unwrap()).unwrap()
 }
 
 #[test]

@@ -16,7 +16,7 @@ use std::sync::Arc;
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, mean};
 use asperity_core::quantity::Length;
-use rayon::prelude::*;
+use asperity_core::task::par_map;
 
 use super::inputs::WindowInputs;
 use super::window_contact::WindowContact;
@@ -79,7 +79,7 @@ pub(super) fn offsets_needed(
         let weight = at.weight * at.load.si() * at.mean_sliding();
         Ok([mean(friction.iter().copied()), scatter].map(|value| weight * value))
     };
-    let found = numbered(positions.par_iter().map(of_position).collect())?;
+    let found = numbered(par_map(positions, of_position))?;
     let scatter = Scatter::of(found.into_iter());
     let half_widths = positions.iter().map(|at| at.hertz.half_width.si());
     let widest = Length::from_si(half_widths.fold(0.0, f64::max));

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use asperity_core::quantity::AngularSpeed;
+use asperity_core::task::par_map;
 use asperity_gear::LoadMap;
-use rayon::prelude::*;
 
 use super::inputs::{ContactInputs, Offsets, WindowInputs};
 use super::offsets::offsets_needed;
@@ -91,7 +91,7 @@ impl Contacts {
             }
         };
         let of_position = |at| (0..count).map(|k| of_offset(at, k)).collect();
-        let rows = numbered(positions.par_iter().map(of_position).collect())?;
+        let rows = numbered(par_map(positions, of_position))?;
         Ok(positions.iter().map(key).zip(rows).collect())
     }
 

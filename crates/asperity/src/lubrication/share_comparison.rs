@@ -4,10 +4,10 @@ use asperity_contact::SolverSettings;
 use asperity_core::Profile;
 use asperity_core::numerics::GOLDEN_SECTION;
 use asperity_core::quantity::{Length, Pressure};
+use asperity_core::task::try_par_map;
 use asperity_ehl::Record;
 use asperity_ehl_regime::published_shares::masjedi_khonsari;
 use asperity_ehl_regime::{Lay, LoadShareLaw, PairSpectrum, TraceSpectrum};
-use rayon::prelude::*;
 use serde::Serialize;
 
 use super::chosen_laws::ChosenLaws;
@@ -241,40 +241,36 @@ pub fn windows_at(
         case.preparation.lambda_s,
         loaded.surfaces.same_trace,
     );
-    starts
-        .par_iter()
-        .map(|&starts| {
-            let cut = |k: usize| {
-                let trace = &contact.traces[k];
-                let heights = trace.heights().get(starts[k]..starts[k] + points);
-                let heights = heights.ok_or_else(|| {
-                    LoadShareError::window_beyond_trace(starts[k], points, trace.len())
-                });
-                Ok::<_, ReferenceError>(Profile::new(spacing, heights?.to_vec())?)
-            };
-            let flanks = [cut(0)?, cut(1)?];
-            let sum = flanks[0].heights().iter().zip(flanks[1].heights());
-            let composite: Vec<f64> = sum.map(|(a, b)| a + b).collect();
-            let mut rough = RoughContact::new(&RoughWindow {
-                composite: &composite,
-                spacing,
-                load: line.load,
-                radius: line.radius,
-                modulus: line.modulus,
-                flow_pressure: Pressure::from_si(pinion.min(wheel)),
-                settings: SolverSettings {
-                    tolerance: case.model.tolerance,
-                    ..SolverSettings::default()
-                },
-            })?;
-            Ok(ComparedWindow {
-                starts,
-                points,
-                contact: ContactTable::build(&mut rough)?,
-                roughness: surfaces.roughness_of(&flanks)?,
-            })
+    try_par_map(starts, |&starts| {
+        let cut = |k: usize| {
+            let trace = &contact.traces[k];
+            let heights = trace.heights().get(starts[k]..starts[k] + points);
+            let heights = heights
+                .ok_or_else(|| LoadShareError::window_beyond_trace(starts[k], points, trace.len()));
+            Ok::<_, ReferenceError>(Profile::new(spacing, heights?.to_vec())?)
+        };
+        let flanks = [cut(0)?, cut(1)?];
+        let sum = flanks[0].heights().iter().zip(flanks[1].heights());
+        let composite: Vec<f64> = sum.map(|(a, b)| a + b).collect();
+        let mut rough = RoughContact::new(&RoughWindow {
+            composite: &composite,
+            spacing,
+            load: line.load,
+            radius: line.radius,
+            modulus: line.modulus,
+            flow_pressure: Pressure::from_si(pinion.min(wheel)),
+            settings: SolverSettings {
+                tolerance: case.model.tolerance,
+                ..SolverSettings::default()
+            },
+        })?;
+        Ok(ComparedWindow {
+            starts,
+            points,
+            contact: ContactTable::build(&mut rough)?,
+            roughness: surfaces.roughness_of(&flanks)?,
         })
-        .collect()
+    })
 }
 
 /// Mean solid share of a law of Λ* or of the classical film ratio; none where a window has no Λ* to decide by.

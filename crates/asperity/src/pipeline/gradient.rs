@@ -10,9 +10,9 @@ use asperity_core::cite;
 use asperity_core::numerics::add_times;
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Temperature;
+use asperity_core::task::par_map;
 use asperity_mixed_film::{Kinks, TraceChange};
 use asperity_roughness::resampling::respaced_gradient;
-use rayon::prelude::*;
 
 use super::bulk_temperature::rise_exponent;
 use super::stages::{Stages, losses_at, sampled, warmed};
@@ -60,7 +60,7 @@ impl LossGradient {
             let along = at.unflattening.along(&at.windows, changes);
             along.map_err(PositionError::from)
         };
-        let of_positions: Vec<_> = self.positions.par_iter().map(of).collect();
+        let of_positions = par_map(&self.positions, of);
         let mut sums = vec![vec![0.0; self.case.case.model.offsets]; changes.len()];
         for of_position in of_positions {
             for (sums, of_change) in sums.iter_mut().zip(&of_position.map_err(Box::new)?) {
@@ -163,8 +163,7 @@ fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGrad
             false => Ok(None),
         }
     };
-    let found: Vec<_> = stages.mesh.positions.par_iter().map(of_position).collect();
-    let found = numbered(found)?;
+    let found = numbered(par_map(&stages.mesh.positions, of_position))?;
     let unresolved = stages.mesh.positions.iter().zip(&positions).zip(&found);
     let unresolved_w = unresolved
         .filter(|(_, gradient)| gradient.is_none())
@@ -182,7 +181,7 @@ fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGrad
         let windows = at.windows.iter().flatten();
         at.unflattening.gradient(spectra, windows)
     };
-    let of_positions: Vec<_> = positions.par_iter().map(of_position).collect();
+    let of_positions = par_map(&positions, of_position);
     let mut by_height = spectra.each_ref().map(|trace| vec![0.0; trace.points()]);
     let mut kinks = Kinks::default();
     let offsets = warm.case.model.offsets as f64;

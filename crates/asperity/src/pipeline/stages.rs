@@ -7,8 +7,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use asperity_core::cite;
 use asperity_core::numerics::mean;
 use asperity_core::provenance::Provenance;
+use asperity_core::task::{Items, par_map};
 use asperity_ehl_regime::inlet_flow::Lay;
-use rayon::prelude::*;
 
 use super::bulk_temperature;
 use super::kept_fields::KeptFields;
@@ -59,7 +59,7 @@ pub fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
         WindowContact::check(loaded, position)?;
         Ok(film)
     };
-    let films = numbered(mesh.positions.par_iter().map(firsts).collect())?;
+    let films = numbered(par_map(&mesh.positions, firsts))?;
     if let Some(plan) = &loaded.case.running_in {
         running_in::check(&loaded.case, &loaded.surfaces, plan).map_err(Box::new)?;
     }
@@ -430,6 +430,15 @@ impl<'a> Stages<'a> {
         })
     }
 
+    /// `work` of each position in parallel, with its equations noted.
+    fn each<I: Items, T: Send>(
+        &self,
+        positions: I,
+        work: impl Fn(I::Item) -> Result<T, PositionError> + Sync + Send,
+    ) -> Result<Vec<T>, Error> {
+        numbered(self.used.collect(|| par_map(positions, work)))
+    }
+
     pub fn lubrication(&self) -> Lubrication<'_> {
         Lubrication {
             case: self.case,
@@ -447,26 +456,22 @@ impl<'a> Stages<'a> {
         let count = self.record_count + self.mesh.positions.len();
         let later = RunInSteps::of(case).after(count);
         let solve = |at: &MeshPosition| {
-            self.used.collect(|| {
-                let contacts = self.contacts.at(at)?;
-                let position = lubrication.position(at, contacts)?;
-                (self.progress)(1 + done.fetch_add(1, Ordering::Relaxed), count + later);
-                Ok(position)
-            })
+            let contacts = self.contacts.at(at)?;
+            let position = lubrication.position(at, contacts)?;
+            (self.progress)(1 + done.fetch_add(1, Ordering::Relaxed), count + later);
+            Ok(position)
         };
-        numbered(self.mesh.positions.par_iter().map(solve).collect())
+        self.each(&self.mesh.positions, solve)
     }
 
     /// The rough contact of every window whose load share did not solve it.
     fn press(&self, positions: &mut [LubricatedPosition]) -> Result<(), Error> {
         let lubrication = self.lubrication();
         let press = |position: &mut LubricatedPosition| {
-            self.used.collect(|| {
-                let contacts = self.contacts.at(&position.at)?;
-                lubrication.press(position, contacts)
-            })
+            let contacts = self.contacts.at(&position.at)?;
+            lubrication.press(position, contacts)
         };
-        numbered(positions.par_iter_mut().map(press).collect()).map(|_| ())
+        self.each(positions, press).map(|_| ())
     }
 
     /// The contact of every position at its first offset; fields are held for the positions `kept`.
@@ -482,12 +487,10 @@ impl<'a> Stages<'a> {
         };
         let held = kept.held(positions, is_resolved);
         let picture = |(position, held): (&LubricatedPosition, bool)| {
-            self.used.collect(|| {
-                let contacts = self.contacts.at(&position.at)?;
-                Picture::of(&lubrication, position, contacts, held)
-            })
+            let contacts = self.contacts.at(&position.at)?;
+            Picture::of(&lubrication, position, contacts, held)
         };
-        numbered(positions.par_iter().zip(held).map(picture).collect())
+        self.each((positions, held), picture)
     }
 
     /// The points A to E of the path, solved as the positions are, without pictures. Left out are points whose contact
@@ -506,20 +509,19 @@ impl<'a> Stages<'a> {
             .filter(|(_, at)| !is_substituted(&case.surfaces, at))
             .collect();
         let solve = |(name, at): &(&'static str, MeshPosition)| {
-            self.used.collect(|| {
-                check_mesh_position(at)?;
-                let (windows, each) = (&self.contacts.inputs().windows, self.contacts.offsets());
-                let contacts = match WindowContact::of_position(windows, each, at) {
-                    // Its window is wider than those of the positions, which have theirs.
-                    Err(PositionError::TraceTooShort { .. }) => return Ok(None),
-                    contacts => contacts?,
-                };
-                let mut position = lubrication.position(at, &contacts)?;
-                lubrication.press(&mut position, &contacts)?;
-                Ok(Some((*name, position)))
-            })
+            check_mesh_position(at)?;
+            let (windows, each) = (&self.contacts.inputs().windows, self.contacts.offsets());
+            let contacts = match WindowContact::of_position(windows, each, at) {
+                // Its window is wider than those of the positions, which have theirs.
+                Err(PositionError::TraceTooShort { .. }) => return Ok(None),
+                contacts => contacts?,
+            };
+            let mut position = lubrication.position(at, &contacts)?;
+            lubrication.press(&mut position, &contacts)?;
+            Ok(Some((*name, position)))
         };
-        let points: Vec<Result<Option<_>, PositionError>> = named.par_iter().map(solve).collect();
+        let points: Vec<Result<Option<_>, PositionError>> =
+            self.used.collect(|| par_map(&named, solve));
         points.into_iter().filter_map(Result::transpose).collect()
     }
 

@@ -1,8 +1,7 @@
 //! Contacts of several cases, distinct ones solved once.
 
+use asperity_core::task::par_map;
 use std::sync::Arc;
-
-use rayon::prelude::*;
 
 use super::stages::contacts;
 use crate::contacts::{ContactInputs, Contacts};
@@ -43,10 +42,7 @@ impl ContactStore {
                 missing.push((inputs, case));
             }
         }
-        let solved = missing
-            .into_par_iter()
-            .map(|(_, case)| contacts(case).ok().map(Arc::new));
-        let solved: Vec<Option<Arc<Contacts>>> = solved.collect();
+        let solved = par_map(missing, |(_, case)| contacts(case).ok().map(Arc::new));
         self.known.extend(solved.into_iter().flatten());
         let most = MOST.max(cases.len());
         self.known.drain(..self.known.len().saturating_sub(most));

@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use asperity_core::numerics::{NodeInterval, interpolate};
 use asperity_core::provenance::{Provenance, TAGS, note};
 use asperity_core::quantity::Length;
+use asperity_core::task::par_map;
 use asperity_ehl::{RecordMean, RecordSettings, transient};
-use rayon::prelude::*;
 
 use super::path_record::PathRecord;
 use super::store::RecordStore;
@@ -67,10 +67,8 @@ impl PathRecords {
             .collect();
         let missing = found.iter().filter(|(_, record)| record.is_none()).count();
         let done = AtomicUsize::new(0);
-        let records: Vec<Result<PathRecord, PositionError>> = contacts
-            .par_iter()
-            .zip(found)
-            .map(|(contact, (name, record))| {
+        let records: Vec<Result<PathRecord, PositionError>> =
+            par_map((&contacts, found), |(contact, (name, record))| {
                 if let Some(record) = record {
                     return Ok(record);
                 }
@@ -78,8 +76,7 @@ impl PathRecords {
                 store.keep(&name, &record);
                 progress(1 + done.fetch_add(1, Ordering::Relaxed), missing);
                 Ok(record)
-            })
-            .collect();
+            });
         let places = chosen.into_iter().zip(records).map(|(position, record)| {
             let record = record?;
             let heat = match smooth(&position)? {

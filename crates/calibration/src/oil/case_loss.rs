@@ -4,8 +4,8 @@ use asperity::pipeline::{coldest_losses_with, contacts};
 use asperity::uncertainty::few_offsets_of;
 use asperity::{Contacts, LoadedCase};
 use asperity_core::Fault;
+use asperity_core::task::try_par_map;
 use nalgebra::DVector;
-use rayon::prelude::*;
 
 use super::base::{ConstantsOf, OilBase};
 use super::problem::{CONSTANTS, Priors, TractionProblem, Zero};
@@ -51,8 +51,9 @@ pub(super) fn loss_slopes(
         let summary = losses.summary;
         Ok((summary.sliding_w + summary.rolling_w).ln())
     };
-    let slope = |k: usize| Ok((log_loss(k, STEP)? - log_loss(k, -STEP)?) / (2.0 * STEP));
-    let slopes = (0..CONSTANTS).into_par_iter().map(slope);
-    let slopes = slopes.collect::<Result<Vec<f64>, Fault>>()?;
+    let slope = |k: usize| -> Result<f64, Fault> {
+        Ok((log_loss(k, STEP)? - log_loss(k, -STEP)?) / (2.0 * STEP))
+    };
+    let slopes = try_par_map(0..CONSTANTS, slope)?;
     Ok(std::array::from_fn(|k| slopes[k]))
 }

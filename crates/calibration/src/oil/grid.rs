@@ -2,7 +2,7 @@
 
 use asperity_core::Fault;
 use asperity_core::quantity::{Force, Speed, Temperature};
-use rayon::prelude::*;
+use asperity_core::task::try_par_map;
 
 use super::base::OilBase;
 use super::machine::{Machine, Setting};
@@ -47,9 +47,9 @@ impl Grid<'_> {
     /// # Errors
     /// When the film has no solution.
     pub fn described(&self, oil: &OilBase, machine: &Machine) -> Result<Vec<SetPoint>, Fault> {
-        let points = self.points(machine).into_par_iter();
-        let judged = points.map(|point| Ok((judge(oil, &point)?.dropped.is_none(), point)));
-        let judged = judged.collect::<Result<Vec<(bool, SetPoint)>, Fault>>()?;
+        let judged = try_par_map(self.points(machine), |point| -> Result<_, Fault> {
+            Ok((judge(oil, &point)?.dropped.is_none(), point))
+        })?;
         let kept = judged.into_iter().filter(|(is_described, _)| *is_described);
         Ok(kept.map(|(_, point)| point).collect())
     }

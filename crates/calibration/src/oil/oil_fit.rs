@@ -10,7 +10,7 @@ use asperity::oil::{LubricantInput, PressureLaw, TractionConstants};
 use asperity::result::loss_band::Digits;
 use asperity_core::number;
 use asperity_core::numerics::{Z_95, Z_975};
-use rayon::prelude::*;
+use asperity_core::task::try_par_map;
 use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;
@@ -214,8 +214,7 @@ impl OilFit {
     pub fn of(oil: &OilBase, readings: Readings, settings: FitSettings) -> Result<Self, Fault> {
         let Readings { all, sources, .. } = readings;
         let points = set_points(&all);
-        let judged = points.par_iter().map(|point| judge(oil, point));
-        let judged = judged.collect::<Result<Vec<Judged>, Fault>>()?;
+        let judged = try_par_map(&points, |point| judge(oil, point))?;
         let both = || points.iter().zip(&judged);
         let kept: Vec<SetPoint> = both()
             .filter(|(_, judged)| judged.dropped.is_none())
@@ -226,10 +225,7 @@ impl OilFit {
         let FitSettings { zero, errors, .. } = settings;
         let before = expected(oil, priors, zero, errors, &kept)?;
         let laws = [PressureLaw::Barus, PressureLaw::Roelands];
-        let fits = laws
-            .par_iter()
-            .map(|law| fit_law(oil, *law, priors, zero, errors, &kept));
-        let mut fits = fits.collect::<Result<Vec<LawFit<'_>>, Fault>>()?;
+        let mut fits = try_par_map(laws, |law| fit_law(oil, law, priors, zero, errors, &kept))?;
         fits.sort_by(|a, b| a.total_squared.total_cmp(&b.total_squared));
         let [best, other] = [&fits[0], &fits[1]];
         let further = helpful(oil, priors, zero, errors, &kept)?;

@@ -5,9 +5,9 @@
 
 use asperity::{Contacts, LoadedCase};
 use asperity_core::quantity::Length;
+use asperity_core::task::try_par_map;
 use asperity_core::{Fault, PROGRAM};
 use nalgebra::{DMatrix, DVector};
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;
@@ -269,9 +269,7 @@ impl OilPlan {
             ("with a small ball", [&standard[..], &further].concat()),
             (&chosen_points, chosen.clone()),
         ];
-        let stages = stages
-            .par_iter()
-            .map(|(name, points)| planner.stage(name, points));
+        let stages = try_par_map(&stages, |(name, points)| planner.stage(name, points))?;
         Ok(Self {
             program: PROGRAM.to_owned(),
             title: Self::title_of(oil),
@@ -281,7 +279,7 @@ impl OilPlan {
             remaining_width: None,
             roughness_nm: 1e9 * settings.machine.roughness.si(),
             radius_mm: 1e3 * settings.machine.radii[0].si(),
-            stages: stages.collect::<Result<Vec<Stage>, Fault>>()?,
+            stages,
             curves: planner.curves()?,
             points: planner.points(&standard, settings.simulate)?,
             chosen: planner.points(&chosen, None)?,
@@ -342,7 +340,7 @@ impl Planner<'_> {
 
     fn curves(&self) -> Result<Vec<PlannedCurve>, Fault> {
         let all = STANDARD.points(&self.settings.machine);
-        let curve = |points: &[SetPoint]| {
+        let curve = |points: &[SetPoint]| -> Result<PlannedCurve, Fault> {
             let judged = points.iter().map(|point| judge(self.oil, point));
             let judged = judged.collect::<Result<Vec<Judged>, Fault>>()?;
             let both = || points.iter().zip(&judged);
@@ -363,8 +361,8 @@ impl Planner<'_> {
                     .collect(),
             })
         };
-        let curves = all.par_chunks(SLIDES.len()).map(curve);
-        let mut curves = curves.collect::<Result<Vec<PlannedCurve>, Fault>>()?;
+        let curves: Vec<&[SetPoint]> = all.chunks(SLIDES.len()).collect();
+        let mut curves = try_par_map(curves, curve)?;
         curves.sort_by(|a, b| a.temperature_c.total_cmp(&b.temperature_c));
         Ok(curves)
     }
@@ -375,7 +373,8 @@ impl Planner<'_> {
         let problem = planned(self.oil, self.priors, zero, errors, points)?;
         let measured = seed.map(|seed| simulated(&problem, false, errors, seed));
         let measured = measured.transpose()?.map(|(_, friction)| friction);
-        let row = |(k, point): (usize, &SetPoint)| {
+        let row = |k: usize| -> Result<PlannedPoint, Fault> {
+            let point = &points[k];
             let reading = &point.reading;
             let at = &reading.setting;
             let found = reading.machine.predict(&self.oil.rheology, at)?;
@@ -389,8 +388,7 @@ impl Planner<'_> {
                 simulated_traction: measured.as_ref().map(|friction| friction[k]),
             })
         };
-        let rows = points.par_iter().enumerate().map(row);
-        let mut rows = rows.collect::<Result<Vec<PlannedPoint>, Fault>>()?;
+        let mut rows = try_par_map(0..points.len(), row)?;
         rows.sort_by(|a, b| a.temperature_c.total_cmp(&b.temperature_c));
         Ok(rows)
     }

@@ -22,8 +22,8 @@ use asperity::mixed_film::LoadShareError;
 use asperity::oil::{FilmRheology, PressureLaw, TractionConstants};
 use asperity_core::cite;
 use asperity_core::quantity::{PerKelvin, Temperature};
+use asperity_core::task::try_par_map;
 use nalgebra::{DMatrix, DVector};
-use rayon::prelude::*;
 
 use super::base::OilBase;
 use super::machine::{Machine, Setting};
@@ -288,7 +288,7 @@ impl<'a> TractionProblem<'a> {
             let found = machine.predict_with(&rheology, &setting, point.film, film)?;
             Ok(found.friction.coefficient)
         };
-        self.points.par_iter().map(of).collect()
+        try_par_map(&self.points, of)
     }
 
     /// Measured friction expected at each point.

@@ -7,8 +7,8 @@
 use asperity::mixed_film::LoadShareError;
 use asperity_core::numerics::Z_95;
 use asperity_core::quantity::{Force, Length, Speed, Temperature};
+use asperity_core::task::try_par_map;
 use asperity_core::{DomainError, Fault, PROGRAM};
-use rayon::prelude::*;
 use serde::Serialize;
 
 use super::base::OilBase;
@@ -152,9 +152,9 @@ impl TractionCurves {
         let is_valid = slide > 0.0 && slide <= 2.0;
         DomainError::require(is_valid, "slide-to-roll ratio", slide, "-", rule)
             .map_err(LoadShareError::from)?;
-        let curves = range.temperatures.par_iter();
-        let curves = curves.map(|temperature| curves_at(oil, range, *temperature));
-        let curves = curves.collect::<Result<Vec<Curves>, Fault>>()?;
+        let curves = try_par_map(&range.temperatures, |temperature| {
+            curves_at(oil, range, *temperature)
+        })?;
         let hertz = range
             .machine
             .contact(&setting(range, range.temperatures[0]))

@@ -25,9 +25,10 @@ mod rows;
 
 pub use rows::{ROWS, TAGS, place};
 
-use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use crate::task::Task;
 
 /// Records that the equation with this tag is evaluated; the first statement of a tagged function.
 #[macro_export]
@@ -38,26 +39,15 @@ macro_rules! cite {
     }};
 }
 
-const WORDS: usize = rows::COUNT.div_ceil(u64::BITS as usize);
+pub(crate) const WORDS: usize = rows::COUNT.div_ceil(u64::BITS as usize);
 
 /// A bit for each equation.
-type Bits = [u64; WORDS];
-
-thread_local! {
-    /// The equations that ran in the innermost collection.
-    static USED: [Cell<u64>; WORDS] = const { [const { Cell::new(0) }; WORDS] };
-    /// The innermost collection.
-    static CURRENT: RefCell<Option<Provenance>> = const { RefCell::new(None) };
-}
+pub(crate) type Bits = [u64; WORDS];
 
 /// Records that the equation at this place of [`TAGS`] is evaluated.
 #[inline]
 pub fn note(place: usize) {
-    let bits = u64::BITS as usize;
-    USED.with(|used| {
-        let word = &used[place / bits];
-        word.set(word.get() | 1 << (place % bits));
-    });
+    Task::note(place);
 }
 
 /// Set of the equations that ran inside [`Provenance::collect`]; clones share the set.
@@ -73,16 +63,12 @@ impl Provenance {
         Self::default()
     }
 
-    /// Runs `work` and adds the tags of all equations that it evaluates on this thread, and on others in functions
-    /// [`carried`] there.
+    /// Runs `work` and adds the tags of all equations that it evaluates on this thread, and on others by
+    /// [`par_map`](crate::task::par_map).
     ///
     /// Of nested calls the innermost collects.
     pub fn collect<T>(&self, work: impl FnOnce() -> T) -> T {
-        let _scope = Scope {
-            used: exchanged([0; WORDS]),
-            outer: CURRENT.replace(Some(self.clone())),
-        };
-        work()
+        Task::current().collecting(self).enter(work)
     }
 
     /// Adds the tags of `other`, whose work was done before and is used again.
@@ -101,7 +87,11 @@ impl Provenance {
         places.map(|place| TAGS[place]).collect()
     }
 
-    fn add(&self, used: Bits) {
+    pub(crate) fn add(&self, used: Bits) {
+        // Most tasks of a fine loop evaluate no equation that the set lacks.
+        if used == [0; WORDS] {
+            return;
+        }
         for (word, more) in self.lock().iter_mut().zip(used) {
             *word |= more;
         }
@@ -109,33 +99,6 @@ impl Provenance {
 
     fn lock(&self) -> MutexGuard<'_, Bits> {
         self.used.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-}
-
-/// `work` for the tasks of a parallel loop: on whichever thread it runs, its tags are added to the set that collects
-/// where `carried` is called.
-pub fn carried<A, T>(work: impl Fn(A) -> T + Sync) -> impl Fn(A) -> T + Sync {
-    let used = CURRENT.with_borrow(Clone::clone).unwrap_or_default();
-    move |input| used.collect(|| work(input))
-}
-
-/// Replaces the bits of this thread; returns the former ones.
-fn exchanged(bits: Bits) -> Bits {
-    USED.with(|used| std::array::from_fn(|k| used[k].replace(bits[k])))
-}
-
-/// Adds what ran to the collection and restores the outer one when dropped, also if the work panics.
-struct Scope {
-    used: Bits,
-    outer: Option<Provenance>,
-}
-
-impl Drop for Scope {
-    fn drop(&mut self) {
-        let used = exchanged(self.used);
-        if let Some(collection) = CURRENT.replace(self.outer.take()) {
-            collection.add(used);
-        }
     }
 }
 
@@ -170,33 +133,6 @@ mod tests {
         });
         assert_eq!(outer.tags(), BTreeSet::from(["P1"]));
         assert_eq!(inner.tags(), BTreeSet::from(["P2"]));
-    }
-
-    #[test]
-    fn tasks_on_other_threads_share_a_clone() {
-        let used = Provenance::new();
-        std::thread::scope(|scope| {
-            for work in [first, second] {
-                let used = used.clone();
-                scope.spawn(move || used.collect(work));
-            }
-        });
-        assert_eq!(used.tags(), BTreeSet::from(["P1", "P2"]));
-    }
-
-    #[test]
-    fn a_carried_function_collects_where_it_was_made() {
-        let used = Provenance::new();
-        let work = used.collect(|| carried(|work: fn()| work()));
-        std::thread::scope(|scope| {
-            scope.spawn(|| work(first));
-            scope.spawn(|| Provenance::new().collect(|| work(second)));
-        });
-        assert_eq!(used.tags(), BTreeSet::from(["P1", "P2"]));
-        // Without a collection its tags go nowhere, whatever the thread that runs it collects.
-        let (alone, other) = (carried(|work: fn()| work()), Provenance::new());
-        other.collect(|| alone(first));
-        assert!(other.tags().is_empty());
     }
 
     #[test]

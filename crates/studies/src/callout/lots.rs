@@ -11,13 +11,13 @@ use asperity::flanks::{Surfaces, Texture};
 use asperity::pipeline::{check_heights, losses};
 use asperity_core::numerics::standard_normal_quantile;
 use asperity_core::quantity::Length;
+use asperity_core::task::try_par_map;
 use asperity_core::{DomainError, Fault, Profile};
 use asperity_roughness::Parameters;
 use asperity_roughness::generate::Fitted;
 use asperity_roughness::height_parameters::Mode;
 use chacha20::ChaCha8Rng;
 use rand_core::Rng;
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::de::IntoDeserializer;
 use serde::{Deserialize, Serialize};
@@ -275,8 +275,7 @@ impl Recipe {
         };
         let mut wholes = vec![whole(0)?];
         let count = size.max(FEWEST_TRACES * points).div_ceil(wholes[0].len());
-        let others: Result<Vec<Profile>, Fault> = (1..count).into_par_iter().map(whole).collect();
-        wholes.extend(others?);
+        wholes.extend(try_par_map(1..count, whole)?);
         let (mut sum, mut ra, mut number) = ([0.0; 3], 0.0, 0.0);
         for whole in &wholes {
             going()?;

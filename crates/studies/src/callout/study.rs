@@ -9,9 +9,9 @@ use asperity::uncertainty::{ENDS, sorted_quantiles};
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 use asperity_core::quantity::Ratio;
+use asperity_core::task::try_par_map;
 use asperity_core::{DomainError, Fault};
 use asperity_report::{StudySettings, Watch, Work, settings};
-use rayon::prelude::*;
 use serde::Serialize;
 
 use super::error;
@@ -263,16 +263,13 @@ fn of_process(
         progress(done.min(runs), runs);
     };
     let curve = Curve::of(process, settings.loss, &count)?;
-    let met: Vec<MetLot> = (0..settings.lots)
-        .into_par_iter()
-        .map(|number| {
-            let lot = process.lot(number, MOST_TRACES)?;
-            let found = MetLot::of(process, lot, &curve)?;
-            checkpoint().map_err(asperity::Error::from)?;
-            count();
-            Ok(found)
-        })
-        .collect::<Result<_, Fault>>()?;
+    let met: Vec<MetLot> = try_par_map(0..settings.lots, |number| -> Result<_, Fault> {
+        let lot = process.lot(number, MOST_TRACES)?;
+        let found = MetLot::of(process, lot, &curve)?;
+        checkpoint().map_err(asperity::Error::from)?;
+        count();
+        Ok(found)
+    })?;
     progress(runs, runs);
     let parameters = [0, 1, 2].map(|k| Evaluated::of(&met, k, settings));
     let best = |k: &usize| parameters[*k].quantile.deviation;
@@ -384,8 +381,8 @@ impl Curve {
                 loss
             };
             checkpoint().map_err(asperity::Error::from)?;
-            let losses: Result<Vec<f64>, _> = lots.par_iter().map(of).collect();
-            Ok(losses?.iter().sum::<f64>() / NOMINAL_LOTS as f64)
+            let losses = try_par_map(&lots, of)?;
+            Ok(losses.iter().sum::<f64>() / NOMINAL_LOTS as f64)
         };
         let smooth = loss(FINISHES[0] / process.ra)?;
         let mut found = std::collections::BTreeMap::new();
@@ -597,6 +594,7 @@ mod tests {
 
     use super::*;
     use crate::sweep::{stream, uniform};
+    use asperity_core::task::par_map;
 
     #[test]
     fn settings_that_are_left_out_have_their_defaults_and_wrong_ones_are_named() {
@@ -711,7 +709,7 @@ mod tests {
             let loss = process.loss(&lot, limit * (1.0 + NEAR * place) / mean);
             usize::from(loss.unwrap() <= found.loss_w)
         };
-        let met: usize = (0..count).into_par_iter().map(meets).sum();
+        let met: usize = par_map(0..count, meets).into_iter().sum();
         met as f64 / count as f64
     }
 

@@ -5,11 +5,11 @@ use asperity::case::LoadedCase;
 use asperity::flanks::{Roughness, WindowPair};
 use asperity::mesh::{Mesh, MeshPosition};
 use asperity_core::Profile;
+use asperity_core::task::try_par_map;
 use asperity_report::units::MICRO;
 use asperity_roughness::material_ratio::rk_parameters;
 use asperity_roughness::section_heights::section_heights;
 use asperity_roughness::spectral::moments;
-use rayon::prelude::*;
 use serde::Serialize;
 
 /// Roughness of both windows under a contact, combined as √(a² + b²); Rpk, Rk and Rvk of the composite profile.
@@ -69,7 +69,7 @@ pub(super) fn roughness(
             rvk_composite_um: each(|window| window.rvk_composite_um),
         })
     };
-    (0..offsets).into_par_iter().map(mean).collect()
+    try_par_map(0..offsets, mean)
 }
 
 fn window(pair: &WindowPair, roughness: &Roughness) -> Result<WindowRoughness, PositionError> {

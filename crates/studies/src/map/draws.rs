@@ -10,7 +10,7 @@
 use asperity::uncertainty::{Common, Predictive, median_with_ends};
 use asperity_core::Estimate;
 use asperity_core::numerics::{NodeInterval, add_times, distinct};
-use rayon::prelude::*;
+use asperity_core::task::par_map;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -166,10 +166,10 @@ impl<'a> Drawn<'a> {
                 let ln = |loss: f64| (loss / at_medians).ln();
                 Some(drawn.into_iter().map(ln).collect())
             };
-            let at_nodes = (0..nodes.predictive.len()).into_par_iter().map(at_node);
+            let at_nodes = par_map(0..nodes.predictive.len(), at_node);
             Some(Side {
                 nodes,
-                logs: at_nodes.collect::<Option<_>>()?,
+                logs: at_nodes.into_iter().collect::<Option<_>>()?,
             })
         };
         let sides: Option<Vec<Side<'a>>> = sides.chunks(meshes).map(of_side).collect();

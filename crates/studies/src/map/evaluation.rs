@@ -17,7 +17,7 @@ use asperity::{Contacts, Error, PositionError};
 use asperity_core::Code;
 use asperity_core::numerics::distinct;
 use asperity_core::quantity::{AngularSpeed, Power, Temperature, Torque};
-use rayon::prelude::*;
+use asperity_core::task::par_map;
 
 use super::axes::Axes;
 use super::point::{MapGearbox, MeshPart};
@@ -97,14 +97,11 @@ pub(super) fn evaluate(
         Ok(prepared) => prepared,
         Err(error) => return nodes.iter().map(|_| Err(code(error))).collect(),
     };
-    let evaluated = nodes
-        .par_iter()
-        .map(|&(column, speed, temperature)| {
-            let losses = prepared.at((column, speed), temperature, is_node(speed, temperature));
-            progress();
-            losses.map_err(|error| code(&error))
-        })
-        .collect();
+    let evaluated = par_map(&nodes, |&(column, speed, temperature)| {
+        let losses = prepared.at((column, speed), temperature, is_node(speed, temperature));
+        progress();
+        losses.map_err(|error| code(&error))
+    });
     match train.shafting.passes_losses {
         true => prepared.with_passed_losses(train, torque, &nodes, evaluated),
         false => evaluated,
@@ -189,8 +186,8 @@ impl Prepared {
                 return evaluated.into_iter().map(|_| Err(code)).collect();
             }
         };
-        let points = nodes.par_iter().zip(evaluated);
-        let settled = points.map(|(&(column, _, temperature), evaluated)| {
+        let points = (nodes, evaluated);
+        par_map(points, |(&(column, _, temperature), evaluated)| {
             let mut evaluated = evaluated?;
             let loads = &self.loads[column];
             for ((mesh, load), farthest) in evaluated.meshes.iter_mut().zip(loads).zip(&farthest) {
@@ -201,8 +198,7 @@ impl Prepared {
             }
             settle(train, torque, (loads, &farthest), &mut evaluated).map_err(code)?;
             Ok(evaluated)
-        });
-        settled.collect()
+        })
     }
 
     /// The farthest torque of each mesh that the losses of any point leave, with its contacts, by the bits of the torque that it

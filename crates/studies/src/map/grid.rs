@@ -15,9 +15,9 @@ use asperity::uncertainty::{DrawnCase, Predictive, common_draws, median_with_end
 use asperity::{Error, PositionError};
 use asperity_core::numerics::{deviation, distinct};
 use asperity_core::quantity::{AngularSpeed, Power};
+use asperity_core::task::par_map;
 use asperity_core::unique;
 use asperity_core::{Code, Estimate, Fault, PROGRAM};
-use rayon::prelude::*;
 
 use super::axes::Axes;
 use super::draws::{Drawn, DrawnNodes, MapBand, Nodes};
@@ -257,8 +257,8 @@ fn of_finish(
         let parts = point.numbers.and(of_meshes);
         (point, parts)
     };
-    let found: Vec<(Point, Option<Vec<f64>>)> = nodes.par_iter().map(of_node).collect();
-    let (points, parts): (Vec<Point>, Vec<Option<Vec<f64>>>) = found.into_iter().unzip();
+    let found = par_map(&nodes, of_node).into_iter();
+    let (points, parts): (Vec<Point>, Vec<Option<Vec<f64>>>) = found.unzip();
     if points.iter().all(|point| point.numbers.is_none()) {
         // A run of the case gives the full message.
         for mesh in train.meshes() {

@@ -7,7 +7,7 @@ use asperity::Error;
 use asperity::core::cancel::checkpoint;
 use asperity_core::Code;
 use asperity_core::numerics::GOLDEN_SECTION;
-use rayon::prelude::*;
+use asperity_core::task::try_par_map;
 use serde::Serialize;
 
 use super::case_list::{CaseList, resolved};
@@ -57,22 +57,17 @@ pub(super) fn refusals(
     watch: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<BTreeMap<Code, Refused>, SweepError> {
     let done = AtomicUsize::new(0);
-    let refusals = numbers
-        .par_iter()
-        .filter_map(|number| {
-            if let Err(cancelled) = checkpoint() {
-                return Some(Err(Error::from(cancelled).into()));
-            }
-            watch(done.fetch_add(1, Ordering::Relaxed) + 1, numbers.len());
-            match resolved(study, &list.inputs(*number)) {
-                Ok(_) => None,
-                Err(error @ SweepError::Changed { .. }) => Some(Err(error)),
-                Err(refused) => Some(Ok((*number, refused.code_of_case(), refused.to_string()))),
-            }
-        })
-        .collect::<Result<Vec<(usize, Code, String)>, SweepError>>()?;
+    let refusals = try_par_map(numbers, |number| {
+        checkpoint().map_err(Error::from)?;
+        watch(done.fetch_add(1, Ordering::Relaxed) + 1, numbers.len());
+        match resolved(study, &list.inputs(*number)) {
+            Ok(_) => Ok(None),
+            Err(error @ SweepError::Changed { .. }) => Err(error),
+            Err(refused) => Ok(Some((*number, refused.code_of_case(), refused.to_string()))),
+        }
+    })?;
     let mut refused: BTreeMap<Code, Refused> = BTreeMap::new();
-    for (first, code, message) in refusals {
+    for (first, code, message) in refusals.into_iter().flatten() {
         let entry = refused.entry(code).or_insert(Refused {
             count: 0,
             first,

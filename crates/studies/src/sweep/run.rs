@@ -1,6 +1,7 @@
 //! The work of a shard.
 
 use asperity_core::Code;
+use asperity_core::task::{par_map, try_par_map};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -17,7 +18,6 @@ use asperity::train;
 use asperity::uncertainty::{Predictive, predictive};
 use asperity::{ContactStore, Error};
 use asperity_storage::json_value;
-use rayon::prelude::*;
 use serde_json::Value;
 
 use super::case_list::{CaseInputs, CaseList, resolved};
@@ -167,8 +167,7 @@ pub(super) fn rows_of(
             found => Ok((*number, inputs, found.map_err(|error| error.code_of_case()))),
         }
     };
-    let cases = numbers.par_iter().map(resolve);
-    let cases = cases.collect::<Result<Vec<_>, SweepError>>()?;
+    let cases = try_par_map(numbers, resolve)?;
     let store = {
         let mut shared = shared.lock().unwrap_or_else(PoisonError::into_inner);
         let trains = cases
@@ -186,7 +185,7 @@ pub(super) fn rows_of(
         checkpoint().map_err(Error::from)?;
         Ok(row)
     };
-    Ok(cases.into_par_iter().map(row).collect())
+    Ok(par_map(cases, row))
 }
 
 /// Whether the meshes of a case run with the contacts that are stored for it: torques that follow from losses are not known

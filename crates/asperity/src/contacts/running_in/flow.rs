@@ -10,7 +10,7 @@
 use asperity_contact::{Boundary, Solver};
 use asperity_core::cite;
 use asperity_core::quantity::Pressure;
-use rayon::prelude::*;
+use asperity_core::task::par_map;
 
 use super::track::{ENGAGEMENTS, Pass, Track};
 use crate::contacts::displacements::flow_shares;
@@ -67,7 +67,7 @@ impl<'a> Flow<'a> {
                     let load = track.positions[pass.position].load;
                     track.press((solver, self.case), pass, (load, None), self.limit)
                 };
-                let solved: Vec<_> = solvers.par_iter_mut().zip(&passes).map(solve).collect();
+                let solved = par_map((&mut solvers, &passes), solve);
                 for (pass, contact) in passes.iter().zip(solved) {
                     let contact = contact?;
                     work += contact.dissipated.si();

@@ -15,7 +15,7 @@
 use asperity_contact::{Boundary, Solver};
 use asperity_core::cite;
 use asperity_core::quantity::{LineLoad, Pressure};
-use rayon::prelude::*;
+use asperity_core::task::try_par_map;
 
 use super::track::{Pass, Track};
 use asperity_case::case::Case;
@@ -62,17 +62,14 @@ pub(crate) fn rates(
     };
     let solver = || Solver::new(track.points, Boundary::FreeEnds);
     let chunk = passes.len().div_ceil(16).max(1);
-    let solved: Vec<Result<Vec<_>, PositionError>> = passes
-        .par_chunks(chunk)
-        .map(|passes| {
-            let mut solver = solver()?;
-            passes.iter().map(|pass| press(&mut solver, pass)).collect()
-        })
-        .collect();
+    let chunks: Vec<&[Pass]> = passes.chunks(chunk).collect();
+    let pressures = try_par_map(chunks, |passes| -> Result<Vec<_>, PositionError> {
+        let mut solver = solver()?;
+        passes.iter().map(|pass| press(&mut solver, pass)).collect()
+    })?;
     let mut rates = [track.zeros(0), track.zeros(1)];
     let cosine = case.gears.base_helix.si().cos();
     let teeth = case.gears.teeth.map(f64::from);
-    let pressures = solved.into_iter().collect::<Result<Vec<_>, _>>()?;
     for (pass, pressure) in passes.iter().zip(pressures.into_iter().flatten()) {
         let Some(pressure) = pressure else { continue };
         let motion = &track.positions[pass.position].motion;
