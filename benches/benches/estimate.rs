@@ -15,7 +15,7 @@ use asperity::Run;
 use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::core::Profile;
 use asperity::core::quantity::Length;
-use asperity::pipeline::KeptFields;
+use asperity::pipeline::Kept;
 use asperity_benches::WORKSPACE;
 use asperity_studies::estimate::estimate;
 
@@ -53,12 +53,12 @@ fn taken_over_estimated(name: &str, make: &(dyn Fn() -> LoadedCase + Sync)) -> f
         let begin = seconds(clock);
         let case = make();
         Run::new(&case)
-            .fields(&KeptFields::Highest)
-            .band(true)
+            .pictures(Kept::Highest)
+            .interval(true)
             .execute()
-            .unwrap();
+            .unwrap().into_only().unwrap();
         let taken = seconds(clock) - begin;
-        let estimated = estimate([&case], &KeptFields::Highest).unwrap();
+        let estimated = estimate([&case], &Kept::Highest).unwrap();
         println!("{name}: {taken:.2} s, estimated {:.2} s", estimated.seconds);
         taken / estimated.seconds
     })

@@ -5,7 +5,6 @@ use std::path::Path;
 use asperity::Run;
 use asperity::case::load;
 use asperity::core::task::on_threads;
-use asperity::pipeline::{contacts, losses_with};
 use asperity_benches::WORKSPACE;
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -13,12 +12,12 @@ use criterion::{Criterion, criterion_group, criterion_main};
 fn whole_case(criterion: &mut Criterion) {
     let path = Path::new(WORKSPACE).join("fixtures/cases/e-drive.toml");
     let case = load(&path, None).expect("a shipped case");
-    let tables = contacts(&case).expect("solved contacts");
+    let tables = Run::new(&case).contacts().expect("solved contacts");
     let warmer = case
         .with_key("operation.bulk_temperature", "60 °C")
         .expect("a temperature");
     criterion.bench_function("e-drive, another temperature by kept contacts", |bencher| {
-        bencher.iter(|| on_threads(1, || losses_with(&tables, black_box(&warmer)).expect("losses")));
+        bencher.iter(|| on_threads(1, || Run::new(black_box(&warmer)).known(&tables).losses().expect("losses")));
     });
     let mut slow = criterion.benchmark_group("e-drive");
     slow.sample_size(10);

@@ -2,14 +2,16 @@
 //!
 //! `ASPERITY_WRITE=1 cargo test -p asperity-tests --test book pictures` draws them anew.
 
+use asperity::Run;
 use asperity::case::{CaseInput, LoadedCase};
 use asperity::ehl::{LineContact, Oil, SteadySettings, Window, steady};
 use asperity::oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
+use asperity::pipeline::Kept;
 use asperity::result::PositionRow;
-use asperity::{Run, losses};
 use asperity_profile_io::read::{ReadOptions, read};
 use asperity_report::chart::{Axis, Chart, Dress, Interval, Line, Series, Tornado};
 use asperity_roughness::preparation::{Preparation, prepare};
+use asperity_tests::losses;
 use asperity_tests::markdown::root;
 use asperity_tests::picture::hold_picture;
 
@@ -174,9 +176,11 @@ fn losses_along() -> String {
 fn uncertainty() -> String {
     let case = e_drive(&[]);
     let result = Run::new(&case)
-        .without_pictures()
-        .band(true)
+        .pictures(Kept::NoPictures)
+        .interval(true)
         .execute()
+        .unwrap()
+        .into_only()
         .unwrap()
         .result;
     let loss = result.uncertainty.unwrap().loss;

@@ -6,9 +6,8 @@ use std::sync::OnceLock;
 
 use asperity::Run;
 use asperity::case::{CaseInput, ContactName, LoadedCase, load_with};
-use asperity::pipeline::KeptFields;
-use asperity::result::Outcome;
-use asperity::train;
+use asperity::pipeline::Kept;
+use asperity::result::MeshOutcome;
 use asperity_report::{Fields, write_folder};
 use asperity_studies::ridges::add_ridges;
 use asperity_tests::planetary_set;
@@ -60,19 +59,25 @@ fn small_e_drive(change: &dyn Fn(&mut CaseInput)) -> LoadedCase {
 }
 
 /// A small e-drive, changed and run, with the fields of the position that its page shows.
-pub fn e_drive(change: &dyn Fn(&mut CaseInput)) -> Outcome {
+pub fn e_drive(change: &dyn Fn(&mut CaseInput)) -> MeshOutcome {
     Run::new(&small_e_drive(change))
-        .fields(&KeptFields::Highest)
-        .band(true)
+        .pictures(Kept::Highest)
+        .interval(true)
         .execute()
+        .unwrap()
+        .into_only()
         .unwrap()
 }
 
 /// The reference case in the paper's formulation.
-pub fn paper() -> Outcome {
+pub fn paper() -> MeshOutcome {
     let paper = asperity_paper_2022::register();
     let loaded = asperity::case::load(&shipped("table2.toml"), Some(paper)).unwrap();
-    asperity::Run::new(&loaded).execute().unwrap()
+    asperity::Run::new(&loaded)
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap()
 }
 
 /// Points of a row, and rows, of a made scan.
@@ -108,7 +113,7 @@ fn scan(seed: f64) -> String {
 }
 
 /// A small e-drive with a scan of each flank.
-fn scanned(bench: &Bench, contact: ContactName) -> Outcome {
+fn scanned(bench: &Bench, contact: ContactName) -> MeshOutcome {
     let files = [1.0, 9.0].map(|seed| {
         let file = bench.path(&format!("scan_{seed}.sdf"));
         std::fs::write(&file, scan(seed)).unwrap();
@@ -133,7 +138,7 @@ fn reports(bench: &Bench) -> Vec<Page> {
     let spur = |input: &mut CaseInput| input.gears.helix = None;
     let mut with_ridges = e_drive(&spur);
     add_ridges(&mut with_ridges.result, &small_e_drive(&spur), &|_, _| {}).unwrap();
-    let cases: [(&str, Outcome); 7] = [
+    let cases: [(&str, MeshOutcome); 7] = [
         ("spur", with_ridges),
         ("helical", e_drive(&|_| {})),
         (
@@ -172,13 +177,11 @@ fn reports(bench: &Bench) -> Vec<Page> {
             page(&format!("report, {name}"), &folder.join("report.html"))
         })
         .collect();
-    let set = train::run(
-        &planetary_set(),
-        Some(&KeptFields::Highest),
-        true,
-        &|_, _| {},
-    )
-    .unwrap();
+    let set = Run::new(&planetary_set())
+        .pictures(Kept::Highest)
+        .interval(true)
+        .execute()
+        .unwrap();
     let folder = bench.path("set");
     write_folder(&set, &folder, &Fields::Page).unwrap();
     for (name, file) in [("set", "report.html"), ("mesh", "planet_ring/report.html")] {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use asperity::case::{CaseInput, FlankPlaceInput};
-use asperity::result::Outcome;
+use asperity::result::MeshOutcome;
 use asperity_report::Fields;
 use serde_json::Value;
 
@@ -13,7 +13,7 @@ use crate::looks::{assert_sound, first_look};
 use crate::pages::{self, e_drive, paper, shipped};
 
 /// Writes the folder of `outcome` with these fields.
-fn written(outcome: &Outcome, fields: &Fields) -> (tempfile::TempDir, PathBuf) {
+fn written(outcome: &MeshOutcome, fields: &Fields) -> (tempfile::TempDir, PathBuf) {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("result");
     asperity_report::write_folder(outcome, &target, fields).unwrap();
@@ -22,10 +22,14 @@ fn written(outcome: &Outcome, fields: &Fields) -> (tempfile::TempDir, PathBuf) {
 
 /// Writes the folder of the shipped e-drive, which is run once.
 fn shipped_e_drive(fields: &Fields) -> (tempfile::TempDir, PathBuf) {
-    static OUTCOME: OnceLock<Outcome> = OnceLock::new();
+    static OUTCOME: OnceLock<MeshOutcome> = OnceLock::new();
     let outcome = OUTCOME.get_or_init(|| {
         let loaded = asperity::case::load(&shipped("e-drive.toml"), None).unwrap();
-        asperity::Run::new(&loaded).execute().unwrap()
+        asperity::Run::new(&loaded)
+            .execute()
+            .unwrap()
+            .into_only()
+            .unwrap()
     });
     written(outcome, fields)
 }

@@ -275,10 +275,11 @@ fn a_case_with_wild_numbers_has_a_finite_efficiency_or_a_coded_reason() {
             return Ok(());
         };
         ran.set(ran.get() + 1);
-        match asperity::Run::new(&case).band(true).execute() {
+        match asperity::Run::new(&case).interval(true).execute() {
             Ok(outcome) => {
-                let summary = outcome.result.summary;
-                if let Some(found) = outcome.result.uncertainty {
+                let result = outcome.into_only().unwrap().result;
+                let summary = result.summary;
+                if let Some(found) = result.uncertainty {
                     let [low, high] = found.loss.drawn().ends();
                     let [least, most] = found.efficiency().ends();
                     let is_possible = 0.0 <= low && low <= high && 0.0 <= least && most <= 1.0;

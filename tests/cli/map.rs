@@ -309,7 +309,13 @@ fn a_map_has_nodes_at_rest_and_its_points_are_those_of_runs() {
         ];
         let source = open_source(&bench.path("case.toml")).unwrap();
         let case = load_set(source, &bench.path(""), &set, &|_| {}).unwrap();
-        let summary = asperity::Run::new(&case).execute().unwrap().result.summary;
+        let summary = asperity::Run::new(&case)
+            .execute()
+            .unwrap()
+            .into_only()
+            .unwrap()
+            .result
+            .summary;
         let same = [
             ("loss_w", summary.loss_w),
             ("efficiency", summary.efficiency),
@@ -424,7 +430,13 @@ fn all_points_of_a_map_equal_runs_with_lambda_star() {
         ];
         let source = open_source(&bench.path("case.toml")).unwrap();
         let case = load_set(source, &bench.path(""), &set, &|_| {}).unwrap();
-        let summary = asperity::Run::new(&case).execute().unwrap().result.summary;
+        let summary = asperity::Run::new(&case)
+            .execute()
+            .unwrap()
+            .into_only()
+            .unwrap()
+            .result
+            .summary;
         let at_medians = number(row, "loss_at_medians_w");
         assert_eq!(at_medians, summary.loss_w, "{set:?}");
         // The power into the mesh has the loss in it where the wheel drives.

@@ -9,6 +9,7 @@
 mod outline;
 mod shipped_profiles;
 
+use asperity::pipeline::Kept;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -54,8 +55,10 @@ fn values(result: &RunResult) -> Map<String, Value> {
 
 fn computed(case: &Path, formulation: FormulationChoice) -> Map<String, Value> {
     let loaded = load(case, Some(formulation)).unwrap();
-    let run = asperity::Run::new(&loaded).without_pictures().execute();
-    let result = run.unwrap().result;
+    let run = asperity::Run::new(&loaded)
+        .pictures(Kept::NoPictures)
+        .execute();
+    let result = run.unwrap().into_only().unwrap().result;
     if formulation == FormulationChoice::default() {
         for row in &result.path {
             let touches = row.film_share <= 1.0 - FULL_FILM;

@@ -8,9 +8,8 @@ use std::fmt::Write;
 
 use asperity::Run;
 use asperity::case::{CaseInput, LoadedCase, load_with};
-use asperity::pipeline::KeptFields;
+use asperity::pipeline::Kept;
 use asperity::pipeline::survey;
-use asperity::train;
 use asperity::uncertainty::difference;
 use asperity_paper_2022::film;
 use asperity_tests::planetary_set;
@@ -189,9 +188,11 @@ fn coarse(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
 /// A case with its band: the result, the pictures, every offset, and what the path is without contacts.
 fn hold_case(name: &str, case: &LoadedCase) {
     let outcome = Run::new(case)
-        .fields(&KeptFields::Highest)
-        .band(true)
+        .pictures(Kept::Highest)
+        .interval(true)
         .execute()
+        .unwrap()
+        .into_only()
         .unwrap();
     let value = serde_json::json!({
         "result": outcome.result,
@@ -244,8 +245,10 @@ fn steady_solutions_of_full_films_give_what_they_gave() {
     ];
     let case = coarse("e-drive-superfinished.toml", &keys);
     let outcome = Run::new(&case)
-        .fields(&KeptFields::Highest)
+        .pictures(Kept::Highest)
         .execute()
+        .unwrap()
+        .into_only()
         .unwrap();
     assert!(
         outcome
@@ -262,7 +265,13 @@ fn steady_solutions_of_full_films_give_what_they_gave() {
 fn the_difference_of_two_finishes_is_what_it_was() {
     let [ground, polished] = ["e-drive.toml", "e-drive-superfinished.toml"].map(|name| {
         let case = coarse(name, &[("model.load_share", "lambda-star")]);
-        let (outcome, drawn) = Run::new(&case).fields(&KeptFields::Highest).draw().unwrap();
+        let (outcome, drawn) = Run::new(&case)
+            .pictures(Kept::Highest)
+            .interval(true)
+            .execute()
+            .unwrap()
+            .only_with_draws()
+            .unwrap();
         (case, drawn.unwrap(), outcome.result.uncertainty.unwrap())
     });
     let found = difference(
@@ -276,7 +285,11 @@ fn the_difference_of_two_finishes_is_what_it_was() {
 #[test]
 fn a_planetary_set_gives_what_it_gave() {
     let loaded = planetary_set();
-    let outcome = train::run(&loaded, Some(&KeptFields::Highest), true, &|_, _| {}).unwrap();
+    let outcome = Run::new(&loaded)
+        .pictures(Kept::Highest)
+        .interval(true)
+        .execute()
+        .unwrap();
     let [first, second] = &outcome.meshes[..] else {
         panic!("two meshes");
     };

@@ -6,12 +6,12 @@ use std::sync::{Arc, OnceLock};
 use asperity::case::{LoadInputs, LoadedCase, load_with};
 use asperity::gear::{GearError, LoadConditions, LoadDistribution, LoadMap};
 use asperity::oil::FilmConstantName;
-use asperity::pipeline::KeptFields;
+use asperity::pipeline::Kept;
 use asperity::result::loss_band::{Trust, Uncertainty};
 use asperity::uncertainty::{PairedDifference, Verdict, difference};
 use asperity::{Run, RunResult};
 
-const KEPT: KeptFields = KeptFields::Highest;
+const KEPT: Kept = Kept::Highest;
 
 fn case(name: &str) -> LoadedCase {
     let file = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -44,7 +44,13 @@ impl Drawn {
 }
 
 fn uncertainty(case: &LoadedCase) -> Drawn {
-    let outcome = Run::new(case).fields(&KEPT).band(true).execute().unwrap();
+    let outcome = Run::new(case)
+        .pictures(KEPT)
+        .interval(true)
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap();
     Drawn {
         at_medians_w: outcome.result.summary.loss_at_medians_w.unwrap(),
         of: outcome.result.uncertainty.unwrap(),
@@ -64,7 +70,13 @@ fn e_drive() -> &'static (LoadedCase, Drawn) {
 /// Difference of two cases, and the uncertainty of each.
 fn between(first: &LoadedCase, other: &LoadedCase) -> (PairedDifference, [Uncertainty; 2]) {
     let drawn = [first, other].map(|case| {
-        let (outcome, drawn) = Run::new(case).fields(&KEPT).draw().unwrap();
+        let (outcome, drawn) = Run::new(case)
+            .pictures(KEPT)
+            .interval(true)
+            .execute()
+            .unwrap()
+            .only_with_draws()
+            .unwrap();
         (case, drawn.unwrap(), outcome.result.uncertainty.unwrap())
     });
     let [own, theirs] = drawn
@@ -77,8 +89,19 @@ fn between(first: &LoadedCase, other: &LoadedCase) -> (PairedDifference, [Uncert
 #[test]
 fn a_run_with_its_band_is_the_run_restated_at_its_median() {
     let case = case("e-drive.toml");
-    let plain = Run::new(&case).fields(&KEPT).execute().unwrap();
-    let banded = Run::new(&case).fields(&KEPT).band(true).execute().unwrap();
+    let plain = Run::new(&case)
+        .pictures(KEPT)
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap();
+    let banded = Run::new(&case)
+        .pictures(KEPT)
+        .interval(true)
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap();
     let (before, after) = (&plain.result.summary, &banded.result.summary);
     assert_eq!(after.loss_at_medians_w, Some(before.loss_w));
     assert_eq!(before.loss_at_medians_w, None);
@@ -124,7 +147,12 @@ fn kept_contacts_give_the_losses_of_fresh_ones() {
     let (case, found) = e_drive();
     // Another model is evaluated by the contacts of the run; alone it solves its own.
     let other = case.with_key("model.asperity_share_factor", "0.5").unwrap();
-    let alone = Run::new(&other).fields(&KEPT).execute().unwrap();
+    let alone = Run::new(&other)
+        .pictures(KEPT)
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap();
     let row = found
         .other_models
         .iter()
@@ -138,7 +166,7 @@ fn the_draws_over_the_boundary_share_of_inner_spots_are_runs_with_that_share() {
     let (case, found) = e_drive();
     for share in ["0.6", "0.75", "0.9"] {
         let other = case.with_key("model.inner_boundary", share).unwrap();
-        let run = asperity::losses(&other).unwrap().summary.loss_w;
+        let run = asperity_tests::losses(&other).unwrap().summary.loss_w;
         let mut rows = found.structures.iter();
         let row = rows.find(|row| row.name.ends_with(share));
         let drawn = row.unwrap().loss_w.unwrap() / found.to_median();
@@ -167,8 +195,8 @@ fn the_median_of_the_draws_is_the_run_with_stated_relief() {
 fn a_lay_beyond_the_records_is_named_and_reaches_down_to_a_confirmed_lay() {
     let with = |lay: &str| case("e-drive.toml").with_key("model.lay", lay).unwrap();
     let found = |case: &LoadedCase| {
-        let outcome = Run::new(case).fields(&KEPT).band(true).execute();
-        outcome.unwrap().result
+        let outcome = Run::new(case).pictures(KEPT).interval(true).execute();
+        outcome.unwrap().into_only().unwrap().result
     };
     let is_far = |warnings: &[asperity::message::Warning]| {
         warnings.iter().any(|warning| warning.code == "W452")
@@ -183,14 +211,14 @@ fn a_lay_beyond_the_records_is_named_and_reaches_down_to_a_confirmed_lay() {
     let recorded = found(&with("0.33"));
     assert!(!is_far(&recorded.warnings) && far_part(&recorded).is_none());
     let far = with("0.6");
-    assert!(is_far(&asperity::pipeline::check(&far).unwrap()));
+    assert!(is_far(&asperity::Run::new(&far).check().unwrap()));
     let result = found(&far);
     let shown = asperity_report::brief(&result, 80, 10);
     assert!(
         shown.contains("W452") && shown.contains("(worth "),
         "{shown}"
     );
-    let confirmed = asperity::losses(&with("0.166666666666667")).unwrap();
+    let confirmed = asperity_tests::losses(&with("0.166666666666667")).unwrap();
     let of_run = result.summary.loss_at_medians_w.unwrap();
     let [low, high] = [confirmed.summary.loss_w, of_run];
     let to_median = result.summary.loss_w / of_run;
@@ -229,7 +257,7 @@ fn a_draw_is_a_run_with_its_constants() {
         let other = case
             .with_key("model.boundary_friction", &value.to_string())
             .unwrap();
-        let run = asperity::losses(&other).unwrap().summary.loss_w;
+        let run = asperity_tests::losses(&other).unwrap().summary.loss_w;
         let drawn = drawn / found.to_median();
         assert!((drawn / run - 1.0).abs() < 0.02, "{value}: {drawn} {run}");
     }
@@ -363,10 +391,10 @@ fn the_factor_of_a_relief_is_that_of_a_run_with_it() {
     let loss = |c: f64| {
         let own = RelievedLoad(assumed.under(&unstated.case.load_inputs(), c, 0.75));
         let other = unstated.with_laws(|laws| laws.load_distribution = Some(Arc::new(own)));
-        asperity::losses(&other).unwrap().summary.loss_w
+        asperity_tests::losses(&other).unwrap().summary.loss_w
     };
-    let outcome = Run::new(&unstated).fields(&KEPT).band(true).execute();
-    let first = &outcome.unwrap().result.warnings[0];
+    let outcome = Run::new(&unstated).pictures(KEPT).interval(true).execute();
+    let first = &outcome.unwrap().into_only().unwrap().result.warnings[0];
     assert_eq!(first.code, "W439");
     // "... The loss changes by -15 % with 10 um, and by +19 % without relief, ..."
     let words = first.text.split(' ');
@@ -395,9 +423,11 @@ fn flanks_known_by_their_ra_get_an_answer_on_surrogates() {
     })
     .unwrap();
     let result = Run::new(&case)
-        .fields(&KEPT)
-        .band(true)
+        .pictures(KEPT)
+        .interval(true)
         .execute()
+        .unwrap()
+        .into_only()
         .unwrap()
         .result;
     let found = result.uncertainty.as_ref().unwrap();
@@ -420,7 +450,13 @@ fn the_paper_has_no_band() {
         input.formulation = Some(asperity_paper_2022::register());
     })
     .unwrap();
-    let outcome = Run::new(&case).fields(&KEPT).band(true).execute().unwrap();
+    let outcome = Run::new(&case)
+        .pictures(KEPT)
+        .interval(true)
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap();
     assert!(outcome.result.uncertainty.is_none());
 }
 
@@ -447,8 +483,8 @@ fn calibrated() -> &'static RunResult {
         let case = case("e-drive.toml")
             .with(|input| input.calibration = Some(given.clone()))
             .unwrap();
-        let outcome = Run::new(&case).fields(&KEPT).band(true).execute();
-        outcome.unwrap().result
+        let outcome = Run::new(&case).pictures(KEPT).interval(true).execute();
+        outcome.unwrap().into_only().unwrap().result
     })
 }
 

@@ -1,12 +1,13 @@
 //! The bulk temperature that the loss keeps up: its balance, its words, its refusals.
 
+use asperity::pipeline::Kept;
 use std::path::Path;
 
 use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::oil::ViscosityLaw;
 use asperity::quantity::Temperature;
 use asperity::uncertainty::{UncertainParameter, range};
-use asperity::{losses, pipeline};
+use asperity_tests::losses;
 
 fn case(name: &str, law: &str) -> LoadedCase {
     let file = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -50,7 +51,7 @@ fn the_rise_is_that_of_the_loss_at_the_temperature_found() {
         let oil = case.case.input.operation.oil_temperature.unwrap();
         assert_eq!(report.oil_c, celsius(oil));
         // The loss is that of flanks given at this temperature.
-        let settled = pipeline::settled(&case, None).unwrap();
+        let settled = asperity::Run::new(&case).operating_case().unwrap();
         let given = case
             .with(|input| input.operation.set_bulk_temperature(settled.temperature()))
             .unwrap();
@@ -80,7 +81,12 @@ fn two_gears_shed_the_heat_that_the_mesh_makes() {
 #[test]
 fn a_run_tells_the_oil_it_was_given_and_the_flanks_it_found() {
     let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "jet" }"#);
-    let run = asperity::Run::new(&case).execute().unwrap().result;
+    let run = asperity::Run::new(&case)
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap()
+        .result;
     let report = run.bulk.unwrap();
     assert_eq!(run.inputs, case.case.input);
     let at_bulk = case
@@ -109,9 +115,9 @@ fn given_viscosity() -> LoadedCase {
 fn a_viscosity_given_without_a_temperature_thins_as_the_flanks_warm() {
     let law = r#"{ law = "iso", lubrication = "jet" }"#;
     let case = given_viscosity();
-    let tables = pipeline::contacts(&case).unwrap();
+    let tables = asperity_tests::contacts(&case).unwrap();
     let loss = |case: &LoadedCase| {
-        let found = pipeline::losses_with(&tables, case).unwrap();
+        let found = asperity_tests::losses_with(&tables, case).unwrap();
         found.summary.loss_w
     };
     let warm = with_law(&case, law);
@@ -128,8 +134,13 @@ fn a_viscosity_given_without_a_temperature_thins_as_the_flanks_warm() {
     assert_eq!(hot, loss(&stated_warm));
     assert!(hot < 0.98 * cold, "{hot} {cold}");
     // The result states the oil as the case does.
-    let run = asperity::Run::new(&warm).without_pictures().execute();
-    assert_eq!(run.unwrap().result.inputs, warm.case.input);
+    let run = asperity::Run::new(&warm)
+        .pictures(Kept::NoPictures)
+        .execute();
+    assert_eq!(
+        run.unwrap().into_only().unwrap().result.inputs,
+        warm.case.input
+    );
 }
 
 #[test]
@@ -179,8 +190,8 @@ fn a_given_viscosity_belongs_to_the_temperature_that_the_case_states() {
 #[test]
 fn tables_made_before_give_the_same_temperature() {
     let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "dip" }"#);
-    let tables = pipeline::contacts(&case).unwrap();
-    let kept = pipeline::losses_with(&tables, &case).unwrap();
+    let tables = asperity_tests::contacts(&case).unwrap();
+    let kept = asperity_tests::losses_with(&tables, &case).unwrap();
     let anew = losses(&case).unwrap();
     assert_eq!(kept.bulk, anew.bulk);
     assert_eq!(kept.summary, anew.summary);
@@ -189,7 +200,7 @@ fn tables_made_before_give_the_same_temperature() {
 #[test]
 fn parameters_set_past_the_keys_act_at_the_temperature_found() {
     let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "jet" }"#);
-    let tables = pipeline::contacts(&case).unwrap();
+    let tables = asperity_tests::contacts(&case).unwrap();
     let loss = |parameter: UncertainParameter, factor: f64| {
         let value = range(parameter, &case.at_stated().unwrap())
             .unwrap()
@@ -198,7 +209,7 @@ fn parameters_set_past_the_keys_act_at_the_temperature_found() {
         let changed = case
             .overridden(|over| over.set(parameter, factor * value))
             .unwrap();
-        let found = pipeline::losses_with(&tables, &changed).unwrap();
+        let found = asperity_tests::losses_with(&tables, &changed).unwrap();
         found.summary.loss_w
     };
     for parameter in [

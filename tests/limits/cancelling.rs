@@ -2,9 +2,9 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use asperity::case;
 use asperity::core::cancel::Token;
 use asperity::core::task::on_threads;
-use asperity::{case, pipeline};
 
 fn e_drive() -> case::LoadedCase {
     let file = "../fixtures/cases/e-drive.toml".as_ref();
@@ -21,7 +21,7 @@ fn a_cancelled_run_is_an_error_whatever_was_computed() {
     let on_two = |work: &(dyn Fn() -> Result<(), asperity::Error> + Sync)| {
         on_threads(2, || token.run(work)).unwrap()
     };
-    assert!(on_two(&|| pipeline::losses(&case).map(drop)).is_ok());
+    assert!(on_two(&|| asperity_tests::losses(&case).map(drop)).is_ok());
     let done = AtomicUsize::new(0);
     let cancelling = |_, _| {
         done.fetch_add(1, Ordering::Relaxed);
@@ -33,7 +33,7 @@ fn a_cancelled_run_is_an_error_whatever_was_computed() {
     assert!(error.position().unwrap().is_cancelled());
     // One position a thread was under way.
     assert!(done.into_inner() <= 2);
-    assert!(on_two(&|| pipeline::contacts(&case).map(drop)).is_err());
+    assert!(on_two(&|| asperity_tests::contacts(&case).map(drop)).is_err());
 }
 
 #[test]
@@ -43,6 +43,6 @@ fn a_cancelled_record_of_mixed_lubrication_is_an_error() {
     let case = case.with_key("model.ehl.cache", "off").unwrap();
     let token = Token::new();
     token.cancel();
-    let error = token.run(|| pipeline::losses(&case).unwrap_err());
+    let error = token.run(|| asperity_tests::losses(&case).unwrap_err());
     assert_eq!(error.code(), "E502", "{error}");
 }

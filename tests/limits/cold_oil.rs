@@ -13,12 +13,12 @@ fn film_and_rolling_do_not_fall_as_the_oil_thickens_in_the_cold() {
             (input.model.positions, input.model.offsets) = (Some(4), Some(1));
         });
         let case = case.unwrap();
-        let tables = asperity::pipeline::contacts(&case).unwrap();
+        let tables = asperity_tests::contacts(&case).unwrap();
         let mut before: Option<(f64, Vec<f64>)> = None;
         for celsius in (coldest..=40).rev().step_by(5) {
             let at = format!("{celsius} °C");
             let cold = case.with_key("operation.bulk_temperature", &at).unwrap();
-            let losses = asperity::pipeline::losses_with(&tables, &cold).unwrap();
+            let losses = asperity_tests::losses_with(&tables, &cold).unwrap();
             let films = losses.path.iter().map(|row| row.film_central_um).collect();
             let now: (f64, Vec<f64>) = (losses.summary.rolling_w, films);
             if let Some((rolling, films)) = &before {
@@ -41,8 +41,14 @@ fn the_interval_of_cold_oil_reaches_to_the_printed_thermal_reduction() {
     let case = case.unwrap();
     let part = |celsius: &str| {
         let case = case.with_key("operation.bulk_temperature", celsius);
-        let outcome = asperity::Run::new(&case.unwrap()).band(true).execute();
-        let uncertainty = outcome.unwrap().result.uncertainty.unwrap();
+        let outcome = asperity::Run::new(&case.unwrap()).interval(true).execute();
+        let uncertainty = outcome
+            .unwrap()
+            .into_only()
+            .unwrap()
+            .result
+            .uncertainty
+            .unwrap();
         let name = "thermal reduction beyond its fit";
         let mut parts = uncertainty.loss.parts.into_iter();
         parts.find(|part| part.name == name)

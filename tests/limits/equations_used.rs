@@ -1,5 +1,6 @@
 //! A result names the equations that ran, and no other.
 
+use asperity::pipeline::Kept;
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
@@ -10,7 +11,7 @@ use asperity::case::{
 use asperity::core::quantity::LineLoad;
 use asperity::formulation::FormulationChoice;
 use asperity::laws::Laws;
-use asperity::result::{EquationUse, Outcome};
+use asperity::result::{EquationUse, MeshOutcome};
 use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
 use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadLaw, LoadMap};
 
@@ -86,14 +87,16 @@ fn used(loaded: &LoadedCase) -> BTreeSet<&'static str> {
         &asperity::Run::new(loaded)
             .execute()
             .unwrap()
+            .into_only()
+            .unwrap()
             .result
             .equations,
     )
 }
 
 /// Every shipped case in both formulations with its run, made once.
-fn runs() -> &'static [(&'static str, LoadedCase, Outcome)] {
-    static RUNS: OnceLock<Vec<(&str, LoadedCase, Outcome)>> = OnceLock::new();
+fn runs() -> &'static [(&'static str, LoadedCase, MeshOutcome)] {
+    static RUNS: OnceLock<Vec<(&str, LoadedCase, MeshOutcome)>> = OnceLock::new();
     RUNS.get_or_init(|| {
         let both = [
             FormulationChoice::default(),
@@ -102,7 +105,11 @@ fn runs() -> &'static [(&'static str, LoadedCase, Outcome)] {
         let of = |name| {
             both.map(|formulation| {
                 let loaded = shipped(name, formulation);
-                let run = asperity::Run::new(&loaded).execute().unwrap();
+                let run = asperity::Run::new(&loaded)
+                    .execute()
+                    .unwrap()
+                    .into_only()
+                    .unwrap();
                 (name, loaded, run)
             })
         };
@@ -116,7 +123,7 @@ fn used_by_losses(
     change: impl FnOnce(&mut CaseInput),
 ) -> BTreeSet<&'static str> {
     let loaded = loaded.with(change).unwrap();
-    tags(&asperity::losses(&loaded).unwrap().equations)
+    tags(&asperity_tests::losses(&loaded).unwrap().equations)
 }
 
 /// Of all tags of `laws` those of the law in use are named, and no other.
@@ -226,9 +233,11 @@ fn another_law_changes_its_own_equations_alone() {
 #[test]
 fn losses_contacts_and_a_whole_run_agree_to_the_last_digit() {
     for (name, loaded, whole) in runs() {
-        let contacts = asperity::Run::new(loaded).without_pictures().execute();
-        let contacts = contacts.unwrap();
-        let losses = asperity::losses(loaded).unwrap();
+        let contacts = asperity::Run::new(loaded)
+            .pictures(Kept::NoPictures)
+            .execute();
+        let contacts = contacts.unwrap().into_only().unwrap();
+        let losses = asperity_tests::losses(loaded).unwrap();
         assert_eq!(whole.offsets, contacts.offsets, "{name}");
         assert_eq!(whole.offsets, losses.offsets, "{name}");
         assert_eq!(whole.result.summary, contacts.result.summary, "{name}");
@@ -247,11 +256,11 @@ fn losses_contacts_and_a_whole_run_agree_to_the_last_digit() {
 fn a_law_given_by_hand_is_the_law_named() {
     let named = |change: &dyn Fn(&mut CaseInput)| {
         let loaded = shipped("e-drive", FormulationChoice::default());
-        asperity::losses(&loaded.with(change).unwrap()).unwrap()
+        asperity_tests::losses(&loaded.with(change).unwrap()).unwrap()
     };
     let own = |change: &dyn Fn(&mut Laws)| {
         let loaded = shipped("e-drive", FormulationChoice::default());
-        asperity::losses(&loaded.with_laws(change)).unwrap()
+        asperity_tests::losses(&loaded.with_laws(change)).unwrap()
     };
     let plain = named(&|_| ());
     let film = named(&|input| input.model.film = Some(FilmLaw::Moes));
@@ -289,7 +298,7 @@ impl LoadDistribution for Unloaded {
 fn a_load_distribution_without_load_is_refused_by_its_name() {
     let loaded = shipped("e-drive", FormulationChoice::default());
     let loaded = loaded.with_laws(|laws| laws.load_distribution = Some(Arc::new(Unloaded)));
-    let refused = asperity::losses(&loaded).unwrap_err();
+    let refused = asperity_tests::losses(&loaded).unwrap_err();
     let says = "the load distribution \"unloaded\" returns no load at any position";
     assert!(refused.to_string().contains(says), "{refused}");
     assert_eq!(refused.code(), "E305");
@@ -339,6 +348,6 @@ fn the_spacing_of_the_traces_is_named_also_of_a_changed_case() {
     let hotter = loaded
         .with_key("operation.bulk_temperature", "91 °C")
         .unwrap();
-    let used = tags(&asperity::losses(&hotter).unwrap().equations);
+    let used = tags(&asperity_tests::losses(&hotter).unwrap().equations);
     assert!(used.contains("Common-spacing"), "{name}");
 }

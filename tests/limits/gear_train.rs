@@ -5,8 +5,8 @@ use std::sync::Arc;
 use asperity::case::{PartKind, Source, Train, from_text};
 use asperity::core::quantity::{AngularSpeed, Force};
 use asperity::efficiency::rolling_bearing::RollingBearing;
-use asperity::pipeline::KeptFields;
-use asperity::train::{self, MeshRow, Whole};
+use asperity::pipeline::Kept;
+use asperity::train::{MeshRow, Whole};
 use asperity::{Error, Run, RunResult};
 use asperity_ehl_regime::FilmLaw;
 use asperity_tests::planetary_set;
@@ -63,7 +63,10 @@ fn try_train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> Result<Train, Error>
 }
 
 fn run(train: &Train, band: bool) -> Whole {
-    train::run(train, Some(&KeptFields::Highest), band, &|_, _| {})
+    Run::new(train)
+        .pictures(Kept::Highest)
+        .interval(band)
+        .execute()
         .unwrap()
         .whole
 }
@@ -75,7 +78,10 @@ fn a_pair_of_gears_is_a_train_of_one_mesh() {
         let text = format!("title = \"one mesh\"\n{gears}\n{seal}\n{COMMON}[surface]{FLANKS}");
         let source = Source::from_bytes("one.toml", text.as_bytes()).unwrap();
         let loaded = Train::load_set(source, &profiles(), &[], &|_| {}).unwrap();
-        let outcome = train::run(&loaded, Some(&KeptFields::Highest), true, &|_, _| {});
+        let outcome = Run::new(&loaded)
+            .pictures(Kept::Highest)
+            .interval(true)
+            .execute();
         (loaded, outcome.unwrap())
     };
     let (loaded, pair) = outcome("pinion", &format!("gears = {}", GEARS[0]));
@@ -116,8 +122,10 @@ fn single(gears: &str, row: &MeshRow) -> RunResult {
     })
     .unwrap();
     Run::new(&case)
-        .fields(&KeptFields::Highest)
+        .pictures(Kept::Highest)
         .execute()
+        .unwrap()
+        .into_only()
         .unwrap()
         .result
 }
@@ -324,7 +332,11 @@ fn a_balance_without_equilibrium_is_refused_and_one_without_a_start() {
     let insulated =
         r#"{ ambient = "25 °C", oil_to_housing = "2 W/K", housing_to_ambient = "1 W/K" }"#;
     let train = source(insulated, &[("operation.oil_temperature", "80 °C"), BULK]).unwrap();
-    let error = train::run(&train, Some(&KeptFields::Highest), false, &|_, _| {}).unwrap_err();
+    let error = Run::new(&train)
+        .pictures(Kept::Highest)
+        .interval(false)
+        .execute()
+        .unwrap_err();
     assert_eq!(error.code(), "E311", "{error}");
     let error = source(insulated, &[]).unwrap_err();
     assert!(
@@ -377,7 +389,7 @@ fn a_planetary_set_is_the_sum_of_its_meshes_at_relative_speeds() {
     let result = run(&set, false);
     let mut sum = 0.0;
     for (mesh, row) in set.meshes().zip(&result.meshes) {
-        let losses = Run::new(&mesh.case).losses().unwrap();
+        let losses = asperity_tests::losses(&mesh.case).unwrap();
         assert_eq!(losses.summary.loss_w, row.loss_w);
         sum += 3.0 * row.loss_w;
     }
@@ -422,7 +434,10 @@ fn numbers(text: &str) -> [f64; 3] {
 
 #[test]
 fn losses_are_said_with_the_digits_of_their_band() {
-    let mut result = train::run(&planetary_set(), Some(&KeptFields::All), true, &|_, _| {})
+    let mut result = Run::new(&planetary_set())
+        .pictures(Kept::All)
+        .interval(true)
+        .execute()
         .unwrap()
         .whole;
     let drawn = result.loss_distribution.unwrap();
@@ -674,13 +689,8 @@ fn tables_of_idle_gears_and_clutches_and_jets_take_their_power_from_their_shafts
     assert!((warm.heat.unwrap().heat_w / into - 1.0).abs() < 1e-12);
     // A table that ends before the speed, one that is none, and parts without a place.
     let short = written("short.csv", "speed_rpm,loss_torque_nm\n0,0.1\n1000,0.5\n");
-    let error = train::run(
-        &train_of(GEARS, &[("gearbox", &stated(&short))]),
-        Some(&KeptFields::Highest),
-        false,
-        &|_, _| {},
-    );
-    let error = error.unwrap_err();
+    let short = train_of(GEARS, &[("gearbox", &stated(&short))]);
+    let error = Run::new(&short).losses().err().unwrap();
     assert!(error.to_string().contains("idle gear"), "{error}");
     let at_rest = written("rest.csv", "speed_rpm,loss_w\n0,1\n1000,2\n");
     for (keys, code, says) in [

@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use asperity::case::{Alternative, LoadShareName, LoadedCase, UncertainParameter, load_with};
-use asperity::pipeline::{contacts, losses_at, losses_with, settled};
 use asperity::uncertainty::range;
 use asperity_core::quantity::Temperature;
 use asperity_studies::compare::Finish;
 use asperity_studies::map::{Axes, MapBand, map};
+use asperity_tests::{contacts, losses_with};
 
 /// The e-drive with few windows, whose temperature has an error, so that every constant acts but those of an oil file.
 fn e_drive() -> LoadedCase {
@@ -28,7 +28,7 @@ fn overridden(case: &LoadedCase) -> Vec<(UncertainParameter, f64)> {
 }
 
 fn loss(case: &LoadedCase) -> f64 {
-    asperity::losses(case).unwrap().summary.loss_w
+    asperity_tests::losses(case).unwrap().summary.loss_w
 }
 
 #[test]
@@ -55,34 +55,6 @@ fn an_override_holds_at_every_other_temperature_load_and_key() {
         let back = other.overridden(|over| *over = Default::default()).unwrap();
         assert_eq!(loss(&back), loss(&case));
     }
-}
-
-#[test]
-fn an_override_acts_where_the_temperature_follows_from_the_loss() {
-    let law = r#"{ law = "iso", lubrication = "jet" }"#;
-    let case = e_drive().with(|input| {
-        input.set("operation.oil_temperature", "80 °C").unwrap();
-        input.set("operation.bulk", law).unwrap();
-    });
-    let case = case.unwrap();
-    let tables = contacts(&case).unwrap();
-    let warm = settled(&case, Some(&tables)).unwrap();
-    for (kind, value) in overridden(&case) {
-        let drawn = warm.overridden(|over| over.set(kind, value)).unwrap();
-        let at = losses_at(&tables, &drawn).unwrap().summary.loss_w;
-        let own = losses_at(&tables, &warm).unwrap().summary.loss_w;
-        assert!((at / own - 1.0).abs() > 1e-6, "{kind:?}");
-        let shift = drawn.temperature().si() - warm.temperature().si();
-        let expected = match kind {
-            UncertainParameter::TemperatureError => value,
-            _ => 0.0,
-        };
-        assert!((shift - expected).abs() < 1e-9, "{kind:?} {shift}");
-    }
-    // At a temperature that is given the case has the loss that it has at that which is found.
-    let given = case.at(warm.temperature()).unwrap();
-    let [given, found] = [&given, &warm].map(|case| losses_at(&tables, case).unwrap().summary);
-    assert_eq!(given, found);
 }
 
 #[test]
@@ -119,22 +91,4 @@ fn a_map_of_an_overridden_case_has_its_losses() {
         losses_with(&tables, &other).unwrap().summary.loss_w,
         loss(&case)
     );
-}
-
-#[test]
-fn a_search_for_the_bulk_temperature_leaves_no_equation_in_the_case() {
-    let law = r#"{ law = "iso", lubrication = "jet" }"#;
-    let case = e_drive().with(|input| {
-        input.set("operation.oil_temperature", "80 °C").unwrap();
-        input.set("operation.bulk", law).unwrap();
-    });
-    let case = case.unwrap();
-    let tables = contacts(&case).unwrap();
-    let is_named = |found: asperity::result::Losses| {
-        let mut equations = found.equations.iter();
-        equations.any(|used| used.tag == "Bulk-fixed-point")
-    };
-    assert!(is_named(asperity::losses(&case).unwrap()));
-    let given = case.at(Temperature::from_celsius(100.0)).unwrap();
-    assert!(!is_named(losses_at(&tables, &given).unwrap()));
 }

@@ -141,7 +141,7 @@ fn loss_factor(case: &LoadedCase) -> f64 {
 
 fn loss(case: &LoadedCase) -> f64 {
     assert!(case.surfaces.placement().is_some());
-    let summary = asperity::losses(case).unwrap().summary;
+    let summary = asperity_tests::losses(case).unwrap().summary;
     assert!(
         summary.boundary_w > 20.0,
         "the flanks must touch: {summary:?}"

@@ -1,6 +1,6 @@
 //! Where mixed lubrication begins and where it has gone.
 
-use asperity::result::{Outcome, Regime};
+use asperity::result::{MeshOutcome, Regime};
 use asperity_tests::{CaseText, assert_close, table_2};
 
 /// Table 2 with flanks whose reduced peak height is `rpk` \[m\] each and whose ridges are round.
@@ -18,7 +18,7 @@ fn critical_peak() -> f64 {
     1e-6 * with_peaks(1e-6).run().result.path[0].lambda_star.unwrap()
 }
 
-fn losses(outcome: &Outcome) -> [f64; 3] {
+fn losses(outcome: &MeshOutcome) -> [f64; 3] {
     let summary = &outcome.result.summary;
     [summary.sliding_w, summary.rolling_w, summary.efficiency]
 }

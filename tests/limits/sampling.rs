@@ -9,11 +9,11 @@ use std::path::Path;
 use asperity::case::{load, load_with};
 use asperity::core::task::par_map;
 use asperity::flanks::{Texture, window_places};
-use asperity::losses;
-use asperity::pipeline::{contacts, contacts_beside, losses_with};
 use asperity::uncertainty::{Independent, independent_windows, window_sampling};
 use asperity_core::numerics::{real_transforms, student_t_quantile};
 use asperity_core::quantity::Length;
+use asperity_tests::losses;
+use asperity_tests::{contacts, losses_with};
 use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 use realfft::num_complex::Complex;
@@ -236,7 +236,8 @@ fn part_load_takes_the_offsets_that_it_needs() {
         let tables = contacts(&stated).unwrap();
         let many = losses_with(&tables, &stated).unwrap().summary.loss_w;
         let free = case(torque, None);
-        let chosen = contacts_beside(&free, &[tables]).unwrap();
+        let chosen = asperity::Run::new(&free).known([&tables]).contacts();
+        let chosen = chosen.unwrap().swap_remove(0);
         let found = losses_with(&chosen, &free).unwrap().summary;
         println!(
             "{torque}: {} offsets, {} of the mean",

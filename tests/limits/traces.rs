@@ -1,6 +1,6 @@
 //! Traces that are simpler than measured ones.
 
-use asperity::result::{Outcome, Regime};
+use asperity::result::{MeshOutcome, Regime};
 use asperity_tests::{CaseText, assert_close, run, table_2, trace_csv};
 use toml::Value;
 
@@ -8,7 +8,7 @@ const SPACING: f64 = 0.5e-6;
 const POINTS: usize = 6001;
 
 /// Table 2 between two traces, unfiltered.
-fn between(pinion: &[f64], wheel: &[f64], change: impl Fn(CaseText) -> CaseText) -> Outcome {
+fn between(pinion: &[f64], wheel: &[f64], change: impl Fn(CaseText) -> CaseText) -> MeshOutcome {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str, heights: &[f64]| {
         std::fs::write(folder.path().join(name), trace_csv(SPACING, heights)).unwrap();

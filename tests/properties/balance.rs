@@ -1,6 +1,6 @@
 //! Balance: power that goes in comes out or is lost.
 
-use asperity::result::Outcome;
+use asperity::result::MeshOutcome;
 use proptest::prelude::*;
 
 use crate::cases::{config, drawn};
@@ -9,7 +9,7 @@ use crate::cases::{config, drawn};
 const ROUNDING: f64 = 1e-12;
 
 /// Power that comes out \[W\].
-fn power_out(outcome: &Outcome, speed: f64) -> f64 {
+fn power_out(outcome: &MeshOutcome, speed: f64) -> f64 {
     let ratio = outcome.result.gears.ratio;
     outcome.result.summary.torque_out_nm * speed * std::f64::consts::TAU / 60.0 / ratio
 }

@@ -11,7 +11,7 @@ const ROUNDING: f64 = 1e-12;
 /// The result of a case; none where its friction would melt the flanks, which a run refuses by E308 alone.
 fn sensible(case: &CaseText) -> Option<RunResult> {
     match asperity::Run::new(&case.load()).execute() {
-        Ok(outcome) => Some(outcome.result),
+        Ok(outcome) => Some(outcome.into_only().unwrap().result),
         Err(error) if error.code() == "E308" => None,
         Err(error) => panic!("{error}"),
     }

@@ -2,7 +2,6 @@
 
 use asperity::case::{LoadedCase, from_text};
 use asperity::flanks::Texture;
-use asperity::pipeline::check;
 use asperity_core::Profile;
 use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;
@@ -124,8 +123,8 @@ proptest! {
             let is_coarser = |own: Length| own > a && common_spacing(own, a).is_none();
             let is_resampled = loaded.warnings.iter().any(|warning| warning.code == "W119");
             prop_assert_eq!(is_resampled, read.into_iter().any(is_coarser));
-            let checked = check(&loaded).map_err(|error| error.to_string());
-            let run = asperity::losses(&loaded).map_err(|error| error.to_string());
+            let checked = asperity::Run::new(&loaded).check().map_err(|error| error.to_string());
+            let run = asperity_tests::losses(&loaded).map_err(|error| error.to_string());
             if let Err(error) = &run {
                 prop_assert!(error.contains("that the windows of the contact need"), "{error}");
             }
@@ -156,6 +155,6 @@ fn several_traces_of_one_instrument_keep_their_points() {
     assert!(loaded.warnings.iter().all(|warning| warning.code != "W119"));
     let [a, b] = spacings(&loaded);
     assert_eq!((a, b), (Length::from_si(0.5e-6), Length::from_si(0.5e-6)));
-    check(&loaded).unwrap();
-    asperity::losses(&loaded).unwrap();
+    asperity::Run::new(&loaded).check().unwrap();
+    asperity_tests::losses(&loaded).unwrap();
 }

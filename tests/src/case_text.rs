@@ -5,7 +5,8 @@
 use std::path::Path;
 
 use asperity::case::{LoadedCase, load};
-use asperity::result::Outcome;
+use asperity::result::{Losses, MeshOutcome};
+use asperity::{Contacts, Error, Run};
 use toml::{Table, Value};
 
 /// The text of a case file, key by key.
@@ -67,7 +68,7 @@ impl CaseText {
     ///
     /// # Panics
     /// When the case is refused or has no solution.
-    pub fn run(&self) -> Outcome {
+    pub fn run(&self) -> MeshOutcome {
         run(&self.load())
     }
 }
@@ -76,6 +77,30 @@ impl CaseText {
 ///
 /// # Panics
 /// When it has no solution.
-pub fn run(loaded: &LoadedCase) -> Outcome {
-    asperity::Run::new(loaded).execute().unwrap()
+pub fn run(loaded: &LoadedCase) -> MeshOutcome {
+    Run::new(loaded).execute().unwrap().into_only().unwrap()
+}
+
+/// Losses of a pair of gears.
+///
+/// # Errors
+/// As [`Run::losses`].
+pub fn losses(case: &LoadedCase) -> Result<Losses, Error> {
+    Run::new(case).losses()?.into_only()
+}
+
+/// Losses of a pair of gears with contacts computed before.
+///
+/// # Errors
+/// As [`Run::losses`].
+pub fn losses_with(contacts: &Contacts, case: &LoadedCase) -> Result<Losses, Error> {
+    Run::new(case).known([contacts]).losses()?.into_only()
+}
+
+/// Contacts of a pair of gears.
+///
+/// # Errors
+/// As [`Run::contacts`].
+pub fn contacts(case: &LoadedCase) -> Result<Contacts, Error> {
+    Ok(Run::new(case).contacts()?.swap_remove(0))
 }

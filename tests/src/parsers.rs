@@ -178,7 +178,11 @@ fn read_small_case_without_traces() -> LoadedCase {
 fn small_result() -> &'static (RunResult, Vec<u8>) {
     static RESULT: OnceLock<(RunResult, Vec<u8>)> = OnceLock::new();
     RESULT.get_or_init(|| {
-        let outcome = asperity::Run::new(&small_case()).execute().unwrap();
+        let outcome = asperity::Run::new(&small_case())
+            .execute()
+            .unwrap()
+            .into_only()
+            .unwrap();
         let files = asperity_report::texts(&outcome).unwrap();
         let page = files.into_iter().find(|(name, _)| *name == "page.json");
         (outcome.result, page.unwrap().1)

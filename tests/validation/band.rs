@@ -1,5 +1,6 @@
 //! The band of the shipped drive beside the reference computation.
 
+use asperity::pipeline::Kept;
 use std::fmt::Write as _;
 use std::sync::OnceLock;
 
@@ -16,7 +17,13 @@ pub type Banded = (Summary, Uncertainty, Predictive, LoadedCase);
 
 /// The run of a case.
 pub fn banded(case: LoadedCase) -> Banded {
-    let (outcome, drawn) = Run::new(&case).without_pictures().draw().unwrap();
+    let (outcome, drawn) = Run::new(&case)
+        .pictures(Kept::NoPictures)
+        .interval(true)
+        .execute()
+        .unwrap()
+        .only_with_draws()
+        .unwrap();
     let result = outcome.result;
     let (uncertainty, drawn) = (result.uncertainty.unwrap(), drawn.unwrap());
     (result.summary, uncertainty, drawn, case)

@@ -9,11 +9,12 @@ use asperity::Run;
 use asperity::case::{LoadedCase, RunningInPlan};
 use asperity::flanks::Surfaces;
 use asperity::lubrication::load_share_law::{LoadShare, ShareConditions, SharedLoad};
-use asperity::pipeline::{HistorySettings, contacts, history, losses_with};
+use asperity::pipeline::{HistorySettings, history};
 use asperity::quantity::Torque;
 use asperity::result::{FlankHeights, Losses, OffsetRow};
 use asperity::running_in::{limits, run_in};
 use asperity_core::Profile;
+use asperity_tests::{contacts, losses_with};
 
 use asperity_ehl_regime::GapLaw;
 
@@ -557,7 +558,7 @@ fn full_film_speed(case: &LoadedCase) -> f64 {
 
 /// Greatest depth below the flanks at which the stress exceeds the elastic limit \[um\].
 fn depth_of_flow(case: &LoadedCase) -> f64 {
-    let outcome = Run::new(case).execute().unwrap();
+    let outcome = Run::new(case).execute().unwrap().into_only().unwrap();
     let fields = outcome
         .fields
         .iter()

@@ -8,12 +8,12 @@
 use std::path::Path;
 
 use asperity::LoadedCase;
-use asperity::pipeline::losses;
 use asperity::roughness::generate::{Like, State, truncated};
 use asperity::roughness::preparation::prepare;
 use asperity::roughness::relocation::{Bounds, relocate};
 use asperity_core::Profile;
 use asperity_core::numerics::{deviation, mean};
+use asperity_tests::losses;
 
 use self::finishes::{FINISHES, made_like, seed_of, traces};
 

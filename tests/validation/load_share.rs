@@ -8,9 +8,9 @@ use std::sync::{Mutex, OnceLock};
 use asperity::case::{CaseInput, LoadedCase, load};
 use asperity::core::task::on_threads;
 use asperity::oil::FilmConstantName;
-use asperity::pipeline::{contacts, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity_tests::assert_close;
+use asperity_tests::{contacts, losses_with};
 
 use crate::measured_cases::kept;
 
@@ -40,7 +40,7 @@ pub fn with_keys(case: &LoadedCase, keys: &[(&str, &str)]) -> LoadedCase {
 }
 
 pub fn losses(case: &LoadedCase) -> Losses {
-    asperity::losses(case).unwrap()
+    asperity_tests::losses(case).unwrap()
 }
 
 pub fn summary(name: &str, keys: &[(&str, &str)]) -> Summary {
@@ -112,7 +112,7 @@ fn the_pressure_at_which_asperities_flow_moves_the_loss() {
 #[test]
 fn a_flank_that_the_film_alone_makes_flow_is_refused() {
     let soft = with("e-drive", &[("material.pinion.flow_pressure", "1.2 GPa")]);
-    let error = asperity::losses(&soft).unwrap_err();
+    let error = asperity_tests::losses(&soft).unwrap_err();
     assert_eq!(error.code(), "E306");
 }
 
@@ -122,7 +122,13 @@ fn the_tolerance_of_the_contacts_does_not_move_the_loss() {
         let at = |tolerance: &str| {
             let keys = [("model.tolerance", tolerance), ("model.load_share", law)];
             let case = with("e-drive", &[&FEW[..], &keys].concat());
-            asperity::Run::new(&case).execute().unwrap().result.summary
+            asperity::Run::new(&case)
+                .execute()
+                .unwrap()
+                .into_only()
+                .unwrap()
+                .result
+                .summary
         };
         let [loose, tight] = [at("1e-4"), at("1e-11")];
         assert_close("loss", loose.loss_w, tight.loss_w, 1e-6);

@@ -5,9 +5,9 @@ use std::sync::{Arc, Mutex, OnceLock};
 
 use asperity::Contacts;
 use asperity::case::LoadedCase;
-use asperity::pipeline::{contacts, losses_with};
 use asperity::result::{Losses, OffsetRow};
 use asperity::uncertainty::standard_error;
+use asperity_tests::{contacts, losses_with};
 
 use crate::gate::Estimate;
 use crate::load_share::{with, with_keys};
@@ -42,7 +42,7 @@ pub struct Sampled {
 
 impl Sampled {
     pub fn of(case: &LoadedCase) -> Self {
-        Self::with(case, asperity::losses(case).unwrap())
+        Self::with(case, asperity_tests::losses(case).unwrap())
     }
 
     fn with(case: &LoadedCase, losses: Losses) -> Self {

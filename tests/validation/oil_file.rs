@@ -6,9 +6,9 @@ use std::sync::OnceLock;
 use asperity::Contacts;
 use asperity::case::{CaseInput, LoadedCase};
 use asperity::core::quantity::Length;
-use asperity::pipeline::{contacts, losses_with};
+use asperity::uncertainty::evidence::Effort;
 use asperity::uncertainty::predictive;
-use asperity_calibration::evidence::{Effort, EvidenceTable};
+use asperity_calibration::evidence::EvidenceTable;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::{Priors, TractionProblem, Zero};
 use asperity_calibration::oil::{
@@ -17,6 +17,7 @@ use asperity_calibration::oil::{
 };
 use asperity_core::numerics::standard_normal_quantile;
 use asperity_report::Settings as _;
+use asperity_tests::{contacts, losses_with};
 
 use crate::band::{Banded, banded, both};
 use crate::load_share::{shipped, with};

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use asperity::case::load;
-use asperity::result::{Outcome, Regime};
+use asperity::result::{MeshOutcome, Regime};
 use asperity_tests::{CaseText, assert_close, run, table_2, trace_csv};
 
 use crate::comparison::{Comparison, Table};
@@ -12,7 +12,7 @@ fn fixtures() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures")
 }
 
-fn table_2_with_its_trace() -> Outcome {
+fn table_2_with_its_trace() -> MeshOutcome {
     let file = fixtures().join("cases/table2.toml");
     let loaded = load(&file, Some(asperity_paper_2022::register())).unwrap();
     run(&loaded)
@@ -84,7 +84,7 @@ fn superfinished_flanks_take_the_branch_of_full_film() {
 }
 
 /// Smooth flanks of Table 2 at C, traced with the paper's step of 80 nm.
-fn smooth_at_c() -> Outcome {
+fn smooth_at_c() -> MeshOutcome {
     let folder = tempfile::tempdir().unwrap();
     let zeros = vec![0.0; 12_001];
     std::fs::write(folder.path().join("flat.csv"), trace_csv(80e-9, &zeros)).unwrap();

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use asperity::case::{CaseInput, LoadedCase};
-use asperity::result::Outcome;
+use asperity::result::MeshOutcome;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::subsurface::hertz_stress;
 use asperity_core::quantity::{Length, Pressure};
@@ -25,7 +25,7 @@ struct Statement {
     why: &'static str,
 }
 
-fn table_2(keys: &[(&str, &str)]) -> Outcome {
+fn table_2(keys: &[(&str, &str)]) -> MeshOutcome {
     let case: LoadedCase = shipped("table2");
     let set = |input: &mut CaseInput| {
         input.formulation = Some(asperity_paper_2022::register());
@@ -52,7 +52,7 @@ fn fig_7() -> [f64; 4] {
 }
 
 /// Largest difference of the solid pressure at mirrored points \[MPa\].
-fn asymmetry(outcome: &Outcome) -> f64 {
+fn asymmetry(outcome: &MeshOutcome) -> f64 {
     let pressure = &outcome.fields[0].pressure_solid;
     let pairs = pressure.iter().zip(pressure.iter().rev());
     pairs.map(|(a, b)| 1e-6 * (a - b).abs()).fold(0.0, f64::max)

@@ -1,9 +1,9 @@
 //! `asperity check`: checks of a case without running it.
 
-use asperity::Error;
 use asperity::case::{self, DefaultUsed, LoadedCase, Train};
 use asperity::message::Warning;
-use asperity::pipeline::{KeptFields, chooses_offsets};
+use asperity::pipeline::{Kept, chooses_offsets};
+use asperity::{Error, Run};
 use asperity_core::Code;
 use asperity_report::Report;
 use asperity_studies::estimate::{Cost, estimate, measured};
@@ -107,8 +107,8 @@ fn counted(count: usize, one: &str, several: &str) -> String {
 }
 
 fn valid_case(train: Train) -> Result<ValidCase, Error> {
-    let warnings = asperity::train::check(&train)?;
-    let fields = KeptFields::Highest;
+    let warnings = Run::new(&train).check()?;
+    let fields = Kept::Highest;
     let work = measured(train.cases(), &fields).or_else(|_| estimate(train.cases(), &fields))?;
     let may_need_more = train.cases().any(chooses_offsets);
     Ok(ValidCase {

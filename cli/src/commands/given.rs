@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use asperity::case::{LoadedCase, Train};
-use asperity::pipeline::KeptFields;
+use asperity::pipeline::Kept;
 use asperity::profile_io::read::read_table;
 use asperity_calibration::RigFiles;
 use asperity_core::Code;
@@ -48,7 +48,7 @@ impl Given for Train {
     }
 
     fn check(limits: &WorkArgs, work: &Work) -> Result<(), Failure> {
-        check_work(limits, &work.meshes, &KeptFields::Highest, work.runs)
+        check_work(limits, &work.meshes, &Kept::Highest, work.runs)
     }
 }
 

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::Error;
 use asperity::result::RunResult;
-use asperity_calibration::evidence::execute;
+use asperity::{Error, Run};
+use asperity_calibration::evidence::standard_plan;
 use asperity_core::Code;
 use asperity_report::{self as report, Fields, Results};
 use asperity_studies::ridges::add_ridges;
@@ -40,7 +40,8 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let folder = target.as_ref().map(|target| &*target.folder);
     progress.begin(POSITIONS);
     let at = |done, total| progress.at(done, total);
-    let outcome = execute(&train, &kept, !args.no_band, &at);
+    let run = Run::new(&train).pictures(kept).interval(!args.no_band);
+    let outcome = run.evidence(&standard_plan).progress(&at).execute();
     let mut outcome = outcome.map_err(|error| failed(&error, args, folder))?;
     if args.ridges {
         progress.begin(RidgeSettings::STEPS);

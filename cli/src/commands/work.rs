@@ -1,7 +1,7 @@
 //! Limits of the estimated time and memory.
 
 use asperity::case::LoadedCase;
-use asperity::pipeline::KeptFields;
+use asperity::pipeline::Kept;
 use asperity_core::Code;
 use asperity_studies::estimate::{Cost, estimate};
 
@@ -12,7 +12,7 @@ use crate::failure::Failure;
 pub fn check_work<'a>(
     limits: &WorkArgs,
     meshes: impl IntoIterator<Item = &'a LoadedCase>,
-    fields: &KeptFields,
+    fields: &Kept,
     runs: usize,
 ) -> Result<(), Failure> {
     // A case without an estimate has no result either; the run reports the error.

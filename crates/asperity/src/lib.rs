@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`prelude`] | the names that most programs need |
 //! | [`case`] | a case from a file ([`case::load`]), from text ([`case::from_text`]), or from quantities and heights ([`Case::builder`]) |
-//! | [`Run`], [`losses`] | a run of a case with its interval, or its losses only |
+//! | [`Run`] | a run of a pair of gears or of a train, with its interval, or its losses only |
 //! | [`result`] | the numbers of a run, as values and as JSON |
 //! | [`laws`] | user-defined laws of film, friction and load distribution |
 //! | [`formulation`] | other formulations of the model, which a program registers |
@@ -37,11 +37,11 @@
 //! .change(|input| input.surface.cutoff = Some(Length::from_si(0.25e-3)))
 //! .change(|input| (input.model.positions, input.model.offsets) = (Some(8), Some(1)))
 //! .build()?;
-//! let summary = Run::new(&case).execute()?.result.summary;
+//! let summary = Run::new(&case).execute()?.into_only()?.result.summary;
 //! assert!((0.95..1.0).contains(&summary.efficiency));
 //! // A change rereads only the files that it affects.
 //! let cooler = case.with_key("operation.bulk_temperature", "70 °C")?;
-//! assert!(Run::new(&cooler).execute()?.result.summary.loss_w != summary.loss_w);
+//! assert!(Run::new(&cooler).losses()?.into_only()?.summary.loss_w != summary.loss_w);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -76,9 +76,10 @@ pub use assembly::Reversed;
 pub use case::{Case, CaseInput, LoadedCase};
 pub use contacts::{Contacts, running_in};
 pub use error::{Error, PositionError, UnsolvedContact};
-pub use pipeline::{ContactStore, losses};
-pub use result::{Outcome, RunResult};
+pub use pipeline::ContactStore;
+pub use result::{MeshOutcome, RunResult};
 pub use run::Run;
+pub use train::{Outcome, TrainLosses};
 
 // The crates that the orchestrator stands on, each of use alone.
 pub use asperity_contact as contact;

@@ -1,7 +1,8 @@
 //! Items that most programs that embed the orchestrator use.
 
-pub use crate::result::{Outcome, RunResult};
+pub use crate::result::{MeshOutcome, RunResult};
 pub use crate::run::Run;
+pub use crate::train::Outcome;
 pub use asperity_case::case::{
     BodyInput, Case, CaseBuilder, CaseInput, FlankInput, GearsInput, LoadedCase, MaterialInput,
     ModelInput, OneOrTwo, OperationInput, SurfaceInput, Trace,

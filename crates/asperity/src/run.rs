@@ -1,120 +1,200 @@
-//! The run of a case, with what it holds and what it draws.
+//! The run of a case, with what it holds and what it draws: the only way to compute one.
+
+use std::borrow::Cow;
 
 use crate::contacts::Contacts;
-use crate::pipeline::{self, KeptFields, Progress};
-use crate::result::{Losses, Outcome};
-use crate::uncertainty::{self, Predictive};
-use asperity_case::case::LoadedCase;
+use crate::pipeline::{self, Kept, Progress};
+use crate::train::{self, Outcome, TrainLosses};
+use crate::uncertainty::CurvePlan;
+use asperity_case::case::OperatingCase;
+use asperity_case::case::train::Train;
 use asperity_case::error::Error;
+use asperity_case::message::Warning;
 
-/// A run of a case, built by its options.
+/// A run of a gear train, or of a pair of gears, which is a train of one mesh; built by its options.
 ///
 /// ```
-/// use asperity::pipeline::KeptFields;
+/// use asperity::pipeline::Kept;
 /// use asperity::{Run, case};
 /// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
 /// let case = case::load_with(file, &|input| {
-///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+///     (input.model.positions, input.model.offsets) = (Some(4), Some(4));
 /// })?;
-/// let run = Run::new(&case);
-/// assert_eq!(run.fields(&KeptFields::Highest).execute()?.fields.len(), 1);
-/// assert_eq!(run.fields(&KeptFields::All).execute()?.fields.len(), 4);
-/// assert_eq!(run.losses()?.summary, run.execute()?.result.summary);
-/// # Ok::<(), asperity::Error>(())
+/// let found = Run::new(&case).interval(true).pictures(Kept::Highest).execute()?.into_only()?;
+/// let loss = found.result.uncertainty.ok_or("the default model has an interval")?.loss;
+/// assert!(loss.quantiles_w[0] < found.result.summary.loss_w);
+/// assert_eq!(found.fields.len(), 1);
+///
+/// // Another temperature by the contacts of the first run: film laws only.
+/// let contacts = Run::new(&case).contacts()?;
+/// let cooler = case.with_key("operation.bulk_temperature", "70 °C")?;
+/// let losses = Run::new(&cooler).known(&contacts).losses()?.into_only()?;
+/// assert_eq!(losses.summary, Run::new(&cooler).execute()?.into_only()?.result.summary);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 #[must_use = "a run does nothing until it is executed"]
 pub struct Run<'a> {
-    case: &'a LoadedCase,
-    pictures: Option<&'a KeptFields>,
-    band: bool,
-    progress: Progress<'a>,
+    train: Cow<'a, Train>,
+    options: Options<'a>,
+    plan: Option<&'a CurvePlan<'a>>,
+}
+
+/// What a run of a mesh holds, draws and knows.
+#[derive(Clone)]
+pub(crate) struct Options<'a> {
+    pub kept: Kept,
+    pub interval: bool,
+    pub progress: Progress<'a>,
+    /// Contacts that were computed before.
+    pub known: Vec<&'a Contacts>,
+    /// Whether an equilibrium of a bulk temperature that is hotter than the first is sought.
+    pub seeks_hotter: bool,
 }
 
 impl<'a> Run<'a> {
-    /// A run with pictures of every position, the fields of all of them, and without the uncertainty of the loss.
-    pub fn new(case: &'a LoadedCase) -> Self {
+    /// A run with pictures of every position, the fields of all of them, and without the interval of the loss.
+    pub fn new(case: impl Into<Cow<'a, Train>>) -> Self {
         Self {
-            case,
-            pictures: Some(&KeptFields::All),
-            band: false,
-            progress: &|_, _| {},
+            train: case.into(),
+            options: Options {
+                kept: Kept::All,
+                interval: false,
+                progress: &|_, _| {},
+                known: Vec::new(),
+                seeks_hotter: true,
+            },
+            plan: None,
         }
     }
 
     /// Holds the fields of the positions `kept` only: with the stress below the surface they are a megabyte each.
-    pub fn fields(self, kept: &'a KeptFields) -> Self {
-        Self {
-            pictures: Some(kept),
-            ..self
-        }
+    pub fn pictures(mut self, kept: Kept) -> Self {
+        self.options.kept = kept;
+        self
     }
 
-    /// Computes no pictures of contacts: no fields, no views, no stress below the surface.
-    pub fn without_pictures(self) -> Self {
-        Self {
-            pictures: None,
-            ..self
-        }
+    /// Computes the interval of the loss, if `interval` is set and the model of the case has one. It costs no further contact.
+    pub fn interval(mut self, interval: bool) -> Self {
+        self.options.interval = interval;
+        self
     }
 
-    /// Computes the uncertainty of the loss, if `band` is set and the model of the case has one. It costs no further
-    /// contact.
-    pub fn band(self, band: bool) -> Self {
-        Self { band, ..self }
+    /// Names the measurements that would narrow the interval, with the traction curves of an oil that `plan` has.
+    pub fn evidence(mut self, plan: &'a CurvePlan<'a>) -> Self {
+        self.plan = Some(plan);
+        self
+    }
+
+    /// Uses contacts that were computed before. Those of this case, at any oil, speed and temperature, are not computed again; of others
+    /// the windows under the same load are shared. Losses equal those without to the last digit.
+    pub fn known(mut self, contacts: impl IntoIterator<Item = &'a Contacts>) -> Self {
+        self.options.known.extend(contacts);
+        self
+    }
+
+    /// Seeks no equilibrium of a bulk temperature that is hotter than the first.
+    pub fn coldest(mut self) -> Self {
+        self.options.seeks_hotter = false;
+        self
     }
 
     /// Calls `progress` with (done, total) after each step.
-    pub fn progress(self, progress: Progress<'a>) -> Self {
-        Self { progress, ..self }
+    pub fn progress(mut self, progress: Progress<'a>) -> Self {
+        self.options.progress = progress;
+        self
     }
 
     /// Runs the case. The same input gives the same result to the last digit on any number of threads of one type of
     /// processor; transforms round differently with and without AVX2, which moves losses by some 1e-8 of their value.
     ///
     /// # Errors
-    /// When a position has no solution; the first one along the path is named.
+    /// When a position has no solution; the first one along the path is named. When losses that are passed on do not settle.
     pub fn execute(self) -> Result<Outcome, Error> {
-        Ok(self.drawn(self.band)?.0)
-    }
-
-    /// Runs the case with the uncertainty of its loss, and returns its draws, which
-    /// [`difference`](crate::uncertainty::difference) compares; none of a case without an uncertainty.
-    ///
-    /// # Errors
-    /// As [`execute`](Self::execute).
-    pub fn draw(self) -> Result<(Outcome, Option<Predictive>), Error> {
-        let (outcome, drawn, _) = self.drawn(true)?;
-        Ok((outcome, drawn))
-    }
-
-    /// The same with the solved contacts, by which [`losses_with`](crate::pipeline::losses_with) computes the loss of the case with
-    /// other constants.
-    ///
-    /// # Errors
-    /// As [`execute`](Self::execute).
-    pub fn draw_with_contacts(self) -> Result<(Outcome, Option<Predictive>, Contacts), Error> {
-        self.drawn(self.band)
-    }
-
-    fn drawn(self, band: bool) -> Result<(Outcome, Option<Predictive>, Contacts), Error> {
-        let kept = (self.pictures, band);
-        let mut found = Vec::new();
-        let (outcome, drawn) =
-            uncertainty::run_and_draw(self.case, kept, &mut found, self.progress)?;
-        // A run adds its contacts to those that it knows.
-        let contacts = match found.pop() {
-            Some(contacts) => contacts,
-            None => pipeline::contacts(self.case)?,
-        };
-        Ok((outcome, drawn, contacts))
+        let outcome = train::run(&self.train, &self.options)?;
+        match self.plan {
+            Some(plan) => outcome.with_evidence(plan),
+            None => Ok(outcome),
+        }
     }
 
     /// Losses only, equal to the losses of [`execute`](Self::execute) to the last digit.
     ///
     /// # Errors
     /// As [`execute`](Self::execute).
-    pub fn losses(self) -> Result<Losses, Error> {
-        pipeline::losses_of(self.case, None, self.progress)
+    pub fn losses(self) -> Result<TrainLosses, Error> {
+        train::losses(&self.train, &self.options)
     }
+
+    /// The rough contacts of each mesh at every position and offset: they depend on neither oil, speed nor temperature.
+    ///
+    /// # Errors
+    /// When the traces are too coarse or too short for a contact.
+    pub fn contacts(self) -> Result<Vec<Contacts>, Error> {
+        train::contacts(&self.train, &self.options.known)
+    }
+
+    /// The train at the oil temperature and the torques that its losses cause.
+    ///
+    /// # Errors
+    /// When a mesh has no solution, or temperature or torques do not settle.
+    pub fn settled(self) -> Result<Train, Error> {
+        train::settled(&self.train)
+    }
+
+    /// The case of the only mesh at its bulk temperature, stated or in equilibrium with its loss.
+    ///
+    /// ```
+    /// use asperity::{Run, case};
+    /// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+    /// let case = case::load_with(file, &|input| {
+    ///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+    /// })?;
+    /// assert!(Run::new(&case).operating_case()?.bulk_report().is_none());
+    /// let unknown = case.with(|input| {
+    ///     let _ = input.set("operation.oil_temperature", "90 °C");
+    ///     let _ = input.set("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#);
+    /// })?;
+    /// let settled = Run::new(&unknown).operating_case()?;
+    /// let bulk = settled.bulk_report().ok_or("it is computed")?;
+    /// assert!(bulk.bulk_c > bulk.oil_c + 5.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When the case has several meshes, a position has no solution, or the temperature does not settle.
+    pub fn operating_case(self) -> Result<OperatingCase, Error> {
+        pipeline::settled(self.train.only_mesh()?, &self.options.known)
+    }
+
+    /// Checks all that a run checks before it solves a contact, and returns the warnings that need no solution: a warning that
+    /// not all meshes have names its mesh. The parts of the gearbox are checked at the torques of a train whose meshes lose nothing.
+    ///
+    /// Checked are the table of the gearbox, the mesh positions with their smooth films, the place of the traces, and at the
+    /// first offset of each pair of teeth the windows in contact. Reference solutions are not computed, and a bulk temperature that follows
+    /// from the loss is not sought.
+    ///
+    /// # Errors
+    /// The error with which a run ends.
+    ///
+    /// ```
+    /// use asperity::{Run, case};
+    /// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+    /// Run::new(&case::load(file, None)?).check()?;
+    /// // A window that is longer than the traces.
+    /// let long = case::load_with(file, &|input| input.model.window = Some(40.0))?;
+    /// assert_eq!(Run::new(&long).check().unwrap_err().code(), "E122");
+    /// # Ok::<(), asperity::Error>(())
+    /// ```
+    pub fn check(self) -> Result<Vec<Warning>, Error> {
+        train::check(&self.train)
+    }
+}
+
+/// Losses of a pair of gears.
+#[cfg(test)]
+pub(crate) fn losses(
+    case: &asperity_case::case::LoadedCase,
+) -> Result<crate::result::Losses, Error> {
+    Run::new(case).losses()?.into_only()
 }

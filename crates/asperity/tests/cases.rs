@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
+use asperity::pipeline::Kept;
 use std::path::{Path, PathBuf};
 
 use asperity::case::{CaseInput, FlankInput, LoadedCase, SurfaceInput, Trace, from_text, load};
@@ -29,7 +30,11 @@ fn loss(case: &LoadedCase) -> f64 {
             input.model.offsets = Some(2);
         })
         .unwrap();
-    let outcome = asperity::Run::new(&few).execute().unwrap();
+    let outcome = asperity::Run::new(&few)
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap();
     outcome.result.summary.loss_w
 }
 
@@ -369,9 +374,15 @@ fn losses_have_the_warnings_of_a_run() {
             input.model.offsets = Some(2);
         })
         .unwrap();
-    let losses = asperity::losses(&few).unwrap();
-    let run = asperity::Run::new(&few).without_pictures();
-    let run = run.band(false).execute().unwrap().result;
+    let losses = crate::runs::losses(&few).unwrap();
+    let run = asperity::Run::new(&few).pictures(Kept::NoPictures);
+    let run = run
+        .interval(false)
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap()
+        .result;
     assert!(run.warnings.len() > few.warnings.len());
     assert_eq!(losses.warnings, run.warnings);
 }

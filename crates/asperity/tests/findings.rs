@@ -5,9 +5,9 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use crate::runs::losses;
 use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::message::Warning;
-use asperity::{losses, pipeline};
 
 /// Codes of the findings that follow from the solved contacts, and those of friction among the ranges.
 const OF_A_SOLUTION: [&str; 13] = [
@@ -70,7 +70,11 @@ fn a_check_has_every_finding_that_needs_no_solution() {
         (with_keys(&[("operation.torque", "900 N m")]), Some("W405")),
     ];
     for (case, expected) in cases {
-        let checked = [case.warnings.clone(), pipeline::check(&case).unwrap()].concat();
+        let checked = [
+            case.warnings.clone(),
+            asperity::Run::new(&case).check().unwrap(),
+        ]
+        .concat();
         let solved = losses(&case).unwrap().warnings;
         let (checked, solved) = (codes(&checked), codes(&solved));
         assert!(
@@ -91,7 +95,7 @@ fn the_film_of_cold_oil_is_named_by_a_check_as_by_a_run() {
         let texts = found.into_iter().map(|warning| warning.text);
         texts.filter(|text| text.contains("Gupta")).collect()
     };
-    let checked = of_films(pipeline::check(&case).unwrap());
+    let checked = of_films(asperity::Run::new(&case).check().unwrap());
     assert!(!checked.is_empty());
     assert_eq!(checked, of_films(losses(&case).unwrap().warnings));
 }

@@ -5,6 +5,7 @@
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
+use crate::runs::losses;
 use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::core::Profile;
 use asperity::core::numerics::Z_975;
@@ -13,7 +14,6 @@ use asperity::flanks::flank_lay::{FlankLay, mean_at, two_digits, with_mean};
 use asperity::flanks::placement::PlacedTrace;
 use asperity::flanks::window_places as places;
 use asperity::flanks::{Sheets, Window, row_place};
-use asperity::losses;
 use asperity::quantity::Length;
 use asperity::roughness::preparation::Preparation;
 use asperity::roughness::surface_preparation::{PreparedSurface, prepare_surface};

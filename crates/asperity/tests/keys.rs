@@ -5,9 +5,9 @@
 
 use std::path::Path;
 
+use crate::runs::losses;
 use asperity::Error;
 use asperity::case::{LoadedCase, load};
-use asperity::losses;
 
 fn e_drive() -> LoadedCase {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
@@ -414,7 +414,7 @@ fn deliberate_mistakes_are_named() {
     for (key, value, code, words) in mistakes {
         let solved = |case: LoadedCase| match code {
             // The points of a Hertz half-width are counted in the run.
-            "E121" => asperity::losses(&case).map(|_| case),
+            "E121" => crate::runs::losses(&case).map(|_| case),
             _ => Ok(case),
         };
         let (found, said) = match e_drive().with_key(key, value).and_then(solved) {

@@ -17,6 +17,7 @@ mod records;
 mod rows;
 mod run_in;
 mod running_in_key;
+mod runs;
 mod several_traces;
 mod surrogates;
 mod symbols;

@@ -2,13 +2,13 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
+use asperity::Run;
 use std::path::{Path, PathBuf};
 
 use asperity::case::{CaseInput, LoadedCase, Train, load};
-use asperity::pipeline::KeptFields;
+use asperity::pipeline::Kept;
 use asperity::result::gear_report::gear_report;
 use asperity::result::{Losses, RunResult};
-use asperity::train;
 
 fn fixtures() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
@@ -31,11 +31,16 @@ fn changed(case: &LoadedCase, keys: &[(&str, &str)]) -> LoadedCase {
 }
 
 fn losses(case: &LoadedCase) -> Losses {
-    asperity::losses(case).unwrap()
+    crate::runs::losses(case).unwrap()
 }
 
 fn run(case: &LoadedCase) -> RunResult {
-    asperity::Run::new(case).execute().unwrap().result
+    asperity::Run::new(case)
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap()
+        .result
 }
 
 #[track_caller]
@@ -268,7 +273,11 @@ fn a_planetary_set_is_the_run_of_its_two_meshes() {
     let file = folder.path().join("set.toml");
     std::fs::write(&file, SET).unwrap();
     let set = Train::load(&file).unwrap();
-    let outcome = train::run(&set, Some(&KeptFields::All), false, &|_, _| {}).unwrap();
+    let outcome = Run::new(&set)
+        .pictures(Kept::All)
+        .interval(false)
+        .execute()
+        .unwrap();
     let result = &outcome.whole;
     let [sun, ring] = &result.meshes[..] else {
         panic!("{} meshes", result.meshes.len())

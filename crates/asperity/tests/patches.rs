@@ -4,15 +4,16 @@
 
 use std::f64::consts::TAU;
 
+use crate::runs::losses;
 use asperity::case::{LoadedCase, from_text};
 use asperity::core::Code;
 use asperity::core::quantity::{Length, Torque};
-use asperity::pipeline::{KeptFields, less_of_scans};
+use asperity::pipeline::{Kept, less_of_scans};
 use asperity::roughness::form::Form;
 use asperity::roughness::gaussian_filter::Ends;
 use asperity::roughness::preparation::Preparation;
 use asperity::roughness::surface_preparation::prepare_surface;
-use asperity::{Error, Run, losses};
+use asperity::{Error, Run};
 use asperity_case::flanks::scan::{middle, rows_needed};
 
 const COLUMNS: usize = 1500;
@@ -269,8 +270,8 @@ fn summits_carry_more_in_a_patch_than_in_its_rows() {
 fn a_run_with_patches_has_the_losses_of_their_spots_and_what_rows_would_lose() {
     let names = ["1-25-1", "1-25-9"];
     let loaded = case(names, "").unwrap();
-    let run = Run::new(&loaded).fields(&KeptFields::Highest);
-    let found = run.execute().unwrap();
+    let run = Run::new(&loaded).pictures(Kept::Highest);
+    let found = run.execute().unwrap().into_only().unwrap();
     let (fields, result) = (&found.fields[0], &found.result);
     let patch = fields.patch.as_ref().unwrap();
     let lead = patch.y[1] * patch.y.len() as f64;
@@ -308,8 +309,8 @@ fn a_run_with_patches_has_the_losses_of_their_spots_and_what_rows_would_lose() {
 #[test]
 fn scans_are_compared_where_no_asperities_touch_and_at_the_highest_pressure() {
     let loaded = case(["1-0.1-1", "1-0.1-9"], "").unwrap();
-    let run = Run::new(&loaded).fields(&KeptFields::All);
-    let result = run.execute().unwrap().result;
+    let run = Run::new(&loaded).pictures(Kept::All);
+    let result = run.execute().unwrap().into_only().unwrap().result;
     assert_eq!(result.no_scans, None);
     let pressures = result.path.iter().map(|row| {
         let pressure = row.p_max_mpa.unwrap_or(row.hertz_pressure_mpa);

@@ -4,10 +4,10 @@
 
 use std::path::Path;
 
+use asperity::Error;
 use asperity::case::{LoadedCase, load_with};
 use asperity::quantity::Pressure;
 use asperity::result::RunResult;
-use asperity::{Error, pipeline};
 
 /// A shipped case with few positions and one offset.
 fn case(name: &str, keys: &[(&str, &str)]) -> Result<LoadedCase, Error> {
@@ -37,7 +37,12 @@ fn recorded(cache: &Path, more: &[(&str, &str)]) -> LoadedCase {
 }
 
 fn run(loaded: &LoadedCase) -> RunResult {
-    asperity::Run::new(loaded).execute().unwrap().result
+    asperity::Run::new(loaded)
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap()
+        .result
 }
 
 fn files(folder: &Path) -> usize {
@@ -65,7 +70,7 @@ fn shares_come_from_records_and_a_second_run_finds_them() {
         assert!((error - record.solid_share_standard_error).abs() < 1e-12);
         assert!((row.mean_gap_um.unwrap() - record.mean_gap_um).abs() < 1e-12);
     }
-    let losses = pipeline::losses(&loaded).unwrap();
+    let losses = crate::runs::losses(&loaded).unwrap();
     assert_eq!(losses.summary.loss_w, first.summary.loss_w);
     assert_eq!(
         losses.summary.asperity_share_standard_error,
@@ -86,8 +91,8 @@ fn a_loss_by_records_has_an_interval_and_no_draw_solves_a_record() {
     let cache = tempfile::tempdir().unwrap();
     let run = |keys: &[(&str, &str)]| {
         let loaded = recorded(cache.path(), keys);
-        let run = asperity::Run::new(&loaded).band(true);
-        run.execute().unwrap().result
+        let run = asperity::Run::new(&loaded).interval(true);
+        run.execute().unwrap().into_only().unwrap().result
     };
     let stated = run(&[("model.lay", "0")]);
     assert_eq!(files(cache.path()), 3);
@@ -129,7 +134,7 @@ fn a_loss_by_records_has_an_interval_and_no_draw_solves_a_record() {
     // The run has its lay, with draws and without.
     let of_run = |lay: &str| {
         let fast = case("e-drive.toml", &[("model.lay", lay)]).unwrap();
-        pipeline::losses(&fast).unwrap().summary.sliding_w
+        crate::runs::losses(&fast).unwrap().summary.sliding_w
     };
     let at_medians =
         |of: &RunResult| of.summary.sliding_w * of.summary.at_medians_w() / of.summary.loss_w;
@@ -140,7 +145,7 @@ fn a_loss_by_records_has_an_interval_and_no_draw_solves_a_record() {
     let expected = of_run(&lay.unwrap().value) / of_run("0");
     let found_ratio = at_medians(&usual) / at_medians(&stated);
     assert!(expected > 1.001 && (found_ratio / expected - 1.0).abs() < 1e-12);
-    let without = pipeline::losses(&recorded(cache.path(), &[]))
+    let without = crate::runs::losses(&recorded(cache.path(), &[]))
         .unwrap()
         .summary;
     assert_eq!(Some(without.loss_w), usual.summary.loss_at_medians_w);

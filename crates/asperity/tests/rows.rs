@@ -15,7 +15,12 @@ fn result(positions: usize) -> RunResult {
         input.model.offsets = Some(2);
         input.operation.running_in = None;
     });
-    asperity::Run::new(&case.unwrap()).execute().unwrap().result
+    asperity::Run::new(&case.unwrap())
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap()
+        .result
 }
 
 fn close(value: f64, expected: f64) {
@@ -81,7 +86,7 @@ fn losses_name_what_left_its_range_as_a_run_does() {
             .with_key("operation.bulk_temperature", temperature)
             .unwrap()
     };
-    let named = |temperature: &str| asperity::losses(&few(temperature)).unwrap().outside;
+    let named = |temperature: &str| crate::runs::losses(&few(temperature)).unwrap().outside;
     let outside = named("90 °C");
     assert!(
         outside
@@ -91,6 +96,8 @@ fn losses_name_what_left_its_range_as_a_run_does() {
     );
     let warnings = asperity::Run::new(&few("90 °C"))
         .execute()
+        .unwrap()
+        .into_only()
         .unwrap()
         .result
         .warnings;

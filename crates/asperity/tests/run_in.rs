@@ -26,7 +26,7 @@ fn with(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
 }
 
 fn losses(case: &LoadedCase) -> Losses {
-    asperity::losses(case).unwrap()
+    crate::runs::losses(case).unwrap()
 }
 
 /// The flanks of a case run in at a torque in N m over a number of engagements.
@@ -198,8 +198,8 @@ fn running_in_is_the_same_on_one_and_two_threads_and_for_kept_contacts() {
     let on = |threads: usize| on_threads(threads, || losses(&case)).unwrap();
     let one = on(1);
     assert_eq!(one.run_in, on(2).run_in);
-    let tables = asperity::pipeline::contacts(&case).unwrap();
-    let kept = asperity::pipeline::losses_with(&tables, &case).unwrap();
+    let tables = crate::runs::contacts(&case).unwrap();
+    let kept = crate::runs::losses_with(&tables, &case).unwrap();
     assert_eq!(kept.run_in, one.run_in);
     let without = case.with_key("operation.running_in", "false").unwrap();
     let plain = losses(&without);

@@ -4,16 +4,17 @@
 
 use std::collections::BTreeMap;
 
+use crate::runs::losses;
+use crate::runs::{contacts, losses_with};
 use asperity::case::{LoadedCase, Source, from_contents, from_text, load, load_holding};
 use asperity::core::Profile;
 use asperity::core::numerics::student_t_quantile;
 use asperity::message::Warning;
-use asperity::pipeline::{self, KeptFields};
-use asperity::pipeline::{contacts, losses_with};
+use asperity::pipeline::Kept;
 use asperity::quantity::Length;
 use asperity::result::loss_band::SamplingPart;
 use asperity::uncertainty::{difference, pair_sampling};
-use asperity::{Error, Run, losses};
+use asperity::{Error, Run};
 use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
@@ -124,7 +125,12 @@ fn intervals_between_traces_cover_the_mean_of_all_teeth() {
 fn every_pair_loses_what_it_loses_alone() {
     let several = case("traces = [\"0\", \"1\"]", "traces = [\"2\", \"3\"]");
     assert_eq!(several.surfaces.teeth(), Some([2, 2]));
-    let result = asperity::Run::new(&several).execute().unwrap().result;
+    let result = asperity::Run::new(&several)
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap()
+        .result;
     let pairs = result.pairs.unwrap();
     let mut sum = 0.0;
     let of_wheel = 0.5 * (pairs.losses_w[0][1] + pairs.losses_w[1][1]);
@@ -204,8 +210,13 @@ fn kept_contacts_are_those_of_every_pair() {
 #[test]
 fn the_draws_have_the_error_between_traces() {
     let several = case("traces = [\"0\", \"1\", \"5\"]", "traces = [\"2\", \"3\"]");
-    let run = Run::new(&several).fields(&KeptFields::Highest);
-    let (outcome, drawn) = run.draw().unwrap();
+    let run = Run::new(&several).pictures(Kept::Highest);
+    let (outcome, drawn) = run
+        .interval(true)
+        .execute()
+        .unwrap()
+        .only_with_draws()
+        .unwrap();
     let (result, drawn) = (outcome.result, drawn.unwrap());
     let (found, pairs) = (result.uncertainty.unwrap(), result.pairs.unwrap());
     let SamplingPart::Pairs(sampling) = &found.sampling else {
@@ -249,7 +260,10 @@ fn one_traced_tooth_of_the_wheel_makes_the_error_a_lower_bound() {
     let several = case("traces = [\"0\", \"1\", \"5\"]", "file = \"2\"");
     let found = losses(&several).unwrap();
     let one_tooth = |w: &&Warning| w.code == "W450" && w.text.starts_with("one tooth of the wheel");
-    let listed = [found.warnings, pipeline::check(&several).unwrap()];
+    let listed = [
+        found.warnings,
+        asperity::Run::new(&several).check().unwrap(),
+    ];
     assert_eq!(
         listed.map(|all| all.iter().filter(one_tooth).count()),
         [1, 1]
@@ -316,9 +330,11 @@ fn each_trace_may_lie_at_a_place_of_its_own() {
     let expected = 0.5 * (alone(0, 3.9) + alone(1, 4.4));
     assert!((found.summary.loss_w / expected - 1.0).abs() < 1e-14);
     let result = Run::new(&placed)
-        .fields(&KeptFields::Highest)
-        .band(true)
+        .pictures(Kept::Highest)
+        .interval(true)
         .execute()
+        .unwrap()
+        .into_only()
         .unwrap()
         .result;
     let SamplingPart::Pairs(sampling) = result.uncertainty.unwrap().sampling else {
@@ -338,7 +354,12 @@ fn each_trace_may_lie_at_a_place_of_its_own() {
 fn the_micropitting_film_stands_over_the_roughness_of_all_traces() {
     let rated = |case: &LoadedCase| {
         let case = case.with(|input| input.micropitting = Some(Default::default()));
-        let result = asperity::Run::new(&case.unwrap()).execute().unwrap().result;
+        let result = asperity::Run::new(&case.unwrap())
+            .execute()
+            .unwrap()
+            .into_only()
+            .unwrap()
+            .result;
         let found = result.micropitting.unwrap();
         let rq =
             |cell: &asperity::result::MicropittingCell| cell.film_um / cell.lambda_short.unwrap();

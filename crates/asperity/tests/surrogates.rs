@@ -4,12 +4,13 @@
 
 use std::path::PathBuf;
 
+use crate::runs::contacts;
+use crate::runs::losses;
+use asperity::Error;
 use asperity::case::{LoadedCase, load_set, open_source};
 use asperity::contacts::dry_contact;
 use asperity::core::Profile;
 use asperity::flanks::Texture;
-use asperity::pipeline::{check, contacts};
-use asperity::{Error, losses};
 use asperity_roughness::Parameters;
 use asperity_roughness::height_parameters::Mode;
 
@@ -226,7 +227,7 @@ fn only_a_law_that_takes_values_does_without_the_contact() {
 #[test]
 fn a_single_contact_is_the_contact_of_the_first_pair() {
     let case = by_values("ra = \"0.3 um\"", &[]);
-    check(&case).unwrap();
+    asperity::Run::new(&case).check().unwrap();
     let first = case.first_pair();
     assert_eq!(
         (first.surfaces.pairs(), first.surfaces.is_surrogate()),

@@ -7,12 +7,13 @@ use std::str::FromStr;
 
 use asperity::case::train::Train;
 use asperity::core::{did_you_mean, nearest_name};
-use asperity::pipeline::{KeptFields, Progress, less_of_scans};
+use asperity::pipeline::{Kept, Progress, less_of_scans};
 use asperity::result::loss_band::{Digits, EvidenceRow};
 use asperity::result::{ScanComparison, with_interval};
-use asperity::train::{self, Outcomes};
+use asperity::train::Outcome;
+use asperity::uncertainty::evidence::{Effort, Evidence, ONE_CURVE, STANDARD_PLAN};
 use asperity::uncertainty::{
-    Expected, Measurement, MeshDraws, PairedDifference, Quantiles, difference, has_band,
+    Measurement, PairedDifference, PlannedCurves, Quantiles, difference, has_band,
 };
 use asperity::{Contacts, LoadedCase, Run};
 use asperity_report::chart::{Axis, Drawing, Interval, Tornado};
@@ -25,49 +26,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::oil::{ConstantsOf, OilBase, OilPlanSettings, stages_of_case};
 
-/// Standard deviation of the logarithm of a boundary friction measured on a traction machine: its transfer to gears.
-const TRANSFER: f64 = 0.10;
-/// Standard deviation of a temperature by a thermocouple \[K\] (judgement).
-const THERMOCOUPLE: f64 = 1.0;
-/// Further traces of each flank.
-const MORE_TRACES: usize = 4;
-/// Errors of a rig: of a point, and of all together (judgement).
-const RIG_ERRORS: [f64; 2] = [0.03, 0.03];
-/// Points of a day on a rig.
-const RIG_POINTS: [usize; 2] = [1, 7];
 const TABLE: &str = "evidence.csv";
-
-/// Name of the traction curves of the standard plan.
-const STANDARD_PLAN: &str = "traction-plan";
-
-/// A kind of measurement with the hours that it takes.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Effort {
-    /// Name of its row and of its hours.
-    pub key: &'static str,
-    /// Hours of work, with preparation; `None` of traction curves, whose plan says them.
-    pub hours: Option<f64>,
-}
-
-impl Effort {
-    /// All measurements with their usual hours (judgement).
-    #[must_use]
-    pub fn usual() -> [Self; 10] {
-        [
-            ("traction-curve", None),
-            (STANDARD_PLAN, None),
-            ("stribeck-curve", Some(2.0)),
-            ("areal-scan", Some(1.0)),
-            ("thermocouple", Some(2.0)),
-            ("more-traces", Some(1.0)),
-            ("measured-flanks", Some(1.0)),
-            ("tip-relief", Some(0.1)),
-            ("rig-point", Some(4.0)),
-            ("rig-day", Some(8.0)),
-        ]
-        .map(|(key, hours)| Self { key, hours })
-    }
-}
 
 /// Hours of a measurement as text, `NAME=HOURS`.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -168,7 +127,7 @@ impl MiddleRows {
     ///
     /// # Errors
     /// When the case has no result.
-    fn of(outcome: &Outcomes) -> Result<Option<Self>, asperity::Error> {
+    fn of(outcome: &Outcome) -> Result<Option<Self>, asperity::Error> {
         let (Some(mesh), Some(drawn)) = (outcome.settled.only(), &outcome.drawn) else {
             return Ok(None);
         };
@@ -177,10 +136,12 @@ impl MiddleRows {
             return Ok(None);
         };
         let case = scans.case?;
-        let (single, of_single) = Run::new(&case).fields(&KeptFields::Nothing).draw()?;
-        let all = outcome.meshes[0].result.uncertainty.as_ref();
-        let both = of_single.as_ref().zip(single.result.uncertainty.as_ref());
-        Ok(both.zip(all).map(|((of_single, one), all)| Self {
+        let single = Run::new(&case).pictures(Kept::Nothing).interval(true);
+        let single = single.execute()?;
+        let drawn_of_single = single.drawn.as_ref().and_then(|drawn| drawn.first());
+        let [one, all] = [&single, outcome].map(|run| run.meshes[0].result.uncertainty.as_ref());
+        let both = drawn_of_single.zip(one).zip(all);
+        Ok(both.map(|((of_single, one), all)| Self {
             taken: scans.taken,
             loss: Quantiles::of(&of_single.draws_w()),
             difference: difference((&case, of_single, one), (mesh, drawn, all)),
@@ -227,9 +188,6 @@ pub struct EvidenceTable {
 impl EvidenceTable {
     /// The table of a gear train or of a pair of gears, with the hours of `efforts`.
     ///
-    /// Each row is the interval of the draws with the quantity of the measurement known in all meshes as well as the
-    /// measurement leaves it ([`Expected`]). Quantities that the case states or has measured have no row.
-    ///
     /// # Errors
     /// When the case has no loss or no interval.
     pub fn of(train: &Train, efforts: &[Effort], progress: Progress<'_>) -> Result<Self, Fault> {
@@ -242,10 +200,11 @@ impl EvidenceTable {
             return Err(none());
         }
         let named = |source: asperity::Error| Fault::from(source).about(&train.title);
-        let outcome =
-            train::run(train, Some(&KeptFields::Highest), true, progress).map_err(named)?;
-        let (Some(loss), Some((rows, no_curves))) =
-            (outcome.whole.loss_distribution, rows_of(&outcome, efforts)?)
+        let run = Run::new(train).pictures(Kept::Highest).interval(true);
+        let outcome = run.progress(progress).execute().map_err(named)?;
+        let evidence = Evidence::of(&outcome, efforts, &standard_plan).map_err(named)?;
+        let (Some(loss), Some(Evidence { rows, no_curves })) =
+            (outcome.whole.loss_distribution, evidence)
         else {
             return Err(none());
         };
@@ -302,182 +261,31 @@ impl EvidenceTable {
     }
 }
 
-/// Runs a case as [`train::run`]; if its loss has an interval, its result has the measurements that would narrow it, with
-/// their usual hours.
+/// The traction curves of the standard plan, for [`Run::evidence`].
 ///
 /// # Errors
-/// As [`train::run`].
-pub fn execute(
-    train: &Train,
-    kept: &KeptFields,
-    band: bool,
-    progress: Progress<'_>,
-) -> Result<Outcomes, asperity::Error> {
-    let mut outcome = train::run_beside(train, (Some(kept), band), &[], progress)?;
-    // Curves without a plan, as of an oil with one viscosity, leave the other rows.
-    let rows = rows_of(&outcome, &Effort::usual()).ok().flatten();
-    outcome.put_evidence(rows.map(|(rows, _)| rows).unwrap_or_default());
-    Ok(outcome)
-}
-
-/// Rows of a run, and why none is of traction curves; `None` without draws.
-fn rows_of(outcome: &Outcomes, efforts: &[Effort]) -> Result<Option<Rows>, Fault> {
-    let Some(drawn) = &outcome.drawn else {
-        return Ok(None);
-    };
-    let meshes = outcome.settled.meshes().map(|mesh| &mesh.case);
-    let cases: Vec<_> = meshes.zip(&outcome.contacts).collect();
-    let flanks = outcome.settled.first_with_flanks();
-    let of_meshes = drawn.iter().zip(outcome.settled.counts()).zip(flanks);
-    let drawn: Vec<MeshDraws<'_>> = of_meshes
-        .map(|((predictive, count), flanks)| (predictive, count, flanks))
-        .collect();
-    let loss = outcome.whole.loss_distribution;
-    loss.map(|loss| rows(&cases, &drawn, loss, efforts))
-        .transpose()
-}
-
-/// Rows, and why none is of traction curves.
-type Rows = (Vec<EvidenceRow>, Option<String>);
-
-/// Rows of meshes with their draws and the loss of all, the row that leaves the narrowest interval first, and why none is of
-/// traction curves.
-fn rows(
-    meshes: &[(&LoadedCase, &Contacts)],
-    drawn: &[MeshDraws<'_>],
-    loss: Quantiles,
-    efforts: &[Effort],
-) -> Result<Rows, Fault> {
-    let (mut no_curves, mut of_plan) = (None, Vec::new());
-    let mut of_meshes = Vec::with_capacity(meshes.len());
-    for mesh in meshes {
-        let mut measurements = of_case(mesh.0);
-        match OilBase::of_case(mesh.0, ConstantsOf::Family) {
-            _ if mesh.0.case.load_share().needs_records() => {
-                no_curves = Some(
-                    "other constants of the film need other records of mixed lubrication"
-                        .to_owned(),
-                );
-            }
-            Ok(oil) => {
-                let (film, hours) = of_film(*mesh, &oil)?;
-                measurements.extend(film);
-                of_plan = hours;
-            }
-            Err(error) => no_curves = Some(error.to_string()),
-        }
-        of_meshes.push(measurements);
-    }
-    let expected = Expected::of(drawn);
-    let row = |effort: &Effort| {
-        let is_known = |known: &&Known| known.0 == effort.key;
-        let of_mesh = |known: &Vec<Known>| known.iter().find(is_known).map(|known| known.2);
-        let words = of_meshes.iter().flatten().find(is_known)?.1.clone();
-        let measurements: Vec<Option<Measurement>> = of_meshes.iter().map(of_mesh).collect();
-        let left = narrowed(&expected, loss, &measurements)?;
-        let planned = || of_plan.iter().find(|(key, _)| *key == effort.key);
-        let hours = effort.hours.or_else(|| Some(planned()?.1))?;
-        Some(EvidenceRow::new((effort.key, words, hours), loss, left))
-    };
-    let mut rows: Vec<EvidenceRow> = efforts.iter().filter_map(row).collect();
-    rows.sort_by(|a, b| a.width.total_cmp(&b.width));
-    Ok((rows, no_curves))
-}
-
-/// The interval that a measurement is expected to leave, if it is narrower.
-fn narrowed(
-    expected: &Expected<'_>,
-    now: Quantiles,
-    measurements: &[Option<Measurement>],
-) -> Option<Quantiles> {
-    /// Least gain that is worth a row.
-    const LEAST: f64 = 0.995;
-    let found = expected.after(measurements)?;
-    (found.sd_ln < LEAST * now.sd_ln).then_some(found)
-}
-
-/// A measurement: its key, its words, and what it leaves.
-type Known = (&'static str, String, Measurement);
-
-/// Measurements of the film, and hours by their keys.
-type OfFilm = (Vec<Known>, Vec<(&'static str, f64)>);
-
-/// Measurements of flanks, gears and losses.
-fn of_case(case: &LoadedCase) -> Vec<Known> {
-    let teeth = case.surfaces.several_teeth().unwrap_or([1, 1]);
-    let traces = teeth[0].min(teeth[1]);
-    let times = (traces + MORE_TRACES) as f64 / traces as f64;
-    let mut found = vec![
-        (
-            "stribeck-curve",
-            "boundary friction from a Stribeck curve".to_owned(),
-            Measurement::BoundaryFriction {
-                deviation: TRANSFER,
-            },
-        ),
-        (
-            "thermocouple",
-            "temperature by a thermocouple".to_owned(),
-            Measurement::Temperature {
-                deviation: THERMOCOUPLE,
-            },
-        ),
-        (
-            "areal-scan",
-            "lay of both flanks from areal scans".to_owned(),
-            Measurement::Lay,
-        ),
-        (
-            "more-traces",
-            format!("traces of {MORE_TRACES} more teeth of each gear"),
-            Measurement::Traces { times },
-        ),
-        (
-            "measured-flanks",
-            "traces of the flanks in place of roughness values".to_owned(),
-            Measurement::MeasuredFlanks,
-        ),
-        (
-            "tip-relief",
-            "tip relief from the drawing".to_owned(),
-            Measurement::TipRelief,
-        ),
-    ];
-    for (key, points) in ["rig-point", "rig-day"].into_iter().zip(RIG_POINTS) {
-        let [point, common] = RIG_ERRORS;
-        let words = match points {
-            1 => "loss of a second set of these gears on a rig, 1 point".to_owned(),
-            many => format!("losses of a second set of these gears on a rig, {many} points"),
-        };
-        let deviation = common.hypot(point / (points as f64).sqrt());
-        found.push((key, words, Measurement::Losses { deviation }));
-    }
-    found
-}
-
-/// Measurements of the film friction of `oil`.
-fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<OfFilm, Fault> {
+/// When the oil has no constants to measure, or the case no loss.
+pub fn standard_plan(case: &LoadedCase, contacts: &Contacts) -> Result<Vec<PlannedCurves>, Fault> {
+    let oil = OilBase::of_case(case, ConstantsOf::Family)?;
     let settings = OilPlanSettings::usual()?.plan()?;
-    let (stages, slope) = stages_of_case(oil, case, &settings)?;
+    let (stages, slope) = stages_of_case(&oil, (case, contacts), &settings)?;
     let rows = [
-        ("traction-curve", "one traction curve of the oil"),
+        (ONE_CURVE, "one traction curve of the oil"),
         (
             STANDARD_PLAN,
             "traction curves of the oil, the standard plan",
         ),
     ];
-    let hours = rows.iter().zip(&stages);
-    let hours = hours.map(|((key, _), stage)| (*key, stage.minutes / 60.0));
-    let hours = hours.collect();
-    let rows = rows
-        .into_iter()
-        .zip(stages)
-        .filter_map(|((key, words), stage)| {
-            let deviation = stage.loss_deviation?;
-            let measurement = Measurement::FilmFriction { deviation, slope };
-            Some((key, words.to_owned(), measurement))
-        });
-    Ok((rows.collect(), hours))
+    let curves = rows.into_iter().zip(stages).map(|((key, words), stage)| {
+        let leaves = |deviation| Measurement::FilmFriction { deviation, slope };
+        PlannedCurves {
+            key,
+            words,
+            hours: stage.minutes / 60.0,
+            leaves: stage.loss_deviation.map(leaves),
+        }
+    });
+    Ok(curves.collect())
 }
 
 impl EvidenceTable {

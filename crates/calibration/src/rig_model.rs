@@ -4,8 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::Contacts;
-use asperity::LoadedCase;
-use asperity::pipeline::{coldest_losses_with, contacts};
+use asperity::{LoadedCase, Run, TrainLosses};
 use asperity_core::Fault;
 use asperity_core::numerics::median;
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
@@ -46,7 +45,7 @@ struct Group {
     /// Index of the case.
     of: usize,
     case: LoadedCase,
-    tables: Contacts,
+    tables: Vec<Contacts>,
     torque: f64,
 }
 
@@ -86,7 +85,7 @@ impl RigModel {
                 // The table states the scope of the measured losses.
                 input.gearbox = None;
             });
-            let made = changed.and_then(|case| Ok((contacts(&case)?, case)));
+            let made = changed.and_then(|case| Ok((Run::new(&case).contacts()?, case)));
             let (tables, case) = made.map_err(|source| at(&format!("{torque:.1} N m"), source))?;
             Ok(Group {
                 of: *case_number,
@@ -179,7 +178,11 @@ impl RigModel {
             })
         });
         let case = changed.map_err(named)?;
-        let result = coldest_losses_with(&group.tables, &case).map_err(named)?;
+        let run = Run::new(&case).known(&group.tables).coldest();
+        let result = run
+            .losses()
+            .and_then(TrainLosses::into_only)
+            .map_err(named)?;
         Ok(PointLosses {
             sliding_w: result.summary.sliding_w * place.torque_factor,
             rolling_w: result.summary.rolling_w,

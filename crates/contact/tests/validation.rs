@@ -141,7 +141,10 @@ fn transforms_and_the_dense_matrix_give_the_same_rough_contact() {
     }
 }
 
-#[expect(clippy::disallowed_methods, reason = "a thread of its own, without a pool")]
+#[expect(
+    clippy::disallowed_methods,
+    reason = "a thread of its own, without a pool"
+)]
 #[test]
 fn what_a_thread_solved_before_does_not_show_in_a_contact() {
     // A solver takes over the operators of the one before, whose windows had other lengths.

@@ -12,7 +12,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         asperity_paper_2022::register(),
     ] {
         let loaded = asperity::case::load(file, Some(formulation))?;
-        let summary = Run::new(&loaded).execute()?.result.summary;
+        let summary = Run::new(&loaded).execute()?.into_only()?.result.summary;
         println!(
             "{}: {} positions, efficiency {:.2} %, friction coefficient {:.4}",
             formulation.name(),

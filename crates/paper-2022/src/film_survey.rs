@@ -3,8 +3,7 @@
 use asperity::case::{LoadedCase, OperatingCase};
 use asperity::lubrication::{check_mesh_position, plausible_film};
 use asperity::mesh::position_at;
-use asperity::pipeline::settled;
-use asperity::{Error, PositionError};
+use asperity::{Error, PositionError, Run};
 use asperity_core::quantity::Length;
 use asperity_ns_film::{FluidModel, pressure_difference_across};
 use serde::Serialize;
@@ -45,7 +44,7 @@ pub struct FilmSurvey {
 /// # Errors
 /// When an equation refuses the numbers there.
 pub fn film(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Error> {
-    let found = settled(loaded, None)?;
+    let found = Run::new(loaded).operating_case()?;
     film_rows(&found, place).map_err(|error| Error::Whole(Box::new(error)))
 }
 

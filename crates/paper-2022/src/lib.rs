@@ -7,7 +7,7 @@
 //! let paper = asperity_paper_2022::register();
 //! let case = std::path::Path::new("../../fixtures/cases/table2.toml");
 //! let loaded = asperity::case::load(case, Some(paper))?;
-//! let path = asperity::losses(&loaded)?.path;
+//! let path = asperity::Run::new(&loaded).losses()?.into_only()?.path;
 //! assert_eq!(path.len(), 1);
 //! # Ok::<(), asperity::Error>(())
 //! ```

@@ -29,7 +29,11 @@ fn shipped(case: &Path) -> LoadedCase {
 #[test]
 fn every_fixture_case_is_equal_after_a_round_trip_through_json() {
     for case in cases() {
-        let run = asperity::Run::new(&shipped(&case)).execute().unwrap();
+        let run = asperity::Run::new(&shipped(&case))
+            .execute()
+            .unwrap()
+            .into_only()
+            .unwrap();
         let text = serde_json::to_string_pretty(&run.result).unwrap();
         let back: RunResult = serde_json::from_str(&text).unwrap();
         assert_eq!(back, run.result, "{}", case.display());
@@ -59,7 +63,7 @@ fn a_flank_without_a_trace_is_refused() {
             ..Default::default()
         });
     });
-    let error = asperity::losses(&case.unwrap()).unwrap_err();
+    let error = asperity::Run::new(&case.unwrap()).losses().err().unwrap();
     assert_eq!(error.code(), "E303", "{error}");
 }
 

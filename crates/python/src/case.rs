@@ -15,12 +15,11 @@ use asperity::core::number;
 use asperity::formulation::FormulationChoice;
 use asperity::laws::Laws;
 use asperity::message::{Code, Fault};
-use asperity::pipeline::KeptFields;
+use asperity::pipeline::Kept;
 use asperity::pipeline::{self, RegimeRow};
 use asperity::quantity::Length;
 use asperity::result::gear_report;
-use asperity::train;
-use asperity_calibration::evidence::execute;
+use asperity_calibration::evidence::standard_plan;
 use asperity_report::schema_of_settings;
 use asperity_studies::compare::varied;
 use pyo3::prelude::*;
@@ -348,7 +347,7 @@ impl Case {
     /// All warnings that need no run as JSON: those about the files, if a run cannot begin.
     #[getter]
     fn checked(&self, py: Python<'_>) -> PyResult<String> {
-        alone(py, || match train::check(&self.0) {
+        alone(py, || match Run::new(&self.0).check() {
             Ok(found) => failure::json(&found),
             // The error of a run.
             Err(_) => failure::json(&self.0.all_warnings()),
@@ -385,15 +384,18 @@ impl Case {
             let shown = |done, total| told.tell(done, total);
             let found = match (detail, self.only()) {
                 (Detail::Losses, Ok(loaded)) => {
-                    let losses = Run::new(loaded).progress(&shown).losses()?;
+                    let losses = Run::new(loaded).progress(&shown).losses()?.into_only()?;
                     Found::Losses(PROGRAM, loaded.case.title.clone(), losses.into())
                 }
                 // The losses of several meshes are of their contacts.
                 (Detail::Losses | Detail::Contacts, _) => {
-                    Found::Run(train::run(&self.0, None, band, &shown)?.into())
+                    let run = Run::new(&self.0).pictures(Kept::NoPictures).interval(band);
+                    let run = run.evidence(&standard_plan).progress(&shown);
+                    Found::Run(run.execute()?.into())
                 }
                 (Detail::Fields, _) => {
-                    Found::Run(execute(&self.0, &KeptFields::All, band, &shown)?.into())
+                    let run = Run::new(&self.0).interval(band).evidence(&standard_plan);
+                    Found::Run(run.progress(&shown).execute()?.into())
                 }
             };
             Ok(Outcome(Arc::new(found)))

@@ -6,7 +6,7 @@ use asperity::ehl::RecordSettings;
 use asperity::ehl::several_records::{mean_of, record_several};
 use asperity::lubrication::{HIGHEST_PRESSURE, shares};
 use asperity::message::Code;
-use asperity::pipeline::settled;
+use asperity::Run;
 use asperity::quantity::Pressure;
 use asperity::reference_solution::{
     Inlet, ReferenceContact, ReferenceSettings, record_json, record_warnings,
@@ -59,7 +59,7 @@ pub fn ehl<'py>(
             shortest_wave: None,
             inlet: Inlet::ByLoad,
         };
-        let loaded = &settled(loaded, None)?;
+        let loaded = &Run::new(loaded).operating_case()?;
         let contact = ReferenceContact::of(loaded, place, &settings)?;
         // Thousandths of a half-width, of all records together.
         let travelled: Vec<AtomicU64> = (0..asked.records.max(1))

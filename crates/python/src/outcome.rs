@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use asperity::Remedy;
 use asperity::message::Code;
-use asperity::result::{Losses, Outcome as OfMesh, PositionFields};
-use asperity::train::Outcomes;
+use asperity::result::{Losses, MeshOutcome as OfMesh, PositionFields};
+use asperity::train::Outcome as OfTrain;
 use asperity_report::{Fields, write_folder};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -22,7 +22,7 @@ pub enum Found {
     /// A mesh of a run.
     Mesh(Box<OfMesh>),
     /// A run.
-    Run(Box<Outcomes>),
+    Run(Box<OfTrain>),
 }
 
 /// Losses with what they are of.

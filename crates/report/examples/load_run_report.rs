@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// Runs `case` and writes its result into `folder`.
 pub fn load_run_report(case: &Path, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
     let loaded = asperity::case::load(case, None)?;
-    let outcome = asperity::Run::new(&loaded).execute()?;
+    let outcome = asperity::Run::new(&loaded).execute()?.into_only()?;
     print!("{}", asperity_report::summary(&outcome.result));
 
     asperity_report::write_folder(&outcome, folder, &Fields::Page)?;

@@ -40,7 +40,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 pub fn own_law(case: &Path, folder: &Path) -> Result<String, Box<dyn std::error::Error>> {
     let loaded = asperity::case::load(case, None)?;
     let loaded = loaded.with_laws(|laws| laws.friction = Some(Arc::new(TwoTerms)));
-    let outcome = asperity::Run::new(&loaded).band(true).execute()?;
+    let outcome = asperity::Run::new(&loaded)
+        .interval(true)
+        .execute()?
+        .into_only()?;
     asperity_report::write_folder(&outcome, folder, &Fields::Page)?;
     Ok(asperity_report::summary(&outcome.result))
 }

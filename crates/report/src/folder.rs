@@ -6,8 +6,8 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use asperity::UnsolvedContact;
-use asperity::pipeline::KeptFields;
-use asperity::result::{Outcome, RunResult, SCHEMA_VERSION};
+use asperity::pipeline::Kept;
+use asperity::result::{MeshOutcome, RunResult, SCHEMA_VERSION};
 use asperity::train::Whole;
 use asperity_core::Fault;
 use asperity_storage::{check_written, json_line, save, whole_file, write_among};
@@ -50,11 +50,11 @@ pub enum Fields {
 impl Fields {
     /// The fields that a run must hold for this folder and its page.
     #[must_use]
-    pub fn kept(&self) -> KeptFields {
+    pub fn kept(&self) -> Kept {
         match self {
-            Self::Page => KeptFields::Highest,
-            Self::Positions(numbers) => KeptFields::Positions(numbers.clone()),
-            Self::All => KeptFields::All,
+            Self::Page => Kept::Highest,
+            Self::Positions(numbers) => Kept::Positions(numbers.clone()),
+            Self::All => Kept::All,
         }
     }
 
@@ -84,7 +84,7 @@ pub(crate) fn title_in(file: &Path) -> Option<String> {
 }
 
 /// Checks that `outcome` holds the fields to write.
-pub(crate) fn check_fields(outcome: &Outcome, fields: &Fields) -> Result<(), Fault> {
+pub(crate) fn check_fields(outcome: &MeshOutcome, fields: &Fields) -> Result<(), Fault> {
     let Fields::Positions(numbers) = fields else {
         return Ok(());
     };
@@ -98,7 +98,7 @@ pub(crate) fn check_fields(outcome: &Outcome, fields: &Fields) -> Result<(), Fau
 }
 
 /// Name and content of the table of all points of the load map.
-pub(crate) fn load_points(outcome: &Outcome) -> Result<(String, Vec<u8>), Fault> {
+pub(crate) fn load_points(outcome: &MeshOutcome) -> Result<(String, Vec<u8>), Fault> {
     let text = tables::text(Path::new(MAP), tables::load_points(&outcome.load_map))?;
     Ok((MAP.to_owned(), text))
 }
@@ -118,7 +118,7 @@ pub fn write_unsolved(contact: &UnsolvedContact, file: &Path) -> Result<(), Faul
     Ok(save(file, text.as_bytes())?)
 }
 
-pub(crate) fn fill(outcome: &Outcome, folder: &Path, fields: &Fields) -> Result<(), Fault> {
+pub(crate) fn fill(outcome: &MeshOutcome, folder: &Path, fields: &Fields) -> Result<(), Fault> {
     let whole = PageTables::of(outcome, None)?;
     for (name, text) in texts_of(outcome, &whole)? {
         write_bytes(&folder.join(name), &text)?;
@@ -133,11 +133,11 @@ pub(crate) fn fill(outcome: &Outcome, folder: &Path, fields: &Fields) -> Result<
 pub(crate) type FileText = (&'static str, Vec<u8>);
 
 /// The files of the folder of a mesh without fields, in memory.
-pub(crate) fn texts_of_mesh(outcome: &Outcome) -> Result<Vec<FileText>, Fault> {
+pub(crate) fn texts_of_mesh(outcome: &MeshOutcome) -> Result<Vec<FileText>, Fault> {
     texts_of(outcome, &PageTables::of(outcome, None)?)
 }
 
-fn texts_of(outcome: &Outcome, whole: &PageTables) -> Result<Vec<FileText>, Fault> {
+fn texts_of(outcome: &MeshOutcome, whole: &PageTables) -> Result<Vec<FileText>, Fault> {
     fn table<R: Serialize>(
         name: &'static str,
         rows: impl IntoIterator<Item = R>,
@@ -164,7 +164,7 @@ fn texts_of(outcome: &Outcome, whole: &PageTables) -> Result<Vec<FileText>, Faul
 }
 
 fn write_fields(
-    outcome: &Outcome,
+    outcome: &MeshOutcome,
     whole: &PageTables,
     folder: &Path,
     fields: &Fields,

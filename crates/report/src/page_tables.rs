@@ -2,7 +2,7 @@
 
 use crate::error;
 use asperity::result::ContactView;
-use asperity::result::{Outcome, PositionRow, RunResult};
+use asperity::result::{MeshOutcome, PositionRow, RunResult};
 use asperity_core::Fault;
 use serde::{Deserialize, Serialize};
 
@@ -63,7 +63,7 @@ impl PageTables {
     ///
     /// # Errors
     /// When the position does not exist or has no fields, or a trace cannot be prepared.
-    pub fn of(outcome: &Outcome, position: Option<usize>) -> Result<Self, Fault> {
+    pub fn of(outcome: &MeshOutcome, position: Option<usize>) -> Result<Self, Fault> {
         let flank = |body: usize| {
             let record = &outcome.result.flanks[body];
             FlankTables::shown(record, outcome.traces[body].as_ref())

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use asperity::case::train::mesh_folder;
 use asperity::message::Warning;
-use asperity::result::{Outcome, RunResult};
-use asperity::train::{MeshRow, Outcomes, Whole};
+use asperity::result::{MeshOutcome, RunResult};
+use asperity::train::{MeshRow, Outcome, Whole};
 use asperity_storage::{check_folder, replace_folder, write_among};
 
 use crate::folder::{
@@ -26,11 +26,11 @@ const KIND: &str = "result";
 pub struct Results<'a> {
     /// The train as a whole; `None` if a mesh is all of it.
     whole: Option<&'a Whole>,
-    meshes: &'a [Outcome],
+    meshes: &'a [MeshOutcome],
 }
 
-impl<'a> From<&'a Outcome> for Results<'a> {
-    fn from(mesh: &'a Outcome) -> Self {
+impl<'a> From<&'a MeshOutcome> for Results<'a> {
+    fn from(mesh: &'a MeshOutcome) -> Self {
         Self {
             whole: None,
             meshes: std::slice::from_ref(mesh),
@@ -38,8 +38,8 @@ impl<'a> From<&'a Outcome> for Results<'a> {
     }
 }
 
-impl<'a> From<&'a Outcomes> for Results<'a> {
-    fn from(run: &'a Outcomes) -> Self {
+impl<'a> From<&'a Outcome> for Results<'a> {
+    fn from(run: &'a Outcome) -> Self {
         Self {
             whole: run.only().is_none().then_some(&run.whole),
             meshes: &run.meshes,
@@ -138,7 +138,7 @@ impl<'a> Results<'a> {
     }
 
     /// Every mesh, with its folder in the folder of the whole.
-    fn places(self) -> impl Iterator<Item = (Option<String>, &'a Outcome)> {
+    fn places(self) -> impl Iterator<Item = (Option<String>, &'a MeshOutcome)> {
         let rows = self.whole.map_or(&[][..], |whole| &whole.meshes).iter();
         let places = rows.map(|row| Some(mesh_folder(&row.mesh)));
         places.chain(std::iter::repeat(None)).zip(self.meshes)

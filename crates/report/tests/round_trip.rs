@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use asperity::case::load_with;
-use asperity::result::{Outcome, RunResult};
+use asperity::result::{MeshOutcome, RunResult};
 use asperity_core::{Code, Fault};
 use asperity_report::tables::{FlankTables, SurfaceRow, TraceRow};
 use asperity_report::{Fields, PageTables, read_result, redraw, texts, thin, write_folder};
@@ -23,18 +23,22 @@ fn cases() -> Vec<PathBuf> {
 }
 
 /// A case with few positions and offsets: what is written has the same fields as that of many.
-fn outcome(case: &Path) -> Outcome {
+fn outcome(case: &Path) -> MeshOutcome {
     let loaded = load_with(case, &|input| {
         input.model.positions = Some(4);
         input.model.offsets = Some(2);
         input.model.depths = Some(8);
     });
-    asperity::Run::new(&loaded.unwrap()).execute().unwrap()
+    asperity::Run::new(&loaded.unwrap())
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap()
 }
 
 /// The first case, run once.
-fn smallest() -> Outcome {
-    static RUN: OnceLock<Outcome> = OnceLock::new();
+fn smallest() -> MeshOutcome {
+    static RUN: OnceLock<MeshOutcome> = OnceLock::new();
     RUN.get_or_init(|| outcome(&cases()[0])).clone()
 }
 

@@ -8,6 +8,7 @@
     reason = "an example prints, and stops when a case does not run"
 )]
 
+use asperity::pipeline::Kept;
 use std::path::{Path, PathBuf};
 
 use asperity::Run;
@@ -31,12 +32,24 @@ fn shipped(name: &str, keys: Keys<'_>) -> LoadedCase {
 }
 
 fn drawn(case: &LoadedCase) -> (Uncertainty, Predictive) {
-    let (outcome, predictive) = Run::new(case).without_pictures().draw().unwrap();
+    let (outcome, predictive) = Run::new(case)
+        .pictures(Kept::NoPictures)
+        .interval(true)
+        .execute()
+        .unwrap()
+        .only_with_draws()
+        .unwrap();
     (outcome.result.uncertainty.unwrap(), predictive.unwrap())
 }
 
 fn loss(case: &LoadedCase) -> f64 {
-    asperity::losses(case).unwrap().summary.loss_w
+    Run::new(case)
+        .losses()
+        .unwrap()
+        .into_only()
+        .unwrap()
+        .summary
+        .loss_w
 }
 
 /// The band of each finish and operating point, the median over the run, and losses by other choices, which it holds.

@@ -11,7 +11,7 @@ use std::time::Instant;
 use asperity::case::{FullFilmName, LoadShareName, LoadedCase};
 use asperity::flanks::Texture;
 use asperity::mesh::Mesh;
-use asperity::pipeline::KeptFields;
+use asperity::pipeline::Kept;
 use asperity::uncertainty;
 use asperity::{Error, PositionError, Run};
 
@@ -94,7 +94,7 @@ const BYTES: f64 = 8.0;
 /// When a position of a mesh has no smooth contact.
 pub fn estimate<'a>(
     meshes: impl IntoIterator<Item = &'a LoadedCase>,
-    kept: &KeptFields,
+    kept: &Kept,
 ) -> Result<Cost, Error> {
     let mut meshes = meshes.into_iter();
     meshes.try_fold(Cost::default(), |sum, mesh| {
@@ -109,7 +109,7 @@ pub fn estimate<'a>(
 /// As [`estimate`], and when one of these contacts has no solution.
 pub fn measured<'a>(
     meshes: impl IntoIterator<Item = &'a LoadedCase>,
-    kept: &KeptFields,
+    kept: &Kept,
 ) -> Result<Cost, Error> {
     let mut meshes = meshes.into_iter();
     meshes.try_fold(Cost::default(), |sum, mesh| {
@@ -117,7 +117,7 @@ pub fn measured<'a>(
     })
 }
 
-fn measured_mesh(loaded: &LoadedCase, kept: &KeptFields) -> Result<Cost, Error> {
+fn measured_mesh(loaded: &LoadedCase, kept: &Kept) -> Result<Cost, Error> {
     let work = Work::of(loaded)?;
     if work.contacts == 0 || has_records(loaded) {
         return Ok(work.estimate(loaded, kept, 1.0));
@@ -137,7 +137,10 @@ fn measured_mesh(loaded: &LoadedCase, kept: &KeptFields) -> Result<Cost, Error> 
         // Without tables the loss alone does not solve every contact.
         let run = || match has_tables(&few) {
             true => Run::new(&few).losses().map(drop),
-            false => Run::new(&few).without_pictures().execute().map(drop),
+            false => Run::new(&few)
+                .pictures(Kept::NoPictures)
+                .execute()
+                .map(drop),
         };
         // Where the system gives no thread the estimate is of what the threads do.
         on_threads(1, run).unwrap_or_else(|_| run())?;
@@ -275,7 +278,7 @@ impl Work {
     }
 
     /// The estimate with the time of the contacts multiplied by `scale`.
-    fn estimate(&self, loaded: &LoadedCase, kept: &KeptFields, scale: f64) -> Cost {
+    fn estimate(&self, loaded: &LoadedCase, kept: &Kept, scale: f64) -> Cost {
         let threads = threads();
         let together = threads.min(self.positions.max(1)) as f64;
         let (records, of_a_record) = self.records;

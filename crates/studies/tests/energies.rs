@@ -2,10 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic")]
 
+use asperity::pipeline::Kept;
 use asperity_core::Estimate;
 use std::path::Path;
 
-use asperity::pipeline::{contacts, losses_with};
 use asperity::uncertainty::{Quantiles, predictive};
 use asperity::{LoadedCase, Run};
 use asperity_studies::compare::Finish;
@@ -69,9 +69,12 @@ fn quantiles_of_an_energy_from_nine_nodes_are_those_of_draws_at_every_point() {
             input.operation.speed = format!("{} 1/min", point.speed_rpm).parse().unwrap();
         });
         let there = there.unwrap();
-        let tables = contacts(&there).unwrap();
-        let losses = losses_with(&tables, &there).unwrap();
-        let drawn = predictive(&there, &losses, Some(&tables)).unwrap().unwrap();
+        let tables = Run::new(&there).contacts().unwrap();
+        let losses = Run::new(&there).known(&tables).losses().unwrap();
+        let losses = losses.into_only().unwrap();
+        let drawn = predictive(&there, &losses, tables.first())
+            .unwrap()
+            .unwrap();
         let draws = drawn.draws_of_sum_w(0, 0.75);
         direct.resize(draws.len(), 0.0);
         for (sum, loss) in direct.iter_mut().zip(draws) {
@@ -116,8 +119,12 @@ fn equal_finishes_differ_by_nothing_over_a_cycle() {
 #[test]
 fn columns_of_a_sweep_hold_the_quantiles_of_runs() {
     let case = ground(3, 2);
-    let loss = Run::new(&case).without_pictures().band(true).execute();
-    let loss = loss.unwrap().result.uncertainty.unwrap().loss;
+    let loss = Run::new(&case)
+        .pictures(Kept::NoPictures)
+        .interval(true)
+        .execute();
+    let only = loss.unwrap().into_only().unwrap();
+    let loss = only.result.uncertainty.unwrap().loss;
     let expected = [
         loss.drawn().value,
         loss.drawn().ends()[0],

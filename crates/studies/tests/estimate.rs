@@ -4,12 +4,13 @@
 
 use std::path::Path;
 
+use asperity::Run;
 use asperity::case::{CaseInput, LoadedCase, load};
 use asperity::core::task::on_threads;
-use asperity::pipeline::{KeptFields, contacts};
+use asperity::pipeline::Kept;
 use asperity_studies::estimate::{Cost, estimate, measured};
 
-const KEPT: KeptFields = KeptFields::Highest;
+const KEPT: Kept = Kept::Highest;
 
 /// The e-drive with 4 offsets and 12 positions, and further keys.
 fn with(keys: &[(&str, &str)]) -> LoadedCase {
@@ -35,7 +36,7 @@ fn the_contacts_counted_are_the_contacts_solved() {
             ("model.offsets", &offsets.to_string()),
             ("model.positions", "6"),
         ]);
-        let solved = contacts(&case).unwrap();
+        let solved = Run::new(&case).contacts().unwrap().swap_remove(0);
         // One of each position and offset.
         assert_eq!(solved.len(), 6 * offsets);
         assert_eq!(alone(&case).contacts, solved.len());

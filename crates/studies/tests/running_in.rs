@@ -76,8 +76,11 @@ fn the_flanks_written_lose_what_the_history_says() {
             };
             (surface.pinion, surface.wheel) = (flank("pinion"), Some(flank("wheel")));
         });
-        let loss = asperity::losses(&run_in.unwrap()).unwrap().summary.loss_w;
-        let fresh = asperity::losses(&case).unwrap().summary.loss_w;
+        let loss = |case: &LoadedCase| {
+            let losses = asperity::Run::new(case).losses().unwrap();
+            losses.into_only().unwrap().summary.loss_w
+        };
+        let (loss, fresh) = (loss(&run_in.unwrap()), loss(&case));
         let factor = study.courses[0].factor.value;
         assert!(
             (loss / fresh / factor - 1.0).abs() < 5e-3,

@@ -2,12 +2,13 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests may panic")]
 
+use asperity::Run;
 use std::path::Path;
 
 use asperity::case::Source;
 use asperity::case::Train;
-use asperity::pipeline::KeptFields;
-use asperity::train::{self, Whole};
+use asperity::pipeline::Kept;
+use asperity::train::Whole;
 use asperity::uncertainty::Verdict;
 use asperity_report::StudyResult as _;
 use asperity_storage::whole_text;
@@ -68,7 +69,10 @@ fn at(map: &Map, torque: f64) -> &Point {
 }
 
 fn run(case: &Train, band: bool) -> Whole {
-    let found = train::run(case, Some(&KeptFields::Highest), band, &|_, _| {});
+    let found = Run::new(case)
+        .pictures(Kept::Highest)
+        .interval(band)
+        .execute();
     found.unwrap().whole
 }
 

@@ -1,9 +1,10 @@
 //! The job of the page: what `asperity run` does, without a file system.
 
+use asperity::{Run};
 use asperity::case::{CaseInput, DefaultUsed, Source, Train};
 use asperity::message::Code;
-use asperity::pipeline::{KeptFields, Progress};
-use asperity::train::{self, Outcomes};
+use asperity::pipeline::{Kept, Progress};
+use asperity::train::Outcome;
 use asperity_report::{COLUMNS, Results, Tile, texts};
 use asperity_studies::estimate::estimate;
 
@@ -19,7 +20,7 @@ pub struct Finished {
     /// The case: a pair of gears or a gear train.
     pub train: Train,
     /// Its run.
-    pub outcome: Outcomes,
+    pub outcome: Outcome,
     /// The files of the result folder.
     pub files: Vec<(String, Vec<u8>)>,
 }
@@ -62,7 +63,11 @@ pub fn run(
 ) -> Result<Finished, Failure> {
     let train = load(name, text, files)?;
     check_memory(&train)?;
-    let outcome = train::run(&train, Some(&KeptFields::Highest), true, progress)
+    let run = Run::new(&train).pictures(Kept::Highest).interval(true);
+    let outcome = run
+        .evidence(&standard_plan)
+        .progress(progress)
+        .execute()
         .map_err(|error| Failure::of_run(name, &error))?;
     let files = texts(&outcome)?;
     Ok(Finished {
@@ -79,7 +84,7 @@ fn load(name: &str, text: &str, files: &Files) -> Result<Train, Failure> {
 
 fn check_memory(train: &Train) -> Result<(), Failure> {
     // A case that has no estimate has no run, which says why.
-    let Ok(work) = estimate(train.cases(), &KeptFields::Highest) else {
+    let Ok(work) = estimate(train.cases(), &Kept::Highest) else {
         return Ok(());
     };
     if work.bytes <= MOST_BYTES {

@@ -6,12 +6,12 @@ mod page;
 mod rough;
 mod smooth;
 
+use asperity::Run;
 use std::path::Path;
 
 use asperity::ehl::RecordSettings;
 use asperity::ehl::traction::Heat;
 use asperity::lubrication::shares;
-use asperity::pipeline;
 use asperity::reference_solution::{Inlet, ReferenceContact, ReferenceSettings};
 use asperity_core::Fault;
 use asperity_report::Report;
@@ -35,7 +35,8 @@ pub fn ehl(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
 
 fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> {
     let loaded = load_case(path, &args.set, None)?;
-    let loaded = pipeline::settled(&loaded, None).map_err(|error| Failure::about(path, &error))?;
+    let loaded = Run::new(&loaded).operating_case();
+    let loaded = loaded.map_err(|error| Failure::about(path, &error))?;
     let position = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
     let settings = ReferenceSettings {
         record: record_settings(args),

@@ -37,7 +37,7 @@ use crate::pictures::Picture;
 use crate::records::{PathRecords, PlacedRecord};
 use crate::result::film_constants::film_constants;
 use crate::result::{
-    FlankRecord, GearboxReport, LoadReport, Losses, OffsetRow, Outcome, PairSampling, PointRow,
+    FlankRecord, GearboxReport, LoadReport, Losses, MeshOutcome, OffsetRow, PairSampling, PointRow,
     PositionRow, RecordRow, Regime, RunInFlanks, RunResult, RunningIn, SCHEMA_VERSION, Scope,
     Summary, ToothTrace, TracePairs,
 };
@@ -84,7 +84,7 @@ impl Solved<'_> {
         self,
         pictures: Vec<Option<Picture>>,
         points: &[(&'static str, LubricatedPosition)],
-    ) -> Result<Outcome, PositionError> {
+    ) -> Result<MeshOutcome, PositionError> {
         let case = self.loaded;
         let (summary, gearbox) = self.with_gearbox()?;
         let path = self.path()?;
@@ -138,7 +138,7 @@ impl Solved<'_> {
             fields.extend(picture.fields);
             views.push(picture.view);
         }
-        Ok(Outcome {
+        Ok(MeshOutcome {
             result,
             offsets: offset_rows(&self.meshes),
             fields,
@@ -639,8 +639,8 @@ pub(crate) fn mixed_share(position: &LubricatedPosition) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::check;
-    use crate::pipeline::losses;
     use crate::result::Losses;
+    use crate::run::losses;
     use asperity_core::Code;
 
     #[test]

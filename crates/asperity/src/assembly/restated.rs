@@ -8,7 +8,7 @@ use asperity_efficiency::output_torque::power_flow;
 use super::cycle::operation;
 use crate::gearbox;
 use crate::result::{
-    GearboxReport, Losses, OffsetRow, Outcome, PairSampling, PositionRow, RunInFlanks, Summary,
+    GearboxReport, Losses, MeshOutcome, OffsetRow, PairSampling, PositionRow, RunInFlanks, Summary,
 };
 use asperity_case::case::Case;
 use asperity_case::error::{Error, PositionError};
@@ -27,7 +27,7 @@ struct Restated<'a> {
     ratio: f64,
 }
 
-impl Outcome {
+impl MeshOutcome {
     /// States the loss `loss_w` \[W\] of `case` instead of the present one.
     pub(crate) fn restate(&mut self, case: &Case, loss_w: f64) -> Result<(), Error> {
         let result = &mut self.result;
@@ -186,7 +186,7 @@ impl<'a> Restated<'a> {
 
 #[cfg(test)]
 mod tests {
-    use crate::pipeline::losses;
+    use crate::run::losses;
     use asperity_case::case::load_with;
 
     #[test]

@@ -30,13 +30,14 @@ impl Losses {
     /// When the losses are not below the power into the mesh.
     ///
     /// ```
-    /// use asperity::{case, pipeline};
+    /// use asperity::{Run, case};
     /// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
     /// let case = case::load_with(file, &|input| {
     ///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
     /// })?;
     /// let coast = case.with_key("operation.torque", "-145 N m")?;
-    /// let (drive, other) = (pipeline::losses(&case)?, pipeline::losses(&coast)?);
+    /// let [drive, other] = [&case, &coast].map(|case| Run::new(case).losses());
+    /// let (drive, other) = (drive?.into_only()?, other?.into_only()?);
     /// assert_eq!(drive.summary.loss_w, other.summary.loss_w);
     /// assert_eq!(drive.reversed(&case.case)?.efficiency, other.summary.efficiency);
     /// # Ok::<(), asperity::Error>(())

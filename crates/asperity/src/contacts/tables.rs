@@ -22,7 +22,7 @@ const ANY_SPEED: AngularSpeed = AngularSpeed::from_si(1.0);
 ///
 /// The contacts follow from the prepared traces, steels, gears and load, and from the keys of the contact, of which a single struct
 /// is made: from neither oil, temperature nor speed, nor from the order or the number of threads in which cases are computed.
-/// Another oil, temperature or speed costs film laws only ([`losses_with`](crate::pipeline::losses_with)). A contact is solved at
+/// Another oil, temperature or speed costs film laws only ([`Run::known`](crate::Run::known)). A contact is solved at
 /// the shares that a film needs, and stored.
 #[derive(Debug, Clone)]
 pub struct Contacts {
@@ -240,7 +240,7 @@ fn key(position: &MeshPosition) -> [u64; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pipeline::outcome;
+    use crate::pipeline::{Kept, outcome};
     use asperity_case::case;
 
     fn at(settings: &[(&str, &str)]) -> LoadedCase {
@@ -267,8 +267,10 @@ mod tests {
 
     #[test]
     fn meshes_with_the_same_windows_under_the_same_load_share_their_contacts() {
-        let first = outcome(&at(&[]), None, &[], &|_, _| {}).unwrap().2;
-        let known = std::slice::from_ref(&first);
+        let first = outcome(&at(&[]), &Kept::NoPictures, &[], &|_, _| {})
+            .unwrap()
+            .2;
+        let known: &[&Contacts] = &[&first];
         assert!(
             first
                 .rows
@@ -281,18 +283,24 @@ mod tests {
             ("operation.speed", "3000 1/min"),
             ("operation.bulk_temperature", "70 °C"),
         ];
-        let (shared, _, contacts) = outcome(&at(&other), None, known, &|_, _| {}).unwrap();
+        let (shared, _, contacts) =
+            outcome(&at(&other), &Kept::NoPictures, known, &|_, _| {}).unwrap();
         assert_eq!(windows(&contacts), windows(&first));
-        let (alone, _, own) = outcome(&at(&other), None, &[], &|_, _| {}).unwrap();
+        let (alone, _, own) = outcome(&at(&other), &Kept::NoPictures, &[], &|_, _| {}).unwrap();
         assert_eq!(shared.result, alone.result);
         assert!(
             windows(&own)
                 .iter()
                 .all(|window| !windows(&first).contains(window))
         );
-        let more = outcome(&at(&[("model.offsets", "4")]), None, known, &|_, _| {})
-            .unwrap()
-            .2;
+        let more = outcome(
+            &at(&[("model.offsets", "4")]),
+            &Kept::NoPictures,
+            known,
+            &|_, _| {},
+        )
+        .unwrap()
+        .2;
         let of_first = |contacts: &Contacts| {
             let known = windows(&first);
             windows(contacts)
@@ -306,7 +314,9 @@ mod tests {
             ("operation.torque", "140 N m"),
             ("material.pinion.flow_pressure", "6 GPa"),
         ] {
-            let contacts = outcome(&at(&[other]), None, known, &|_, _| {}).unwrap().2;
+            let contacts = outcome(&at(&[other]), &Kept::NoPictures, known, &|_, _| {})
+                .unwrap()
+                .2;
             assert_eq!(of_first(&contacts), 0, "{other:?}");
         }
     }

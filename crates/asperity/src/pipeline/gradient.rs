@@ -114,7 +114,7 @@ impl LossGradient {
 /// As [`losses`](super::losses), and when the loss is not from the default load share and film friction, or a flank has no
 /// trace or several.
 pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
-    gradient_of(loaded, None)
+    gradient_of(loaded, &[])
 }
 
 /// Gradient of the loss of a case with exact contacts that were computed before, for a case that differs in oil, speed,
@@ -123,7 +123,7 @@ pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
 /// # Errors
 /// As [`gradient`], and when the contacts belong to other flanks, gears or loads.
 pub fn gradient_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<LossGradient, Error> {
-    gradient_of(loaded, Some(contacts))
+    gradient_of(loaded, &[contacts])
 }
 
 /// Derivatives of the loss along changes of the traces, at each offset, as a mean over these changes by Simpson's rule: from
@@ -147,11 +147,11 @@ pub fn mean_along([before, half, after]: [&[Vec<f64>]; 3]) -> Vec<Vec<f64>> {
     of_changes.map(of_offsets).collect()
 }
 
-fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGradient, Error> {
+fn gradient_of(loaded: &LoadedCase, known: &[&Contacts]) -> Result<LossGradient, Error> {
     refuse(loaded).map_err(Box::new)?;
     let exact = loaded.overridden(|over| over.exact_contacts = true)?;
     let used = Provenance::new();
-    let (sampled, contacts) = used.collect(|| sampled(&exact, known, &[]))?;
+    let (sampled, contacts) = used.collect(|| sampled(&exact, known))?;
     let warm = warmed(&sampled, &contacts, false)?;
     let stages = Stages::of(&warm, &contacts, &|_, _| {}, used)?;
     let positions = stages.lubricated()?;
@@ -277,7 +277,7 @@ mod tests {
 
     use super::super::stages::{Stages, sampled};
     use super::gradient;
-    use crate::pipeline::losses;
+    use crate::run::losses;
     use asperity_case::case::{CaseInput, LoadedCase, Source, load_holding, load_with};
     use asperity_roughness::composite::resampled;
 
@@ -370,7 +370,7 @@ mod tests {
 
     /// The contacts of all windows that touch.
     fn row_contacts(case: &LoadedCase) -> Vec<RowContact> {
-        let (sampled, contacts) = sampled(case, None, &[]).unwrap();
+        let (sampled, contacts) = sampled(case, &[]).unwrap();
         let stated = sampled.at_stated().unwrap();
         let stages = Stages::of(&stated, &contacts, &|_, _| {}, Provenance::new()).unwrap();
         let points = case.surfaces.traces().unwrap().map(Profile::len);

@@ -10,13 +10,15 @@
 //! point every position is lubricated: film, Λ*, regime, load share, friction of film, lubricated asperities and
 //! boundary layer. Then the sums: cycle mean at each offset, mean and spread over the offsets. Pictures of a contact,
 //! with the stress below it, are computed afterwards. The bulk temperature is a fixed point of these functions
-//! ([`settled`]), and running-in applies them again to other flanks.
+//! ([`Run::operating_case`](crate::Run::operating_case)), and running-in applies them again to other flanks.
 
 mod bulk_temperature;
 mod gradient;
 mod history;
-mod kept_fields;
+mod kept;
 mod over_gap;
+#[cfg(test)]
+mod overridden;
 mod scan_use;
 mod stages;
 mod store;
@@ -26,14 +28,13 @@ pub use gradient::{
     LossGradient, check_heights, gradient, gradient_with, mean_along, refuse as check_gradient,
 };
 pub use history::{History, HistorySettings, HistoryState, history};
-pub use kept_fields::KeptFields;
+pub use kept::Kept;
 pub use scan_use::{ScanUse, less_of_scans};
-pub use stages::{
-    Progress, check, chooses_offsets, coldest_losses_with, contacts, contacts_beside, losses,
-    losses_at, losses_with, settled,
-};
+pub use stages::{Progress, chooses_offsets};
 pub use store::ContactStore;
 pub use survey::{RegimeRow, survey};
 
 pub(crate) use over_gap::over_gap;
-pub(crate) use stages::{by_solved_contacts, losses_of, outcome};
+pub(crate) use stages::{
+    by_solved_contacts, check, contacts, losses_at, losses_of, outcome, settled,
+};

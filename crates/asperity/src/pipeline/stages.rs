@@ -11,7 +11,8 @@ use asperity_core::task::{Items, par_map};
 use asperity_ehl_regime::inlet_flow::Lay;
 
 use super::bulk_temperature;
-use super::kept_fields::KeptFields;
+use super::kept::Kept;
+use crate::run::Options;
 
 use crate::assembly::{Solved, equations_used, sources_used, warnings_of_case};
 use crate::contacts::running_in;
@@ -23,7 +24,7 @@ use crate::lubrication::{
 use crate::mesh::{Mesh, MeshInputs, MeshPosition, numbered};
 use crate::pictures::Picture;
 use crate::records::PathRecords;
-use crate::result::{Losses, Outcome, RunInFlanks, Summary};
+use crate::result::{Losses, MeshOutcome, RunInFlanks, Summary};
 use asperity_case::case::{Alternative, Case, LoadShareName, LoadedCase, OperatingCase, Positions};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::flanks::placement::check_coverage;
@@ -33,24 +34,8 @@ use asperity_case::message::Warning;
 /// Progress callback, called with (done, total).
 pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
-/// Checks all that a run checks before it solves a contact: the table of the gearbox, the mesh positions with their
-/// smooth films, the place of the traces, and at the first offset of each pair of teeth the windows in contact.
-/// Records of mixed lubrication are not computed, and a bulk temperature that follows from the loss is not sought. Returns the
-/// warnings that need no solution and are not in the loaded case.
-///
-/// # Errors
-/// The error with which a run ends.
-///
-/// ```
-/// use asperity::{case, pipeline};
-/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
-/// pipeline::check(&case::load(file, None)?)?;
-/// // A window that is longer than the traces.
-/// let long = case::load_with(file, &|input| input.model.window = Some(40.0))?;
-/// assert_eq!(pipeline::check(&long).unwrap_err().code(), "E122");
-/// # Ok::<(), asperity::Error>(())
-/// ```
-pub fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
+/// Checks a mesh as [`Run::check`](crate::Run::check); returns the warnings that are not in the loaded case.
+pub(crate) fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
     let stated = &loaded.at_stated()?;
     let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
     let firsts = |position: &MeshPosition| {
@@ -81,37 +66,27 @@ fn placed_mesh(loaded: &LoadedCase, contacts: Option<&Contacts>) -> Result<Mesh,
     Ok(mesh)
 }
 
-/// The rough contacts of a case at every position and offset: they depend on neither oil, speed nor temperature.
+/// The rough contacts of a case: those of `known` that are its own, or new ones, which share the windows that the known ones have under
+/// the same load.
 ///
 /// # Errors
 /// When the traces are too coarse or too short for a contact.
-pub fn contacts(loaded: &LoadedCase) -> Result<Contacts, Error> {
-    contacts_beside(loaded, &[])
+pub(crate) fn contacts(loaded: &LoadedCase, known: &[&Contacts]) -> Result<Contacts, Error> {
+    Ok(sampled(loaded, known)?.1.into_owned())
 }
 
-/// The rough contacts of a case, which share the windows that `others` have under the same load.
-///
-/// # Errors
-/// As [`contacts`].
-pub fn contacts_beside(loaded: &LoadedCase, others: &[Contacts]) -> Result<Contacts, Error> {
-    Ok(sampled(loaded, None, others)?.1.into_owned())
-}
-
-/// The case with the number of offsets that its contacts have, and the contacts: those that are known, or new ones, which
-/// share the windows that `others` have under the same load.
+/// The case with the number of offsets that its contacts have, and the [`contacts`].
 pub(super) fn sampled<'a>(
     loaded: &'a LoadedCase,
-    known: Option<&'a Contacts>,
-    others: &[Contacts],
+    known: &[&'a Contacts],
 ) -> Result<(Cow<'a, LoadedCase>, Cow<'a, Contacts>), Error> {
-    let contacts = match known {
-        Some(known) => {
-            known.check(loaded).map_err(Box::new)?;
-            Cow::Borrowed(known)
-        }
+    let inputs = ContactInputs::of(loaded);
+    let own = known.iter().find(|known| known.are_by(&inputs));
+    let contacts = match own {
+        Some(own) => Cow::Borrowed(*own),
         None => {
             let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
-            Cow::Owned(contacts_of(loaded, &mesh, others.iter())?)
+            Cow::Owned(contacts_of(loaded, &mesh, known.iter().copied())?)
         }
     };
     Ok((with_offsets(loaded, contacts.offsets())?, contacts))
@@ -142,43 +117,11 @@ fn with_offsets(loaded: &LoadedCase, offsets: usize) -> Result<Cow<'_, LoadedCas
     Ok(Cow::Owned(more))
 }
 
-/// Losses of a case. They equal the losses of a whole run to the last digit.
+/// Losses of a case at a bulk temperature, with its rough contacts.
 ///
 /// # Errors
-/// When a position has no solution; the first one along the path is named.
-pub fn losses(loaded: &LoadedCase) -> Result<Losses, Error> {
-    losses_of(loaded, None, &|_, _| {})
-}
-
-/// Losses of a case with rough contacts that were computed before ([`contacts`]), for a case that differs in oil, speed
-/// or temperature only; they equal those without to the last digit.
-///
-/// # Errors
-/// As [`losses`], and when the contacts belong to other flanks, gears or loads.
-///
-/// ```
-/// use asperity::{case, pipeline};
-/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
-/// let case = case::load_with(file, &|input| {
-///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
-/// })?;
-/// let contacts = pipeline::contacts(&case)?;
-/// for temperature in ["60 °C", "90 °C"] {
-///     let case = case.with_key("operation.bulk_temperature", temperature)?;
-///     let losses = pipeline::losses_with(&contacts, &case)?;
-///     assert!(losses.summary.boundary_w > 0.0);
-/// }
-/// # Ok::<(), asperity::Error>(())
-/// ```
-pub fn losses_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<Losses, Error> {
-    losses_of(loaded, Some(contacts), &|_, _| {})
-}
-
-/// Losses of a case at a bulk temperature, with rough contacts that were computed before, as [`losses_with`].
-///
-/// # Errors
-/// As [`losses_with`].
-pub fn losses_at(contacts: &Contacts, case: &OperatingCase) -> Result<Losses, Error> {
+/// When a position has no solution, and when the contacts belong to other flanks, gears or loads.
+pub(crate) fn losses_at(contacts: &Contacts, case: &OperatingCase) -> Result<Losses, Error> {
     contacts.check(case).map_err(Box::new)?;
     let used = Provenance::new();
     let case = match contacts.offsets() == case.model.offsets {
@@ -188,44 +131,16 @@ pub fn losses_at(contacts: &Contacts, case: &OperatingCase) -> Result<Losses, Er
     losses_of_stages((&case, contacts), &|_, _| {}, used)
 }
 
-/// The case at its bulk temperature, stated or in equilibrium with its loss, with rough contacts computed before, if any.
-///
-/// ```
-/// use asperity::{case, pipeline};
-/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
-/// let case = case::load_with(file, &|input| {
-///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
-/// })?;
-/// assert!(pipeline::settled(&case, None)?.bulk_report().is_none());
-/// let unknown = case.with(|input| {
-///     let _ = input.set("operation.oil_temperature", "90 °C");
-///     let _ = input.set("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#);
-/// })?;
-/// let settled = pipeline::settled(&unknown, None)?;
-/// let bulk = settled.bulk_report().ok_or("it is computed")?;
-/// assert!(bulk.bulk_c > bulk.oil_c + 5.0);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
+/// The case at its bulk temperature, stated or in equilibrium with its loss, with the contacts that are known.
 ///
 /// # Errors
-/// As [`losses`], and when the temperature does not settle.
-pub fn settled(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<OperatingCase, Error> {
+/// As [`losses_of`], and when the temperature does not settle.
+pub(crate) fn settled(loaded: &LoadedCase, known: &[&Contacts]) -> Result<OperatingCase, Error> {
     if loaded.case.bulk.is_none() {
         return loaded.at_stated();
     }
-    let (sampled, contacts) = sampled(loaded, known, &[])?;
+    let (sampled, contacts) = sampled(loaded, known)?;
     warmed(&sampled, &contacts, true)
-}
-
-/// The losses of a case with contacts computed before, as [`losses_with`] gives them, without a search for a hotter
-/// equilibrium of its bulk temperature.
-///
-/// # Errors
-/// As [`losses_with`].
-pub fn coldest_losses_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<Losses, Error> {
-    let (sampled, contacts) = sampled(loaded, Some(contacts), &[])?;
-    let warmed = warmed(&sampled, &contacts, false)?;
-    losses_at(&contacts, &warmed)
 }
 
 /// The case at its bulk temperature, with its contacts; a hotter equilibrium is sought if `seeks_hotter` is set.
@@ -242,15 +157,15 @@ pub(super) fn warmed(
     bulk_temperature::settle(loaded, model, mesh, losses, seeks_hotter)
 }
 
-pub(crate) fn losses_of(
-    loaded: &LoadedCase,
-    known: Option<&Contacts>,
-    progress: Progress<'_>,
-) -> Result<Losses, Error> {
+/// Losses of a mesh. They equal the losses of a whole run to the last digit.
+///
+/// # Errors
+/// When a position has no solution; the first one along the path is named.
+pub(crate) fn losses_of(loaded: &LoadedCase, options: &Options<'_>) -> Result<Losses, Error> {
     let used = Provenance::new();
-    let (sampled, contacts) = used.collect(|| sampled(loaded, known, &[]))?;
-    let warmed = warmed(&sampled, &contacts, true)?;
-    losses_of_stages((&warmed, &contacts), progress, used)
+    let (sampled, contacts) = used.collect(|| sampled(loaded, &options.known))?;
+    let warmed = warmed(&sampled, &contacts, options.seeks_hotter)?;
+    losses_of_stages((&warmed, &contacts), options.progress, used)
 }
 
 fn losses_of_stages(
@@ -266,24 +181,23 @@ fn losses_of_stages(
     Ok(losses)
 }
 
-/// The outcome of a run with the case and the contacts that it has in the end; pictures of every position are computed
-/// unless `pictures` is `None`. Windows that `others` have under the same load are shared.
+/// The outcome of a run of a mesh with the case and the contacts that it has in the end.
 pub(crate) fn outcome(
     loaded: &LoadedCase,
-    pictures: Option<&KeptFields>,
-    others: &[Contacts],
+    kept: &Kept,
+    known: &[&Contacts],
     progress: Progress<'_>,
-) -> Result<(Outcome, OperatingCase, Contacts), Error> {
+) -> Result<(MeshOutcome, OperatingCase, Contacts), Error> {
     let used = Provenance::new();
-    let (sampled, contacts) = used.collect(|| sampled(loaded, None, others))?;
+    let (sampled, contacts) = used.collect(|| sampled(loaded, known))?;
     let warmed = warmed(&sampled, &contacts, true)?;
     let stages = Stages::of(&warmed, &contacts, progress, used)?;
     let mut positions = stages.lubricated()?;
     stages.press(&mut positions)?;
-    let has_points = pictures != Some(&KeptFields::Nothing);
-    let pictures = match pictures {
-        Some(kept) => stages.pictures(&positions, kept)?,
-        None => Vec::new(),
+    let has_points = *kept != Kept::Nothing;
+    let pictures = match kept {
+        Kept::NoPictures => Vec::new(),
+        kept => stages.pictures(&positions, kept)?,
     };
     for (position, picture) in positions.iter_mut().zip(&pictures) {
         let doubts = picture.iter().flat_map(|picture| &picture.doubts);
@@ -327,7 +241,7 @@ fn friction_of_lay(case: &OperatingCase) -> Result<f64, Error> {
     if lay == Lay::ACROSS {
         return Ok(1.0);
     }
-    let contacts = contacts(&case)?;
+    let contacts = contacts(&case, &[])?;
     let own = losses_at(&contacts, &case)?.summary.sliding_w;
     let across = case.overridden(|over| over.lay = Some([Lay::ACROSS; 2]))?;
     let across = losses_at(&contacts, &across)?.summary.sliding_w;
@@ -478,7 +392,7 @@ impl<'a> Stages<'a> {
     fn pictures(
         &self,
         positions: &[LubricatedPosition],
-        kept: &KeptFields,
+        kept: &Kept,
     ) -> Result<Vec<Option<Picture>>, Error> {
         let lubrication = self.lubrication();
         let is_resolved = |position: &LubricatedPosition| {
@@ -593,8 +507,9 @@ mod tests {
     use asperity_core::quantity::Length;
     use asperity_ehl_regime::{FilmConditions, FilmThickness, FilmThicknessLaw, RegimeError};
 
-    use super::{check, losses};
+    use super::check;
     use crate::pipeline::survey;
+    use crate::run::losses;
     use asperity_case::case::load_with;
 
     /// A film without thickness.

@@ -13,7 +13,7 @@ const MOST: usize = 16;
 /// Contacts of several cases, found by all that they follow from.
 ///
 /// ```
-/// use asperity::{ContactStore, case, pipeline};
+/// use asperity::{ContactStore, case};
 /// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
 /// let case = case::load_with(file, &|input| {
 ///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
@@ -42,7 +42,7 @@ impl ContactStore {
                 missing.push((inputs, case));
             }
         }
-        let solved = par_map(missing, |(_, case)| contacts(case).ok().map(Arc::new));
+        let solved = par_map(missing, |(_, case)| contacts(case, &[]).ok().map(Arc::new));
         self.known.extend(solved.into_iter().flatten());
         let most = MOST.max(cases.len());
         self.known.drain(..self.known.len().saturating_sub(most));

@@ -46,7 +46,7 @@ pub struct RegimeRow {
 /// # Errors
 /// When an equation refuses the numbers at a position.
 pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, Error> {
-    let (sampled, contacts) = sampled(loaded, None, &[])?;
+    let (sampled, contacts) = sampled(loaded, &[])?;
     let warmed = warmed(&sampled, &contacts, true)?;
     let case = &warmed;
     let stages = Stages::of(&warmed, &contacts, &|_, _| {}, Provenance::new())?;

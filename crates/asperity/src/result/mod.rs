@@ -678,7 +678,7 @@ pub struct Losses {
 /// A run: the result and the fields of its positions.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct Outcome {
+pub struct MeshOutcome {
     /// Summary and path.
     pub result: RunResult,
     /// Efficiency and losses at each offset, whose mean is the summary.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Outcome, Summary};
+use super::{MeshOutcome, Summary};
 
 /// The mesh with patches of its scans in contact, and with rows of them as traces.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -93,7 +93,7 @@ impl ScanLoss {
         }
     }
 
-    pub(crate) fn new(outcome: &Outcome, contact: [f64; 3]) -> Self {
+    pub(crate) fn new(outcome: &MeshOutcome, contact: [f64; 3]) -> Self {
         let Summary {
             loss_w,
             film_w,

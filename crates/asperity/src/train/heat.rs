@@ -14,10 +14,11 @@ use asperity_core::quantity::{Power, Temperature};
 use asperity_efficiency::bulk_temperature::{BulkTemperature, fixed_point};
 use serde::{Deserialize, Serialize};
 
+use super::contacts;
 use crate::contacts::Contacts;
 use crate::gearbox;
-use crate::pipeline;
 use crate::result::RunResult;
+use crate::run::Run;
 use asperity_case::case::LoadedCase;
 use asperity_case::case::train::{HeatInput, Train};
 use asperity_case::error::Error;
@@ -91,6 +92,7 @@ fn into_oil(heat: &HeatInput, losses: Power) -> Power {
 }
 
 /// The temperature of the oil that the losses of a train cause.
+#[derive(Debug, Clone)]
 pub(crate) struct FoundOil {
     found: BulkTemperature,
     /// Temperature at which the search began.
@@ -103,13 +105,11 @@ pub(crate) fn warmed(loaded: &Train) -> Result<(Train, Option<FoundOil>), Error>
     let Some(heat) = &loaded.heat else {
         return Ok((loaded.clone(), None));
     };
-    let mut contacts: Vec<Contacts> = Vec::new();
-    for mesh in loaded.meshes() {
-        contacts.push(pipeline::contacts_beside(&mesh.case, &contacts)?);
-    }
+    let contacts = contacts(loaded, &[])?;
     let losses = |train: &Train| -> Result<Power, Error> {
         let of_mesh = |(case, contacts): (&LoadedCase, &Contacts)| {
-            let losses = pipeline::coldest_losses_with(contacts, case)?;
+            let losses = Run::new(case).known([contacts]).coldest().losses()?;
+            let losses = losses.into_only()?;
             Ok(Power::from_si(losses.summary.loss_w))
         };
         let cases = train.meshes().map(|mesh| &mesh.case);

@@ -15,13 +15,16 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::assembly::warnings_of_gearbox;
 use crate::contacts::Contacts;
 use crate::gearbox;
-use crate::pipeline::{self, KeptFields, Progress};
+use crate::pipeline;
 use crate::result::gearbox::{GearboxReport, Scope};
 use crate::result::loss_band::{Digits, EvidenceRow};
-use crate::result::{Losses, Outcome, PositionRow, RunResult, Summary};
+use crate::result::{Losses, MeshOutcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
+use crate::run::{Options, Run};
+use crate::uncertainty::evidence::{Effort, Evidence};
 use crate::uncertainty::{
-    DrawnMesh, Predictive, Quantiles, beside, median_with_ends, run_and_draw,
+    CurvePlan, DrawnMesh, Predictive, Quantiles, beside, has_band, median_with_ends, predictive,
+    run_and_draw,
 };
 use asperity_case::balance;
 use asperity_case::case::train::{LoadedMesh, Train};
@@ -224,11 +227,11 @@ pub struct MeshRow {
 /// A run of a case: of a gear train, or of its only mesh. Its JSON is the result of the case.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct Outcomes {
+pub struct Outcome {
     /// Loss of the train, its shafts, and a row of each kind of mesh.
     pub whole: Whole,
     /// Every mesh, in the order of its row.
-    pub meshes: Vec<Outcome>,
+    pub meshes: Vec<MeshOutcome>,
     /// Draws of each mesh; `None` of a formulation without uncertainty.
     pub drawn: Option<Vec<Predictive>>,
     /// The train at the oil temperature and the torques that its losses cause.
@@ -237,18 +240,39 @@ pub struct Outcomes {
     pub contacts: Vec<Contacts>,
 }
 
-impl Outcomes {
+impl Outcome {
     /// The only mesh of a case, which has no name and whose result is the result of the case.
     #[must_use]
-    pub fn only(&self) -> Option<&Outcome> {
+    pub fn only(&self) -> Option<&MeshOutcome> {
         match (&self.whole.meshes[..], &self.meshes[..]) {
             ([row], [only]) if row.mesh.is_empty() => Some(only),
             _ => None,
         }
     }
 
-    /// States the measurements that would narrow the interval of the loss.
-    pub fn put_evidence(&mut self, evidence: Vec<EvidenceRow>) {
+    /// The outcome of the only mesh.
+    ///
+    /// # Errors
+    /// When the case has several meshes.
+    pub fn into_only(mut self) -> Result<MeshOutcome, Error> {
+        self.settled.only_mesh()?;
+        Ok(self.meshes.swap_remove(0))
+    }
+
+    /// The outcome of the only mesh with its draws, which [`difference`](crate::uncertainty::difference) compares; `None` of a case
+    /// without an uncertainty.
+    ///
+    /// # Errors
+    /// When the case has several meshes.
+    pub fn only_with_draws(mut self) -> Result<(MeshOutcome, Option<Predictive>), Error> {
+        let drawn = self.drawn.take().and_then(|mut drawn| drawn.pop());
+        Ok((self.into_only()?, drawn))
+    }
+
+    /// The outcome with the measurements that would narrow its interval, with their usual hours.
+    pub(crate) fn with_evidence(mut self, plan: &CurvePlan<'_>) -> Result<Self, Error> {
+        let evidence = Evidence::of(&self, &Effort::usual(), plan)?;
+        let evidence = evidence.map(|found| found.rows).unwrap_or_default();
         let is_only = self.only().is_some();
         match self.meshes.first_mut() {
             Some(only) if is_only => {
@@ -258,6 +282,7 @@ impl Outcomes {
             }
             _ => self.whole.evidence = evidence,
         }
+        Ok(self)
     }
 
     /// The drawn losses of the meshes; `None` without draws.
@@ -286,7 +311,7 @@ impl Outcomes {
 }
 
 /// The result of the only mesh, or of the train as a whole.
-impl Serialize for Outcomes {
+impl Serialize for Outcome {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         match self.only() {
             Some(only) => only.result.serialize(to),
@@ -312,46 +337,104 @@ impl<'a> MeshLosses<'a> {
     }
 }
 
-/// Losses of a mesh, with its draws.
-pub type LossesOfMesh<'a> = &'a dyn Fn(&LoadedCase) -> Result<(Losses, Option<Predictive>), Error>;
+/// The losses of a gear train, or of its only mesh.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct TrainLosses {
+    /// Losses of each mesh.
+    pub meshes: Vec<Losses>,
+    /// Draws of each mesh; `None` without them.
+    pub drawn: Vec<Option<Predictive>>,
+    /// The train at the oil temperature and the torques that its losses cause.
+    pub settled: Train,
+    /// Temperature of the oil, if the case states a heat balance.
+    oil: Option<FoundOil>,
+    /// The drawn loss of all meshes.
+    total: Option<Quantiles>,
+}
 
-/// The result of a gear train from the losses of its meshes, computed by `of_mesh`: the same numbers as of a run, without
-/// runs of the meshes and their quantiles.
+/// The losses of every mesh of a gear train, at the median of its draws if its interval is requested.
 ///
 /// # Errors
 /// As [`run`].
-pub fn losses(loaded: &Train, of_mesh: LossesOfMesh<'_>) -> Result<Whole, Error> {
+pub(crate) fn losses(loaded: &Train, options: &Options<'_>) -> Result<TrainLosses, Error> {
     let (settled, oil) = with_oil(loaded)?;
-    let loaded = &settled;
-    let meshes = loaded.meshes().map(|mesh| of_mesh(&mesh.case));
-    let mut meshes = meshes.collect::<Result<Vec<_>, Error>>()?;
-    let total = total_of(loaded, meshes.iter().map(|(_, drawn)| drawn.as_ref()));
+    let mut meshes = Vec::new();
+    let mut drawn = Vec::new();
+    for case in settled.cases() {
+        // Contacts are solved once for the losses and their draws.
+        let contacts = match options.interval && has_band(case) {
+            true => Some(pipeline::contacts(case, &options.known)?),
+            false => None,
+        };
+        let of_mesh = Options {
+            known: options.known.iter().copied().chain(&contacts).collect(),
+            ..options.clone()
+        };
+        let mut losses = pipeline::losses_of(case, &of_mesh)?;
+        let draws = match &contacts {
+            Some(contacts) => predictive(case, &losses, Some(contacts))?,
+            None => None,
+        };
+        if let Some(draws) = &draws {
+            losses.restate(&case.case, draws.quantiles().drawn.value)?;
+        }
+        meshes.push(losses);
+        drawn.push(draws);
+    }
+    let total = total_of(&settled, drawn.iter().map(Option::as_ref));
     if let Some(total) = total {
-        let at_medians = meshes
-            .iter()
-            .map(|(losses, _)| losses.summary.at_medians_w());
-        let restated = restated(loaded, at_medians, total.drawn.value);
-        for ((losses, _), (mesh, loss_w)) in meshes.iter_mut().zip(loaded.meshes().zip(restated)) {
-            losses.restate(&mesh.case.case, loss_w)?;
+        let at_medians = meshes.iter().map(|losses| losses.summary.at_medians_w());
+        let restated = restated(&settled, at_medians, total.drawn.value);
+        for (losses, (case, loss_w)) in meshes.iter_mut().zip(settled.cases().zip(restated)) {
+            losses.restate(&case.case, loss_w)?;
         }
     }
-    let runs = meshes.iter().map(|(losses, drawn)| {
-        let drawn = drawn.as_ref();
-        let drawn = drawn.map(|drawn| median_with_ends(&drawn.draws_w()));
-        let loss_w = losses.summary.loss_w;
-        MeshLosses {
-            summary: &losses.summary,
-            path: &losses.path,
-            drawn: drawn.map(|drawn| drawn.map(|loss| loss_w / drawn.value * loss)),
-        }
-    });
-    let runs: Vec<MeshLosses<'_>> = runs.collect();
-    let mut result = result(loaded, &runs).map_err(|error| Error::Whole(Box::new(error)))?;
-    result.heat = oil
-        .zip(loaded.heat.as_ref())
-        .map(|(oil, heat)| HeatReport::of(&oil, heat, result.losses(), std::iter::empty()));
-    result.loss_distribution = total;
-    Ok(result)
+    Ok(TrainLosses {
+        meshes,
+        drawn,
+        settled,
+        oil,
+        total,
+    })
+}
+
+impl TrainLosses {
+    /// The losses of the only mesh.
+    ///
+    /// # Errors
+    /// When the case has several meshes.
+    pub fn into_only(mut self) -> Result<Losses, Error> {
+        self.settled.only_mesh()?;
+        Ok(self.meshes.swap_remove(0))
+    }
+
+    /// The result of the train: the same numbers as of a run, without runs of the meshes.
+    ///
+    /// # Errors
+    /// When losses and powers are in no balance, or a part of the gearbox has no loss at this point.
+    pub fn whole(&self) -> Result<Whole, Error> {
+        let runs = self.meshes.iter().zip(&self.drawn).map(|(losses, drawn)| {
+            let drawn = drawn.as_ref();
+            let drawn = drawn.map(|drawn| median_with_ends(&drawn.draws_w()));
+            let loss_w = losses.summary.loss_w;
+            MeshLosses {
+                summary: &losses.summary,
+                path: &losses.path,
+                drawn: drawn.map(|drawn| drawn.map(|loss| loss_w / drawn.value * loss)),
+            }
+        });
+        let runs: Vec<MeshLosses<'_>> = runs.collect();
+        let mut result =
+            result(&self.settled, &runs).map_err(|error| Error::Whole(Box::new(error)))?;
+        result.heat = self
+            .oil
+            .as_ref()
+            .zip(self.settled.heat.as_ref())
+            .map(|(oil, heat)| HeatReport::of(oil, heat, result.losses(), std::iter::empty()));
+        result.loss_distribution = self.total;
+        Ok(result)
+    }
 }
 
 /// The drawn loss of all meshes of a train: oil and constants are drawn once, error of the model and sampling once for equal flanks. `None` if a
@@ -382,45 +465,31 @@ fn restated(
     at_medians.map(|loss| ratio * loss).collect()
 }
 
-/// Runs every mesh of a gear train, with the uncertainty of the loss if `band` is set; fields are held for the positions
-/// `kept` of each mesh.
+/// Runs every mesh of a gear train.
 ///
 /// # Errors
 /// When a mesh has no solution, or losses that are passed on do not settle.
-pub fn run(
-    loaded: &Train,
-    kept: Option<&KeptFields>,
-    band: bool,
-    progress: Progress<'_>,
-) -> Result<Outcomes, Error> {
-    run_beside(loaded, (kept, band), &[], progress)
-}
-
-/// As [`run`], with the windows that `others` have under the same load.
-///
-/// # Errors
-/// As [`run`].
-pub fn run_beside(
-    loaded: &Train,
-    (kept, band): (Option<&KeptFields>, bool),
-    others: &[Contacts],
-    progress: Progress<'_>,
-) -> Result<Outcomes, Error> {
+pub(crate) fn run(loaded: &Train, options: &Options<'_>) -> Result<Outcome, Error> {
     let (settled, oil) = with_oil(loaded)?;
     let loaded = &settled;
-    let mut contacts = others.to_vec();
+    let mut contacts: Vec<Contacts> = Vec::new();
     let mut meshes = Vec::new();
     let mut drawn = Vec::new();
     for mesh in loaded.meshes() {
-        let (mut outcome, predictive) =
-            run_and_draw(&mesh.case, (kept, band), &mut contacts, progress)?;
-        outcome.result.mesh = Some(mesh.name.clone()).filter(|name| !name.is_empty());
-        meshes.push(outcome);
-        drawn.push(predictive);
+        let known = options.known.iter().copied().chain(&contacts).collect();
+        let of_mesh = Options {
+            known,
+            ..options.clone()
+        };
+        let mut run = run_and_draw(&mesh.case, &of_mesh)?;
+        run.outcome.result.mesh = Some(mesh.name.clone()).filter(|name| !name.is_empty());
+        meshes.push(run.outcome);
+        drawn.push(run.drawn);
+        contacts.push(run.contacts);
     }
     let total = total_of(loaded, drawn.iter().map(Option::as_ref));
     if let (Some(total), true) = (total, meshes.len() > 1) {
-        let summaries = meshes.iter().map(|mesh: &Outcome| &mesh.result.summary);
+        let summaries = meshes.iter().map(|mesh: &MeshOutcome| &mesh.result.summary);
         let at_medians = summaries.map(Summary::at_medians_w);
         let restated = restated(loaded, at_medians, total.drawn.value);
         for (outcome, (mesh, loss_w)) in meshes.iter_mut().zip(loaded.meshes().zip(restated)) {
@@ -430,7 +499,7 @@ pub fn run_beside(
     let whole = |error: PositionError| Error::Whole(Box::new(error));
     let runs: Vec<MeshLosses<'_>> = meshes
         .iter()
-        .map(|mesh: &Outcome| MeshLosses::of_run(&mesh.result))
+        .map(|mesh: &MeshOutcome| MeshLosses::of_run(&mesh.result))
         .collect();
     let mut result = result(loaded, &runs).map_err(whole)?;
     let found = oil.zip(loaded.heat.as_ref());
@@ -440,20 +509,28 @@ pub fn run_beside(
         HeatReport::of(&oil, heat, result.losses(), runs)
     });
     result.loss_distribution = total;
-    Ok(Outcomes {
+    Ok(Outcome {
         whole: result,
         meshes,
         drawn: drawn.into_iter().collect(),
         settled: settled.clone(),
-        contacts: contacts.split_off(others.len()),
+        contacts,
     })
 }
 
+/// The rough contacts of each mesh, which share windows under the same load, those of `known` among them.
+pub(crate) fn contacts(loaded: &Train, known: &[&Contacts]) -> Result<Vec<Contacts>, Error> {
+    let mut found: Vec<Contacts> = Vec::new();
+    for case in loaded.cases() {
+        let known: Vec<&Contacts> = known.iter().copied().chain(&found).collect();
+        let own = pipeline::contacts(case, &known)?;
+        found.push(own);
+    }
+    Ok(found)
+}
+
 /// The train at the oil temperature and the torques that its losses cause.
-///
-/// # Errors
-/// When a mesh has no solution, or temperature or torques do not settle.
-pub fn settled(loaded: &Train) -> Result<Train, Error> {
+pub(crate) fn settled(loaded: &Train) -> Result<Train, Error> {
     Ok(with_oil(loaded)?.0)
 }
 
@@ -489,7 +566,7 @@ fn loaded_by_losses(loaded: Train) -> Result<Train, Error> {
                 match known.get(k) {
                     Some((before, loss)) if *before == load => Ok((load, *loss)),
                     _ => {
-                        let losses = pipeline::losses(&mesh.case)?;
+                        let losses = Run::new(&mesh.case).losses()?.into_only()?;
                         Ok((load, Power::from_si(losses.summary.loss_w)))
                     }
                 }
@@ -518,12 +595,8 @@ fn loaded_by_losses(loaded: Train) -> Result<Train, Error> {
     ))))
 }
 
-/// Checks all meshes of a train as [`pipeline::check`], and returns the warnings that need no solution: a warning that not all
-/// meshes have names its mesh. The parts of the gearbox are checked at the torques of a train whose meshes lose nothing.
-///
-/// # Errors
-/// The error with which a run ends.
-pub fn check(train: &Train) -> Result<Vec<Warning>, Error> {
+/// Checks all meshes of a train.
+pub(crate) fn check(train: &Train) -> Result<Vec<Warning>, Error> {
     let found = train.meshes().map(|mesh| pipeline::check(&mesh.case));
     let found = found.collect::<Result<Vec<_>, Error>>()?;
     let of_loaded = train.meshes().flat_map(|mesh| &mesh.case.warnings);

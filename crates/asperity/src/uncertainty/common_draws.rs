@@ -251,7 +251,7 @@ mod tests {
     use super::super::{Likeness, PairedDifference, Uncertainty, difference, difference_of_places};
     use super::*;
     use crate::Run;
-    use crate::pipeline::KeptFields;
+    use crate::pipeline::Kept;
     use asperity_case::case::{CaseInput, load_with};
 
     const FILE: &str = "../../fixtures/cases/e-drive.toml";
@@ -269,8 +269,13 @@ mod tests {
                 change(input);
             });
             let loaded = loaded.unwrap();
-            let run = Run::new(&loaded).fields(&KeptFields::Highest);
-            let (outcome, drawn) = run.draw().unwrap();
+            let run = Run::new(&loaded).pictures(Kept::Highest);
+            let (outcome, drawn) = run
+                .interval(true)
+                .execute()
+                .unwrap()
+                .only_with_draws()
+                .unwrap();
             Self {
                 predictive: drawn.unwrap(),
                 uncertainty: outcome.result.uncertainty.unwrap(),

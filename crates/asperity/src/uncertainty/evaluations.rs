@@ -9,7 +9,9 @@ use asperity_core::quantity::Length;
 use crate::contacts::Contacts;
 use crate::pipeline::{contacts, losses_at};
 use crate::result::loss_band::WindowSampling;
-use crate::result::{Losses, OffsetRow, Outcome, OutsideInput, PairSampling, PositionRow, Summary};
+use crate::result::{
+    Losses, MeshOutcome, OffsetRow, OutsideInput, PairSampling, PositionRow, Summary,
+};
 use crate::sampling::{
     Independent, means_of_pairs, sampling_of_teeth, travel_sampling, wider_like_measured,
     window_sampling, windows_of_traces,
@@ -66,7 +68,7 @@ pub(super) fn evaluated(case: &OperatingCase, known: Option<&Contacts>) -> Resul
     }
     match known {
         Some(contacts) => losses_at(contacts, &case),
-        None => losses_at(&contacts(&case)?, &case),
+        None => losses_at(&contacts(&case, &[])?, &case),
     }
 }
 
@@ -89,7 +91,7 @@ impl<'a> Nominal<'a> {
         }
     }
 
-    pub fn of_outcome(outcome: &'a Outcome) -> Self {
+    pub fn of_outcome(outcome: &'a MeshOutcome) -> Self {
         let result = &outcome.result;
         Self {
             summary: &result.summary,

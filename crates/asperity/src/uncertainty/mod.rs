@@ -12,7 +12,7 @@
 //! let case = case::load_with(file, &|input| {
 //!     (input.model.positions, input.model.offsets) = (Some(4), Some(4));
 //! })?;
-//! let result = Run::new(&case).band(true).execute()?.result;
+//! let result = Run::new(&case).interval(true).execute()?.into_only()?.result;
 //! let loss = result.uncertainty.ok_or("the default model has an uncertainty")?.loss;
 //! assert!(loss.drawn().low < loss.drawn().value && loss.drawn().value < loss.drawn().high);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -23,6 +23,7 @@ mod common_draws;
 mod deciding;
 mod difference;
 mod evaluations;
+pub mod evidence;
 mod other_models;
 mod recorded;
 mod scans;
@@ -36,11 +37,12 @@ use asperity_core::provenance::Provenance;
 
 use crate::assembly::{equations_used, far_lay, relief_warning, sources_used};
 use crate::contacts::Contacts;
-use crate::pipeline::{KeptFields, Progress, outcome};
+use crate::pipeline::{Kept, outcome};
 use crate::result::{
-    AlternativeRow, DrawnConstant, LossDistribution, Losses, Outcome, PairSampling, RunResult,
+    AlternativeRow, DrawnConstant, LossDistribution, Losses, MeshOutcome, PairSampling, RunResult,
     SamplingPart, Trust, Uncertainty, UncertaintyPart,
 };
+use crate::run::Options;
 use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::balance::impossible_efficiency;
 use asperity_case::case::{LoadedCase, OperatingCase};
@@ -63,6 +65,7 @@ pub use difference::{
     difference_of_places, losses_of_meshes,
 };
 pub use evaluations::has_band;
+pub use evidence::{CurvePlan, PlannedCurves};
 pub use recorded::predictive;
 
 use evaluations::{Evaluated, Nominal, Windows, count, evaluated, of_windows, travelled, widest};
@@ -83,41 +86,48 @@ pub fn evaluations(loaded: &LoadedCase) -> usize {
     }
 }
 
-/// Runs a case, with the uncertainty of its loss if `band` is set, and returns its draws; `None` if the case has no
-/// uncertainty. Its contacts share the windows of the `known` ones under the same load, and are added to them.
-pub(crate) fn run_and_draw(
-    loaded: &LoadedCase,
-    (pictures, band): (Option<&KeptFields>, bool),
-    known: &mut Vec<Contacts>,
-    progress: Progress<'_>,
-) -> Result<(Outcome, Option<Predictive>), Error> {
+/// A run of a mesh.
+pub(crate) struct MeshRun {
+    pub outcome: MeshOutcome,
+    /// Its draws; `None` if they were not requested or the case has no uncertainty.
+    pub drawn: Option<Predictive>,
+    pub contacts: Contacts,
+}
+
+/// Runs a mesh, with its draws if its interval is requested.
+pub(crate) fn run_and_draw(loaded: &LoadedCase, options: &Options<'_>) -> Result<MeshRun, Error> {
+    let (kept, progress) = (&options.kept, options.progress);
     // Each evaluation counts like a position, and the run of the rows like the run of the patches.
-    let more = if band { evaluations(loaded) } else { 0 };
-    let before = AtomicUsize::new(0);
-    let runs = if scans::is_due(loaded, pictures) {
-        2
+    let more = if options.interval {
+        evaluations(loaded)
     } else {
-        1
+        0
     };
-    let by_rows = |rows: &LoadedCase, band: bool, contacts: &mut Vec<Contacts>| {
+    let before = AtomicUsize::new(0);
+    let runs = if scans::is_due(loaded, kept) { 2 } else { 1 };
+    let by_rows = |rows: &LoadedCase, interval: bool| {
         let patches = before.load(Ordering::Relaxed) + more;
-        let shown = |done, total| progress(patches + done, patches + total);
-        run_and_draw(rows, (None, band), contacts, &shown)
+        let of_rows = Options {
+            kept: Kept::NoPictures,
+            interval,
+            progress: &|done, total| progress(patches + done, patches + total),
+            known: Vec::new(),
+            ..options.clone()
+        };
+        run_and_draw(rows, &of_rows)
     };
     let shown = |done, total| {
         before.store(total, Ordering::Relaxed);
         progress(done, runs * (total + more));
     };
-    let (mut outcome, loaded, contacts) = outcome(loaded, pictures, known, &shown)?;
-    if !band || !has_band(&loaded) {
-        scans::compare_with_rows(
-            &mut outcome,
-            None,
-            (&loaded, &contacts),
-            (pictures, &by_rows),
-        )?;
-        known.push(contacts);
-        return Ok((outcome, None));
+    let (mut outcome, loaded, contacts) = outcome(loaded, kept, &options.known, &shown)?;
+    if !options.interval || !has_band(&loaded) {
+        scans::compare_with_rows(&mut outcome, None, (&loaded, &contacts), (kept, &by_rows))?;
+        return Ok(MeshRun {
+            outcome,
+            drawn: None,
+            contacts,
+        });
     }
     let used = Provenance::new();
     let positions = before.load(Ordering::Relaxed);
@@ -153,20 +163,18 @@ pub(crate) fn run_and_draw(
     outcome.result.uncertainty = Some(uncertainty);
     note(&mut outcome.result, &used.tags());
     let drawn = Some(&predictive);
-    scans::compare_with_rows(
-        &mut outcome,
-        drawn,
-        (&loaded, &contacts),
-        (pictures, &by_rows),
-    )?;
-    known.push(contacts);
-    Ok((outcome, Some(predictive)))
+    scans::compare_with_rows(&mut outcome, drawn, (&loaded, &contacts), (kept, &by_rows))?;
+    Ok(MeshRun {
+        outcome,
+        drawn: Some(predictive),
+        contacts,
+    })
 }
 
 /// Standard error of ln loss by the sampling of the flanks, as in the draws; 0 without traces.
 ///
 /// # Errors
-/// As [`losses`](crate::losses), of misplaced traces.
+/// As [`Run::losses`](crate::Run::losses), of misplaced traces.
 pub fn standard_error(loaded: &OperatingCase, nominal: &Losses) -> Result<f64, Error> {
     evaluations::standard_error(loaded, &Nominal::of(nominal))
 }
@@ -184,7 +192,7 @@ fn note(result: &mut RunResult, tags: &BTreeSet<&'static str>) {
 
 fn uncertainty(
     loaded: &OperatingCase,
-    outcome: &Outcome,
+    outcome: &MeshOutcome,
     contacts: &Contacts,
     done: &(dyn Fn(usize) + Sync),
 ) -> Result<(Uncertainty, Predictive), Error> {

@@ -35,7 +35,7 @@ pub fn predictive(
     let contacts = match contacts {
         Some(contacts) => contacts,
         None => {
-            computed = contacts_of(loaded)?;
+            computed = contacts_of(loaded, &[])?;
             &computed
         }
     };
@@ -51,7 +51,7 @@ pub(super) fn predictive_of(
     if !has_band(loaded) {
         return Ok(None);
     }
-    let found = settled(loaded, Some(windows.contacts))?;
+    let found = settled(loaded, &[windows.contacts])?;
     let evaluated = evaluate(&found, &Nominal::of(nominal), windows, &|_| {})?;
     Ok(Some(evaluated.predictive))
 }
@@ -84,7 +84,7 @@ fn by_records(
 ) -> Result<Evaluated, Error> {
     asperity_core::cite!("Record-draw");
     let fast = by_solved_contacts(loaded)?;
-    let contacts = contacts_of(&fast)?;
+    let contacts = contacts_of(&fast, &[])?;
     let losses = evaluated(&fast, Some(&contacts))?;
     let mut found = by_contacts(&fast, &Nominal::of(&losses), Windows::few(&contacts), done)?;
     let summary = nominal.summary;

@@ -2,35 +2,32 @@
 
 use asperity_core::cancel::checkpoint;
 
+use super::MeshRun;
 use super::difference::difference;
 use crate::contacts::Contacts;
-use crate::pipeline::{KeptFields, less_of_scans, over_gap, settled};
-use crate::result::{GapRow, Outcome, PositionRow, ScanComparison, ScanLoss};
+use crate::pipeline::{Kept, less_of_scans, over_gap, settled};
+use crate::result::{GapRow, MeshOutcome, PositionRow, ScanComparison, ScanLoss};
 use asperity_case::case::{LoadedCase, OperatingCase};
 use asperity_case::error::Error;
 use asperity_uncertainty::Predictive;
 
-/// Runs a case without pictures, with draws if they are requested, and adds its contacts.
-type Runs<'a> = &'a dyn Fn(
-    &LoadedCase,
-    bool,
-    &mut Vec<Contacts>,
-) -> Result<(Outcome, Option<Predictive>), Error>;
+/// Runs a case without pictures, with draws if they are requested.
+type Runs<'a> = &'a dyn Fn(&LoadedCase, bool) -> Result<MeshRun, Error>;
 
 /// Whether the result of a run has the comparison: patches are in contact, and its pictures are requested.
-pub(super) fn is_due(loaded: &LoadedCase, pictures: Option<&KeptFields>) -> bool {
-    pictures.is_some_and(|kept| *kept != KeptFields::Nothing) && loaded.surfaces.sheets().is_some()
+pub(super) fn is_due(loaded: &LoadedCase, kept: &Kept) -> bool {
+    !matches!(kept, Kept::Nothing | Kept::NoPictures) && loaded.surfaces.sheets().is_some()
 }
 
 /// Adds to the `outcome` of a case with patches the comparison with rows of the scans. Of rows without a result, as of a scan that is
 /// too short, it has the reason.
 pub(super) fn compare_with_rows(
-    outcome: &mut Outcome,
+    outcome: &mut MeshOutcome,
     drawn: Option<&Predictive>,
     (loaded, contacts): (&OperatingCase, &Contacts),
-    (pictures, run): (Option<&KeptFields>, Runs<'_>),
+    (kept, run): (&Kept, Runs<'_>),
 ) -> Result<(), Error> {
-    if !is_due(loaded, pictures) {
+    if !is_due(loaded, kept) {
         return Ok(());
     }
     match comparison(outcome, drawn, (loaded, contacts), run) {
@@ -46,7 +43,7 @@ pub(super) fn compare_with_rows(
 }
 
 fn comparison(
-    outcome: &Outcome,
+    outcome: &MeshOutcome,
     drawn: Option<&Predictive>,
     patches: (&OperatingCase, &Contacts),
     run: Runs<'_>,
@@ -56,18 +53,21 @@ fn comparison(
         return Ok(None);
     };
     let rows = rows.case?;
-    let mut contacts = Vec::new();
-    let (of_rows, drawn_of_rows) = run(&rows, drawn.is_some(), &mut contacts)?;
+    let MeshRun {
+        outcome: of_rows,
+        drawn: drawn_of_rows,
+        contacts,
+    } = run(&rows, drawn.is_some())?;
     let pressure = |row: &PositionRow| row.p_max_mpa.unwrap_or(row.hertz_pressure_mpa);
     let path = outcome.result.path.iter();
     let highest = path.max_by(|a, b| pressure(a).total_cmp(&pressure(b)));
-    let (Some(shown), Some(contacts)) = (highest, contacts.pop()) else {
+    let Some(shown) = highest else {
         return Ok(None);
     };
     let Some(patch) = over_gap(patches, shown.position, None)? else {
         return Ok(None);
     };
-    let warm = settled(&rows, Some(&contacts))?;
+    let warm = settled(&rows, &[&contacts])?;
     let Some(lines) = over_gap((&warm, &contacts), shown.position, Some(&patch.gaps))? else {
         return Ok(None);
     };

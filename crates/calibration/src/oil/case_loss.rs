@@ -1,8 +1,7 @@
 //! Sensitivity of the loss of a case to the constants of its oil.
 
-use asperity::pipeline::{coldest_losses_with, contacts};
 use asperity::uncertainty::few_offsets_of;
-use asperity::{Contacts, LoadedCase};
+use asperity::{Contacts, LoadedCase, Run, TrainLosses};
 use asperity_core::Fault;
 use asperity_core::task::try_par_map;
 use nalgebra::DVector;
@@ -28,17 +27,13 @@ pub(super) fn loss_slopes(
     // Losses of a mesh with new flanks.
     let case = case.with(|input| (input.operation.running_in, input.gearbox) = (None, None));
     let case = case.map_err(named)?;
-    let solved;
     let contacts = match known {
-        Some(known) => known,
-        None => {
-            solved = contacts(&case).map_err(named)?;
-            &solved
-        }
+        Some(known) => known.clone(),
+        None => Run::new(&case).contacts().map_err(named)?.swap_remove(0),
     };
     // A slope of ln loss needs fewer windows than a loss: those of a change. On e-drive, fzg-c and table2 all windows move the intervals
     // expected of traction curves by at most 3e-4 of themselves.
-    let (case, contacts) = &few_offsets_of(&case, contacts).map_err(named)?;
+    let (case, contacts) = &few_offsets_of(&case, &contacts).map_err(named)?;
     let law = oil.rheology.laws().1;
     let problem = TractionProblem::new(&oil, law, priors, Zero::None, &[]);
     let log_loss = |k: usize, step: f64| -> Result<f64, Fault> {
@@ -47,8 +42,9 @@ pub(super) fn loss_slopes(
         let constants = *problem.rheology(&x)?.constants();
         let moved = case.overridden(|over| over.film_constants = Some(constants));
         let moved = moved.map_err(named)?;
-        let losses = coldest_losses_with(contacts, &moved).map_err(named)?;
-        let summary = losses.summary;
+        let run = Run::new(&moved).known([contacts]).coldest();
+        let losses = run.losses().and_then(TrainLosses::into_only);
+        let summary = losses.map_err(named)?.summary;
         Ok((summary.sliding_w + summary.rolling_w).ln())
     };
     let slope = |k: usize| -> Result<f64, Fault> {

@@ -4,6 +4,7 @@
 //! with `[planetary]` is a train of one planetary set. Oil, operating point and model are common to all meshes. Torque and
 //! speed of the operation are at the input shaft.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use asperity_core::quantity::Power;
@@ -95,6 +96,25 @@ impl From<LoadedCase> for Train {
                 }],
             }],
         }
+    }
+}
+
+impl<'a> From<&'a Train> for Cow<'a, Train> {
+    fn from(train: &'a Train) -> Self {
+        Self::Borrowed(train)
+    }
+}
+
+impl From<Train> for Cow<'_, Train> {
+    fn from(train: Train) -> Self {
+        Self::Owned(train)
+    }
+}
+
+impl From<&LoadedCase> for Cow<'_, Train> {
+    /// A train of one mesh.
+    fn from(case: &LoadedCase) -> Self {
+        Self::Owned(case.clone().into())
     }
 }
 

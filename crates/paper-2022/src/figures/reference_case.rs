@@ -68,7 +68,7 @@ const ZOOM_UM: [f64; 2] = [-110.0, -70.0];
 const ZOOM_DEPTH_UM: f64 = 20.0;
 
 pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, Fault> {
-    let outcome = asperity::Run::new(case).execute()?;
+    let outcome = asperity::Run::new(case).execute()?.into_only()?;
     let result = &outcome.result;
     let tables = PageTables::of(&outcome, Some(1))?;
     let drawings = drawings_of_contact(result, &tables)?;
@@ -103,7 +103,7 @@ fn engagements(case: &LoadedCase, fields: Option<&PositionFields>) -> f64 {
 /// Contact stress where the wheel's flank is the pinion's, reflected across the contact instead of read from its other end.
 fn reflected(case: &LoadedCase, folder: &Path) -> Result<Figure, Fault> {
     let case = case.with_key("surface.wheel.mirrored", "false")?;
-    let outcome = asperity::Run::new(&case).execute()?;
+    let outcome = asperity::Run::new(&case).execute()?.into_only()?;
     let tables = PageTables::of(&outcome, Some(1))?;
     let drawings = drawings_of_contact(&outcome.result, &tables)?;
     let drawing = drawings

@@ -1,14 +1,14 @@
 //! Lots of flanks of the recipe of a case, their inspection and their loss.
 
 use super::error::of_recipe;
-use asperity::PositionError;
 #[cfg(test)]
 use asperity::case::LoadShareName;
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::flanks::surfaces::PairsOfTeeth;
 use asperity::flanks::{Surfaces, Texture};
-use asperity::pipeline::{check_heights, losses};
+use asperity::pipeline::check_heights;
+use asperity::{PositionError, Run};
 use asperity_core::numerics::standard_normal_quantile;
 use asperity_core::quantity::Length;
 use asperity_core::task::try_par_map;
@@ -247,7 +247,7 @@ impl Process {
     pub(super) fn loss(&self, lot: &Lot, height: f64) -> Result<f64, Fault> {
         let flanks = lot.pairs.with_heights_times(height)?;
         let case = self.case.with_surfaces(flanks);
-        Ok(losses(&case)?.summary.loss_w)
+        Ok(Run::new(&case).losses()?.into_only()?.summary.loss_w)
     }
 }
 

@@ -10,8 +10,8 @@ use asperity::flanks::surfaces::FlankReport;
 use asperity::gear::Gear;
 use asperity::mesh::Mesh;
 use asperity::message::Warning;
-use asperity::pipeline::KeptFields;
-use asperity::result::Outcome;
+use asperity::pipeline::Kept;
+use asperity::result::MeshOutcome;
 use asperity::uncertainty::{
     Likeness, PairedDifference, Predictive, difference_of_places, sampling_error_of_changes,
 };
@@ -272,7 +272,7 @@ pub(super) fn in_case(
 }
 
 /// Warnings of both runs; a warning of one run has its state.
-fn warnings(runs: [&Outcome; 2]) -> Vec<Warning> {
+fn warnings(runs: [&MeshOutcome; 2]) -> Vec<Warning> {
     let [before, after] = runs.map(|run| run.result.warnings.as_slice());
     let tagged = |own: &[Warning], other: &[Warning], state: &str| {
         let alone = own.iter().filter(|warning| !other.contains(warning));
@@ -289,12 +289,13 @@ fn warnings(runs: [&Outcome; 2]) -> Vec<Warning> {
     found
 }
 
-fn drawn(case: &LoadedCase) -> Result<(Outcome, Option<Predictive>), Error> {
-    Run::new(case).fields(&KeptFields::Nothing).draw()
+fn drawn(case: &LoadedCase) -> Result<(MeshOutcome, Option<Predictive>), Error> {
+    let run = Run::new(case).pictures(Kept::Nothing).interval(true);
+    run.execute()?.only_with_draws()
 }
 
 /// The flanks before run in by the model, or why the case does not allow it.
-fn run_in(before: &LoadedCase) -> Result<(Option<Outcome>, Option<String>), Error> {
+fn run_in(before: &LoadedCase) -> Result<(Option<MeshOutcome>, Option<String>), Error> {
     let case = match before.case.running_in {
         Some(_) => Ok(before.clone()),
         None => before.with_key("operation.running_in", "true"),
@@ -303,11 +304,11 @@ fn run_in(before: &LoadedCase) -> Result<(Option<Outcome>, Option<String>), Erro
         Ok(case) => case,
         Err(error) => return Ok((None, Some(error.to_string()))),
     };
-    let outcome = Run::new(&case).without_pictures().execute()?;
-    Ok((Some(outcome), None))
+    let outcome = Run::new(&case).pictures(Kept::NoPictures).execute()?;
+    Ok((Some(outcome.into_only()?), None))
 }
 
-fn of_state(state: &'static str, outcome: &Outcome) -> StateLoss {
+fn of_state(state: &'static str, outcome: &MeshOutcome) -> StateLoss {
     let uncertainty = outcome.result.uncertainty.as_ref();
     let summary = &outcome.result.summary;
     StateLoss {
@@ -481,7 +482,7 @@ fn with_traces(
 /// How far the flanks before and after are alike; `None` if the windows leave no standard error.
 fn likeness(
     cases: [&LoadedCase; 2],
-    runs: [&Outcome; 2],
+    runs: [&MeshOutcome; 2],
     changed: impl Iterator<Item = WornFlank>,
 ) -> Result<Option<Likeness>, Fault> {
     let mut least = 1.0_f64;
@@ -571,7 +572,7 @@ fn flank_change(
     mesh: &Mesh,
     (flank, engagements): (WornFlank, Option<f64>),
     pairs: &[OnFlank<'_>],
-    (states, run_in): ([&LoadedCase; 2], Option<&Outcome>),
+    (states, run_in): ([&LoadedCase; 2], Option<&MeshOutcome>),
 ) -> Result<Option<FlankChange>, Fault> {
     let own: Vec<&OnFlank<'_>> = pairs.iter().filter(|on| on.flank == flank).collect();
     if own.is_empty() {

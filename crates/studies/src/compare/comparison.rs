@@ -6,14 +6,14 @@ use asperity::case::LoadedCase;
 use asperity::case::train::Train;
 use asperity::message::outside_codes;
 use asperity::oil::{BaseOil, Lubricant};
-use asperity::pipeline::{KeptFields, Progress};
+use asperity::pipeline::{Kept, Progress};
 use asperity::result::loss_band::Uncertainty;
-use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Scope};
-use asperity::train::{self, MeshRow, Outcomes};
+use asperity::result::{GearboxReport, MeshOutcome, OffsetRow, Regime, RunResult, Scope};
+use asperity::train::{MeshRow, Outcome};
 use asperity::uncertainty::{
     DecidingMeasurement, DrawnMesh, PairedDifference, Quantiles, deciding, difference_of_meshes,
 };
-use asperity::{Error, PositionError};
+use asperity::{Error, PositionError, Run};
 use asperity_core::{Code, Estimate, Fault, PROGRAM, unique};
 use asperity_report::tables::FlankTables;
 use asperity_report::{Input, Setting, StudySettings, Watch, Work, settings};
@@ -338,13 +338,13 @@ pub fn compare<C: Clone + Into<Train>>(
     finishes: &[Finish<C>],
     progress: Progress<'_>,
 ) -> Result<Comparison, Error> {
-    let kept = (Some(&KeptFields::Nothing), true);
-    let mut runs: Vec<(&str, Train, Outcomes)> = Vec::with_capacity(finishes.len());
+    let mut runs: Vec<(&str, Train, Outcome)> = Vec::with_capacity(finishes.len());
     // Contacts do not depend on the oil: the variants share them.
     let mut contacts: Vec<Contacts> = Vec::new();
     for finish in finishes {
         let case: Train = finish.case.clone().into();
-        let outcome = train::run_beside(&case, kept, &contacts, &|_, _| {})?;
+        let run = Run::new(&case).pictures(Kept::Nothing).interval(true);
+        let outcome = run.known(&contacts).execute()?;
         contacts.extend(outcome.contacts.iter().cloned());
         runs.push((finish.name.as_str(), case, outcome));
         progress(runs.len(), finishes.len());
@@ -442,8 +442,8 @@ pub(crate) fn files(case: &LoadedCase) -> Vec<[String; 2]> {
 
 fn finish_result(
     name: &str,
-    (case, outcome): (&Train, &Outcomes),
-    first: Option<&Outcomes>,
+    (case, outcome): (&Train, &Outcome),
+    first: Option<&Outcome>,
 ) -> Result<FinishResult, Error> {
     let compared = first.and_then(|first| first.drawn_beside(outcome));
     let difference = compared
@@ -529,9 +529,9 @@ fn finish_result(
 }
 
 /// Loss of all meshes with their flanks run in \[W\]; `None` unless every mesh was run in.
-fn run_in_loss(outcome: &Outcomes) -> Option<f64> {
+fn run_in_loss(outcome: &Outcome) -> Option<f64> {
     let meshes = outcome.whole.meshes.iter().zip(&outcome.meshes);
-    let of_mesh = |(row, run): (&MeshRow, &Outcome)| {
+    let of_mesh = |(row, run): (&MeshRow, &MeshOutcome)| {
         let run_in = run.result.run_in.as_ref()?;
         Some(f64::from(row.count) * run_in.summary.loss_w)
     };
@@ -539,8 +539,8 @@ fn run_in_loss(outcome: &Outcomes) -> Option<f64> {
 }
 
 /// Distinct warnings of all meshes, with the name of the mesh unless they apply to all.
-fn warnings(outcome: &Outcomes) -> Vec<String> {
-    let of = |run: &Outcome| {
+fn warnings(outcome: &Outcome) -> Vec<String> {
+    let of = |run: &MeshOutcome| {
         run.result
             .warnings
             .iter()

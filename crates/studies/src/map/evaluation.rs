@@ -10,10 +10,9 @@ use asperity::flanks::Texture;
 use asperity::gearbox;
 use asperity::mesh::Mesh;
 use asperity::mesh::Resolution;
-use asperity::pipeline::{contacts_beside, losses, losses_with};
 use asperity::result::Losses;
 use asperity::uncertainty::{Predictive, predictive};
-use asperity::{Contacts, Error, PositionError};
+use asperity::{Contacts, Error, PositionError, Run};
 use asperity_core::Code;
 use asperity_core::numerics::distinct;
 use asperity_core::quantity::{AngularSpeed, Power, Temperature, Torque};
@@ -114,7 +113,7 @@ struct Prepared {
     loads: Vec<Vec<MeshLoad>>,
     /// Each mesh with its contacts, by the bits of its torque: only a stated speed of a ring changes the direction of the
     /// power with the speed.
-    meshes: Vec<BTreeMap<u64, (LoadedCase, Option<Contacts>)>>,
+    meshes: Vec<BTreeMap<u64, (LoadedCase, Vec<Contacts>)>>,
 }
 
 impl Prepared {
@@ -135,10 +134,10 @@ impl Prepared {
                 }
                 let case = at_torque(&mesh.case, torque)?;
                 let tables = match case.case.formulation.pressures() {
-                    None => Some(contacts_beside(&case, &known)?),
-                    Some(_) => None,
+                    None => Run::new(&case).known(&known).contacts()?,
+                    Some(_) => Vec::new(),
                 };
-                known.extend(tables.clone());
+                known.extend_from_slice(&tables);
                 at_torques.insert(bits, (case, tables));
             }
             meshes.push(at_torques);
@@ -153,12 +152,12 @@ impl Prepared {
         is_node: bool,
     ) -> Result<Evaluated, Error> {
         let of_mesh = |(mesh, load): (&BTreeMap<u64, _>, &MeshLoad)| {
-            let prepared: Option<&(LoadedCase, Option<Contacts>)> =
+            let prepared: Option<&(LoadedCase, Vec<Contacts>)> =
                 mesh.get(&load.torque.si().to_bits());
             let (case, tables) = prepared
                 .ok_or_else(PositionError::no_profile)
                 .map_err(Box::new)?;
-            at(case, tables.as_ref(), (load.speed, temperature), is_node)
+            at(case, tables, (load.speed, temperature), is_node)
         };
         let meshes = self.meshes.iter().zip(&self.loads[column]).map(of_mesh);
         Ok(Evaluated {
@@ -192,7 +191,7 @@ impl Prepared {
             let loads = &self.loads[column];
             for ((mesh, load), farthest) in evaluated.meshes.iter_mut().zip(loads).zip(&farthest) {
                 if let Some((_, case, tables)) = farthest.get(&load.torque.si().to_bits()) {
-                    let other = at(case, tables.as_ref(), (load.speed, temperature), false);
+                    let other = at(case, tables, (load.speed, temperature), false);
                     mesh.lowered = Some((0.0, Box::new(other.map_err(code)?)));
                 }
             }
@@ -228,7 +227,7 @@ impl Prepared {
         let lowered = |(mesh, ratios): (&BTreeMap<u64, _>, BTreeMap<u64, f64>)| {
             let mut found = BTreeMap::new();
             for (bits, ratio) in ratios.into_iter().filter(|(_, ratio)| *ratio != 1.0) {
-                let prepared: Option<&(LoadedCase, Option<Contacts>)> = mesh.get(&bits);
+                let prepared: Option<&(LoadedCase, Vec<Contacts>)> = mesh.get(&bits);
                 let (case, tables) = prepared
                     .ok_or_else(PositionError::no_profile)
                     .map_err(Box::new)?;
@@ -236,7 +235,7 @@ impl Prepared {
                     case.with(|input| {
                         input.operation.torque = input.operation.torque * ratio;
                         // Both torques have the same samples of the traces.
-                        if let Some(tables) = tables {
+                        if let Some(tables) = tables.first() {
                             input.model.offsets = Some(tables.offsets());
                         }
                     })
@@ -245,11 +244,11 @@ impl Prepared {
                 if !resolves(&other).map_err(Box::new)? {
                     other = at_ratio(2.0 - ratio)?;
                 }
-                let tables = match tables {
-                    Some(_) => Some(contacts_beside(&other, &known)?),
-                    None => None,
+                let tables = match tables.is_empty() {
+                    true => Vec::new(),
+                    false => Run::new(&other).known(&known).contacts()?,
                 };
-                known.extend(tables.clone());
+                known.extend_from_slice(&tables);
                 found.insert(bits, (other.case.torque.si(), other, tables));
             }
             Ok(found)
@@ -311,7 +310,7 @@ fn settle(
 }
 
 /// A mesh at a lower torque: torque \[N m\], case and contacts.
-type Lowered = (f64, LoadedCase, Option<Contacts>);
+type Lowered = (f64, LoadedCase, Vec<Contacts>);
 
 /// Loads of all meshes at an operating point of the input shaft, with the loss of one mesh of each kind in each stage.
 fn loads(train: &Train, at: MeshLoad, losses: &[Vec<Power>]) -> Result<Vec<MeshLoad>, Error> {
@@ -322,7 +321,7 @@ fn loads(train: &Train, at: MeshLoad, losses: &[Vec<Power>]) -> Result<Vec<MeshL
 
 fn at(
     case: &LoadedCase,
-    tables: Option<&Contacts>,
+    tables: &[Contacts],
     (speed, temperature): (AngularSpeed, f64),
     is_node: bool,
 ) -> Result<EvaluatedMesh, Error> {
@@ -331,12 +330,9 @@ fn at(
         input.operation.speed = speed;
         input.operation.set_temperature(temperature);
     })?;
-    let losses = match tables {
-        Some(tables) => losses_with(tables, &case)?,
-        None => losses(&case)?,
-    };
+    let losses = Run::new(&case).known(tables).losses()?.into_only()?;
     let predictive = match is_node {
-        true => predictive(&case, &losses, tables)?,
+        true => predictive(&case, &losses, tables.first())?,
         false => None,
     };
     Ok(EvaluatedMesh {
@@ -489,7 +485,7 @@ mod tests {
         let prepared = Prepared::of(&train, Torque::from_si(80.0), &[1500.0]).unwrap();
         prepared.at((0, 1500.0), 90.0, false).unwrap();
         let meshes = prepared.meshes.iter().flat_map(BTreeMap::values);
-        let contacts = meshes.filter_map(|(_, contacts)| contacts.as_ref());
+        let contacts = meshes.flat_map(|(_, contacts)| contacts);
         contacts
             .flat_map(Contacts::solved)
             .collect::<BTreeSet<usize>>()

@@ -12,7 +12,7 @@ use asperity::pipeline::Progress;
 use asperity::result::OffsetRow;
 use asperity::result::SCHEMA_VERSION;
 use asperity::uncertainty::{DrawnCase, Predictive, common_draws, median_with_ends};
-use asperity::{Error, PositionError};
+use asperity::{Error, PositionError, Run};
 use asperity_core::numerics::{deviation, distinct};
 use asperity_core::quantity::{AngularSpeed, Power};
 use asperity_core::task::par_map;
@@ -262,7 +262,7 @@ fn of_finish(
     if points.iter().all(|point| point.numbers.is_none()) {
         // A run of the case gives the full message.
         for mesh in train.meshes() {
-            asperity::losses(&at_torque(&mesh.case, mesh.case.case.torque)?)?;
+            Run::new(&at_torque(&mesh.case, mesh.case.case.torque)?).losses()?;
         }
     }
     let mut fingerprint = Fingerprint::default();

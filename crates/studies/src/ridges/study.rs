@@ -5,12 +5,12 @@ use asperity::core::cancel::checkpoint;
 use asperity::flanks::Texture;
 use asperity::mixed_film::TraceChange;
 use asperity::pipeline::{
-    LossGradient, Progress, check_gradient, gradient, gradient_with, mean_along, settled,
+    LossGradient, Progress, check_gradient, gradient, gradient_with, mean_along,
 };
 use asperity::result::RunResult;
 use asperity::result::ridges::{FlankWatts, OctaveRow, RidgeRow, Ridges, height_of_mean_line};
 use asperity::uncertainty::{ChangeDraws, UncertainParameter, few_offsets_of, sampling_interval};
-use asperity::{Error, PositionError};
+use asperity::{Error, PositionError, Run};
 use asperity_core::quantity::Length;
 use asperity_core::{Fault, Profile};
 use asperity_report::tables::BODIES;
@@ -295,7 +295,8 @@ fn by_lay(
 ) -> Result<Vec<[f64; 2]>, Error> {
     let (case, contacts) = few_offsets_of(&before.case, &before.contacts)?;
     // A ratio of watts does not depend on the heat balance.
-    let bulk = settled(&case, Some(&contacts))?.temperature();
+    let bulk = Run::new(&case).known([&contacts]).operating_case()?;
+    let bulk = bulk.temperature();
     let case = case.with(|input| input.operation.set_bulk_temperature(bulk))?;
     let offsets = contacts.offsets();
     let at = |lay: f64| -> Result<Vec<f64>, Error> {

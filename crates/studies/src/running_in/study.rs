@@ -7,7 +7,7 @@ use asperity::case::{LoadedCase, OperatingCase, RunningInPlan};
 use asperity::core::cancel::checkpoint;
 use asperity::gear::{FlankPoint, Gear};
 use asperity::message::Warning;
-use asperity::pipeline::{History, HistorySettings, history, settled};
+use asperity::pipeline::{History, HistorySettings, Kept, history};
 use asperity::profile_io::read::{ReadOptions, read};
 use asperity::running_in::{limits, run_in};
 use asperity::{PositionError, Run};
@@ -150,7 +150,8 @@ impl StudySettings for RunningInSettings {
             let done = 1 + steps.fetch_add(1, Ordering::Relaxed);
             (watch.progress)(done.min(total), total);
         };
-        let (fresh, _) = Run::new(&case).without_pictures().draw()?;
+        let fresh = Run::new(&case).pictures(Kept::NoPictures).interval(true);
+        let fresh = fresh.execute()?.into_only()?;
         step();
         let summary = &fresh.result.summary;
         let mut found = RunningInFound {
@@ -174,7 +175,7 @@ impl StudySettings for RunningInSettings {
         }
         let mut clock = Clock::usual();
         for (k, case) in cases.iter().enumerate() {
-            let case = settled(case, None)?;
+            let case = Run::new(case).operating_case()?;
             let case = case.overridden(|over| over.offsets = Some(summary.offsets))?;
             let of_test = test.as_ref().map(|(ratio, _)| *ratio).filter(|_| k == 0);
             let (course, of_course, flanks) =

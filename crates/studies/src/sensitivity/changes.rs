@@ -49,22 +49,16 @@ pub(super) struct Change {
     pub(super) to: String,
     /// Changed case.
     pub(super) case: Result<LoadedCase, Error>,
-    /// Whether the rough contacts are unchanged.
-    pub(super) keeps_contacts: bool,
 }
 
 impl Change {
     /// Makes the changes of a group from what is changed, to what, and the changed case.
-    fn of(
-        group: &'static str,
-        keeps_contacts: bool,
-    ) -> impl Fn(String, String, Result<LoadedCase, Error>) -> Self {
+    fn of(group: &'static str) -> impl Fn(String, String, Result<LoadedCase, Error>) -> Self {
         move |what, to, case| Self {
             group,
             what,
             to,
             case,
-            keeps_contacts,
         }
     }
 }
@@ -81,7 +75,7 @@ pub(super) fn changes(case: &LoadedCase) -> Vec<Change> {
 }
 
 fn flanks(loaded: &LoadedCase) -> Vec<Change> {
-    let change = Change::of("flanks", false);
+    let change = Change::of("flanks");
     let mut changes: Vec<Change> = HEIGHTS
         .into_iter()
         .map(|factor| {
@@ -113,7 +107,7 @@ fn cutoffs(loaded: &LoadedCase) -> Vec<Change> {
     if range(loaded).is_none() {
         return Vec::new();
     }
-    let change = Change::of("filters", false);
+    let change = Change::of("filters");
     let recipe = &loaded.case.preparation;
     let mut changes = Vec::new();
     if let Some(present) = recipe.lambda_c {
@@ -136,7 +130,7 @@ fn cutoffs(loaded: &LoadedCase) -> Vec<Change> {
 /// Less of the scans: rows in place of patches, or single rows in place of several.
 fn scans(loaded: &LoadedCase) -> Option<Change> {
     let scans = less_of_scans(loaded)?;
-    let change = Change::of(SCANS, false);
+    let change = Change::of(SCANS);
     Some(change(scans.taken, scans.other.to_owned(), scans.case))
 }
 
@@ -188,7 +182,7 @@ fn range(loaded: &LoadedCase) -> Option<[Length; 2]> {
 
 fn boundary(loaded: &LoadedCase) -> Vec<Change> {
     let model = &loaded.case.model;
-    let change = Change::of("boundary layer", true);
+    let change = Change::of("boundary layer");
     let friction = [-FRICTION, FRICTION].map(|step| {
         let to = model.boundary_friction + step;
         let case = loaded.with(|input| {
@@ -218,7 +212,7 @@ fn boundary(loaded: &LoadedCase) -> Vec<Change> {
 }
 
 fn oil(loaded: &LoadedCase) -> Vec<Change> {
-    let change = Change::of("oil", true);
+    let change = Change::of("oil");
     let viscosity = VISCOSITY.map(|factor| {
         let case = viscosity(loaded, factor)
             .and_then(|law| loaded.with(|input| input.lubricant.viscosity = Some(law)));
@@ -360,7 +354,7 @@ fn relief(loaded: &LoadedCase) -> Vec<Change> {
                     gear.get_or_insert_default().tip_relief = Some(TipRelief::Drawn(drawn));
                 }
             });
-            Change::of("gears", false)(format!("tip relief {}", named(amounts)), named(to), case)
+            Change::of("gears")(format!("tip relief {}", named(amounts)), named(to), case)
         })
         .collect()
 }

@@ -3,11 +3,11 @@
 use asperity::case::LoadedCase;
 use asperity::case::train::Train;
 use asperity::core::cancel::checkpoint;
-use asperity::pipeline::{Progress, contacts, losses, losses_with};
+use asperity::pipeline::Progress;
 use asperity::result::{Losses, Summary};
-use asperity::train::{settled, total_of};
+use asperity::train::total_of;
 use asperity::uncertainty::{Predictive, predictive, sampling_interval};
-use asperity::{Contacts, Error, PositionError};
+use asperity::{Contacts, Error, PositionError, Run};
 use asperity_core::quantity::Power;
 use asperity_core::{Code, Fault};
 use asperity_report::{StudySettings, Watch, Work, settings};
@@ -130,8 +130,8 @@ struct OfMesh {
 fn of_mesh(case: &LoadedCase, progress: Progress<'_>) -> Result<OfMesh, Error> {
     // The gearbox is removed: its loss table need not cover the temperatures of the changes.
     let mut mesh = case.without_gearbox();
-    let tables = contacts(&mesh).ok();
-    if let Some(tables) = &tables {
+    let tables = Run::new(&mesh).contacts().unwrap_or_default();
+    if let Some(tables) = tables.first() {
         // Every change is computed at the same windows.
         let offsets = tables.offsets();
         mesh = mesh.with(|input| input.model.offsets = Some(offsets))?;
@@ -139,17 +139,17 @@ fn of_mesh(case: &LoadedCase, progress: Progress<'_>) -> Result<OfMesh, Error> {
     let case = &mesh;
     let changes = changes(case);
     let runs = 1 + changes.len();
-    let base = run(case, tables.as_ref())?;
+    let base = run(case, &tables)?;
     progress(1, runs);
     let mut rows = Vec::new();
     for change in changes {
-        rows.push(row(change, (case, &base), tables.as_ref()));
+        rows.push(row(change, (case, &base), &tables));
         checkpoint()?;
         progress(1 + rows.len(), runs);
     }
     Ok(OfMesh {
         loss_w: base.summary.loss_w,
-        drawn: predictive(case, &base, tables.as_ref())?,
+        drawn: predictive(case, &base, tables.first())?,
         rows,
     })
 }
@@ -186,7 +186,7 @@ impl StudySettings for SensitivitySettings {
 /// # Errors
 /// When a mesh has no result, or a shaft no speed or torque. The row of a change without a result holds its error.
 pub fn sensitivity(train: &Train, progress: Progress<'_>) -> Result<Sensitivity, Error> {
-    let train = &settled(train)?;
+    let train = &Run::new(train).settled()?;
     let parts = train.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
     let left_aside = parts.map(|part| part.name.clone()).collect();
     let counts = train.counts();
@@ -281,21 +281,15 @@ fn together<'a>(
 }
 
 /// Losses, with the contacts of the unchanged case if they are the same.
-fn run(case: &LoadedCase, tables: Option<&Contacts>) -> Result<Losses, Error> {
-    if let Some(tables) = tables
-        && let Ok(losses) = losses_with(tables, case)
-    {
-        return Ok(losses);
-    }
-    losses(case)
+fn run(case: &LoadedCase, tables: &[Contacts]) -> Result<Losses, Error> {
+    Run::new(case).known(tables).losses()?.into_only()
 }
 
 fn row(
     change: Change,
     (case, base): (&LoadedCase, &Losses),
-    tables: Option<&Contacts>,
+    tables: &[Contacts],
 ) -> SensitivityRow {
-    let tables = tables.filter(|_| change.keeps_contacts);
     let losses = change.case.and_then(|changed| run(&changed, tables));
     let (effect, refused) = match losses {
         Ok(changed) => {

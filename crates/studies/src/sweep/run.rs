@@ -2,21 +2,16 @@
 
 use asperity_core::Code;
 use asperity_core::task::{par_map, try_par_map};
-use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use asperity::case::LoadedCase;
 use asperity::case::train::Train;
 use asperity::core::cancel::checkpoint;
 use asperity::message::{Warning, outside_codes_of_case};
-use asperity::pipeline::{losses, losses_with};
-use asperity::result::Losses;
-use asperity::train;
-use asperity::uncertainty::{Predictive, predictive};
-use asperity::{ContactStore, Error};
+use asperity::pipeline::Kept;
+use asperity::{ContactStore, Contacts, Error, Run};
 use asperity_storage::json_value;
 use serde_json::Value;
 
@@ -248,7 +243,8 @@ fn result(
     };
     let (found, summaries, mut outside) = match with_contacts {
         true => {
-            let found = train::run(case, None, with_draws, &|_, _| {})?;
+            let run = Run::new(case).pictures(Kept::NoPictures);
+            let found = run.interval(with_draws).execute()?;
             let meshes = found.meshes.into_iter().map(|mesh| mesh.result);
             let (summaries, outside): (Vec<_>, Vec<_>) = meshes
                 .map(|mesh| (mesh.summary, codes(&mesh.warnings)))
@@ -257,16 +253,14 @@ fn result(
             (found.whole, summaries, outside)
         }
         false => {
-            let noted = RefCell::new((Vec::new(), BTreeSet::new()));
-            let of_mesh = |case: &LoadedCase| {
-                let (losses, draws) = mesh_losses(case, store, with_draws)?;
-                let (summaries, outside) = &mut *noted.borrow_mut();
-                summaries.push(losses.summary.clone());
-                outside.extend(codes(&losses.warnings));
-                Ok((losses, draws))
-            };
-            let found = train::losses(case, &of_mesh)?;
-            let (summaries, outside) = noted.into_inner();
+            let contacts: Vec<Arc<Contacts>> =
+                case.cases().filter_map(|mesh| store.of(mesh)).collect();
+            let run = Run::new(case).interval(with_draws);
+            let found = run.known(contacts.iter().map(AsRef::as_ref)).losses()?;
+            let warnings = found.meshes.iter().flat_map(|mesh| codes(&mesh.warnings));
+            let (outside, whole) = (warnings.collect(), found.whole()?);
+            let summaries = found.meshes.into_iter().map(|mesh| mesh.summary);
+            let (found, summaries) = (whole, summaries.collect::<Vec<_>>());
             (found, summaries, outside)
         }
     };
@@ -287,27 +281,6 @@ fn result(
         }),
         outside: outside_codes_of_case(outside),
     })
-}
-
-/// Losses of a mesh at the median of its draws, if they are requested and it has some.
-fn mesh_losses(
-    case: &LoadedCase,
-    store: &ContactStore,
-    with_draws: bool,
-) -> Result<(Losses, Option<Predictive>), Error> {
-    let contacts = store.of(case);
-    let mut losses = match &contacts {
-        Some(contacts) => losses_with(contacts, case)?,
-        None => losses(case)?,
-    };
-    let draws = match with_draws {
-        true => predictive(case, &losses, contacts.as_deref())?,
-        false => None,
-    };
-    if let Some(draws) = &draws {
-        losses.restate(&case.case, draws.quantiles().drawn.value)?;
-    }
-    Ok((losses, draws))
 }
 
 /// The columns of a case.

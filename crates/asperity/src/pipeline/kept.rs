@@ -8,7 +8,7 @@ use crate::lubrication::LubricatedPosition;
 /// Positions whose fields an outcome holds.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[non_exhaustive]
-pub enum KeptFields {
+pub enum Kept {
     /// Every position.
     #[default]
     All,
@@ -18,9 +18,11 @@ pub enum KeptFields {
     Positions(Vec<usize>),
     /// None, and the points A to E, which are in no mean, are not solved: a comparison shows neither.
     Nothing,
+    /// None, and no picture of a contact is computed: no views, no stress below the surface.
+    NoPictures,
 }
 
-impl KeptFields {
+impl Kept {
     /// Number of positions, of `count`, whose fields are held.
     #[must_use]
     pub fn of(&self, count: usize) -> usize {
@@ -28,7 +30,7 @@ impl KeptFields {
             Self::All => count,
             Self::Highest => count.min(1),
             Self::Positions(wanted) => count.min(1 + wanted.len()),
-            Self::Nothing => 0,
+            Self::Nothing | Self::NoPictures => 0,
         }
     }
 
@@ -50,7 +52,7 @@ impl KeptFields {
                 Self::All => true,
                 Self::Highest => highest == Some(number),
                 Self::Positions(wanted) => wanted.contains(&number) || highest == Some(number),
-                Self::Nothing => false,
+                Self::Nothing | Self::NoPictures => false,
             }
         };
         positions.iter().map(is_held).collect()
