@@ -1,4 +1,4 @@
-//! The ways of an option to its result and of the heights of a trace to the loss, as docs/ARCHITECTURE.md draws them.
+//! The ways of an option to its result and of the heights of a trace to the loss, as `walks.txt` draws them.
 
 use std::fs;
 use std::path::Path;
@@ -65,7 +65,7 @@ fn heights_reach_the_loss_in_few_functions_and_none_calls_a_crate_above_it() {
 
 /// Checks a way of `parts`, each of which begins with a function that no other one of the way calls.
 fn check(title: &str, parts: usize) {
-    let page = source("docs/ARCHITECTURE.md");
+    let page = source("tests/architecture/walks.txt");
     let steps = steps(&page, title);
     assert_eq!(steps.iter().filter(|step| step.depth == 0).count(), parts);
     assert!((2..=MOST).contains(&steps.len()), "{}", steps.len());
