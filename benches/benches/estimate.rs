@@ -10,11 +10,11 @@
 use std::path::Path;
 use std::time::Instant;
 
-use asperity::core::task::on_threads;
 use asperity::Run;
 use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::core::Profile;
 use asperity::core::quantity::Length;
+use asperity::core::task::on_threads;
 use asperity::pipeline::Kept;
 use asperity_benches::WORKSPACE;
 use asperity_studies::estimate::estimate;
@@ -56,7 +56,9 @@ fn taken_over_estimated(name: &str, make: &(dyn Fn() -> LoadedCase + Sync)) -> f
             .pictures(Kept::Highest)
             .interval(true)
             .execute()
-            .unwrap().into_only().unwrap();
+            .unwrap()
+            .into_only()
+            .unwrap();
         let taken = seconds(clock) - begin;
         let estimated = estimate([&case], &Kept::Highest).unwrap();
         println!("{name}: {taken:.2} s, estimated {:.2} s", estimated.seconds);

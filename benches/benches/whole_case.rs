@@ -17,7 +17,14 @@ fn whole_case(criterion: &mut Criterion) {
         .with_key("operation.bulk_temperature", "60 °C")
         .expect("a temperature");
     criterion.bench_function("e-drive, another temperature by kept contacts", |bencher| {
-        bencher.iter(|| on_threads(1, || Run::new(black_box(&warmer)).known(&tables).losses().expect("losses")));
+        bencher.iter(|| {
+            on_threads(1, || {
+                Run::new(black_box(&warmer))
+                    .known(&tables)
+                    .losses()
+                    .expect("losses")
+            })
+        });
     });
     let mut slow = criterion.benchmark_group("e-drive");
     slow.sample_size(10);

@@ -177,7 +177,7 @@ fn reports(bench: &Bench) -> Vec<Page> {
             page(&format!("report, {name}"), &folder.join("report.html"))
         })
         .collect();
-    let set = Run::new(&planetary_set())
+    let set = Run::new(planetary_set())
         .pictures(Kept::Highest)
         .interval(true)
         .execute()

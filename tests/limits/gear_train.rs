@@ -434,7 +434,7 @@ fn numbers(text: &str) -> [f64; 3] {
 
 #[test]
 fn losses_are_said_with_the_digits_of_their_band() {
-    let mut result = Run::new(&planetary_set())
+    let mut result = Run::new(planetary_set())
         .pictures(Kept::All)
         .interval(true)
         .execute()

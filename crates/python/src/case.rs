@@ -388,13 +388,12 @@ impl Case {
                     Found::Losses(PROGRAM, loaded.case.title.clone(), losses.into())
                 }
                 // The losses of several meshes are of their contacts.
-                (Detail::Losses | Detail::Contacts, _) => {
-                    let run = Run::new(&self.0).pictures(Kept::NoPictures).interval(band);
-                    let run = run.evidence(&standard_plan).progress(&shown);
-                    Found::Run(run.execute()?.into())
-                }
-                (Detail::Fields, _) => {
+                _ => {
                     let run = Run::new(&self.0).interval(band).evidence(&standard_plan);
+                    let run = match detail {
+                        Detail::Fields => run,
+                        _ => run.pictures(Kept::NoPictures),
+                    };
                     Found::Run(run.progress(&shown).execute()?.into())
                 }
             };

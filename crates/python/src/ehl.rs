@@ -2,11 +2,11 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use asperity::Run;
 use asperity::ehl::RecordSettings;
 use asperity::ehl::several_records::{mean_of, record_several};
 use asperity::lubrication::{HIGHEST_PRESSURE, shares};
 use asperity::message::Code;
-use asperity::Run;
 use asperity::quantity::Pressure;
 use asperity::reference_solution::{
     Inlet, ReferenceContact, ReferenceSettings, record_json, record_warnings,

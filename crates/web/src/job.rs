@@ -1,10 +1,11 @@
 //! The job of the page: what `asperity run` does, without a file system.
 
-use asperity::{Run};
+use asperity::Run;
 use asperity::case::{CaseInput, DefaultUsed, Source, Train};
 use asperity::message::Code;
 use asperity::pipeline::{Kept, Progress};
 use asperity::train::Outcome;
+use asperity_calibration::evidence::standard_plan;
 use asperity_report::{COLUMNS, Results, Tile, texts};
 use asperity_studies::estimate::estimate;
 

@@ -9,6 +9,7 @@ use std::path::PathBuf;
 use asperity::Run;
 use asperity::case::{self, Train};
 use asperity::pipeline::Kept;
+use asperity_calibration::evidence::standard_plan;
 use asperity_report::{COLUMNS, Results, texts};
 use asperity_web::{Files, gearbox_stage, keys, library, register, run, versus};
 
@@ -46,9 +47,12 @@ fn the_files_of_a_run_are_those_of_the_library_on_the_files_on_disk() {
     let outcome = Run::new(&on_disk.unwrap())
         .pictures(Kept::Highest)
         .interval(true)
+        .evidence(&standard_plan)
         .progress(&told())
         .execute()
-        .unwrap().into_only().unwrap();
+        .unwrap()
+        .into_only()
+        .unwrap();
     assert_eq!(found.files, texts(&outcome).unwrap());
     let only = found.outcome.only().unwrap();
     assert_eq!(only.result, outcome.result);
@@ -69,7 +73,11 @@ fn a_case_of_the_page_can_choose_the_formulation_of_the_paper() {
         input.formulation = Some(asperity_paper_2022::register());
         (input.model.positions, input.model.offsets) = (Some(3), Some(2));
     });
-    let outcome = Run::new(&on_disk.unwrap()).execute().unwrap().into_only().unwrap();
+    let outcome = Run::new(&on_disk.unwrap())
+        .execute()
+        .unwrap()
+        .into_only()
+        .unwrap();
     let only = found.outcome.only().unwrap();
     assert_eq!(only.result.formulation.name(), "paper");
     assert_eq!(only.result.summary, outcome.result.summary);
@@ -220,8 +228,12 @@ fn a_gear_train_runs_on_files_in_memory_as_on_disk() {
     fs::write(folder.join("idle.csv"), IDLE).unwrap();
     fs::write(folder.join("train.toml"), TRAIN).unwrap();
     let train = Train::load(&folder.join("train.toml")).unwrap();
-    let run = Run::new(&train).pictures(Kept::Highest).interval(true);
-    let outcome = run.execute().unwrap().into_only().unwrap();
+    let outcome = Run::new(&train)
+        .pictures(Kept::Highest)
+        .interval(true)
+        .evidence(&standard_plan)
+        .execute()
+        .unwrap();
     assert_eq!(found.outcome.whole, outcome.whole);
     assert_eq!(found.summary(), Results::from(&outcome).summary(COLUMNS));
     // Each mesh names its case by the place of the file.

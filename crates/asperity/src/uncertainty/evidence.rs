@@ -105,7 +105,7 @@ impl Evidence {
                 Ok(curves) => {
                     let narrowing = curves
                         .iter()
-                        .filter_map(|of| Some((of.key, of.words.to_owned(), of.leaves.clone()?)));
+                        .filter_map(|of| Some((of.key, of.words.to_owned(), of.leaves?)));
                     measurements.extend(narrowing);
                     planned = curves;
                 }
@@ -123,7 +123,7 @@ impl Evidence {
         let expected = Expected::of(&drawn);
         let row = |effort: &Effort| {
             let is_known = |known: &&Known| known.0 == effort.key;
-            let of_mesh = |known: &Vec<Known>| Some(known.iter().find(is_known)?.2.clone());
+            let of_mesh = |known: &Vec<Known>| Some(known.iter().find(is_known)?.2);
             let words = of_meshes.iter().flatten().find(is_known)?.1.clone();
             let measurements: Vec<Option<Measurement>> = of_meshes.iter().map(of_mesh).collect();
             let left = narrowed(&expected, loss, &measurements)?;
