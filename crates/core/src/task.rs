@@ -75,6 +75,15 @@ impl Task {
     }
 }
 
+/// Notes these equations, which ran before.
+pub(crate) fn note_all(bits: Bits) {
+    USED.with(|used| {
+        for (word, more) in used.iter().zip(bits) {
+            word.set(word.get() | more);
+        }
+    });
+}
+
 /// Replaces the bits of this thread; returns the former ones.
 fn exchanged(bits: Bits) -> Bits {
     USED.with(|used| std::array::from_fn(|k| used[k].replace(bits[k])))

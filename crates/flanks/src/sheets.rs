@@ -11,9 +11,10 @@
 //! interpolation over the logarithm of the scale, which is right to 2.1e-4 of the height of each wave outside the contact.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity_core::profile::mirrored_indices;
+use asperity_core::provenance::Noted;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, Profile, cite};
 use asperity_ehl_regime::{
@@ -118,7 +119,7 @@ pub struct Sheets {
 /// Results that both sheets keep, each made at first need.
 #[derive(Debug, Default)]
 struct Known {
-    waves: OnceLock<Result<SheetWaves, PositionError>>,
+    waves: Noted<SheetWaves>,
     flattened: Mutex<BTreeMap<Inlet, Arc<FlattenedSheets>>>,
     /// By the number of columns from the middle up to which the film is evaluated, too.
     samples: Mutex<BTreeMap<(PatchPlace, Inlet, u64), Arc<PatchSample>>>,
@@ -328,8 +329,7 @@ impl Sheets {
     /// # Errors
     /// When a sheet refuses its numbers.
     fn waves(&self) -> Result<&SheetWaves, PositionError> {
-        let waves = self.known.waves.get_or_init(|| self.transformed());
-        waves.as_ref().map_err(Clone::clone)
+        self.known.waves.get_or_make(|| self.transformed())
     }
 
     fn transformed(&self) -> Result<SheetWaves, PositionError> {

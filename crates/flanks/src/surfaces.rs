@@ -1,7 +1,8 @@
 //! The two flanks as used by the pipeline and as reported in the result.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
+use asperity_core::provenance::Noted;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use asperity_profile_io::read::Reading;
@@ -85,7 +86,7 @@ pub struct Surfaces {
     /// Spectra of both traces, made at first need.
     spectra: Arc<TraceSpectra>,
     /// Roughness of the whole traces, made at first need.
-    whole: Arc<OnceLock<Result<Roughness, PositionError>>>,
+    whole: Arc<Noted<Roughness>>,
     noise_cutoff: Option<Length>,
     /// Rz of the traces as roughness parameters; where it is not known, windows have the range of their heights.
     rz: [Option<Length>; 2],
@@ -585,8 +586,9 @@ impl Surfaces {
 
     /// Roughness of the flanks as a whole: of both traces, or from values.
     pub fn roughness_as_a_whole(&self) -> Result<Roughness, PositionError> {
-        let made = self.whole.get_or_init(|| self.roughness_of_whole());
-        made.clone()
+        self.whole
+            .get_or_make(|| self.roughness_of_whole())
+            .cloned()
     }
 
     fn roughness_of_whole(&self) -> Result<Roughness, PositionError> {

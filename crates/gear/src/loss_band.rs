@@ -155,11 +155,8 @@ impl LoadMap {
     }
 
     fn with_edge_contact(&self) -> Result<Option<f64>, GearError> {
-        if let Some(computed) = self.edge_contact.get() {
-            return Ok(*computed);
-        }
-        let with = self.solved_with_edge_contact()?;
-        Ok(*self.edge_contact.get_or_init(|| with))
+        let with = || self.solved_with_edge_contact();
+        Ok(*self.edge_contact.get_or_make(with)?)
     }
 
     fn solved_with_edge_contact(&self) -> Result<Option<f64>, GearError> {

@@ -1,10 +1,10 @@
 //! The rough contact at twelve asperity shares: what oil, speed and temperature do not change.
 
 use std::cmp::Ordering;
-use std::sync::OnceLock;
 
 use asperity_core::cite;
 use asperity_core::numerics::{Solved, secant_root};
+use asperity_core::provenance::Noted;
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 
@@ -83,7 +83,7 @@ impl From<ContactState> for TableRow {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactTable {
     first_touch: f64,
-    rows: [OnceLock<Box<TableRow>>; TABLE_SHARES.len()],
+    rows: [Noted<Box<TableRow>>; TABLE_SHARES.len()],
 }
 
 /// A row of the table that is needed and not solved.
@@ -267,9 +267,15 @@ impl ContactTable {
 
     /// Solves a row, after those between it and the one solved first.
     fn solve(&self, row: usize, contact: &mut RoughContact) -> Result<&TableRow, LoadShareError> {
-        if let Ok(known) = self.row(row) {
-            return Ok(known);
-        }
+        let solved = self.rows[row].get_or_make(|| self.solved(row, contact))?;
+        Ok(solved)
+    }
+
+    fn solved(
+        &self,
+        row: usize,
+        contact: &mut RoughContact,
+    ) -> Result<Box<TableRow>, LoadShareError> {
         let before = match row.cmp(&FIRST_SOLVED) {
             Ordering::Less => Some(row + 1),
             Ordering::Equal => None,
@@ -279,8 +285,7 @@ impl ContactTable {
             None => contact.start_anew(),
             Some(before) => self.solve(before, contact)?.start(contact),
         }
-        let state = contact.at(TABLE_SHARES[row])?;
-        Ok(self.rows[row].get_or_init(|| Box::new(state.into())))
+        Ok(Box::new(contact.at(TABLE_SHARES[row])?.into()))
     }
 
     fn row(&self, row: usize) -> Result<&TableRow, Unsolved> {

@@ -6,10 +6,11 @@
 //! first, so that the piece repeats without a jump.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity_core::Profile;
 use asperity_core::profile::mirrored_window;
+use asperity_core::provenance::Noted;
 use asperity_ehl_regime::{PairSpectrum, TraceSpectrum};
 
 use crate::attenuated_traces::AttenuatedTraces;
@@ -23,8 +24,8 @@ const PIECES: usize = 16;
 /// Spectra of two traces and of their pieces, each made when it is first needed.
 #[derive(Debug, Default)]
 pub struct TraceSpectra {
-    whole: OnceLock<[TraceSpectrum; 2]>,
-    pair: OnceLock<PairSpectrum>,
+    whole: Noted<[TraceSpectrum; 2]>,
+    pair: Noted<PairSpectrum>,
     /// By trace, first point and number of points.
     pieces: Mutex<BTreeMap<(usize, isize, usize), Arc<TraceSpectrum>>>,
 }
@@ -35,11 +36,8 @@ impl TraceSpectra {
     /// # Errors
     /// When a trace has fewer than two points.
     pub fn pair(&self, traces: [&Profile; 2]) -> Result<&PairSpectrum, LoadShareError> {
-        if let Some(known) = self.pair.get() {
-            return Ok(known);
-        }
-        let made = PairSpectrum::of(self.of_whole(traces)?.each_ref());
-        Ok(self.pair.get_or_init(|| made))
+        self.pair
+            .get_or_make(|| Ok(PairSpectrum::of(self.of_whole(traces)?.each_ref())))
     }
 
     /// Roughness of two windows of `points` points together that begin at `starts`, flattened by `flattening`;
@@ -71,13 +69,11 @@ impl TraceSpectra {
     /// # Errors
     /// When a trace has fewer than two points.
     pub fn of_whole(&self, traces: [&Profile; 2]) -> Result<&[TraceSpectrum; 2], LoadShareError> {
-        if let Some(known) = self.whole.get() {
-            return Ok(known);
-        }
-        let spectrum = |trace: &Profile| TraceSpectrum::new(trace.heights(), trace.spacing());
-        let [first, second] = traces.map(spectrum);
-        let made = [first?, second?];
-        Ok(self.whole.get_or_init(|| made))
+        self.whole.get_or_make(|| {
+            let spectrum = |trace: &Profile| TraceSpectrum::new(trace.heights(), trace.spacing());
+            let [first, second] = traces.map(spectrum);
+            Ok([first?, second?])
+        })
     }
 
     fn of_pieces(

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use asperity_core::provenance::Provenance;
 use asperity_core::quantity::AngularSpeed;
 use asperity_core::task::par_map;
 use asperity_gear::LoadMap;
@@ -31,6 +32,10 @@ pub struct Contacts {
     /// Offsets of each pair of traces.
     each: usize,
     rows: BTreeMap<[u64; 4], Vec<Arc<WindowContact>>>,
+    /// Equations of their solution.
+    used: Provenance,
+    /// Those of the windows alone.
+    of_windows: Provenance,
 }
 
 impl Contacts {
@@ -56,6 +61,8 @@ impl Contacts {
             load: mesh.load,
             rows: BTreeMap::new(),
             inputs,
+            used: Provenance::new(),
+            of_windows: Provenance::new(),
         };
         contacts.rows = contacts.rows_of(&mesh.positions, &known)?;
         if contacts.inputs.offsets == Offsets::Needed {
@@ -91,7 +98,12 @@ impl Contacts {
             }
         };
         let of_position = |at| (0..count).map(|k| of_offset(at, k)).collect();
-        let rows = numbered(par_map(positions, of_position))?;
+        let rows = self.of_windows.collect(|| par_map(positions, of_position));
+        let rows = numbered(rows)?;
+        for known in known {
+            self.of_windows.include(&known.of_windows);
+        }
+        self.of_windows.note();
         Ok(positions.iter().map(key).zip(rows).collect())
     }
 
@@ -182,7 +194,22 @@ impl Contacts {
             load: self.load.clone(),
             each,
             rows: rows.collect(),
+            used: self.used.clone(),
+            of_windows: self.of_windows.clone(),
         }
+    }
+
+    /// The contacts that `solve` makes, with the equations of their solution.
+    pub(crate) fn noted(solve: impl FnOnce() -> Result<Self, Error>) -> Result<Self, Error> {
+        let used = Provenance::new();
+        let found = used.collect(solve)?;
+        used.note();
+        Ok(Self { used, ..found })
+    }
+
+    /// Notes the equations of their solution, which was found before.
+    pub(crate) fn note(&self) {
+        self.used.note();
     }
 
     /// Refuses contacts whose flanks, steels, windows or offsets differ from `loaded`.

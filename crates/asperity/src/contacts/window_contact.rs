@@ -1,8 +1,9 @@
 //! The rough contact of one window, solved at the shares that a film needs.
 
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity_core::cancel::checkpoint;
+use asperity_core::provenance::Noted;
 use asperity_core::quantity::{Length, LineLoad};
 use asperity_mixed_film::{ContactTable, Flattening, RoughContact, WindowRoughness};
 
@@ -22,7 +23,7 @@ pub(crate) struct WindowContact {
     /// Place of the window on the traces; `None` where no window is resolved.
     pub window: Option<Window>,
     /// The contact at the shares solved so far, once a film needed it.
-    pub table: OnceLock<ContactTable>,
+    pub table: Noted<ContactTable>,
     /// Roughness that the last film left.
     flattened: LastFilm,
 }
@@ -86,7 +87,7 @@ impl WindowContact {
             },
             window: Window::at(surfaces, position, inputs.reach, k, count)?,
             roughness: surfaces.roughness_at(position, inputs.reach, (k, count))?,
-            table: OnceLock::new(),
+            table: Noted::default(),
             flattened: LastFilm::default(),
         }))
     }
@@ -170,12 +171,12 @@ impl WindowContact {
     /// # Errors
     /// As [`rough`](Self::rough).
     pub(crate) fn table(&self) -> Result<(&ContactTable, Option<RoughContact>), PositionError> {
-        if let Some(known) = self.table.get() {
-            return Ok((known, None));
-        }
-        let rough = self.rough()?;
-        let table = ContactTable::new(&rough);
-        Ok((self.table.get_or_init(|| table), Some(rough)))
+        let mut made = None;
+        let table = self.table.get_or_make(|| {
+            let rough = made.insert(self.rough()?);
+            Ok::<_, PositionError>(ContactTable::new(rough))
+        })?;
+        Ok((table, made))
     }
 
     /// Asperity share of the window under the mean gap `gap`.

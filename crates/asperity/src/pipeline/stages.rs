@@ -83,11 +83,14 @@ pub(super) fn sampled<'a>(
     let inputs = ContactInputs::of(loaded);
     let own = known.iter().find(|known| known.are_by(&inputs));
     let contacts = match own {
-        Some(own) => Cow::Borrowed(*own),
-        None => {
-            let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
-            Cow::Owned(contacts_of(loaded, &mesh, known.iter().copied())?)
+        Some(own) => {
+            own.note();
+            Cow::Borrowed(*own)
         }
+        None => Cow::Owned(Contacts::noted(|| {
+            let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
+            contacts_of(loaded, &mesh, known.iter().copied())
+        })?),
     };
     Ok((with_offsets(loaded, contacts.offsets())?, contacts))
 }

@@ -26,9 +26,9 @@ mod rows;
 pub use rows::{ROWS, TAGS, place};
 
 use std::collections::BTreeSet;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
-use crate::task::Task;
+use crate::task::{self, Task};
 
 /// Records that the equation with this tag is evaluated; the first statement of a tagged function.
 #[macro_export]
@@ -77,6 +77,12 @@ impl Provenance {
         self.add(used);
     }
 
+    /// Notes the equations of this set, whose work was done before and is used here, as if they ran here.
+    pub fn note(&self) {
+        let used = *self.lock();
+        task::note_all(used);
+    }
+
     /// Tags collected so far, in alphabetical order. Work that is still running inside [`Self::collect`] adds its own at its end.
     #[must_use]
     pub fn tags(&self) -> BTreeSet<&'static str> {
@@ -99,6 +105,50 @@ impl Provenance {
 
     fn lock(&self) -> MutexGuard<'_, Bits> {
         self.used.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// A value that is made once, at first need, with the equations of its making: they are noted at each use, so that a result names
+/// them whichever work made the value.
+#[derive(Debug, Clone)]
+pub struct Noted<T>(OnceLock<(Bits, T)>);
+
+impl<T> Noted<T> {
+    /// The value, if it is made.
+    #[must_use]
+    pub fn get(&self) -> Option<&T> {
+        let (used, value) = self.0.get()?;
+        task::note_all(*used);
+        Some(value)
+    }
+
+    /// The value, made by `make` if there is none.
+    ///
+    /// # Errors
+    /// The errors of `make`.
+    pub fn get_or_make<E>(&self, make: impl FnOnce() -> Result<T, E>) -> Result<&T, E> {
+        if let Some(known) = self.get() {
+            return Ok(known);
+        }
+        let used = Provenance::new();
+        let made = used.collect(make)?;
+        let used = *used.lock();
+        let (used, value) = self.0.get_or_init(|| (used, made));
+        task::note_all(*used);
+        Ok(value)
+    }
+}
+
+impl<T> Default for Noted<T> {
+    fn default() -> Self {
+        Self(OnceLock::new())
+    }
+}
+
+impl<T: PartialEq> PartialEq for Noted<T> {
+    fn eq(&self, other: &Self) -> bool {
+        let [own, other] = [self, other].map(|one| one.0.get().map(|(_, value)| value));
+        own == other
     }
 }
 
@@ -133,6 +183,20 @@ mod tests {
         });
         assert_eq!(outer.tags(), BTreeSet::from(["P1"]));
         assert_eq!(inner.tags(), BTreeSet::from(["P2"]));
+    }
+
+    #[test]
+    fn a_value_that_was_made_before_notes_its_equations_at_each_use() {
+        let value = Noted::default();
+        for _ in 0..2 {
+            let used = Provenance::new();
+            let make = || {
+                first();
+                Ok::<_, ()>(7)
+            };
+            assert_eq!(used.collect(|| value.get_or_make(make)), Ok(&7));
+            assert_eq!(used.tags(), BTreeSet::from(["P1"]));
+        }
     }
 
     #[test]

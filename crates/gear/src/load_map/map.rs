@@ -1,6 +1,6 @@
 //! The load map, solved at the phases of a mesh cycle.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use super::coupled::{self, ContactLine, Problem, Tails};
 use super::grid::Grid;
@@ -14,6 +14,7 @@ use crate::pair::GearPair;
 use crate::pair_compliance::{PairCompliance, StiffnessSource};
 use crate::relief::{MicroGeometry, Separation};
 use asperity_core::material::Material;
+use asperity_core::provenance::Noted;
 use asperity_core::quantity::{Length, LineLoad, Torque};
 use asperity_core::{DomainError, cite};
 use serde::{Deserialize, Serialize};
@@ -93,7 +94,7 @@ pub struct LoadMap {
     pub(super) loss_factor: f64,
     pub(super) evidence: LoadMapEvidence,
     /// Loss factor with contact of the tip edges, computed at most once for a map and its clones.
-    pub(crate) edge_contact: Arc<OnceLock<Option<f64>>>,
+    pub(crate) edge_contact: Arc<Noted<Option<f64>>>,
 }
 
 #[derive(Debug, Clone)]
