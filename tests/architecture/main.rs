@@ -7,6 +7,7 @@ mod hosted;
 mod key_names;
 mod long_functions;
 mod message_numbers;
+mod one_way_to_run;
 mod read_only;
 mod tables_once;
 mod walk;

@@ -8,7 +8,7 @@ use super::words::sources;
 /// Types of a case, each made once and read only.
 const READ_ONLY: [&str; 3] = ["Case", "LoadedCase", "OperatingCase"];
 
-fn all_sources() -> Vec<PathBuf> {
+pub fn all_sources() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let folders = std::fs::read_dir(root.join("crates")).unwrap();
     let folders = folders.map(|entry| entry.unwrap().path().join("src"));

@@ -15,4 +15,5 @@ mod placement;
 mod positions;
 mod regime;
 mod sampling;
+mod threads;
 mod traces;
