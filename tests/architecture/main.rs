@@ -200,6 +200,7 @@ const OF_THE_MODULE: &[&str] = &[
 /// The page, outside of the workspace: the same job as that of the command, in a browser.
 const OF_THE_PAGE: &[&str] = &[
     "asperity",
+    "asperity-calibration",
     "asperity-paper-2022",
     "asperity-report",
     "asperity-rexs",

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use asperity::Contacts;
 use asperity::case::{CaseInput, LoadedCase};
 use asperity::core::quantity::Length;
-use asperity::uncertainty::evidence::Effort;
+use asperity::evidence::Effort;
 use asperity::uncertainty::predictive;
 use asperity_calibration::evidence::EvidenceTable;
 use asperity_calibration::oil::fit::PointErrors;

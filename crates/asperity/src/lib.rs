@@ -52,6 +52,7 @@ mod assembly;
 pub mod contacts;
 #[doc(hidden)]
 pub mod equations;
+pub mod evidence;
 pub mod gearbox;
 pub mod lubrication;
 pub mod mesh;

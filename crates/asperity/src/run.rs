@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 
 use crate::contacts::Contacts;
-use crate::pipeline::{self, Kept, Progress};
+use crate::evidence::{CurvePlan, Effort, Evidence};
+use crate::pipeline::{self, Kept, Options, Progress};
 use crate::train::{self, Outcome, TrainLosses};
-use crate::uncertainty::CurvePlan;
 use asperity_case::case::OperatingCase;
 use asperity_case::case::train::Train;
 use asperity_case::error::Error;
@@ -40,30 +40,12 @@ pub struct Run<'a> {
     plan: Option<&'a CurvePlan<'a>>,
 }
 
-/// What a run of a mesh holds, draws and knows.
-#[derive(Clone)]
-pub(crate) struct Options<'a> {
-    pub kept: Kept,
-    pub interval: bool,
-    pub progress: Progress<'a>,
-    /// Contacts that were computed before.
-    pub known: Vec<&'a Contacts>,
-    /// Whether an equilibrium of a bulk temperature that is hotter than the first is sought.
-    pub seeks_hotter: bool,
-}
-
 impl<'a> Run<'a> {
     /// A run with pictures of every position, the fields of all of them, and without the interval of the loss.
     pub fn new(case: impl Into<Cow<'a, Train>>) -> Self {
         Self {
             train: case.into(),
-            options: Options {
-                kept: Kept::All,
-                interval: false,
-                progress: &|_, _| {},
-                known: Vec::new(),
-                seeks_hotter: true,
-            },
+            options: Options::default(),
             plan: None,
         }
     }
@@ -111,11 +93,13 @@ impl<'a> Run<'a> {
     /// # Errors
     /// When a position has no solution; the first one along the path is named. When losses that are passed on do not settle.
     pub fn execute(self) -> Result<Outcome, Error> {
-        let outcome = train::run(&self.train, &self.options)?;
-        match self.plan {
-            Some(plan) => outcome.with_evidence(plan),
-            None => Ok(outcome),
+        let mut outcome = train::run(&self.train, &self.options)?;
+        if let Some(plan) = self.plan
+            && let Some(evidence) = Evidence::of(&outcome, &Effort::usual(), plan)?
+        {
+            outcome.put_evidence(evidence.rows);
         }
+        Ok(outcome)
     }
 
     /// Losses only, equal to the losses of [`execute`](Self::execute) to the last digit.
@@ -189,12 +173,4 @@ impl<'a> Run<'a> {
     pub fn check(self) -> Result<Vec<Warning>, Error> {
         train::check(&self.train)
     }
-}
-
-/// Losses of a pair of gears.
-#[cfg(test)]
-pub(crate) fn losses(
-    case: &asperity_case::case::LoadedCase,
-) -> Result<crate::result::Losses, Error> {
-    Run::new(case).losses()?.into_only()
 }

@@ -7,14 +7,12 @@ use std::str::FromStr;
 
 use asperity::case::train::Train;
 use asperity::core::{did_you_mean, nearest_name};
+use asperity::evidence::{Effort, Evidence, ONE_CURVE, PlannedCurves, STANDARD_PLAN};
 use asperity::pipeline::{Kept, Progress, less_of_scans};
 use asperity::result::loss_band::{Digits, EvidenceRow};
 use asperity::result::{ScanComparison, with_interval};
 use asperity::train::Outcome;
-use asperity::uncertainty::evidence::{Effort, Evidence, ONE_CURVE, STANDARD_PLAN};
-use asperity::uncertainty::{
-    Measurement, PairedDifference, PlannedCurves, Quantiles, difference, has_band,
-};
+use asperity::uncertainty::{Measurement, PairedDifference, Quantiles, difference, has_band};
 use asperity::{Contacts, LoadedCase, Run};
 use asperity_report::chart::{Axis, Drawing, Interval, Tornado};
 use asperity_report::{

@@ -8,8 +8,8 @@ use std::cell::{Cell, RefCell};
 #[cfg(feature = "threads")]
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::cancel::Token;
 use crate::provenance::{Bits, Provenance, WORDS};
+use crate::token::{Cancelled, Token};
 
 thread_local! {
     /// The equations that ran in the innermost task.
@@ -58,21 +58,48 @@ impl Task {
         };
         work()
     }
+}
 
-    /// Whether the token of this thread's task is cancelled.
-    pub(crate) fn is_cancelled() -> bool {
-        CURRENT.with_borrow(|task| task.token.as_ref().is_some_and(Token::is_cancelled))
+impl Token {
+    /// Runs `work` with this as the token of the task.
+    pub fn run<T>(&self, work: impl FnOnce() -> T) -> T {
+        Task::current().cancelled_by(self).enter(work)
+    }
+}
+
+/// Called in every loop that may take long.
+///
+/// # Errors
+/// When the token of this thread is cancelled.
+#[inline]
+pub fn checkpoint() -> Result<(), Cancelled> {
+    let is_cancelled =
+        CURRENT.with_borrow(|task| task.token.as_ref().is_some_and(Token::is_cancelled));
+    if is_cancelled { Err(Cancelled) } else { Ok(()) }
+}
+
+impl Provenance {
+    /// Runs `work` and adds the tags of all equations that it evaluates on this thread, and on others by `par_map`.
+    ///
+    /// Of nested calls the innermost collects.
+    pub fn collect<T>(&self, work: impl FnOnce() -> T) -> T {
+        Task::current().collecting(self).enter(work)
     }
 
-    /// Notes the equation at this place of the table.
-    #[inline]
-    pub(crate) fn note(place: usize) {
-        let bits = u64::BITS as usize;
-        USED.with(|used| {
-            let word = &used[place / bits];
-            word.set(word.get() | 1 << (place % bits));
-        });
+    /// Notes the equations of this set, whose work was done before and is used here, as if they ran here.
+    pub fn note(&self) {
+        note_all(self.used());
     }
+}
+
+/// Records that the equation at this place of the table is evaluated.
+#[inline]
+pub fn note(place: usize) {
+    let bits = u64::BITS as usize;
+    USED.with(|used| {
+        let word = &used[place / bits];
+        word.set(word.get() | 1 << (place % bits));
+    });
 }
 
 /// Notes these equations, which ran before.
@@ -194,7 +221,6 @@ pub fn threads() -> usize {
 #[cfg(all(test, feature = "threads"))]
 mod tests {
     use super::*;
-    use crate::cancel::{Cancelled, checkpoint};
     use crate::cite;
     use std::collections::BTreeSet;
 
@@ -255,5 +281,31 @@ mod tests {
         });
         assert!(ended.unwrap().contains(&Err(Cancelled)));
         assert!(par_map(0..4, |_| checkpoint()).iter().all(Result::is_ok));
+    }
+}
+
+#[cfg(test)]
+mod tests_of_tokens {
+    use super::*;
+    use std::panic::{AssertUnwindSafe, catch_unwind};
+
+    #[test]
+    fn work_that_is_not_cancelled_has_its_result() {
+        assert_eq!(Token::new().run(|| checkpoint().map(|()| 7)), Ok(7));
+    }
+
+    #[test]
+    fn the_token_of_the_thread_is_the_outer_one_again() {
+        let (outer, inner) = (Token::new(), Token::new());
+        outer.run(|| {
+            inner.cancel();
+            assert_eq!(inner.run(checkpoint), Err(Cancelled));
+            assert_eq!(checkpoint(), Ok(()));
+            // After a panic as well.
+            let panicked = catch_unwind(AssertUnwindSafe(|| inner.run(|| panic!("a fault"))));
+            assert!(panicked.is_err());
+            assert_eq!(checkpoint(), Ok(()));
+        });
+        assert_eq!(checkpoint(), Ok(()));
     }
 }

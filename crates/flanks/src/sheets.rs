@@ -13,8 +13,8 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use asperity_core::noted::Noted;
 use asperity_core::profile::mirrored_indices;
-use asperity_core::provenance::Noted;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, Profile, cite};
 use asperity_ehl_regime::{

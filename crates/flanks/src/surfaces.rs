@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity_core::provenance::Noted;
+use asperity_core::noted::Noted;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use asperity_profile_io::read::Reading;

@@ -3,8 +3,8 @@
 use std::cmp::Ordering;
 
 use asperity_core::cite;
+use asperity_core::noted::Noted;
 use asperity_core::numerics::{Solved, secant_root};
-use asperity_core::provenance::Noted;
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 

@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity_core::Profile;
+use asperity_core::noted::Noted;
 use asperity_core::profile::mirrored_window;
-use asperity_core::provenance::Noted;
 use asperity_ehl_regime::{PairSpectrum, TraceSpectrum};
 
 use crate::attenuated_traces::AttenuatedTraces;

@@ -639,8 +639,8 @@ pub(crate) fn mixed_share(position: &LubricatedPosition) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::check;
+    use crate::pipeline::losses;
     use crate::result::Losses;
-    use crate::run::losses;
     use asperity_core::Code;
 
     #[test]

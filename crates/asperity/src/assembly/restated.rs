@@ -186,7 +186,7 @@ impl<'a> Restated<'a> {
 
 #[cfg(test)]
 mod tests {
-    use crate::run::losses;
+    use crate::pipeline::losses;
     use asperity_case::case::load_with;
 
     #[test]

@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity_core::cancel::checkpoint;
-use asperity_core::provenance::Noted;
+use asperity_core::noted::Noted;
 use asperity_core::quantity::{Length, LineLoad};
 use asperity_mixed_film::{ContactTable, Flattening, RoughContact, WindowRoughness};
 

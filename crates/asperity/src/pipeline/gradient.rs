@@ -277,7 +277,7 @@ mod tests {
 
     use super::super::stages::{Stages, sampled};
     use super::gradient;
-    use crate::run::losses;
+    use crate::pipeline::losses;
     use asperity_case::case::{CaseInput, LoadedCase, Source, load_holding, load_with};
     use asperity_roughness::composite::resampled;
 

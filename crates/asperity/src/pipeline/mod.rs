@@ -16,6 +16,7 @@ mod bulk_temperature;
 mod gradient;
 mod history;
 mod kept;
+mod options;
 mod over_gap;
 #[cfg(test)]
 mod overridden;
@@ -34,7 +35,16 @@ pub use stages::{Progress, chooses_offsets};
 pub use store::ContactStore;
 pub use survey::{RegimeRow, survey};
 
+pub(crate) use options::Options;
 pub(crate) use over_gap::over_gap;
 pub(crate) use stages::{
     by_solved_contacts, check, contacts, losses_at, losses_of, outcome, settled,
 };
+
+/// Losses of a pair of gears.
+#[cfg(test)]
+pub(crate) fn losses(
+    case: &asperity_case::case::LoadedCase,
+) -> Result<crate::result::Losses, asperity_case::error::Error> {
+    losses_of(case, &Options::default())
+}

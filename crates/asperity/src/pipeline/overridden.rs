@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::{contacts, losses_at, settled};
+use crate::pipeline::losses;
 use crate::result::Losses;
-use crate::run::losses;
 use crate::uncertainty::range;
 use asperity_case::case::{LoadedCase, UncertainParameter, load_with};
 use asperity_core::quantity::Temperature;

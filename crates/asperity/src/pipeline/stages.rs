@@ -12,7 +12,7 @@ use asperity_ehl_regime::inlet_flow::Lay;
 
 use super::bulk_temperature;
 use super::kept::Kept;
-use crate::run::Options;
+use super::options::Options;
 
 use crate::assembly::{Solved, equations_used, sources_used, warnings_of_case};
 use crate::contacts::running_in;
@@ -511,8 +511,8 @@ mod tests {
     use asperity_ehl_regime::{FilmConditions, FilmThickness, FilmThicknessLaw, RegimeError};
 
     use super::check;
+    use crate::pipeline::losses;
     use crate::pipeline::survey;
-    use crate::run::losses;
     use asperity_case::case::load_with;
 
     /// A film without thickness.

@@ -3,8 +3,9 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::numerics::{NodeInterval, interpolate};
-use asperity_core::provenance::{Provenance, TAGS, note};
+use asperity_core::provenance::{Provenance, TAGS};
 use asperity_core::quantity::Length;
+use asperity_core::task::note;
 use asperity_core::task::par_map;
 use asperity_ehl::{RecordMean, RecordSettings, transient};
 

@@ -17,8 +17,8 @@ use serde::{Deserialize, Serialize};
 use super::contacts;
 use crate::contacts::Contacts;
 use crate::gearbox;
+use crate::pipeline::{self, Options};
 use crate::result::RunResult;
-use crate::run::Run;
 use asperity_case::case::LoadedCase;
 use asperity_case::case::train::{HeatInput, Train};
 use asperity_case::error::Error;
@@ -108,8 +108,11 @@ pub(crate) fn warmed(loaded: &Train) -> Result<(Train, Option<FoundOil>), Error>
     let contacts = contacts(loaded, &[])?;
     let losses = |train: &Train| -> Result<Power, Error> {
         let of_mesh = |(case, contacts): (&LoadedCase, &Contacts)| {
-            let losses = Run::new(case).known([contacts]).coldest().losses()?;
-            let losses = losses.into_only()?;
+            let coldest = Options {
+                seeks_hotter: false,
+                ..Options::known(contacts)
+            };
+            let losses = pipeline::losses_of(case, &coldest)?;
             Ok(Power::from_si(losses.summary.loss_w))
         };
         let cases = train.meshes().map(|mesh| &mesh.case);

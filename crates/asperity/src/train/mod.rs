@@ -15,16 +15,13 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::assembly::warnings_of_gearbox;
 use crate::contacts::Contacts;
 use crate::gearbox;
-use crate::pipeline;
+use crate::pipeline::{self, Options};
 use crate::result::gearbox::{GearboxReport, Scope};
 use crate::result::loss_band::{Digits, EvidenceRow};
 use crate::result::{Losses, MeshOutcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
-use crate::run::{Options, Run};
-use crate::uncertainty::evidence::{Effort, Evidence};
 use crate::uncertainty::{
-    CurvePlan, DrawnMesh, Predictive, Quantiles, beside, has_band, median_with_ends, predictive,
-    run_and_draw,
+    DrawnMesh, Predictive, Quantiles, beside, has_band, median_with_ends, predictive, run_and_draw,
 };
 use asperity_case::balance;
 use asperity_case::case::train::{LoadedMesh, Train};
@@ -269,10 +266,8 @@ impl Outcome {
         Ok((self.into_only()?, drawn))
     }
 
-    /// The outcome with the measurements that would narrow its interval, with their usual hours.
-    pub(crate) fn with_evidence(mut self, plan: &CurvePlan<'_>) -> Result<Self, Error> {
-        let evidence = Evidence::of(&self, &Effort::usual(), plan)?;
-        let evidence = evidence.map(|found| found.rows).unwrap_or_default();
+    /// States the measurements that would narrow the interval of the loss.
+    pub(crate) fn put_evidence(&mut self, evidence: Vec<EvidenceRow>) {
         let is_only = self.only().is_some();
         match self.meshes.first_mut() {
             Some(only) if is_only => {
@@ -282,7 +277,6 @@ impl Outcome {
             }
             _ => self.whole.evidence = evidence,
         }
-        Ok(self)
     }
 
     /// The drawn losses of the meshes; `None` without draws.
@@ -566,7 +560,7 @@ fn loaded_by_losses(loaded: Train) -> Result<Train, Error> {
                 match known.get(k) {
                     Some((before, loss)) if *before == load => Ok((load, *loss)),
                     _ => {
-                        let losses = Run::new(&mesh.case).losses()?.into_only()?;
+                        let losses = pipeline::losses_of(&mesh.case, &Options::default())?;
                         Ok((load, Power::from_si(losses.summary.loss_w)))
                     }
                 }

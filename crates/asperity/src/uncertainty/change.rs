@@ -13,8 +13,8 @@ use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 use super::evaluations::{Windows, widest};
 use super::recorded::predictive_of;
 use crate::contacts::Contacts;
+use crate::pipeline::{Options, losses_of};
 use crate::result::{Losses, PositionRow};
-use crate::run::Run;
 use crate::sampling::{sampling_of_teeth, wider_like_measured, windows_of_traces};
 use asperity_case::case::LoadedCase;
 use asperity_case::error::Error;
@@ -70,7 +70,7 @@ impl ChangeDraws {
         let mut lay = None;
         for ((loaded, contacts), sign) in cases.into_iter().zip([1.0, -1.0]) {
             let (case, few) = few_offsets_of(loaded, contacts)?;
-            let nominal = Run::new(&case).known([&few]).losses()?.into_only()?;
+            let nominal = losses_of(&case, &Options::known(&few))?;
             // The ratios of two losses that are close have the windows of their difference.
             let windows = Windows {
                 contacts: &few,

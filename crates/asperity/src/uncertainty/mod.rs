@@ -23,7 +23,6 @@ mod common_draws;
 mod deciding;
 mod difference;
 mod evaluations;
-pub mod evidence;
 mod other_models;
 mod recorded;
 mod scans;
@@ -37,12 +36,12 @@ use asperity_core::provenance::Provenance;
 
 use crate::assembly::{equations_used, far_lay, relief_warning, sources_used};
 use crate::contacts::Contacts;
+use crate::pipeline::Options;
 use crate::pipeline::{Kept, outcome};
 use crate::result::{
     AlternativeRow, DrawnConstant, LossDistribution, Losses, MeshOutcome, PairSampling, RunResult,
     SamplingPart, Trust, Uncertainty, UncertaintyPart,
 };
-use crate::run::Options;
 use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::balance::impossible_efficiency;
 use asperity_case::case::{LoadedCase, OperatingCase};
@@ -65,7 +64,6 @@ pub use difference::{
     difference_of_places, losses_of_meshes,
 };
 pub use evaluations::has_band;
-pub use evidence::{CurvePlan, PlannedCurves};
 pub use recorded::predictive;
 
 use evaluations::{Evaluated, Nominal, Windows, count, evaluated, of_windows, travelled, widest};

@@ -164,7 +164,7 @@ mod tests {
 
     use super::super::common_draws::OF_CONDITION;
     use super::*;
-    use crate::run::losses;
+    use crate::pipeline::losses;
     use asperity_case::case::load;
 
     /// Rows of a table of records by their condition and model, each a number by its column.

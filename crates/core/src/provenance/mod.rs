@@ -26,16 +26,14 @@ mod rows;
 pub use rows::{ROWS, TAGS, place};
 
 use std::collections::BTreeSet;
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
-
-use crate::task::{self, Task};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Records that the equation with this tag is evaluated; the first statement of a tagged function.
 #[macro_export]
 macro_rules! cite {
     ($tag:literal) => {{
         const PLACE: usize = $crate::provenance::place($tag);
-        $crate::provenance::note(PLACE)
+        $crate::task::note(PLACE)
     }};
 }
 
@@ -43,12 +41,6 @@ pub(crate) const WORDS: usize = rows::COUNT.div_ceil(u64::BITS as usize);
 
 /// A bit for each equation.
 pub(crate) type Bits = [u64; WORDS];
-
-/// Records that the equation at this place of [`TAGS`] is evaluated.
-#[inline]
-pub fn note(place: usize) {
-    Task::note(place);
-}
 
 /// Set of the equations that ran inside [`Provenance::collect`]; clones share the set.
 #[derive(Debug, Clone, Default)]
@@ -63,24 +55,14 @@ impl Provenance {
         Self::default()
     }
 
-    /// Runs `work` and adds the tags of all equations that it evaluates on this thread, and on others by
-    /// [`par_map`](crate::task::par_map).
-    ///
-    /// Of nested calls the innermost collects.
-    pub fn collect<T>(&self, work: impl FnOnce() -> T) -> T {
-        Task::current().collecting(self).enter(work)
-    }
-
     /// Adds the tags of `other`, whose work was done before and is used again.
     pub fn include(&self, other: &Self) {
         let used = *other.lock();
         self.add(used);
     }
 
-    /// Notes the equations of this set, whose work was done before and is used here, as if they ran here.
-    pub fn note(&self) {
-        let used = *self.lock();
-        task::note_all(used);
+    pub(crate) fn used(&self) -> Bits {
+        *self.lock()
     }
 
     /// Tags collected so far, in alphabetical order. Work that is still running inside [`Self::collect`] adds its own at its end.
@@ -108,53 +90,11 @@ impl Provenance {
     }
 }
 
-/// A value that is made once, at first need, with the equations of its making: they are noted at each use, so that a result names
-/// them whichever work made the value.
-#[derive(Debug, Clone)]
-pub struct Noted<T>(OnceLock<(Bits, T)>);
-
-impl<T> Noted<T> {
-    /// The value, if it is made.
-    #[must_use]
-    pub fn get(&self) -> Option<&T> {
-        let (used, value) = self.0.get()?;
-        task::note_all(*used);
-        Some(value)
-    }
-
-    /// The value, made by `make` if there is none.
-    ///
-    /// # Errors
-    /// The errors of `make`.
-    pub fn get_or_make<E>(&self, make: impl FnOnce() -> Result<T, E>) -> Result<&T, E> {
-        if let Some(known) = self.get() {
-            return Ok(known);
-        }
-        let used = Provenance::new();
-        let made = used.collect(make)?;
-        let used = *used.lock();
-        let (used, value) = self.0.get_or_init(|| (used, made));
-        task::note_all(*used);
-        Ok(value)
-    }
-}
-
-impl<T> Default for Noted<T> {
-    fn default() -> Self {
-        Self(OnceLock::new())
-    }
-}
-
-impl<T: PartialEq> PartialEq for Noted<T> {
-    fn eq(&self, other: &Self) -> bool {
-        let [own, other] = [self, other].map(|one| one.0.get().map(|(_, value)| value));
-        own == other
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::noted::Noted;
+    use crate::task::note;
 
     fn first() {
         cite!("P1");

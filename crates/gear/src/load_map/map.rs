@@ -14,7 +14,7 @@ use crate::pair::GearPair;
 use crate::pair_compliance::{PairCompliance, StiffnessSource};
 use crate::relief::{MicroGeometry, Separation};
 use asperity_core::material::Material;
-use asperity_core::provenance::Noted;
+use asperity_core::noted::Noted;
 use asperity_core::quantity::{Length, LineLoad, Torque};
 use asperity_core::{DomainError, cite};
 use serde::{Deserialize, Serialize};

@@ -3,10 +3,10 @@
 use asperity_core::Fault;
 use asperity_core::cancel::checkpoint;
 
-use super::{Expected, Measurement, MeshDraws, Quantiles};
 use crate::contacts::Contacts;
 use crate::result::loss_band::EvidenceRow;
 use crate::train::Outcome;
+use crate::uncertainty::{Expected, Measurement, MeshDraws, Quantiles};
 use asperity_case::case::LoadedCase;
 use asperity_case::error::Error;
 
