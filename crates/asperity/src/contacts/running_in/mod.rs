@@ -183,7 +183,7 @@ pub(crate) fn surfaces(
     measured.with_traces_of_teeth(|teeth: [usize; 2], zone| {
         let profile = |body: usize| {
             let heights = tracks[zone].heights_of(body, teeth[body]);
-            Profile::new(tracks[zone].spacing, heights.to_vec())
+            Profile::new(tracks[zone].spacing, heights)
         };
         Ok([profile(0)?, profile(1)?])
     })
@@ -206,11 +206,15 @@ pub(crate) fn heights(tracks: &[Track<'_>]) -> Result<FlankHeights, PositionErro
 fn heights_of(surfaces: &Surfaces) -> Result<FlankHeights, PositionError> {
     let each = surfaces.each().map(Surfaces::traces);
     let each = each.collect::<Result<Vec<_>, _>>()?;
-    of_traces([0, 1].map(|body: usize| each.iter().map(|both| both[body].heights()).collect()))
+    of_traces([0, 1].map(|body: usize| {
+        each.iter()
+            .map(|both| both[body].heights().to_vec())
+            .collect()
+    }))
 }
 
-fn of_traces(traces: [Vec<&[f64]>; 2]) -> Result<FlankHeights, PositionError> {
-    let of = |traces: &[&[f64]]| -> Result<[f64; 2], PositionError> {
+fn of_traces(traces: [Vec<Vec<f64>>; 2]) -> Result<FlankHeights, PositionError> {
+    let of = |traces: &[Vec<f64>]| -> Result<[f64; 2], PositionError> {
         let each = traces.iter().map(|z| {
             let rq = section_heights(z)?.rq.si();
             Ok::<_, PositionError>([1e6 * rq, 1e6 * rk_parameters(z)?.rpk.si()])
