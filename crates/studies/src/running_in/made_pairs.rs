@@ -83,13 +83,13 @@ struct Score {
     count: f64,
 }
 
-/// The record: 40 trials take half an hour.
+/// The record: 100 trials take ten minutes of processor time.
 ///
 /// ```text
 /// cargo test --release -p asperity-studies --lib -- --ignored --nocapture made_pairs
 /// ```
 #[test]
-#[ignore = "takes half an hour"]
+#[ignore = "takes ten minutes of processor time"]
 fn the_clock_of_the_history_loses_least_on_made_pairs() {
     const TRIALS: u64 = 100;
     let file = Path::new("../../fixtures/cases/fzg-c.toml");
