@@ -48,7 +48,8 @@ fn run<S: StudySettings<Input: Given> + Args>(
     let refused = |error: Fault| {
         let named = of_option::<S>(error.clone());
         match &given.file {
-            Some(file) if named == error => error.about(file.display()),
+            // A place of the case names its file.
+            Some(file) if named == error && error.place().is_none() => error.about(file.display()),
             _ => named,
         }
     };

@@ -67,50 +67,55 @@ fn more_load_and_more_engagements_remove_more() {
 #[test]
 fn rq_after_48_engagements_is_that_of_an_independent_program_but_for_the_engagements_of_the_wheel()
 {
-    // It let the wheel engage as often as the pinion: its mean of both is met, and the pinion flows more, the wheel less.
+    // It let the wheel engage as often as the pinion: its mean of both is met, and the pinion flows more, the wheel less. Its Rq is
+    // from the mean line of the fresh flank.
     let case = with("fzg-c", &[("model.positions", "16")]);
     for (torque, [pinion, wheel]) in [
         (30.0, [0.276, 0.296]),
         (94.1, [0.258, 0.275]),
         (302.0, [0.237, 0.251]),
         (535.0, [0.233, 0.242]),
+        (1000.0, [0.234, 0.248]),
     ] {
-        let [of_pinion, of_wheel] = ran_in(&case, torque, 48.0).heights[1].rq_um;
+        let found = ran_in(&case, torque, 48.0);
+        let (rq, down) = (found.heights[1].rq_um, removed(&found).map(|nm| 1e-3 * nm));
+        let [of_pinion, of_wheel] = [0, 1].map(|body| rq[body].hypot(down[body]));
         let both = (of_pinion + of_wheel) / (pinion + wheel);
-        assert!((both - 1.0).abs() < 0.015, "{torque}: {both}");
+        assert!((both - 1.0).abs() < 0.03, "{torque}: {both}");
         assert!(
-            (of_pinion / pinion - 1.0).abs() < 0.045,
+            (of_pinion / pinion - 1.0).abs() < 0.085,
             "{torque}: {of_pinion}"
         );
         assert!(
             (of_wheel / wheel - 1.0).abs() < 0.045,
             "{torque}: {of_wheel}"
         );
-        assert!(of_pinion / pinion < of_wheel / wheel);
+        assert!(down[0] > 1.3 * down[1]);
     }
 }
 
 #[test]
-fn valleys_that_nothing_touches_keep_every_bit() {
+fn valleys_that_nothing_touches_stay_and_the_mean_line_goes_down() {
     let case = with("fzg-c", &[]);
-    let after = ran_in(&case, 94.1, 32.0);
+    let found = ran_in(&case, 94.1, 32.0);
+    let down = removed(&found).map(|nm| 1e-9 * nm);
     for body in 0..2 {
-        let [before, after] = [&case.surfaces, &after.surfaces]
+        let [before, after] = [&case.surfaces, &found.surfaces]
             .map(|surfaces| surfaces.traces().unwrap()[body].heights());
         let mut sorted = before.to_vec();
         sorted.sort_by(f64::total_cmp);
         let deepest = sorted[before.len() / 200];
-        let pairs = before.iter().zip(after);
-        let moved = pairs
-            .filter(|(z, after)| **z <= deepest && z != after)
-            .count();
-        assert_eq!(moved, 0);
-        assert!(
-            before
-                .iter()
-                .zip(after)
-                .all(|(before, after)| after <= before)
-        );
+        // The mean line goes down: all heights from it rise by the same, exactly but for the rounding of a sum.
+        let lowered = |(z, after): (&f64, &f64)| z + down[body] - after;
+        let pairs = || before.iter().zip(after);
+        let valleys = pairs().filter(|(z, _)| **z <= deepest);
+        assert!(valleys.map(lowered).all(|by| by.abs() < 1e-20));
+        assert!(pairs().map(lowered).all(|by| by > -1e-20));
+        let mean = |z: &[f64]| z.iter().sum::<f64>() / z.len() as f64;
+        assert!((mean(after) - mean(before)).abs() < 1e-18);
+        let squares: Vec<f64> = after.iter().map(|z| (z - mean(after)).powi(2)).collect();
+        let rq = 1e6 * mean(&squares).sqrt();
+        assert!((found.heights[1].rq_um[body] / rq - 1.0).abs() < 1e-3);
     }
 }
 

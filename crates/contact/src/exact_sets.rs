@@ -80,9 +80,12 @@ impl Matrix {
         touching: &[usize],
         (columns, constant): (usize, f64),
     ) -> Option<Cholesky> {
-        let place = |k: usize| [touching[k] / columns, touching[k] % columns];
+        let places: Vec<[usize; 2]> = touching
+            .iter()
+            .map(|point| [point / columns, point % columns])
+            .collect();
         let element = |i: usize, j: usize| {
-            let [[row, column], [other_row, other]] = [place(i), place(j)];
+            let [[row, column], [other_row, other]] = [places[i], places[j]];
             self.lags_from(row.abs_diff(other_row), column)[other] + constant
         };
         Cholesky::new(touching.len(), element, 0.0)

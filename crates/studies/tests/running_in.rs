@@ -108,22 +108,27 @@ fn superfinished_flanks_gain_nothing_by_flow() {
 fn a_history_passes_through_the_traces_of_a_test() {
     let case = case();
     let folder = tempfile::tempdir().unwrap();
-    // The test: the flanks of another history after 2e5 engagements with more wear than usual.
+    // The test: the flanks of another history after 2e6 engagements.
     let test = found(
         &case,
-        serde_json::json!({ "torque": ["302 N m"], "engagements": 2e5 }),
+        serde_json::json!({ "torque": ["302 N m"], "engagements": 2e6 }),
     )
     .unwrap();
     test.write(&folder.path().join("test")).unwrap();
-    let fresh = found(&case, serde_json::json!({ "engagements": 1.0 })).unwrap();
-    fresh.write(&folder.path().join("fresh")).unwrap();
+    let fresh = case.surfaces.traces().unwrap()[0];
+    let points = fresh.heights().iter().enumerate();
+    let step = 1e6 * fresh.spacing().si();
+    let rows = points.map(|(i, z)| format!("{},{}\n", i as f64 * step, 1e6 * z));
+    std::fs::create_dir(folder.path().join("fresh")).unwrap();
+    let text = format!("x_um,z_um\n{}", rows.collect::<String>());
+    std::fs::write(folder.path().join("fresh/pinion.csv"), text).unwrap();
     let trace = |name: &str| folder.path().join(name).join("pinion.csv");
     let stated = |engagements: f64| {
         serde_json::json!({
-            "engagements": engagements, "before": [trace("fresh")], "after": [trace("test")], "test_engagements": 2e5,
+            "engagements": engagements, "before": [trace("fresh")], "after": [trace("test")], "test_engagements": 2e6,
         })
     };
-    let study = found(&case, stated(2e5)).unwrap();
+    let study = found(&case, stated(2e6)).unwrap();
     let pair = study.test.as_ref().unwrap();
     let last = study.courses[0].rows.last().unwrap();
     let ratio = last.pinion_rq_um.value / study.courses[0].rows[0].pinion_rq_um.value;
@@ -132,7 +137,7 @@ fn a_history_passes_through_the_traces_of_a_test() {
         "{ratio} {pair:?}"
     );
     assert!(pair.rq_ratio.value < pair.plastic_rq_ratio && pair.k_mm3_per_n_m.is_some());
-    let too_far = found(&case, stated(3e6)).unwrap_err();
+    let too_far = found(&case, stated(3e7)).unwrap_err();
     assert!(
         too_far.starts_with("E205") && too_far.contains("ten times"),
         "{too_far}"

@@ -2,7 +2,7 @@
 
 use asperity_core::quantity::Pressure;
 
-use super::stages::{OnFlanks, on_flanks};
+use super::stages::on_flanks;
 use crate::contacts::running_in::{
     Flow, Track, WearRates, heights, plastic, rates, removed, surfaces, tracks,
 };
@@ -16,7 +16,9 @@ use asperity_case::flanks::Surfaces;
 const MAX_PACKAGES: usize = 40;
 /// Change of Rq at which a package ends.
 const PACKAGE: f64 = 0.02;
-/// First package over the whole wear, where Rq changes less; each further one doubles what is worn.
+/// Least change of Rq in the first package, unless it is the whole wear: the film on flanks that have changed less is the same.
+const LITTLE: f64 = 2e-4;
+/// First package over the whole wear, if Rq changes by more than that; each further one doubles what is worn.
 const FIRST: f64 = 2e-3;
 
 /// Settings of a history of running-in.
@@ -58,7 +60,8 @@ pub struct HistoryState {
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct History {
-    /// Flanks as measured, at doublings of the plastic stage, and after each package of wear.
+    /// Flanks as measured, at every third doubling of the plastic stage, at its end, and after each package of wear; without wear at
+    /// the end only.
     pub states: Vec<HistoryState>,
     /// Each doubling of the engagements in the plastic stage.
     pub steps: Vec<RunInStep>,
@@ -68,6 +71,7 @@ pub struct History {
 
 /// Case and meshes of a history.
 struct Course<'a> {
+    each: &'a dyn Fn(&HistoryState),
     case: &'a OperatingCase,
     /// Mesh at the torque of the case.
     mesh: &'a Mesh,
@@ -92,66 +96,82 @@ pub fn history(
     let running = (torque != case.torque).then(|| Mesh::at_torque(case, torque));
     let running = running.transpose().map_err(Box::new)?;
     let course = Course {
+        each,
         case,
         mesh: &mesh,
         running: running.as_ref(),
     };
     let positions = &running.as_ref().unwrap_or(&mesh).positions;
     let found = tracks(case, &case.surfaces, positions).map_err(Box::new)?;
-    let (fresh, _) = course.state(&found, (0.0, 0.0))?;
-    each(&fresh);
-    let measured = fresh.heights.rq_um;
-    let mut states = vec![fresh];
+    let measured = heights(&found).map_err(Box::new)?.rq_um;
+    let mut states = Vec::new();
+    let is_worn = settings.worn > 0.0;
+    if is_worn {
+        states.push(course.state(&found, (0.0, 0.0))?);
+    }
     let mut flow = Flow::new(case, found, settings.limit).map_err(Box::new)?;
     let (steps, is_settled) = plastic(&mut flow, engagements, |steps, tracks| {
         // Every third doubling: the loss falls little in one.
-        if settings.worn > 0.0 && steps.len() % 3 == 1 {
+        if is_worn && steps.len() % 3 == 1 {
             let at = steps.last().map_or(0.0, |step| step.engagements);
-            let (state, _) = course.state(tracks, (at, 0.0))?;
-            each(&state);
-            states.push(state);
+            states.push(course.state(tracks, (at, 0.0))?);
         }
         Ok::<_, Error>(())
     })?;
     let engagements = steps.last().map_or(0.0, |step| step.engagements);
-    states.retain(|state| state.engagements != engagements);
     let mut tracks = flow.into_tracks();
     let mut made = vec![0; tracks.len()];
     let mut worn = 0.0;
     for _ in 0..=MAX_PACKAGES {
-        let (state, film) = course.state(&tracks, (engagements, worn))?;
-        each(&state);
+        let at = (engagements, worn);
+        if states
+            .last()
+            .is_none_or(|(last, _)| (last.engagements, last.worn) != at)
+        {
+            states.push(course.state(&tracks, at)?);
+        }
+        let Some((state, shares)) = states.last() else {
+            break;
+        };
         let rq = state.heights.rq_um;
-        states.push(state);
         let is_reached = |(body, ratio): (usize, f64)| rq[body] <= ratio * measured[body];
-        let is_still = film.shares.iter().all(|share| *share == 0.0);
-        if worn >= settings.worn || is_still || settings.least.is_some_and(is_reached) {
+        if worn >= settings.worn || settings.least.is_some_and(is_reached) {
+            break;
+        }
+        let of_running = course
+            .running
+            .map(|mesh| on_flanks(case, &state.surfaces, mesh));
+        let of_running = of_running.transpose()?.map(|film| film.shares);
+        let shares = of_running.as_ref().unwrap_or(shares);
+        if shares.iter().all(|share| *share == 0.0) {
             break;
         }
         let wish = worn.max(FIRST * settings.worn).min(settings.worn - worn);
+        let most = if worn == 0.0 { settings.worn } else { wish };
         let mut all = Vec::with_capacity(tracks.len());
         for (track, made) in tracks.iter().zip(&mut made) {
-            let shares = track.positions.iter().map(|at| film.shares[at.number - 1]);
-            let shares: Vec<f64> = shares.collect();
+            let of_track = track.positions.iter().map(|at| shares[at.number - 1]);
+            let shares: Vec<f64> = of_track.collect();
             let (rates, count) =
                 rates((case, settings.limit), track, &shares, *made).map_err(Box::new)?;
             *made += count;
             all.push(rates);
         }
-        worn += package(&mut tracks, &all, (wish, rq)).map_err(Box::new)?;
+        worn += package(&mut tracks, &all, (wish, most, rq)).map_err(Box::new)?;
     }
     Ok(History {
-        states,
+        states: states.into_iter().map(|(state, _)| state).collect(),
         steps,
         is_settled,
     })
 }
 
-/// Wears a package of `wish`, or less where Rq changes by more than 2 %; returns what was worn.
+/// Wears a package of `wish`, less where Rq changes by more than 2 %, more, up to `most`, where it hardly changes; returns what was
+/// worn.
 fn package(
     tracks: &mut [Track<'_>],
     all: &[WearRates],
-    (wish, before): (f64, [f64; 2]),
+    (wish, most, before): (f64, f64, [f64; 2]),
 ) -> Result<f64, asperity_case::error::PositionError> {
     let mut wear = |factor: f64| -> Result<f64, asperity_case::error::PositionError> {
         for (track, rates) in tracks.iter_mut().zip(all) {
@@ -164,21 +184,23 @@ fn package(
         Ok(changes.fold(0.0, f64::max))
     };
     let change = wear(wish)?;
-    if change <= PACKAGE {
-        return Ok(wish);
+    let other = match change > PACKAGE {
+        true => wish * PACKAGE / change,
+        false => (wish * LITTLE / change).clamp(wish, most),
+    };
+    if other != wish {
+        wear(other - wish)?;
     }
-    let less = wish * PACKAGE / change;
-    wear(less - wish)?;
-    Ok(less)
+    Ok(other)
 }
 
 impl Course<'_> {
-    /// The flanks of the tracks with film and loss; the film while they run in.
+    /// The flanks of the tracks with film and loss, and the asperity share at each mesh position, at the torque of the case.
     fn state(
         &self,
         tracks: &[Track<'_>],
         (engagements, worn): (f64, f64),
-    ) -> Result<(HistoryState, OnFlanks), Error> {
+    ) -> Result<(HistoryState, Vec<f64>), Error> {
         let surfaces = surfaces(&self.case.surfaces, tracks).map_err(Box::new)?;
         let of_case = on_flanks(self.case, &surfaces, self.mesh)?;
         let state = HistoryState {
@@ -191,10 +213,7 @@ impl Course<'_> {
             film_ratio: of_case.film_ratio,
             surfaces,
         };
-        let film = match self.running {
-            Some(mesh) => on_flanks(self.case, &state.surfaces, mesh)?,
-            None => of_case,
-        };
-        Ok((state, film))
+        (self.each)(&state);
+        Ok((state, of_case.shares))
     }
 }

@@ -503,7 +503,7 @@ pub struct RunInFlanks {
     pub run_in: FlankHeights,
     /// Each doubling of the engagements.
     pub steps: Vec<RunInStep>,
-    /// Whether the last doubling changed Rq by less than 0.5 %.
+    /// Whether the last doubling changed the Rq of both flanks together by less than 0.5 %.
     pub is_settled: bool,
 }
 

@@ -377,7 +377,7 @@ pub(crate) fn losses(loaded: &Train, options: &Options<'_>) -> Result<TrainLosse
         drawn.push(draws);
     }
     let total = total_of(&settled, drawn.iter().map(Option::as_ref));
-    if let Some(total) = total {
+    if let (Some(total), true) = (total, meshes.len() > 1) {
         let at_medians = meshes.iter().map(|losses| losses.summary.at_medians_w());
         let restated = restated(&settled, at_medians, total.drawn.value);
         for (losses, (case, loss_w)) in meshes.iter_mut().zip(settled.cases().zip(restated)) {

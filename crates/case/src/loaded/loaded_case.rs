@@ -540,7 +540,10 @@ fn check_flanks(
     let surfaces = &flanks.surfaces;
     if case.running_in.is_some() && (!surfaces.are_measured() || surfaces.is_surrogate()) {
         let section = Section::of(source, "operation");
-        return Err(section.conflict("running_in", "needs the traces of both flanks"));
+        return Err(section.conflict(
+            "running_in",
+            "needs the traces of both flanks, files of surface.pinion and surface.wheel",
+        ));
     }
     let check = (flanks.forms != [None, None]).then(|| case.load_check());
     let formed = Derived::renewed(known, check, |check| match check {

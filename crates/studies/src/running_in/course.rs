@@ -68,7 +68,7 @@ pub struct Course {
     pub torque_nm: f64,
     /// Engagements at which the plastic stage ended.
     pub plastic_engagements: f64,
-    /// Whether a doubling of the engagements changed Rq by less than 0.5 % there.
+    /// Whether a doubling of the engagements changed the Rq of both flanks together by less than 0.5 % there.
     pub is_settled: bool,
     /// Engagements of a tooth of the pinion after which 90 % of the change of Rq, of both flanks together, are done; `None` where nothing
     /// changed.

@@ -28,7 +28,7 @@ const MOST_WORN: f64 = 1e3;
 /// Wear at which a history without a test ends, over the wear by the usual coefficient.
 const UPPER: f64 = 10.0;
 /// Engagements over which flanks flow at the ends of the range of the limit: it changes how much flows, and hardly how long.
-const OF_LIMITS: f64 = 128.0;
+pub(super) const OF_LIMITS: f64 = 128.0;
 /// Part of the noise floor of a parameter, a 95 % bound to either side, from the middle to the 5 and 95 % quantiles.
 const OF_FLOOR: f64 = 0.839;
 /// States of a history, for its progress.

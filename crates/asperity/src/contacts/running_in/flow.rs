@@ -26,6 +26,8 @@ pub(crate) struct Flow<'a> {
     tracks: Vec<Track<'a>>,
     /// Contacts made on each track.
     made: Vec<usize>,
+    /// Solvers of contacts that are solved at once, of the size of the last track.
+    solvers: Vec<Solver>,
     limit: Pressure,
     shares: [f64; 2],
 }
@@ -40,6 +42,7 @@ impl<'a> Flow<'a> {
         Ok(Self {
             case,
             made: vec![0; tracks.len()],
+            solvers: Vec::new(),
             tracks,
             limit,
             shares: flow_shares(&case.materials, case.flow_pressure)?,
@@ -59,8 +62,14 @@ impl<'a> Flow<'a> {
         let (mut work, mut count) = (0.0, 0);
         for (track, made) in self.tracks.iter_mut().zip(&mut self.made) {
             let until = (track.passes * engagements / ENGAGEMENTS).round() as usize;
-            let solvers = (0..AT_ONCE).map(|_| Solver::new(track.points, Boundary::FreeEnds));
-            let mut solvers = solvers.collect::<Result<Vec<_>, _>>()?;
+            let solvers = &mut self.solvers;
+            if solvers
+                .first()
+                .is_none_or(|of| of.shape().points != track.points)
+            {
+                let anew = (0..AT_ONCE).map(|_| Solver::new(track.points, Boundary::FreeEnds));
+                *solvers = anew.collect::<Result<Vec<_>, _>>()?;
+            }
             while *made < until {
                 let passes = apart(track, *made, until);
                 let solve = |(solver, pass): (&mut Solver, &Pass)| {

@@ -41,7 +41,7 @@ pub(crate) use wear::{WearRates, rates};
 
 /// Most doublings of the engagements.
 pub(crate) const MAX_STEPS: usize = 13;
-/// Change of Rq by a doubling of the engagements below which the flanks have run in plastically.
+/// Change of the Rq of both flanks together by a doubling of the engagements below which the flanks have run in plastically.
 const SETTLED: f64 = 0.005;
 /// Engagements before which a doubling does not end the plastic stage: fewer sample too little of the flanks.
 const LEAST: f64 = 8.0;
@@ -57,7 +57,7 @@ pub struct RanIn {
     pub steps: Vec<RunInStep>,
     /// Roughness as measured and run in.
     pub heights: [FlankHeights; 2],
-    /// Whether the last doubling changed Rq by less than 0.5 %.
+    /// Whether the last doubling changed the Rq of both flanks together by less than 0.5 %.
     pub is_settled: bool,
 }
 
@@ -79,8 +79,8 @@ pub fn limits(case: &Case) -> Result<[Pressure; 3], PositionError> {
     Ok([hardness * FIRST_YIELD, middle, highest])
 }
 
-/// Runs the flanks of a case in plastically, at the torque of `plan`, until a doubling of the engagements changes Rq by less than
-/// 0.5 %, or to its engagements; `done` is called after each doubling with its number.
+/// Runs the flanks of a case in plastically, at the torque of `plan`, until a doubling of the engagements changes the Rq of both
+/// flanks together by less than 0.5 %, or to its engagements; `done` is called after each doubling with its number.
 ///
 /// # Errors
 /// When a flank has no trace or a contact no solution.
@@ -126,12 +126,10 @@ pub(crate) fn plastic<E: From<Box<PositionError>>>(
             removed_nm: [0, 1].map(|body| 1e9 * removed(flow.tracks(), body)),
             heights: heights(flow.tracks()).map_err(Box::new)?,
         };
-        let is_settled = steps.last().is_some_and(|last: &RunInStep| {
-            let pairs = last.heights.rq_um.into_iter().zip(step.heights.rq_um);
-            until >= LEAST
-                && pairs
-                    .into_iter()
-                    .all(|(a, b)| (b / a - 1.0).abs() < SETTLED)
+        let both = |of: &RunInStep| of.heights.rq_um[0].hypot(of.heights.rq_um[1]);
+        let is_settled = steps.last().is_some_and(|last| {
+            let change = both(&step) / both(last) - 1.0;
+            until >= LEAST && until == 2.0 * last.engagements && change.abs() < SETTLED
         });
         let is_still = plastic_work_j_per_m == 0.0 && until >= LEAST;
         steps.push(step);
@@ -183,7 +181,7 @@ pub(crate) fn surfaces(
     measured.with_traces_of_teeth(|teeth: [usize; 2], zone| {
         let profile = |body: usize| {
             let heights = tracks[zone].heights_of(body, teeth[body]);
-            Profile::new(tracks[zone].spacing, heights.to_vec())
+            Profile::new(tracks[zone].spacing, heights)
         };
         Ok([profile(0)?, profile(1)?])
     })
@@ -206,11 +204,15 @@ pub(crate) fn heights(tracks: &[Track<'_>]) -> Result<FlankHeights, PositionErro
 fn heights_of(surfaces: &Surfaces) -> Result<FlankHeights, PositionError> {
     let each = surfaces.each().map(Surfaces::traces);
     let each = each.collect::<Result<Vec<_>, _>>()?;
-    of_traces([0, 1].map(|body: usize| each.iter().map(|both| both[body].heights()).collect()))
+    of_traces([0, 1].map(|body: usize| {
+        each.iter()
+            .map(|both| both[body].heights().to_vec())
+            .collect()
+    }))
 }
 
-fn of_traces(traces: [Vec<&[f64]>; 2]) -> Result<FlankHeights, PositionError> {
-    let of = |traces: &[&[f64]]| -> Result<[f64; 2], PositionError> {
+fn of_traces(traces: [Vec<Vec<f64>>; 2]) -> Result<FlankHeights, PositionError> {
+    let of = |traces: &[Vec<f64>]| -> Result<[f64; 2], PositionError> {
         let each = traces.iter().map(|z| {
             let rq = section_heights(z)?.rq.si();
             Ok::<_, PositionError>([1e6 * rq, 1e6 * rk_parameters(z)?.rpk.si()])
