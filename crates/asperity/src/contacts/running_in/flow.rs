@@ -76,7 +76,7 @@ impl<'a> Flow<'a> {
                     let load = track.positions[pass.position].load;
                     track.press((solver, self.case), pass, (load, None), self.limit)
                 };
-                let solved = par_map((&mut solvers, &passes), solve);
+                let solved = par_map((solvers.as_mut_slice(), &passes), solve);
                 for (pass, contact) in passes.iter().zip(solved) {
                     let contact = contact?;
                     work += contact.dissipated.si();
