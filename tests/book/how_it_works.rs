@@ -88,7 +88,7 @@ fn film() -> Chart {
 
 fn contact() -> Chart {
     /// Half of the visible width [µm].
-    const REACH: f64 = 40.0;
+    const REACH: f64 = 85.0;
     let view = &DEMO.views[0];
     let visible = |column: &[f64]| -> Vec<f64> {
         let pairs = view.x_um.iter().zip(column);
@@ -128,13 +128,19 @@ fn loss() -> Chart {
     let loss = &DEMO.result.uncertainty.as_ref().unwrap().loss;
     let windows = &DEMO.offsets;
     let ends = [0.0, 1.0 + windows.len() as f64];
-    let [low, high] = loss.quantiles_w.map(|end| [end; 2]);
+    let [low, high, median] =
+        [loss.quantiles_w[0], loss.quantiles_w[1], loss.median_w].map(|watts| [watts; 2]);
     let points = windows.iter().map(|row| [row.offset as f64, row.loss_w]);
     let x = Axis::new("part of the traces", "").within(ends[0], ends[1]);
-    panel("loss", "6 Mean and interval", x, Axis::new("loss", "W"))
-        .with(Series::through("loss of one part", Line::Scatter, points))
+    let named = format!("median {} W", tens(loss.median_w));
+    panel("loss", "6 Loss and interval", x, Axis::new("loss", "W"))
+        .with(Series::through(
+            "one part of the traces",
+            Line::Scatter,
+            points,
+        ))
         .with(Series::band("90 % interval", &ends, &low, &high))
-        .level(loss.median_w, &format!("{} W", tens(loss.median_w)))
+        .curve(&named, Line::Ink, &ends, &median)
 }
 
 #[test]
