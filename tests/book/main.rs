@@ -9,6 +9,7 @@
 mod blocks;
 mod chapters;
 mod generated;
+mod how_it_works;
 mod links;
 mod pictures;
 mod spelling;

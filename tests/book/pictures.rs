@@ -29,7 +29,7 @@ fn along(row: &PositionRow) -> f64 {
 }
 
 /// A curve over the path of contact.
-fn over_path(
+pub fn over_path(
     name: &str,
     line: Line,
     path: &[PositionRow],

@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use asperity_report::chart::STYLE;
+use asperity_report::chart::{Chart, Dress, STYLE};
 use serde_json::Value;
 
 /// Width of every chart in units of the drawing.
@@ -203,6 +203,76 @@ impl<'a> Figure<'a> {
         );
         document(self.kind, self.title, [WIDTH, self.height + down], &body)
     }
+}
+
+/// Title and legend of a panel, and their height.
+fn head_of_panel(chart: &Chart) -> (String, f64) {
+    const LETTER: f64 = 8.6;
+    const SAMPLE: f64 = 30.0;
+    let (mut text, mut x, mut y) = (String::new(), LEFT, 20.0);
+    let _ = write!(
+        text,
+        "<text class=\"title\" x=\"{x}\" y=\"{y}\">{}</text>",
+        chart.title
+    );
+    // A single curve is named by the title.
+    let legend = chart.legend().into_iter();
+    for (k, (name, class)) in legend.filter(|_| chart.series.len() > 1).enumerate() {
+        let wide = SAMPLE + LETTER * name.chars().count() as f64;
+        if k == 0 || x + wide > chart.width {
+            (x, y) = (LEFT, y + ROW);
+        }
+        let sample = match class.split(' ').next() {
+            Some("area") => "v-10h22v10z",
+            _ if class.ends_with("scatter") => "m7 -5a4 4 0 1 0 8 0a4 4 0 1 0 -8 0",
+            _ => "m0 -5h22",
+        };
+        let _ = write!(
+            text,
+            "<path class=\"{class}\" d=\"M{x:.1} {y}{sample}\"/><text class=\"tick\" x=\"{:.1}\" y=\"{y}\">{name}</text>",
+            x + SAMPLE - 4.0
+        );
+        x += wide + LEFT;
+    }
+    (text, y + 4.0)
+}
+
+/// Left margin of the head of a panel.
+const LEFT: f64 = 8.0;
+
+/// Charts of one width as panels in two columns. Letters are as large as the margins of a chart allow, so that they are
+/// readable if the drawing is 400 pixels wide.
+pub fn panels(title: &str, charts: &[Chart]) -> String {
+    const GAP: f64 = 14.0;
+    const LETTERS: &str =
+        "svg.chart,svg.chart .title{font-size:17px}svg.chart :is(.tick,.letter){font-size:15.5px}";
+    let wide = charts[0].width;
+    let (mut body, mut top) = (format!("<style>{LETTERS}</style>"), 0.0);
+    for row in charts.chunks(2) {
+        let drawn = row.iter().map(|chart| {
+            let svg = chart.svg(Dress::Page);
+            let height = between(&svg, "viewBox=\"0 0 640 ", "\"").unwrap();
+            let height: f64 = height.parse().unwrap();
+            (head_of_panel(chart), svg, height)
+        });
+        let drawn: Vec<((String, f64), String, f64)> = drawn.collect();
+        let heights = drawn.iter().map(|((_, head), _, height)| head + height);
+        let bottom = top + heights.fold(0.0, f64::max);
+        for (k, ((head, _), svg, height)) in drawn.iter().enumerate() {
+            let x = k as f64 * (wide + GAP);
+            let place = format!(
+                "<svg x=\"{x}\" y=\"{}\" width=\"{WIDTH}\" height=\"{height}\" ",
+                bottom - height
+            );
+            let _ = write!(
+                body,
+                "<g class=\"curve-chart\" transform=\"translate({x} {top})\">{head}</g>{}",
+                svg.replacen("<svg ", &place, 1)
+            );
+        }
+        top = bottom + GAP;
+    }
+    document("panels", title, [2.0 * wide + GAP, top], &body)
 }
 
 /// A drawing of `kind` and size as a separate file.

@@ -180,6 +180,8 @@ pub struct Chart {
     pub levels: Vec<Level>,
     /// Height of the box in units of the drawing.
     pub height: f64,
+    /// Width that box and labels use of the drawing; narrower in a panel of a figure.
+    pub width: f64,
 }
 
 impl Chart {
@@ -200,6 +202,7 @@ impl Chart {
             marks: Vec::new(),
             levels: Vec::new(),
             height: HEIGHT,
+            width: WIDTH,
         }
     }
 
@@ -251,7 +254,7 @@ impl Chart {
             Dress::Page => 0,
             Dress::Alone => 1 + self.legend_rows().len(),
         } + usize::from(!self.marks.is_empty());
-        Frame::new(self.height, rows, 0.0, &self.y, [x, y])
+        Frame::new(self.height, rows, WIDTH - self.width, &self.y, [x, y])
     }
 
     /// Height of the chart in a separate file.
