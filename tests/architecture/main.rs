@@ -393,7 +393,7 @@ fn the_files_of_a_crate_import_each_other_without_circles() {
 const LAYERS: &[(&str, usize)] = &[
     ("crates/flanks", 8),
     ("crates/case", 9),
-    ("crates/asperity", 13),
+    ("crates/asperity", 15),
 ];
 
 #[test]

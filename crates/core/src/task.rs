@@ -92,6 +92,15 @@ impl Provenance {
     }
 }
 
+/// Records that the equation with this tag is evaluated; the first statement of a tagged function.
+#[macro_export]
+macro_rules! cite {
+    ($tag:literal) => {{
+        const PLACE: usize = $crate::provenance::place($tag);
+        $crate::task::note(PLACE)
+    }};
+}
+
 /// Records that the equation at this place of the table is evaluated.
 #[inline]
 pub fn note(place: usize) {

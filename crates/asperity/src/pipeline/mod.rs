@@ -30,8 +30,9 @@ pub use gradient::{
 };
 pub use history::{History, HistorySettings, HistoryState, history};
 pub use kept::Kept;
+pub use options::Progress;
 pub use scan_use::{ScanUse, less_of_scans};
-pub use stages::{Progress, chooses_offsets};
+pub use stages::chooses_offsets;
 pub use store::ContactStore;
 pub use survey::{RegimeRow, survey};
 

@@ -1,8 +1,10 @@
 //! What a run of a mesh holds, draws and knows.
 
 use super::kept::Kept;
-use super::stages::Progress;
 use crate::contacts::Contacts;
+
+/// Progress callback, called with (done, total).
+pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
 /// Options of a run of a mesh.
 #[derive(Clone)]

@@ -12,7 +12,7 @@ use asperity_ehl_regime::inlet_flow::Lay;
 
 use super::bulk_temperature;
 use super::kept::Kept;
-use super::options::Options;
+use super::options::{Options, Progress};
 
 use crate::assembly::{Solved, equations_used, sources_used, warnings_of_case};
 use crate::contacts::running_in;
@@ -30,9 +30,6 @@ use asperity_case::error::{Error, PositionError};
 use asperity_case::flanks::placement::check_coverage;
 use asperity_case::flanks::{Surfaces, is_substituted};
 use asperity_case::message::Warning;
-
-/// Progress callback, called with (done, total).
-pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
 /// Checks a mesh as [`Run::check`](crate::Run::check); returns the warnings that are not in the loaded case.
 pub(crate) fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {

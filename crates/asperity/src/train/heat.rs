@@ -14,7 +14,7 @@ use asperity_core::quantity::{Power, Temperature};
 use asperity_efficiency::bulk_temperature::{BulkTemperature, fixed_point};
 use serde::{Deserialize, Serialize};
 
-use super::contacts;
+use super::contacts::contacts;
 use crate::contacts::Contacts;
 use crate::gearbox;
 use crate::pipeline::{self, Options};

@@ -1,7 +1,10 @@
 //! The run of a gear train: every mesh, and their loss together.
 
+mod contacts;
 #[doc(hidden)]
 pub mod heat;
+
+pub(crate) use contacts::contacts;
 
 use asperity_core::{Estimate, PROGRAM};
 use std::collections::BTreeMap;
@@ -510,17 +513,6 @@ pub(crate) fn run(loaded: &Train, options: &Options<'_>) -> Result<Outcome, Erro
         settled: settled.clone(),
         contacts,
     })
-}
-
-/// The rough contacts of each mesh, which share windows under the same load, those of `known` among them.
-pub(crate) fn contacts(loaded: &Train, known: &[&Contacts]) -> Result<Vec<Contacts>, Error> {
-    let mut found: Vec<Contacts> = Vec::new();
-    for case in loaded.cases() {
-        let known: Vec<&Contacts> = known.iter().copied().chain(&found).collect();
-        let own = pipeline::contacts(case, &known)?;
-        found.push(own);
-    }
-    Ok(found)
 }
 
 /// The train at the oil temperature and the torques that its losses cause.

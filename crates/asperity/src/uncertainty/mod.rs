@@ -23,6 +23,7 @@ mod common_draws;
 mod deciding;
 mod difference;
 mod evaluations;
+mod mesh_run;
 mod other_models;
 mod recorded;
 mod scans;
@@ -66,6 +67,8 @@ pub use difference::{
 pub use evaluations::has_band;
 pub use recorded::predictive;
 
+use mesh_run::MeshRun;
+
 use evaluations::{Evaluated, Nominal, Windows, count, evaluated, of_windows, travelled, widest};
 use other_models::{OtherModel, by_formula, other_models};
 
@@ -82,14 +85,6 @@ pub fn evaluations(loaded: &LoadedCase) -> usize {
         }
         false => 0,
     }
-}
-
-/// A run of a mesh.
-pub(crate) struct MeshRun {
-    pub outcome: MeshOutcome,
-    /// Its draws; `None` if they were not requested or the case has no uncertainty.
-    pub drawn: Option<Predictive>,
-    pub contacts: Contacts,
 }
 
 /// Runs a mesh, with its draws if its interval is requested.

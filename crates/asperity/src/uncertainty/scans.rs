@@ -2,8 +2,8 @@
 
 use asperity_core::cancel::checkpoint;
 
-use super::MeshRun;
 use super::difference::difference;
+use super::mesh_run::MeshRun;
 use crate::contacts::Contacts;
 use crate::pipeline::{Kept, less_of_scans, over_gap, settled};
 use crate::result::{GapRow, MeshOutcome, PositionRow, ScanComparison, ScanLoss};

@@ -28,15 +28,6 @@ pub use rows::{ROWS, TAGS, place};
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Records that the equation with this tag is evaluated; the first statement of a tagged function.
-#[macro_export]
-macro_rules! cite {
-    ($tag:literal) => {{
-        const PLACE: usize = $crate::provenance::place($tag);
-        $crate::task::note(PLACE)
-    }};
-}
-
 pub(crate) const WORDS: usize = rows::COUNT.div_ceil(u64::BITS as usize);
 
 /// A bit for each equation.
