@@ -230,7 +230,6 @@ pub fn threads() -> usize {
 #[cfg(all(test, feature = "threads"))]
 mod tests {
     use super::*;
-    use crate::cite;
     use std::collections::BTreeSet;
 
     fn one_of_two(k: usize) {

@@ -84,6 +84,7 @@ impl Provenance {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cite;
     use crate::noted::Noted;
     use crate::task::note;
 
