@@ -347,7 +347,7 @@ impl Case {
     /// All warnings that need no run as JSON: those about the files, if a run cannot begin.
     #[getter]
     fn checked(&self, py: Python<'_>) -> PyResult<String> {
-        alone(py, || match Run::new(&self.0).check() {
+        alone(py, || match Run::new(&*self.0).check() {
             Ok(found) => failure::json(&found),
             // The error of a run.
             Err(_) => failure::json(&self.0.all_warnings()),
@@ -389,7 +389,7 @@ impl Case {
                 }
                 // The losses of several meshes are of their contacts.
                 _ => {
-                    let run = Run::new(&self.0).interval(band).evidence(&standard_plan);
+                    let run = Run::new(&*self.0).interval(band).evidence(&standard_plan);
                     let run = match detail {
                         Detail::Fields => run,
                         _ => run.pictures(Kept::NoPictures),
