@@ -98,15 +98,15 @@ fn rq_after_48_engagements_is_that_of_an_independent_program_but_for_the_engagem
 fn valleys_that_nothing_touches_stay_and_the_mean_line_goes_down() {
     let case = with("fzg-c", &[]);
     let found = ran_in(&case, 94.1, 32.0);
-    let down = removed(&found).map(|nm| 1e-9 * nm);
-    for body in 0..2 {
+    let of_bodies = removed(&found).map(|nm| 1e-9 * nm);
+    for (body, down) in of_bodies.into_iter().enumerate() {
         let [before, after] = [&case.surfaces, &found.surfaces]
             .map(|surfaces| surfaces.traces().unwrap()[body].heights());
         let mut sorted = before.to_vec();
         sorted.sort_by(f64::total_cmp);
         let deepest = sorted[before.len() / 200];
         // The mean line goes down: all heights from it rise by the same, exactly but for the rounding of a sum.
-        let lowered = |(z, after): (&f64, &f64)| z + down[body] - after;
+        let lowered = |(z, after): (&f64, &f64)| z + down - after;
         let pairs = || before.iter().zip(after);
         let valleys = pairs().filter(|(z, _)| **z <= deepest);
         assert!(valleys.map(lowered).all(|by| by.abs() < 1e-20));

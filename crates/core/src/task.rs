@@ -227,7 +227,8 @@ pub fn threads() -> usize {
     rayon::current_num_threads()
 }
 
-#[cfg(all(test, feature = "threads"))]
+#[cfg(feature = "threads")]
+#[cfg(test)]
 mod tests {
     use super::*;
     use std::collections::BTreeSet;

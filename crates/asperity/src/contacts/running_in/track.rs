@@ -288,12 +288,12 @@ impl<'a> Track<'a> {
 
     /// Heights of the measured teeth of gear `body` from their mean lines.
     pub fn heights(&self, body: usize) -> impl Iterator<Item = Vec<f64>> {
-        self.measured(body).map(Tooth::from_mean_line)
+        self.measured(body).map(Tooth::about_mean_line)
     }
 
     /// Heights of a measured tooth of gear `body` from its mean line.
     pub fn heights_of(&self, body: usize, tooth: usize) -> Vec<f64> {
-        self.gears[body].all[tooth].from_mean_line()
+        self.gears[body].all[tooth].about_mean_line()
     }
 
     /// Height removed from the measured teeth of gear `body`, mean over their points \[m\].
@@ -435,7 +435,7 @@ impl Tooth {
     }
 
     /// Heights from the mean line, which goes down with what is removed.
-    fn from_mean_line(&self) -> Vec<f64> {
+    fn about_mean_line(&self) -> Vec<f64> {
         let removed = self.removed();
         self.heights.iter().map(|z| z + removed).collect()
     }
@@ -574,7 +574,7 @@ mod tests {
     fn a_periodic_trace_closes_and_contacts_go_on_at_its_other_end() {
         let heights: Vec<f64> = (0..1000).map(|i| 1e-9 * f64::from(i)).collect();
         let mut tooth = Tooth::new(&heights, None, 100.0);
-        assert!(tooth.from_mean_line() == heights);
+        assert!(tooth.about_mean_line() == heights);
         let window = tooth.window(800, 300);
         // Half of the step is taken off each end: the heights meet in the middle.
         assert!((window[199] - window[200]).abs() < 1e-15);
@@ -585,6 +585,6 @@ mod tests {
         );
         assert!(tooth.heights[10..990] == heights[10..990]);
         // 20 of 1000 points are 1 nm lower, and so is a fiftieth of it the mean line.
-        assert!((tooth.from_mean_line()[500] - heights[500] - 0.02e-9).abs() < 1e-20);
+        assert!((tooth.about_mean_line()[500] - heights[500] - 0.02e-9).abs() < 1e-20);
     }
 }
