@@ -1,7 +1,7 @@
 //! A task: what a thread works on, with the equations that it evaluates and the token that cancels it.
 //!
 //! The functions of the library see the task of their thread by [`cite!`](crate::cite) and
-//! [`checkpoint`](crate::cancel::checkpoint) only. [`Task::enter`] sets it, and `par_map` is the way to other threads: it takes the
+//! [`checkpoint`] only. [`Task::enter`] sets it, and `par_map` is the way to other threads: it takes the
 //! task along, so that a parallel loop collects its equations and ends when it is cancelled.
 
 use std::cell::{Cell, RefCell};

@@ -111,7 +111,7 @@ impl LossGradient {
 /// The last factor belongs to a bulk temperature that follows from the loss, of which its rise is the power n.
 ///
 /// # Errors
-/// As [`losses`](super::losses), and when the loss is not from the default load share and film friction, or a flank has no
+/// As [`Run::losses`](crate::Run::losses), and when the loss is not from the default load share and film friction, or a flank has no
 /// trace or several.
 pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
     gradient_of(loaded, &[])

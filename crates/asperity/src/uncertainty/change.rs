@@ -62,7 +62,7 @@ impl ChangeDraws {
     /// only.
     ///
     /// # Errors
-    /// As [`losses`](crate::losses).
+    /// As [`Run::losses`](crate::Run::losses).
     pub fn of(cases: [(&LoadedCase, &Contacts); 2]) -> Result<Option<Self>, Error> {
         cite!("Change-draw");
         let mut change = vec![0.0; Predictive::count()];

@@ -22,7 +22,7 @@ use asperity_case::flanks::AVERAGING_WIDTH;
 /// uncertainty.
 ///
 /// # Errors
-/// As [`losses`](crate::losses).
+/// As [`Run::losses`](crate::Run::losses).
 pub fn predictive(
     loaded: &LoadedCase,
     nominal: &Losses,
