@@ -690,7 +690,7 @@ fn tables_of_idle_gears_and_clutches_and_jets_take_their_power_from_their_shafts
     // A table that ends before the speed, one that is none, and parts without a place.
     let short = written("short.csv", "speed_rpm,loss_torque_nm\n0,0.1\n1000,0.5\n");
     let short = train_of(GEARS, &[("gearbox", &stated(&short))]);
-    let error = Run::new(&short).losses().err().unwrap();
+    let error = Run::new(&short).execute().unwrap_err();
     assert!(error.to_string().contains("idle gear"), "{error}");
     let at_rest = written("rest.csv", "speed_rpm,loss_w\n0,1\n1000,2\n");
     for (keys, code, says) in [
