@@ -19,7 +19,19 @@ impl<T> Noted<T> {
         Some(value)
     }
 
-    /// The value, made by `make` if there is none.
+    /// The value, made by `make` if there is none; other threads wait for it. `make` must not run in parallel, as a thread that waits for
+    /// its loops could come here again.
+    pub fn get_or_init(&self, make: impl FnOnce() -> T) -> &T {
+        let (used, value) = self.0.get_or_init(|| {
+            let used = Provenance::new();
+            let made = used.collect(make);
+            (used.used(), made)
+        });
+        note_all(*used);
+        value
+    }
+
+    /// The value, made by `make` if there is none. Threads that come at once each make it, and all get the same one.
     ///
     /// # Errors
     /// The errors of `make`.

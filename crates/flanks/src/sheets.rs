@@ -119,7 +119,7 @@ pub struct Sheets {
 /// Results that both sheets keep, each made at first need.
 #[derive(Debug, Default)]
 struct Known {
-    waves: Noted<SheetWaves>,
+    waves: Noted<Result<SheetWaves, PositionError>>,
     flattened: Mutex<BTreeMap<Inlet, Arc<FlattenedSheets>>>,
     /// By the number of columns from the middle up to which the film is evaluated, too.
     samples: Mutex<BTreeMap<(PatchPlace, Inlet, u64), Arc<PatchSample>>>,
@@ -329,7 +329,8 @@ impl Sheets {
     /// # Errors
     /// When a sheet refuses its numbers.
     fn waves(&self) -> Result<&SheetWaves, PositionError> {
-        self.known.waves.get_or_make(|| self.transformed())
+        let waves = self.known.waves.get_or_init(|| self.transformed());
+        waves.as_ref().map_err(Clone::clone)
     }
 
     fn transformed(&self) -> Result<SheetWaves, PositionError> {

@@ -86,7 +86,7 @@ pub struct Surfaces {
     /// Spectra of both traces, made at first need.
     spectra: Arc<TraceSpectra>,
     /// Roughness of the whole traces, made at first need.
-    whole: Arc<Noted<Roughness>>,
+    whole: Arc<Noted<Result<Roughness, PositionError>>>,
     noise_cutoff: Option<Length>,
     /// Rz of the traces as roughness parameters; where it is not known, windows have the range of their heights.
     rz: [Option<Length>; 2],
@@ -586,9 +586,8 @@ impl Surfaces {
 
     /// Roughness of the flanks as a whole: of both traces, or from values.
     pub fn roughness_as_a_whole(&self) -> Result<Roughness, PositionError> {
-        self.whole
-            .get_or_make(|| self.roughness_of_whole())
-            .cloned()
+        let made = self.whole.get_or_init(|| self.roughness_of_whole());
+        made.clone()
     }
 
     fn roughness_of_whole(&self) -> Result<Roughness, PositionError> {
