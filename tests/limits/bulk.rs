@@ -1,11 +1,16 @@
 //! The bulk temperature that the loss keeps up: its balance, its words, its refusals.
 
-use asperity::pipeline::Kept;
 use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
+use asperity::Run;
 use asperity::case::{CaseInput, LoadedCase, load_with};
+use asperity::core::Checked;
 use asperity::oil::ViscosityLaw;
+use asperity::pipeline::Kept;
 use asperity::quantity::Temperature;
+use asperity::tribo_friction::{FilmContact, FilmFriction, FilmTraction, FrictionError};
 use asperity::uncertainty::{UncertainParameter, range};
 use asperity_tests::losses;
 
@@ -51,13 +56,51 @@ fn the_rise_is_that_of_the_loss_at_the_temperature_found() {
         let oil = case.case.input.operation.oil_temperature.unwrap();
         assert_eq!(report.oil_c, celsius(oil));
         // The loss is that of flanks given at this temperature.
-        let settled = asperity::Run::new(&case).operating_case().unwrap();
+        let settled = Run::new(&case).operating_case().unwrap();
         let given = case
             .with(|input| input.operation.set_bulk_temperature(settled.temperature()))
             .unwrap();
         let given = losses(&given).unwrap();
         assert_eq!(given.summary, found.summary);
         assert!(given.bulk.is_none());
+    }
+}
+
+/// A friction coefficient of 0.03, which counts how often it is computed.
+#[derive(Debug, Default)]
+struct Counting(AtomicUsize);
+
+impl FilmFriction for Counting {
+    fn name(&self) -> &str {
+        "counting"
+    }
+
+    fn traction(&self, _: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
+        self.0.fetch_add(1, Ordering::Relaxed);
+        Ok(Checked::inside(FilmTraction::of(0.03)))
+    }
+}
+
+#[test]
+fn a_hotter_equilibrium_can_be_left_aside_on_each_way_to_a_result() {
+    let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "dip" }"#);
+    let ways: [&dyn Fn(Run<'_>) -> f64; 3] = [
+        &|run| run.operating_case().unwrap().temperature().si(),
+        &|run| run.losses().unwrap().into_only().unwrap().summary.loss_w,
+        &|run| {
+            let found = run.pictures(Kept::NoPictures).execute().unwrap();
+            found.into_only().unwrap().result.summary.loss_w
+        },
+    ];
+    for way in ways {
+        let counted = |of: fn(Run<'_>) -> Run<'_>| {
+            let law = Arc::new(Counting::default());
+            let case = case.with_laws(|laws| laws.friction = Some(law.clone()));
+            (way(of(Run::new(&case))), law.0.load(Ordering::Relaxed))
+        };
+        let ((alone, fewer), (beside, more)) = (counted(|run| run.coldest()), counted(|run| run));
+        assert_eq!(alone, beside);
+        assert!(fewer > 0 && fewer < more, "{fewer} {more}");
     }
 }
 
@@ -81,7 +124,7 @@ fn two_gears_shed_the_heat_that_the_mesh_makes() {
 #[test]
 fn a_run_tells_the_oil_it_was_given_and_the_flanks_it_found() {
     let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "jet" }"#);
-    let run = asperity::Run::new(&case)
+    let run = Run::new(&case)
         .execute()
         .unwrap()
         .into_only()
@@ -134,9 +177,7 @@ fn a_viscosity_given_without_a_temperature_thins_as_the_flanks_warm() {
     assert_eq!(hot, loss(&stated_warm));
     assert!(hot < 0.98 * cold, "{hot} {cold}");
     // The result states the oil as the case does.
-    let run = asperity::Run::new(&warm)
-        .pictures(Kept::NoPictures)
-        .execute();
+    let run = Run::new(&warm).pictures(Kept::NoPictures).execute();
     assert_eq!(
         run.unwrap().into_only().unwrap().result.inputs,
         warm.case.input

@@ -62,7 +62,7 @@ impl<'a> Run<'a> {
         self
     }
 
-    /// Names the measurements that would narrow the interval, with the traction curves of an oil that `plan` has.
+    /// Names the measurements that would narrow the interval, among them the traction curves that `plan` has for the oil.
     pub fn evidence(mut self, plan: &'a CurvePlan<'a>) -> Self {
         self.plan = Some(plan);
         self
@@ -75,7 +75,7 @@ impl<'a> Run<'a> {
         self
     }
 
-    /// Seeks no equilibrium of a bulk temperature that is hotter than the first.
+    /// Takes the first equilibrium of the bulk temperature of each mesh, and does not look for a hotter one.
     pub fn coldest(mut self) -> Self {
         self.options.seeks_hotter = false;
         self
@@ -148,7 +148,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// When the case has several meshes, a position has no solution, or the temperature does not settle.
     pub fn operating_case(self) -> Result<OperatingCase, Error> {
-        pipeline::settled(self.train.only_mesh()?, &self.options.known)
+        pipeline::settled(self.train.only_mesh()?, &self.options)
     }
 
     /// Checks all that a run checks before it solves a contact, and returns the warnings that need no solution: a warning that

@@ -267,7 +267,7 @@ fn key(position: &MeshPosition) -> [u64; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pipeline::{Kept, outcome};
+    use crate::pipeline::{Kept, Options, outcome};
     use asperity_case::case;
 
     fn at(settings: &[(&str, &str)]) -> LoadedCase {
@@ -294,10 +294,17 @@ mod tests {
 
     #[test]
     fn meshes_with_the_same_windows_under_the_same_load_share_their_contacts() {
-        let first = outcome(&at(&[]), &Kept::NoPictures, &[], &|_, _| {})
+        let first = outcome(&at(&[]), &Options::default(), &|_, _| {})
             .unwrap()
             .2;
-        let known: &[&Contacts] = &[&first];
+        let known = Options {
+            kept: Kept::NoPictures,
+            ..Options::known(&first)
+        };
+        let alone = Options {
+            kept: Kept::NoPictures,
+            ..Options::default()
+        };
         assert!(
             first
                 .rows
@@ -310,24 +317,18 @@ mod tests {
             ("operation.speed", "3000 1/min"),
             ("operation.bulk_temperature", "70 °C"),
         ];
-        let (shared, _, contacts) =
-            outcome(&at(&other), &Kept::NoPictures, known, &|_, _| {}).unwrap();
+        let (shared, _, contacts) = outcome(&at(&other), &known, &|_, _| {}).unwrap();
         assert_eq!(windows(&contacts), windows(&first));
-        let (alone, _, own) = outcome(&at(&other), &Kept::NoPictures, &[], &|_, _| {}).unwrap();
+        let (alone, _, own) = outcome(&at(&other), &alone, &|_, _| {}).unwrap();
         assert_eq!(shared.result, alone.result);
         assert!(
             windows(&own)
                 .iter()
                 .all(|window| !windows(&first).contains(window))
         );
-        let more = outcome(
-            &at(&[("model.offsets", "4")]),
-            &Kept::NoPictures,
-            known,
-            &|_, _| {},
-        )
-        .unwrap()
-        .2;
+        let more = outcome(&at(&[("model.offsets", "4")]), &known, &|_, _| {})
+            .unwrap()
+            .2;
         let of_first = |contacts: &Contacts| {
             let known = windows(&first);
             windows(contacts)
@@ -341,9 +342,7 @@ mod tests {
             ("operation.torque", "140 N m"),
             ("material.pinion.flow_pressure", "6 GPa"),
         ] {
-            let contacts = outcome(&at(&[other]), &Kept::NoPictures, known, &|_, _| {})
-                .unwrap()
-                .2;
+            let contacts = outcome(&at(&[other]), &known, &|_, _| {}).unwrap().2;
             assert_eq!(of_first(&contacts), 0, "{other:?}");
         }
     }

@@ -117,11 +117,11 @@ pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
     gradient_of(loaded, &[])
 }
 
-/// Gradient of the loss of a case with exact contacts that were computed before, for a case that differs in oil, speed,
-/// temperature or constants only.
+/// As [`gradient`], with exact contacts that were computed before, if they are of this case at any oil, speed, temperature and
+/// constants.
 ///
 /// # Errors
-/// As [`gradient`], and when the contacts belong to other flanks, gears or loads.
+/// As [`gradient`].
 pub fn gradient_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<LossGradient, Error> {
     gradient_of(loaded, &[contacts])
 }

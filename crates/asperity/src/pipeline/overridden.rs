@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{contacts, losses_at, settled};
+use super::{Options, contacts, losses_at, settled};
 use crate::pipeline::losses;
 use crate::result::Losses;
 use crate::uncertainty::range;
@@ -27,7 +27,7 @@ fn warmed_e_drive() -> LoadedCase {
 fn an_override_acts_where_the_temperature_follows_from_the_loss() {
     let case = warmed_e_drive();
     let tables = contacts(&case, &[]).unwrap();
-    let warm = settled(&case, &[&tables]).unwrap();
+    let warm = settled(&case, &Options::known(&tables)).unwrap();
     let stated = case.at_stated().unwrap();
     let upper = |kind| Some((kind, range(kind, &stated).unwrap()?.high));
     for (kind, value) in UncertainParameter::ALL.into_iter().filter_map(upper) {

@@ -131,16 +131,16 @@ pub(crate) fn losses_at(contacts: &Contacts, case: &OperatingCase) -> Result<Los
     losses_of_stages((&case, contacts), &|_, _| {}, used)
 }
 
-/// The case at its bulk temperature, stated or in equilibrium with its loss, with the contacts that are known.
+/// The case at its bulk temperature, stated or in equilibrium with its loss.
 ///
 /// # Errors
 /// As [`losses_of`], and when the temperature does not settle.
-pub(crate) fn settled(loaded: &LoadedCase, known: &[&Contacts]) -> Result<OperatingCase, Error> {
+pub(crate) fn settled(loaded: &LoadedCase, options: &Options<'_>) -> Result<OperatingCase, Error> {
     if loaded.case.bulk.is_none() {
         return loaded.at_stated();
     }
-    let (sampled, contacts) = sampled(loaded, known)?;
-    warmed(&sampled, &contacts, true)
+    let (sampled, contacts) = sampled(loaded, &options.known)?;
+    warmed(&sampled, &contacts, options.seeks_hotter)
 }
 
 /// The case at its bulk temperature, with its contacts; a hotter equilibrium is sought if `seeks_hotter` is set.
@@ -184,13 +184,13 @@ fn losses_of_stages(
 /// The outcome of a run of a mesh with the case and the contacts that it has in the end.
 pub(crate) fn outcome(
     loaded: &LoadedCase,
-    kept: &Kept,
-    known: &[&Contacts],
+    options: &Options<'_>,
     progress: Progress<'_>,
 ) -> Result<(MeshOutcome, OperatingCase, Contacts), Error> {
     let used = Provenance::new();
-    let (sampled, contacts) = used.collect(|| sampled(loaded, known))?;
-    let warmed = warmed(&sampled, &contacts, true)?;
+    let kept = &options.kept;
+    let (sampled, contacts) = used.collect(|| sampled(loaded, &options.known))?;
+    let warmed = warmed(&sampled, &contacts, options.seeks_hotter)?;
     let stages = Stages::of(&warmed, &contacts, progress, used)?;
     let mut positions = stages.lubricated()?;
     stages.press(&mut positions)?;

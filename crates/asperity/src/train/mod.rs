@@ -336,14 +336,12 @@ impl<'a> MeshLosses<'a> {
 
 /// The losses of a gear train, or of its only mesh.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct TrainLosses {
     /// Losses of each mesh.
     pub meshes: Vec<Losses>,
-    /// Draws of each mesh; `None` without them.
-    pub drawn: Vec<Option<Predictive>>,
+    drawn: Vec<Option<Predictive>>,
     /// The train at the oil temperature and the torques that its losses cause.
-    pub settled: Train,
+    settled: Train,
     /// Temperature of the oil, if the case states a heat balance.
     oil: Option<FoundOil>,
     /// The drawn loss of all meshes.

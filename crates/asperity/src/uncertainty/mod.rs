@@ -37,8 +37,7 @@ use asperity_core::provenance::Provenance;
 
 use crate::assembly::{equations_used, far_lay, relief_warning, sources_used};
 use crate::contacts::Contacts;
-use crate::pipeline::Options;
-use crate::pipeline::{Kept, outcome};
+use crate::pipeline::{Kept, Options, outcome};
 use crate::result::{
     AlternativeRow, DrawnConstant, LossDistribution, Losses, MeshOutcome, PairSampling, RunResult,
     SamplingPart, Trust, Uncertainty, UncertaintyPart,
@@ -67,9 +66,8 @@ pub use difference::{
 pub use evaluations::has_band;
 pub use recorded::predictive;
 
-use mesh_run::MeshRun;
-
 use evaluations::{Evaluated, Nominal, Windows, count, evaluated, of_windows, travelled, widest};
+use mesh_run::MeshRun;
 use other_models::{OtherModel, by_formula, other_models};
 
 /// Error of ln loss by the interpolation of the draws that is worth a warning.
@@ -113,7 +111,7 @@ pub(crate) fn run_and_draw(loaded: &LoadedCase, options: &Options<'_>) -> Result
         before.store(total, Ordering::Relaxed);
         progress(done, runs * (total + more));
     };
-    let (mut outcome, loaded, contacts) = outcome(loaded, kept, &options.known, &shown)?;
+    let (mut outcome, loaded, contacts) = outcome(loaded, options, &shown)?;
     if !options.interval || !has_band(&loaded) {
         scans::compare_with_rows(&mut outcome, None, (&loaded, &contacts), (kept, &by_rows))?;
         return Ok(MeshRun {

@@ -11,7 +11,7 @@ use super::evaluations::{
 };
 use super::other_models::step_rule_of;
 use crate::contacts::Contacts;
-use crate::pipeline::{by_solved_contacts, contacts as contacts_of, settled};
+use crate::pipeline::{Options, by_solved_contacts, contacts as contacts_of, settled};
 use crate::result::{Losses, PositionRow, RecordedFriction};
 use crate::sampling::windows_of_traces;
 use asperity_case::case::{LoadedCase, OperatingCase};
@@ -51,7 +51,7 @@ pub(super) fn predictive_of(
     if !has_band(loaded) {
         return Ok(None);
     }
-    let found = settled(loaded, &[windows.contacts])?;
+    let found = settled(loaded, &Options::known(windows.contacts))?;
     let evaluated = evaluate(&found, &Nominal::of(nominal), windows, &|_| {})?;
     Ok(Some(evaluated.predictive))
 }

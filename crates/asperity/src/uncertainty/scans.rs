@@ -5,7 +5,7 @@ use asperity_core::cancel::checkpoint;
 use super::difference::difference;
 use super::mesh_run::MeshRun;
 use crate::contacts::Contacts;
-use crate::pipeline::{Kept, less_of_scans, over_gap, settled};
+use crate::pipeline::{Kept, Options, less_of_scans, over_gap, settled};
 use crate::result::{GapRow, MeshOutcome, PositionRow, ScanComparison, ScanLoss};
 use asperity_case::case::{LoadedCase, OperatingCase};
 use asperity_case::error::Error;
@@ -67,7 +67,7 @@ fn comparison(
     let Some(patch) = over_gap(patches, shown.position, None)? else {
         return Ok(None);
     };
-    let warm = settled(&rows, &[&contacts])?;
+    let warm = settled(&rows, &Options::known(&contacts))?;
     let Some(lines) = over_gap((&warm, &contacts), shown.position, Some(&patch.gaps))? else {
         return Ok(None);
     };
