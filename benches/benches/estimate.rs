@@ -125,7 +125,7 @@ fn main() {
             ])
         }),
         ("paper", &|| {
-            with(&[("formulation", "paper"), ("model.delta_step", "50 nm")])
+            with(&[("formulation", "paper"), ("paper.delta_step", "50 nm")])
         }),
     ];
     for (name, make) in cases {

@@ -48,7 +48,7 @@ fn whole_runs(criterion: &mut Criterion) {
 
 fn one_position(criterion: &mut Criterion) {
     let loaded = case("table2.toml", FormulationChoice::default());
-    let place = loaded.case.model.position;
+    let place = loaded.case.paper.position;
     criterion.bench_function("position/table2 dry contact of both flanks", |bencher| {
         bencher.iter(|| dry_contact(black_box(&loaded), place).expect("the contact is solved"));
     });

@@ -48,7 +48,7 @@ fn no_source_assigns_to_a_resolved_case() {
         "case.case.model.offsets = 4;",
         "few.case.input.model.offsets = Some(4);",
         "loaded.surfaces = other;",
-        "half.case.model.asperity_share_factor *= 0.5;",
+        "half.case.model.boundary_friction *= 0.5;",
     ] {
         assert!(assigns(line), "{line}");
     }

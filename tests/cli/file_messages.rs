@@ -188,12 +188,12 @@ fn a_trace_named_in_a_case_is_refused_with_the_place_that_names_it() {
         "E103",
         &["nosuch.csv: cannot be opened", ", surface.pinion.file"],
     );
-    let line = "xu_coefficients = \"nosuch.json\"";
+    let line = "film_friction = { xu = \"nosuch.json\" }";
     bench.write("case.toml", with_line("offsets", line));
     bench.run(&["run", "case.toml"]).refused(
         2,
         "E103",
-        &["nosuch.json: cannot be opened", "model.xu_coefficients"],
+        &["nosuch.json: cannot be opened", "model.film_friction.xu"],
     );
 }
 

@@ -191,7 +191,7 @@ fn an_unusual_case_that_may_be_raises_no_warning_about_its_numbers() {
         &["gears.profile_shift=[1.4, 1.4]"],
         &["gears.addendum=1.6"],
         &["model.boundary_friction=0"],
-        &["model.film_friction=constant", "model.constant_friction=0"],
+        &["model.film_friction={ constant = 0 }"],
         &[
             "model.boundary_layer=0 nm",
             "gearbox={ jet = { flow = \"2.5 l/min\", speed = \"20 m/s\" } }",

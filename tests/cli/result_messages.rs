@@ -215,7 +215,7 @@ fn the_paper_and_the_contact_alone_need_a_trace() {
 #[test]
 fn marching_that_misses_the_load_is_not_converged() {
     // 1e-13 % is below round-off: halving the step cannot get there.
-    let bench = bench_with("offsets", "numerical_error = \"1e-13 %\"");
+    let bench = bench_with("depths", "[paper]\nnumerical_error = \"1e-13 %\"");
     let says = [
         "position 1 of 1",
         "left a load error of",
@@ -226,7 +226,7 @@ fn marching_that_misses_the_load_is_not_converged() {
 
 #[test]
 fn a_load_that_is_reached_roughly_is_named_on_the_first_screen() {
-    let bench = bench_with("offsets", "numerical_error = \"20 %\"");
+    let bench = bench_with("depths", "[paper]\nnumerical_error = \"20 %\"");
     let run = ["run", "case.toml", "--formulation", "paper", "--no-output"];
     let said = bench.run(&run).well();
     let says = "W451 the contacts carry their load with an error of up to ";
@@ -418,7 +418,7 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
     );
     let says = [
         "is the pitch point, where there is no sliding",
-        "Set model.position",
+        "Set paper.position",
     ];
     warns(&plain, &["--formulation", "paper"], "W412", &says);
     let wide = bench_with("offsets", "offsets = 16\nwindow = 10.8");

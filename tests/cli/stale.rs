@@ -77,9 +77,7 @@ fn choice(key: &str) -> String {
         | "lubricant.oil_file" => {
             format!("\"{key}\" = \"own\"")
         }
-        "model.xu_coefficients" => {
-            format!("\"model.film_friction\" = \"xu\", \"{key}\" = \"own\"")
-        }
+        "model.film_friction.xu" => "\"model.film_friction\" = { xu = \"own\" }".to_owned(),
         "surface.pinion.traces" => "\"surface.pinion\" = { traces = [\"own\"] }".to_owned(),
         "surface.wheel.traces" => {
             "\"surface.wheel\" = { traces = \"ow*\", mirrored = true }".to_owned()
@@ -119,7 +117,7 @@ fn contents(key: &str) -> [String; 2] {
             let before = trace("ground_pinion");
             [before.clone(), worn(&before)]
         }
-        "model.xu_coefficients" => [coefficients(-8.9), coefficients(-8.0)],
+        "model.film_friction.xu" => [coefficients(-8.9), coefficients(-8.0)],
         _ => [trace("ground_pinion"), trace("ground_fine_pinion")],
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
-use asperity::case::{LoadInputs, LoadedCase, load_with};
+use asperity::case::{Alternative, LoadInputs, LoadedCase, load_with};
 use asperity::gear::{GearError, LoadConditions, LoadDistribution, LoadMap};
 use asperity::oil::FilmConstantName;
 use asperity::pipeline::Kept;
@@ -146,7 +146,8 @@ fn a_run_with_its_band_is_the_run_restated_at_its_median() {
 fn kept_contacts_give_the_losses_of_fresh_ones() {
     let (case, found) = e_drive();
     // Another model is evaluated by the contacts of the run; alone it solves its own.
-    let other = case.with_key("model.asperity_share_factor", "0.5").unwrap();
+    let halved = Some(Alternative::AsperityShareTimes(0.5));
+    let other = case.overridden(|over| over.alternative = halved).unwrap();
     let alone = Run::new(&other)
         .pictures(KEPT)
         .execute()

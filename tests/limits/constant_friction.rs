@@ -1,14 +1,13 @@
 //! With one coefficient everywhere the sliding loss is the loss factor times the power.
 
 use asperity::result::Summary;
-use asperity_tests::{CaseText, assert_close, table_2};
+use asperity_tests::{CaseText, assert_close, constant, table_2};
 
 /// Sums over all points of a load map, and of equal loads over Gauss points.
 const ROUNDING: f64 = 1e-12;
 
 fn with_constant(case: CaseText, mu: f64) -> CaseText {
-    case.with("model.film_friction", "constant")
-        .with("model.constant_friction", mu)
+    case.with("model.film_friction", constant(mu))
 }
 
 fn spur() -> CaseText {

@@ -1,8 +1,10 @@
 //! Many positions, few positions, one position.
 
+use asperity::case::Alternative;
 use asperity::core::task::on_threads;
+use asperity::mixed_film::SpotSpeed;
 use asperity::result::Summary;
-use asperity_tests::{assert_close, table_2};
+use asperity_tests::{assert_close, constant, table_2};
 
 fn with(positions: i64) -> Summary {
     table_2()
@@ -31,8 +33,7 @@ fn a_position_a_segment_is_enough_for_what_does_not_change_along_the_path() {
     // The sliding power of a cell is that of all its points when friction is constant.
     let constant = |positions: i64| {
         table_2()
-            .with("model.film_friction", "constant")
-            .with("model.constant_friction", 0.05)
+            .with("model.film_friction", constant(0.05))
             .with("model.positions", positions)
             .run()
             .result
@@ -55,14 +56,15 @@ fn the_number_of_threads_does_not_change_a_digit() {
 #[test]
 fn the_points_of_the_path_are_solved_as_its_positions_are() {
     let file = "../fixtures/cases/e-drive.toml".as_ref();
-    let by = |spot_speed: &str| {
+    let by = |speed: SpotSpeed| {
         let loaded = asperity::case::load_with(file, &|input| {
             (input.model.positions, input.model.offsets) = (Some(24), Some(2));
-            input.set("model.spot_speed", spot_speed).unwrap();
         });
+        let spots = Some(Alternative::SpotSpeed(speed));
+        let loaded = loaded.unwrap().overridden(|over| over.alternative = spots);
         asperity_tests::run(&loaded.unwrap()).result
     };
-    let [carried, entrainment] = ["carried", "entrainment"].map(by);
+    let [carried, entrainment] = [SpotSpeed::Carried, SpotSpeed::Entrainment].map(by);
     for (result, is_carried) in [(&carried, true), (&entrainment, false)] {
         let names: Vec<&str> = result.points.iter().map(|point| &*point.point).collect();
         assert_eq!(names, ["A", "B", "C", "D", "E"]);

@@ -1,7 +1,7 @@
 //! Where mixed lubrication begins and where it has gone.
 
 use asperity::result::{MeshOutcome, Regime};
-use asperity_tests::{CaseText, assert_close, table_2};
+use asperity_tests::{CaseText, assert_close, constant, table_2};
 
 /// Table 2 with flanks whose reduced peak height is `rpk` \[m\] each and whose ridges are round.
 fn with_peaks(rpk: f64) -> CaseText {
@@ -89,8 +89,7 @@ fn peaks_far_above_the_film_leave_boundary_friction_alone() {
 #[test]
 fn where_film_and_solids_rub_alike_the_share_does_not_matter() {
     let alike = |case: CaseText| {
-        case.with("model.film_friction", "constant")
-            .with("model.constant_friction", 0.08)
+        case.with("model.film_friction", constant(0.08))
             .with("model.boundary_friction", 0.08)
             .run()
     };

@@ -1,6 +1,6 @@
 //! Cases drawn at random around Table 2.
 
-use asperity_tests::{CaseText, table_2};
+use asperity_tests::{CaseText, constant, table_2};
 use proptest::prelude::*;
 use proptest::test_runner::Config;
 use toml::Value;
@@ -52,8 +52,7 @@ impl Drawn {
     /// The same with one coefficient in film and asperities.
     pub fn with_constant_friction(&self, mu: f64) -> CaseText {
         self.case()
-            .with("model.film_friction", "constant")
-            .with("model.constant_friction", mu)
+            .with("model.film_friction", constant(mu))
             .with("model.boundary_friction", mu)
     }
 }

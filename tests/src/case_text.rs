@@ -16,6 +16,12 @@ use toml::{Table, Value};
 #[derive(Debug, Clone)]
 pub struct CaseText(Table);
 
+/// The friction law of one coefficient everywhere, in a case.
+#[must_use]
+pub fn constant(mu: f64) -> Table {
+    Table::from_iter([("constant".to_owned(), mu.into())])
+}
+
 impl CaseText {
     /// A case from TOML.
     ///
@@ -53,6 +59,7 @@ impl CaseText {
         let file = folder.join("case.toml");
         std::fs::write(&file, self.0.to_string()).unwrap();
         asperity_paper_2022::register();
+        crate::table_2::register_references();
         load(&file, None).unwrap()
     }
 

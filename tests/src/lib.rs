@@ -16,7 +16,7 @@ mod planetary_set;
 mod table_2;
 mod trace;
 
-pub use case_text::{CaseText, contacts, losses, losses_with, run};
+pub use case_text::{CaseText, constant, contacts, losses, losses_with, run};
 pub use planetary_set::planetary_set;
 pub use table_2::{petry_johnson, table_2};
 pub use trace::trace_csv;

@@ -94,7 +94,7 @@ pub fn planetary_case(text: &str) -> bool {
     };
     let names_files = source
         .key_paths()
-        .any(|key| key.ends_with("file") || key.ends_with("xu_coefficients"));
+        .any(|key| key.ends_with("file") || key.ends_with("xu"));
     if names_files {
         return false;
     }

@@ -4,7 +4,48 @@
 
 use std::path::Path;
 
+use asperity::ehl_regime::CentralFilm;
+use asperity::formulation::{Formulation, register};
+use asperity::tribo_friction::RoughnessReading;
+
 use crate::CaseText;
+
+/// Films as the reference computation prints them, as mass flows; with another roughness in Xu's law than 0.6 µm at most.
+#[derive(Debug)]
+struct OfReference {
+    name: &'static str,
+    xu_roughness: RoughnessReading,
+}
+
+impl Formulation for OfReference {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn about(&self) -> &'static str {
+        "Films as mass flows"
+    }
+
+    fn printed_film(&self) -> CentralFilm {
+        CentralFilm::MassFlow
+    }
+
+    fn xu_roughness(&self) -> RoughnessReading {
+        self.xu_roughness
+    }
+}
+
+/// Makes the formulations `reference` and, with any roughness in Xu's law, `reference-as-is` known.
+pub(crate) fn register_references() {
+    register(&OfReference {
+        name: "reference",
+        xu_roughness: RoughnessReading::Clamped,
+    });
+    register(&OfReference {
+        name: "reference-as-is",
+        xu_roughness: RoughnessReading::AsIs,
+    });
+}
 
 /// Table 2 of the 2022 paper with the module read as normal, flanks known by their Rq: S is
 /// 0.3·√2 = 0.424 µm, and peaks of 10 nm let the film part them all along the path. What the paper leaves
@@ -13,6 +54,8 @@ use crate::CaseText;
 pub fn table_2() -> CaseText {
     CaseText::new(
         r#"
+        formulation = "reference"
+
         [gears]
         teeth = [50, 120]
         module = "1.3 mm"
@@ -50,7 +93,6 @@ pub fn table_2() -> CaseText {
         # The laws of the reference computation, by name.
         film_friction = "xu"
         load_share = "lambda-star"
-        lambda_film = "mass-flow"
         boundary_friction = 0.1
         hysteresis = "0 %"
         "#,

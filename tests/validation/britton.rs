@@ -14,7 +14,7 @@ use asperity_core::line_contact::LineContact;
 use asperity_core::quantity::{
     Density, KinematicViscosity, Length, LineLoad, PerKelvin, Pressure, Speed, Temperature,
 };
-use asperity_ehl_regime::{GapLaw, Lay, PairSpectrum, TraceSpectrum};
+use asperity_ehl_regime::{Lay, PairSpectrum, TraceSpectrum};
 
 use crate::gate::Estimate;
 use crate::load_share::shipped;
@@ -121,10 +121,10 @@ impl Windows {
 
 /// Friction of the fixtures' flanks brought to Ra 0.4 um against superfinished ones, in a jet ester of
 /// 5.1 mm²/s at 100 °C: 250 N/mm on 9 mm radius at 8 and 12 m/s, with the constants of the default model.
-pub fn britton(law: GapLaw, celsius: f64) -> Britton {
+pub fn britton(celsius: f64) -> Britton {
     let [(on_ground, film_ratio), (on_fine, _)] = windows()
         .each_ref()
-        .map(|windows| friction(law, celsius, windows));
+        .map(|windows| friction(celsius, windows));
     Britton {
         film_ratio,
         change: on_fine.change_to(on_ground),
@@ -132,7 +132,7 @@ pub fn britton(law: GapLaw, celsius: f64) -> Britton {
 }
 
 /// Mean friction over the windows, and the smooth film over their Rq.
-fn friction(gap_law: GapLaw, celsius: f64, windows: &Windows) -> (Estimate, f64) {
+fn friction(celsius: f64, windows: &Windows) -> (Estimate, f64) {
     let model = shipped("e-drive").case.model.clone();
     let flanks = windows.flanks.each_ref();
     let rq = |trace: &Profile| {
@@ -143,7 +143,6 @@ fn friction(gap_law: GapLaw, celsius: f64, windows: &Windows) -> (Estimate, f64)
         boundary_friction: model.boundary_friction,
         boundary_layer: model.boundary_layer,
         lay: Lay::of_pair(model.lay, flanks.map(rq)).unwrap(),
-        gap_law,
         ..LoadShareSettings::default()
     };
     let (oil, contact) = (jet_ester(), line_contact());

@@ -45,8 +45,6 @@ fn tables() -> Vec<(&'static str, String)> {
     tables.push(("ehl-short-waves", film_records::short_wave_table()));
     tables.push(("ehl-part-load", film_records::part_load_table()));
     tables.extend(film_records::other_part_load_tables());
-    tables.push(("gap-laws", gates::gap_law_table()));
-    tables.push(("load-share-reference", measured::reference_table()));
     tables.push(("load-share-laws", share_laws::share_table()));
     tables.push(("cold-oil", measured::cold_table()));
     tables.push(("band", band::table()));

@@ -1,7 +1,7 @@
 //! Losses of Table 2 in full film, from the case file to the efficiency, against an independent
 //! evaluation of the same equations in Python.
 
-use asperity_tests::{CaseText, table_2};
+use asperity_tests::{CaseText, constant, table_2};
 
 use crate::comparison::{Comparison, Table};
 
@@ -26,7 +26,7 @@ const VARIANTS: [Variant; 5] = [
         |case| {
             case.with("surface.pinion.rq", "0.70710678 um")
                 .with("surface.wheel.rq", "0.70710678 um")
-                .with("model.clamp_roughness", false)
+                .with("formulation", "reference-as-is")
         },
         664.916_206,
         122.499_974,
@@ -39,10 +39,7 @@ const VARIANTS: [Variant; 5] = [
     ),
     (
         "μ 0.05 everywhere",
-        |case| {
-            case.with("model.film_friction", "constant")
-                .with("model.constant_friction", 0.05)
-        },
+        |case| case.with("model.film_friction", constant(0.05)),
         328.070_017,
         122.499_974,
     ),
@@ -87,7 +84,7 @@ fn the_efficiency_printed_in_the_paper_asks_for_rougher_flanks_than_xu_ever_saw(
     // exponential; the loss is then that of a coefficient far outside lubricated steel.
     let at = |rq: &str| {
         let case = table_2()
-            .with("model.clamp_roughness", false)
+            .with("formulation", "reference-as-is")
             .with("surface.pinion.rq", rq)
             .with("surface.wheel.rq", rq);
         case.run().result.summary

@@ -209,18 +209,6 @@ impl Gate {
         }
     }
 
-    /// Value, note, standard error and verdict.
-    pub fn value_text(&self) -> String {
-        let mut text = format!("{}{}", self.number_text(), self.note);
-        if let Some(error) = self.error_text() {
-            let _ = write!(text, ", standard error {error}");
-        }
-        match self.verdict() {
-            Verdict::Printed => text,
-            verdict => format!("{text}: {}", verdict.text()),
-        }
-    }
-
     fn rule_text(&self) -> String {
         let text = |end: f64| format!("{end:.*}", self.rule_digits());
         match self.rule {

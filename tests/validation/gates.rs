@@ -1,7 +1,6 @@
 //! The gates of measurement, computed together with the defaults of the program and printed as they come out.
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::sync::{Arc, Mutex, OnceLock};
 
 use asperity::PositionError;
@@ -16,12 +15,10 @@ use asperity::running_in::{limits, run_in};
 use asperity_core::Profile;
 use asperity_tests::{contacts, losses_with};
 
-use asperity_ehl_regime::GapLaw;
-
-use crate::britton::{Britton, britton};
+use crate::britton::britton;
 use crate::ehl_records::{Deviation, deviation};
 use crate::gate::{Class, Estimate, Gate, Verdict, table};
-use crate::load_share::{FEW, FORMER, losses};
+use crate::load_share::{FEW, losses};
 use crate::measured_cases::{FZG_SPEEDS, Kept, Sampled, kept, measured, turns};
 use crate::share_laws::erf;
 
@@ -100,7 +97,11 @@ impl LoadShare for Arana {
 pub fn gates() -> &'static [Gate] {
     static GATES: OnceLock<Vec<Gate>> = OnceLock::new();
     GATES.get_or_init(|| {
-        let mut rows = gates_by(GapLaw::default()).to_vec();
+        let mut rows = fzg_gates();
+        rows.extend(finish_gates());
+        rows.extend(oil_gates());
+        rows.extend(running_in_gates());
+        rows.extend(share_gates());
         rows.extend(petry_johnson_gates());
         rows.extend(limit_gates());
         rows.extend(film_gates());
@@ -112,28 +113,6 @@ pub fn gates() -> &'static [Gate] {
         rows.sort_by_key(number);
         rows
     })
-}
-
-/// The gates that the gap law enters most.
-fn gates_by(law: GapLaw) -> &'static [Gate] {
-    static GATES: [OnceLock<Vec<Gate>>; 2] = [const { OnceLock::new() }; 2];
-    GATES[usize::from(law == GapLaw::Power)].get_or_init(|| {
-        let mut rows = fzg_gates(law);
-        rows.extend(finish_gates(law));
-        rows.extend(oil_gates(law));
-        rows.extend(running_in_gates(law));
-        rows.extend(share_gates(law));
-        rows
-    })
-}
-
-/// The key of a case that chooses a gap law.
-pub fn gap_law_key(law: GapLaw) -> (&'static str, &'static str) {
-    let name = match law {
-        GapLaw::Inlet => "inlet",
-        GapLaw::Power => "power",
-    };
-    ("model.gap_law", name)
 }
 
 /// Units and decimals.
@@ -148,8 +127,8 @@ fn mean_film(found: &Losses) -> f64 {
 }
 
 /// T1: FZG type C-mod with tip relief.
-fn fzg_gates(law: GapLaw) -> Vec<Gate> {
-    let kept = Kept::new(measured("fzg-c-mod", &[gap_law_key(law)]));
+fn fzg_gates() -> Vec<Gate> {
+    let kept = Kept::new(measured("fzg-c-mod", &[]));
     let slow = turns(0.5);
     let at_slow = |keys: &[(&str, &str)]| {
         let found = kept.at(&[&[("operation.speed", &*slow)], keys].concat());
@@ -237,20 +216,19 @@ pub fn measured_loss(speed: u32) -> [f64; 2] {
     }
 }
 
-/// The superfinished pair of Petry-Johnson with its contacts, which serve every speed, temperature and gap law.
+/// The superfinished pair of Petry-Johnson with its contacts, which serve every speed and temperature.
 fn petry_johnson() -> &'static Kept {
     static KEPT: OnceLock<Kept> = OnceLock::new();
     KEPT.get_or_init(|| Kept::new(measured("petry-johnson", &[])))
 }
 
 /// The losses of superfinished flanks known by their Rq, with all other defaults.
-pub fn petry_johnson_by(law: GapLaw, speed: u32) -> Arc<Sampled> {
-    static FOUND: Mutex<BTreeMap<(&str, u32), Arc<Sampled>>> = Mutex::new(BTreeMap::new());
+pub fn petry_johnson_at(speed: u32) -> Arc<Sampled> {
+    static FOUND: Mutex<BTreeMap<u32, Arc<Sampled>>> = Mutex::new(BTreeMap::new());
     let mut found = FOUND.lock().unwrap();
-    let key = gap_law_key(law);
-    let sampled = found.entry((key.1, speed)).or_insert_with(|| {
+    let sampled = found.entry(speed).or_insert_with(|| {
         let speed = format!("{speed} 1/min");
-        Arc::new(petry_johnson().at(&[key, ("operation.speed", &speed)]))
+        Arc::new(petry_johnson().at(&[("operation.speed", &speed)]))
     });
     Arc::clone(sampled)
 }
@@ -309,7 +287,7 @@ fn petry_johnson_gates() -> Vec<Gate> {
             10_000 => "; 590 to 645 W with the signs of the errors that hold up to 8000 1/min",
             _ => "",
         };
-        let found = petry_johnson_by(GapLaw::default(), speed).mean(&|row| row.loss_w);
+        let found = petry_johnson_at(speed).mean(&|row| row.loss_w);
         Gate::new(
             Class::CalibratedOn,
             format!("T2 Petry-Johnson, superfinished 40/40, {speed} 1/min"),
@@ -327,19 +305,10 @@ fn petry_johnson_gates() -> Vec<Gate> {
     rows.into()
 }
 
-/// The rig of T3, each temperature computed once.
-pub fn britton_at(law: GapLaw, celsius: f64) -> Britton {
-    static FOUND: Mutex<BTreeMap<(u64, &str), Britton>> = Mutex::new(BTreeMap::new());
-    let mut found = FOUND.lock().unwrap();
-    *found
-        .entry((celsius.to_bits(), gap_law_key(law).1))
-        .or_insert_with(|| britton(law, celsius))
-}
-
 /// T3 and T4: superfinishing.
-fn finish_gates(law: GapLaw) -> Vec<Gate> {
+fn finish_gates() -> Vec<Gate> {
     let britton = [70.0, 90.0, 110.0].map(|celsius| {
-        let found = britton_at(law, celsius);
+        let found = britton(celsius);
         let is_inside = (0.2..=0.5).contains(&found.film_ratio);
         Gate::new(
             Class::UnknownTemperature,
@@ -357,7 +326,7 @@ fn finish_gates(law: GapLaw) -> Vec<Gate> {
         Class::Measured,
         "T4 superfinishing in thick films, FZG at 40 °C, 20 m/s: change of μ",
         "nothing measurable",
-        null_pair(law).times(100.0),
+        null_pair().times(100.0),
         Some([-8.0, 8.0]),
         PERCENT,
     );
@@ -386,22 +355,18 @@ fn limit_gates() -> Vec<Gate> {
 }
 
 /// FZG flanks in a thick film: change of the friction by superfinishing.
-pub fn null_pair(law: GapLaw) -> Estimate {
-    static FOUND: [OnceLock<Estimate>; 2] = [const { OnceLock::new() }; 2];
-    *FOUND[usize::from(law == GapLaw::Power)].get_or_init(|| {
-        let keys = [
-            gap_law_key(law),
-            ("operation.bulk_temperature", "40 °C"),
-            ("operation.speed", &*turns(20.0)),
-        ];
-        let friction = |name: &str| Sampled::of(&measured(name, &keys)).friction();
-        friction("fzg-c-superfinished").change_to(friction("fzg-c-ground"))
-    })
+fn null_pair() -> Estimate {
+    let keys = [
+        ("operation.bulk_temperature", "40 °C"),
+        ("operation.speed", &*turns(20.0)),
+    ];
+    let friction = |name: &str| Sampled::of(&measured(name, &keys)).friction();
+    friction("fzg-c-superfinished").change_to(friction("fzg-c-ground"))
 }
 
 /// T6: base oils of one viscosity in the FZG gears at 90 °C.
-fn oil_gates(law: GapLaw) -> Vec<Gate> {
-    let kept = Kept::new(measured("fzg-c-ground", &[gap_law_key(law)]));
+fn oil_gates() -> Vec<Gate> {
+    let kept = Kept::new(measured("fzg-c-ground", &[]));
     let oils = [
         ("polyglycol", "0.6", [0.6; 2], [0.45, 0.75]),
         ("ester", "0.6 to 1.0", [0.6, 1.0], [0.45, 1.15]),
@@ -437,10 +402,9 @@ fn run_in_at(case: &LoadedCase, torque: f64) -> Surfaces {
 }
 
 /// T7: running-in at a high load against a low one, on ground and on superfinished flanks.
-fn running_in_gates(law: GapLaw) -> Vec<Gate> {
-    let law = [gap_law_key(law)];
+fn running_in_gates() -> Vec<Gate> {
     let gain = |name: &str| {
-        let case = measured(name, &law);
+        let case = measured(name, &[]);
         let offsets = Sampled::of(&case).losses.offsets.len().to_string();
         // The same windows for both states.
         let case = case.with_key("model.offsets", &offsets).unwrap();
@@ -573,7 +537,7 @@ fn depth_of_flow(case: &LoadedCase) -> f64 {
 }
 
 /// T9: the solved share against our own records.
-fn share_gates(law: GapLaw) -> Vec<Gate> {
+fn share_gates() -> Vec<Gate> {
     let own = "own EHL records (no measurement)";
     let row = |what: &str, found: &Deviation, rule| {
         let name = format!("T9 solved asperity share minus records, root mean square, {what}");
@@ -590,17 +554,13 @@ fn share_gates(law: GapLaw) -> Vec<Gate> {
     };
     let largest = |end: f64| Some([f64::NEG_INFINITY, end]);
     vec![
-        row(
-            "σ_d/h_c below 3",
-            &deviation(law, true, false),
-            largest(0.04),
-        ),
+        row("σ_d/h_c below 3", &deviation(true, false), largest(0.04)),
         row(
             "all with a defined share",
-            &deviation(law, false, false),
+            &deviation(false, false),
             largest(0.05),
         ),
-        row("all", &deviation(law, false, true), None),
+        row("all", &deviation(false, true), None),
     ]
 }
 
@@ -636,107 +596,6 @@ fn film_gates() -> Vec<Gate> {
             None,
         ),
     ]
-}
-
-/// Losses of the e-drive and gates by both gap laws.
-pub fn gap_law_table() -> String {
-    static TABLE: OnceLock<String> = OnceLock::new();
-    TABLE.get_or_init(made_gap_law_table).clone()
-}
-
-fn made_gap_law_table() -> String {
-    let rows = [GapLaw::Power, GapLaw::Inlet].map(|law| {
-        let mut rows = drive_losses(law);
-        rows.extend([2000, 4000, 6000, 8000, 10_000].map(|speed| {
-            let [low, high] = measured_loss(speed);
-            Gate::new(
-                Class::CalibratedOn,
-                format!("T2 Petry-Johnson, superfinished 40/40, {speed} 1/min"),
-                format!("{low:.0} to {high:.0} W (grade C)"),
-                petry_johnson_by(law, speed).mean(&|row| row.loss_w),
-                None,
-                ("W", 0),
-            )
-        }));
-        rows.extend(gates_by(law).iter().cloned());
-        rows
-    });
-    let mut text = String::from(
-        "| quantity | measured | unit | gap law `power` | gap law `inlet` |\n|---|---|---|---|---|\n",
-    );
-    let [power, inlet] = rows;
-    for (power, inlet) in power.iter().zip(&inlet) {
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} | {} |",
-            inlet.name,
-            inlet.measured,
-            inlet.unit,
-            power.value_text(),
-            inlet.value_text()
-        );
-    }
-    text
-}
-
-/// The e-drive with 16 offsets, ground and superfinished.
-fn drives() -> [Arc<Kept>; 2] {
-    ["e-drive", "e-drive-superfinished"].map(|name| kept(name, &[("model.offsets", "16")]))
-}
-
-/// Losses of the e-drive with 16 offsets, and what superfinishing changes.
-fn drive_losses(law: GapLaw) -> Vec<Gate> {
-    let kept = drives();
-    let rows = ["40 °C", "60 °C", "90 °C", "120 °C"].map(|celsius| {
-        let [ground, fine] = kept.each_ref().map(|kept| {
-            let found = kept.at(&[gap_law_key(law), ("operation.bulk_temperature", celsius)]);
-            found.mean(&|row| row.loss_w)
-        });
-        let row = |what: &str, measured: &str, value, unit| {
-            let name = format!("e-drive, {celsius}, {what}");
-            Gate::new(Class::OwnReference, name, measured, value, None, unit)
-        };
-        let change = fine.change_to(ground).times(100.0);
-        let measured = match celsius {
-            "90 °C" => "-15 to -35 % on other gears",
-            _ => "-",
-        };
-        [
-            row("ground", "-", ground, ("W", 1)),
-            row("superfinished", "-", fine, ("W", 1)),
-            row("superfinishing", measured, change, PERCENT),
-        ]
-    });
-    rows.into_iter().flatten().collect()
-}
-
-#[test]
-fn the_gap_law_power_keeps_its_losses() {
-    // Loss of the e-drive at the medians with 16 offsets, ground and superfinished, with spots fed at the entrainment speed and the film of a formula. Before the width of spots followed from
-    // their pressures: 599.5 and 523.8, 622.7 and 448.5, 684.3 and 393.9 W; and before spots parted at the lowest pressure between
-    // them: 600.9 and 523.8, 627.1 and 448.8, 692.1 and 395.0 W. By the gap over whole cells: 694.3 W at 120 °C.
-    let before = [
-        ("60 °C", [601.4, 523.8]),
-        ("90 °C", [628.4, 448.8]),
-        ("120 °C", [694.4, 395.2]),
-    ];
-    let found = before.map(|(celsius, _)| {
-        let keys = [
-            &FORMER[..],
-            &[
-                gap_law_key(GapLaw::Power),
-                ("operation.bulk_temperature", celsius),
-            ],
-        ]
-        .concat();
-        drives().map(|kept| kept.at(&keys).losses.summary.loss_w)
-    });
-    let held = before.iter().flat_map(|(_, losses)| losses);
-    let mut pairs = found.as_flattened().iter().zip(held);
-    assert!(
-        pairs.all(|(found, held)| (found - held).abs() < 0.051),
-        "{found:?}"
-    );
 }
 
 /// The gates as Markdown, and what those of boundary friction ask for.

@@ -50,45 +50,11 @@ pub fn summary(name: &str, keys: &[(&str, &str)]) -> Summary {
 /// Few offsets, as the reference computation took.
 pub const FEW: [(&str, &str); 2] = [("model.positions", "16"), ("model.offsets", "4")];
 
-/// Spots, film with its pressure, and heights in the gap of the model before spots were carried through the contact.
-pub const FORMER: [(&str, &str); 4] = [
-    ("model.film", "dowson-toyoda"),
-    ("model.spot_speed", "entrainment"),
-    ("model.film_pressure", "hertz"),
-    ("model.gap_roughness", "rms"),
-];
-
-/// Gap law, spots and film, boundary friction, lay, tip relief and load distribution of the reference computation.
-pub const REFERENCE: [(&str, &str); 10] = [
-    FORMER[0],
-    FORMER[1],
-    FORMER[2],
-    FORMER[3],
-    ("model.gap_law", "power"),
-    ("model.boundary_friction", "0.08"),
-    ("model.lay", "0"),
-    ("gears.pinion.tip_relief", "none"),
-    ("gears.wheel.tip_relief", "none"),
-    ("model.load_distribution", "mean-length"),
-];
-
 /// Summary with few offsets, on the contacts of the case itself unless the keys change what they depend on.
 pub fn few(name: &str, keys: &[(&str, &str)]) -> Summary {
     let kept = kept(name, &FEW);
     let case = kept.with(keys);
     losses_with(&kept.tables, &case).unwrap().summary
-}
-
-#[test]
-fn the_shipped_drive_loses_what_the_reference_computation_has() {
-    // 32 places weighted to 8, 4 offsets, mean length of the contact lines and another expansion of the oil
-    // there: ground 569 W, superfinished 397 W.
-    let [ground, fine] = ["e-drive", "e-drive-superfinished"].map(|name| few(name, &REFERENCE));
-    // 4 offsets leave 2.5 % in each of both; over 256 offsets the ground flanks lose 539 W.
-    assert_close("ground", ground.sliding_w, 569.0, 0.06);
-    assert_close("superfinished", fine.sliding_w, 397.0, 0.02);
-    let change = fine.loss_w / ground.loss_w - 1.0;
-    assert!((-0.40..-0.15).contains(&change), "{change}");
 }
 
 #[test]
@@ -266,15 +232,13 @@ fn every_assumed_constant_is_told_with_its_band_and_how_sure_it_is() {
 }
 
 /// One key changed on the shipped drive, ground flanks.
-const CHANGES: [(&str, &str); 19] = [
+const CHANGES: [(&str, &str); 17] = [
     ("model.boundary_friction", "0.065"),
     ("model.boundary_friction", "0.12"),
     ("model.boundary_layer", "5 nm"),
     ("model.boundary_layer", "20 nm"),
     ("model.lay", "0.16666666666666666"),
     ("model.lay", "isotropic"),
-    ("model.spot_speed", "half-sliding"),
-    ("model.asperity_share_factor", "0.5"),
     ("material.pinion.flow_pressure", "2.5 GPa"),
     ("model.film_pressure_law", "roelands"),
     ("model.film_friction", "xu"),

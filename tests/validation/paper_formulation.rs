@@ -70,7 +70,7 @@ fn superfinished_flanks_take_the_branch_of_full_film() {
         .with("surface.cutoff", "0.25 mm")
         .with("surface.pinion", profile("superfinished.csv"))
         .with("surface.wheel", profile("superfinished_wheel.csv"))
-        .with("model.position", 0.2557)
+        .with("paper.position", 0.2557)
         .run();
     let row = &outcome.result.path[0];
     assert_eq!((row.regime, row.film_share), (Regime::FullFilm, 1.0));

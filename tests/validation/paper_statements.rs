@@ -78,7 +78,7 @@ fn statements() -> Vec<Statement> {
     let history = &reference.fields[0].history;
     let last = history.last().unwrap();
     // With the error at which the paper ends.
-    let looser = table_2(&[("model.numerical_error", "4 %")]);
+    let looser = table_2(&[("paper.numerical_error", "4 %")]);
     let looser = &looser.fields[0].history;
     let oils = fig_7();
     let range = |values: &[f64]| {

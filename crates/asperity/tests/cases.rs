@@ -223,13 +223,13 @@ fn keys_are_set_by_their_path_and_nothing_else_changes() {
             "{ amount = \"10 um\", length = \"2 mm\" }",
         ),
         ("gears.wheel.crowning", "4 um"),
-        ("model.position", "B"),
-        ("model.position", "0.25"),
+        ("paper.position", "B"),
+        ("paper.position", "0.25"),
         ("model.window", "nan"),
         ("model.tolerance", "1e-9"),
         ("model.film", "hamrock-dowson"),
-        ("model.numerical_error", "2 %"),
-        ("model.clamp_roughness", "false"),
+        ("paper.numerical_error", "2 %"),
+        ("model.film_friction", "{ iso-14179-2 = 0.9 }"),
     ] {
         let mut changed = case.clone();
         changed

@@ -158,9 +158,8 @@ fn constant_friction_is_exact_over_any_number_of_cells() {
             &[
                 FEW,
                 ("model.positions", positions),
-                ("model.film_friction", "constant"),
+                ("model.film_friction", "{ constant = 0.05 }"),
                 ("model.load_share", "lambda-star"),
-                ("model.constant_friction", "0.05"),
                 ("model.boundary_friction", "0.05"),
             ],
         ))

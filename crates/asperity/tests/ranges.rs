@@ -136,12 +136,11 @@ fn usual_cases() -> Vec<Value> {
             "wheel": { "file": null, "mirrored": null, "rq": "0.4 um" }
         } }),
         json!({ "model": { "window": 3.0, "stiffness_factor": 0.8, "face_coupling": 1.55, "friction_scale": 1.0,
-            "lubricant_factor": 1.0, "boundary_friction": 0.09, "boundary_layer": "10 nm", "lay": 0.08, "asperity_share_factor": 0.5,
+            "film_friction": { "iso-14179-2": 1.0 }, "boundary_friction": 0.09, "boundary_layer": "10 nm", "lay": 0.08,
             "hysteresis": "0.5 %", "tolerance": 1e-8, "full_film": "ehl-transient", "ehl": { "travel": 20.0 } } }),
-        json!({ "model": { "film_friction": "constant", "constant_friction": 0.04, "gap_law": "power", "inlet_layer": "1 um",
+        json!({ "model": { "film_friction": { "constant": 0.04 }, "inlet_layer": "1 um", "inner_boundary": 0.75,
             "load_distribution": { "table": [[0.0, 0.5], [1.0, 0.5]] } } }),
-        json!({ "model": { "spot_speed": "carried", "inner_boundary": 0.75 } }),
-        json!({ "model": { "position": 0.25, "delta_step": "80 nm", "numerical_error": "1 %" } }),
+        json!({ "paper": { "position": 0.25, "delta_step": "80 nm", "numerical_error": "1 %" } }),
         json!({ "calibration": {
             "boundary_friction": { "value": 0.09, "low": 0.08, "high": 0.1 },
             "boundary_layer": { "value": "10 nm", "low": "8 nm", "high": "13 nm" },

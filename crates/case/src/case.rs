@@ -25,6 +25,7 @@ pub use crate::input::case_input::{
 };
 pub use crate::input::contact_name::ContactName;
 pub use crate::input::files::{Content, FILE_KEYS, FileContents, FileSums, HeldTrace};
+pub use crate::input::film_friction_input::{FilmFrictionInput, FrictionSetting};
 pub use crate::input::finish::FinishName;
 pub use crate::input::flank_place::{FlankPlaceInput, TraceStart};
 pub use crate::input::gear_input::{
@@ -36,7 +37,9 @@ pub use crate::input::gearbox_input::{
 pub use crate::input::key_ranges::range_of;
 pub use crate::input::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 pub use crate::input::micropitting_input::MicropittingInput;
-pub use crate::input::model::{EhlChoices, EhlInput, LEAST_OFFSETS, Model, ModelInput};
+pub use crate::input::model::{
+    EhlChoices, EhlInput, LEAST_OFFSETS, Model, ModelInput, PaperChoices, PaperInput,
+};
 pub use crate::input::one_or_two::OneOrTwo;
 pub use crate::input::path_point::{NamedPoint, PathPoint, Positions};
 pub use crate::input::rows::Limits;

@@ -11,10 +11,7 @@
 //! | k_oil | thermal conductivity of the oil | W/(m K) |
 //!
 //! Sources: P. K. Gupta, H. S. Cheng, D. Zhu, N. H. Forster and J. B. Schrand, Tribol. Trans. 35
-//! (1992) 269 (form confirmed in Arana, Larrañaga and Ulacia 2019, eq. 24); L. E. Murch and
-//! W. R. D. Wilson, ASME J. Lubr. Technol. 97 (1975) 212, written 1/(1 + 0.254 L^0.62) by Wilson
-//! and Sheu (1983), who also say that it holds for pure rolling only. Sliding therefore puts a
-//! note on Murch–Wilson. Gupta's factor falls ever faster with L, and its numerator turns negative: a colder or faster contact
+//! (1992) 269 (form confirmed in Arana, Larrañaga and Ulacia 2019, eq. 24). Gupta's factor falls ever faster with L, and its numerator turns negative: a colder or faster contact
 //! would have less film. Beyond the loading L₁ at which the film no longer rises with the speed, its steepness is held, with a
 //! note (judgement: a switch to another law there would be a step of 3 to 7 in the film).
 
@@ -42,19 +39,12 @@ pub const GUPTA_HELD: &str = "Gupta (steepness held)";
 /// Least numerator of Gupta's factor as printed.
 const LEAST_NUMERATOR: f64 = 0.01;
 
-/// Murch and Wilson's analysis has equal surface speeds (Wilson and Sheu 1983).
-const PURE_ROLLING: FittedRange =
-    FittedRange::new("slide-to-roll ratio", 0.0, 0.0, "-", "Murch-Wilson");
-
 /// Gupta et al. 1992: factor and exponent of the pressure term.
 const PRESSURE_TERM: (f64, f64) = (13.2, 0.42);
 /// Gupta et al. 1992: factor and exponent of the thermal loading.
 const LOADING_TERM: (f64, f64) = (0.213, 0.64);
 /// Gupta et al. 1992: factor and exponent of the slide-to-roll ratio.
 const SLIDING_TERM: (f64, f64) = (2.23, 0.83);
-/// Murch and Wilson 1975: constant and exponent of the thermal loading.
-const MURCH_WILSON: (f64, f64) = (3.94, 0.62);
-
 /// Reduction of film and rolling resistance by inlet shear heating.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -63,8 +53,6 @@ pub enum ThermalLaw {
     /// Gupta et al. 1992: pressure, thermal loading and sliding.
     #[default]
     Gupta,
-    /// Murch and Wilson 1975: thermal loading in pure rolling.
-    MurchWilson,
     /// No reduction, φ = 1, as in the 2022 paper.
     None,
 }
@@ -124,11 +112,6 @@ impl ThermalLaw {
     ) -> Result<Checked<f64>, RegimeError> {
         match self {
             Self::Gupta => gupta(max_pressure, reduced_modulus, loading, slide_to_roll),
-            Self::MurchWilson => {
-                let mut factor = Checked::inside(murch_wilson(loading)?);
-                PURE_ROLLING.check(checked_sliding(slide_to_roll)?, &mut factor.outside);
-                Ok(factor)
-            }
             Self::None => Ok(Checked::inside(1.0)),
         }
     }
@@ -281,25 +264,4 @@ impl Gupta {
         }
         low.exp()
     }
-}
-
-/// Thermal reduction in pure rolling by Murch and Wilson.
-///
-/// ```text
-/// φ = 3.94/(3.94 + L^0.62)                                               [Murch-Wilson]
-/// ```
-///
-/// # Errors
-/// When L is negative or not finite.
-///
-/// ```
-/// use asperity_ehl_regime::thermal_reduction::murch_wilson;
-/// assert_eq!(murch_wilson(0.0)?, 1.0);
-/// # Ok::<(), asperity_ehl_regime::RegimeError>(())
-/// ```
-pub fn murch_wilson(loading: f64) -> Result<f64, RegimeError> {
-    cite!("Murch-Wilson");
-    let l = checked_loading(loading)?;
-    let (c, n) = MURCH_WILSON;
-    Ok(c / (c + l.powf(n)))
 }

@@ -11,7 +11,7 @@ use asperity_ehl_regime::film_elliptic::{
     ellipticity, hamrock_dowson_central, hamrock_dowson_minimum,
 };
 use asperity_ehl_regime::regime::film_share_of_film_ratio;
-use asperity_ehl_regime::thermal_reduction::{gupta, murch_wilson};
+use asperity_ehl_regime::thermal_reduction::gupta;
 use asperity_ehl_regime::{
     AsperityShape, FilmConditions, FilmGroups, FilmLaw, FilmThickness, LoadShareLaw, Orientation,
     Regime, ThermalLaw, film_line, film_ratio, lambda_star,
@@ -189,7 +189,7 @@ fn impossible_positions_are_refused_by_name() {
 #[test]
 fn no_thermal_loading_is_no_reduction() {
     let (p0, modulus) = (Pressure::from_si(1e9), Pressure::from_si(115e9));
-    for law in [ThermalLaw::Gupta, ThermalLaw::MurchWilson, ThermalLaw::None] {
+    for law in [ThermalLaw::Gupta, ThermalLaw::None] {
         assert_eq!(law.reduction(p0, modulus, 0.0, 0.0).unwrap().value, 1.0);
     }
 }
@@ -242,7 +242,6 @@ fn thermal_reduction_refuses_what_is_not_a_number() {
     assert!(gupta(p0, modulus, f64::NAN, 0.0).is_err());
     assert!(gupta(p0, modulus, 1.0, f64::INFINITY).is_err());
     assert!(gupta(Pressure::from_si(-1.0), modulus, 1.0, 0.0).is_err());
-    assert!(murch_wilson(-0.1).is_err());
 }
 
 #[test]

@@ -20,7 +20,7 @@ use asperity_ehl_regime::film_elliptic::{
     ellipticity, hamrock_dowson_central, hamrock_dowson_minimum,
 };
 use asperity_ehl_regime::regime::film_share_of_film_ratio;
-use asperity_ehl_regime::thermal_reduction::{gupta, murch_wilson};
+use asperity_ehl_regime::thermal_reduction::gupta;
 use asperity_ehl_regime::{
     AsperityShape, FilmConditions, FilmGroups, FilmLaw, LoadShareLaw, Orientation, Regime,
     ThermalLaw, film_line, film_ratio, lambda_star, thermal_loading,
@@ -172,9 +172,6 @@ fn thermal_reduction_of_the_reference_case() {
         let by_gupta = reduction(ThermalLaw::Gupta);
         close(by_gupta.value, position.gupta, ROUNDING);
         assert!(by_gupta.outside.is_empty());
-        let rolling = reduction(ThermalLaw::MurchWilson);
-        close(rolling.value, position.murch_wilson, ROUNDING);
-        assert_eq!(rolling.outside.is_empty(), position.slide_to_roll == 0.0);
         assert_eq!(reduction(ThermalLaw::None).value, 1.0);
     }
 }
@@ -204,19 +201,6 @@ fn a_film_that_would_fall_with_the_speed_is_noted_and_does_not() {
         seen[usize::from(noted)] += 1;
     }
     assert!(seen.iter().all(|count| *count > 5), "{seen:?}");
-}
-
-/// The same bearing code's test of Murch and Wilson's factor.
-#[test]
-fn murch_wilson_of_a_published_test_case() {
-    let loading = thermal_loading(
-        DynamicViscosity::from_si(0.043691),
-        PerKelvin::from_si(7.5e-4),
-        Speed::from_si(22.36094193),
-        ThermalConductivity::from_si(0.145),
-    )
-    .unwrap();
-    close(murch_wilson(loading).unwrap(), 0.938371825085712, ROUNDING);
 }
 
 #[test]

@@ -2,8 +2,6 @@
 
 use asperity_core::Checked;
 use asperity_core::line_contact::LineContact;
-use asperity_core::quantity::Length;
-use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_oil::FilmRheology;
 use asperity_tribo_friction::{
     FilmContact, FilmFriction, FilmLineContact, FilmSettings, FilmTraction, FrictionError,
@@ -14,23 +12,15 @@ use asperity_tribo_friction::{
 #[derive(Debug, Clone)]
 pub struct FilmAlone {
     rheology: FilmRheology,
-    central_film: CentralFilm,
 }
 
 impl FilmAlone {
-    /// The law of an oil with `rheology` and the central film by `central_film`.
+    /// The law of an oil with `rheology`.
     #[must_use]
-    pub fn new(rheology: &FilmRheology, central_film: CentralFilm) -> Self {
+    pub fn new(rheology: &FilmRheology) -> Self {
         Self {
             rheology: rheology.clone(),
-            central_film,
         }
-    }
-
-    fn film(&self, at: &FilmContact<'_>) -> Length {
-        let (film, p0) = (at.position.central_film, at.position.max_pressure);
-        // Neither is negative here, so that both readings have a value.
-        self.central_film.thickness(film, p0).unwrap_or(film)
     }
 }
 
@@ -48,7 +38,7 @@ impl FilmFriction for FilmAlone {
                 speeds: at.surface_speeds,
                 bodies: at.materials,
             },
-            film: self.film(at),
+            film: at.position.central_film,
             temperature: at.bulk_temperature,
         };
         let mut film = LoadedFilm::new(&self.rheology, &contact, FilmSettings::default())?;

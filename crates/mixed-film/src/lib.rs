@@ -87,6 +87,4 @@ pub use rough_contact::{ContactState, PatchWindow, RoughContact, RoughWindow};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};
 pub use spot_tree::Spot;
 pub use trace_spectra::TraceSpectra;
-pub use window_roughness::{
-    FilmPressure, Flattening, GapRoughness, PatchSample, RipplePart, WindowRoughness,
-};
+pub use window_roughness::{Flattening, PatchSample, RipplePart, WindowRoughness};

@@ -22,7 +22,6 @@ use asperity_tribo_friction::boundary::{
     BOUNDARY_FRICTION, BOUNDARY_LAYER, INNER_BOUNDARY, SharedFriction,
 };
 use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmRipple, FilmSettings, LoadedFilm};
-use serde::{Deserialize, Serialize};
 
 use crate::contact_table::ContactTable;
 use crate::error::LoadShareError;
@@ -31,7 +30,7 @@ use crate::solution::{LineLosses, LoadShareSolution, ShareEvidence};
 use crate::spot_tree::Spot;
 use crate::spots::{Feed, SpotConditions, SpotFriction, SpotList};
 use crate::window_gap::gap_under;
-use crate::window_roughness::{FilmPressure, Flattening, GapRoughness, WindowRoughness};
+use crate::window_roughness::{Flattening, WindowRoughness};
 
 /// Relative step at which the secant iteration for friction ends: it leaves 2e-9 of the loss of the shipped e-drive case, 7e-8 at
 /// most of the loss at one of its offsets.
@@ -63,14 +62,26 @@ const COMPARED: FittedRange = FittedRange::new(
 /// Mean gap that the inlet supplies without asperity contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum InletSupply {
-    /// More than the smooth film, by the attenuated roughness. With the gap law `inlet` roughness counts more at light load, and a
-    /// window has the gap under its middle.
+    /// More than the smooth film, by the attenuated roughness, which counts more at light load; a window has the gap under its middle.
     #[default]
     Rough,
     /// More than the smooth film by Grubin's inlet at any load, in every window by itself: what independent programs of the tests have.
     Grubin,
+    /// That of a starved inlet: the film thickens as the asperities take load off it.
+    Starved,
     /// The smooth film, according to Johnson, Greenwood and Poon: the share law `jgp`.
     Smooth,
+}
+
+impl InletSupply {
+    /// Law of the supplied gap.
+    #[must_use]
+    pub const fn gap_law(self) -> GapLaw {
+        match self {
+            Self::Rough | Self::Grubin => GapLaw::Inlet,
+            Self::Starved | Self::Smooth => GapLaw::Power,
+        }
+    }
 }
 
 /// Mean gap that the inlet supplies to patches: others than the computed one are for the interval of a loss.
@@ -85,10 +96,8 @@ pub enum PatchGap {
     SecondOrder,
 }
 
-/// Film that a touching spot carries with it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+/// Film that a touching spot carries with it. The laws besides the default are refuted; a verdict over other models has them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum SpotSpeed {
     /// The film of the inlet until the flanks have slid past the spot; a spot that forms inside the contact has no film that flows.
     #[default]
@@ -121,23 +130,15 @@ pub struct LoadShareSettings {
     pub film_law: FilmLaw,
     /// Thermal reduction of the film.
     pub thermal: ThermalLaw,
-    /// Reading of the central film in film friction at Hertz's pressure, and in the supply by the gap law `power`.
-    pub central_film: CentralFilm,
     /// Inlet supply.
     pub supply: InletSupply,
-    /// Law of the supply of rough flanks.
-    pub gap_law: GapLaw,
     /// Film that a touching spot carries with it.
     pub spot_speed: SpotSpeed,
     /// Least boundary share β_i of spots that form inside the contact, with [`SpotSpeed::Carried`].
     pub inner_boundary: f64,
-    /// Pressure at which the film shears.
-    pub film_pressure: FilmPressure,
-    /// Heights that count in the supply.
-    pub gap_roughness: GapRoughness,
     /// Gap supplied to patches.
     pub patch_gap: PatchGap,
-    /// Factor on the asperity share after it is solved; 1, and ½ for the band.
+    /// Factor on the asperity share after it is solved: 1, and ½ in a verdict over other models.
     pub share_factor: f64,
     /// Nodes and heat of the film friction.
     pub film: FilmSettings,
@@ -151,17 +152,27 @@ impl Default for LoadShareSettings {
             lay: Lay::GROUND,
             film_law: FilmLaw::Steady,
             thermal: ThermalLaw::Gupta,
-            central_film: CentralFilm::MassFlow,
             supply: InletSupply::Rough,
-            gap_law: GapLaw::default(),
             spot_speed: SpotSpeed::default(),
             inner_boundary: INNER_BOUNDARY,
-            film_pressure: FilmPressure::default(),
-            gap_roughness: GapRoughness::default(),
             patch_gap: PatchGap::Computed,
             share_factor: 1.0,
             film: FilmSettings::default(),
         }
+    }
+}
+
+impl LoadShareSettings {
+    fn check(&self) -> Result<(), LoadShareError> {
+        let factor = self.share_factor;
+        let rule = "must be above 0 and not above 1";
+        let fits = factor > 0.0 && factor <= 1.0;
+        DomainError::require(fits, "factor on the asperity share", factor, "-", rule)?;
+        let inner = self.inner_boundary;
+        let rule = "must lie between 0 and 1";
+        let fits = (0.0..=1.0).contains(&inner);
+        DomainError::require(fits, "boundary share of inner spots", inner, "-", rule)?;
+        Ok(())
     }
 }
 
@@ -190,20 +201,14 @@ pub struct PositionFilm<'a> {
     settings: LoadShareSettings,
     contact: LineContact,
     bulk: f64,
-    central: Length,
-    /// Smooth film in the friction.
-    sheared: Length,
-    /// Smooth film in the supply.
-    supplied: Length,
-    /// Film over which roughness counts in Ψ.
-    roughness_film: Length,
-    /// Whether the gap of a window depends on the height of its middle.
-    has_gap_of_middle: bool,
-    /// Smooth film as a mass flow.
+    /// Gap of smooth flanks h_g, which supplies and shears.
+    gap: Length,
+    /// Central film of smooth flanks h_c as a mass flow, over which s is taken.
     mass_flow: Length,
+    /// Ratio by which roughness raises the gap more than at full load.
+    flow_rise: f64,
     thermal_factor: f64,
     nabla: f64,
-    gap_law: GapLaw,
     /// Computed flow through the patches of both flanks, in place of the second order in σ_d over the gap.
     flow: Option<FlowTable>,
     /// σ_d of both whole traces by the smooth inlet, over the smooth mass-flow film.
@@ -225,6 +230,24 @@ struct Touching<'s> {
     dissipated: LineEnergy,
     /// Worst load error and duality gap of the contacts behind it.
     worst: [f64; 2],
+}
+
+/// Friction at the solved share.
+struct Friction {
+    shared: SharedFriction,
+    /// Mean film of the spots \[m\].
+    spot_film: f64,
+    /// Solution of the friction coefficient.
+    evidence: Solved,
+}
+
+/// Film and spots at a rise of the surface temperature \[K\].
+#[derive(Debug, Clone, Copy)]
+struct AtRise {
+    rise: f64,
+    /// Friction coefficient of the film.
+    film: f64,
+    spot: SpotFriction,
 }
 
 impl<'a> PositionFilm<'a> {
@@ -279,65 +302,34 @@ impl<'a> PositionFilm<'a> {
         settings: &LoadShareSettings,
         smooth: SmoothFilm,
     ) -> Result<Self, LoadShareError> {
-        let factor = settings.share_factor;
-        let rule = "must be above 0 and not above 1";
-        let fits = factor > 0.0 && factor <= 1.0;
-        DomainError::require(fits, "factor on the asperity share", factor, "-", rule)?;
-        let inner = settings.inner_boundary;
-        let rule = "must lie between 0 and 1";
-        let fits = (0.0..=1.0).contains(&inner);
-        DomainError::require(fits, "boundary share of inner spots", inner, "-", rule)?;
+        settings.check()?;
         let conditions = conditions(rheology, contact, bulk)?;
         let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)?;
-        let read = |reading: CentralFilm| reading.thickness(smooth.central, hertz.max_pressure);
-        let central = read(settings.central_film)?;
-        let sheared = match settings.film_pressure {
-            FilmPressure::Hertz => central,
-            // The pressures of the film at light load belong to its gap.
-            FilmPressure::Rippled | FilmPressure::Own => read(CentralFilm::Gap)?,
-        };
-        let gap_law = match settings.supply {
-            InletSupply::Rough | InletSupply::Grubin => settings.gap_law,
-            InletSupply::Smooth => GapLaw::Power,
-        };
-        let supplied = match gap_law {
-            GapLaw::Inlet => read(CentralFilm::Gap)?,
-            GapLaw::Power => central,
-        };
+        let gap = CentralFilm::Gap.thickness(smooth.central, hertz.max_pressure)?;
         let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
-        let has_gap_of_middle = settings.supply == InletSupply::Rough && gap_law == GapLaw::Inlet;
-        let roughness_film = match has_gap_of_middle {
-            true => supplied / flow_rise(&numbers).sqrt(),
-            false => supplied,
+        let sheared = FilmLineContact {
+            line: *contact,
+            film: gap,
+            temperature: bulk,
         };
-        let mut film = LoadedFilm::new(
-            rheology,
-            &FilmLineContact {
-                line: *contact,
-                film: sheared,
-                temperature: bulk,
-            },
-            settings.film,
-        )?;
-        if settings.film_pressure != FilmPressure::Hertz {
-            let LightLoad { excess, inlet } = LightLoad::of(&numbers);
-            film.reach_beyond(&excess, inlet)?;
-        }
+        let mut film = LoadedFilm::new(rheology, &sheared, settings.film)?;
+        // The pressures of the film at light load belong to its gap.
+        let LightLoad { excess, inlet } = LightLoad::of(&numbers);
+        film.reach_beyond(&excess, inlet)?;
         let outside = film.outside().to_vec();
         Ok(Self {
             rheology,
             settings: *settings,
             contact: *contact,
             bulk: bulk.si(),
-            central,
-            sheared,
-            supplied,
-            roughness_film,
-            has_gap_of_middle,
+            gap,
             mass_flow: smooth.central,
+            flow_rise: match settings.supply {
+                InletSupply::Rough => flow_rise(&numbers),
+                InletSupply::Grubin | InletSupply::Starved | InletSupply::Smooth => 1.0,
+            },
             thermal_factor: smooth.thermal_factor,
             nabla: numbers.nabla_per_length(hertz.half_width)?,
-            gap_law,
             flow: None,
             roughness_over_film: None,
             hertz,
@@ -353,16 +345,19 @@ impl<'a> PositionFilm<'a> {
         self.nabla
     }
 
-    /// Smooth film in the supply: h_g of the gap law `inlet`, h_c of `power`.
+    /// Smooth film in the supply: h_g of a flooded inlet, h_c of a starved one and of `jgp`.
     #[must_use]
     pub fn supply_film(&self) -> Length {
-        self.supplied
+        match self.settings.supply.gap_law() {
+            GapLaw::Inlet => self.gap,
+            GapLaw::Power => self.mass_flow,
+        }
     }
 
     /// Film over which roughness counts in Ψ: the one of the supply, or thinner where roughness raises the gap more than at full load.
     #[must_use]
     pub fn roughness_film(&self) -> Length {
-        self.roughness_film
+        self.supply_film() / self.flow_rise.sqrt()
     }
 
     /// Flattening of the roughness in the inlet of this contact, for [`AttenuatedTraces`](crate::AttenuatedTraces). The
@@ -372,8 +367,8 @@ impl<'a> PositionFilm<'a> {
     /// When the film is not positive.
     pub fn flattening(&mut self, traces: &PairSpectrum) -> Result<Flattening, LoadShareError> {
         self.flow = None;
-        let smooth = Attenuation::new(self.gap_law, self.nabla)?;
-        let attenuation = match self.gap_law {
+        let smooth = Attenuation::new(self.settings.supply.gap_law(), self.nabla)?;
+        let attenuation = match self.settings.supply.gap_law() {
             GapLaw::Power => smooth,
             GapLaw::Inlet => {
                 self.roughness_over_film = Some(traces.roughness(&smooth) / self.mass_flow);
@@ -389,12 +384,12 @@ impl<'a> PositionFilm<'a> {
     /// # Errors
     /// When the film is not positive, the gap law is `power` or a flow has no solution.
     pub fn patch_flattening(&mut self, patches: &PatchPair) -> Result<Flattening, LoadShareError> {
-        if self.gap_law == GapLaw::Power {
+        if self.settings.supply.gap_law() == GapLaw::Power {
             return Err(LoadShareError::flow_without_inlet());
         }
-        let smooth = Attenuation::new(self.gap_law, self.nabla)?;
+        let smooth = Attenuation::new(self.settings.supply.gap_law(), self.nabla)?;
         self.roughness_over_film = Some(patches.waves().roughness(&smooth) / self.mass_flow);
-        let inlet = patches.inlet(self.nabla, self.roughness_film)?;
+        let inlet = patches.inlet(self.nabla, self.roughness_film())?;
         self.flow = Some(patches.flow(&inlet.attenuation)?);
         Ok(Flattening {
             peak_weight: 0.0,
@@ -407,13 +402,9 @@ impl<'a> PositionFilm<'a> {
         let lay = (self.settings.lay.factor() - of_all) / (of_peaks - of_all);
         Flattening {
             attenuation,
-            peak_weight: match self.settings.gap_roughness {
-                GapRoughness::Peaks => lay.clamp(0.0, 1.0),
-                GapRoughness::Rms => 0.0,
-            },
+            peak_weight: lay.clamp(0.0, 1.0),
             reach: self.hertz.half_width * CORE,
-            ripple: (self.settings.film_pressure == FilmPressure::Rippled)
-                .then_some(self.contact.modulus),
+            ripple: Some(self.contact.modulus),
         }
     }
 
@@ -422,7 +413,7 @@ impl<'a> PositionFilm<'a> {
         Ok(RoughInlet::of(
             traces,
             self.nabla,
-            self.roughness_film,
+            self.roughness_film(),
             lay,
         )?)
     }
@@ -430,13 +421,13 @@ impl<'a> PositionFilm<'a> {
     /// Central film of smooth flanks h_c.
     #[must_use]
     pub fn smooth_film(&self) -> Length {
-        self.central
+        self.mass_flow
     }
 
-    /// Film of smooth flanks that shears: the gap, or h_c at Hertz's pressure.
+    /// Gap of smooth flanks h_g, in which the film shears.
     #[must_use]
     pub fn sheared_film(&self) -> Length {
-        self.sheared
+        self.gap
     }
 
     /// Solves the missing rows of a window's table that [`share`](Self::share) needs; `contact` gives the window if any is
@@ -535,8 +526,8 @@ impl<'a> PositionFilm<'a> {
     }
 
     fn inlet_factor(&self, attenuated_rms: Length) -> Result<f64, LoadShareError> {
-        let by_lay = || inlet_factor(attenuated_rms, self.roughness_film, self.settings.lay);
-        let by_flow = |flow: &FlowTable| flow.inlet_factor(attenuated_rms, self.roughness_film);
+        let by_lay = || inlet_factor(attenuated_rms, self.roughness_film(), self.settings.lay);
+        let by_flow = |flow: &FlowTable| flow.inlet_factor(attenuated_rms, self.roughness_film());
         Ok(
             match (self.settings.supply, &self.flow, self.settings.patch_gap) {
                 (InletSupply::Smooth, ..) => 1.0,
@@ -576,7 +567,7 @@ impl<'a> PositionFilm<'a> {
         psi: f64,
         window: &WindowRoughness,
     ) -> Result<impl Fn(f64) -> f64 + use<>, LoadShareError> {
-        let (law, film) = (self.gap_law, self.supplied);
+        let (law, film) = (self.settings.supply.gap_law(), self.supply_film());
         supplied_gap(law, film, psi, 0.0)?;
         let middle = self.middle(window);
         Ok(move |phi: f64| {
@@ -588,9 +579,9 @@ impl<'a> PositionFilm<'a> {
 
     /// Height of the middle of a window, as far as it counts in the gap.
     fn middle(&self, window: &WindowRoughness) -> f64 {
-        match self.has_gap_of_middle {
-            true => window.middle,
-            false => 0.0,
+        match self.settings.supply {
+            InletSupply::Rough => window.middle,
+            InletSupply::Grubin | InletSupply::Starved | InletSupply::Smooth => 0.0,
         }
     }
 
@@ -623,19 +614,35 @@ impl<'a> PositionFilm<'a> {
     ) -> Result<Checked<LoadShareSolution>, LoadShareError> {
         let phi = touching.share.value * self.settings.share_factor;
         self.load_film(1.0 - phi, window, touching.mean_gap)?;
-        let (shared, spot_film, evidence) = if phi == 0.0 {
-            self.film_alone()?
-        } else {
-            self.friction_of(phi, &touching.spots)?
+        let friction = match phi == 0.0 {
+            true => self.film_alone()?,
+            false => self.friction_of(phi, &touching.spots)?,
         };
+        let mut outside = self.outside.clone();
+        COMPARED.check(self.roughness_over_film(window), &mut outside);
+        let value = self.solution(touching, (window, psi), &friction)?;
+        Ok(Checked { value, outside })
+    }
+
+    /// s: σ_d of both whole traces over the mass-flow film, or of the window where the flattening has none.
+    fn roughness_over_film(&self, window: &WindowRoughness) -> f64 {
+        (self.roughness_over_film).unwrap_or(window.deviation / self.mass_flow)
+    }
+
+    fn solution(
+        &self,
+        touching: &Touching<'_>,
+        (window, psi): (&WindowRoughness, f64),
+        friction: &Friction,
+    ) -> Result<LoadShareSolution, LoadShareError> {
+        let Friction {
+            shared, evidence, ..
+        } = friction;
         let parts = shared.parts()?;
         let [u1, u2] = self.contact.speeds;
         let force = self.contact.load.si() * (u1.si() - u2.si()).abs();
-        let mut outside = self.outside.clone();
-        let ratio = self.roughness_over_film;
-        let roughness_over_film = ratio.unwrap_or(window.deviation / self.central);
-        COMPARED.check(roughness_over_film, &mut outside);
-        let value = LoadShareSolution {
+        let phi = shared.asperity_share;
+        Ok(LoadShareSolution {
             asperity_share: phi,
             boundary_of_asperities: shared.boundary_share,
             boundary_share: phi * shared.boundary_share,
@@ -648,25 +655,24 @@ impl<'a> PositionFilm<'a> {
                 lubricated_asperities: parts.lubricated_asperities * force,
                 boundary: parts.boundary * force,
             },
-            smooth_film: self.central,
+            smooth_film: self.mass_flow,
             thermal_factor: self.thermal_factor,
             attenuated_rms: window.deviation,
-            roughness_over_film,
+            roughness_over_film: self.roughness_over_film(window),
             inlet_factor: psi,
             mean_gap: touching.mean_gap,
-            spot_film: Length::from_si(spot_film),
+            spot_film: Length::from_si(friction.spot_film),
             area: touching.area,
             max_pressure: touching.max_pressure,
             dissipated: touching.dissipated,
             surface_rise: self.film.surface_rise(evidence.value),
             evidence: ShareEvidence {
                 share: touching.share,
-                friction: evidence,
+                friction: *evidence,
                 load_error: touching.worst[0],
                 duality_gap: touching.worst[1],
             },
-        };
-        Ok(Checked { value, outside })
+        })
     }
 
     /// Lets the film carry its share of the load in a window with a mean gap.
@@ -682,137 +688,160 @@ impl<'a> PositionFilm<'a> {
         window: &WindowRoughness,
         gap: Length,
     ) -> Result<(), LoadShareError> {
-        match self.settings.film_pressure {
-            FilmPressure::Hertz => {}
-            FilmPressure::Rippled if window.is_rippled() => {
-                cite!("Ripple-film");
-                let [central, smooth] = [self.sheared.si(), self.supplied.si()];
-                let of_parts = window.ripple.iter().map(|part| FilmRipple {
-                    area: part.length,
-                    pressure: part.pressure,
-                    film: central * ((gap.si() - part.height) / smooth).max(THINNEST_RIPPLE),
-                });
-                self.film
-                    .carry_rippled(share, &of_parts.collect::<Vec<_>>())?;
-            }
-            FilmPressure::Rippled | FilmPressure::Own => self.film.carry(share)?,
+        if !window.is_rippled() {
+            self.film.carry(share)?;
+            return Ok(());
         }
+        cite!("Ripple-film");
+        let [sheared, supplied] = [self.gap.si(), self.supply_film().si()];
+        let of_parts = window.ripple.iter().map(|part| FilmRipple {
+            area: part.length,
+            pressure: part.pressure,
+            film: sheared * ((gap.si() - part.height) / supplied).max(THINNEST_RIPPLE),
+        });
+        self.film
+            .carry_rippled(share, &of_parts.collect::<Vec<_>>())?;
         Ok(())
     }
 
     /// The film without asperities, by the routine of film friction.
-    fn film_alone(&mut self) -> Result<(SharedFriction, f64, Solved), LoadShareError> {
+    fn film_alone(&mut self) -> Result<Friction, LoadShareError> {
         let solution = self.film.solve()?.value;
-        let shared = SharedFriction {
-            asperity_share: 0.0,
-            boundary_share: 0.0,
-            film: solution.coefficient,
-            asperities: 0.0,
-            boundary: self.settings.boundary_friction,
-        };
-        Ok((shared, 0.0, solution.evidence))
+        Ok(Friction {
+            shared: SharedFriction {
+                asperity_share: 0.0,
+                boundary_share: 0.0,
+                film: solution.coefficient,
+                asperities: 0.0,
+                boundary: self.settings.boundary_friction,
+            },
+            spot_film: 0.0,
+            evidence: solution.evidence,
+        })
     }
 
+    /// Friction of film and spots with the heat that it makes.
     fn friction_of(
         &mut self,
         phi: f64,
         spots: &[(&[Spot], f64)],
-    ) -> Result<(SharedFriction, f64, Solved), LoadShareError> {
+    ) -> Result<Friction, LoadShareError> {
         let unit_rise = self.film.surface_rise(1.0);
         let is_cold = unit_rise == 0.0 || self.film.heat() == FilmHeat::Isothermal;
         // Other windows at a position rub alike; the first starts from the friction of cold surfaces.
         let begun = self.before.filter(|_| !is_cold);
         let mut spots = SpotList::of(spots);
         let begin = unit_rise * begun.map_or(0.0, |[mu, _]| mu);
-        let ([film, slope], first) = self.parts_at(begin, &mut spots)?;
-        let mut last = [(begin, film, first); 2];
-        let found = self.shared(phi, film, &first).parts()?.total();
+        let (first, slope) = self.at_rise(begin, &mut spots)?;
         if is_cold {
             let evidence = Solved {
-                value: found,
+                value: self.total(phi, &first)?,
                 residual: 0.0,
                 iterations: 1,
             };
-            return Ok((self.shared(phi, film, &first), first.film, evidence));
+            return Ok(self.friction(phi, &first, evidence));
         }
         // Slope of μ − G(T_s(μ)): of the window before, or of the film's part.
-        let [from, steepness] = begun.unwrap_or([0.0, 1.0 - unit_rise * (1.0 - phi) * slope]);
+        let begun = begun.unwrap_or([0.0, 1.0 - unit_rise * (1.0 - phi) * slope]);
+        let (evidence, last) = self.heated(phi, (first, begun), &mut spots)?;
+        let mu = evidence.value;
+        let (at, steepness) = self.along(phi, last, (unit_rise * mu, begun[1]))?;
+        self.before = Some([mu, steepness]);
+        let residual = mu - self.total(phi, &at)?;
+        let evidence = Solved {
+            residual,
+            ..evidence
+        };
+        Ok(self.friction(phi, &at, evidence))
+    }
+
+    /// The root of μ − G(T_s(μ)), and the last two evaluations; `begun` is the friction with which it starts, with the slope there.
+    fn heated(
+        &mut self,
+        phi: f64,
+        (first, begun): (AtRise, [f64; 2]),
+        spots: &mut SpotList,
+    ) -> Result<(Solved, [AtRise; 2]), LoadShareError> {
+        let unit_rise = self.film.surface_rise(1.0);
+        let found = self.total(phi, &first)?;
+        let [from, steepness] = begun;
+        let mut last = [first; 2];
         let mut known = Some(from - found);
         let mut failed = None;
         let excess = |mu| match known.take() {
             Some(at_from) => at_from,
             None => {
-                let rise = unit_rise * mu;
-                let total = self
-                    .parts_at(rise, &mut spots)
-                    .and_then(|([film, _], spot)| {
-                        last = [last[1], (rise, film, spot)];
-                        Ok(self.shared(phi, film, &spot).parts()?.total())
-                    });
-                match total {
-                    Ok(total) => mu - total,
-                    Err(error) => {
+                let total = self.at_rise(unit_rise * mu, spots).and_then(|(at, _)| {
+                    last = [last[1], at];
+                    self.total(phi, &at)
+                });
+                total.map_or_else(
+                    |error| {
                         failed = Some(error);
                         f64::NAN
-                    }
-                }
+                    },
+                    |total| mu - total,
+                )
             }
         };
-        let root = secant_root(
-            excess,
-            // Warmer spots have thinner films and more boundary friction: μ may exceed its cold value.
-            [0.0, MOST_FRICTION.max(2.0 * found).max(from)],
-            from,
-            steepness,
-            TOLERANCE,
-        );
-        if let Some(error) = failed {
-            return Err(error);
+        // Warmer spots have thinner films and more boundary friction: μ may exceed its cold value.
+        let bracket = [0.0, MOST_FRICTION.max(2.0 * found).max(from)];
+        let root = secant_root(excess, bracket, from, steepness, TOLERANCE);
+        match failed {
+            Some(error) => Err(error),
+            None => root
+                .map(|evidence| (evidence, last))
+                .map_err(|source| LoadShareError::no_root("friction coefficient", source)),
         }
-        let evidence =
-            root.map_err(|source| LoadShareError::no_root("friction coefficient", source))?;
-        let mu = evidence.value;
-        // Along the line through the last two evaluations: the step from the last leaves its square.
-        let [
-            (before, film_before, spot_before),
-            (after, mut film, mut spot),
-        ] = last;
-        let mut steepness = steepness;
-        if after != before {
-            let [total, total_before] =
-                [(film, &spot), (film_before, &spot_before)].map(|(film, spot)| {
-                    self.shared(phi, film, spot)
-                        .parts()
-                        .map(|parts| parts.total())
-                });
-            steepness = 1.0 - unit_rise * (total? - total_before?) / (after - before);
-            let part = (unit_rise * mu - after) / (after - before);
-            film += part * (film - film_before);
-            let last = spot;
-            spot.add(&last, part);
-            spot.add(&spot_before, -part);
-        }
-        self.before = Some([mu, steepness]);
-        let shared = self.shared(phi, film, &spot);
-        let evidence = Solved {
-            residual: mu - shared.parts()?.total(),
-            ..evidence
-        };
-        Ok((shared, spot.film, evidence))
     }
 
-    /// Film friction with its slope, and the spots', at a rise of the surface temperature.
-    fn parts_at(
+    /// Film and spots at a rise along the line through the last two evaluations, as the step from the last leaves its square; and
+    /// the slope of μ − G(T_s(μ)) there, `steepness` where they are one.
+    fn along(
+        &self,
+        phi: f64,
+        [before, after]: [AtRise; 2],
+        (rise, steepness): (f64, f64),
+    ) -> Result<(AtRise, f64), LoadShareError> {
+        if after.rise == before.rise {
+            return Ok((after, steepness));
+        }
+        let unit_rise = self.film.surface_rise(1.0);
+        let totals = [self.total(phi, &after)?, self.total(phi, &before)?];
+        let steepness = 1.0 - unit_rise * (totals[0] - totals[1]) / (after.rise - before.rise);
+        let part = (rise - after.rise) / (after.rise - before.rise);
+        let mut at = after;
+        at.film += part * (after.film - before.film);
+        at.spot.add(&after.spot, part);
+        at.spot.add(&before.spot, -part);
+        Ok((at, steepness))
+    }
+
+    fn friction(&self, phi: f64, at: &AtRise, evidence: Solved) -> Friction {
+        Friction {
+            shared: self.shared(phi, at),
+            spot_film: at.spot.film,
+            evidence,
+        }
+    }
+
+    /// Friction coefficient of film and spots.
+    fn total(&self, phi: f64, at: &AtRise) -> Result<f64, LoadShareError> {
+        Ok(self.shared(phi, at).parts()?.total())
+    }
+
+    /// Film and spots at a rise of the surface temperature, and the slope of the film's friction over it.
+    fn at_rise(
         &mut self,
         rise: f64,
         spots: &mut SpotList,
-    ) -> Result<([f64; 2], SpotFriction), LoadShareError> {
+    ) -> Result<(AtRise, f64), LoadShareError> {
         let conditions = self.spot_conditions(rise);
         // Film and spots have the same walls: their points fill the lanes of a vector.
         let film = &mut self.film;
         let shear = |points: &mut [ShearedPoint]| Ok(film.friction_beside(rise, points)?);
-        let (spots, film) = conditions.friction_of(spots, shear)?;
-        Ok((film, spots))
+        let (spot, [film, slope]) = conditions.friction_of(spots, shear)?;
+        Ok((AtRise { rise, film, spot }, slope))
     }
 
     /// The spots at a rise of the surface temperature.
@@ -842,12 +871,12 @@ impl<'a> PositionFilm<'a> {
         }
     }
 
-    fn shared(&self, phi: f64, film: f64, spots: &SpotFriction) -> SharedFriction {
+    fn shared(&self, phi: f64, at: &AtRise) -> SharedFriction {
         SharedFriction {
             asperity_share: phi,
-            boundary_share: spots.boundary_share.clamp(0.0, 1.0),
-            film,
-            asperities: spots.asperity_coefficient(),
+            boundary_share: at.spot.boundary_share.clamp(0.0, 1.0),
+            film: at.film,
+            asperities: at.spot.asperity_coefficient(),
             boundary: self.settings.boundary_friction,
         }
     }

@@ -7,7 +7,6 @@ use asperity_core::numerics::{GOLDEN_SECTION, Lanes, add_times, vectorised};
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, cite};
 use asperity_ehl_regime::{Attenuation, Ripples};
-use serde::{Deserialize, Serialize};
 
 use crate::error::LoadShareError;
 use crate::window_gap::middle_height;
@@ -71,32 +70,6 @@ fn places_of_patch(columns: usize, rows: usize) -> impl Iterator<Item = usize> +
         let column = (GOLDEN_SECTION * (k as f64 + 0.5)).fract() * columns as f64;
         k * rows / count * columns + (column as usize).min(columns - 1)
     })
-}
-
-/// Heights that count in the gap that the inlet of rough flanks supplies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum GapRoughness {
-    /// Heights above the mean line: across the ridges the narrow places decide the flow.
-    #[default]
-    Peaks,
-    /// All heights.
-    Rms,
-}
-
-/// Pressure at which the film between rough flanks shears.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum FilmPressure {
-    /// The pressure of the film's share of the load, higher where it flattens peaks and lower in valleys.
-    #[default]
-    Rippled,
-    /// The pressure of the film's share of the load.
-    Own,
-    /// The Hertz pressure of the whole load.
-    Hertz,
 }
 
 /// Flattening of the roughness by the inlet of a contact, with the choices for its windows.

@@ -19,7 +19,7 @@ pub(crate) fn pressure_at_gap(
     window: &WindowConditions<'_>,
     gap: &[f64],
 ) -> Result<Vec<f64>, PositionError> {
-    match window.model.fluid_pressure {
+    match window.paper.fluid_pressure {
         FluidModel::Paper => across(window, gap),
         FluidModel::ReynoldsCross => along(window, gap),
     }

@@ -22,7 +22,7 @@ pub use film_pressure::film_between;
 pub use film_survey::{FilmRow, FilmSurvey, film};
 
 use asperity::PositionError;
-use asperity::case::{FilmFrictionLaw, LoadShareName, Model, ModelInput, Positions};
+use asperity::case::{FilmFrictionLaw, LoadShareName, ModelInput, PaperChoices, Positions};
 use asperity::formulation::{self, FilmRegime, Formulation, FormulationChoice};
 use asperity::window_pressures::{DeformationPower, Pressed, WindowConditions, WindowPressures};
 use asperity_core::quantity::Ratio;
@@ -30,8 +30,7 @@ use asperity_efficiency::RollingSurfaces;
 use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_ehl_regime::{FilmLaw, Regime, ThermalLaw};
 use asperity_gear::LoadLaw;
-use asperity_mixed_film::FilmPressure;
-use asperity_ns_film::FluidModel;
+use asperity_tribo_friction::RoughnessReading;
 
 /// Coefficient of dry steel on steel, Table 2 of the paper.
 const METAL_ON_METAL: f64 = 0.3;
@@ -65,15 +64,11 @@ impl Formulation for Paper {
         ModelInput {
             offsets: Some(1),
             load_distribution: Some(LoadLaw::MeanLength),
-            film_friction: Some(FilmFrictionLaw::Xu),
+            film_friction: Some(FilmFrictionLaw::Xu.into()),
             boundary_friction: Some(METAL_ON_METAL),
-            lambda_film: Some(CentralFilm::MassFlow),
-            film_pressure: Some(FilmPressure::Hertz),
             film: Some(FilmLaw::HamrockDowson),
             thermal: Some(ThermalLaw::None),
             load_share: Some(LoadShareName::LambdaStar),
-            fluid_pressure: Some(FluidModel::Paper),
-            clamp_roughness: Some(false),
             hysteresis: Some(Ratio::new(0.0)),
             ..ModelInput::default()
         }
@@ -84,13 +79,7 @@ impl Formulation for Paper {
             "model.film_pressure_law",
             "model.boundary_layer",
             "model.lay",
-            "model.gap_law",
-            "model.central_film",
-            "model.spot_speed",
             "model.inner_boundary",
-            "model.film_pressure",
-            "model.gap_roughness",
-            "model.asperity_share_factor",
         ]
     }
 
@@ -127,6 +116,14 @@ impl Formulation for Paper {
         RollingSurfaces::One
     }
 
+    fn printed_film(&self) -> CentralFilm {
+        CentralFilm::MassFlow
+    }
+
+    fn xu_roughness(&self) -> RoughnessReading {
+        RoughnessReading::AsIs
+    }
+
     /// The paper takes everything as printed.
     fn has_interval(&self) -> bool {
         false
@@ -159,7 +156,7 @@ impl WindowPressures for Paper {
         printed_deformation::printed_deformation_of(window, pressed, shear)
     }
 
-    fn seconds_of_a_point(&self, model: &Model) -> f64 {
-        SECONDS_OF_A_STEP * (LOWERED / model.delta_step.si())
+    fn seconds_of_a_point(&self, paper: &PaperChoices) -> f64 {
+        SECONDS_OF_A_STEP * (LOWERED / paper.delta_step.si())
     }
 }

@@ -57,7 +57,7 @@ pub(crate) fn march(window: &WindowConditions<'_>) -> Result<Pressed, PositionEr
 impl March<'_> {
     fn run(mut self) -> Result<Pressed, PositionError> {
         let target = self.window.position.load.si();
-        let mut step = self.window.model.delta_step.si();
+        let mut step = self.window.paper.delta_step.si();
         let mut approach = self.touch - STEPS_APART as f64 * step;
         let mut start: Option<Vec<f64>> = None;
         let mut halvings = 0;
@@ -65,7 +65,7 @@ impl March<'_> {
         while self.history.len() < MOST_STEPS && halvings < MOST_HALVINGS {
             let made = self.step(approach + step, start.as_deref())?;
             error = (made.total - target).abs() / target;
-            if error < self.window.model.numerical_error {
+            if error < self.window.paper.numerical_error {
                 return Ok(Pressed {
                     fluid: made.fluid,
                     solids: Some(made.solids),
@@ -80,7 +80,7 @@ impl March<'_> {
                 start = Some(made.solids.pressure);
             }
         }
-        let allowed = self.window.model.numerical_error;
+        let allowed = self.window.paper.numerical_error;
         Err(load_not_reached(error, allowed, self.history.len()))
     }
 
@@ -128,9 +128,9 @@ fn load_not_reached(error: f64, allowed: f64, steps: usize) -> PositionError {
     let text = format!(
         "lowering the surfaces step by step left a load error of {left} % after {steps} steps (allowed {allowed} %)"
     );
-    let smaller = Remedy::state(Setting::Key("model.delta_step")).because("to a smaller one");
+    let smaller = Remedy::state(Setting::Key("paper.delta_step")).because("to a smaller one");
     let larger = smaller
-        .or_set(Setting::Key("model.numerical_error"), Value::Any)
+        .or_set(Setting::Key("paper.numerical_error"), Value::Any)
         .because("to a larger one");
     Fault::new(Code::E304, text).with(larger).into()
 }

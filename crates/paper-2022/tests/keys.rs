@@ -124,9 +124,9 @@ fn keys_that_are_not_used_exist_and_are_not_among_the_defaults() {
     }
     for key in [
         "formulation",
-        "model.position",
-        "model.delta_step",
-        "model.numerical_error",
+        "paper.position",
+        "paper.delta_step",
+        "paper.numerical_error",
     ] {
         let is_stated = key == "formulation";
         assert!(is_stated || listed.contains(key), "{key}: {listed:?}");

@@ -443,7 +443,7 @@ impl Case {
     ) -> PyResult<(String, Bound<'py, PyDict>)> {
         let loaded = self.only()?;
         let dry = alone(py, || {
-            let place = on_the_path(position)?.unwrap_or(loaded.case.model.position);
+            let place = on_the_path(position)?.unwrap_or(loaded.case.paper.position);
             Ok(dry_contact(loaded, place)?)
         })?;
         let spacing = dry

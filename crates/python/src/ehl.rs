@@ -45,7 +45,7 @@ pub fn ehl<'py>(
     let asked: Asked = failure::asked(asked)?;
     let loaded = case.only()?;
     let (numbers, record) = in_parallel(py, threads, progress.as_ref(), |told| {
-        let place = on_the_path(asked.position)?.unwrap_or(loaded.case.model.position);
+        let place = on_the_path(asked.position)?.unwrap_or(loaded.case.paper.position);
         let settings = ReferenceSettings {
             record: RecordSettings {
                 cells: asked.cells,

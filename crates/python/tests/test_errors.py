@@ -180,7 +180,7 @@ RAISES = {
     "E301": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e5, tolerance=1e-17),
     "E302": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e6, pressure_limit="1 GPa"),
     "E303": lambda place: Case(small(surface=BARE), formulation="paper").contact(),
-    "E304": lambda place: Case(small(model={"numerical_error": "1e-13 %"}), formulation="paper").run(),
+    "E304": lambda place: Case(small(paper={"numerical_error": "1e-13 %"}), formulation="paper").run(),
     "E305": values(
         operation={"torque": "145 N m", "speed": "9000 1/min", "bulk_temperature": "240 °C"},
         model={"positions": 4, "offsets": 2, "film_friction": "xu"},

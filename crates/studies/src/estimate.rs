@@ -229,7 +229,7 @@ impl Work {
         let offsets = loaded.surfaces.offsets(model.offsets) as f64;
         let tables = has_tables(loaded);
         let of_a_point = match loaded.case.formulation.pressures() {
-            Some(law) => law.seconds_of_a_point(model),
+            Some(law) => law.seconds_of_a_point(&loaded.case.paper),
             None if tables => SECONDS_TABULATED,
             None => SECONDS_ONCE,
         };

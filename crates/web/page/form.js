@@ -98,7 +98,7 @@ const at = (input, path) => path.split(".").reduce((value, key) => value?.[key],
 // The files that a case names: traces of all flanks, an oil, tables of losses.
 export function filesOf(input) {
   if (typeof input !== "object" || input === null) return [];
-  const own = Object.entries(input).filter(([key, value]) => ["file", "oil_file", "loss_table", "xu_coefficients"].includes(key) && typeof value === "string");
+  const own = Object.entries(input).filter(([key, value]) => ["file", "oil_file", "loss_table", "xu"].includes(key) && typeof value === "string");
   const found = [...own.map(([, value]) => value), ...Object.values(input).flatMap(filesOf)];
   return [...new Set(found)];
 }

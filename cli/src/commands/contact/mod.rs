@@ -74,7 +74,7 @@ fn of_case(path: &Path, args: &ContactArgs) -> Result<SolvedContact, Failure> {
     let loaded = load_case(path, &args.set, None)?;
     let loaded = loaded.overridden(|over| over.tolerance = Some(args.tolerance));
     let loaded = loaded.map_err(|error| Failure::about(path, &error))?;
-    let position = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
+    let position = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.paper.position);
     let DryContact {
         path_fraction,
         hertz,

@@ -37,7 +37,7 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
     let loaded = load_case(path, &args.set, None)?;
     let loaded = Run::new(&loaded).operating_case();
     let loaded = loaded.map_err(|error| Failure::about(path, &error))?;
-    let position = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
+    let position = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.paper.position);
     let settings = ReferenceSettings {
         record: record_settings(args),
         eyring_stress: args.eyring_stress,

@@ -286,14 +286,14 @@ fn one_tooth(loaded: &OperatingCase, found: &mut Vec<Warning>) {
     found.push(Warning::new(Code::W450, text));
 }
 
-/// W451: contacts that carry their load less closely than the paper's limit, within `model.numerical_error`.
+/// W451: contacts that carry their load less closely than the paper's limit, within `paper.numerical_error`.
 fn load_reached(summary: &Summary, found: &mut Vec<Warning>) {
     /// The paper stops at 1 %.
     const LARGE: f64 = 0.011;
     if summary.worst_load_error > LARGE {
         let percent = 100.0 * summary.worst_load_error;
         let text = format!(
-            "the contacts carry their load with an error of up to {percent:.0} %, within model.numerical_error"
+            "the contacts carry their load with an error of up to {percent:.0} %, within paper.numerical_error"
         );
         found.push(Warning::new(Code::W451, text));
     }
@@ -500,7 +500,7 @@ fn no_sliding<'a>(
     if is_single && positions.all(rolls) {
         found.push(Warning::new(
             Code::W412,
-            "the single position is the pitch point, where there is no sliding: the efficiency contains no sliding loss. Set model.position, e.g. 0.25",
+            "the single position is the pitch point, where there is no sliding: the efficiency contains no sliding loss. Set paper.position, e.g. 0.25",
         ));
     }
 }

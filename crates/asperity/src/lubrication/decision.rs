@@ -54,15 +54,9 @@ impl<'a> Undecided<'a> {
             f64::INFINITY
         };
         let star = |film: &FilmThickness| lambda_star_of(laws, position, film, roughness);
-        // The laws of the load share take the film that film friction takes.
-        let of_share = case.model.central_film;
-        let film_of_share = FilmThickness {
-            central: of_share.thickness(film.film.central, position.hertz.max_pressure)?,
-            ..film.film
-        };
         Ok(Self {
             lambda_star: star(&film.shown)?,
-            lambda_star_of_share: star(&film_of_share)?,
+            lambda_star_of_share: star(&film.film)?,
             film_ratio: ratio,
             contact: friction::film_contact(case, (position, film), roughness, case.oil())?,
         })

@@ -46,9 +46,9 @@ pub fn formula_film(
     if let Some(layer) = case.model.inlet_layer {
         film = film.reduced(starved(film.central, layer)?);
     }
-    let lambda_film = case.model.lambda_film;
+    let printed = case.formulation.printed_film();
     let shown = FilmThickness {
-        central: lambda_film.thickness(film.central, max_pressure)?,
+        central: printed.thickness(film.central, max_pressure)?,
         ..film
     };
     Ok(FormulaFilm {

@@ -174,7 +174,7 @@ fn mesh_conditions(case: &OperatingCase) -> Result<MeshConditions, PositionError
         base_line_load: LineLoad::from_si(forces.transverse_base.si() / width),
         sum_speed: pitch.u1 + pitch.u2,
         reduced_radius: pitch.radius,
-        lubricant_factor: case.model.lubricant_factor,
+        lubricant_factor: case.model.film_friction.lubricant_factor(),
         load_intensity: Pressure::from_si(
             forces.tangential.si() / (width * 2.0 * pitch_radius) * (ratio + 1.0) / ratio,
         ),

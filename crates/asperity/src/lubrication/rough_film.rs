@@ -13,8 +13,9 @@ use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
+use asperity_ehl_regime::GapLaw;
 use asperity_mixed_film::{
-    AttenuatedTraces, FilmPressure, Flattening, Kinks, LoadShareSettings, LoadShareSolution,
+    AttenuatedTraces, Flattening, InletSupply, Kinks, LoadShareSettings, LoadShareSolution,
     PositionFilm, SmoothFilm, Unflattening, WindowGradient, WindowRoughness,
 };
 
@@ -48,22 +49,21 @@ impl<'a> RoughFilm<'a> {
         let Some(rheology) = case.rheology() else {
             return Ok(None);
         };
-        let model = &case.model;
+        let (model, overrides) = (&case.model, &case.overrides);
         let settings = LoadShareSettings {
             boundary_friction: model.boundary_friction,
             boundary_layer: model.boundary_layer,
             lay: surfaces.lay(model.lay)?,
             film_law: model.film,
             thermal: model.thermal,
-            central_film: model.central_film,
-            supply,
-            gap_law: model.gap_law,
-            spot_speed: model.spot_speed,
+            supply: match (supply, model.gap_law()) {
+                (InletSupply::Rough, GapLaw::Power) => InletSupply::Starved,
+                _ => supply,
+            },
+            spot_speed: overrides.spot_speed(),
             inner_boundary: model.inner_boundary,
-            film_pressure: model.film_pressure,
-            gap_roughness: model.gap_roughness,
-            patch_gap: case.overrides.patch_gap,
-            share_factor: model.asperity_share_factor,
+            patch_gap: overrides.patch_gap,
+            share_factor: overrides.asperity_share_factor(),
             ..LoadShareSettings::default()
         };
         let contact = position.line_contact(case.modulus, case.materials);
@@ -200,9 +200,6 @@ impl RoughFilm<'_> {
             return Ok((None, Kinks::default()));
         };
         let kinks = self.film.kinks(table, &roughness)?;
-        if kinks.apart > 0 && self.case.model.film_pressure != FilmPressure::Rippled {
-            return Ok((None, kinks));
-        }
         let mut rough = contact.rough()?;
         let scale = self.case.model.friction_scale;
         let found = (self.film).gradient(&mut rough, table, &roughness, scale)?;

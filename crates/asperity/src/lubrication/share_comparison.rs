@@ -7,7 +7,7 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_core::task::try_par_map;
 use asperity_ehl::Record;
 use asperity_ehl_regime::published_shares::masjedi_khonsari;
-use asperity_ehl_regime::{Lay, LoadShareLaw, PairSpectrum, TraceSpectrum};
+use asperity_ehl_regime::{GapLaw, Lay, LoadShareLaw, PairSpectrum, TraceSpectrum};
 use serde::Serialize;
 
 use super::chosen_laws::ChosenLaws;
@@ -154,13 +154,13 @@ pub fn share_settings(
         lay: Lay::of_pair(model.lay, contact.traces.each_ref().map(rms))?,
         film_law: model.film,
         thermal: model.thermal,
-        central_film: model.central_film,
-        gap_law: model.gap_law,
-        spot_speed: model.spot_speed,
+        supply: match model.gap_law() {
+            GapLaw::Inlet => InletSupply::Rough,
+            GapLaw::Power => InletSupply::Starved,
+        },
+        spot_speed: loaded.overrides.spot_speed(),
         inner_boundary: model.inner_boundary,
-        film_pressure: model.film_pressure,
-        gap_roughness: model.gap_roughness,
-        share_factor: model.asperity_share_factor,
+        share_factor: loaded.overrides.asperity_share_factor(),
         ..LoadShareSettings::default()
     })
 }

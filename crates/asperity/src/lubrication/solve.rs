@@ -16,7 +16,7 @@ use asperity_contact::{ContactSolution, ContactWarning};
 use asperity_core::Checked;
 use asperity_core::cancel::checkpoint;
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
-use asperity_mixed_film::{FilmPressure, Kinks, LoadShareSolution, Unflattening, WindowGradient};
+use asperity_mixed_film::{Kinks, LoadShareSolution, Unflattening, WindowGradient};
 
 use super::chosen_laws::ChosenLaws;
 use super::decision::{Decision, Undecided};
@@ -313,6 +313,7 @@ impl Lubrication<'_> {
             modulus: case.modulus,
             oil: case.oil(),
             model: &case.model,
+            paper: &case.paper,
         };
         let pressed = match is_full {
             true => Pressed::full_film(position.film_pressure(&pair.x)?),
@@ -371,11 +372,10 @@ impl Lubrication<'_> {
                     outside: outside.unwrap_or_default(),
                 });
             }
-            let film_share = match case.model.film_pressure {
-                FilmPressure::Hertz => 1.0,
-                FilmPressure::Own | FilmPressure::Rippled => {
-                    decision.shared.film_share.max(1.0 - LARGEST_SHARE)
-                }
+            // Where the friction follows from pressures, they are those of the whole load.
+            let film_share = match case.formulation.pressures() {
+                Some(_) => 1.0,
+                None => decision.shared.film_share.max(1.0 - LARGEST_SHARE),
             };
             if let Some((_, known)) = last.as_ref().filter(|(share, _)| *share == film_share) {
                 return Ok(known.clone());

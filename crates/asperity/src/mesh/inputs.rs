@@ -30,7 +30,7 @@ impl MeshInputs {
             face_zones: case.face_zones.clone(),
             places: match case.formulation.positions() {
                 Positions::AlongPath => PathPlaces::Cells(case.model.positions),
-                Positions::Single => PathPlaces::Single(case.model.position),
+                Positions::Single => PathPlaces::Single(case.paper.position),
             },
         }
     }

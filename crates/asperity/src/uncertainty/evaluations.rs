@@ -228,7 +228,7 @@ fn at_medians(
         held_thermal: None,
         patch_flow: None,
         relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
-        gap_law: loaded.case.model.gap_law,
+        gap_law: loaded.case.model.gap_law(),
         roughness_over_film: path.roughness_over_film,
         max_pressure_pa: path.max_pressure_pa,
         film_m: path.film_m,
@@ -434,7 +434,7 @@ fn draws_inner_boundary(loaded: &LoadedCase) -> bool {
     case.model.load_share == LoadShareName::Solved
         && case.laws.load_share.is_none()
         && loaded.surfaces.are_measured()
-        && case.model.spot_speed == SpotSpeed::Carried
+        && case.overrides.spot_speed() == SpotSpeed::Carried
         && case.input.model.inner_boundary.is_none()
         && case.overrides.inner_boundary.is_none()
 }

@@ -130,9 +130,7 @@ pub(super) fn other_models(loaded: &OperatingCase) -> Result<Vec<OtherModel>, Er
     };
     if is_solved(loaded) {
         for (name, spot_speed, refuted_by) in SPEEDS {
-            if case.model.spot_speed != spot_speed {
-                add(name, Alternative::SpotSpeed(spot_speed), refuted_by)?;
-            }
+            add(name, Alternative::SpotSpeed(spot_speed), refuted_by)?;
         }
         add(
             "asperity share halved",

@@ -17,7 +17,7 @@ use super::gearbox_input::GearboxInput;
 pub use super::input_tables::*;
 use super::mesh_input::{MeshInput, PlanetaryInput, ShaftsInput};
 use super::micropitting_input::MicropittingInput;
-use super::model::ModelInput;
+use super::model::{ModelInput, PaperInput};
 use super::rows::{OPEN, ratio, table};
 use super::train_heat_input::HeatInput;
 
@@ -59,6 +59,9 @@ table! {
     /// Choices of the model.
     #[serde(default)]
     model: ModelInput => table;
+    /// Choices of the formulation `paper`; no other uses them.
+    #[serde(default, skip_serializing_if = "is_unstated")]
+    paper: PaperInput => table;
     /// Parameters calibrated on a rig, as `asperity calibrate` writes them.
     #[serde(skip_serializing_if = "Option::is_none")]
     calibration: Option<CalibrationInput> => table;

@@ -14,6 +14,7 @@ use asperity_profile_io::read::conditions_of;
 use asperity_storage::whole_file;
 
 use super::case_input::CaseInput;
+use super::film_friction_input::FilmFrictionInput;
 use super::trace_list::{TraceList, is_pattern, matches};
 use crate::fingerprint::sha256;
 use crate::source::case_error::CaseError;
@@ -21,7 +22,7 @@ use crate::source::source_text::Source;
 
 pub(crate) const LOSS_TABLE: &str = "gearbox.loss_table";
 pub(crate) const OIL_FILE: &str = "lubricant.oil_file";
-pub(crate) const XU_COEFFICIENTS: &str = "model.xu_coefficients";
+pub(crate) const XU_COEFFICIENTS: &str = "model.film_friction.xu";
 
 /// Every key of a pair of gears that names a file, or several.
 pub const FILE_KEYS: [&str; 19] = [
@@ -158,7 +159,8 @@ pub(crate) fn named(input: &CaseInput) -> Vec<Named> {
     }
     let oil = input.lubricant.oil_file.iter();
     named.extend(oil.map(|name| Named::file(OIL_FILE, name)));
-    let xu = input.model.xu_coefficients.iter();
+    let friction = input.model.film_friction.iter();
+    let xu = friction.filter_map(FilmFrictionInput::xu_coefficients);
     named.extend(xu.map(|name| Named::file(XU_COEFFICIENTS, name)));
     let gearbox = input.gearbox.iter();
     let tables = gearbox.filter_map(|gearbox| gearbox.loss_table.as_ref());

@@ -37,7 +37,8 @@ use std::str::FromStr;
 use std::sync::{PoisonError, RwLock};
 
 use asperity_efficiency::RollingSurfaces;
-use asperity_ehl_regime::Regime;
+use asperity_ehl_regime::{CentralFilm, Regime};
+use asperity_tribo_friction::RoughnessReading;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::model::ModelInput;
@@ -81,6 +82,16 @@ pub trait Formulation: Debug + Send + Sync {
     /// Surfaces on which rolling friction is counted.
     fn rolling_surfaces(&self) -> RollingSurfaces {
         RollingSurfaces::Both
+    }
+
+    /// Central film that results print, and over which Λ* is taken.
+    fn printed_film(&self) -> CentralFilm {
+        CentralFilm::Gap
+    }
+
+    /// Roughness in Xu's friction law.
+    fn xu_roughness(&self) -> RoughnessReading {
+        RoughnessReading::Clamped
     }
 
     /// Whether its loss has an interval.

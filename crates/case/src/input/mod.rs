@@ -5,6 +5,7 @@ pub mod calibration;
 pub mod case_input;
 pub mod contact_name;
 pub mod files;
+pub mod film_friction_input;
 pub mod finish;
 pub mod flank_place;
 pub mod formulation;

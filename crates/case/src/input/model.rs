@@ -1,13 +1,11 @@
 //! Choices of the model: one row for each key, with its default by formulation and its check.
 
-use std::path::PathBuf;
-
 use asperity_contact::SolverSettings;
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
 use asperity_efficiency::swept::HYSTERESIS;
 use asperity_ehl_regime::GapLaw;
-use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
+use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_flanks::error::NARROWEST_WINDOW;
 use asperity_gear::{GearPair, LoadLaw, LoadMapSettings};
@@ -17,6 +15,7 @@ use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, INNER
 use asperity_tribo_friction::{FrictionSettings, RoughnessReading};
 use serde::Serialize;
 
+use super::film_friction_input::FilmFrictionInput;
 use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 use super::one_or_two::OneOrTwo;
 use super::path_point::{NamedPoint, PathPoint, Positions};
@@ -25,7 +24,6 @@ use crate::source::case_error::{CaseError, LOOSEST_TOLERANCE};
 use crate::source::defaults::Defaults;
 use crate::source::section::{Section, domain};
 use crate::source::source_text::Source;
-use asperity_mixed_film::{FilmPressure, GapRoughness, SpotSpeed};
 
 /// Offsets of a case that states none, at least.
 pub const LEAST_OFFSETS: usize = 16;
@@ -38,16 +36,13 @@ choices! {
 
     with {
         /// Choices that the friction laws leave open.
-        friction_settings: FrictionSettings = friction_settings(constant_friction, clamp_roughness);
+        friction_settings: FrictionSettings = film_friction.settings();
     }
 
     /// Number of cells along the path of contact, with one contact evaluated in each; default 16 (`paper`:
     /// one position).
     positions: usize = of_path(16) usual "" [1.0, 1000.0],
         check("positions", |n| (1.0..=10_000.0).contains(&n), "must be 1 to 10000");
-    /// The single position of the `paper` formulation: 0 at A, 1 at E, or `A` … `E`; default `C`.
-    position: PathPoint => f64 = point_of_path() usual "" [0.0, 1.0],
-        check("position", |s| (0.0..=1.0).contains(&s), "must be A to E, or 0 to 1");
     /// Number of offsets along the traces at which the flanks meet; default 16, and up to 256 where the contacts
     /// differ from offset to offset; 4 of each pair of surrogates (`paper`: 1).
     offsets: usize = default(LEAST_OFFSETS) usual "" [1.0, 1000.0],
@@ -72,21 +67,15 @@ choices! {
     edge_contact: bool = listed_if(load_distribution.is_elastic(), false);
     /// Friction law of the film; default `eyring` (`paper`: `xu`). `eyring`, `carreau` and `newton` describe
     /// the film alone; the others are published laws, most of which include asperity friction in their
-    /// coefficient.
-    film_friction: FilmFrictionLaw = default(FilmFrictionLaw::Eyring);
+    /// coefficient. With settings: `{ constant = 0.05 }`, its coefficient; `{ iso-14179-2 = 0.9 }`, the lubricant factor X_L
+    /// (default 1, mineral oil); `{ xu = "file.json" }`, coefficients from your own calibration.
+    film_friction: FilmFrictionInput = film_friction() => table;
     /// Law of viscosity against pressure for the film friction laws `eyring`, `carreau` and `newton`; default
     /// `barus`.
     film_pressure_law: PressureLaw = default(PressureLaw::default());
     /// Factor on the friction coefficient of the film (lubricant factor); default 1.
     friction_scale: f64 = default(1.0) usual "" [0.2, 3.0],
         check("friction scale", |k| k > 0.0 && k <= 10.0, "must be positive and at most 10");
-    /// Friction coefficient of `film_friction = "constant"`.
-    constant_friction: f64 => Option<f64> = coefficient_of_constant_law(film_friction) usual "" [0.002, 0.2];
-    /// Coefficients of Xu's law from your own calibration: a JSON file, relative to the case file.
-    xu_coefficients: PathBuf => Option<PathBuf> = as_stated();
-    /// Lubricant factor X_L of `iso-14179-2`; default 1 (mineral oil).
-    lubricant_factor: f64 = default(1.0) usual "" [0.3, 2.0],
-        check("lubricant factor", |x| x > 0.0 && x <= 10.0, "must be positive and at most 10");
     /// Coefficient of boundary friction μ_b; default 0.09 (`paper`: 0.3, metal on metal).
     boundary_friction: f64 = default(BOUNDARY_FRICTION) usual "" [0.02, 0.5],
         check("boundary friction", |mu| (0.0..=2.0).contains(&mu), "must be 0 to 2");
@@ -97,36 +86,10 @@ choices! {
     /// across the whole face width, to 1 or `isotropic`; default as measured on the surface of the traces, otherwise 1/12,
     /// the middle of measured ground flanks.
     lay: OneOrTwo<Lay> => [Lay; 2] = default(OneOrTwo::One(Lay::GROUND)) usual "" [0.0, 1.0];
-    /// Law of the mean gap that the inlet supplies to `load_share = "solved"`: `inlet` (default), whose inlet grows longer with
-    /// the gap, or `power`, whose film thickens as the asperities take load off it.
+    /// Least share on the boundary layer of asperities that come into contact past the inlet; default 0.75, drawn from 0.6 to 0.9.
     #[serde(skip_serializing_if = "Option::is_none")]
-    gap_law: GapLaw = default(GapLaw::default());
-    /// Reading of the central film in film friction at Hertz's pressure, and in the gap law `power`: `mass-flow` (default) or `gap`;
-    /// at its own pressure the film is the gap.
-    central_film: CentralFilm = default(CentralFilm::MassFlow);
-    /// Reading of the central film in Λ* and in printed film thicknesses: `gap` (default) or `mass-flow`
-    /// (`paper`: `mass-flow`).
-    #[serde(skip_serializing_if = "Option::is_none")]
-    lambda_film: CentralFilm = default(CentralFilm::Gap);
-    /// Film that touching asperities carry with them: `carried` (default), of the inlet until the flanks have slid past, or in all
-    /// of them of the `entrainment` speed or of half the sliding speed, `half-sliding`.
-    spot_speed: SpotSpeed = default(SpotSpeed::default());
-    /// Least share on the boundary layer of asperities that come into contact past the inlet, with `spot_speed = "carried"`; default
-    /// 0.75, drawn from 0.6 to 0.9.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    inner_boundary: f64 = of_carried_spots(spot_speed) usual "" [0.05, 1.0],
+    inner_boundary: f64 = default(INNER_BOUNDARY) usual "" [0.05, 1.0],
         check("inner boundary", |b| (0.0..=1.0).contains(&b), "must be 0 to 1");
-    /// Pressure at which the film shears where asperities carry a share of the load: `rippled` (default), of its own share and
-    /// higher over the peaks that it flattens, `own`, of its own share, or `hertz`, of the whole load.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    film_pressure: FilmPressure = default(FilmPressure::default());
-    /// Heights that count in the mean gap that the inlet supplies to `load_share = "solved"`: `peaks` (default),
-    /// above the mean line, or `rms`, all.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    gap_roughness: GapRoughness = default(GapRoughness::default());
-    /// Factor on the solved asperity load share, for the band; default 1.
-    asperity_share_factor: f64 = default(1.0) usual "" [0.01, 1.0],
-        check("factor on the asperity share", |k| k > 0.0 && k <= 1.0, "must be above 0 and at most 1");
     /// Film thickness law; default `steady` (`paper`: `hamrock-dowson`).
     film: FilmLaw = default(FilmLaw::Steady);
     /// Thermal reduction of the film and of rolling; default `gupta` (`paper`: `none`).
@@ -143,23 +106,12 @@ choices! {
     #[serde(skip_serializing_if = "Option::is_none")]
     full_film: FullFilmName = listed_if(false, FullFilmName::Formulas);
     /// Thickness of the oil layers of both flanks together ahead of the contact, where an oil jet does not flood the inlet;
-    /// default flooded. The film is starved; the rolling resistance is left as flooded. Needs `gap_law = "power"`: the law
-    /// `inlet` is that of a flooded inlet.
+    /// default flooded. The film is starved, and thickens as the asperities take load off it; the rolling resistance is left as flooded.
     #[serde(skip_serializing_if = "Option::is_none")]
-    inlet_layer: Length => Option<Length> = starved_inlet(gap_law, load_share, full_film) usual "um" [0.01, 1000.0];
+    inlet_layer: Length => Option<Length> = starved_inlet(load_share, full_film) usual "um" [0.01, 1000.0];
     /// The elastohydrodynamic solutions of `load_share = "ehl"` and `full_film`.
     #[serde(skip_serializing_if = "Option::is_none")]
     ehl: EhlInput => EhlChoices = ehl_solutions(load_share, full_film) => table;
-    /// Model of the fluid pressure across the film; default `reynolds-cross` (`paper`: `paper`).
-    fluid_pressure: FluidModel = default(FluidModel::ReynoldsCross);
-    /// Clamp the roughness in Xu's law at 0.6 um; default true (`paper`: false).
-    clamp_roughness: bool = default(true);
-    /// Step by which `paper` lowers the surfaces into each other; default 80 nm.
-    delta_step: Length = default(Length::from_si(80e-9)) usual "nm" [1.0, 1000.0],
-        check("step", |d| d > 0.0 && d < 1e-3, "must be positive and below 1 mm");
-    /// Load error at which the marching of `paper` stops; default 1 %.
-    numerical_error: Ratio => f64 = default(Ratio::new(0.01)) usual "%" [0.01, 20.0],
-        check("numerical error", |e| e > 0.0 && e <= 0.2, "must be above 0 and at most 20 %");
     /// Tolerance of the contact solver's certificate on lines; of patches a thousand times as much; default 1e-8.
     tolerance: f64 = default(1e-8) usual "" [1e-10, 1e-6],
         check("tolerance", |t| (1e-16..=LOOSEST_TOLERANCE).contains(&t), "must be 1e-16 to 1e-4");
@@ -168,6 +120,27 @@ choices! {
         check("hysteresis", |h| (0.0..=1.0).contains(&h), "must be 0 to 1");
     /// Number of depths at which subsurface stress is computed; default 24.
     depths: usize = default(24) usual "" [1.0, 1000.0], check("depths", |n| n <= 1000.0, "must be at most 1000");
+}
+
+choices! {
+    /// Choices of the formulation `paper`.
+    PaperInput =>
+    /// Choices of the formulation `paper`, all made.
+    PaperChoices in "paper" by Choices<'_>;
+
+    with {}
+
+    /// The single position: 0 at A, 1 at E, or `A` … `E`; default `C`.
+    position: PathPoint => f64 = point_of_path() usual "" [0.0, 1.0],
+        check("position", |s| (0.0..=1.0).contains(&s), "must be A to E, or 0 to 1");
+    /// Model of the fluid pressure across the film; default `paper`.
+    fluid_pressure: FluidModel = of_single_position(FluidModel::Paper);
+    /// Step by which the surfaces are lowered into each other; default 80 nm.
+    delta_step: Length = of_single_position(Length::from_si(80e-9)) usual "nm" [1.0, 1000.0],
+        check("step", |d| d > 0.0 && d < 1e-3, "must be positive and below 1 mm");
+    /// Load error at which the marching stops; default 1 %.
+    numerical_error: Ratio => f64 = of_single_position(Ratio::new(0.01)) usual "%" [0.01, 20.0],
+        check("numerical error", |e| e > 0.0 && e <= 0.2, "must be above 0 and at most 20 %");
 }
 
 choices! {
@@ -207,6 +180,15 @@ impl Model {
         }
     }
 
+    /// Law of the gap supplied to rough flanks: a starved inlet has its own.
+    #[must_use]
+    pub fn gap_law(&self) -> GapLaw {
+        match (self.load_share, self.inlet_layer) {
+            (LoadShareName::Solved, Some(_)) => GapLaw::Power,
+            _ => GapLaw::Inlet,
+        }
+    }
+
     /// Whether load share or full film need the oil's rheology, whatever the law of film friction.
     pub(crate) fn shears_its_film(&self) -> bool {
         self.load_share.supply().is_some()
@@ -223,16 +205,18 @@ pub(crate) struct OfFormulation {
     pub unused_keys: &'static [&'static str],
     /// Places of the path that represent the mesh.
     pub positions: Positions,
+    /// Roughness in Xu's law.
+    pub xu_roughness: RoughnessReading,
 }
 
 /// Makes every choice that the case leaves open.
 pub(crate) fn model(
-    stated: &ModelInput,
+    (stated, of_paper): (&ModelInput, &PaperInput),
     formulation: &OfFormulation,
     gears: &GearPair,
     source: &Source,
     defaults: &mut Defaults,
-) -> Result<Model, CaseError> {
+) -> Result<(Model, PaperChoices), CaseError> {
     let mut choices = Choices {
         formulation,
         gears,
@@ -241,7 +225,10 @@ pub(crate) fn model(
         has_solutions: false,
         has_records: false,
     };
-    Model::of(stated, &formulation.defaults, &mut choices)
+    let mut model = Model::of(stated, &formulation.defaults, &mut choices)?;
+    model.friction_settings.xu.roughness = formulation.xu_roughness;
+    let paper = PaperChoices::of(of_paper, &PaperInput::default(), &mut choices)?;
+    Ok((model, paper))
 }
 
 /// Choice of one value after the other: the methods are the ways in which a row states its default.
@@ -291,29 +278,11 @@ impl Choices<'_> {
         })
     }
 
-    /// The least boundary share of spots that form inside the contact.
-    fn of_carried_spots(&mut self, key: Key, stated: Stated<f64>, speed: SpotSpeed) -> Choice<f64> {
-        match speed {
-            SpotSpeed::Carried => self.default(key, stated, INNER_BOUNDARY),
-            _ if stated.by_case.is_some() => {
-                let rule = "belongs to spot_speed = \"carried\"; state both, or leave this out";
-                Err(Section::of(self.source, key).conflict("", rule))
-            }
-            _ => self.listed_if(key, stated, false, INNER_BOUNDARY),
-        }
-    }
-
-    /// No default.
-    fn as_stated<T>(&mut self, _: Key, stated: Stated<T>) -> Choice<Option<T>> {
-        Ok(stated.value())
-    }
-
     /// The layers of a starved inlet, which solutions with a flooded one do not have.
     fn starved_inlet(
         &mut self,
         key: Key,
         stated: Stated<Length>,
-        gap: GapLaw,
         share: LoadShareName,
         film: FullFilmName,
     ) -> Choice<Option<Length>> {
@@ -323,12 +292,6 @@ impl Choices<'_> {
         let is_flooded = share == LoadShareName::Ehl || film != FullFilmName::Formulas;
         if is_flooded {
             let rule = "starves the film of the formulas in the corrected formulation; leave it out or choose these";
-            return Err(Section::of(self.source, key).conflict("", rule));
-        }
-        // Its mean gap would not follow the film: the length of the inlet is that of one full of oil.
-        if gap == GapLaw::Inlet && share == LoadShareName::Solved {
-            let rule =
-                "needs model.gap_law = \"power\": the gap law inlet is that of a flooded inlet";
             return Err(Section::of(self.source, key).conflict("", rule));
         }
         let rule = "must be above 0 and at most 1 mm";
@@ -353,7 +316,7 @@ impl Choices<'_> {
         let has_pitch = (0.0..=1.0).contains(&pitch.fraction_of(path));
         let point = match (self.formulation.positions, stated.value()) {
             (Positions::Single, None) if !has_pitch => {
-                let rule = "the pitch point lies outside the path of contact, so model.position needs a value from 0 (A) to 1 (E)";
+                let rule = "the pitch point lies outside the path of contact, so paper.position needs a value from 0 (A) to 1 (E)";
                 return Err(Section::of(self.source, "gears").conflict("", rule));
             }
             (Positions::AlongPath, None) if !has_pitch => PathPoint::Fraction(0.5),
@@ -363,30 +326,31 @@ impl Choices<'_> {
         Ok(point.fraction_of(path))
     }
 
-    /// The coefficient that the law `constant` needs, and that no other law takes.
-    fn coefficient_of_constant_law(
+    /// A default of a formulation with a single position, which no other uses.
+    fn of_single_position<T: Serialize>(
         &mut self,
         key: Key,
-        stated: Stated<f64>,
-        law: FilmFrictionLaw,
-    ) -> Choice<Option<f64>> {
-        let stated = stated.value();
-        let rule = match (stated, law == FilmFrictionLaw::Constant) {
-            (None, true) => {
-                "is missing, and film_friction = \"constant\" needs it, as constant_friction = 0.05"
-            }
-            (Some(_), false) => {
-                "is used with film_friction = \"constant\" only; leave it out or choose that law"
-            }
-            (Some(value), true) => {
-                let holds = (0.0..=2.0).contains(&value);
-                DomainError::require(holds, "constant friction", value, "-", "must be 0 to 2")
-                    .map_err(domain(self.source, key))?;
-                return Ok(stated);
-            }
-            (None, false) => return Ok(None),
-        };
-        Err(Section::of(self.source, key).conflict("", rule))
+        stated: Stated<T>,
+        default: T,
+    ) -> Choice<T> {
+        let is_used = self.formulation.positions == Positions::Single;
+        self.listed_if(key, stated, is_used, default)
+    }
+
+    /// The friction law of the film, with settings that it can have.
+    fn film_friction(
+        &mut self,
+        key: Key,
+        stated: Stated<FilmFrictionInput>,
+    ) -> Choice<FilmFrictionInput> {
+        let eyring = FilmFrictionInput::from(FilmFrictionLaw::Eyring);
+        let chosen = self.default(key, stated, eyring)?;
+        if chosen == FilmFrictionLaw::Constant.into() {
+            let rule = "needs its coefficient, as { constant = 0.05 }";
+            return Err(Section::of(self.source, key).conflict("", rule));
+        }
+        chosen.check().map_err(domain(self.source, key))?;
+        Ok(chosen)
     }
 
     /// The choices of the solutions that load share and full film need.
@@ -402,16 +366,4 @@ impl Choices<'_> {
         let by_formulation = stated.by_formulation.unwrap_or_default();
         EhlChoices::of(&stated.by_case.unwrap_or_default(), &by_formulation, self)
     }
-}
-
-fn friction_settings(constant: Option<f64>, clamps_roughness: bool) -> FrictionSettings {
-    let mut settings = FrictionSettings {
-        constant,
-        ..FrictionSettings::default()
-    };
-    settings.xu.roughness = match clamps_roughness {
-        true => RoughnessReading::Clamped,
-        false => RoughnessReading::AsIs,
-    };
-    settings
 }

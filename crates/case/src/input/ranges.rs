@@ -68,7 +68,7 @@ impl Ranged for LoadLaw {
 type OfViscosity = fn(ViscosityLaw) -> Option<f64>;
 
 /// Ranges of a number of a law.
-const fn of_law(unit: &'static str, usual: [f64; 2], possible: [f64; 2]) -> Limits {
+pub(crate) const fn of_law(unit: &'static str, usual: [f64; 2], possible: [f64; 2]) -> Limits {
     Limits {
         relation: "",
         unit,

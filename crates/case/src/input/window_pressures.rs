@@ -8,7 +8,7 @@ use asperity_core::quantity::{AngularSpeed, Pressure};
 use asperity_gear::GearPair;
 use asperity_oil::LubricantState;
 
-use super::model::Model;
+use super::model::{Model, PaperChoices};
 use crate::error::PositionError;
 use asperity_flanks::WindowPair;
 use asperity_flanks::mesh_position::MeshPosition;
@@ -34,6 +34,8 @@ pub struct WindowConditions<'a> {
     pub oil: &'a LubricantState,
     /// Choices of the model.
     pub model: &'a Model,
+    /// Choices of the formulation `paper`.
+    pub paper: &'a PaperChoices,
 }
 
 /// Pressures along a window, and the solution of the solids where they touch.
@@ -111,5 +113,5 @@ pub trait WindowPressures: Debug + Send + Sync {
     ) -> Result<DeformationPower, PositionError>;
 
     /// Usual time of a window for each of its points \[s\], for estimates of a run.
-    fn seconds_of_a_point(&self, model: &Model) -> f64;
+    fn seconds_of_a_point(&self, paper: &PaperChoices) -> f64;
 }

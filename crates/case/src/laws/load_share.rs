@@ -32,8 +32,7 @@ pub struct ShareConditions<'a> {
     pub roughness: &'a Roughness,
     /// Heights of both flanks under the contact and their gap; none when a flank was not measured.
     pub window: Option<&'a WindowPair>,
-    /// Λ* with the central film as `model.central_film` reads it; none when the peaks of the flanks are not
-    /// known or there are none.
+    /// Λ* with the central film as a mass flow; none when the peaks of the flanks are not known or there are none.
     pub lambda_star: Option<f64>,
     /// Classical film ratio h_min/S.
     pub film_ratio: f64,

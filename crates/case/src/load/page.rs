@@ -46,7 +46,7 @@ also be written above all tables: `z = [23, 68]`. A text in place of a flank is 
 const TAIL: &str = "\
 ## Coefficients of Xu's law
 
-`model.xu_coefficients` names a JSON file with the coefficients of your own calibration:
+`model.film_friction = { xu = \"file.json\" }` names a JSON file with the coefficients of your own calibration:
 
 ```json
 {

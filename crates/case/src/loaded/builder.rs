@@ -159,7 +159,7 @@ impl CaseBuilder {
         self
     }
 
-    /// Content of a file that the case names, as in `model.xu_coefficients`.
+    /// Content of a file that the case names, as in `lubricant.oil_file`.
     #[must_use]
     pub fn file(mut self, name: impl AsRef<Path>, bytes: impl Into<Vec<u8>>) -> Self {
         let bytes: Vec<u8> = bytes.into();

@@ -70,7 +70,7 @@ impl FlankInputs {
             solves_contact: solves && (law.supply().is_some() || law == LoadShareName::Ehl),
             has_patches: solves
                 && law.supply().is_some()
-                && case.model.gap_law == GapLaw::Inlet
+                && case.model.gap_law() == GapLaw::Inlet
                 && case.running_in.is_none(),
             has_one_position: case.formulation.positions() == Positions::Single,
         }

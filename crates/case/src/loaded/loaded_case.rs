@@ -469,7 +469,7 @@ pub(crate) fn complete(
     })?;
     let xu = Derived::renewed(
         known.map(|known| &known.xu),
-        case.input.model.xu_coefficients.clone(),
+        xu_coefficients(&case.input),
         |file| xu_calibration(file.as_deref(), source, &files),
     )?;
     let gearbox = Derived::renewed(
@@ -622,6 +622,12 @@ fn user_cache_folder() -> Option<PathBuf> {
 }
 
 /// The coefficients in `file`.
+/// The file with coefficients of Xu's law.
+fn xu_coefficients(input: &CaseInput) -> Option<PathBuf> {
+    let friction = input.model.film_friction.as_ref()?;
+    friction.xu_coefficients().map(Path::to_owned)
+}
+
 fn xu_calibration(
     file: Option<&Path>,
     source: &Source,

@@ -161,7 +161,7 @@ impl OperatingCase {
             return Arc::clone(own);
         }
         match (&self.rheology, model.film_friction.shear_law()) {
-            (Some(rheology), Some(_)) => Arc::new(FilmAlone::new(rheology, model.central_film)),
+            (Some(rheology), Some(_)) => Arc::new(FilmAlone::new(rheology)),
             _ => Arc::new(NamedFriction {
                 law: model.film_friction.published().unwrap_or_default(),
                 settings: model.friction_settings,

@@ -36,7 +36,7 @@ pub(crate) fn sheets_of(
 ) -> Result<Arc<Sheets>, CaseError> {
     let section = Section::of(context.source, "surface");
     if !context.inputs.has_patches {
-        let rule = "patch needs the solved contact and the gap law `inlet`, and has no running-in; leave formulation, model.load_share, model.gap_law and operation.running_in at their defaults, or set surface.contact = \"lines\"";
+        let rule = "patch needs the solved contact and a flooded inlet, and has no running-in; leave formulation, model.load_share, model.inlet_layer and operation.running_in at their defaults, or set surface.contact = \"lines\"";
         return Err(section.conflict("contact", rule));
     }
     let mut along = Length::default();

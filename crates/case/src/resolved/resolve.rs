@@ -36,7 +36,7 @@ use super::steel::{Steels, steels};
 use crate::input::case_input::{CaseInput, OperationInput, SurfaceInput, TEMPERATURE_KEYS};
 use crate::input::formulation::FormulationChoice;
 use crate::input::micropitting_input::MicropittingInput;
-use crate::input::model::{Model, ModelInput, OfFormulation, model};
+use crate::input::model::{Model, ModelInput, OfFormulation, PaperChoices, model};
 use crate::input::path_point::Positions;
 use crate::input::ranges::refuse_impossible;
 use crate::laws::Laws;
@@ -102,6 +102,8 @@ pub struct Resolved {
     pub face_zones: Vec<f64>,
     /// Choices of the model.
     pub model: Model,
+    /// Choices of the formulation `paper`.
+    pub paper: PaperChoices,
     /// Losses other than that of the mesh, if the case states any; filled in with the traces.
     pub gearbox: Option<Gearbox>,
     /// User-defined laws.
@@ -163,8 +165,10 @@ pub(crate) fn resolve_with(
         defaults: formulation.defaults(),
         unused_keys: formulation.unused_keys(),
         positions: formulation.positions(),
+        xu_roughness: formulation.xu_roughness(),
     };
-    let model = model(&choices, &stated, &gears, source, &mut defaults)?;
+    let inputs = (&choices, &input.paper);
+    let (model, paper) = model(inputs, &stated, &gears, source, &mut defaults)?;
     let bulk = bulk_model(input.operation.bulk.as_ref(), &model, source)?;
     let load_settings = load_settings(&input, &model, source, &mut defaults);
     let mesh = LoadConditions {
@@ -209,6 +213,7 @@ pub(crate) fn resolve_with(
         preparation,
         face_zones: Vec::new(),
         model,
+        paper,
         gearbox: None,
         laws: Laws::default(),
         overrides: Overrides::default(),

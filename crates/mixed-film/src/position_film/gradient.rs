@@ -33,13 +33,13 @@ use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 use asperity_tribo_friction::FilmHeat;
 use serde::{Deserialize, Serialize};
 
-use super::PositionFilm;
+use super::{InletSupply, PositionFilm};
 use crate::contact_table::{AtShare, ContactTable};
 use crate::error::LoadShareError;
 use crate::rough_contact::RoughContact;
 use crate::spots::SpotConditions;
 use crate::window_gap::gap_under;
-use crate::window_roughness::{FilmPressure, WindowRoughness};
+use crate::window_roughness::WindowRoughness;
 
 /// Slopes of the friction over gaps and spots of a contact.
 struct RowScales {
@@ -253,7 +253,7 @@ impl PositionFilm<'_> {
         let relative = self.inlet_slope(window.deviation, psi)?;
         let of_trace = self.supply_of(psi, &WindowRoughness::even(window.deviation))?;
         let middle = self.middle(window);
-        let has_gap_of_middle = self.has_gap_of_middle;
+        let has_gap_of_middle = self.settings.supply == InletSupply::Rough;
         Ok(move |phi: f64| {
             let gap = of_trace(phi);
             let (_, [by_gap, by_middle]) = gap_under(gap, middle);
@@ -321,7 +321,7 @@ impl PositionFilm<'_> {
         state: FilmState,
         scale: f64,
     ) -> Result<(f64, Vec<[f64; 3]>), LoadShareError> {
-        if self.settings.film_pressure != FilmPressure::Rippled || !window.is_rippled() {
+        if !window.is_rippled() {
             return Ok((0.0, Vec::new()));
         }
         let steps = [

@@ -251,13 +251,13 @@ impl PositionFilm<'_> {
         spectra: &[TraceSpectrum; 2],
         pair: &PairSpectrum,
     ) -> Result<Unflattening, LoadShareError> {
-        let inlet = match self.gap_law {
+        let inlet = match self.settings.supply.gap_law() {
             GapLaw::Power => None,
             GapLaw::Inlet => Some(self.inlet(pair)?),
         };
         let attenuation = match &inlet {
             Some(inlet) => inlet.attenuation,
-            None => Attenuation::new(self.gap_law, self.nabla)?,
+            None => Attenuation::new(GapLaw::Power, self.nabla)?,
         };
         let (both, modulus) = (spectra.each_ref(), self.contact.modulus);
         Ok(Unflattening {

@@ -13,7 +13,7 @@ use crate::film_survey::{FilmRow, film};
 pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, Fault> {
     let at_pitch = "Fig. 8a: difference across the film, rolling (pitch point)";
     let sliding = "Fig. 8b: the same where the flanks slide";
-    let position = Some(case.case.model.position);
+    let position = Some(case.case.paper.position);
     Ok(vec![
         figure(case, None, "fig08a_pitch.csv", at_pitch, folder)?,
         figure(case, position, "fig08b_sliding.csv", sliding, folder)?,

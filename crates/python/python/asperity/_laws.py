@@ -150,7 +150,7 @@ def thermal_reduction(
     """Factor by which heat in the inlet thins a film: ``factor``, ``outside``, ``notes``.
 
     Parameters:
-        law: ``"gupta"`` (1992), ``"murch-wilson"`` (1975) or ``"none"``.
+        law: ``"gupta"`` (1992) or ``"none"``.
         max_pressure: Hertz pressure, Pa.
         modulus: reduced modulus E*, Pa.
         loading: thermal loading L = η β V²/k.

@@ -303,11 +303,11 @@ fn load_error(
 ) -> Result<Drawing, Fault> {
     let model = &result.inputs.model;
     let (title, axis, tolerance) = if result.formulation.pressures().is_some() {
-        let given = model.numerical_error;
+        let given = result.inputs.paper.numerical_error;
         (
             "Convergence: load error of each step",
             Axis::new("load error |F − F_target|/F_target", "").log(),
-            choice::<Ratio>(result, given, "model.numerical_error")?.value(),
+            choice::<Ratio>(result, given, "paper.numerical_error")?.value(),
         )
     } else {
         // The last error is round-off, which would dominate a logarithmic axis.

@@ -1,0 +1,164 @@
+//! Friction law of the film as a case states it: its name, or a table with the setting of the law.
+
+use std::path::{Path, PathBuf};
+
+use asperity_core::DomainError;
+use asperity_oil::ShearLawName;
+use asperity_tribo_friction::{FrictionLaw, FrictionSettings};
+use serde::de::value::{MapAccessDeserializer, StrDeserializer};
+use serde::de::{self, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use super::law_names::FilmFrictionLaw;
+use super::ranges::of_law;
+use super::rows::{Judge, KeyPath, OPEN, Ranged};
+
+/// Friction in the film, with the setting of its law.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(untagged)]
+pub enum FilmFrictionInput {
+    /// A law by its name.
+    Named(FilmFrictionLaw),
+    /// A law with its setting.
+    Set(FrictionSetting),
+}
+
+/// Setting of a friction law.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum FrictionSetting {
+    /// One friction coefficient everywhere.
+    Constant(f64),
+    /// Lubricant factor X_L of ISO/TR 14179-2; 1 for mineral oil.
+    #[serde(rename = "iso-14179-2")]
+    Iso14179Part2(f64),
+    /// Coefficients of Xu's law from an own calibration: a JSON file, relative to the case file.
+    Xu(PathBuf),
+}
+
+impl From<FilmFrictionLaw> for FilmFrictionInput {
+    fn from(law: FilmFrictionLaw) -> Self {
+        Self::Named(law)
+    }
+}
+
+impl FilmFrictionInput {
+    /// The law itself.
+    #[must_use]
+    pub const fn law(&self) -> FilmFrictionLaw {
+        match self {
+            Self::Named(law) => *law,
+            Self::Set(FrictionSetting::Constant(_)) => FilmFrictionLaw::Constant,
+            Self::Set(FrictionSetting::Iso14179Part2(_)) => FilmFrictionLaw::Iso14179Part2,
+            Self::Set(FrictionSetting::Xu(_)) => FilmFrictionLaw::Xu,
+        }
+    }
+
+    /// The shear law of the film; `None` for a published law.
+    #[must_use]
+    pub const fn shear_law(&self) -> Option<ShearLawName> {
+        self.law().shear_law()
+    }
+
+    /// The published law; `None` for a shear law of the film.
+    #[must_use]
+    pub const fn published(&self) -> Option<FrictionLaw> {
+        self.law().published()
+    }
+
+    /// The file with coefficients of Xu's law.
+    #[must_use]
+    pub fn xu_coefficients(&self) -> Option<&Path> {
+        match self {
+            Self::Set(FrictionSetting::Xu(file)) => Some(file),
+            _ => None,
+        }
+    }
+
+    /// Lubricant factor X_L of ISO/TR 14179-2.
+    #[must_use]
+    pub const fn lubricant_factor(&self) -> f64 {
+        match self {
+            Self::Set(FrictionSetting::Iso14179Part2(factor)) => *factor,
+            _ => 1.0,
+        }
+    }
+
+    /// Settings of the published laws.
+    pub(crate) fn settings(&self) -> FrictionSettings {
+        FrictionSettings {
+            constant: match self {
+                Self::Set(FrictionSetting::Constant(coefficient)) => Some(*coefficient),
+                _ => None,
+            },
+            ..FrictionSettings::default()
+        }
+    }
+
+    pub(crate) fn check(&self) -> Result<(), DomainError> {
+        let (called, number, is_one, rule) = match self {
+            Self::Set(FrictionSetting::Constant(mu)) => {
+                let is_one = (0.0..=2.0).contains(mu);
+                ("constant friction", *mu, is_one, "must be 0 to 2")
+            }
+            Self::Set(FrictionSetting::Iso14179Part2(x)) => {
+                let is_one = *x > 0.0 && *x <= 10.0;
+                let rule = "must be positive and at most 10";
+                ("lubricant factor", *x, is_one, rule)
+            }
+            Self::Set(FrictionSetting::Xu(_)) | Self::Named(_) => return Ok(()),
+        };
+        DomainError::require(is_one, called, number, "-", rule).map(|_| ())
+    }
+}
+
+impl Ranged for FilmFrictionInput {
+    fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
+        let [mut constant, mut factor] = [None; 2];
+        match stated {
+            Some(Self::Set(FrictionSetting::Constant(mu))) => constant = Some(*mu),
+            Some(Self::Set(FrictionSetting::Iso14179Part2(x))) => factor = Some(*x),
+            _ => {}
+        }
+        let (usual, of_factor) = ([0.002, 0.2], [0.3, 2.0]);
+        judge(
+            at.below("constant"),
+            &of_law("", usual, OPEN),
+            constant.as_slice(),
+        );
+        judge(
+            at.below("iso-14179-2"),
+            &of_law("", of_factor, OPEN),
+            factor.as_slice(),
+        );
+    }
+}
+
+impl<'de> Deserialize<'de> for FilmFrictionInput {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(FilmFrictionVisitor)
+    }
+}
+
+struct FilmFrictionVisitor;
+
+impl<'de> Visitor<'de> for FilmFrictionVisitor {
+    type Value = FilmFrictionInput;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "the name of a friction law, or a table like {{ constant = 0.05 }}"
+        )
+    }
+
+    fn visit_str<E: de::Error>(self, name: &str) -> Result<FilmFrictionInput, E> {
+        FilmFrictionLaw::deserialize(StrDeserializer::new(name)).map(FilmFrictionInput::Named)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<FilmFrictionInput, A::Error> {
+        FrictionSetting::deserialize(MapAccessDeserializer::new(map)).map(FilmFrictionInput::Set)
+    }
+}
