@@ -4,8 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// Law of the mean gap that the inlet of a rough contact supplies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[serde(rename_all = "kebab-case")]
 pub enum GapLaw {
     /// The inlet of a rough contact is longer than that of a smooth one: wavelengths are relative to the length
     /// that belongs to both the smooth film and the mean gap. The smooth film is a gap.

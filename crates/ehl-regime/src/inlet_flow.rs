@@ -245,9 +245,7 @@ pub fn supplied_gap(
 }
 
 /// Reading of the central film of a formula: mass flow or gap.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum CentralFilm {
     /// As the formula gives it: mass flow over ambient density and mean speed.
     #[default]

@@ -19,7 +19,7 @@ use asperity_ehl_regime::{
 };
 use asperity_oil::{FilmRheology, ShearedPoint};
 use asperity_tribo_friction::boundary::{
-    BOUNDARY_FRICTION, BOUNDARY_LAYER, INNER_BOUNDARY, SharedFriction,
+    BOUNDARY_FRICTION, BOUNDARY_LAYER, FrictionParts, INNER_BOUNDARY, SharedFriction,
 };
 use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmRipple, FilmSettings, LoadedFilm};
 
@@ -250,6 +250,7 @@ struct AtRise {
     spot: SpotFriction,
 }
 
+/// Smooth film: h_g and h_c.
 impl<'a> PositionFilm<'a> {
     /// The film of a contact whose flanks and oil have the temperature `bulk`.
     ///
@@ -312,11 +313,7 @@ impl<'a> PositionFilm<'a> {
             film: gap,
             temperature: bulk,
         };
-        let mut film = LoadedFilm::new(rheology, &sheared, settings.film)?;
-        // The pressures of the film at light load belong to its gap.
-        let LightLoad { excess, inlet } = LightLoad::of(&numbers);
-        film.reach_beyond(&excess, inlet)?;
-        let outside = film.outside().to_vec();
+        let film = loaded_film(rheology, &sheared, settings.film, &numbers)?;
         Ok(Self {
             rheology,
             settings: *settings,
@@ -333,8 +330,8 @@ impl<'a> PositionFilm<'a> {
             flow: None,
             roughness_over_film: None,
             hertz,
+            outside: film.outside().to_vec(),
             film,
-            outside,
             before: None,
         })
     }
@@ -345,6 +342,21 @@ impl<'a> PositionFilm<'a> {
         self.nabla
     }
 
+    /// Central film of smooth flanks h_c.
+    #[must_use]
+    pub fn smooth_film(&self) -> Length {
+        self.mass_flow
+    }
+
+    /// Gap of smooth flanks h_g, in which the film shears.
+    #[must_use]
+    pub fn sheared_film(&self) -> Length {
+        self.gap
+    }
+}
+
+/// Supply: Ψ by the roughness that the inlet leaves.
+impl PositionFilm<'_> {
     /// Smooth film in the supply: h_g of a flooded inlet, h_c of a starved one and of `jgp`.
     #[must_use]
     pub fn supply_film(&self) -> Length {
@@ -418,18 +430,72 @@ impl<'a> PositionFilm<'a> {
         )?)
     }
 
-    /// Central film of smooth flanks h_c.
-    #[must_use]
-    pub fn smooth_film(&self) -> Length {
-        self.mass_flow
+    fn inlet_factor(&self, attenuated_rms: Length) -> Result<f64, LoadShareError> {
+        let by_lay = || inlet_factor(attenuated_rms, self.roughness_film(), self.settings.lay);
+        let by_flow = |flow: &FlowTable| flow.inlet_factor(attenuated_rms, self.roughness_film());
+        Ok(
+            match (self.settings.supply, &self.flow, self.settings.patch_gap) {
+                (InletSupply::Smooth, ..) => 1.0,
+                (_, Some(flow), PatchGap::Computed) => by_flow(flow)?,
+                (_, Some(flow), PatchGap::Times(factor)) => factor * by_flow(flow)?,
+                _ => by_lay()?,
+            },
+        )
     }
 
-    /// Gap of smooth flanks h_g, in which the film shears.
-    #[must_use]
-    pub fn sheared_film(&self) -> Length {
-        self.gap
+    /// Slope of ln Ψ over σ_d \[1/m\].
+    fn inlet_slope(&self, attenuated_rms: Length, psi: f64) -> Result<f64, LoadShareError> {
+        let sigma = attenuated_rms.si();
+        if sigma == 0.0 {
+            return Ok(0.0);
+        }
+        if self.flow.is_none() {
+            return Ok((1.0 - 1.0 / (psi * psi)) / sigma);
+        }
+        let at = |part: f64| self.inlet_factor(attenuated_rms * part);
+        let quotient = at(1.0 + INLET_STEP)? / at(1.0 - INLET_STEP)?;
+        Ok(quotient.ln() / (2.0 * INLET_STEP * sigma))
     }
 
+    /// Flow through the roughness left in the contact over the flow of a smooth gap: of traces by their lay, of patches as computed.
+    #[must_use]
+    pub fn flow_factor(&self, gap: Length, attenuated_rms: Length) -> f64 {
+        match &self.flow {
+            Some(flow) => flow.factor(gap, attenuated_rms),
+            None => flow_of_lines(gap, attenuated_rms, self.settings.lay),
+        }
+    }
+}
+
+/// Gap supplied to a window.
+impl PositionFilm<'_> {
+    /// h̄(φ) of a window \[m\] with its inputs checked once.
+    fn supply_of(
+        &self,
+        psi: f64,
+        window: &WindowRoughness,
+    ) -> Result<impl Fn(f64) -> f64 + use<>, LoadShareError> {
+        let (law, film) = (self.settings.supply.gap_law(), self.supply_film());
+        supplied_gap(law, film, psi, 0.0)?;
+        let middle = self.middle(window);
+        Ok(move |phi: f64| {
+            let gap =
+                supplied_gap(law, film, psi, phi.clamp(0.0, 1.0)).map_or(f64::NAN, Length::si);
+            gap_under(gap, middle).0
+        })
+    }
+
+    /// Height of the middle of a window, as far as it counts in the gap.
+    fn middle(&self, window: &WindowRoughness) -> f64 {
+        match self.settings.supply {
+            InletSupply::Rough => window.middle,
+            InletSupply::Grubin | InletSupply::Starved | InletSupply::Smooth => 0.0,
+        }
+    }
+}
+
+/// Share: where the gap of the contact is the one supplied.
+impl PositionFilm<'_> {
     /// Solves the missing rows of a window's table that [`share`](Self::share) needs; `contact` gives the window if any is
     /// missing.
     ///
@@ -512,79 +578,6 @@ impl<'a> PositionFilm<'a> {
         Ok((solution, Some(state)))
     }
 
-    /// Sliding loss of each of some spots per metre of face \[W/m\], at the surface temperature of `solution`.
-    ///
-    /// # Errors
-    /// When a spot has no film.
-    pub fn losses_of_spots(
-        &self,
-        spots: &[Spot],
-        solution: &LoadShareSolution,
-    ) -> Result<Vec<f64>, LoadShareError> {
-        self.spot_conditions(solution.surface_rise)
-            .losses(spots, self.settings.boundary_friction)
-    }
-
-    fn inlet_factor(&self, attenuated_rms: Length) -> Result<f64, LoadShareError> {
-        let by_lay = || inlet_factor(attenuated_rms, self.roughness_film(), self.settings.lay);
-        let by_flow = |flow: &FlowTable| flow.inlet_factor(attenuated_rms, self.roughness_film());
-        Ok(
-            match (self.settings.supply, &self.flow, self.settings.patch_gap) {
-                (InletSupply::Smooth, ..) => 1.0,
-                (_, Some(flow), PatchGap::Computed) => by_flow(flow)?,
-                (_, Some(flow), PatchGap::Times(factor)) => factor * by_flow(flow)?,
-                _ => by_lay()?,
-            },
-        )
-    }
-
-    /// Flow through the roughness left in the contact over the flow of a smooth gap: of traces by their lay, of patches as computed.
-    #[must_use]
-    pub fn flow_factor(&self, gap: Length, attenuated_rms: Length) -> f64 {
-        match &self.flow {
-            Some(flow) => flow.factor(gap, attenuated_rms),
-            None => flow_of_lines(gap, attenuated_rms, self.settings.lay),
-        }
-    }
-
-    /// Slope of ln Ψ over σ_d \[1/m\].
-    fn inlet_slope(&self, attenuated_rms: Length, psi: f64) -> Result<f64, LoadShareError> {
-        let sigma = attenuated_rms.si();
-        if sigma == 0.0 {
-            return Ok(0.0);
-        }
-        if self.flow.is_none() {
-            return Ok((1.0 - 1.0 / (psi * psi)) / sigma);
-        }
-        let at = |part: f64| self.inlet_factor(attenuated_rms * part);
-        let quotient = at(1.0 + INLET_STEP)? / at(1.0 - INLET_STEP)?;
-        Ok(quotient.ln() / (2.0 * INLET_STEP * sigma))
-    }
-
-    /// h̄(φ) of a window \[m\] with its inputs checked once.
-    fn supply_of(
-        &self,
-        psi: f64,
-        window: &WindowRoughness,
-    ) -> Result<impl Fn(f64) -> f64 + use<>, LoadShareError> {
-        let (law, film) = (self.settings.supply.gap_law(), self.supply_film());
-        supplied_gap(law, film, psi, 0.0)?;
-        let middle = self.middle(window);
-        Ok(move |phi: f64| {
-            let gap =
-                supplied_gap(law, film, psi, phi.clamp(0.0, 1.0)).map_or(f64::NAN, Length::si);
-            gap_under(gap, middle).0
-        })
-    }
-
-    /// Height of the middle of a window, as far as it counts in the gap.
-    fn middle(&self, window: &WindowRoughness) -> f64 {
-        match self.settings.supply {
-            InletSupply::Rough => window.middle,
-            InletSupply::Grubin | InletSupply::Starved | InletSupply::Smooth => 0.0,
-        }
-    }
-
     fn untouched(&self, gap: f64) -> Touching<'static> {
         Touching {
             share: Solved {
@@ -639,8 +632,6 @@ impl<'a> PositionFilm<'a> {
             shared, evidence, ..
         } = friction;
         let parts = shared.parts()?;
-        let [u1, u2] = self.contact.speeds;
-        let force = self.contact.load.si() * (u1.si() - u2.si()).abs();
         let phi = shared.asperity_share;
         Ok(LoadShareSolution {
             asperity_share: phi,
@@ -650,11 +641,7 @@ impl<'a> PositionFilm<'a> {
             film_coefficient: shared.film,
             asperity_coefficient: shared.asperities,
             parts,
-            losses: LineLosses {
-                film: parts.film * force,
-                lubricated_asperities: parts.lubricated_asperities * force,
-                boundary: parts.boundary * force,
-            },
+            losses: self.losses(&parts),
             smooth_film: self.mass_flow,
             thermal_factor: self.thermal_factor,
             attenuated_rms: window.deviation,
@@ -675,6 +662,63 @@ impl<'a> PositionFilm<'a> {
         })
     }
 
+    /// Sliding losses of the parts of the friction per metre of face.
+    fn losses(&self, parts: &FrictionParts) -> LineLosses {
+        let [u1, u2] = self.contact.speeds;
+        let force = self.contact.load.si() * (u1.si() - u2.si()).abs();
+        LineLosses {
+            film: parts.film * force,
+            lubricated_asperities: parts.lubricated_asperities * force,
+            boundary: parts.boundary * force,
+        }
+    }
+}
+
+/// Spots.
+impl<'a> PositionFilm<'a> {
+    /// The spots at a rise of the surface temperature.
+    fn spot_conditions(&self, rise: f64) -> SpotConditions<'a> {
+        let [u1, u2] = self.contact.speeds.map(Speed::si);
+        let sliding = (u1 - u2).abs();
+        let entrainment = 0.5 * (u1 + u2);
+        // A spot without sliding keeps the least speed that a film can be computed for.
+        let half_sliding = (0.5 * sliding).max(1e-6);
+        let feed = match self.settings.spot_speed {
+            SpotSpeed::Carried => Feed::Carried {
+                entrainment,
+                half_sliding,
+                half_width: self.hertz.half_width.si(),
+                inner_boundary: self.settings.inner_boundary,
+            },
+            SpotSpeed::Entrainment => Feed::At(entrainment),
+            SpotSpeed::HalfSliding => Feed::At(half_sliding),
+        };
+        SpotConditions {
+            rheology: self.rheology,
+            wall: Temperature::from_si(self.bulk + rise),
+            modulus: self.contact.modulus.si(),
+            feed,
+            sliding,
+            boundary_layer: self.settings.boundary_layer,
+        }
+    }
+
+    /// Sliding loss of each of some spots per metre of face \[W/m\], at the surface temperature of `solution`.
+    ///
+    /// # Errors
+    /// When a spot has no film.
+    pub fn losses_of_spots(
+        &self,
+        spots: &[Spot],
+        solution: &LoadShareSolution,
+    ) -> Result<Vec<f64>, LoadShareError> {
+        self.spot_conditions(solution.surface_rise)
+            .losses(spots, self.settings.boundary_friction)
+    }
+}
+
+/// Friction of film and spots.
+impl PositionFilm<'_> {
     /// Lets the film carry its share of the load in a window with a mean gap.
     ///
     /// ```text
@@ -844,33 +888,6 @@ impl<'a> PositionFilm<'a> {
         Ok((AtRise { rise, film, spot }, slope))
     }
 
-    /// The spots at a rise of the surface temperature.
-    fn spot_conditions(&self, rise: f64) -> SpotConditions<'a> {
-        let [u1, u2] = self.contact.speeds.map(Speed::si);
-        let sliding = (u1 - u2).abs();
-        let entrainment = 0.5 * (u1 + u2);
-        // A spot without sliding keeps the least speed that a film can be computed for.
-        let half_sliding = (0.5 * sliding).max(1e-6);
-        let feed = match self.settings.spot_speed {
-            SpotSpeed::Carried => Feed::Carried {
-                entrainment,
-                half_sliding,
-                half_width: self.hertz.half_width.si(),
-                inner_boundary: self.settings.inner_boundary,
-            },
-            SpotSpeed::Entrainment => Feed::At(entrainment),
-            SpotSpeed::HalfSliding => Feed::At(half_sliding),
-        };
-        SpotConditions {
-            rheology: self.rheology,
-            wall: Temperature::from_si(self.bulk + rise),
-            modulus: self.contact.modulus.si(),
-            feed,
-            sliding,
-            boundary_layer: self.settings.boundary_layer,
-        }
-    }
-
     fn shared(&self, phi: f64, at: &AtRise) -> SharedFriction {
         SharedFriction {
             asperity_share: phi,
@@ -899,6 +916,19 @@ fn conditions(
         pressure_viscosity: state.pressure_viscosity,
         contact_length: None,
     })
+}
+
+/// The film with its pressures at light load, which belong to its gap.
+fn loaded_film<'a>(
+    rheology: &'a FilmRheology,
+    contact: &FilmLineContact,
+    settings: FilmSettings,
+    numbers: &MoesNumbers,
+) -> Result<LoadedFilm<'a>, LoadShareError> {
+    let mut film = LoadedFilm::new(rheology, contact, settings)?;
+    let LightLoad { excess, inlet } = LightLoad::of(numbers);
+    film.reach_beyond(&excess, inlet)?;
+    Ok(film)
 }
 
 /// The share at which the contact's gap is the one supplied, by direct solves.
