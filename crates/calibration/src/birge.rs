@@ -15,9 +15,9 @@ pub struct Scatter {
 
 impl Scatter {
     /// Birge ratio above which the model does not explain the measurements.
-    pub const LARGEST_RATIO: f64 = 3.0;
+    pub(crate) const LARGEST_RATIO: f64 = 3.0;
     /// Fewest degrees of freedom that can confirm the stated errors.
-    pub const LEAST_FREEDOM: usize = 3;
+    pub(crate) const LEAST_FREEDOM: usize = 3;
 
     /// Ratio of the scatter to the stated errors.
     ///

@@ -195,7 +195,7 @@ impl Rig {
     ///
     /// # Errors
     /// When there are fewer than three rows more than parameters.
-    pub fn check_freedom(&self) -> Result<(), Fault> {
+    pub(crate) fn check_freedom(&self) -> Result<(), Fault> {
         let [rows, parameters] = [self.table.rows.len(), self.parameters.len()];
         match rows < parameters + Scatter::LEAST_FREEDOM {
             true => Err(error::few_rows(&self.table.name, rows, parameters)),
@@ -207,7 +207,7 @@ impl Rig {
     ///
     /// # Errors
     /// Names the five rows with the largest residuals.
-    pub fn check_scatter(&self, fit: &Fit) -> Result<(), Fault> {
+    pub(crate) fn check_scatter(&self, fit: &Fit) -> Result<(), Fault> {
         /// Rows named.
         const NAMED: usize = 5;
         let ratio = fit.scatter().ratio();

@@ -18,7 +18,7 @@ use crate::rig_model::{OperatingPoint, Progress};
 use crate::surfaces::{slope_region, tangents};
 
 /// Range of Λ* that the speeds must exceed at both ends for a fit of the boundary share.
-pub const SWEEP: [f64; 2] = [0.3, 1.5];
+pub(crate) const SWEEP: [f64; 2] = [0.3, 1.5];
 /// Difference below which temperatures are grouped \[K\].
 const SAME_TEMPERATURE: f64 = 5.0;
 /// Least temperature range for a fit of the boundary share \[K\].
@@ -46,7 +46,7 @@ pub fn temperatures(all: impl Iterator<Item = f64>) -> Vec<f64> {
 
 /// Conditions under which points identify the boundary layer, which determines the boundary share, and that are not
 /// fulfilled: several temperatures, enough points, and speeds with Λ* below 0.3 and above 1.5; none if it is not fitted.
-pub fn missing_for_share(
+pub(crate) fn missing_for_share(
     parameters: &[Parameter],
     points: &[([f64; 3], Option<f64>)],
 ) -> Vec<String> {
@@ -100,7 +100,7 @@ impl Rig {
     ///
     /// # Errors
     /// When no other parameter is fitted.
-    pub fn without_open_layer(mut self) -> Result<Self, Fault> {
+    pub(crate) fn without_open_layer(mut self) -> Result<Self, Fault> {
         let points = self.operating_points.iter().zip(&self.nominal);
         let points: Vec<_> = points
             .map(|(point, parts)| (point.at, parts.lambda_star))

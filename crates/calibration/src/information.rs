@@ -41,7 +41,7 @@ pub fn covariance(information: &DMatrix<f64>) -> Option<DMatrix<f64>> {
 /// diag(C − C j jᵀ C/(1 + jᵀ C j))
 /// ```
 #[must_use]
-pub fn variances_after(covariance: &DMatrix<f64>, slope: &DVector<f64>) -> DVector<f64> {
+pub(crate) fn variances_after(covariance: &DMatrix<f64>, slope: &DVector<f64>) -> DVector<f64> {
     let moved = covariance * slope;
     let whole = 1.0 + slope.dot(&moved);
     covariance.diagonal() - moved.map(|value| value * value / whole)
@@ -49,14 +49,18 @@ pub fn variances_after(covariance: &DMatrix<f64>, slope: &DVector<f64>) -> DVect
 
 /// Standard deviation of variable `k` without its own prior of width `prior`; `None` if only the prior determines it.
 #[must_use]
-pub fn deviation_without_prior(information: &DMatrix<f64>, k: usize, prior: f64) -> Option<f64> {
+pub(crate) fn deviation_without_prior(
+    information: &DMatrix<f64>,
+    k: usize,
+    prior: f64,
+) -> Option<f64> {
     without_prior(covariance(information)?[(k, k)], prior)
 }
 
 /// Standard deviation of a variable with this `variance` without its own prior of width `prior`; `None` if only the prior
 /// determines it.
 #[must_use]
-pub fn without_prior(variance: f64, prior: f64) -> Option<f64> {
+pub(crate) fn without_prior(variance: f64, prior: f64) -> Option<f64> {
     /// Information that is only round-off.
     const LEAST: f64 = 1e-9;
     let information = 1.0 / variance - 1.0 / (prior * prior);

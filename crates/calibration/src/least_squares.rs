@@ -82,7 +82,7 @@ pub fn minimum(
 ///
 /// # Errors
 /// When the method does not converge to a minimum.
-pub fn minimum_within(
+pub(crate) fn minimum_within(
     tolerance: f64,
     residuals: &dyn Residuals,
     start: &DVector<f64>,

@@ -87,7 +87,7 @@ pub fn d_optimal(
 
 /// ln det of the information on the first `interest` variables, with the others unknown.
 #[must_use]
-pub fn log_determinant(whole: &DMatrix<f64>, interest: usize) -> f64 {
+pub(crate) fn log_determinant(whole: &DMatrix<f64>, interest: usize) -> f64 {
     let (n, elements) = (whole.nrows(), whole.as_slice());
     let others = n - interest;
     // With the nuisance terms first, the other pivots are those of I_11 − I_12 I_22⁻¹ I_21.

@@ -19,7 +19,7 @@ impl Rig {
     ///
     /// # Errors
     /// When there are such rows, or a fit does not converge.
-    pub fn check_outliers(&self, problem: &Problem<'_>) -> Result<(), Fault> {
+    pub(crate) fn check_outliers(&self, problem: &Problem<'_>) -> Result<(), Fault> {
         let mut rows: Vec<usize> = (0..problem.observations.len()).collect();
         let all: Vec<usize> = (0..problem.variables()).collect();
         let mut x = DVector::zeros(problem.variables());

@@ -75,12 +75,12 @@ impl Parameter {
 }
 
 /// Standard deviation of the scale of an assembly.
-pub const ASSEMBLY: f64 = 0.03;
+pub(crate) const ASSEMBLY: f64 = 0.03;
 /// Standard deviation of the logarithm of the rolling loss relative to the model.
 pub const ROLLING: f64 = 0.30;
 /// Standard deviation of the oil temperature \[K\].
 pub const TEMPERATURE: f64 = 3.0;
 /// Standard deviation of the loss torque without load, relative to the median loss torque.
-pub const NO_LOAD: f64 = 0.02;
+pub(crate) const NO_LOAD: f64 = 0.02;
 /// Loss torque of the bearings relative to the torque of the pinion, and its standard deviation.
-pub const BEARINGS: [f64; 2] = [0.002, 0.001];
+pub(crate) const BEARINGS: [f64; 2] = [0.002, 0.001];

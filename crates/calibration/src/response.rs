@@ -53,7 +53,7 @@ impl Region {
     /// Points at which a function is evaluated for its [`tangent`](Response::tangent): the centre and the upper end of
     /// every axis.
     #[must_use]
-    pub fn forward_settings(&self) -> Vec<Vec<f64>> {
+    pub(crate) fn forward_settings(&self) -> Vec<Vec<f64>> {
         let n = self.centre.len();
         let all = self.settings();
         let upper = (0..n).map(|axis| all[1 + 2 * axis].clone());

@@ -105,7 +105,7 @@ impl RigModel {
 
     /// The model at other points, with the stored contacts of the nearest torque of each case.
     #[must_use]
-    pub fn at_points(&self, points: &[OperatingPoint]) -> Self {
+    pub(crate) fn at_points(&self, points: &[OperatingPoint]) -> Self {
         Self {
             points: assign_contacts(&self.groups, points),
             groups: Arc::clone(&self.groups),
@@ -116,7 +116,7 @@ impl RigModel {
 
     /// The model with other parameters.
     #[must_use]
-    pub fn with_parameters(mut self, parameters: &[Parameter]) -> Self {
+    pub(crate) fn with_parameters(mut self, parameters: &[Parameter]) -> Self {
         self.parameters = parameters.to_vec();
         self
     }

@@ -220,7 +220,7 @@ impl RigTable {
 
     /// Distinct case names of the rows; `None` for rows without a case.
     #[must_use]
-    pub fn case_names(&self) -> Vec<Option<String>> {
+    pub(crate) fn case_names(&self) -> Vec<Option<String>> {
         let mut names: Vec<Option<String>> = self.rows.iter().map(|row| row.case.clone()).collect();
         names.sort();
         names.dedup();

@@ -24,7 +24,7 @@ const TEMPERATURE_STEP: f64 = 1.0;
 
 /// First box, about the centres of the parameters.
 #[must_use]
-pub fn first_region(parameters: &[Parameter]) -> Region {
+pub(crate) fn first_region(parameters: &[Parameter]) -> Region {
     let widths = parameters
         .iter()
         .map(|parameter| first_half_width(parameter.name));
@@ -36,7 +36,7 @@ pub fn first_region(parameters: &[Parameter]) -> Region {
 
 /// Box about the centres for derivatives.
 #[must_use]
-pub fn slope_region(parameters: &[Parameter]) -> Region {
+pub(crate) fn slope_region(parameters: &[Parameter]) -> Region {
     let mut half_width = vec![STEP; parameters.len()];
     half_width.push(TEMPERATURE_STEP);
     Region {
@@ -67,7 +67,7 @@ pub fn surfaces(
 ///
 /// # Errors
 /// When the model has no solution at a point.
-pub fn tangents(
+pub(crate) fn tangents(
     model: &RigModel,
     region: &Region,
     progress: Progress<'_>,

@@ -87,7 +87,7 @@ fn advice(source: &PositionError) -> &'static str {
 
 impl Error {
     /// A case error with the text that it is about, which the errors of a case share.
-    pub fn in_text(error: CaseError, text: impl Into<Arc<Source>>) -> Self {
+    pub(crate) fn in_text(error: CaseError, text: impl Into<Arc<Source>>) -> Self {
         Self::CaseText {
             error: Box::new(error),
             text: text.into(),

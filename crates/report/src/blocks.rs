@@ -461,7 +461,7 @@ impl<'a> Report<'a> {
     ///
     /// # Errors
     /// When a file cannot be written, or a number is not finite.
-    pub fn write_files(&self, folder: &Path) -> Result<(), Fault> {
+    pub(crate) fn write_files(&self, folder: &Path) -> Result<(), Fault> {
         self.blocks.iter().try_for_each(|(_, block)| match block {
             Block::File(write) => write(folder),
             Block::Table(table) if table.is_file() => table.write(folder),

@@ -529,7 +529,7 @@ impl Table {
 
     /// The table with a class of the page's style.
     #[must_use]
-    pub fn classed(mut self, class: &'static str) -> Self {
+    pub(crate) fn classed(mut self, class: &'static str) -> Self {
         self.class = class;
         self
     }

@@ -98,7 +98,7 @@ pub(crate) fn check_fields(outcome: &MeshOutcome, fields: &Fields) -> Result<(),
 }
 
 /// Name and content of the table of all points of the load map.
-pub(crate) fn load_points(outcome: &MeshOutcome) -> Result<(String, Vec<u8>), Fault> {
+pub fn load_points(outcome: &MeshOutcome) -> Result<(String, Vec<u8>), Fault> {
     let text = tables::text(Path::new(MAP), tables::load_points(&outcome.load_map))?;
     Ok((MAP.to_owned(), text))
 }

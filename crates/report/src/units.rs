@@ -3,4 +3,4 @@
 /// Micrometres per metre.
 pub const MICRO: f64 = 1e6;
 /// Megapascals per pascal.
-pub const MEGA: f64 = 1e-6;
+pub(crate) const MEGA: f64 = 1e-6;

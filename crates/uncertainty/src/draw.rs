@@ -12,7 +12,7 @@ use asperity_case::case::UncertainParameter;
 
 /// Number of draws: with 4096 the ends of the interval of the ground e-drive differ by 2 % between seeds, and the error
 /// falls with the square root of the number.
-pub const DRAWS: usize = 16_384;
+pub(crate) const DRAWS: usize = 16_384;
 
 /// Share of each tail of a constant that is not drawn.
 const CUT: f64 = 0.005;

@@ -66,7 +66,7 @@ impl Losses {
     ///
     /// # Errors
     /// When the loss is not below the power into the mesh.
-    pub fn restate(&mut self, case: &Case, loss_w: f64) -> Result<(), Error> {
+    pub(crate) fn restate(&mut self, case: &Case, loss_w: f64) -> Result<(), Error> {
         let restated = Restated::new(case, &self.summary, loss_w);
         restated.with_gearbox(&mut self.summary, &mut self.gearbox)?;
         let (sampling, run_in) = (self.pairs.as_mut(), self.run_in.as_mut());

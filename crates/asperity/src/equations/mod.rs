@@ -103,7 +103,9 @@ pub(crate) fn of_tags(tags: &BTreeSet<&'static str>) -> Vec<&'static Equation> {
 }
 
 /// The distinct sources of `equations`, by key.
-pub fn bibliography<'a>(equations: impl IntoIterator<Item = &'a Equation>) -> Vec<Reference> {
+pub(crate) fn bibliography<'a>(
+    equations: impl IntoIterator<Item = &'a Equation>,
+) -> Vec<Reference> {
     let mut references: Vec<Reference> = equations
         .into_iter()
         .flat_map(|equation| equation.references.iter().copied())

@@ -31,7 +31,7 @@ pub(crate) struct LubricatedPosition {
 impl LubricatedPosition {
     /// Largest pressure of the rough contact, as a mean over the offsets where the flanks touch \[MPa\];
     /// `None` if they do not touch.
-    pub fn rough_pressure(&self) -> Option<f64> {
+    pub(crate) fn rough_pressure(&self) -> Option<f64> {
         let contacts = self.offsets.iter().filter_map(|offset| offset.contact);
         let pressures: Vec<f64> = contacts.map(|contact| contact.p_max * 1e-6).collect();
         let sum = || {
@@ -44,7 +44,7 @@ impl LubricatedPosition {
 
     /// Largest pressure of the rough contact, or the Hertz pressure if the flanks do not touch: a report shows the
     /// position where it is highest.
-    pub fn shown_pressure(&self) -> f64 {
+    pub(crate) fn shown_pressure(&self) -> f64 {
         let hertz = self.at.hertz.max_pressure.si() * 1e-6;
         self.rough_pressure().unwrap_or(hertz)
     }

@@ -284,7 +284,7 @@ impl Outcome {
 
     /// The drawn losses of the meshes; `None` without draws.
     #[must_use]
-    pub fn drawn_meshes(&self) -> Option<Vec<DrawnMesh<'_>>> {
+    pub(crate) fn drawn_meshes(&self) -> Option<Vec<DrawnMesh<'_>>> {
         let drawn = self.drawn.as_ref()?;
         let flanks = self.settled.first_with_flanks();
         let cases = self.settled.cases().zip(drawn).enumerate();

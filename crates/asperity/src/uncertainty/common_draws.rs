@@ -79,7 +79,7 @@ pub fn common_draws(
 
 /// The record of the rule for two meshes with these draws in common.
 #[must_use]
-pub fn common_constants(
+pub(crate) fn common_constants(
     first: DrawnCase<'_>,
     other: DrawnCase<'_>,
     commons: [&Common; 2],

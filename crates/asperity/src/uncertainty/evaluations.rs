@@ -91,7 +91,7 @@ impl<'a> Nominal<'a> {
         }
     }
 
-    pub fn of_outcome(outcome: &'a MeshOutcome) -> Self {
+    pub(crate) fn of_outcome(outcome: &'a MeshOutcome) -> Self {
         let result = &outcome.result;
         Self {
             summary: &result.summary,

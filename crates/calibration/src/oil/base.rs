@@ -93,7 +93,7 @@ impl OilBase {
     ///
     /// # Errors
     /// As [`of_library`](Self::of_library), or without a base oil.
-    pub fn of_lubricant(name: &str, input: LubricantInput) -> Result<Self, Fault> {
+    pub(crate) fn of_lubricant(name: &str, input: LubricantInput) -> Result<Self, Fault> {
         let oil = |source| oil_error::oil(name, source);
         let lubricant = input.resolve(GOLD_TEMPERATURE).map_err(oil)?;
         if !lubricant.has_viscosity_law() {

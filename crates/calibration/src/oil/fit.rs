@@ -71,13 +71,13 @@ impl LawFit<'_> {
 
     /// Standard deviation of constant `k`, widened by the residuals: of the logarithm, but of b_L itself.
     #[must_use]
-    pub fn constant_deviation(&self, k: usize) -> f64 {
+    pub(crate) fn constant_deviation(&self, k: usize) -> f64 {
         self.problem.priors.constants[k] * self.deviation(k)
     }
 
     /// Sum of squares without the prior of the factor f.
     #[must_use]
-    pub fn without_factor_prior(&self) -> f64 {
+    pub(crate) fn without_factor_prior(&self) -> f64 {
         self.total_squared - self.x[FACTOR] * self.x[FACTOR]
     }
 }
@@ -158,7 +158,7 @@ pub(super) fn planned<'a>(
 ///
 /// # Errors
 /// When the friction has no solution at a point.
-pub fn expected_covariance(
+pub(crate) fn expected_covariance(
     oil: &OilBase,
     priors: Priors,
     zero: Zero,

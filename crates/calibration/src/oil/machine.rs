@@ -103,7 +103,7 @@ impl Machine {
     ///
     /// # Errors
     /// When the radii or the modulus of the machine are not positive.
-    pub fn load_at(&self, max_pressure: Pressure) -> Result<Force, LoadShareError> {
+    pub(crate) fn load_at(&self, max_pressure: Pressure) -> Result<Force, LoadShareError> {
         let of_one = HertzPoint::new(Force::from_si(1.0), self.radii, self.modulus())?;
         Ok(Force::from_si((max_pressure / of_one.max_pressure).powi(3)))
     }
@@ -159,7 +159,7 @@ impl Machine {
     ///
     /// # Errors
     /// When an input is outside its domain.
-    pub fn predict_with(
+    pub(crate) fn predict_with(
         &self,
         rheology: &FilmRheology,
         at: &Setting,

@@ -38,7 +38,7 @@ pub struct Reading {
 impl Reading {
     /// Temperature of a reading in °C rounded to 5 K, as a machine is set.
     #[must_use]
-    pub fn rounded_temperature(celsius: f64) -> f64 {
+    pub(crate) fn rounded_temperature(celsius: f64) -> f64 {
         const STEP: f64 = 5.0;
         (celsius / STEP).round() * STEP
     }

@@ -56,7 +56,7 @@ impl UncertainParameter {
 
     /// Its name in the table `calibration` of a case.
     #[must_use]
-    pub const fn calibrated_name(self) -> Option<CalibratedName> {
+    pub(crate) const fn calibrated_name(self) -> Option<CalibratedName> {
         match self {
             Self::BoundaryFriction => Some(CalibratedName::BoundaryFriction),
             Self::BoundaryLayer => Some(CalibratedName::BoundaryLayer),

@@ -224,7 +224,7 @@ impl FittedFriction {
 
     /// Distance of a temperature from the temperatures of the curves \[K\]; 0 within them.
     #[must_use]
-    pub fn beyond_temperatures(&self, temperature: Temperature) -> f64 {
+    pub(crate) fn beyond_temperatures(&self, temperature: Temperature) -> f64 {
         let [low, high] = self.temperature_range().map(Temperature::si);
         let t = temperature.si();
         (low - t).max(t - high).max(0.0)

@@ -69,7 +69,7 @@ pub enum Alternative {
 impl Overrides {
     /// Whether nothing is overridden.
     #[must_use]
-    pub fn are_none(&self) -> bool {
+    pub(crate) fn are_none(&self) -> bool {
         *self == Self::default()
     }
 

@@ -37,7 +37,7 @@ pub(crate) struct MeshKeys {
 
 impl MeshKeys {
     /// The key of the train for `key` of the mesh; `None` if both are the same.
-    pub fn in_train(&self, key: &str) -> Option<String> {
+    pub(crate) fn in_train(&self, key: &str) -> Option<String> {
         self.tables.iter().find_map(|(of_mesh, of_train)| {
             let rest = key.strip_prefix(of_mesh.as_str())?;
             (rest.is_empty() || rest.starts_with('.')).then(|| format!("{of_train}{rest}"))
@@ -116,7 +116,7 @@ impl Source {
     }
 
     /// Place of the name of `key`.
-    pub fn place_of_key(&self, key: &str) -> Place {
+    pub(crate) fn place_of_key(&self, key: &str) -> Place {
         self.nearest(&self.keys, key)
     }
 

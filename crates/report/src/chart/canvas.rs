@@ -81,7 +81,7 @@ impl Canvas {
     }
 
     /// Draws vertical text in lines, centred at `at`, with the base line of the last line there.
-    pub fn upright(&mut self, class: &str, [x, y]: [f64; 2], lines: &[String]) {
+    pub(crate) fn upright(&mut self, class: &str, [x, y]: [f64; 2], lines: &[String]) {
         for (above, line) in lines.iter().rev().enumerate() {
             let x = x - UPRIGHT_LINE * above as f64;
             let _ = write!(
@@ -96,7 +96,7 @@ impl Canvas {
         let _ = write!(self.text, "<path class=\"{class}\" d=\"{d}\"/>");
     }
 
-    pub fn into_text(self) -> String {
+    pub(crate) fn into_text(self) -> String {
         self.text
     }
 }

@@ -182,7 +182,7 @@ impl Facing {
 
     /// Exaggeration of heights relative to lengths, for each micrometre of the half-width.
     #[must_use]
-    pub fn exaggeration(&self) -> f64 {
+    pub(crate) fn exaggeration(&self) -> f64 {
         let scales = self.scales();
         let up = (FLANKS[1] - FLANKS[0]) / (scales.height.high - scales.height.low);
         let across = (scales.right - scales.left) / (scales.x.high - scales.x.low);

@@ -59,7 +59,7 @@ pub fn read<R: Serialize + DeserializeOwned>(file: &Path) -> Result<Vec<R>, Faul
 ///
 /// # Errors
 /// When they do not.
-pub fn check_field<R>(rows: &[R], place: impl Fn(&R) -> [f64; 2]) -> Result<(), OwnFault> {
+pub(crate) fn check_field<R>(rows: &[R], place: impl Fn(&R) -> [f64; 2]) -> Result<(), OwnFault> {
     let Some(first) = rows.first().map(&place) else {
         return Ok(());
     };

@@ -58,12 +58,12 @@ impl<'a> Draws<'a> {
     }
 
     /// Energy with every constant at its median \[Wh\].
-    pub fn at_medians_wh(&self) -> f64 {
+    pub(crate) fn at_medians_wh(&self) -> f64 {
         self.hours().map(|((_, loss), hours)| loss * hours).sum()
     }
 
     /// Energies of all draws \[Wh\], for a difference with those in common with the first finish; `None` on a map without draws.
-    pub fn energies_wh(&self, is_beside_first: bool) -> Option<Vec<f64>> {
+    pub(crate) fn energies_wh(&self, is_beside_first: bool) -> Option<Vec<f64>> {
         let drawn = self.finish.drawn(is_beside_first, OF_ENERGY)?;
         let mut of_places: BTreeMap<Place, f64> = BTreeMap::new();
         for ((place, loss), hours) in self.hours() {

@@ -125,7 +125,7 @@ impl Field {
 
     /// Total loss torque of mesh and added loss \[N m\].
     #[must_use]
-    pub fn total_nm(&self) -> Vec<f64> {
+    pub(crate) fn total_nm(&self) -> Vec<f64> {
         match &self.added_nm {
             None => self.mesh_nm.clone(),
             Some(added) => self.mesh_nm.iter().zip(added).map(|(a, b)| a + b).collect(),

@@ -64,7 +64,7 @@ impl Mat5 {
 
     /// Adds a text.
     #[must_use]
-    pub fn with_text(self, name: &str, text: &str) -> Self {
+    pub(crate) fn with_text(self, name: &str, text: &str) -> Self {
         let units: Vec<u16> = text.encode_utf16().collect();
         let data = units.iter().flat_map(|unit| unit.to_le_bytes());
         let data = (element::UINT16, data.collect());

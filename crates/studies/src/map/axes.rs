@@ -78,7 +78,7 @@ impl Axes {
 
     /// Default torques of a case: 0, a geometric series from 1 % of the largest, and the same with negative sign.
     #[must_use]
-    pub fn default_torque(case: &Train) -> Vec<f64> {
+    pub(crate) fn default_torque(case: &Train) -> Vec<f64> {
         let (torque, _) = case.input.map_limits();
         let most = torque.si().abs();
         let step = SMALLEST.powf(-1.0 / (TORQUES - 1) as f64);
@@ -92,7 +92,7 @@ impl Axes {
 
     /// Default speeds of a case: 0, 1 1/min, then with smaller steps at low speed.
     #[must_use]
-    pub fn default_speed(case: &Train) -> Vec<f64> {
+    pub(crate) fn default_speed(case: &Train) -> Vec<f64> {
         let (_, speed) = case.input.map_limits();
         let most = speed.si() * 30.0 / std::f64::consts::PI;
         let node = |k: usize| rounded(most * (k as f64 / SPEEDS as f64).powi(2));

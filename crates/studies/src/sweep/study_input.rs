@@ -92,7 +92,7 @@ struct PlacesOfAxis {
 
 impl StudyInput {
     /// Reads the text of a study file.
-    pub fn of_toml(text: &str) -> Result<Self, toml::de::Error> {
+    pub(crate) fn of_toml(text: &str) -> Result<Self, toml::de::Error> {
         let mut input: Self = toml::from_str(text)?;
         let places: Places = toml::from_str(text)?;
         for (axis, places) in input.axis.iter_mut().zip(&places.axis) {

@@ -98,7 +98,7 @@ impl<'a> Flow<'a> {
     }
 
     /// The tracks, for wear to go on from.
-    pub fn into_tracks(self) -> Vec<Track<'a>> {
+    pub(crate) fn into_tracks(self) -> Vec<Track<'a>> {
         self.tracks
     }
 }

@@ -278,7 +278,7 @@ impl<'a> Track<'a> {
     }
 
     /// Lowers every point of gear `body` by `factor` times its value in `fields`.
-    pub fn lower_all(&mut self, body: usize, fields: &[Vec<f64>], factor: f64) {
+    pub(crate) fn lower_all(&mut self, body: usize, fields: &[Vec<f64>], factor: f64) {
         for (tooth, field) in self.gears[body].all.iter_mut().zip(fields) {
             for (z, value) in tooth.heights.iter_mut().zip(field) {
                 *z -= factor * value;
