@@ -446,10 +446,16 @@ fn a_starved_inlet_thins_the_film_to_its_layer() {
     let case = case.unwrap();
     let with = |layer: &str| losses(&case.with_key("model.inlet_layer", layer).unwrap()).unwrap();
     let flooded = losses(&case).unwrap();
+    // The law of a starved inlet, with a layer that starves nothing, is another than that of a flooded one.
     let plenty = with("100 um");
-    assert!((plenty.summary.loss_w / flooded.summary.loss_w - 1.0).abs() < 1e-12);
+    let jump = plenty.summary.loss_w / flooded.summary.loss_w - 1.0;
+    assert!(jump.abs() < 0.05, "{jump}");
+    assert_eq!(
+        plenty.path[0].film_central_um,
+        flooded.path[0].film_central_um
+    );
     let starved = with("0.05 um");
-    assert!(starved.summary.asperity_share > flooded.summary.asperity_share);
+    assert!(starved.summary.asperity_share > plenty.summary.asperity_share);
     for (starved, flooded) in starved.path.iter().zip(&flooded.path) {
         // Shown as gap, the layer as mass flow: the same ratio.
         let ratio = starved.film_central_um / flooded.film_central_um;
