@@ -21,7 +21,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 pub use ehl::{EhlArgs, ViscosityLawArg};
 pub use finish::FinishArg;
 pub use from_rexs::{CaseCommand, FromRexsArgs};
-pub use oil::{GivenCurves, GivenOil, GivenOilOfCase, NoLimits, OilCommand};
+pub use oil::{GivenCurves, GivenOil, GivenOilOfCase, NoLimits, Oils};
 pub use profile::{
     FormArg, GivenTracePairs, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, Ratios, ReadingArgs,
@@ -90,26 +90,17 @@ pub enum Command {
     #[command(after_help = "Examples:\n  asperity check demo/case.toml\n  \
         asperity check demo/case.toml --set operation.torque=\"200 N m\"")]
     Check(CheckArgs),
-    /// List the differences between two results: inputs, losses, positions
-    #[command(after_help = "Example:\n  asperity diff results/before results/after")]
-    Diff(DiffArgs),
-    /// Oils: the library, and the traction of a film between ball and disc
+    /// Oils: the traction of a film between ball and disc, and the tests that measure it
     #[command(subcommand)]
-    Oil(OilCommand),
-    /// List the oils of the library, any of which a case can name in lubricant.oil: short for oil list and oil show
-    #[command(after_help = "Examples:\n  asperity oils\n  asperity oils m100")]
-    Oils(PresetArgs),
-    /// List the steels of the library, any of which a case can name in material.pinion.steel
+    Oil(StudyCommand<Oils>),
+    /// List the oils, steels or gears of the library, or all numbers of one with certainty and source
     #[command(
-        after_help = "Examples:\n  asperity steels\n  asperity steels 16MnCr5\n\n\
-        Certainty: A read in the source, B quoted by others, C derived, assumed: not known of this steel."
+        after_help = "Examples:\n  asperity list oils\n  asperity list steels 16MnCr5\n  asperity list gears fzg-c\n\n\
+        A case names an oil in lubricant.oil and a steel in material.pinion.steel; demo --gears NAME writes a case\n\
+        with the gears.\n\
+        Certainty: A read in the source, B quoted by others, C derived, assumed: not known of this one."
     )]
-    Steels(PresetArgs),
-    /// List the gears of the library, of which demo --gears NAME writes a case
-    #[command(after_help = "Examples:\n  asperity gears\n  asperity gears fzg-c\n  \
-        asperity demo --gears vw-id3-1\n  asperity demo --gears vw-id3\n\n\
-        Certainty: A read in the source, B quoted by others, C derived, assumed: not known of these gears.")]
-    Gears(PresetArgs),
+    List(ListArgs),
     /// Ask ten questions, and write a commented case with the answers
     #[command(
         after_help = "Examples:\n  asperity new my-case.toml\n  asperity new - < answers.txt\n\n\
@@ -144,8 +135,6 @@ pub enum Command {
         #[arg(value_enum)]
         kind: CompletionKind,
     },
-    /// Film thickness, Lambda*, load share and regime along the path of contact, without friction
-    Regime(CaseArgs),
     /// Geometry, stiffness, transmission error, and the loss factor of every load distribution law
     Gear(CaseArgs),
     /// Only the rough contact: of a case at one position, of a gap file, or of two profiles
@@ -198,17 +187,31 @@ pub enum Command {
         /// Write Table 2 of the 2022 paper on a synthetic damaged flank instead
         #[arg(long)]
         paper: bool,
-        /// Write a case with these gears of the library instead; asperity gears lists them
+        /// Write a case with these gears of the library instead; asperity list gears lists them
         #[arg(long, value_name = "NAME", conflicts_with = "paper")]
         gears: Option<String>,
     },
 }
 
-/// List of presets, or one of them.
+/// A list of the library, or one of its entries.
 #[derive(Debug, Args)]
-pub struct PresetArgs {
-    /// Name of one preset, to show all numbers with certainty and source [default: a table of all]
+pub struct ListArgs {
+    /// What to list
+    #[arg(value_enum)]
+    pub kind: ListKind,
+    /// Name of one of them, to show all its numbers [default: a table of all]
     pub name: Option<String>,
+}
+
+/// Lists of the library.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ListKind {
+    /// Oils
+    Oils,
+    /// Steels
+    Steels,
+    /// Gears
+    Gears,
 }
 
 /// A case to check.
@@ -222,15 +225,6 @@ pub struct CheckArgs {
     /// List all defaults used
     #[arg(long)]
     pub explain_defaults: bool,
-}
-
-/// Two results.
-#[derive(Debug, Args)]
-pub struct DiffArgs {
-    /// Result folder, or the result.json in it
-    pub first: PathBuf,
-    /// The other result, likewise
-    pub second: PathBuf,
 }
 
 /// Case, and target of its result.

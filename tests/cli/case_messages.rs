@@ -501,7 +501,7 @@ fn help_fits_the_fault() {
     if cfg!(target_os = "linux") {
         let full = std::fs::File::create("/dev/full").unwrap();
         let oils = std::process::Command::new(crate::bench::program())
-            .arg("oils")
+            .args(["list", "oils"])
             .stdout(full)
             .output()
             .unwrap();

@@ -36,8 +36,6 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
     ("run", "output", Written, "case.toml -o @"),
     ("report", "result", Read, "@"),
     ("check", "case", Read, "@"),
-    ("diff", "first", Read, "@ out"),
-    ("diff", "second", Read, "out @"),
     ("case from-rexs", "file", Read, "@"),
     ("case from-rexs", "pinion", Named, ""),
     ("case from-rexs", "wheel", Named, ""),
@@ -111,7 +109,6 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
     ("design", "output", Written, "case.toml -o @"),
     ("figures", "case", Read, "@ -o new"),
     ("figures", "output", Written, "case.toml -o @"),
-    ("regime", "case", Read, "@"),
     ("gear", "case", Read, "@"),
     ("contact", "case", Read, "@"),
     (
