@@ -38,7 +38,7 @@ const LISTS: [&str; 7] = [
 ];
 
 /// Commands that answer a question, with their arguments, in an order in which each has its inputs.
-const ANSWERS: [(&str, &[&str]); 22] = [
+const ANSWERS: [(&str, &[&str]); 21] = [
     ("demo", &["worked"]),
     ("check", &["case.toml"]),
     ("run", &["case.toml", "-o", "one"]),
@@ -84,7 +84,6 @@ const ANSWERS: [(&str, &[&str]); 22] = [
         &["chain.rexs", "--stage", "2", "-o", "stage.toml"],
     ),
     ("sweep run", &["study.toml"]),
-    ("sweep status", &["study.toml"]),
 ];
 
 const STUDY: &str = "case = \"case.toml\"\ncolumns = [\"loss_w\"]\n[[axis]]\nkey = \"operation.torque\"\n\

@@ -97,8 +97,6 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
     ("evidence", "output", Written, "case.toml -o @"),
     ("sweep run", "study", Read, "@"),
     ("sweep run", "parts", Written, "study.toml --parts @"),
-    ("sweep status", "study", Read, "@"),
-    ("sweep status", "parts", Named, ""),
     ("sweep merge", "study", Read, "@"),
     ("sweep merge", "parts", Named, ""),
     ("sweep merge", "output", Written, "study.toml -o @"),
