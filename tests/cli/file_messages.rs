@@ -94,18 +94,6 @@ fn devices_and_pipes_are_no_files_of_any_command() {
         (&["run", "/dev/zero"], "E201"),
         (&["run", "device.toml"], "E103"),
         (&["profile", "info", "/dev/zero"], "E103"),
-        (
-            &[
-                "contact",
-                "--gap",
-                "/dev/zero",
-                "--e-star",
-                "115 GPa",
-                "--load",
-                "1 N/mm",
-            ],
-            "E103",
-        ),
     ] {
         bench.run(command).refused(2, code, &says);
     }
