@@ -170,7 +170,6 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
     ("profile convert", "output", Written, "pinion.csv @"),
     ("profile filter", "file", Read, "@ new.csv"),
     ("profile filter", "output", Written, "pinion.csv @"),
-    ("profile generate", "recipe", Read, "--recipe @ -o new.csv"),
     ("profile generate", "like", Read, "--like @ -o new.csv"),
     (
         "profile generate",

@@ -347,21 +347,3 @@ fn a_demo_does_not_write_over_a_folder() {
         .run(&["demo", "--gears", "sew-1"])
         .refused(2, "E401", &["exists already"]);
 }
-
-#[test]
-fn a_recipe_with_pores_makes_a_porous_profile() {
-    let bench = Bench::new();
-    let recipe = r#"{"surface": {"self-affine": {"points": 6001, "spacing": "0.5 um", "rq": "0.1 um", "hurst": 0.8,
-        "roll-off": "100 um", "short-cut": "5 um", "seed": 1}},
-        "pores": {"porosity": 0.08, "diameter": "20 um", "depth-ratio": 0.25, "seed": 2}}"#;
-    bench.write("recipe.json", recipe);
-    let generate = |more: &[&str]| {
-        let arguments = ["profile", "generate", "--recipe", "recipe.json", "-o"];
-        bench.run(&[&arguments[..], more].concat())
-    };
-    let made = generate(&["porous.csv", "--json"]).well().json();
-    assert_eq!(made["recipe"]["pores"]["porosity"], 0.08);
-    assert!(made["achieved"]["rsk"].as_f64().unwrap() < -1.0, "{made:#}");
-    bench.write("recipe.json", recipe.replace("0.08", "0.8"));
-    generate(&["other.csv"]).refused(2, "E209", &["porosity = 0.8"]);
-}
