@@ -96,8 +96,8 @@ pub enum Command {
     /// List the oils, steels or gears of the library, or all numbers of one with certainty and source
     #[command(
         after_help = "Examples:\n  asperity list oils\n  asperity list steels 16MnCr5\n  asperity list gears fzg-c\n\n\
-        A case names an oil in lubricant.oil and a steel in material.pinion.steel; demo --gears NAME writes a case\n\
-        with the gears.\n\
+        A case names an oil in lubricant.oil and a steel in material.pinion.steel.\n\
+        asperity demo --gears NAME writes a case with the gears.\n\
         Certainty: A read in the source, B quoted by others, C derived, assumed: not known of this one."
     )]
     List(ListArgs),
