@@ -15,13 +15,13 @@ use std::path::PathBuf;
 
 use asperity::case::PathPoint;
 use asperity::formulation::FormulationChoice;
-use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_core::quantity::Pressure;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-pub use ehl::{EhlArgs, ViscosityLawArg};
+pub use ehl::EhlArgs;
 pub use finish::FinishArg;
 pub use from_rexs::{CaseCommand, FromRexsArgs};
-pub use oil::{GivenCurves, GivenOil, GivenOilOfCase, NoLimits, OilCommand};
+pub use oil::{GivenCurves, GivenOil, GivenOilOfCase, NoLimits, Oils};
 pub use profile::{
     FormArg, GivenTracePairs, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, Ratios, ReadingArgs,
@@ -90,26 +90,17 @@ pub enum Command {
     #[command(after_help = "Examples:\n  asperity check demo/case.toml\n  \
         asperity check demo/case.toml --set operation.torque=\"200 N m\"")]
     Check(CheckArgs),
-    /// List the differences between two results: inputs, losses, positions
-    #[command(after_help = "Example:\n  asperity diff results/before results/after")]
-    Diff(DiffArgs),
-    /// Oils: the library, and the traction of a film between ball and disc
+    /// Oils: the traction of a film between ball and disc, and the tests that measure it
     #[command(subcommand)]
-    Oil(OilCommand),
-    /// List the oils of the library, any of which a case can name in lubricant.oil: short for oil list and oil show
-    #[command(after_help = "Examples:\n  asperity oils\n  asperity oils m100")]
-    Oils(PresetArgs),
-    /// List the steels of the library, any of which a case can name in material.pinion.steel
+    Oil(StudyCommand<Oils>),
+    /// List the oils, steels or gears of the library, or all numbers of one with certainty and source
     #[command(
-        after_help = "Examples:\n  asperity steels\n  asperity steels 16MnCr5\n\n\
-        Certainty: A read in the source, B quoted by others, C derived, assumed: not known of this steel."
+        after_help = "Examples:\n  asperity list oils\n  asperity list steels 16MnCr5\n  asperity list gears fzg-c\n\n\
+        A case names an oil in lubricant.oil and a steel in material.pinion.steel.\n\
+        asperity demo --gears NAME writes a case with the gears.\n\
+        Certainty: A read in the source, B quoted by others, C derived, assumed: not known of this one."
     )]
-    Steels(PresetArgs),
-    /// List the gears of the library, of which demo --gears NAME writes a case
-    #[command(after_help = "Examples:\n  asperity gears\n  asperity gears fzg-c\n  \
-        asperity demo --gears vw-id3-1\n  asperity demo --gears vw-id3\n\n\
-        Certainty: A read in the source, B quoted by others, C derived, assumed: not known of these gears.")]
-    Gears(PresetArgs),
+    List(ListArgs),
     /// Ask ten questions, and write a commented case with the answers
     #[command(
         after_help = "Examples:\n  asperity new my-case.toml\n  asperity new - < answers.txt\n\n\
@@ -144,23 +135,16 @@ pub enum Command {
         #[arg(value_enum)]
         kind: CompletionKind,
     },
-    /// Film thickness, Lambda*, load share and regime along the path of contact, without friction
-    Regime(CaseArgs),
     /// Geometry, stiffness, transmission error, and the loss factor of every load distribution law
     Gear(CaseArgs),
-    /// Only the rough contact: of a case at one position, of a gap file, or of two profiles
+    /// Only the rough contact of a case at one position, without oil
     #[command(after_help = "Examples:\n  asperity contact case.toml\n  \
-        asperity contact --gap gap.csv --e-star \"115.4 GPa\" --load \"300000 N/m\" -o out.csv\n  \
-        asperity contact --gap wave.csv --e-star \"115.4 GPa\" --approach \"1 um\" --kernel spectral\n  \
-        asperity contact --flanks one.csv other.csv --radius \"10 mm\" --e-star \"115.4 GPa\" \\\n    \
-        --load \"300 N/mm\" --pressure-limit \"3 GPa\" --running-in 8")]
+        asperity contact case.toml --position B -o points.csv --stress stress.csv")]
     Contact(ContactArgs),
     /// Mixed elastohydrodynamic contact: film, pressure, and the load carried below a given film thickness
     #[command(after_help = "Examples:\n  asperity ehl case.toml --position A\n  \
-        asperity ehl case.toml --compare --half-widths 10 --json\n  \
-        asperity ehl --radius \"10 mm\" --e-star \"115.4 GPa\" --load \"392 N/mm\" \\\n    \
-        --u1 \"5.5 m/s\" --u2 \"4.5 m/s\" --viscosity \"10 mPa s\" --pressure-viscosity \"18 1/GPa\"\n\n\
-        Without profiles, the steady film of smooth surfaces is solved. In this model the ridges run across\n\
+        asperity ehl case.toml --compare --half-widths 10 --json\n\n\
+        With --smooth, the steady film of smooth flanks is solved. In this model the ridges run across\n\
         the whole face width and oil cannot leak round them: where the roughness that remains in the contact\n\
         exceeds three smooth films, trust measurements instead.")]
     Ehl(EhlArgs),
@@ -198,17 +182,31 @@ pub enum Command {
         /// Write Table 2 of the 2022 paper on a synthetic damaged flank instead
         #[arg(long)]
         paper: bool,
-        /// Write a case with these gears of the library instead; asperity gears lists them
+        /// Write a case with these gears of the library instead; asperity list gears lists them
         #[arg(long, value_name = "NAME", conflicts_with = "paper")]
         gears: Option<String>,
     },
 }
 
-/// List of presets, or one of them.
+/// A list of the library, or one of its entries.
 #[derive(Debug, Args)]
-pub struct PresetArgs {
-    /// Name of one preset, to show all numbers with certainty and source [default: a table of all]
+pub struct ListArgs {
+    /// What to list
+    #[arg(value_enum)]
+    pub kind: ListKind,
+    /// Name of one of them, to show all its numbers [default: a table of all]
     pub name: Option<String>,
+}
+
+/// Lists of the library.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ListKind {
+    /// Oils
+    Oils,
+    /// Steels
+    Steels,
+    /// Gears
+    Gears,
 }
 
 /// A case to check.
@@ -222,15 +220,6 @@ pub struct CheckArgs {
     /// List all defaults used
     #[arg(long)]
     pub explain_defaults: bool,
-}
-
-/// Two results.
-#[derive(Debug, Args)]
-pub struct DiffArgs {
-    /// Result folder, or the result.json in it
-    pub first: PathBuf,
-    /// The other result, likewise
-    pub second: PathBuf,
 }
 
 /// Case, and target of its result.
@@ -350,77 +339,17 @@ pub struct FilmArgs {
     pub position: Option<PathPoint>,
 }
 
-/// A rough contact.
+/// Case, and position of its rough contact.
 #[derive(Debug, Args)]
 pub struct ContactArgs {
-    /// Case file, TOML (or JSON with the same keys)
-    #[arg(
-        required_unless_present_any = ["gap", "flanks"],
-        conflicts_with_all = ["gap", "flanks"]
-    )]
-    pub case: Option<PathBuf>,
+    /// Case file, TOML (or JSON with the same keys); - reads standard input
+    pub case: PathBuf,
     /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
     /// Position along the path of contact: A, B, C, D, E, or 0 (A) to 1 (E) [default: the case's]
-    #[arg(long, conflicts_with = "bare", allow_hyphen_values = true)]
+    #[arg(long, allow_hyphen_values = true)]
     pub position: Option<PathPoint>,
-    /// Gap of the undeformed bodies: CSV with columns x and h, units in the header
-    #[arg(long, group = "bare", requires = "e_star")]
-    pub gap: Option<PathBuf>,
-    /// Two profiles: each a CSV with columns x and z, heights positive out of the material
-    #[arg(long, group = "bare", num_args = 2, value_names = ["FIRST", "SECOND"],
-          requires = "e_star", requires = "radius", requires = "load")]
-    pub flanks: Option<Vec<PathBuf>>,
-    /// Relative radius of curvature of the two profiles, e.g. "10 mm"
-    #[arg(long, requires = "flanks", allow_hyphen_values = true)]
-    pub radius: Option<Length>,
-    /// Reduced modulus E*, e.g. "115.4 GPa"
-    #[arg(long, value_name = "E*", requires = "bare", allow_hyphen_values = true)]
-    pub e_star: Option<Pressure>,
-    /// Load per length, e.g. "300000 N/m" (per period when periodic)
-    #[arg(long, requires = "bare", allow_hyphen_values = true)]
-    pub load: Option<LineLoad>,
-    /// Approach of the bodies instead of a load, e.g. "2 um"
-    #[arg(
-        long,
-        requires = "gap",
-        conflicts_with = "load",
-        allow_hyphen_values = true
-    )]
-    pub approach: Option<Length>,
-    /// Distance from a loaded cell at which its displacement is zero [default: twice the window]
-    #[arg(long, requires = "approach", allow_hyphen_values = true)]
-    pub datum: Option<Length>,
-    /// Displacement kernel: a strip per cell with free ends, the same repeated periodically, or the
-    /// spectral kernel of one period
-    #[arg(long, value_enum, requires = "gap")]
-    pub kernel: Option<KernelArg>,
-    /// The gap is periodic: short for --kernel periodised
-    #[arg(long, requires = "gap", conflicts_with = "kernel")]
-    pub periodic: bool,
-    /// Additional pressure on both bodies besides the load, e.g. of a fluid: CSV with columns x and p
-    #[arg(long, requires = "gap")]
-    pub prescribed: Option<PathBuf>,
-    /// Pressure at which the surface flows plastically, e.g. "3 GPa"
-    #[arg(long, requires = "bare", allow_hyphen_values = true)]
-    pub pressure_limit: Option<Pressure>,
-    /// Run the two profiles in, with this number of evenly shifted passes per cycle, until they stay elastic
-    #[arg(
-        long,
-        value_name = "PASSES",
-        requires = "flanks",
-        requires = "pressure_limit"
-    )]
-    pub running_in: Option<usize>,
-    /// Share of the plastic displacement taken by the first profile in running-in
-    #[arg(
-        long,
-        requires = "running_in",
-        default_value_t = 0.5,
-        allow_hyphen_values = true
-    )]
-    pub first_share: f64,
     /// Write the subsurface stress at every point, and print its largest values
     #[arg(long, value_name = "FILE")]
     pub stress: Option<PathBuf>,
@@ -449,17 +378,6 @@ pub struct ContactArgs {
     /// Write pressure, gap and displacement at every point
     #[arg(long, short)]
     pub output: Option<PathBuf>,
-}
-
-/// Displacement kernel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum KernelArg {
-    /// Constant pressure over each cell, free ends
-    Strip,
-    /// Constant pressure over each cell, periodic with the gap
-    Periodised,
-    /// Band-limited pressure through the points, periodic with the gap
-    Spectral,
 }
 
 /// Equations to print.

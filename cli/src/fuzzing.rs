@@ -1,33 +1,12 @@
 //! Parsers of the command for fuzz targets and the corresponding deterministic tests: they must return for any input.
 //! Also the list of all paths on the command line. Not part of the interface.
 
-use asperity::profile_io::read::table_text;
 use asperity_calibration::{RigRow, RigTable};
 use asperity_core::{Code, Fault};
 use asperity_rexs::{Flanks, Model, case_text, stages};
 use clap::{Command, CommandFactory, Parser, ValueHint};
 
 use crate::args::Cli;
-use crate::commands::contact::column_file;
-use crate::failure::Failure;
-
-/// Reads a gap file and checks that its numbers are finite.
-///
-/// # Panics
-/// When a number is not finite.
-pub fn gap(bytes: &[u8]) -> bool {
-    let text = table_text("gap.csv", bytes).map_err(Failure::from);
-    match text.and_then(|text| column_file::of_text("gap.csv", &text, column_file::GAP)) {
-        Ok(file) => {
-            assert!(file.spacing.si() > 0.0 && file.values.iter().all(|h| h.is_finite()));
-            true
-        }
-        Err(failure) => {
-            assert!(!failure.to_string().is_empty());
-            false
-        }
-    }
-}
 
 /// Reads a command line with one argument per line: finishes to compare, keys to set, quantities, positions.
 pub fn arguments(text: &str) -> bool {

@@ -25,20 +25,17 @@ pub fn questions() -> Vec<(&'static str, Vec<&'static str>)> {
 
 const COMPARE: &str = "Compare";
 const QUESTIONS: [(&str, &[&str]); 7] = [
-    (
-        "One loss",
-        &["demo", "new", "check", "run", "report", "diff"],
-    ),
+    ("One loss", &["demo", "new", "check", "run", "report"]),
     (COMPARE, &["compare", "sweep"]),
     ("Narrow the interval", &["evidence", "calibrate", "design"]),
     ("Torque, speed and drive cycles", &["map", "cycle"]),
     (
         "One part of the model",
-        &["gear", "regime", "contact", "film", "ehl", "figures"],
+        &["gear", "contact", "film", "ehl", "figures"],
     ),
     (
         "Profiles, oils and gears",
-        &["profile", "oil", "oils", "steels", "gears", "case"],
+        &["profile", "oil", "list", "case"],
     ),
     (
         "Look things up",

@@ -134,7 +134,6 @@ fn command(code: Code) -> Option<&'static str> {
         Code::E322 => "asperity oil stribeck takes times of rubbing as --rubbing \"0 s,2 h\".",
         Code::E319 => "asperity oil fit takes it for all readings as --point-floor 0.001.",
         Code::E401 => "Most commands take another target with -o.",
-        Code::W435 => "asperity ehl takes it as --pressure-limit without a case.",
         Code::W401 => "asperity run --laws prints the published friction laws.",
         _ => return None,
     })

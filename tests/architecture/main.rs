@@ -167,7 +167,6 @@ const ALLOWED: &[(&str, &[&str])] = &[
         &[
             "asperity-calibration",
             "asperity-paper-2022",
-            "asperity-table",
             "asperity-storage",
             "asperity-rexs",
             "asperity-studies",

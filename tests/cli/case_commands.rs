@@ -1,4 +1,4 @@
-//! Commands about a case beside its run: keys set past it, standard input, `check`, `oils`, `diff`.
+//! Commands about a case beside its run: keys set past it, standard input, `check`, the oils of the library.
 
 use std::process::Command;
 
@@ -21,7 +21,7 @@ fn a_key_set_past_the_case_is_the_same_key_in_the_case() {
     let set = run("case.toml", &["--set", "operation.torque=200 N m"]);
     assert_eq!(set, run("other.toml", &[]));
     assert_ne!(set, run("case.toml", &[]));
-    for command in ["regime", "film", "contact", "gear"] {
+    for command in ["film", "contact", "gear"] {
         let set = ["--set", "operation.torque=200 N m"];
         let by_key = bench
             .run(&[&[command, "case.toml"][..], &set].concat())
@@ -234,7 +234,7 @@ fn an_unusual_number_warns_one_beyond_sense_is_refused_and_symbols_are_named() {
 fn every_oil_of_the_library_runs_the_case_by_its_name_alone() {
     let bench = Bench::new();
     bench.write_flanks();
-    let oils = bench.run(&["oils", "--json"]).well().json();
+    let oils = bench.run(&["list", "oils", "--json"]).well().json();
     let names: Vec<String> = oils["oils"]
         .as_array()
         .unwrap()
@@ -242,7 +242,7 @@ fn every_oil_of_the_library_runs_the_case_by_its_name_alone() {
         .map(|oil| oil["name"].as_str().unwrap().to_owned())
         .collect();
     assert!(names.len() >= 6);
-    let listed = bench.run(&["oils"]).well().out;
+    let listed = bench.run(&["list", "oils"]).well().out;
     let lines: Vec<&str> = E_DRIVE
         .lines()
         .filter(|line| {
@@ -298,41 +298,6 @@ fn a_flank_known_by_ra_or_rz_alone_runs_and_lists_what_follows() {
             .well();
         assert!(said.out.contains(follows), "{}", said.out);
     }
-}
-
-#[test]
-fn diff_names_the_key_that_differs_and_what_follows() {
-    let bench = bench();
-    bench
-        .run(&["run", "case.toml", "-o", "one", "--quiet"])
-        .well();
-    bench
-        .run(&["run", "case.toml", "-o", "same", "--quiet"])
-        .well();
-    let set = ["--set", "operation.torque=200 N m"];
-    bench
-        .run(&[&["run", "case.toml", "-o", "two", "--quiet"][..], &set].concat())
-        .well();
-    assert_eq!(
-        bench.run(&["diff", "one", "same"]).well().out,
-        "The results do not differ\n"
-    );
-    let said = bench.run(&["diff", "one", "two"]).well().out;
-    for says in [
-        "operation.torque",
-        "  145 N m  200 N m  ",
-        "loss_w",
-        "loss_at_medians_w",
-        "efficiency_p95",
-        "largest difference along the path",
-    ] {
-        assert!(said.contains(says), "{says} is not in {said}");
-    }
-    let told = bench.run(&["diff", "one", "two", "--json"]).well().json();
-    assert_eq!(told["inputs"].as_array().unwrap().len(), 1);
-    bench
-        .run(&["diff", "one", "nosuch"])
-        .refused(2, "E402", &["nosuch"]);
 }
 
 #[test]

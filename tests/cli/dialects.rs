@@ -173,12 +173,6 @@ fn every_command_reads_one_table_in_every_dialect() {
     assert_ne!(quick, E_DRIVE);
     bench.write("case.toml", quick);
     bench.write("study.toml", STUDY);
-    let gap = |symbol: &str, values: fn(f64) -> f64| {
-        let row = |i: i32| format!("{:.1},{}\n", 0.5 * f64::from(i), values(f64::from(i - 200)));
-        format!("x_um,{symbol}\n{}", (0..=400).map(row).collect::<String>())
-    };
-    bench.write("gap.csv", gap("h [nm]", |i| 0.0125 * i * i));
-    bench.write("other.csv", trace("x_um,z_um", 400));
     let map = [
         "map",
         "case.toml",
@@ -221,21 +215,6 @@ fn every_command_reads_one_table_in_every_dialect() {
             table: curves(&bench),
             commands: vec![vec!["oil", "fit", "table.csv", "--oil", "m100", "-o", "out"]],
             file: "out/oil.toml",
-        },
-        Reading {
-            table: gap("h [nm]", |i| 0.0125 * i * i),
-            commands: vec![vec!["contact", "--gap", "table.csv", "--e-star", "115.4 GPa", "--load", "3 N/mm", "-o", "points.csv"]],
-            file: "points.csv",
-        },
-        Reading {
-            table: gap("p (MPa)", |i| 0.5 * i.abs()),
-            commands: vec![vec!["contact", "--gap", "gap.csv", "--prescribed", "table.csv", "--e-star", "115.4 GPa", "--load", "30 N/mm", "-o", "points.csv"]],
-            file: "points.csv",
-        },
-        Reading {
-            table: trace("x_um,z_um", 400),
-            commands: vec![vec!["contact", "--flanks", "other.csv", "table.csv", "--radius", "3 mm", "--e-star", "115.4 GPa", "--load", "10 N/mm", "-o", "points.csv"]],
-            file: "points.csv",
         },
         Reading {
             table: stribeck(),

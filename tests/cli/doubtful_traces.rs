@@ -32,14 +32,14 @@ fn heights_in_a_wrong_unit_are_warned_of_and_no_case_runs_on_them() {
     );
     for command in [
         &["run", "case.toml", "--no-output"][..],
-        &["regime", "case.toml"],
+        &["check", "case.toml"],
     ] {
         let says = ["high.csv", "z_unit = \"um\" in surface.pinion"];
         bench.run(command).refused(2, "E131", &says);
     }
     let line = "pinion = { file = \"high.csv\", z_unit = \"um\" }";
     bench.write("case.toml", with_line("pinion =", line));
-    bench.run(&["regime", "case.toml", "-q"]).well();
+    bench.run(&["check", "case.toml", "-q"]).well();
 }
 
 #[test]
@@ -363,7 +363,6 @@ fn spikes_are_named_as_spikes_and_replaced_on_request() {
             .contains("33 points were replaced"),
         "{found:#}"
     );
-    bench.run(&["regime", "case.toml", "-q"]).well();
     bench.write("case.toml", flank("outliers = -6\n"));
     bench.run(&["run", "case.toml", "--no-output"]).refused(
         2,

@@ -142,22 +142,6 @@ fn damaged_cases_with_their_traces_are_read_or_refused() {
 }
 
 #[test]
-fn damaged_gaps_are_read_or_refused() {
-    let rows: String = (0..120)
-        .map(|i| format!("{i};{:.3}\n", f64::from(i * i) * 1e-3))
-        .collect();
-    let other: String = (0..120)
-        .map(|i| format!("{:.3}\t{i}\n", f64::from(i * i) * 1e-3))
-        .collect();
-    let seeds = [
-        format!("x_um;h_um\n{rows}"),
-        format!("h [nm]\tx [mm]\n{other}"),
-    ];
-    let seeds: Vec<&str> = seeds.iter().map(String::as_str).collect();
-    hold(&seeds, 1500, asperity_cli::fuzzing::gap);
-}
-
-#[test]
 fn damaged_tables_of_a_rig_are_read_or_refused() {
     let commas = "# SIMULATED\ntorque_nm,speed_rpm,temperature_c,loss_w,sigma_w,includes,assembly,order,case\n\
                   183.4,2166,90,300,9,mesh,A,1,a.toml\n60,25,40,2.5,0.1,mesh+bearings,B,2,\n";
@@ -184,7 +168,7 @@ fn damaged_command_lines_are_read_or_refused() {
     let seeds = [
         "compare\ncase.toml\n--finish\nground=a.csv,b.csv\n--finish\nhoned=c.csv\n--offsets\n8",
         "run\ncase.toml\n--set\noperation.torque=200 N m\n--fields\n1,5\n--max-hours\n3",
-        "contact\n--gap\ngap.csv\n--e-star\n115.4 GPa\n--load\n300 N/mm\n--tolerance\n1e-8",
+        "contact\ncase.toml\n--elastic-limit\n1.2 GPa\n--stress\nstress.csv\n--tolerance\n1e-8",
         "profile\ninfo\na.csv\n--lambda-c\n0.25mm\n--dx\n0.5um\n--z-unit\num",
     ];
     hold(&seeds, 400, text(asperity_cli::fuzzing::arguments));

@@ -1,4 +1,4 @@
-//! `asperity oil`: the library under its other name, traction curves.
+//! `asperity oil`: traction curves.
 
 use std::fs;
 
@@ -11,15 +11,6 @@ const XU: [&str; 4] = [
     "--set",
     "model.load_share=\"lambda-star\"",
 ];
-
-#[test]
-fn oils_is_short_for_oil_list_and_oil_show() {
-    let bench = Bench::new();
-    let of = |arguments: &[&str]| bench.run(arguments).well().out;
-    assert_eq!(of(&["oil", "list"]), of(&["oils"]));
-    assert_eq!(of(&["oil", "show", "M100"]), of(&["oils", "m100"]));
-    assert_eq!(of(&["oil", "list", "--json"]), of(&["oils", "--json"]));
-}
 
 /// Columns of a table of a folder: rows of numbers.
 fn rows(bench: &Bench, file: &str) -> Vec<Vec<f64>> {

@@ -431,7 +431,7 @@ fn trains_and_a_planetary_set_of_the_library_are_worked() {
         "E220",
         &["vw-id4", "Did you mean \"vw-id3\"?", "fva-planetary"],
     );
-    let listed = bench.run(&["gears"]).well().unwrapped();
+    let listed = bench.run(&["list", "gears"]).well().unwrapped();
     assert!(
         listed.contains("vw-id3, tesla-model3, sew, fva-industrial"),
         "{listed}"

@@ -16,10 +16,10 @@ fn names(list: &Value) -> Vec<String> {
 #[test]
 fn every_gear_pair_of_the_library_runs_as_its_demo_writes_it() {
     let bench = Bench::new();
-    let listed = bench.run(&["gears", "--json"]).well().json();
+    let listed = bench.run(&["list", "gears", "--json"]).well().json();
     let gears = names(&listed["gears"]);
     assert!(gears.len() >= 14, "{gears:?}");
-    let table = bench.run(&["gears"]).well().out;
+    let table = bench.run(&["list", "gears"]).well().out;
     for name in &gears {
         assert!(table.contains(name.as_str()));
         bench.run(&["demo", "--gears", name]).well();
@@ -97,10 +97,10 @@ fn default<'a>(run: &'a Value, key: &str) -> &'a Value {
 fn every_steel_of_the_library_runs_the_case_by_its_name() {
     let bench = Bench::new();
     bench.write_flanks();
-    let listed = bench.run(&["steels", "--json"]).well().json();
+    let listed = bench.run(&["list", "steels", "--json"]).well().json();
     let steels = names(&listed["steels"]);
     assert!(steels.len() >= 6);
-    let table = bench.run(&["steels"]).well().out;
+    let table = bench.run(&["list", "steels"]).well().out;
     for name in &steels {
         assert!(table.contains(name.as_str()));
         let density = if name == "powder-metal" {
@@ -120,7 +120,7 @@ fn every_steel_of_the_library_runs_the_case_by_its_name() {
             source.contains(name.as_str()) || source.contains("density"),
             "{source}"
         );
-        let one = bench.run(&["steels", name]).well().out;
+        let one = bench.run(&["list", "steels", name]).well().out;
         assert!(
             one.contains("sources") && one.contains("Certainty"),
             "{one}"
@@ -221,9 +221,9 @@ fn a_wrong_name_is_answered_with_the_nearest_one() {
     with_material(&bench, "hardness = \"60\"").refused_json("E204", "60 HRC");
     with_material(&bench, "hardness = \"75 HRC\"").refused_json("E209", "20 to 68 HRC");
     for (arguments, nearest) in [
-        (vec!["gears", "fzgc"], "fzg-c"),
-        (vec!["steels", "16mncr"], "16MnCr5"),
-        (vec!["oils", "m-100"], "m100"),
+        (vec!["list", "gears", "fzgc"], "fzg-c"),
+        (vec!["list", "steels", "16mncr"], "16MnCr5"),
+        (vec!["list", "oils", "m-100"], "m100"),
         (vec!["demo", "--gears", "vw-id-3-1"], "vw-id3-1"),
     ] {
         let meant = format!("Did you mean \"{nearest}\"?");
@@ -329,13 +329,13 @@ fn an_oil_named_over_a_case_replaces_its_oil_on_every_face() {
 #[test]
 fn an_oil_shows_every_number_with_its_certainty() {
     let bench = Bench::new();
-    let one = bench.run(&["oils", "N100"]).well().out;
+    let one = bench.run(&["list", "oils", "N100"]).well().out;
     assert!(
         one.contains("pressure_viscosity") && one.contains(" C "),
         "{one}"
     );
     assert!(!one.contains("m100 "), "{one}");
-    let json = bench.run(&["oils", "n100", "--json"]).well().json();
+    let json = bench.run(&["list", "oils", "n100", "--json"]).well().json();
     assert_eq!(json["oils"][0]["certainty"]["viscosity"], "A");
 }
 
@@ -346,22 +346,4 @@ fn a_demo_does_not_write_over_a_folder() {
     bench
         .run(&["demo", "--gears", "sew-1"])
         .refused(2, "E401", &["exists already"]);
-}
-
-#[test]
-fn a_recipe_with_pores_makes_a_porous_profile() {
-    let bench = Bench::new();
-    let recipe = r#"{"surface": {"self-affine": {"points": 6001, "spacing": "0.5 um", "rq": "0.1 um", "hurst": 0.8,
-        "roll-off": "100 um", "short-cut": "5 um", "seed": 1}},
-        "pores": {"porosity": 0.08, "diameter": "20 um", "depth-ratio": 0.25, "seed": 2}}"#;
-    bench.write("recipe.json", recipe);
-    let generate = |more: &[&str]| {
-        let arguments = ["profile", "generate", "--recipe", "recipe.json", "-o"];
-        bench.run(&[&arguments[..], more].concat())
-    };
-    let made = generate(&["porous.csv", "--json"]).well().json();
-    assert_eq!(made["recipe"]["pores"]["porosity"], 0.08);
-    assert!(made["achieved"]["rsk"].as_f64().unwrap() < -1.0, "{made:#}");
-    bench.write("recipe.json", recipe.replace("0.08", "0.8"));
-    generate(&["other.csv"]).refused(2, "E209", &["porosity = 0.8"]);
 }

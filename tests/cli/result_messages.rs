@@ -168,20 +168,13 @@ fn a_run_that_does_not_converge_says_where_saves_the_gap_and_reports_no_efficien
             " of ",
             "not converged to 1e-16 after",
             "load error",
-            "Fields saved in results/failed/case.csv",
+            "Its gap is saved in results/failed/case.csv",
         ],
     );
     assert!(!bench.path("results/case").exists());
-    let alone = bench.run(&[
-        "contact",
-        "--gap",
-        "results/failed/case.csv",
-        "--e-star",
-        "115 GPa",
-        "--load",
-        "100 N/mm",
-    ]);
-    assert_eq!(alone.status, 0, "{}", alone.err);
+    let gap = std::fs::read_to_string(bench.path("results/failed/case.csv")).unwrap();
+    let heights = gap.strip_prefix("x_m,h_m\n").unwrap().lines();
+    assert!(heights.count() > 100);
 }
 
 #[test]
@@ -321,62 +314,6 @@ fn the_page_of_what_is_no_result_is_refused() {
     ] {
         bench.run(arguments).refused(2, "E402", &[says]);
     }
-}
-
-#[test]
-fn a_gap_file_is_held_to_the_same_rules() {
-    let bench = Bench::new();
-    let far = "x_um,h_um\n0,1\n1,1\n5,1\n";
-    for (content, code, says) in [
-        (
-            "x_um,h_um\n0,1\n1,a\n",
-            "E101",
-            "gap.csv:3: h_um: \"a\" is not a finite number",
-        ),
-        ("", "E102", "no column x"),
-        ("x,h\n0,1\n", "E104", "does not name a length unit"),
-        ("x_um,h_um\n5,1\n1,1\n", "E105", "must increase"),
-        ("x_um,h_um\n5,1\n", "E106", "one point is too few"),
-        (far, "E109", "off the even grid"),
-    ] {
-        bench.write("gap.csv", content);
-        let arguments = [
-            "contact", "--gap", "gap.csv", "--e-star", "115 GPa", "--load", "3 N/m",
-        ];
-        bench.run(&arguments).refused(2, code, &[says]);
-    }
-    bench
-        .run(&[
-            "contact",
-            "--gap",
-            "nosuch.csv",
-            "--e-star",
-            "115 GPa",
-            "--load",
-            "3 N/m",
-        ])
-        .refused(2, "E103", &["nosuch.csv: the file cannot be read"]);
-    bench.write("gap.csv", "x_um,h_um\n0,1\n1,0\n2,1\n");
-    let with = |e_star: &str, load: &str, limit: &str| {
-        let options = [
-            "--e-star",
-            e_star,
-            "--load",
-            load,
-            "--pressure-limit",
-            limit,
-        ];
-        let mut arguments = vec!["contact", "--gap", "gap.csv"];
-        arguments.extend(options);
-        bench.run(&arguments)
-    };
-    with("0 GPa", "3 N/m", "1 GPa").refused(2, "E209", &["reduced modulus", "greater than zero"]);
-    with("115 GPa", "-3 N/m", "1 GPa").refused(2, "E209", &["load"]);
-    with("115 GPa", "3e6 N/m", "1 GPa").refused(
-        4,
-        "E302",
-        &["the pressure limit 1 GPa", "lower the load"],
-    );
 }
 
 /// Runs the small case with a changed line; the warning with `code` must say all of `says`.

@@ -86,7 +86,7 @@ fn quiet_says_nothing_but_errors() {
     let bench = small_case();
     for arguments in [
         &["run", "case.toml", "-o", "out", "--no-band", "--quiet"][..],
-        &["-q", "regime", "case.toml"],
+        &["-q", "gear", "case.toml"],
         &["film", "case.toml", "-q"],
         &["contact", "case.toml", "-q"],
         &["profile", "info", "pinion.csv", "-q"],

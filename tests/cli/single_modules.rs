@@ -1,118 +1,6 @@
 //! The commands that evaluate one module alone, and those that tell what the program knows.
 
-use std::f64::consts::PI;
-use std::fmt::Write;
-
-use crate::bench::{Bench, Said, root};
-
-/// Reduced modulus of steel on steel [Pa].
-const E_STAR: f64 = 115.4e9;
-
-/// A gap file with the heights `h` of x [m], half a micrometre apart, printed to the last digit.
-fn gap_file(points: usize, first: f64, spacing: f64, h: impl Fn(f64) -> f64) -> String {
-    let mut text = String::from("x_m,h_m\n");
-    for i in 0..points {
-        let x = first + spacing * i as f64;
-        writeln!(text, "{x:e},{:e}", h(x)).unwrap();
-    }
-    text
-}
-
-fn contact(bench: &Bench, load: f64, options: &[&str]) -> Said {
-    let load = format!("{load} N/m");
-    let mut arguments = vec![
-        "contact",
-        "--gap",
-        "gap.csv",
-        "--e-star",
-        "115.4 GPa",
-        "--load",
-        &load,
-    ];
-    arguments.extend(options);
-    bench.run(&arguments).well()
-}
-
-fn columns(bench: &Bench, name: &str) -> (String, Vec<Vec<f64>>) {
-    let text = std::fs::read_to_string(bench.path(name)).unwrap();
-    let (header, table) = text.split_once('\n').unwrap();
-    let rows = table
-        .lines()
-        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect());
-    (header.to_owned(), rows.collect())
-}
-
-#[test]
-fn a_cylinder_on_a_gap_file_presses_as_hertz_says() {
-    let bench = Bench::new();
-    let (load, radius) = (300e3, 10e-3);
-    bench.write(
-        "gap.csv",
-        gap_file(2001, -5e-4, 5e-7, |x| x * x / (2.0 * radius)),
-    );
-    let result = contact(&bench, load, &["--json", "-o", "points.csv"]).json();
-    // Johnson 1985, eqs. 4.43 to 4.45: a = √(4WR/(π E*)), p0 = √(W E*/(π R)).
-    let half_width = (4.0 * load * radius / (PI * E_STAR)).sqrt();
-    let peak = (load * E_STAR / (PI * radius)).sqrt();
-    let p_max = result["p_max_pa"].as_f64().unwrap();
-    assert!((p_max / peak - 1.0).abs() < 1e-3, "{p_max} {peak}");
-    // The edge falls between two of 2001 points.
-    let fraction = result["contact_fraction"].as_f64().unwrap();
-    assert!(
-        (fraction - 2.0 * half_width / 1e-3).abs() < 2.0 / 2001.0,
-        "{fraction}"
-    );
-    assert_eq!(result["plastic_energy_j_per_m"], 0.0);
-
-    let (header, rows) = columns(&bench, "points.csv");
-    assert_eq!(
-        header,
-        "x_m,h_m,pressure_pa,gap_m,displacement_m,plastic_displacement_m"
-    );
-    assert_eq!(rows.len(), 2001);
-    let carried: f64 = rows.iter().map(|row| row[2] * 5e-7).sum();
-    assert!((carried / load - 1.0).abs() < 1e-12, "{carried}");
-    // Every number reads back as it was: the file's own x and h, and nothing pressed outside.
-    let input = std::fs::read_to_string(bench.path("gap.csv")).unwrap();
-    for (line, row) in input.lines().skip(1).zip(&rows) {
-        let given: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
-        assert_eq!(given, row[..2]);
-        assert!(row[2] == 0.0 || row[0].abs() < 1.01 * half_width);
-    }
-}
-
-#[test]
-fn a_wavy_gap_presses_as_westergaard_says() {
-    let bench = Bench::new();
-    let (amplitude, wavelength, load) = (0.1e-6, 100e-6, 1000.0);
-    let wave = |x: f64| amplitude * (1.0 - (2.0 * PI * x / wavelength).cos());
-    bench.write("gap.csv", gap_file(1600, 0.0, wavelength / 1600.0, wave));
-    let result = contact(&bench, load, &["--periodic", "--json"]).json();
-    // Johnson 1985, eq. 13.7: p* = π E* Δ/λ, and p_max = 2 √(p̄ p*) for a mean pressure p̄ below p*.
-    let full = PI * E_STAR * amplitude / wavelength;
-    let mean = load / wavelength;
-    let p_max = result["p_max_pa"].as_f64().unwrap();
-    assert!(
-        (p_max / (2.0 * (mean * full).sqrt()) - 1.0).abs() < 1e-3,
-        "{p_max}"
-    );
-    let fraction = 2.0 / PI * (mean / full).sqrt().asin();
-    assert!((result["contact_fraction"].as_f64().unwrap() - fraction).abs() < 2.0 / 1600.0);
-}
-
-#[test]
-fn a_pressure_limit_caps_the_pressure_and_costs_work() {
-    let bench = Bench::new();
-    bench.write("gap.csv", gap_file(2001, -5e-4, 5e-7, |x| x * x / 20e-3));
-    let limit = ["--pressure-limit", "0.6 GPa", "--json", "-o", "points.csv"];
-    let result = contact(&bench, 300e3, &limit).json();
-    assert_eq!(result["p_max_pa"], 6e8);
-    assert!(result["plastic_energy_j_per_m"].as_f64().unwrap() > 0.0);
-    let carried = result["load_n_per_m"].as_f64().unwrap();
-    assert!((carried / 300e3 - 1.0).abs() < 1e-12, "{carried}");
-    let (_, rows) = columns(&bench, "points.csv");
-    assert!(rows.iter().all(|row| row[2] <= 6e8 && row[5] >= 0.0));
-}
+use crate::bench::{Bench, root};
 
 /// The shipped cases.
 fn cases() -> Vec<String> {
@@ -126,26 +14,9 @@ fn cases() -> Vec<String> {
 }
 
 #[test]
-fn regime_film_and_contact_evaluate_every_shipped_case() {
+fn film_and_contact_evaluate_every_shipped_case() {
     let bench = Bench::new();
-    let few = ["--set", "model.positions=4", "--set", "model.offsets=2"];
     for case in cases() {
-        let regime = |more: &[&str]| {
-            let regime = [&["regime", &case], &few[..], more].concat();
-            bench.run(&regime).well()
-        };
-        let rows = regime(&["--json"]).json();
-        for row in rows.as_array().unwrap() {
-            let share = row["film_share"].as_f64().unwrap();
-            assert!((0.0..=1.0).contains(&share), "{case}: {row}");
-            assert!(row["film_central_um"].as_f64() > row["film_minimum_um"].as_f64());
-        }
-        if case.contains("fzg") {
-            let table = regime(&[]).out;
-            let is_row = |line: &&str| line.starts_with(|first: char| first.is_ascii_digit());
-            let numbers = table.lines().filter(is_row);
-            assert_eq!(numbers.count(), rows.as_array().unwrap().len());
-        }
         let film = bench
             .run(&["film", &case, "--position", "A", "--json"])
             .well()
@@ -161,34 +32,6 @@ fn regime_film_and_contact_evaluate_every_shipped_case() {
             pressed["p_max_pa"].as_f64() > pressed["hertz_p_max_pa"].as_f64(),
             "{case}"
         );
-    }
-}
-
-#[test]
-fn regime_agrees_with_the_run() {
-    let bench = Bench::new();
-    let case = cases()
-        .into_iter()
-        .find(|name| name.contains("fzg"))
-        .unwrap();
-    let few = ["--set", "model.positions=6", "--set", "model.offsets=4"];
-    let of = |command: &[&str]| bench.run(&[command, &few].concat()).well().json();
-    let alone = of(&["regime", &case, "--json"]);
-    let run = of(&["run", &case, "--no-output", "--no-band", "--json"]);
-    let path = run["path"].as_array().unwrap();
-    assert_eq!(path.len(), alone.as_array().unwrap().len());
-    for (row, same) in alone.as_array().unwrap().iter().zip(path) {
-        for key in [
-            "path_fraction",
-            "film_central_um",
-            "lambda_star",
-            "film_share",
-            "mixed_share",
-        ] {
-            let (a, b) = (row[key].as_f64().unwrap(), same[key].as_f64().unwrap());
-            // The same sums in another order.
-            assert!((a - b).abs() <= 1e-12 * a.abs(), "{key}: {a} {b}");
-        }
     }
 }
 

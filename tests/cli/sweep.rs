@@ -140,7 +140,15 @@ fn a_signal_closes_the_open_part_with_the_rows_that_are_finished() {
             assert!(sent.is_ok());
             let ended = child.wait_with_output().unwrap();
             let err = String::from_utf8(ended.stderr).unwrap();
-            let status = ["sweep", "status", "study.toml", "--parts", parts, "--json"];
+            let status = [
+                "sweep",
+                "run",
+                "study.toml",
+                "--status",
+                "--parts",
+                parts,
+                "--json",
+            ];
             let done = match bench.run(&status).json()["done"].as_u64() {
                 Some(done @ 1..CASES) => done,
                 _ => {
@@ -228,7 +236,7 @@ fn missing_cases_are_told_with_status_3_and_a_restart_runs_them() {
     let bench = quick();
     let part = ["sweep", "run", "study.toml", "--shard", "1/2"];
     bench.run(&part).well();
-    let status = bench.run(&["sweep", "status", "study.toml"]);
+    let status = bench.run(&["sweep", "run", "study.toml", "--status"]);
     assert_eq!(status.status, 3);
     assert!(status.out.contains("45 of 90 cases done"), "{}", status.out);
     assert!(
@@ -241,7 +249,9 @@ fn missing_cases_are_told_with_status_3_and_a_restart_runs_them() {
         .refused(3, "E309", &["2,4,6"]);
     let rest = bench.run(&["sweep", "run", "study.toml"]).well();
     assert!(rest.out.starts_with("ran 45 cases"), "{}", rest.out);
-    bench.run(&["sweep", "status", "study.toml"]).well();
+    bench
+        .run(&["sweep", "run", "study.toml", "--status"])
+        .well();
     bench
         .run(&["sweep", "merge", "study.toml", "-o", "out"])
         .well();
@@ -383,14 +393,14 @@ fn a_study_without_a_single_result_has_the_exit_status_of_its_cases() {
     study("\"90 Nm/s\", \"95 s\"");
     for arguments in [
         &["sweep", "run", "study.toml", "--quiet"][..],
-        &["sweep", "status", "study.toml"],
+        &["sweep", "run", "study.toml", "--status"],
         &["sweep", "merge", "study.toml", "-o", "out"],
     ] {
         let said = bench.run(arguments);
         said.failed(2, "E204", &["none of 2 cases has a result: E204 in 2"]);
     }
     assert!(bench.path("out/sweep.csv").exists());
-    let json = bench.run(&["sweep", "status", "study.toml", "--json"]);
+    let json = bench.run(&["sweep", "run", "study.toml", "--status", "--json"]);
     assert_eq!((json.status, json.json()["done"].as_u64()), (2, Some(2)));
     // A single case with a result is enough.
     study("\"90 N m\", \"95 s\"");

@@ -237,7 +237,6 @@ pages! {
     the_page_on_oils_prints_what_it_shows: "docs/howto/oil.md" 20,
     the_page_on_gearboxes_prints_what_it_shows: "docs/howto/trains.md" 2,
     the_chapter_on_the_contact_prints_what_it_shows: "docs/model/contact.md" 2,
-    the_chapter_on_the_film_prints_what_it_shows: "docs/model/film.md" 2,
     the_page_on_the_paper_prints_what_it_shows: "docs/PAPER.md" 6,
     the_page_of_questions_prints_what_it_shows: "docs/faq.md" 4,
 }

@@ -2,25 +2,9 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand};
+use clap::Args;
 
-use super::study::{Group, StudyCommand};
-
-/// `asperity oil`
-#[derive(Debug, Subcommand)]
-pub enum OilCommand {
-    /// List the oils of the library, any of which a case can name in lubricant.oil
-    List,
-    /// Show an oil of the library, each number with its certainty and source
-    #[command(after_help = "Example:\n  asperity oil show m100")]
-    Show {
-        /// Name of the oil
-        name: String,
-    },
-    /// Studies of oils
-    #[command(flatten)]
-    Study(StudyCommand<Oils>),
-}
+use super::study::Group;
 
 /// `asperity oil`
 #[derive(Debug)]

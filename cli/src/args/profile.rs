@@ -31,17 +31,11 @@ pub enum ProfileCommand {
     Convert(ProfileConvertArgs),
     /// Remove form and waviness, and write the roughness profile
     Filter(ProfileFilterArgs),
-    /// Generate a synthetic profile from a recipe, and report the parameters achieved
+    /// Generate a synthetic profile, self-affine or like measured ones, and report the parameters achieved
     #[command(
         after_help = "Examples:\n  asperity profile generate -o rough.csv --rq \"0.4 um\" --seed 2\n  \
         asperity profile generate --like tooth1.csv --like tooth2.csv --seed 3 -o another.csv\n  \
-        asperity profile generate --like flank.sur --seed 3 -o another.x3p\n  \
-        asperity profile generate --recipe porous.json -o porous.csv\n\n\
-        A recipe is a surface (self-affine, non-gaussian, plateau-honed, ground) and what is done to it (pits,\n\
-        pores, scratches, mirrored). Open pores of a sintered steel, a model:\n  \
-        {\"surface\": {\"self-affine\": {\"points\": 6001, \"spacing\": \"0.5 um\", \"rq\": \"0.3 um\", \"hurst\": 0.8,\n  \
-        \"roll-off\": \"100 um\", \"short-cut\": \"5 um\", \"seed\": 1}},\n  \
-        \"pores\": {\"porosity\": 0.08, \"diameter\": \"20 um\", \"depth-ratio\": 0.25, \"seed\": 2}}"
+        asperity profile generate --like flank.sur --seed 3 -o another.x3p"
     )]
     Generate(ProfileGenerateArgs),
     /// Compare the parameters of several profiles, relative to the first
@@ -146,13 +140,11 @@ pub enum ProfilePart {
     Primary,
 }
 
-/// A recipe and the file for its profile.
+/// A synthetic profile and its file.
 #[derive(Debug, Args)]
 pub struct ProfileGenerateArgs {
-    /// Recipe in JSON [default: a self-affine profile from the options below]
-    #[arg(long, conflicts_with = "like")]
-    pub recipe: Option<PathBuf>,
-    /// Trace or surface to make another like; may be repeated for several of one finish
+    /// Trace or surface to make another like; may be repeated for several of one finish [default: a self-affine profile
+    /// from the options below]
     #[arg(long, value_name = "FILE", conflicts_with_all = ["points", "spacing", "rq", "hurst", "roll_off", "short_cut"])]
     pub like: Vec<PathBuf>,
     /// Method of --like: pieces of the traces or surfaces, or spectrum, their spectrum and heights with random phases [default:

@@ -10,10 +10,9 @@ pub enum SweepCommand {
     /// Run a study, or a shard of it; finished parts are stored and not run again
     #[command(after_help = "Examples:\n  asperity sweep run study.toml\n  \
         asperity sweep run study.toml --plan\n  \
-        asperity sweep run study.toml --shard 3/64 --parts /scratch/parts")]
+        asperity sweep run study.toml --shard 3/64 --parts /scratch/parts\n  \
+        asperity sweep run study.toml --status")]
     Run(SweepRunArgs),
-    /// Completed, missing and failed cases of a study; exit status 3 while cases are missing
-    Status(SweepArgs),
     /// Merge the parts of a study: table, checksum, effects of the inputs, page
     Merge(SweepMergeArgs),
 }
@@ -40,6 +39,9 @@ pub struct SweepRunArgs {
     /// Check every case and print count, errors, time and bytes; run nothing
     #[arg(long)]
     pub plan: bool,
+    /// Print the completed, missing and failed cases of all shards; run nothing; exit status 3 while cases are missing
+    #[arg(long, conflicts_with_all = ["plan", "shard"])]
+    pub status: bool,
 }
 
 /// Parts to merge.

@@ -5,25 +5,20 @@ pub mod check;
 pub mod completions;
 pub mod contact;
 pub mod demo;
-pub mod diff;
 pub mod ehl;
 pub mod figures;
 pub mod film;
 mod finish;
 pub mod from_rexs;
 pub mod gear;
-pub mod gears;
 mod given;
+pub mod list;
 pub mod new_case;
-pub mod oil;
-pub mod oils;
-mod presets;
+mod oil;
 pub mod profile;
 pub mod reference;
-pub mod regime;
 pub mod report;
 pub mod run;
-pub mod steels;
 pub mod study;
 pub mod sweep;
 mod work;
@@ -115,7 +110,7 @@ fn load_case(
 /// The only mesh of a case.
 fn one_mesh(train: &Train) -> Result<&LoadedCase, Failure> {
     train.only_mesh().map_err(|error| {
-        Failure::of(&error).advising("Name it with --mesh; run, check, gear, regime, map, compare, sweep, sensitivity and evidence take all meshes.")
+        Failure::of(&error).advising("Name it with --mesh; run, check, gear, map, compare, sweep, sensitivity and evidence take all meshes.")
     })
 }
 

@@ -91,7 +91,7 @@ const QUESTIONS: [(&str, Question); 10] = [
     (
         "\n[lubricant]\n",
         Question {
-            text: "Oil: a name of asperity oils, or ISO VG grade and viscosity index, e.g. VG 100 95",
+            text: "Oil: a name of asperity list oils, or ISO VG grade and viscosity index, e.g. VG 100 95",
             default: Some("m100"),
             lines: oil,
         },

@@ -1,4 +1,4 @@
-//! `asperity oil`: oils of the library, and the subjects of their studies.
+//! `asperity oil`: the subjects of the studies of oils.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -9,25 +9,9 @@ use asperity_calibration::oil::{ConstantsOf, Curves, MeasuredOil, OfOil, OilBase
 use asperity_core::{Code, Fault};
 use asperity_report::library::oil_named;
 
-use super::oils::oils;
-use super::{load_case, result_name, study};
-use crate::args::{
-    Common, Given, GivenCurves, GivenOil, GivenOilOfCase, NoLimits, OilCommand, PresetArgs,
-    SetArgs, Subject,
-};
+use super::{load_case, result_name};
+use crate::args::{Given, GivenCurves, GivenOil, GivenOilOfCase, NoLimits, SetArgs, Subject};
 use crate::failure::Failure;
-
-/// `asperity oil`
-pub fn oil(command: &OilCommand, common: &Common) -> Result<(), Failure> {
-    match command {
-        OilCommand::List => oils(&PresetArgs { name: None }, common),
-        OilCommand::Show { name } => {
-            let name = Some(name.clone());
-            oils(&PresetArgs { name }, common)
-        }
-        OilCommand::Study(command) => study::study(command, common),
-    }
-}
 
 /// An oil with the name of its results, and its case if it is the oil of one.
 struct NamedOil {

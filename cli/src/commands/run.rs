@@ -137,10 +137,7 @@ fn failed(error: &Error, args: &RunArgs, folder: Option<&Path>) -> Failure {
             .join(name)
             .with_extension("csv");
         return match report::write_unsolved(contact, &file) {
-            Ok(()) => failure.adding(&format!(
-                ". Fields saved in {}; asperity contact --gap solves only the contact",
-                file.display()
-            )),
+            Ok(()) => failure.adding(&format!(". Its gap is saved in {}", file.display())),
             Err(error) => failure.adding(&format!(". Its fields could not be saved: {error}")),
         };
     }

@@ -24,8 +24,8 @@ const CHECKING: &str = "checking the cases";
 pub fn sweep(command: &SweepCommand, common: &Common) -> Result<(), Failure> {
     match command {
         SweepCommand::Run(args) if args.plan => plan(args, common),
+        SweepCommand::Run(args) if args.status => status(&args.sweep, common),
         SweepCommand::Run(args) => run(args, common),
-        SweepCommand::Status(args) => status(args, common),
         SweepCommand::Merge(args) => merge(args, common),
     }
 }

@@ -879,7 +879,7 @@ fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
     let thinnest = record
         .scales
         .film_length(inner.fold(f64::INFINITY, f64::min));
-    let roughness = Some(contact.attenuated_roughness);
+    let roughness = contact.attenuated_roughness;
     let warnings = record_warnings(record, roughness, contact.record.ceiling);
     let codes: Vec<&str> = warnings.iter().map(|(code, _)| code.as_str()).collect();
     let numbers = [

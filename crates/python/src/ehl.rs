@@ -88,7 +88,7 @@ pub fn ehl<'py>(
             return Err(Failure::new(Code::E308, message));
         }
         let mut numbers = Value::Object(record_json(&solved.value));
-        let roughness = Some(contact.attenuated_roughness);
+        let roughness = contact.attenuated_roughness;
         let warnings =
             record_warnings(&solved.value, roughness, contact.record.ceiling).into_iter();
         let warnings = warnings.map(|(code, text)| json!({ "code": code, "text": text }));

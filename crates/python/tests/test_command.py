@@ -34,7 +34,7 @@ def test_the_entry_point_of_the_package_is_the_command():
         (["run", "--help"], 0),
         (["run", CASES / "fzg-c.toml", "--no-output"], 0),
         (["run", CASES / "table2.toml", "--no-output", "--json"], 0),
-        (["regime", CASES / "e-drive.toml", "--set", "operation.torque=20 N m"], 0),
+        (["gear", CASES / "e-drive.toml", "--set", "operation.torque=20 N m"], 0),
         (["explain", "E301"], 0),
         (["run", "absent.toml"], 2),
         (["check", CASES / "e-drive.toml", "--set", "operation.torqe=1 N m"], 2),

@@ -103,7 +103,7 @@ pub fn load_points(outcome: &MeshOutcome) -> Result<(String, Vec<u8>), Fault> {
     Ok((MAP.to_owned(), text))
 }
 
-/// Writes the gap of a contact without solution as CSV, in the format that `asperity contact --gap` reads.
+/// Writes the gap of a contact without solution as CSV.
 ///
 /// # Errors
 /// When a file cannot be written.

@@ -161,7 +161,7 @@ pub fn used(rows: &[FigureRow<'_>]) -> Result<Vec<PresetSource>, Fault> {
     Ok(sources.into_iter().filter(is_used).collect())
 }
 
-/// Gears with their numbers, certainties and sources, as `asperity gears --json` lists them.
+/// Gears with their numbers, certainties and sources, as `asperity list gears --json` lists them.
 ///
 /// # Errors
 /// See [`pair_of`].
@@ -179,7 +179,7 @@ pub fn listed_gears(preset: &GearPreset) -> Result<Value, Fault> {
     }))
 }
 
-/// A steel with its numbers, certainties and sources, as `asperity steels --json` lists it.
+/// A steel with its numbers, certainties and sources, as `asperity list steels --json` lists it.
 ///
 /// # Errors
 /// See [`strength`].
@@ -197,7 +197,7 @@ pub fn listed_steel(steel: &SteelPreset) -> Result<Value, Fault> {
     }))
 }
 
-/// An oil with its numbers, certainties and source, as `asperity oils --json` lists it.
+/// An oil with its numbers, certainties and source, as `asperity list oils --json` lists it.
 ///
 /// # Errors
 /// See [`states`].

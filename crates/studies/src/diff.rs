@@ -54,18 +54,6 @@ pub struct PathChange {
     pub second: f64,
 }
 
-impl ResultDiff {
-    /// Whether the results are equal.
-    pub fn is_empty(&self) -> bool {
-        let none = |lists: &[Vec<String>; 2]| lists.iter().all(Vec::is_empty);
-        self.inputs.is_empty()
-            && self.summary.is_empty()
-            && self.path.is_empty()
-            && none(&self.warnings)
-            && none(&self.equations)
-    }
-}
-
 /// Changed keys between two cases, each with its input and its defaults.
 ///
 /// # Errors

@@ -1,7 +1,5 @@
-//! `asperity contact`: only the rough contact, of a case, of a gap file or of two profiles.
+//! `asperity contact`: only the rough contact of a case.
 
-mod bare;
-pub mod column_file;
 mod solved;
 mod stress;
 
@@ -26,17 +24,7 @@ pub fn contact(args: &ContactArgs, common: &Common) -> Result<(), Failure> {
         Some(output) => besides_file(output, common)?,
         None => common.clone(),
     };
-    let contact = match (&args.gap, &args.flanks, &args.case) {
-        (Some(gap), _, _) => bare::of_gap(gap, args)?,
-        (None, Some(flanks), _) => bare::of_flanks(flanks, args)?,
-        (None, None, Some(case)) => of_case(case, args)?,
-        (None, None, None) => {
-            return Err(Failure::new(
-                Code::E205,
-                "name a case file, a gap file with --gap, or two profiles with --flanks",
-            ));
-        }
-    };
+    let contact = of_case(&args.case, args)?;
     let stress = match &args.stress {
         Some(path) => Some(stress(&contact, args, path)?),
         None => None,
@@ -89,8 +77,6 @@ fn of_case(path: &Path, args: &ContactArgs) -> Result<SolvedContact, Failure> {
         x,
         undeformed,
         solution,
-        hertz_pressure: Some(hertz.max_pressure.si()),
-        cycles: vec![],
-        unread: vec![],
+        hertz_pressure: hertz.max_pressure,
     })
 }

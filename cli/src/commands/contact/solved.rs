@@ -2,23 +2,18 @@
 
 use std::path::Path;
 
-use asperity_contact::running_in::Cycle;
 use asperity_contact::{ContactSolution, ContactWarning};
 use asperity_core::Code;
-use asperity_core::message::Warning;
-use asperity_core::quantity::Length;
+use asperity_core::quantity::{Length, Pressure};
 use asperity_report::Report;
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
-use crate::output::coded;
-
-/// Header of the points.
-pub const POINTS_HEAD: &str = "x_m,h_m,pressure_pa,gap_m,displacement_m,plastic_displacement_m";
+use crate::output::{coded, save};
 
 /// Solved contact with its smooth reference.
 pub struct SolvedContact {
-    /// Files and position.
+    /// File and position.
     pub title: String,
     /// Spacing of the points.
     pub spacing: Length,
@@ -28,12 +23,8 @@ pub struct SolvedContact {
     pub undeformed: Vec<f64>,
     /// Solution.
     pub solution: ContactSolution,
-    /// Largest pressure of the smooth contact \[Pa\].
-    pub hertz_pressure: Option<f64>,
-    /// Cycles of a running-in before the contact.
-    pub cycles: Vec<Cycle>,
-    /// Columns of its files that were not read.
-    pub unread: Vec<Warning>,
+    /// Largest pressure of the smooth contact.
+    pub hertz_pressure: Pressure,
 }
 
 impl SolvedContact {
@@ -46,11 +37,7 @@ impl SolvedContact {
             };
             (code, warning.to_string())
         };
-        let unread = self.unread.iter().cloned();
-        let unread = unread.map(|warning| (warning.code, warning.text));
-        unread
-            .chain(self.solution.warnings().into_iter().map(coded))
-            .collect()
+        self.solution.warnings().into_iter().map(coded).collect()
     }
 
     /// The contact as JSON, with the subsurface stress.
@@ -65,7 +52,7 @@ impl SolvedContact {
             "contact_fraction": s.contact_fraction,
             "p_max_pa": s.max_pressure.si(),
             "p_end_pa": s.end_pressure.si(),
-            "hertz_p_max_pa": self.hertz_pressure,
+            "hertz_p_max_pa": self.hertz_pressure.si(),
             "plastic_energy_j_per_m": s.dissipated.si(),
             "elastic_energy_j_per_m": s.elastic_energy.si(),
             "iterations": s.iterations,
@@ -76,7 +63,6 @@ impl SolvedContact {
                 "reference_gap_m": s.certificate.reference_gap.si(),
             },
             "stress": stress,
-            "running_in": self.cycles.iter().map(cycle_json).collect::<Vec<_>>(),
             "warnings": coded(self.warnings()),
         })
     }
@@ -84,13 +70,11 @@ impl SolvedContact {
     /// The contact as a report, with lines about the subsurface stress.
     pub fn report<'a>(&self, stress: Vec<String>) -> Report<'a> {
         let s = &self.solution;
-        let hertz = self
-            .hertz_pressure
-            .map(|p| format!(" (of smooth flanks {:.1} MPa)", p * 1e-6))
-            .unwrap_or_default();
         let touching = format!(
-            "contact fraction {:.6}   largest pressure {:.7}{hertz}",
-            s.contact_fraction, s.max_pressure
+            "contact fraction {:.6}   largest pressure {:.7} (of smooth flanks {:.1} MPa)",
+            s.contact_fraction,
+            s.max_pressure,
+            self.hertz_pressure.si() * 1e-6
         );
         let load = format!(
             "load {:.6}   approach {:.7} (datum {:.6})",
@@ -108,29 +92,16 @@ impl SolvedContact {
             .verdict([touching])
             .verdict(stress)
             .text([load, format!("plastic work {:.4e} J/m", s.dissipated.si())])
-            .text(self.run_in())
             .text([solved])
             .warning(warnings.map(|(code, warning)| format!("{code} {warning}")))
-    }
-
-    /// First and last cycle of the running-in.
-    fn run_in(&self) -> Option<String> {
-        let (first, last) = (self.cycles.first()?, self.cycles.last()?);
-        Some(format!(
-            "run in after {} cycles: plastic work {:.4e} to {:.4e} J/m per cycle, Rq {:.4} and {:.4}",
-            self.cycles.len(),
-            first.dissipated.si(),
-            last.dissipated.si(),
-            last.rq[0],
-            last.rq[1],
-        ))
     }
 
     /// Writes x, undeformed gap, pressure, gap and displacement per point; every number can be read back
     /// exactly.
     pub fn write_points(&self, path: &Path) -> Result<(), Failure> {
         let s = &self.solution;
-        let mut text = format!("{POINTS_HEAD}\n");
+        let mut text =
+            String::from("x_m,h_m,pressure_pa,gap_m,displacement_m,plastic_displacement_m\n");
         for i in 0..self.x.len() {
             text.push_str(&format!(
                 "{:e},{:e},{:e},{:e},{:e},{:e}\n",
@@ -142,21 +113,6 @@ impl SolvedContact {
                 s.plastic_displacement[i],
             ));
         }
-        save(path, &text)
+        save(path, text.as_bytes())
     }
-}
-
-fn cycle_json(cycle: &Cycle) -> Value {
-    json!({
-        "plastic_energy_j_per_m": cycle.dissipated.si(),
-        "largest_flow_m": cycle.largest_flow.si(),
-        "contact_fraction": cycle.contact_fraction,
-        "rq_m": cycle.rq.map(|rq| rq.si()),
-        "peak_m": cycle.peak.map(|peak| peak.si()),
-    })
-}
-
-/// Writes `text` to a file.
-pub fn save(path: &Path, text: &str) -> Result<(), Failure> {
-    crate::output::save(path, text.as_bytes())
 }

@@ -11,9 +11,10 @@ use asperity_core::number;
 use asperity_core::quantity::Length;
 use serde_json::{Value, json};
 
-use super::solved::{SolvedContact, save};
+use super::solved::SolvedContact;
 use crate::args::ContactArgs;
 use crate::failure::Failure;
+use crate::output::save;
 
 /// Number of depths of the field.
 const DEPTHS: usize = 60;
@@ -74,7 +75,7 @@ pub fn stress(contact: &SolvedContact, args: &ContactArgs, path: &Path) -> Resul
         has_limit: args.elastic_limit.is_some(),
         first: contact.x[0],
     };
-    save(path, &table(&field, &mises, contact))?;
+    save(path, table(&field, &mises, contact).as_bytes())?;
     Ok(result)
 }
 

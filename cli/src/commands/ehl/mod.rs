@@ -1,14 +1,11 @@
-//! `asperity ehl`: mixed elastohydrodynamic contact of a case at one position, or from numbers only.
+//! `asperity ehl`: mixed elastohydrodynamic contact of a case at one position.
 
-mod bare;
 mod laws;
 mod page;
 mod rough;
 mod smooth;
 
 use asperity::Run;
-use std::path::Path;
-
 use asperity::ehl::RecordSettings;
 use asperity::ehl::traction::Heat;
 use asperity::lubrication::shares;
@@ -27,13 +24,7 @@ pub fn ehl(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
         Some(output) => besides_file(output, common)?,
         None => common.clone(),
     };
-    match &args.case {
-        Some(case) => of_case(case, args, common),
-        None => of_numbers(args, common),
-    }
-}
-
-fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> {
+    let path = &args.case;
     let loaded = load_case(path, &args.set, None)?;
     let loaded = Run::new(&loaded).operating_case();
     let loaded = loaded.map_err(|error| Failure::about(path, &error))?;
@@ -61,12 +52,11 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
             material: loaded.case.materials[0],
         };
         let friction = contact.record.friction;
-        let film = smooth::solve(title, &contact.rough, friction, Some(heat), args.cells)?;
+        let film = smooth::solve(title, &contact.rough, friction, heat, args.cells)?;
         report(args, || film.page(&contact.rough))?;
         return print_result(args, common, &film.json(), film.report(), &|| film.points());
     }
-    let mut record = rough::solve(title, &contact.rough, &contact.record, args, common)?;
-    record.attenuated_roughness = Some(contact.attenuated_roughness);
+    let record = rough::solve(title, &contact, args, common)?;
     report(args, || record.page(&contact.rough))?;
     let comparison = match args.compare {
         true => Some(shares(&loaded, &contact, &record.solved.value).map_err(about)?),
@@ -75,40 +65,6 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
     let comparison = comparison.as_ref();
     let (json, report) = (record.json(comparison), record.report(comparison));
     print_result(args, common, &json, report, &|| record.points())
-}
-
-fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
-    let bare = bare::read(args)?;
-    if bare.is_smooth() {
-        let film = smooth::solve(
-            bare.title,
-            &bare.rough,
-            Some(bare.friction),
-            bare.heat,
-            args.cells,
-        )?;
-        report(args, || film.page(&bare.rough))?;
-        return print_result(args, common, &film.json(), film.report(), &|| film.points());
-    }
-    let mut settings = RecordSettings {
-        friction: Some(bare.friction),
-        ceiling: bare.ceiling,
-        ..record_settings(args)
-    };
-    let scales = bare.rough.contact.scales(&bare.rough.oil);
-    let scales = scales.map_err(|error| Fault::from(error).about(&bare.title))?;
-    Inlet::ByLoad.apply(&mut settings, &scales);
-    let mut record = rough::solve(bare.title, &bare.rough, &settings, args, common)?;
-    record.attenuated_roughness = Some(bare.attenuated_roughness);
-    record.unread = bare.unread;
-    report(args, || record.page(&bare.rough))?;
-    print_result(
-        args,
-        common,
-        &record.json(None),
-        record.report(None),
-        &|| record.points(),
-    )
 }
 
 fn record_settings(args: &EhlArgs) -> RecordSettings {

@@ -5,12 +5,13 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use asperity::ehl::several_records::{mean_of, record_several};
 use asperity::ehl::transient::{MeanFriction, Moment};
 use asperity::ehl::{
-    NodeState, PlasticCeiling, Record, RecordMean, RecordSettings, RoughContact, Solved, Window,
+    NodeState, PlasticCeiling, Record, RecordMean, RecordSettings, Solved, Window,
 };
 use asperity::lubrication::{HIGHEST_PRESSURE, ShareComparison};
-use asperity::reference_solution::{estimate_json, nanometres, record_json, record_warnings};
+use asperity::reference_solution::{
+    ReferenceContact, estimate_json, nanometres, record_json, record_warnings,
+};
 use asperity::result::loss_band::Digits;
-use asperity_core::message::Warning;
 use asperity_core::quantity::Length;
 use asperity_core::{Code, Fault, by_size};
 use asperity_report::{Report, columns};
@@ -34,9 +35,7 @@ pub struct Recorded {
     /// Solid share of each of the averaged records.
     pub shares: Vec<RecordMean>,
     /// Attenuated roughness in the contact, of both surfaces.
-    pub attenuated_roughness: Option<Length>,
-    /// Columns of the files of both profiles that were not read.
-    pub unread: Vec<Warning>,
+    pub attenuated_roughness: Length,
     /// Pressure at which the surfaces yield.
     pub ceiling: Option<PlasticCeiling>,
 }
@@ -44,16 +43,16 @@ pub struct Recorded {
 /// Solves a record and shows its progress.
 pub fn solve(
     title: String,
-    contact: &RoughContact,
-    settings: &RecordSettings,
+    contact: &ReferenceContact,
     args: &EhlArgs,
     common: &Common,
 ) -> Result<Recorded, Failure> {
+    let settings = &contact.record;
     let shown = Progress::of(common.quiet, "half-widths travelled");
     let count = usize::from(args.records);
     // Thousandths of a half-width, summed over the records.
     let travelled: Vec<AtomicU64> = (0..count).map(|_| AtomicU64::new(0)).collect();
-    let result = record_several(contact, count, settings, &|number, progress| {
+    let result = record_several(&contact.rough, count, settings, &|number, progress| {
         travelled[number].store((1e3 * progress.time) as u64, Ordering::Relaxed);
         let all: u64 = travelled.iter().map(|t| t.load(Ordering::Relaxed)).sum();
         shown.at((all / 1000) as usize, progress.end.ceil() as usize * count);
@@ -68,9 +67,7 @@ pub fn solve(
         let message = format!(
             "{title}: the pressure reaches {highest:.3}, above {HIGHEST_PRESSURE}, which no steel withstands"
         );
-        return Err(Failure::new(Code::E308, message).advising(
-            "Pass a --pressure-limit at which the surfaces yield, or check the profiles.",
-        ));
+        return Err(Failure::new(Code::E308, message));
     }
     Ok(Recorded {
         solved,
@@ -83,17 +80,15 @@ pub fn solve(
         cells: settings.cells,
         window: settings.window,
         start: settings.start,
-        attenuated_roughness: None,
-        unread: vec![],
+        attenuated_roughness: contact.attenuated_roughness,
         ceiling: settings.ceiling,
     })
 }
 
 impl Recorded {
     /// Attenuated roughness relative to the smooth film.
-    fn roughness_over_film(&self) -> Option<f64> {
-        let smooth = self.solved.value.smooth_film;
-        Some(self.attenuated_roughness? / smooth)
+    fn roughness_over_film(&self) -> f64 {
+        self.attenuated_roughness / self.solved.value.smooth_film
     }
 
     /// The travel over which the means are taken, in words.
@@ -152,10 +147,7 @@ impl Recorded {
 
     /// Warnings with their codes.
     pub fn warnings(&self) -> Vec<(Code, String)> {
-        let unread = self.unread.iter().cloned();
-        let unread = unread.map(|warning| (warning.code, warning.text));
-        let record = record_warnings(&self.solved.value, self.attenuated_roughness, self.ceiling);
-        unread.chain(record).collect()
+        record_warnings(&self.solved.value, self.attenuated_roughness, self.ceiling)
     }
 
     /// Record as JSON.
@@ -168,7 +160,7 @@ impl Recorded {
             "blocks": record.blocks,
             "records": self.shares.iter().map(estimate_json).collect::<Vec<_>>(),
             "solid_film_nm": nanometres(self.solid_film),
-            "attenuated_roughness_um": self.attenuated_roughness.map(|s| s.si() * 1e6),
+            "attenuated_roughness_um": self.attenuated_roughness.si() * 1e6,
             "roughness_over_film": self.roughness_over_film(),
             "steps": evidence.steps,
             "steps_cut": evidence.steps_cut,

@@ -22,12 +22,12 @@ pub struct Smooth {
 }
 
 /// Solves the contact of smooth surfaces and, if a friction law is given, its traction with limiting shear stress:
-/// isothermal and, with thermal data, thermal.
+/// isothermal and thermal.
 pub fn solve(
     title: String,
     contact: &RoughContact,
     friction: Option<FrictionLaw>,
-    heat: Option<Heat>,
+    heat: Heat,
     cells: usize,
 ) -> Result<Smooth, Failure> {
     let RoughContact { contact, oil, .. } = contact;
@@ -54,9 +54,7 @@ pub fn solve(
     };
     let traction = [
         of(friction.map(|known| law(known, None)))?,
-        of(friction
-            .zip(heat)
-            .map(|(known, heat)| law(known, Some(heat))))?,
+        of(friction.map(|known| law(known, Some(heat))))?,
     ];
     Ok(Smooth {
         traction,

@@ -8,7 +8,6 @@ use asperity_report::profile_json::um;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
 use asperity_roughness::preparation::profiles;
-use asperity_storage::whole_file;
 use serde_json::json;
 
 use super::evaluated::{
@@ -22,9 +21,6 @@ use crate::args::{
 };
 use crate::failure::Failure;
 use crate::output::{besides_file, print_report};
-
-/// Largest size of a recipe in bytes.
-const LARGEST_RECIPE: u64 = 10_000_000;
 
 /// `asperity profile convert`
 pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure> {
@@ -205,14 +201,22 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
             done => done,
         };
     }
-    let recipe = stated_recipe(args)?;
+    let recipe = Recipe::of(Surface::SelfAffine(SelfAffine {
+        points: args.points,
+        spacing: args.spacing,
+        rq: args.rq,
+        hurst: args.hurst,
+        roll_off: args.roll_off,
+        short_cut: args.short_cut,
+        seed: args.seed,
+    }));
     let made = recipe
         .generate()
         .map_err(|error| Failure::new(Code::E209, error.to_string()))?;
     save(
         &args.output,
         &to_digits(&made.profile)?,
-        &synthetic(seed(&recipe)),
+        &synthetic(args.seed),
         FilterState::Primary,
     )?;
     let output = args.output.display().to_string();
@@ -222,34 +226,4 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
         || Report::new(&made_points(&output, &made), "").text([achieved(&made.achieved)]),
         None,
     )
-}
-
-/// The recipe of a file, or of the options.
-fn stated_recipe(args: &ProfileGenerateArgs) -> Result<Recipe, Failure> {
-    let Some(path) = &args.recipe else {
-        return Ok(Recipe::of(Surface::SelfAffine(SelfAffine {
-            points: args.points,
-            spacing: args.spacing,
-            rq: args.rq,
-            hurst: args.hurst,
-            roll_off: args.roll_off,
-            short_cut: args.short_cut,
-            seed: args.seed,
-        })));
-    };
-    let name = path.display();
-    let text = whole_file(path, LARGEST_RECIPE)
-        .map_err(|error| Failure::new(Code::E103, format!("{name}: cannot be read: {error}")))?;
-    serde_json::from_slice(&text)
-        .map_err(|error| Failure::new(Code::E204, format!("{name}: not a recipe: {error}")))
-}
-
-fn seed(recipe: &Recipe) -> u64 {
-    match &recipe.surface {
-        Surface::SelfAffine(recipe) => recipe.seed,
-        Surface::NonGaussian(recipe) => recipe.spectrum.seed,
-        Surface::PlateauHoned(recipe) => recipe.fine.seed,
-        Surface::Ground(recipe) => recipe.seed,
-        Surface::Fitted(recipe) => recipe.seed,
-    }
 }

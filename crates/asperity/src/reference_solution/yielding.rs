@@ -16,11 +16,11 @@ const HARDEST_STEEL: Pressure = Pressure::from_si(9.218_251e9);
 #[must_use]
 pub fn record_warnings(
     record: &Record,
-    attenuated_roughness: Option<Length>,
+    attenuated_roughness: Length,
     ceiling: Option<PlasticCeiling>,
 ) -> Vec<(Code, String)> {
-    let ratio = attenuated_roughness.map(|roughness| roughness / record.smooth_film);
-    let rough = ratio.filter(|ratio| *ratio > LARGEST_ROUGHNESS).map(|ratio| {
+    let ratio = attenuated_roughness / record.smooth_film;
+    let rough = (ratio > LARGEST_ROUGHNESS).then(|| {
         format!(
             "the roughness left in the contact is {ratio:.2} smooth films (above {LARGEST_ROUGHNESS}): the modelled \
              ridges cannot leak, so rely on measurements rather than on this solution"

@@ -109,7 +109,7 @@ table! {
     #[derive(Default)]
     BodyInput;
 
-    /// Name of a steel in the library (`asperity steels` lists them); the other keys override its values.
+    /// Name of a steel in the library (`asperity list steels` lists them); the other keys override its values.
     /// `powder-metal` needs `density`, from which its constants follow.
     #[serde(skip_serializing_if = "Option::is_none")]
     steel: Option<String>;

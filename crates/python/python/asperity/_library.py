@@ -28,7 +28,7 @@ def gears(name: str) -> Record: ...
 
 def gears(name: Optional[str] = None) -> Union[Table, Record]:
     """The gears of the library, or the gears of this name, with centre distance, contact ratio, certainty and source of
-    every number, as ``asperity gears`` lists them.
+    every number, as ``asperity list gears`` lists them.
 
     Parameters:
         name: name of the gears; default all.
@@ -55,7 +55,7 @@ def steels(name: str) -> Record: ...
 
 def steels(name: Optional[str] = None) -> Union[Table, Record]:
     """The steels of the library, or the one of this name, with flow pressure, elastic limit, certainty and source of
-    every number, as ``asperity steels`` lists them.
+    every number, as ``asperity list steels`` lists them.
 
     Parameters:
         name: name of the steel; default all.
@@ -82,7 +82,7 @@ def oils(name: str) -> Record: ...
 
 def oils(name: Optional[str] = None) -> Union[Table, Record]:
     """The oils of the library, or the one of this name, with viscosities, certainty and source of the numbers, as
-    ``asperity oils`` lists them.
+    ``asperity list oils`` lists them.
 
     Parameters:
         name: name of the oil; default all.

@@ -558,7 +558,7 @@ def generate(
             (``spectrum``, the keys of a self-affine surface, and ``heights``: ``"gaussian"``, ``"uniform"``,
             ``{"weibull-peaks": {"shape": 2}}`` or ``{"weibull-dales": {"shape": 2}}``), ``"plateau-honed"`` (``coarse`` and ``fine``, the keys
             of self-affine surfaces, and depth) or ``"ground"`` (points, spacing, rq, grit_spacing, grit_radius, grit_protrusion, seed);
-            lengths in m. ``"fitted"`` takes the recipe that ``asperity profile generate --like --json`` prints.
+            lengths in m. ``"fitted"`` takes the recipe of a profile of `generate_like`.
         amplitudes: ``"fixed"`` or ``"random"``, of self-affine surfaces.
         pits, scratches: count, width, depth, seed of damage added.
         pores: porosity, diameter, depth_ratio, seed of open pores of a sintered steel added.

@@ -1,4 +1,4 @@
-//! `asperity gears`: the gears of the library.
+//! `asperity list gears`: the gears of the library.
 
 use std::fmt::Display;
 
@@ -8,14 +8,14 @@ use asperity_report::library::{gears_named, listed_gears, pair_of, unlisted};
 use asperity_report::{columns, wrapped};
 
 use super::presets::{LETTERS, figures, least, print_listed};
-use crate::args::{Common, PresetArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 
-/// `asperity gears`
-pub fn gears(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
-    let shown = gears_named(args.name.as_deref())?;
+/// `asperity list gears`
+pub fn gears(name: Option<&str>, common: &Common) -> Result<(), Failure> {
+    let shown = gears_named(name)?;
     print_listed(common, ("gears", &shown), listed_gears, || {
-        match (&args.name, shown.first()) {
+        match (name, shown.first()) {
             (Some(_), Some(one)) => whole(one),
             _ => table(&shown),
         }
@@ -48,7 +48,7 @@ fn table(gears: &[GearPreset]) -> Result<String, Failure> {
     let sets = planetary_sets().map_err(unlisted)?.into_iter();
     let sets: Vec<String> = sets.map(|set| set.name).collect();
     let more = format!(
-        "asperity gears NAME shows every number; asperity demo --gears NAME writes a case, also of the trains {} and of the \
+        "asperity list gears NAME shows every number; asperity demo --gears NAME writes a case, also of the trains {} and of the \
          planetary set {}.",
         trains.join(", "),
         sets.join(", ")

@@ -1,18 +1,18 @@
-//! `asperity oils`: the oils of the library.
+//! `asperity list oils`: the oils of the library.
 
 use asperity::oil::LibraryOil;
 use asperity_report::library::{listed_oil, oils_named, states};
 use asperity_report::{COLUMNS, Table, columns, wrapped};
 
 use super::presets::{LETTERS, print_listed};
-use crate::args::{Common, PresetArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 
-/// `asperity oils`
-pub fn oils(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
-    let oils = oils_named(args.name.as_deref())?;
+/// `asperity list oils`
+pub fn oils(name: Option<&str>, common: &Common) -> Result<(), Failure> {
+    let oils = oils_named(name)?;
     print_listed(common, ("oils", &oils), listed_oil, || {
-        table(&oils, args.name.is_some())
+        table(&oils, name.is_some())
     })
 }
 

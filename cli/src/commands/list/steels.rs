@@ -1,4 +1,4 @@
-//! `asperity steels`: the steels of the library.
+//! `asperity list steels`: the steels of the library.
 
 use asperity_core::Fault;
 use asperity_core::presets::SteelPreset;
@@ -6,14 +6,14 @@ use asperity_report::library::{listed_steel, steels_named, strength};
 use asperity_report::{columns, wrapped};
 
 use super::presets::{LETTERS, figures, least, print_listed};
-use crate::args::{Common, PresetArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 
-/// `asperity steels`
-pub fn steels(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
-    let shown = steels_named(args.name.as_deref())?;
+/// `asperity list steels`
+pub fn steels(name: Option<&str>, common: &Common) -> Result<(), Failure> {
+    let shown = steels_named(name)?;
     print_listed(common, ("steels", &shown), listed_steel, || {
-        match (&args.name, shown.first()) {
+        match (name, shown.first()) {
             (Some(_), Some(one)) => whole(one),
             _ => table(&shown),
         }

@@ -1,4 +1,4 @@
-//! Shared by `gears`, `steels` and `oils`: the numbers of a preset with certainty and source.
+//! The numbers of an entry of the library with certainty and source.
 
 use asperity_core::Fault;
 use asperity_core::presets::FigureRow;
