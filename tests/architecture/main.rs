@@ -148,7 +148,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "asperity-contact",
             "asperity-ehl-regime",
             "asperity-ns-film",
-            "asperity-mixed-film",
+            "asperity-tribo-friction",
             "asperity-efficiency",
         ],
     ),

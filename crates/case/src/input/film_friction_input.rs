@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use asperity_core::DomainError;
 use asperity_oil::ShearLawName;
 use asperity_tribo_friction::{FrictionLaw, FrictionSettings};
-use serde::de::value::{MapAccessDeserializer, StrDeserializer};
-use serde::de::{self, MapAccess, Visitor};
+use serde::de::value::StrDeserializer;
+use serde::de::{self, Error as _, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::law_names::FilmFrictionLaw;
@@ -25,7 +25,7 @@ pub enum FilmFrictionInput {
 }
 
 /// Setting of a friction law.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum FrictionSetting {
@@ -158,7 +158,20 @@ impl<'de> Visitor<'de> for FilmFrictionVisitor {
         FilmFrictionLaw::deserialize(StrDeserializer::new(name)).map(FilmFrictionInput::Named)
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<FilmFrictionInput, A::Error> {
-        FrictionSetting::deserialize(MapAccessDeserializer::new(map)).map(FilmFrictionInput::Set)
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<FilmFrictionInput, A::Error> {
+        const LAWS: &[&str] = &["constant", "iso-14179-2", "xu"];
+        let Some(law) = map.next_key::<String>()? else {
+            return Err(A::Error::invalid_length(0, &self));
+        };
+        let set = match law.as_str() {
+            "constant" => FrictionSetting::Constant(map.next_value()?),
+            "iso-14179-2" => FrictionSetting::Iso14179Part2(map.next_value()?),
+            "xu" => FrictionSetting::Xu(map.next_value()?),
+            other => return Err(A::Error::unknown_variant(other, LAWS)),
+        };
+        match map.next_key::<IgnoredAny>()? {
+            Some(_) => Err(A::Error::custom("takes the setting of one law only")),
+            None => Ok(FilmFrictionInput::Set(set)),
+        }
     }
 }
