@@ -59,7 +59,7 @@ FilmLaw = Literal[
 
 
 ThermalLaw = Literal[
-    "gupta", "murch-wilson", "none",
+    "gupta", "none",
 ]
 
 

@@ -253,45 +253,30 @@ class MicropittingInput(TypedDict, total=False):
 class ModelInput(TypedDict, total=False):
     """Choices of the model."""
 
-    asperity_share_factor: Optional[float]
     boundary_friction: Optional[float]
     boundary_layer: Optional[Quantity]
-    central_film: Optional[Literal["mass-flow", "gap"]]
-    clamp_roughness: Optional[bool]
-    constant_friction: Optional[float]
-    delta_step: Optional[Quantity]
     depths: Optional[int]
     edge_contact: Optional[bool]
     ehl: Optional[EhlInput]
     face_coupling: Optional[float]
     film: Optional[Literal["steady", "dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line"]]
-    film_friction: Optional[Literal["eyring", "carreau", "newton", "xu", "benedict-kelley", "iso-14179-1", "iso-14179-2", "matsumoto", "doleschel", "eyring-arana", "constant"]]
-    film_pressure: Optional[Literal["rippled", "own", "hertz"]]
+    film_friction: Optional[Union[Literal["eyring", "carreau", "newton", "xu", "benedict-kelley", "iso-14179-1", "iso-14179-2", "matsumoto", "doleschel", "eyring-arana", "constant"], FilmFriction, GearsFilmFriction]]
     film_pressure_law: Optional[Literal["barus", "roelands"]]
     flash_feedback: Optional[bool]
-    fluid_pressure: Optional[Literal["reynolds-cross", "paper"]]
     friction_scale: Optional[float]
     full_film: Optional[Literal["formulas", "ehl", "ehl-transient"]]
-    gap_law: Optional[Literal["inlet", "power"]]
-    gap_roughness: Optional[Literal["peaks", "rms"]]
     hysteresis: Optional[Union[float, str]]
     inlet_layer: Optional[Quantity]
     inner_boundary: Optional[float]
-    lambda_film: Optional[Literal["mass-flow", "gap"]]
     lay: Optional[Union[Literal["across", "isotropic"], Sequence[Union[Literal["across", "isotropic"], float]], float]]
     load_distribution: Optional[Union[Literal["elastic", "iso-stiffness", "uniform", "mean-length", "min-potential", "trapezoid"], LoadDistribution]]
     load_share: Optional[Literal["solved", "lambda-star", "zhu-hu", "masjedi-khonsari", "jgp", "ehl"]]
-    lubricant_factor: Optional[float]
-    numerical_error: Optional[Union[float, str]]
     offsets: Optional[int]
-    position: Optional[Union[Literal["A", "B", "C", "D", "E"], float]]
     positions: Optional[int]
-    spot_speed: Optional[Literal["carried", "entrainment", "half-sliding"]]
     stiffness_factor: Optional[float]
-    thermal: Optional[Literal["gupta", "murch-wilson", "none"]]
+    thermal: Optional[Literal["gupta", "none"]]
     tolerance: Optional[float]
     window: Optional[float]
-    xu_coefficients: Optional[str]
 
 
 class EhlInput(TypedDict, total=False):
@@ -301,6 +286,22 @@ class EhlInput(TypedDict, total=False):
     cells: Optional[int]
     records: Optional[int]
     travel: Optional[float]
+
+
+class FilmFriction(TypedDict, total=False):
+    """One friction coefficient everywhere."""
+
+    constant: Optional[float]
+
+
+GearsFilmFriction = TypedDict(
+    "GearsFilmFriction",
+    {
+        "iso-14179-2": "Optional[float]",
+    },
+    total=False,
+)
+"""Lubricant factor X_L of ISO/TR 14179-2; 1 for mineral oil."""
 
 
 class LoadDistribution(TypedDict, total=False):
@@ -336,6 +337,15 @@ class RunningInInput(TypedDict, total=False):
 
     engagements: Optional[float]
     torque: Optional[Quantity]
+
+
+class PaperInput(TypedDict, total=False):
+    """Choices of the formulation `paper`."""
+
+    delta_step: Optional[Quantity]
+    fluid_pressure: Optional[Literal["reynolds-cross", "paper"]]
+    numerical_error: Optional[Union[float, str]]
+    position: Optional[Union[Literal["A", "B", "C", "D", "E"], float]]
 
 
 class SurfaceInput(TypedDict, total=False):
@@ -604,6 +614,7 @@ class CaseTables(TypedDict, total=False):
     micropitting: Optional[MicropittingInput]
     model: Optional[ModelInput]
     operation: Optional[OperationInput]
+    paper: Optional[PaperInput]
     surface: Optional[Union[SurfaceInput, MeshSurfaceInput]]
     title: Optional[str]
     vehicle: Optional[VehicleInput]
@@ -632,6 +643,7 @@ CaseKeys = TypedDict(
         "micropitting": "Optional[MicropittingInput]",
         "model": "Optional[ModelInput]",
         "operation": "Optional[OperationInput]",
+        "paper": "Optional[PaperInput]",
         "surface": "Optional[Union[SurfaceInput, MeshSurfaceInput]]",
         "title": "Optional[str]",
         "vehicle": "Optional[VehicleInput]",
@@ -785,13 +797,8 @@ CaseKeys = TypedDict(
         "micropitting.ra": "Optional[Sequence[Quantity]]",
         "micropitting.ra.0": "Optional[Quantity]",
         "micropitting.ra.1": "Optional[Quantity]",
-        "model.asperity_share_factor": "Optional[float]",
         "model.boundary_friction": "Optional[float]",
         "model.boundary_layer": "Optional[Quantity]",
-        "model.central_film": 'Optional[Literal["mass-flow", "gap"]]',
-        "model.clamp_roughness": "Optional[bool]",
-        "model.constant_friction": "Optional[float]",
-        "model.delta_step": "Optional[Quantity]",
         "model.depths": "Optional[int]",
         "model.edge_contact": "Optional[bool]",
         "model.ehl": "Optional[EhlInput]",
@@ -801,36 +808,29 @@ CaseKeys = TypedDict(
         "model.ehl.travel": "Optional[float]",
         "model.face_coupling": "Optional[float]",
         "model.film": 'Optional[Literal["steady", "dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line"]]',
-        "model.film_friction": 'Optional[Literal["eyring", "carreau", "newton", "xu", "benedict-kelley", "iso-14179-1", "iso-14179-2", "matsumoto", "doleschel", "eyring-arana", "constant"]]',
-        "model.film_pressure": 'Optional[Literal["rippled", "own", "hertz"]]',
+        "model.film_friction": 'Optional[Union[Literal["eyring", "carreau", "newton", "xu", "benedict-kelley", "iso-14179-1", "iso-14179-2", "matsumoto", "doleschel", "eyring-arana", "constant"], FilmFriction, GearsFilmFriction]]',
+        "model.film_friction.constant": "Optional[float]",
+        "model.film_friction.iso-14179-2": "Optional[float]",
+        "model.film_friction.xu": "Optional[str]",
         "model.film_pressure_law": 'Optional[Literal["barus", "roelands"]]',
         "model.flash_feedback": "Optional[bool]",
-        "model.fluid_pressure": 'Optional[Literal["reynolds-cross", "paper"]]',
         "model.friction_scale": "Optional[float]",
         "model.full_film": 'Optional[Literal["formulas", "ehl", "ehl-transient"]]',
-        "model.gap_law": 'Optional[Literal["inlet", "power"]]',
-        "model.gap_roughness": 'Optional[Literal["peaks", "rms"]]',
         "model.hysteresis": "Optional[Union[float, str]]",
         "model.inlet_layer": "Optional[Quantity]",
         "model.inner_boundary": "Optional[float]",
-        "model.lambda_film": 'Optional[Literal["mass-flow", "gap"]]',
         "model.lay": 'Optional[Union[Literal["across", "isotropic"], Sequence[Union[Literal["across", "isotropic"], float]], float]]',
         "model.lay.0": 'Optional[Union[Literal["across", "isotropic"], float]]',
         "model.lay.1": 'Optional[Union[Literal["across", "isotropic"], float]]',
         "model.load_distribution": 'Optional[Union[Literal["elastic", "iso-stiffness", "uniform", "mean-length", "min-potential", "trapezoid"], LoadDistribution]]',
         "model.load_distribution.table": "Optional[Sequence[Sequence[float]]]",
         "model.load_share": 'Optional[Literal["solved", "lambda-star", "zhu-hu", "masjedi-khonsari", "jgp", "ehl"]]',
-        "model.lubricant_factor": "Optional[float]",
-        "model.numerical_error": "Optional[Union[float, str]]",
         "model.offsets": "Optional[int]",
-        "model.position": 'Optional[Union[Literal["A", "B", "C", "D", "E"], float]]',
         "model.positions": "Optional[int]",
-        "model.spot_speed": 'Optional[Literal["carried", "entrainment", "half-sliding"]]',
         "model.stiffness_factor": "Optional[float]",
-        "model.thermal": 'Optional[Literal["gupta", "murch-wilson", "none"]]',
+        "model.thermal": 'Optional[Literal["gupta", "none"]]',
         "model.tolerance": "Optional[float]",
         "model.window": "Optional[float]",
-        "model.xu_coefficients": "Optional[str]",
         "operation.bulk": "Optional[BulkInput]",
         "operation.bulk.between": "Optional[Quantity]",
         "operation.bulk.law": 'Optional[Literal["iso", "network"]]',
@@ -847,6 +847,10 @@ CaseKeys = TypedDict(
         "operation.speed": "Optional[Quantity]",
         "operation.temperature_deviation": "Optional[Quantity]",
         "operation.torque": "Optional[Quantity]",
+        "paper.delta_step": "Optional[Quantity]",
+        "paper.fluid_pressure": 'Optional[Literal["reynolds-cross", "paper"]]',
+        "paper.numerical_error": "Optional[Union[float, str]]",
+        "paper.position": 'Optional[Union[Literal["A", "B", "C", "D", "E"], float]]',
         "surface.coast": "Optional[CoastInput]",
         "surface.coast.pinion": "Optional[Union[FlankInput, str, PathLike[str], Profile]]",
         "surface.coast.pinion.abscissa": 'Optional[Literal["distance", "roll-length", "roll-degrees", "roll-radians"]]',
