@@ -81,7 +81,7 @@ const VALUES: &[Bad] = &[
     bad("base_oil", "base_oil = \"olive\"", "E204", &["lubricant.base_oil", "unknown choice `olive`", "`mineral`"]),
     bad("viscosity", "viscosity = 3", "E204", &["lubricant.viscosity", "integer `3`", "a table"]),
     bad("offsets", "offsets = 1.5", "E204", &["model.offsets", "`1.5`", "whole number"]),
-    bad("depths", "[paper]\nposition = \"F\"", "E204", &["paper.position", "`F`", "`A`, `B`, `C`, `D`, `E`", "0 at A, 1 at E"]),
+    bad("title", "paper.position = \"F\"", "E204", &["paper.position", "`F`", "`A`, `B`, `C`, `D`, `E`", "0 at A, 1 at E"]),
     bad("pinion", "pinion = 3", "E204", &["surface.pinion", "a table, e.g. { key = value }"]),
     about_table("bulk_temperature", "", "E204", &["operation: missing key \"bulk_temperature\"", "or `oil_temperature`"], "[operation]"),
     about_table("module", "", "E204", &["gears: missing key \"module\"", "length with a unit: mm"], "[gears]"),
