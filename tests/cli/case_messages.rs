@@ -509,3 +509,17 @@ fn help_fits_the_fault() {
         assert!(err.contains("help: Redirect the output"), "{err}");
     }
 }
+
+#[test]
+fn flanks_without_traces_do_not_run_in_and_their_case_is_named_once() {
+    let bench = Bench::new();
+    let known = r#"{ rq = "0.3 um", rpk = "0.1 um" }"#;
+    let case = E_DRIVE
+        .replace(r#"{ file = "pinion.csv" }"#, known)
+        .replace(r#"{ file = "wheel.csv", mirrored = true }"#, known);
+    bench.write("case.toml", case);
+    let said = bench.run(&["running-in", "case.toml", "--no-output"]);
+    let says = "needs the traces of both flanks, files of surface.pinion and surface.wheel";
+    said.refused(2, "E205", &["operation.running_in", says]);
+    assert_eq!(said.err.matches("case.toml").count(), 1, "{}", said.err);
+}

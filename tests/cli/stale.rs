@@ -260,8 +260,14 @@ fn no_key_that_names_a_file_is_missing_in_the_list() {
             continue;
         }
         let paths = text.lines().filter(|line| line.contains("PathBuf"));
-        let named = paths.filter_map(|line| line.trim().split_once(": "));
-        fields.extend(named.map(|(name, _)| name.trim_start_matches("pub ").to_owned()));
+        let named = paths.filter_map(|line| match line.trim().strip_suffix("(PathBuf),") {
+            Some(law) => Some(law.to_lowercase()),
+            None => {
+                let (name, _) = line.trim().split_once(": ")?;
+                Some(name.trim_start_matches("pub ").to_owned())
+            }
+        });
+        fields.extend(named);
     }
     let ends = FILE_KEYS.iter().filter_map(|key| key.rsplit('.').next());
     // Lists of traces are files and patterns of them.
