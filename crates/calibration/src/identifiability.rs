@@ -96,7 +96,7 @@ pub(crate) fn lambda_star_range(all: impl Iterator<Item = Option<f64>>) -> Optio
 }
 
 impl Rig {
-    /// Holds the boundary layer, with a warning, if [`missing_for_share`] lists anything.
+    /// Holds the boundary layer, with a warning, if `missing_for_share` lists anything.
     ///
     /// # Errors
     /// When no other parameter is fitted.

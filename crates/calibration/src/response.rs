@@ -110,7 +110,7 @@ impl Response {
         }
     }
 
-    /// The plane through `values` at the [`forward_settings`](Region::forward_settings) of a box.
+    /// The plane through `values` at the `forward_settings` of a box.
     #[must_use]
     pub fn tangent(axes: usize, values: &[f64]) -> Self {
         Self {

@@ -174,7 +174,7 @@ pub(crate) fn expected_covariance(
     ))
 }
 
-/// Standard deviations of the constants, over those of their priors, of [`expected_covariance`].
+/// Standard deviations of the constants, over those of their priors, of `expected_covariance`.
 ///
 /// # Errors
 /// When the friction has no solution at a point.
