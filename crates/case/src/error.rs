@@ -87,6 +87,7 @@ fn advice(source: &PositionError) -> &'static str {
 
 impl Error {
     /// A case error with the text that it is about, which the errors of a case share.
+    #[cfg(feature = "case-files")]
     pub(crate) fn in_text(error: CaseError, text: impl Into<Arc<Source>>) -> Self {
         Self::CaseText {
             error: Box::new(error),
