@@ -62,6 +62,7 @@ mod attenuated_traces;
 mod contact_table;
 mod error;
 mod film_alone;
+mod load_share_settings;
 mod point_contact;
 mod position_film;
 mod rough_contact;
@@ -77,12 +78,11 @@ pub use attenuated_traces::AttenuatedTraces;
 pub use contact_table::{ContactTable, TABLE_SHARES, TableRow};
 pub use error::LoadShareError;
 pub use film_alone::FilmAlone;
+pub use load_share_settings::{InletSupply, LoadShareSettings, PatchGap, SmoothFilm, SpotSpeed};
 pub use point_contact::{PointContact, PointFilm};
+pub use position_film::PositionFilm;
 pub use position_film::gradient::{Kinks, ShareGradient};
 pub use position_film::unflattening::{TraceChange, Unflattening, WindowGradient};
-pub use position_film::{
-    InletSupply, LoadShareSettings, PatchGap, PositionFilm, SmoothFilm, SpotSpeed,
-};
 pub use rough_contact::{ContactState, PatchWindow, RoughContact, RoughWindow};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};
 pub use spot_tree::Spot;

@@ -13,7 +13,6 @@ use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
-use asperity_ehl_regime::GapLaw;
 use asperity_mixed_film::{
     AttenuatedTraces, Flattening, InletSupply, Kinks, LoadShareSettings, LoadShareSolution,
     PositionFilm, SmoothFilm, Unflattening, WindowGradient, WindowRoughness,
@@ -56,8 +55,8 @@ impl<'a> RoughFilm<'a> {
             lay: surfaces.lay(model.lay)?,
             film_law: model.film,
             thermal: model.thermal,
-            supply: match (supply, model.gap_law()) {
-                (InletSupply::Rough, GapLaw::Power) => InletSupply::Starved,
+            supply: match supply {
+                InletSupply::Rough => model.rough_supply(),
                 _ => supply,
             },
             spot_speed: overrides.spot_speed(),

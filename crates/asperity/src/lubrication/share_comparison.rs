@@ -7,7 +7,7 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_core::task::try_par_map;
 use asperity_ehl::Record;
 use asperity_ehl_regime::published_shares::masjedi_khonsari;
-use asperity_ehl_regime::{GapLaw, Lay, LoadShareLaw, PairSpectrum, TraceSpectrum};
+use asperity_ehl_regime::{Lay, LoadShareLaw, PairSpectrum, TraceSpectrum};
 use serde::Serialize;
 
 use super::chosen_laws::ChosenLaws;
@@ -154,10 +154,7 @@ pub fn share_settings(
         lay: Lay::of_pair(model.lay, contact.traces.each_ref().map(rms))?,
         film_law: model.film,
         thermal: model.thermal,
-        supply: match model.gap_law() {
-            GapLaw::Inlet => InletSupply::Rough,
-            GapLaw::Power => InletSupply::Starved,
-        },
+        supply: model.rough_supply(),
         spot_speed: loaded.overrides.spot_speed(),
         inner_boundary: model.inner_boundary,
         share_factor: loaded.overrides.asperity_share_factor(),

@@ -228,7 +228,7 @@ fn at_medians(
         held_thermal: None,
         patch_flow: None,
         relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
-        gap_law: loaded.case.model.gap_law(),
+        gap_law: loaded.case.model.rough_supply().gap_law(),
         roughness_over_film: path.roughness_over_film,
         max_pressure_pa: path.max_pressure_pa,
         film_m: path.film_m,

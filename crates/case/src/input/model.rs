@@ -4,11 +4,11 @@ use asperity_contact::SolverSettings;
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
 use asperity_efficiency::swept::HYSTERESIS;
-use asperity_ehl_regime::GapLaw;
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_flanks::error::NARROWEST_WINDOW;
 use asperity_gear::{GearPair, LoadLaw, LoadMapSettings};
+use asperity_mixed_film::InletSupply;
 use asperity_ns_film::FluidModel;
 use asperity_oil::PressureLaw;
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, INNER_BOUNDARY};
@@ -181,12 +181,12 @@ impl Model {
         }
     }
 
-    /// Law of the gap supplied to rough flanks: a starved inlet has its own.
+    /// Supply of the solved contact of rough flanks: a starved inlet has its own law.
     #[must_use]
-    pub fn gap_law(&self) -> GapLaw {
+    pub fn rough_supply(&self) -> InletSupply {
         match (self.load_share, self.inlet_layer) {
-            (LoadShareName::Solved, Some(_)) => GapLaw::Power,
-            _ => GapLaw::Inlet,
+            (LoadShareName::Solved, Some(_)) => InletSupply::Starved,
+            _ => InletSupply::Rough,
         }
     }
 

@@ -1,11 +1,12 @@
 //! All that the flanks of a case follow from, except the content of their files.
 
 use asperity_core::quantity::Length;
-use asperity_ehl_regime::{GapLaw, Lay};
+use asperity_ehl_regime::Lay;
 use asperity_flanks::flank_form::{FormError, shortest_form};
 use asperity_flanks::meeting::{largest_spacing, needed_length};
 use asperity_flanks::trace_filters::StatedFilters;
 use asperity_gear::{Gear, GearPair};
+use asperity_mixed_film::InletSupply;
 use asperity_roughness::preparation::Preparation;
 
 use crate::input::case_input::{Side, SurfaceInput};
@@ -70,7 +71,7 @@ impl FlankInputs {
             solves_contact: solves && (law.supply().is_some() || law == LoadShareName::Ehl),
             has_patches: solves
                 && law.supply().is_some()
-                && case.model.gap_law() == GapLaw::Inlet
+                && case.model.rough_supply() == InletSupply::Rough
                 && case.running_in.is_none(),
             has_one_position: case.formulation.positions() == Positions::Single,
         }

@@ -33,9 +33,10 @@ use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 use asperity_tribo_friction::FilmHeat;
 use serde::{Deserialize, Serialize};
 
-use super::{InletSupply, PositionFilm};
+use super::PositionFilm;
 use crate::contact_table::{AtShare, ContactTable};
 use crate::error::LoadShareError;
+use crate::load_share_settings::InletSupply;
 use crate::rough_contact::RoughContact;
 use crate::spots::SpotConditions;
 use crate::window_gap::gap_under;
