@@ -1,4 +1,4 @@
-//! Commands about a case beside its run: keys set past it, standard input, `check`, the oils of the library.
+//! Commands that read a case without a run: `--set`, standard input, `check`; and the lists of the library.
 
 use std::process::Command;
 

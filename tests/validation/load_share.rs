@@ -43,10 +43,6 @@ pub fn losses(case: &LoadedCase) -> Losses {
     asperity_tests::losses(case).unwrap()
 }
 
-pub fn summary(name: &str, keys: &[(&str, &str)]) -> Summary {
-    losses(&with(name, keys)).summary
-}
-
 /// Few offsets, as the reference computation took.
 pub const FEW: [(&str, &str); 2] = [("model.positions", "16"), ("model.offsets", "4")];
 
@@ -121,26 +117,6 @@ fn contacts_made_before_serve_other_oils_speeds_and_temperatures() {
         let kept = losses_with(&tables, &other).unwrap();
         assert_eq!(kept.summary, losses(&other).summary, "{key}");
     }
-}
-
-#[test]
-fn the_first_version_is_found_again_by_names() {
-    let first = summary(
-        "e-drive",
-        &[
-            ("model.load_share", "lambda-star"),
-            ("model.film_friction", "xu"),
-            ("model.boundary_friction", "0.1"),
-            ("model.lay", "0"),
-            ("gears.pinion.tip_relief", "none"),
-            ("gears.wheel.tip_relief", "none"),
-            ("model.hysteresis", "0 %"),
-            ("model.load_distribution", "mean-length"),
-            ("model.positions", "32"),
-        ],
-    );
-    // 1132 W on 16 windows of its own, whose mean over 256 of ours is 1090 W.
-    assert_close("loss", first.loss_w, 1132.0, 0.04);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Losses beside an independent computation, and films of cold oil.
+//! Losses of Petry-Johnson's gears compared with an independent computation, and films of cold oil.
 
 use std::fmt::Write as _;
 use std::sync::OnceLock;

@@ -66,7 +66,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
         return print_text(common, &bibtex(runs()));
     }
     let results = Results::from(&outcome);
-    // The line about an older result.
+    // The line about an earlier result.
     let replaced = usize::from(target.as_ref().is_some_and(|target| target.older.is_some()));
     let text = match common.notes || args.models || args.laws || args.explain_defaults {
         true => results.with_each(&|result| details(result, args, common.notes)),
@@ -147,7 +147,7 @@ fn failed(error: &Error, args: &RunArgs, folder: Option<&Path>) -> Failure {
 /// Folder of a result.
 struct Target {
     folder: PathBuf,
-    /// Title of the older result that is replaced.
+    /// Title of the earlier result that is replaced.
     older: Option<String>,
 }
 

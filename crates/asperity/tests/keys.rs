@@ -450,7 +450,7 @@ fn a_starved_inlet_thins_the_film_to_its_layer() {
     // 2 % over the path.
     let plenty = with("100 um");
     let jump = plenty.summary.loss_w / flooded.summary.loss_w - 1.0;
-    assert!(jump.abs() < 0.15, "{jump}");
+    assert!((-0.12..-0.06).contains(&jump), "{jump}");
     assert_eq!(
         plenty.path[0].film_central_um,
         flooded.path[0].film_central_um

@@ -129,8 +129,8 @@ fn cells_that_the_traces_do_not_resolve_are_counted_and_stop_no_run() {
 }
 
 #[test]
-fn mean_length_with_32_positions_is_the_loss_of_version_1() {
-    // 1132 W on 16 windows of its own; 1090 W on 256 of ours. Every choice is named that is of another default now or may be.
+fn the_classical_laws_together_keep_their_loss() {
+    // 1132 W on 16 other windows; 1090 W on 256 of these. Every choice is named, whatever its default.
     let loss = losses(&shipped(
         "e-drive",
         &[

@@ -508,7 +508,7 @@ fn the_map_carries_the_force_at_every_phase() {
 }
 
 #[test]
-fn mean_length_is_the_local_loss_factor_of_version_1() {
+fn the_mean_length_has_the_local_loss_factor_of_equal_loads() {
     for name in ["e-drive", "table2", "fzg-c", "H701"] {
         let case = golden().case(name);
         let found = case.map(

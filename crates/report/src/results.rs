@@ -48,7 +48,7 @@ impl<'a> From<&'a Outcome> for Results<'a> {
 }
 
 /// Checks that a result may be written as folder `target`: `target` does not exist, is empty, or holds an unchanged
-/// older result, which is replaced as a whole.
+/// earlier result, which is replaced as a whole.
 ///
 /// # Errors
 /// When `target` holds something else.
@@ -61,7 +61,7 @@ pub fn check_place(target: &Path) -> Result<(), Fault> {
 /// The folder of a mesh holds `result.json`, `path.csv`, `load.csv`, tables of losses, friction laws and offsets, and
 /// `report.html` with the thinned tables it is drawn from; of scans the tables of [`scans`](crate::scans); with `fields` also
 /// `load_map.csv`, tables of the flanks, `convergence.csv`, and a folder `position_NN` for each position. The folder of a train
-/// holds `train.json` (`planetary.json` of a case `[planetary]`), `meshes.csv`, `shafts.csv`, `report.html`, and such a folder for each kind of mesh. An older result is
+/// holds `train.json` (`planetary.json` of a case `[planetary]`), `meshes.csv`, `shafts.csv`, `report.html`, and such a folder for each kind of mesh. An earlier result is
 /// replaced; anything else is left unchanged and is an error.
 ///
 /// # Errors

@@ -31,12 +31,12 @@ pub trait StudyResult: Serialize + Sized {
     /// Checks that a result may be written as folder `target`.
     ///
     /// # Errors
-    /// When `target` holds something else than an older result of this kind.
+    /// When `target` holds something else than an earlier result of this kind.
     fn check_target(target: &Path) -> Result<(), Fault> {
         Ok(check_folder(target, Self::KIND)?)
     }
 
-    /// Title of the older result of this kind in folder `target`; `None` if there is none, or no title can be read.
+    /// Title of the earlier result of this kind in folder `target`; `None` if there is none, or no title can be read.
     fn title_of(target: &Path) -> Option<String> {
         title_in(&target.join(Self::NAME).with_extension("json"))
     }
