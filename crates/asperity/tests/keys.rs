@@ -446,11 +446,11 @@ fn a_starved_inlet_thins_the_film_to_its_layer() {
     let case = case.unwrap();
     let with = |layer: &str| losses(&case.with_key("model.inlet_layer", layer).unwrap()).unwrap();
     let flooded = losses(&case).unwrap();
-    // The law of a starved inlet, with a layer that starves nothing, is another than that of a flooded one: 9 % in these few windows,
-    // 2 % over the path.
+    // The law of a starved inlet, with a layer that starves nothing, loses more than the law of a flooded one: 9 % in these few
+    // windows, 2 % over the path.
     let plenty = with("100 um");
     let jump = plenty.summary.loss_w / flooded.summary.loss_w - 1.0;
-    assert!((-0.12..-0.06).contains(&jump), "{jump}");
+    assert!((0.06..0.12).contains(&jump), "{jump}");
     assert_eq!(
         plenty.path[0].film_central_um,
         flooded.path[0].film_central_um
