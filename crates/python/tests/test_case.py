@@ -50,7 +50,7 @@ def test_pint_is_taken():
     quantities = {
         "torque": 145 * unit.newton * unit.meter,
         "speed": unit.Quantity(9000, "revolution/minute"),
-        "temperature": unit.Quantity(90, "degC"),
+        "bulk_temperature": unit.Quantity(90, "degC"),
     }
     found = asperity.Case(small(operation=quantities))
     assert found.run("losses").loss_w == pytest.approx(asperity.Case(small()).run("losses").loss_w, rel=1e-12)

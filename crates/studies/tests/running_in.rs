@@ -104,6 +104,74 @@ fn superfinished_flanks_gain_nothing_by_flow() {
     assert!(study.summary().contains("only wear"), "{}", study.summary());
 }
 
+/// A scan without a lay, 24 rows of 1500 points, in the text format of ISO 25178-71.
+fn scan(seed: f64) -> Vec<u8> {
+    let part = |k: u32, by: f64| ((f64::from(k) + seed) * by).fract();
+    let wave = |k: u32| {
+        let length = 7.0 * 6.0_f64.powf(part(k, 0.618_034));
+        let angle = std::f64::consts::TAU * part(k, 0.754_878);
+        [
+            angle.cos() / length,
+            angle.sin() / length,
+            part(k, 0.569_84),
+        ]
+    };
+    let waves: Vec<[f64; 3]> = (0..40).map(wave).collect();
+    let height = |x: f64, y: f64| -> f64 {
+        let each =
+            |[kx, ky, phase]: &[f64; 3]| (std::f64::consts::TAU * (kx * x + ky * y + phase)).cos();
+        40.0 * waves.iter().map(each).sum::<f64>()
+    };
+    let row = |y: u32| {
+        let row = (0..1500).map(|x| format!("{:.3} ", height(f64::from(x), 2.0 * f64::from(y))));
+        row.collect::<String>() + "\n"
+    };
+    let rows: String = (0..24).map(row).collect();
+    let head = "aISO-1.0\nManufacID = x\nNumPoints = 1500\nNumProfiles = 24\nXscale = 1E-06\nYscale = 2E-06\nZscale = 1E-09\n\
+        Zresolution = 1E-12\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n";
+    format!("{head}{rows}*\n").into_bytes()
+}
+
+#[test]
+fn scans_that_a_run_takes_as_patches_run_in_by_their_rows_from_the_loss_of_the_rows() {
+    let text = "\
+        gears = { teeth = [23, 68], module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\" }\n\
+        material.pinion = { elastic_limit = \"1500 MPa\", flow_pressure = \"7 GPa\" }\n\
+        operation = { torque = \"30 N m\", speed = \"6000 1/min\", bulk_temperature = \"90 degC\" }\n\
+        lubricant.oil = \"m100\"\n\
+        model = { positions = 2, offsets = 1, depths = 0 }\n\
+        [surface]\ncutoff = \"0.08 mm\"\npinion = { file = \"1\" }\nwheel = { file = \"9\" }\n";
+    let scan = |name: &str| Ok(scan(name.parse().unwrap()));
+    let case = case::from_text("case.toml", text, &scan).unwrap();
+    assert!(case.surfaces.sheets().is_some());
+    let study = found(&case, serde_json::json!({ "engagements": 4 })).unwrap();
+    let rows = asperity::pipeline::less_of_scans(&case)
+        .unwrap()
+        .case
+        .unwrap();
+    assert!(rows.surfaces.sheets().is_none());
+    let run = asperity::Run::new(&rows).interval(true).execute().unwrap();
+    let loss = run.into_only().unwrap().result.summary.loss_w;
+    assert!(
+        (study.loss_w / loss - 1.0).abs() < 1e-9,
+        "{} {loss}",
+        study.loss_w
+    );
+    let said = |text: &str| {
+        study
+            .warnings
+            .iter()
+            .any(|warning| warning.text.contains(text))
+    };
+    assert!(said("the contact of lines is not confirmed") && !said("patches of whole surfaces"));
+    let patches = case.with_key("surface.contact", "patch").unwrap();
+    let refused = found(&patches, serde_json::json!({})).unwrap_err();
+    assert!(
+        refused.starts_with("E205") && refused.contains("set surface.contact = \"lines\""),
+        "{refused}"
+    );
+}
+
 #[test]
 fn a_history_passes_through_the_traces_of_a_test() {
     let case = case();

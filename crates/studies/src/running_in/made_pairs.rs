@@ -160,7 +160,7 @@ fn the_clock_of_the_history_loses_least_on_made_pairs() {
             }
         }
         if trial % 10 == 9 {
-            println!("after {} trials: k inside {held} of {of_own}", trial - 999);
+            println!("after {} trials: k inside {held} of {of_own}", trial - 4999);
             for (score, name) in scores.iter().zip(["wear", "truncation", "logarithm"]) {
                 let rms = |squares: f64| (squares / score.count).sqrt();
                 println!(

@@ -7,7 +7,7 @@ use asperity::case::{LoadedCase, OperatingCase, RunningInPlan};
 use asperity::core::cancel::checkpoint;
 use asperity::gear::{FlankPoint, Gear};
 use asperity::message::Warning;
-use asperity::pipeline::{History, HistorySettings, Kept, history};
+use asperity::pipeline::{History, HistorySettings, Kept, history, less_of_scans};
 use asperity::profile_io::read::{ReadOptions, read};
 use asperity::running_in::{limits, run_in};
 use asperity::{PositionError, Run};
@@ -143,6 +143,7 @@ impl StudySettings for RunningInSettings {
 
     fn run(&self, case: LoadedCase, watch: &Watch<'_>) -> Result<RunningInFound, Fault> {
         let test = self.measured()?;
+        let case = by_rows(case)?;
         let cases = self.cases(&case)?;
         let steps = AtomicUsize::new(0);
         let total = STATES * cases.len();
@@ -192,6 +193,17 @@ impl StudySettings for RunningInSettings {
         }
         (watch.progress)(total, total);
         Ok(found)
+    }
+}
+
+/// The case with rows of its scans in place of the patches that their lay asks for, which do not run in.
+fn by_rows(case: LoadedCase) -> Result<LoadedCase, Fault> {
+    if case.case.input.surface.contact.is_some() {
+        return Ok(case);
+    }
+    match less_of_scans(&case) {
+        Some(scans) if scans.are_patches => Ok(scans.case?),
+        _ => Ok(case),
     }
 }
 
