@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use asperity::case::{
-    CaseInput, FilmFrictionLaw, LoadShareName, LoadedCase, Model, load, load_with,
+    Case, CaseInput, FilmFrictionLaw, LoadShareName, LoadedCase, load, load_with,
 };
 use asperity::core::quantity::LineLoad;
 use asperity::formulation::FormulationChoice;
@@ -138,9 +138,9 @@ fn assert_only<L: PartialEq + std::fmt::Debug>(
 }
 
 /// The tags without the film law of the touching spots, which every solved load share takes.
-fn without_spots(tags: &BTreeSet<&'static str>, model: &Model) -> BTreeSet<&'static str> {
-    let solves = matches!(model.load_share, LoadShareName::Solved | LoadShareName::Jgp);
-    let is_of_spots = |tag: &str| solves && model.film != FilmLaw::Moes && tag == "Moes";
+fn without_spots(tags: &BTreeSet<&'static str>, case: &Case) -> BTreeSet<&'static str> {
+    let solves = case.share_law().contact().is_some();
+    let is_of_spots = |tag: &str| solves && case.model.film != FilmLaw::Moes && tag == "Moes";
     let others = tags.iter().filter(|tag| !is_of_spots(tag));
     others.copied().collect()
 }
@@ -149,7 +149,12 @@ fn without_spots(tags: &BTreeSet<&'static str>, model: &Model) -> BTreeSet<&'sta
 fn a_run_names_the_laws_that_it_uses_and_not_the_others() {
     for (name, loaded, run) in runs() {
         let (tags, model) = (tags(&run.result.equations), &loaded.case.model);
-        assert_only(name, &without_spots(&tags, model), &FILM, &model.film);
+        assert_only(
+            name,
+            &without_spots(&tags, &loaded.case),
+            &FILM,
+            &model.film,
+        );
         assert_only(name, &tags, &THERMAL, &model.thermal);
         assert_only(name, &tags, &FRICTION, &model.film_friction.law());
         let formulation = loaded.case.formulation;

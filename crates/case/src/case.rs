@@ -73,6 +73,7 @@ pub use crate::resolved::overrides::{Alternative, Overrides};
 pub use crate::resolved::resolve::{Case, Resolved, resolve};
 pub use crate::resolved::running_in::RunningInPlan;
 pub use crate::resolved::shafting::{Flow, MeshLoad, Shafting, StageKind};
+pub use crate::resolved::share_law::{PublishedShare, ShareLaw};
 pub use crate::resolved::steel::STEEL_FLOW_PRESSURE;
 pub use crate::source::case_error::CaseError;
 pub use crate::source::defaults::DefaultUsed;

@@ -5,8 +5,6 @@ use asperity_tribo_friction::FrictionLaw;
 use asperity_oil::ShearLawName;
 use serde::{Deserialize, Serialize};
 
-use asperity_mixed_film::InletSupply;
-
 /// Friction in the film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -113,31 +111,6 @@ impl FullFilmName {
             Self::Formulas => "formulas",
             Self::Ehl => "ehl",
             Self::EhlTransient => "ehl-transient",
-        }
-    }
-}
-
-impl LoadShareName {
-    /// Inlet supply of the laws that use the solved contact.
-    #[must_use]
-    pub const fn supply(self) -> Option<InletSupply> {
-        match self {
-            Self::Solved => Some(InletSupply::Rough),
-            Self::Jgp => Some(InletSupply::Smooth),
-            _ => None,
-        }
-    }
-
-    /// The name in a case file.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Solved => "solved",
-            Self::LambdaStar => "lambda-star",
-            Self::ZhuHu => "zhu-hu",
-            Self::MasjediKhonsari => "masjedi-khonsari",
-            Self::Jgp => "jgp",
-            Self::Ehl => "ehl",
         }
     }
 }
