@@ -35,7 +35,7 @@ pub use crate::input::gearbox_input::{
     BearingInput, BearingKind, GearboxInput, Hand, JetInput, MeshJetInput, SealInput, TableInput,
 };
 pub use crate::input::key_ranges::range_of;
-pub use crate::input::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
+pub use crate::input::law_names::{FullFilmName, LoadShareName};
 pub use crate::input::micropitting_input::MicropittingInput;
 pub use crate::input::model::{
     EhlChoices, EhlInput, LEAST_OFFSETS, Model, ModelInput, PaperChoices, PaperInput,

@@ -9,13 +9,13 @@ use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_flanks::error::NARROWEST_WINDOW;
 use asperity_gear::{GearPair, LoadLaw, LoadMapSettings};
 use asperity_ns_film::FluidModel;
-use asperity_oil::PressureLaw;
+use asperity_oil::{PressureLaw, ShearLawName};
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, INNER_BOUNDARY};
-use asperity_tribo_friction::{FrictionSettings, RoughnessReading};
+use asperity_tribo_friction::{FrictionLaw, FrictionSettings, RoughnessReading};
 use serde::Serialize;
 
 use super::film_friction_input::FilmFrictionInput;
-use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
+use super::law_names::{FullFilmName, LoadShareName};
 use super::one_or_two::OneOrTwo;
 use super::path_point::{NamedPoint, PathPoint, Positions};
 use super::rows::{OPEN, Stated, choices};
@@ -333,9 +333,9 @@ impl Choices<'_> {
         key: Key,
         stated: Stated<FilmFrictionInput>,
     ) -> Choice<FilmFrictionInput> {
-        let eyring = FilmFrictionInput::from(FilmFrictionLaw::Eyring);
+        let eyring = FilmFrictionInput::Film(ShearLawName::Eyring);
         let chosen = self.default(key, stated, eyring)?;
-        if chosen == FilmFrictionLaw::Constant.into() {
+        if chosen == FrictionLaw::Constant.into() {
             let rule = "needs its coefficient, as { constant = 0.05 }";
             return Err(Section::of(self.source, key).conflict("", rule));
         }
