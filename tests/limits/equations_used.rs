@@ -6,14 +6,16 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use asperity::case::{
-    CaseInput, FilmFrictionLaw, LoadShareName, LoadedCase, Model, load, load_with,
+    Case, CaseInput, FilmFrictionInput, LoadShareName, LoadedCase, load, load_with,
 };
 use asperity::core::quantity::LineLoad;
 use asperity::formulation::FormulationChoice;
 use asperity::laws::Laws;
+use asperity::oil::ShearLawName;
 use asperity::result::{EquationUse, MeshOutcome};
 use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
 use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadLaw, LoadMap};
+use asperity_tribo_friction::FrictionLaw;
 
 const CASES: [&str; 4] = ["e-drive", "e-drive-superfinished", "fzg-c", "table2"];
 
@@ -38,20 +40,32 @@ const FILM: [(FilmLaw, &[&str]); 5] = [
 ];
 const THERMAL: [(ThermalLaw, &[&str]); 2] =
     [(ThermalLaw::Gupta, &["P10"]), (ThermalLaw::None, &[])];
-const FRICTION: [(FilmFrictionLaw, &[&str]); 7] = [
-    (FilmFrictionLaw::Eyring, &["Film-friction", "Surface-heat"]),
-    (FilmFrictionLaw::Xu, &["P7"]),
-    (FilmFrictionLaw::BenedictKelley, &["Benedict-Kelley"]),
-    (FilmFrictionLaw::Iso14179Part2, &["Schlenk"]),
+static FRICTION: [(FilmFrictionInput, &[&str]); 7] = [
     (
-        FilmFrictionLaw::Doleschel,
+        FilmFrictionInput::Film(ShearLawName::Eyring),
+        &["Film-friction", "Surface-heat"],
+    ),
+    (FilmFrictionInput::Published(FrictionLaw::Xu), &["P7"]),
+    (
+        FilmFrictionInput::Published(FrictionLaw::BenedictKelley),
+        &["Benedict-Kelley"],
+    ),
+    (
+        FilmFrictionInput::Published(FrictionLaw::Iso14179Part2),
+        &["Schlenk"],
+    ),
+    (
+        FilmFrictionInput::Published(FrictionLaw::Doleschel),
         &["Doleschel", "Doleschel-share", "Eyring"],
     ),
     (
-        FilmFrictionLaw::Matsumoto,
+        FilmFrictionInput::Published(FrictionLaw::Matsumoto),
         &["Matsumoto", "Matsumoto-share", "Eyring"],
     ),
-    (FilmFrictionLaw::EyringArana, &["Eyring"]),
+    (
+        FilmFrictionInput::Published(FrictionLaw::Eyring),
+        &["Eyring"],
+    ),
 ];
 const SHARE: [(LoadShareName, &[&str]); 3] = [
     (LoadShareName::LambdaStar, &["Film-share"]),
@@ -138,9 +152,9 @@ fn assert_only<L: PartialEq + std::fmt::Debug>(
 }
 
 /// The tags without the film law of the touching spots, which every solved load share takes.
-fn without_spots(tags: &BTreeSet<&'static str>, model: &Model) -> BTreeSet<&'static str> {
-    let solves = matches!(model.load_share, LoadShareName::Solved | LoadShareName::Jgp);
-    let is_of_spots = |tag: &str| solves && model.film != FilmLaw::Moes && tag == "Moes";
+fn without_spots(tags: &BTreeSet<&'static str>, case: &Case) -> BTreeSet<&'static str> {
+    let solves = case.share_law().contact().is_some();
+    let is_of_spots = |tag: &str| solves && case.model.film != FilmLaw::Moes && tag == "Moes";
     let others = tags.iter().filter(|tag| !is_of_spots(tag));
     others.copied().collect()
 }
@@ -149,9 +163,14 @@ fn without_spots(tags: &BTreeSet<&'static str>, model: &Model) -> BTreeSet<&'sta
 fn a_run_names_the_laws_that_it_uses_and_not_the_others() {
     for (name, loaded, run) in runs() {
         let (tags, model) = (tags(&run.result.equations), &loaded.case.model);
-        assert_only(name, &without_spots(&tags, model), &FILM, &model.film);
+        assert_only(
+            name,
+            &without_spots(&tags, &loaded.case),
+            &FILM,
+            &model.film,
+        );
         assert_only(name, &tags, &THERMAL, &model.thermal);
-        assert_only(name, &tags, &FRICTION, &model.film_friction.law());
+        assert_only(name, &tags, &FRICTION, &model.film_friction);
         let formulation = loaded.case.formulation;
         let printed = formulation == asperity_paper_2022::register();
         assert_eq!(tags.contains("P19"), printed, "{name} {formulation:?}");
@@ -179,7 +198,7 @@ fn another_law_changes_its_own_equations_alone() {
     let loaded = shipped("e-drive", FormulationChoice::default());
     // Laws that add nothing of the rough contact.
     let loaded = loaded.with(|input| {
-        input.model.film_friction = Some(FilmFrictionLaw::Xu.into());
+        input.model.film_friction = Some(FrictionLaw::Xu.into());
         input.model.load_share = Some(LoadShareName::LambdaStar);
     });
     let loaded = loaded.unwrap();
@@ -197,7 +216,7 @@ fn another_law_changes_its_own_equations_alone() {
         .collect();
     let friction: Vec<_> = FRICTION
         .iter()
-        .map(|law| changed(&|input| input.model.film_friction = Some(law.0.into())))
+        .map(|law| changed(&|input| input.model.film_friction = Some(law.0.clone())))
         .collect();
     let thermal: Vec<_> = THERMAL
         .iter()

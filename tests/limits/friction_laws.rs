@@ -2,9 +2,13 @@
 
 use asperity::result::{PublishedOutcome, RunResult};
 use asperity_tests::{CaseText, assert_close, table_2};
+use asperity_tribo_friction::FrictionLaw;
 
-/// A law is given the oil temperature of its fit or none; `iso-14179-1` is made with the rolling loss in it.
-const LAWS: [&str; 4] = ["xu", "iso-14179-2", "benedict-kelley", "iso-14179-1"];
+/// The laws that a result shows beside.
+fn whole_laws() -> impl Iterator<Item = &'static str> {
+    let rows = FrictionLaw::ALL.iter().map(|law| law.published());
+    rows.filter(|row| row.is_whole).map(|row| row.name)
+}
 
 fn result(case: CaseText) -> RunResult {
     case.run().result
@@ -26,7 +30,7 @@ fn shown(result: &RunResult, law: &str) -> [f64; 2] {
 #[test]
 fn a_law_applied_whole_loses_what_it_loses_where_the_film_carries_all() {
     let beside = result(table_2());
-    for law in LAWS {
+    for law in whole_laws() {
         let [loss, sliding] = shown(&beside, law);
         let alone = result(table_2().with("model.film_friction", law)).summary;
         assert_close(law, sliding, alone.sliding_w, 1e-13);
@@ -48,7 +52,7 @@ fn no_asperities_are_added_to_a_law_that_has_them() {
         result(peaks(peaks(table_2(), "pinion"), "wheel"))
     });
     assert!(rough.summary.sliding_w > 1.5 * smooth.summary.sliding_w);
-    for law in LAWS {
+    for law in whole_laws() {
         assert_eq!(shown(&smooth, law), shown(&rough, law), "{law}");
     }
 }

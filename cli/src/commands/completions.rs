@@ -112,4 +112,14 @@ mod tests {
         all.sort_unstable();
         assert_eq!(listed, all);
     }
+
+    #[test]
+    fn the_commands_stay_few() {
+        fn count(command: &Command) -> usize {
+            let inner = command.get_subcommands();
+            inner.map(|command| 1 + count(command)).sum()
+        }
+        let count = count(&Cli::command());
+        assert!((20..=40).contains(&count), "{count} with sub-commands");
+    }
 }

@@ -7,7 +7,7 @@ use crate::contacts::Contacts;
 use crate::result::loss_band::EvidenceRow;
 use crate::train::Outcome;
 use crate::uncertainty::{Expected, Measurement, MeshDraws, Quantiles};
-use asperity_case::case::LoadedCase;
+use asperity_case::case::{LoadedCase, ShareLaw};
 use asperity_case::error::Error;
 
 /// Standard deviation of the logarithm of a boundary friction measured on a traction machine: its transfer to gears.
@@ -143,7 +143,7 @@ fn curves(
     contacts: &Contacts,
     plan: &CurvePlan<'_>,
 ) -> Result<Vec<PlannedCurves>, String> {
-    if case.case.load_share().needs_records() {
+    if matches!(case.case.share_law(), ShareLaw::Reference) {
         let why = "other constants of the film need other records of mixed lubrication";
         return Err(why.to_owned());
     }

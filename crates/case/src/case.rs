@@ -35,7 +35,7 @@ pub use crate::input::gearbox_input::{
     BearingInput, BearingKind, GearboxInput, Hand, JetInput, MeshJetInput, SealInput, TableInput,
 };
 pub use crate::input::key_ranges::range_of;
-pub use crate::input::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
+pub use crate::input::law_names::{FullFilmName, LoadShareName};
 pub use crate::input::micropitting_input::MicropittingInput;
 pub use crate::input::model::{
     EhlChoices, EhlInput, LEAST_OFFSETS, Model, ModelInput, PaperChoices, PaperInput,
@@ -73,6 +73,7 @@ pub use crate::resolved::overrides::{Alternative, Overrides};
 pub use crate::resolved::resolve::{Case, Resolved, resolve};
 pub use crate::resolved::running_in::RunningInPlan;
 pub use crate::resolved::shafting::{Flow, MeshLoad, Shafting, StageKind};
+pub use crate::resolved::share_law::{PublishedShare, ShareLaw};
 pub use crate::resolved::steel::STEEL_FLOW_PRESSURE;
 pub use crate::source::case_error::CaseError;
 pub use crate::source::defaults::DefaultUsed;

@@ -19,6 +19,7 @@ pub const LIMIT_POWER: f64 = 4.0;
 
 /// Name of a shear law; the oil gives its constants ([`TractionConstants::shear_law`](crate::TractionConstants::shear_law)).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum ShearLawName {
@@ -32,6 +33,9 @@ pub enum ShearLawName {
 }
 
 impl ShearLawName {
+    /// Every shear law.
+    pub const ALL: &[Self] = &[Self::Eyring, Self::Carreau, Self::Newton];
+
     /// The name in a case file.
     #[must_use]
     pub const fn name(self) -> &'static str {

@@ -22,7 +22,7 @@ pub use film_pressure::film_between;
 pub use film_survey::{FilmRow, FilmSurvey, film};
 
 use asperity::PositionError;
-use asperity::case::{FilmFrictionLaw, LoadShareName, ModelInput, PaperChoices, Positions};
+use asperity::case::{LoadShareName, ModelInput, PaperChoices, Positions};
 use asperity::formulation::{self, FilmRegime, Formulation, FormulationChoice};
 use asperity::window_pressures::{DeformationPower, Pressed, WindowConditions, WindowPressures};
 use asperity_core::quantity::Ratio;
@@ -30,7 +30,7 @@ use asperity_efficiency::RollingSurfaces;
 use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_ehl_regime::{FilmLaw, Regime, ThermalLaw};
 use asperity_gear::LoadLaw;
-use asperity_tribo_friction::RoughnessReading;
+use asperity_tribo_friction::{FrictionLaw, RoughnessReading};
 
 /// Coefficient of dry steel on steel, Table 2 of the paper.
 const METAL_ON_METAL: f64 = 0.3;
@@ -64,7 +64,7 @@ impl Formulation for Paper {
         ModelInput {
             offsets: Some(1),
             load_distribution: Some(LoadLaw::MeanLength),
-            film_friction: Some(FilmFrictionLaw::Xu.into()),
+            film_friction: Some(FrictionLaw::Xu.into()),
             boundary_friction: Some(METAL_ON_METAL),
             film: Some(FilmLaw::HamrockDowson),
             thermal: Some(ThermalLaw::None),

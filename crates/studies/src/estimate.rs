@@ -8,7 +8,7 @@
 use asperity_core::task::{on_threads, threads};
 use std::time::Instant;
 
-use asperity::case::{FullFilmName, LoadShareName, LoadedCase};
+use asperity::case::{FullFilmName, LoadedCase, ShareLaw};
 use asperity::flanks::Texture;
 use asperity::mesh::Mesh;
 use asperity::pipeline::Kept;
@@ -160,14 +160,14 @@ fn measured_mesh(loaded: &LoadedCase, kept: &Kept) -> Result<Cost, Error> {
 
 /// Whether a run solves records of the lubricated contact.
 pub(crate) fn has_records(loaded: &LoadedCase) -> bool {
-    let model = &loaded.case.model;
-    model.load_share == LoadShareName::Ehl || model.full_film == FullFilmName::EhlTransient
+    matches!(loaded.case.share_law(), ShareLaw::Reference)
+        || loaded.case.model.full_film == FullFilmName::EhlTransient
 }
 
 /// Whether each contact is tabulated over its share of the load.
 fn has_tables(loaded: &LoadedCase) -> bool {
     let case = &loaded.case;
-    case.formulation.pressures().is_none() && case.model.load_share.supply().is_some()
+    case.formulation.pressures().is_none() && case.share_law().contact().is_some()
 }
 
 /// Counted work of a run and its times \[s\].

@@ -1,7 +1,7 @@
 //! Friction coefficients, rolling resistance, mixed friction and flash temperature of lubricated
 //! gear flanks.
 //!
-//! One file a law, each with its own function in the units a reader expects; [`FrictionLaw`]
+//! One file a law in [`friction_law`], each with its own function in the units a reader expects; [`FrictionLaw`]
 //! chooses between them by the name in a case file and takes what it needs from
 //! [`FrictionConditions`].
 //!
@@ -27,24 +27,17 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod benedict_kelley;
 pub mod boundary;
 pub mod conditions;
-pub mod doleschel;
 pub mod error;
-pub mod eyring;
 pub mod film_friction;
 pub mod film_friction_law;
 pub mod flash;
 pub mod friction_law;
-pub mod iso_14179_1;
-pub mod iso_14179_2;
-pub mod matsumoto;
 pub mod mixed;
 pub mod point_film;
 pub mod published_law;
 pub mod rolling;
-pub mod xu;
 
 pub use conditions::{FrictionConditions, MeshConditions};
 pub use error::FrictionError;
@@ -53,12 +46,11 @@ pub use film_friction::{
 };
 pub use film_friction_law::{FilmContact, FilmFriction, FilmTraction, NamedFriction};
 pub use flash::flash_temperature;
-pub use friction_law::{FrictionLaw, FrictionSettings};
+pub use friction_law::*;
 pub use mixed::{MixedFriction, mixed_friction};
 pub use point_film::FilmPointContact;
 pub use published_law::PublishedLaw;
 pub use rolling::rolling_force;
-pub use xu::{RoughnessReading, XuCalibration, XuCoefficients, XuLaw};
 
 /// The examples of the README are tests.
 #[cfg(doctest)]

@@ -107,14 +107,14 @@ fn is_stated(kind: UncertainParameter, loaded: &OperatingCase) -> bool {
 /// Whether the loss depends on it.
 fn acts(kind: UncertainParameter, loaded: &OperatingCase) -> bool {
     let case = &loaded.case;
-    let supply = case.load_share().supply();
-    let supply = supply.filter(|_| loaded.surfaces.are_measured());
+    let law = case.share_law();
+    let contact = law.contact().filter(|_| loaded.surfaces.are_measured());
+    // Where no contact is solved, or its spots rub dry, there is no layer to look at.
+    let has_layer = contact.is_some_and(|contact| contact.supply != InletSupply::Smooth);
     let shear = loaded.rheology().map(|rheology| rheology.laws().0);
     match kind {
         UncertainParameter::BoundaryFriction | UncertainParameter::PressureViscosity => true,
-        // Where no contact is solved, or its spots rub dry, there is no layer to look at.
-        UncertainParameter::BoundaryLayer => supply == Some(InletSupply::Rough),
-        UncertainParameter::Lay => supply == Some(InletSupply::Rough),
+        UncertainParameter::BoundaryLayer | UncertainParameter::Lay => has_layer,
         UncertainParameter::LimitingShear
         | UncertainParameter::LimitingShearTemperature
         | UncertainParameter::PressureViscosityFactor => shear.is_some(),

@@ -43,7 +43,7 @@ use crate::result::{
 };
 use crate::sampling::{means_of_pairs, sampling_of_teeth};
 use asperity_case::balance::{efficiency, finite, sum};
-use asperity_case::case::Case;
+use asperity_case::case::{Case, ShareLaw};
 use asperity_case::error::PositionError;
 use asperity_case::message::Warning;
 
@@ -230,7 +230,7 @@ impl Solved<'_> {
             face_zone: (!case.face_zones.is_empty()).then_some(position.at.zone),
             sliding_deviation_w_per_m: row
                 .sliding_deviation_w_per_m
-                .filter(|_| !case.load_share().needs_records()),
+                .filter(|_| !matches!(case.share_law(), ShareLaw::Reference)),
             ..row
         }
     }
@@ -319,7 +319,9 @@ impl Solved<'_> {
         let (positions, meshes) = (&self.positions, &self.meshes);
         let factors = [case.gears.ohlendorf_loss_factor(), self.map.loss_factor()];
         let mut summary = summary(positions, meshes, &operation(case), factors)?;
-        if let Some(records) = self.records.filter(|_| case.load_share().needs_records()) {
+        if let Some(records) =
+            (self.records).filter(|_| matches!(case.share_law(), ShareLaw::Reference))
+        {
             let places = || positions.iter().map(|position| &position.at);
             let weighted = places().map(|at| (at.s, at.weight));
             summary.asperity_share_standard_error = Some(records.mean_share_error(weighted));

@@ -67,7 +67,7 @@ impl Offsets {
         if surfaces.sheets().is_some() {
             return Self::Fixed(default.min(OFFSETS_OF_PATCHES));
         }
-        let follows_from_windows = case.load_share().supply().is_some()
+        let follows_from_windows = case.share_law().contact().is_some()
             && surfaces.are_measured()
             && surfaces.placement().is_none();
         match follows_from_windows {

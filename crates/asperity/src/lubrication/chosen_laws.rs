@@ -5,15 +5,14 @@ use std::sync::Arc;
 use asperity_ehl_regime::FilmThicknessLaw;
 use asperity_tribo_friction::FilmFriction;
 
-use asperity_case::case::OperatingCase;
-use asperity_case::load_share_law::LoadShare;
+use asperity_case::case::{OperatingCase, ShareLaw};
 
 /// Every law of a run.
 #[derive(Debug, Clone)]
 pub(crate) struct ChosenLaws {
     pub film: Arc<dyn FilmThicknessLaw>,
     pub friction: Arc<dyn FilmFriction>,
-    pub load_share: Arc<dyn LoadShare>,
+    pub load_share: ShareLaw,
 }
 
 impl ChosenLaws {
@@ -22,7 +21,7 @@ impl ChosenLaws {
         Self {
             film: case.film_law(),
             friction: case.film_friction(),
-            load_share: case.load_share(),
+            load_share: case.share_law(),
         }
     }
 }

@@ -9,7 +9,6 @@ use asperity_tribo_friction::FilmContact;
 use super::chosen_laws::ChosenLaws;
 use super::friction;
 use crate::mesh::MeshPosition;
-use crate::records::RecordedShare;
 use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Roughness, WindowPair};
@@ -68,7 +67,7 @@ impl<'a> Undecided<'a> {
         case: &OperatingCase,
         (position, film): (&'b MeshPosition, &'b FormulaFilm),
         (roughness, window): (&'b Roughness, Option<&'b WindowPair>),
-        (solved, recorded): (Option<&'b LoadShareSolution>, Option<&'b RecordedShare>),
+        solved: Option<&'b LoadShareSolution>,
     ) -> ShareConditions<'b> {
         ShareConditions {
             position,
@@ -80,7 +79,6 @@ impl<'a> Undecided<'a> {
             contact: &self.contact,
             flow_pressure: case.flow_pressure,
             solved,
-            recorded,
         }
     }
 

@@ -5,7 +5,7 @@ use super::film_of_case::formula_film;
 use super::friction;
 use crate::mesh::MeshPosition;
 use crate::records::PathRecords;
-use asperity_case::case::{FullFilmName, OperatingCase};
+use asperity_case::case::{FullFilmName, OperatingCase, ShareLaw};
 use asperity_case::error::PositionError;
 
 /// Records of mixed lubrication along `positions`, if the load share or the full film requires them, and how
@@ -21,7 +21,7 @@ pub(crate) fn records_of(
 ) -> Result<(Option<PathRecords>, usize), PositionError> {
     let case = loaded;
     let is_film = case.model.full_film == FullFilmName::EhlTransient;
-    if !laws.load_share.needs_records() && !is_film {
+    if !matches!(laws.load_share, ShareLaw::Reference) && !is_film {
         return Ok((None, 0));
     }
     let smooth = |position: &MeshPosition| match case.model.film_friction.shear_law() {

@@ -14,8 +14,8 @@ use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
 use asperity_mixed_film::{
-    AttenuatedTraces, Flattening, InletSupply, Kinks, LoadShareSettings, LoadShareSolution,
-    PositionFilm, SmoothFilm, Unflattening, WindowGradient, WindowRoughness,
+    AttenuatedTraces, Flattening, Kinks, LoadShareSettings, LoadShareSolution, PositionFilm,
+    SmoothFilm, Unflattening, WindowGradient, WindowRoughness,
 };
 
 /// Film of a position with the traces as its inlet leaves them.
@@ -38,32 +38,16 @@ impl<'a> RoughFilm<'a> {
         surfaces: &Surfaces,
         (position, film): (&MeshPosition, &FormulaFilm),
     ) -> Result<Option<Self>, PositionError> {
-        let Some(supply) = laws
-            .load_share
-            .supply()
-            .filter(|_| is_asked_for(case, laws, surfaces))
-        else {
+        let Some(chosen) = laws.load_share.contact() else {
             return Ok(None);
         };
-        let Some(rheology) = case.rheology() else {
+        let asks = surfaces.are_measured() && case.formulation.pressures().is_none();
+        let Some(rheology) = case.rheology().filter(|_| asks) else {
             return Ok(None);
         };
-        let (model, overrides) = (&case.model, &case.overrides);
         let settings = LoadShareSettings {
-            boundary_friction: model.boundary_friction,
-            boundary_layer: model.boundary_layer,
-            lay: surfaces.lay(model.lay)?,
-            film_law: model.film,
-            thermal: model.thermal,
-            supply: match supply {
-                InletSupply::Rough => model.rough_supply(),
-                _ => supply,
-            },
-            spot_speed: overrides.spot_speed(),
-            inner_boundary: model.inner_boundary,
-            patch_gap: overrides.patch_gap,
-            share_factor: overrides.asperity_share_factor(),
-            ..LoadShareSettings::default()
+            lay: surfaces.lay(case.model.lay)?,
+            ..*chosen
         };
         let contact = position.line_contact(case.modulus, case.materials);
         let smooth = SmoothFilm {
@@ -215,12 +199,4 @@ impl RoughFilm<'_> {
         let spectra = self.surfaces.whole_spectra()?;
         Ok((self.film).unflattening(spectra, self.surfaces.pair_spectrum()?)?)
     }
-}
-
-/// Whether the load share of the case depends on the rough contact.
-pub(crate) fn is_asked_for(case: &OperatingCase, laws: &ChosenLaws, surfaces: &Surfaces) -> bool {
-    laws.load_share.supply().is_some()
-        && case.rheology().is_some()
-        && surfaces.are_measured()
-        && case.formulation.pressures().is_none()
 }

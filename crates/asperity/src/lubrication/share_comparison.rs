@@ -143,22 +143,13 @@ pub fn share_settings(
     loaded: &OperatingCase,
     contact: &ReferenceContact,
 ) -> Result<LoadShareSettings, ReferenceError> {
-    let model = &loaded.case.model;
     let rms = |trace: &Profile| {
         let square = trace.heights().iter().map(|z| z * z).sum::<f64>() / trace.len() as f64;
         Length::from_si(square.sqrt())
     };
     Ok(LoadShareSettings {
-        boundary_friction: model.boundary_friction,
-        boundary_layer: model.boundary_layer,
-        lay: Lay::of_pair(model.lay, contact.traces.each_ref().map(rms))?,
-        film_law: model.film,
-        thermal: model.thermal,
-        supply: model.rough_supply(),
-        spot_speed: loaded.overrides.spot_speed(),
-        inner_boundary: model.inner_boundary,
-        share_factor: loaded.overrides.asperity_share_factor(),
-        ..LoadShareSettings::default()
+        lay: Lay::of_pair(loaded.case.model.lay, contact.traces.each_ref().map(rms))?,
+        ..loaded.case.solved_share()
     })
 }
 

@@ -29,7 +29,7 @@ use super::rough_film::RoughFilm;
 use crate::contacts::{Pressing, WindowContact};
 use crate::mesh::MeshPosition;
 use crate::records::{PathRecords, RecordedShare};
-use asperity_case::case::{FullFilmName, OperatingCase};
+use asperity_case::case::{FullFilmName, OperatingCase, ShareLaw};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, WindowPair};
 use asperity_case::formula_film::FormulaFilm;
@@ -76,9 +76,7 @@ impl Lubrication<'_> {
         let film = plausible_film(self.case, at)?;
         let of_position = (at, &film);
         let smooth = self.smooth_friction(of_position)?;
-        let records = self
-            .records
-            .filter(|_| self.laws.load_share.needs_records());
+        let records = self.records_of_share();
         let recorded = records.map(|records| records.at(at.s, smooth));
         let decided = self.decided(of_position, contacts, recorded)?;
         let is_full = |decided: &Decided| decided.decision.is_full;
@@ -136,6 +134,14 @@ impl Lubrication<'_> {
         Ok(position)
     }
 
+    /// The records, where the load share is theirs.
+    fn records_of_share(&self) -> Option<&PathRecords> {
+        match self.laws.load_share {
+            ShareLaw::Reference => self.records,
+            _ => None,
+        }
+    }
+
     /// Regime and load share in every window, solved in order.
     fn decided(
         &self,
@@ -161,9 +167,9 @@ impl Lubrication<'_> {
                 _ => None,
             };
             // A law of the user may depend on the heights of the window.
-            let pair = match self.case.laws.load_share {
-                Some(_) => self.pair(at, contact, (k, count))?,
-                None => None,
+            let pair = match self.laws.load_share {
+                ShareLaw::Own { .. } => self.pair(at, contact, (k, count))?,
+                _ => None,
             };
             let undecided = Undecided::of(self.case, self.laws, of_position, &contact.roughness)?;
             open.push((share, pair, undecided));
@@ -175,13 +181,11 @@ impl Lubrication<'_> {
                 self.case,
                 of_position,
                 (&contact.roughness, pair.as_ref()),
-                (solved, recorded.as_ref()),
+                solved,
             )
         });
-        let shared = self
-            .laws
-            .load_share
-            .shares(&conditions.collect::<Vec<_>>())?;
+        let conditions: Vec<_> = conditions.collect();
+        let shared = (self.laws.load_share).shares(&conditions, recorded.as_ref())?;
         let with_share = open.into_iter().zip(shared);
         with_share
             .map(|((share, _, undecided), shared)| {
@@ -201,9 +205,7 @@ impl Lubrication<'_> {
         contacts: &[Arc<WindowContact>],
     ) -> Result<(FormulaFilm, Vec<Decision>), PositionError> {
         let film = plausible_film(self.case, at)?;
-        let records = self
-            .records
-            .filter(|_| self.laws.load_share.needs_records());
+        let records = self.records_of_share();
         let recorded = records.map(|records| records.at(at.s, None));
         let decided = self.decided((at, &film), contacts, recorded)?;
         let decisions = decided.into_iter().map(|decided| decided.decision);

@@ -20,7 +20,7 @@ use crate::contacts::Contacts;
 use crate::lubrication::PositionGradient;
 use crate::mesh::numbered;
 use crate::result::Losses;
-use asperity_case::case::{LoadShareName, LoadedCase, OperatingCase};
+use asperity_case::case::{LoadedCase, OperatingCase, ShareLaw};
 use asperity_case::error::{Error, PositionError};
 
 /// Step of the difference quotient of the loss over the bulk temperature \[K\].
@@ -238,7 +238,7 @@ pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
     check_heights(loaded)?;
     let differs = if case.laws.is_any() {
         "a user-defined law"
-    } else if case.model.load_share != LoadShareName::Solved {
+    } else if !matches!(case.share_law(), ShareLaw::Solved(_)) {
         "model.load_share"
     } else if model.film_friction.shear_law().is_none() {
         "model.film_friction"

@@ -25,7 +25,9 @@ use crate::mesh::{Mesh, MeshInputs, MeshPosition, numbered};
 use crate::pictures::Picture;
 use crate::records::PathRecords;
 use crate::result::{Losses, MeshOutcome, RunInFlanks, Summary};
-use asperity_case::case::{Alternative, Case, LoadShareName, LoadedCase, OperatingCase, Positions};
+use asperity_case::case::{
+    Alternative, Case, LoadShareName, LoadedCase, OperatingCase, Positions, ShareLaw,
+};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::flanks::placement::check_coverage;
 use asperity_case::flanks::{Surfaces, is_substituted};
@@ -329,7 +331,7 @@ impl<'a> Stages<'a> {
         let shown = |done, total| progress(done, total + later.after(total));
         let records = || records_of(case, &laws, &mesh.positions, &shown);
         let (mut records, record_count) = used.collect(records).map_err(Box::new)?;
-        if let Some(records) = records.as_mut().filter(|_| laws.load_share.needs_records()) {
+        if let (ShareLaw::Reference, Some(records)) = (&laws.load_share, &mut records) {
             records.of_lay = used.collect(|| friction_of_lay(case))?;
         }
         Ok(Self {

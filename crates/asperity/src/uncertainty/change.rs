@@ -16,7 +16,7 @@ use crate::contacts::Contacts;
 use crate::pipeline::{Options, losses_of};
 use crate::result::{Losses, PositionRow};
 use crate::sampling::{sampling_of_teeth, wider_like_measured, windows_of_traces};
-use asperity_case::case::LoadedCase;
+use asperity_case::case::{LoadedCase, ShareLaw};
 use asperity_case::error::Error;
 use asperity_uncertainty::{
     ENDS, Predictive, Ranged, SamplingError, StudentOfNormal, UncertainParameter, flank_draws,
@@ -162,7 +162,7 @@ pub fn sampling_error_of_changes(
     path: &[PositionRow],
     differences: &[f64],
 ) -> Option<[f64; 2]> {
-    if loaded.case.load_share().needs_records() {
+    if matches!(loaded.case.share_law(), ShareLaw::Reference) {
         return None;
     }
     let surfaces = &loaded.surfaces;

@@ -16,8 +16,9 @@ use crate::sampling::{
     Independent, means_of_pairs, sampling_of_teeth, travel_sampling, wider_like_measured,
     window_sampling, windows_of_traces,
 };
-use asperity_case::case::{FullFilmName, LoadShareName, LoadedCase, OperatingCase, cholesky};
+use asperity_case::case::{FullFilmName, LoadedCase, OperatingCase, ShareLaw, cholesky};
 use asperity_case::error::{Error, PositionError};
+use asperity_ehl_regime::GapLaw;
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::thermal_reduction::GUPTA_HELD;
 use asperity_mixed_film::{PatchGap, SpotSpeed};
@@ -53,7 +54,7 @@ const FILM_SEED: u64 = 100;
 #[must_use]
 pub fn has_band(loaded: &LoadedCase) -> bool {
     let model = &loaded.case.model;
-    let has_records = model.load_share == LoadShareName::Ehl;
+    let has_records = matches!(loaded.case.share_law(), ShareLaw::Reference);
     loaded.case.formulation.has_interval()
         && (!has_records || loaded.surfaces.are_measured())
         && model.full_film == FullFilmName::Formulas
@@ -228,7 +229,10 @@ fn at_medians(
         held_thermal: None,
         patch_flow: None,
         relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
-        gap_law: loaded.case.model.rough_supply().gap_law(),
+        gap_law: match loaded.case.share_law() {
+            ShareLaw::Solved(contact) => contact.supply.gap_law(),
+            _ => GapLaw::Inlet,
+        },
         roughness_over_film: path.roughness_over_film,
         max_pressure_pa: path.max_pressure_pa,
         film_m: path.film_m,
@@ -431,10 +435,8 @@ fn path_share(losses: &Losses) -> f64 {
 /// Whether the loss depends on β_i, which the case does not state.
 fn draws_inner_boundary(loaded: &LoadedCase) -> bool {
     let case = &loaded.case;
-    case.model.load_share == LoadShareName::Solved
-        && case.laws.load_share.is_none()
+    matches!(case.share_law(), ShareLaw::Solved(of) if of.spot_speed == SpotSpeed::Carried)
         && loaded.surfaces.are_measured()
-        && case.overrides.spot_speed() == SpotSpeed::Carried
         && case.input.model.inner_boundary.is_none()
         && case.overrides.inner_boundary.is_none()
 }

@@ -44,7 +44,7 @@ use crate::result::{
 };
 use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::balance::impossible_efficiency;
-use asperity_case::case::{LoadedCase, OperatingCase};
+use asperity_case::case::{LoadedCase, OperatingCase, ShareLaw};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::message::{Subject, Warning};
 use asperity_uncertainty::{
@@ -391,14 +391,14 @@ fn parts(
 }
 
 fn trust(loaded: &OperatingCase) -> Trust {
-    let law = loaded.case.load_share();
     if loaded.surfaces.is_surrogate() {
         return Trust::Surrogates;
     }
-    match (loaded.surfaces.are_measured(), law.supply()) {
-        (false, _) => Trust::RoughnessValues,
-        (true, None) if !law.needs_records() => Trust::ShareFormula,
-        (true, _) => Trust::SolvedContact,
+    match loaded.case.share_law() {
+        _ if !loaded.surfaces.are_measured() => Trust::RoughnessValues,
+        ShareLaw::Reference => Trust::SolvedContact,
+        law if law.contact().is_some() => Trust::SolvedContact,
+        _ => Trust::ShareFormula,
     }
 }
 

@@ -6,7 +6,7 @@ use asperity_oil::PressureLaw;
 
 use super::evaluations::{Nominal, Path};
 use crate::result::AlternativeRow;
-use asperity_case::case::{Alternative, LoadShareName, OperatingCase};
+use asperity_case::case::{Alternative, LoadShareName, OperatingCase, ShareLaw};
 use asperity_case::error::Error;
 
 /// A model: its name, the case changed to it, and the measurement that refutes it.
@@ -106,9 +106,7 @@ pub(super) fn by_formula(loaded: &OperatingCase, nominal: &Nominal<'_>) -> Vec<A
 
 /// Whether solved contacts give the share of the asperities.
 fn is_solved(loaded: &OperatingCase) -> bool {
-    loaded.case.laws.load_share.is_none()
-        && loaded.case.model.load_share == LoadShareName::Solved
-        && loaded.surfaces.are_measured()
+    matches!(loaded.case.share_law(), ShareLaw::Solved(_)) && loaded.surfaces.are_measured()
 }
 
 /// Every other model that changes something of the case.
@@ -117,7 +115,7 @@ pub(super) fn other_models(loaded: &OperatingCase) -> Result<Vec<OtherModel>, Er
     let own = &case.laws;
     let mut found = Vec::new();
     // Another model of the film would be another set of records.
-    if case.load_share().needs_records() {
+    if matches!(case.share_law(), ShareLaw::Reference) {
         return Ok(found);
     }
     let mut add = |name, alternative, refuted_by| -> Result<(), Error> {

@@ -1,15 +1,14 @@
 //! Friction law of the film as a case states it: its name, or a table with the setting of the law.
 
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use asperity_core::DomainError;
 use asperity_oil::ShearLawName;
 use asperity_tribo_friction::{FrictionLaw, FrictionSettings};
-use serde::de::value::StrDeserializer;
 use serde::de::{self, Error as _, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::law_names::FilmFrictionLaw;
 use super::ranges::of_law;
 use super::rows::{Judge, KeyPath, OPEN, Ranged};
 
@@ -18,8 +17,10 @@ use super::rows::{Judge, KeyPath, OPEN, Ranged};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum FilmFrictionInput {
-    /// A law by its name.
-    Named(FilmFrictionLaw),
+    /// A shear law: friction of the film alone, below the limiting shear stress, with its heat.
+    Film(ShearLawName),
+    /// A published law.
+    Published(FrictionLaw),
     /// A law with its setting.
     Set(FrictionSetting),
 }
@@ -38,34 +39,32 @@ pub enum FrictionSetting {
     Xu(PathBuf),
 }
 
-impl From<FilmFrictionLaw> for FilmFrictionInput {
-    fn from(law: FilmFrictionLaw) -> Self {
-        Self::Named(law)
+impl From<FrictionLaw> for FilmFrictionInput {
+    fn from(law: FrictionLaw) -> Self {
+        Self::Published(law)
     }
 }
 
 impl FilmFrictionInput {
-    /// The law itself.
-    #[must_use]
-    pub const fn law(&self) -> FilmFrictionLaw {
-        match self {
-            Self::Named(law) => *law,
-            Self::Set(FrictionSetting::Constant(_)) => FilmFrictionLaw::Constant,
-            Self::Set(FrictionSetting::Iso14179Part2(_)) => FilmFrictionLaw::Iso14179Part2,
-            Self::Set(FrictionSetting::Xu(_)) => FilmFrictionLaw::Xu,
-        }
-    }
-
     /// The shear law of the film; `None` for a published law.
     #[must_use]
     pub const fn shear_law(&self) -> Option<ShearLawName> {
-        self.law().shear_law()
+        match self {
+            Self::Film(law) => Some(*law),
+            Self::Published(_) | Self::Set(_) => None,
+        }
     }
 
     /// The published law; `None` for a shear law of the film.
     #[must_use]
     pub const fn published(&self) -> Option<FrictionLaw> {
-        self.law().published()
+        match self {
+            Self::Film(_) => None,
+            Self::Published(law) => Some(*law),
+            Self::Set(FrictionSetting::Constant(_)) => Some(FrictionLaw::Constant),
+            Self::Set(FrictionSetting::Iso14179Part2(_)) => Some(FrictionLaw::Iso14179Part2),
+            Self::Set(FrictionSetting::Xu(_)) => Some(FrictionLaw::Xu),
+        }
     }
 
     /// The file with coefficients of Xu's law.
@@ -108,7 +107,7 @@ impl FilmFrictionInput {
                 let rule = "must be positive and at most 10";
                 ("lubricant factor", *x, is_one, rule)
             }
-            Self::Set(FrictionSetting::Xu(_)) | Self::Named(_) => return Ok(()),
+            Self::Set(FrictionSetting::Xu(_)) | Self::Film(_) | Self::Published(_) => return Ok(()),
         };
         DomainError::require(is_one, called, number, "-", rule).map(|_| ())
     }
@@ -155,7 +154,17 @@ impl<'de> Visitor<'de> for FilmFrictionVisitor {
     }
 
     fn visit_str<E: de::Error>(self, name: &str) -> Result<FilmFrictionInput, E> {
-        FilmFrictionLaw::deserialize(StrDeserializer::new(name)).map(FilmFrictionInput::Named)
+        static NAMES: LazyLock<Vec<&str>> = LazyLock::new(|| {
+            let film = ShearLawName::ALL.iter().map(|law| law.name());
+            let published = FrictionLaw::ALL.iter().map(|law| law.name());
+            film.chain(published).collect()
+        });
+        if let Some(law) = ShearLawName::ALL.iter().find(|law| law.name() == name) {
+            return Ok(FilmFrictionInput::Film(*law));
+        }
+        let published = FrictionLaw::ALL.iter().find(|law| law.name() == name);
+        let published = published.ok_or_else(|| E::unknown_variant(name, &NAMES))?;
+        Ok(FilmFrictionInput::Published(*published))
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<FilmFrictionInput, A::Error> {

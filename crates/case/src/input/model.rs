@@ -8,15 +8,14 @@ use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_flanks::error::NARROWEST_WINDOW;
 use asperity_gear::{GearPair, LoadLaw, LoadMapSettings};
-use asperity_mixed_film::InletSupply;
 use asperity_ns_film::FluidModel;
-use asperity_oil::PressureLaw;
+use asperity_oil::{PressureLaw, ShearLawName};
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, INNER_BOUNDARY};
-use asperity_tribo_friction::{FrictionSettings, RoughnessReading};
+use asperity_tribo_friction::{FrictionLaw, FrictionSettings, RoughnessReading};
 use serde::Serialize;
 
 use super::film_friction_input::FilmFrictionInput;
-use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
+use super::law_names::{FullFilmName, LoadShareName};
 use super::one_or_two::OneOrTwo;
 use super::path_point::{NamedPoint, PathPoint, Positions};
 use super::rows::{OPEN, Stated, choices};
@@ -100,7 +99,7 @@ choices! {
     /// `zhu-hu`, `masjedi-khonsari` and `jgp` all load on asperities rubs with the boundary coefficient;
     /// `ehl` takes shares and friction from records of transient mixed lubrication, which take a minute or
     /// more.
-    load_share: LoadShareName = default(LoadShareName::Solved);
+    (crate) load_share: LoadShareName = default(LoadShareName::Solved);
     /// Source of a film that carries the whole load: `formulas` (default), `ehl`, the steady
     /// elastohydrodynamic solution of smooth flanks, or `ehl-transient`, records with both traces.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -181,20 +180,10 @@ impl Model {
         }
     }
 
-    /// Supply of the solved contact of rough flanks: a starved inlet has its own law.
-    #[must_use]
-    pub fn rough_supply(&self) -> InletSupply {
-        match (self.load_share, self.inlet_layer) {
-            (LoadShareName::Solved, Some(_)) => InletSupply::Starved,
-            _ => InletSupply::Rough,
-        }
-    }
-
     /// Whether load share or full film need the oil's rheology, whatever the law of film friction.
     pub(crate) fn shears_its_film(&self) -> bool {
-        self.load_share.supply().is_some()
-            || self.load_share == LoadShareName::Ehl
-            || self.full_film != FullFilmName::Formulas
+        use LoadShareName::{Ehl, Jgp, Solved};
+        matches!(self.load_share, Solved | Jgp | Ehl) || self.full_film != FullFilmName::Formulas
     }
 }
 
@@ -344,9 +333,9 @@ impl Choices<'_> {
         key: Key,
         stated: Stated<FilmFrictionInput>,
     ) -> Choice<FilmFrictionInput> {
-        let eyring = FilmFrictionInput::from(FilmFrictionLaw::Eyring);
+        let eyring = FilmFrictionInput::Film(ShearLawName::Eyring);
         let chosen = self.default(key, stated, eyring)?;
-        if chosen == FilmFrictionLaw::Constant.into() {
+        if chosen == FrictionLaw::Constant.into() {
             let rule = "needs its coefficient, as { constant = 0.05 }";
             return Err(Section::of(self.source, key).conflict("", rule));
         }

@@ -434,6 +434,7 @@ impl<T> Stated<T> {
 /// /// Documentation, printed by messages and in docs/CASE_FILE.md.
 /// name: Type => TypeInTheRun = default(arguments) usual "unit" [low, high], check("name", |v| condition, "rule");
 /// name: Type => TypeInTheRun = default(arguments) => table;      a table whose keys have rows of their own
+/// (crate) name: Type = default(arguments);                       a name for which the run has another value
 /// ```
 ///
 /// A number has a usual range (W201); what is possible is its check.
@@ -446,7 +447,7 @@ macro_rules! choices {
         in $table:literal by $context:ty;
         with { $($(#[doc = $of_extra:literal])* $extra:ident: $extra_type:ty = $value:expr;)* }
         $($(#[doc = $doc:literal])* $(#[serde($($serde:tt)*)])?
-            $name:ident: $type:ty $(=> $own:ty)? = $default:ident($($arg:expr),*)
+            $(($choice_in:ident))? $name:ident: $type:ty $(=> $own:ty)? = $default:ident($($arg:expr),*)
             $(usual $unit:literal $usual:tt)? $(=> $inner:ident)?
             $(, check($called:literal, $holds:expr, $rule:literal))?;)*
     ) => {
@@ -468,7 +469,7 @@ macro_rules! choices {
         #[derive(Debug, Clone, PartialEq)]
         #[non_exhaustive]
         pub struct $choice {
-            $($(#[doc = $doc])* pub $name: $crate::input::rows::own!($type $(, $own)?),)*
+            $($(#[doc = $doc])* pub $(($choice_in))? $name: $crate::input::rows::own!($type $(, $own)?),)*
             $($(#[doc = $of_extra])* pub $extra: $extra_type,)*
         }
 

@@ -1,5 +1,4 @@
-//! Sharing of the load between film and asperities as an extension point: the laws of the case file
-//! and user-defined laws.
+//! Sharing of the load between film and asperities as an extension point for user-defined laws.
 //!
 //! A law sees the mesh position, the film parameters and, where both flanks were measured, the heights
 //! of both under the contact. It says what part of the load the film carries, and at which friction
@@ -10,13 +9,10 @@ use std::fmt::Debug;
 use asperity_core::material::Material;
 use asperity_core::quantity::Pressure;
 use asperity_ehl_regime::LoadShareLaw;
-use asperity_ehl_regime::published_shares::masjedi_khonsari;
 use asperity_tribo_friction::FilmContact;
 
 use crate::error::PositionError;
 use crate::formula_film::FormulaFilm;
-use crate::input::law_names::LoadShareName;
-use crate::recorded_share::RecordedShare;
 use asperity_flanks::mesh_position::MeshPosition;
 use asperity_flanks::{Roughness, WindowPair};
 use asperity_mixed_film::{InletSupply, LoadShareSolution};
@@ -43,9 +39,6 @@ pub struct ShareConditions<'a> {
     /// The rough contact solved for the supply of [`LoadShare::supply`]; `None` if the law requires none, or
     /// a flank was not measured.
     pub solved: Option<&'a LoadShareSolution>,
-    /// Records of mixed lubrication along the path, interpolated here; `None` if the law requires none, or a
-    /// flank was not measured.
-    pub recorded: Option<&'a RecordedShare>,
 }
 
 impl ShareConditions<'_> {
@@ -140,11 +133,6 @@ pub trait LoadShare: Debug + Send + Sync {
         None
     }
 
-    /// Whether the law wants records of mixed lubrication along the path; not by default.
-    fn needs_records(&self) -> bool {
-        false
-    }
-
     /// Shares at one mesh position and one offset.
     ///
     /// # Errors
@@ -172,61 +160,4 @@ impl LoadShare for LoadShareLaw {
         let share = self.film_share(conditions.deciding_ratio(), conditions.film_ratio)?;
         Ok(SharedLoad::of_film(share))
     }
-}
-
-impl LoadShare for LoadShareName {
-    fn name(&self) -> &str {
-        (*self).name()
-    }
-
-    fn supply(&self) -> Option<InletSupply> {
-        (*self).supply()
-    }
-
-    fn needs_records(&self) -> bool {
-        *self == Self::Ehl
-    }
-
-    /// In light cells whose contact the traces do not resolve, `solved`, `jgp` and `ehl` fall back on `lambda-star`.
-    fn share(&self, conditions: &ShareConditions<'_>) -> Result<SharedLoad, PositionError> {
-        match (self, conditions.solved) {
-            (Self::Solved, Some(solved)) => Ok(SharedLoad {
-                film_coefficient: Some(solved.film_coefficient),
-                ..SharedLoad::of_film(1.0 - solved.asperity_share).with_lubricated_asperities(
-                    solved.boundary_of_asperities,
-                    solved.asperity_coefficient,
-                )
-            }),
-            (Self::Jgp, Some(solved)) => Ok(SharedLoad::of_film(1.0 - solved.asperity_share)),
-            (Self::Ehl, _) if conditions.recorded.is_some() => Ok(conditions
-                .recorded
-                .map_or(SharedLoad::of_film(1.0), of_records)),
-            (Self::MasjediKhonsari, _) => share_by_regression(conditions),
-            (Self::ZhuHu, _) => LoadShareLaw::ZhuHu.share(conditions),
-            (Self::Solved | Self::Jgp | Self::Ehl | Self::LambdaStar, _) => {
-                LoadShareLaw::LambdaStar.share(conditions)
-            }
-        }
-    }
-}
-
-fn of_records(recorded: &RecordedShare) -> SharedLoad {
-    SharedLoad {
-        film_coefficient: recorded.film_coefficient,
-        ..SharedLoad::of_film(1.0 - recorded.solid_share.mean)
-            .with_lubricated_asperities(recorded.boundary_part, recorded.lubricated_coefficient)
-    }
-}
-
-fn share_by_regression(at: &ShareConditions<'_>) -> Result<SharedLoad, PositionError> {
-    let [pinion, wheel] = at.flow_pressure.map(Pressure::si);
-    let film = &at.film.conditions;
-    let asperities = masjedi_khonsari(
-        &film.line_groups()?,
-        at.roughness.combined_rq()?,
-        film.radius,
-        Pressure::from_si(pinion.min(wheel)),
-        film.modulus,
-    )?;
-    Ok(SharedLoad::of_film(1.0 - asperities.value))
 }

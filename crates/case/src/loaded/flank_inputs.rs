@@ -11,10 +11,10 @@ use asperity_roughness::preparation::Preparation;
 
 use crate::input::case_input::{Side, SurfaceInput};
 use crate::input::gear_input::GearFlankInput;
-use crate::input::law_names::LoadShareName;
 use crate::input::one_or_two::OneOrTwo;
 use crate::input::path_point::Positions;
 use crate::resolved::resolve::Case;
+use crate::resolved::share_law::ShareLaw;
 
 /// Inputs of the flanks: two equal ones have the same flanks, as long as the files are the same.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,7 +49,7 @@ impl FlankInputs {
             .map(|flank| flank.as_ref().is_some_and(GearFlankInput::is_from_trace));
         let operation = (case.torque, case.speed);
         let form = || shortest_form(&case.gears, operation, case.modulus);
-        let law = case.model.load_share;
+        let law = case.named_share();
         let solves = case.formulation.pressures().is_none();
         Self {
             surface: case.input.surface.clone(),
@@ -68,10 +68,10 @@ impl FlankInputs {
             ),
             preparation: case.preparation,
             lay: case.input.model.lay.map(OneOrTwo::both),
-            solves_contact: solves && (law.supply().is_some() || law == LoadShareName::Ehl),
+            solves_contact: solves
+                && (law.contact().is_some() || matches!(law, ShareLaw::Reference)),
             has_patches: solves
-                && law.supply().is_some()
-                && case.model.rough_supply() == InletSupply::Rough
+                && (law.contact()).is_some_and(|contact| contact.supply != InletSupply::Starved)
                 && case.running_in.is_none(),
             has_one_position: case.formulation.positions() == Positions::Single,
         }

@@ -40,7 +40,7 @@ use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_flanks::flank_lay::FlankLay;
 use asperity_flanks::surfaces::{FlankReport, Surfaces};
 use asperity_flanks::trace_pairs::SampledFlanks;
-use asperity_mixed_film::InletSupply;
+use asperity_mixed_film::{InletSupply, LoadShareSettings};
 use asperity_oil::{LubricantInput, LubricantState, library_oil};
 
 /// A case with its traces, ready to run, and read only: [`with`](Self::with) changes its keys, [`overridden`](Self::overridden) what a
@@ -150,8 +150,9 @@ impl LoadedCase {
     /// # Errors
     /// When the law of two lays refuses the roughness of the flanks.
     pub fn lay_beyond_records(&self) -> Result<Option<Lay>, PositionError> {
-        let supply = self.case.load_share().supply();
-        if supply != Some(InletSupply::Rough) || !self.surfaces.are_measured() {
+        let law = self.case.share_law();
+        let has_rough_inlet = |contact: &LoadShareSettings| contact.supply != InletSupply::Smooth;
+        if !law.contact().is_some_and(has_rough_inlet) || !self.surfaces.are_measured() {
             return Ok(None);
         }
         let lay = self.surfaces.lay(self.case.model.lay)?;

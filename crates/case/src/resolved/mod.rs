@@ -20,5 +20,6 @@ pub mod read_oil_file;
 pub mod resolve;
 pub mod running_in;
 pub mod shafting;
+pub mod share_law;
 pub mod solved_teeth;
 pub mod steel;

@@ -73,24 +73,6 @@ impl Overrides {
         *self == Self::default()
     }
 
-    /// Film that a touching spot carries with it.
-    #[must_use]
-    pub fn spot_speed(&self) -> SpotSpeed {
-        match self.alternative {
-            Some(Alternative::SpotSpeed(speed)) => speed,
-            _ => SpotSpeed::Carried,
-        }
-    }
-
-    /// Factor on the share of the load on asperities.
-    #[must_use]
-    pub fn asperity_share_factor(&self) -> f64 {
-        match self.alternative {
-            Some(Alternative::AsperityShareTimes(factor)) => factor,
-            _ => 1.0,
-        }
-    }
-
     /// Sets a constant \[its SI unit\]. The lay is the mean of both flanks; the error of the temperature is added to the bulk temperature.
     pub fn set(&mut self, constant: UncertainParameter, value: f64) {
         self.constants[constant as usize] = Some(value);

@@ -7,7 +7,6 @@ use asperity_gear::{GearError, LoadDistribution, LoadMap};
 
 use super::resolve::Case;
 use crate::laws::OWN_LAW;
-use crate::laws::load_share::LoadShare;
 use crate::source::defaults::DefaultUsed;
 
 impl Case {
@@ -37,12 +36,5 @@ impl Case {
     /// When the law does not hold for these gears, or puts no load on the teeth.
     pub fn load_map(&self) -> Result<LoadMap, GearError> {
         self.load_inputs().load_map()
-    }
-
-    /// The load sharing between film and asperities in use.
-    #[must_use]
-    pub fn load_share(&self) -> Arc<dyn LoadShare> {
-        let own = self.laws.load_share.clone();
-        own.unwrap_or_else(|| Arc::new(self.model.load_share))
     }
 }

@@ -209,6 +209,11 @@ impl Format {
         self.row().may_hold_several
     }
 
+    /// Whether a file is text that is read line by line, although its first bytes settle the format.
+    pub(super) const fn is_read_by_lines(self) -> bool {
+        matches!(self, Self::SdfAscii | Self::SigmaSurf)
+    }
+
     /// The format that the first bytes settle.
     pub(super) fn starting(bytes: &[u8]) -> Option<Self> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);

@@ -394,13 +394,10 @@ fn trace_of(
     {
         return Ok(found);
     }
-    match format {
-        None | Some(Format::SdfAscii | Format::SigmaSurf) => {}
-        Some(format) => {
-            let found = areal::read(format, stream, start.size)?;
-            let found = found.ok_or_else(|| refused(format))?;
-            return found.trace(options)?.finish(name, options);
-        }
+    if let Some(format) = format.filter(|format| !format.is_read_by_lines()) {
+        let found = areal::read(format, stream, start.size)?;
+        let found = found.ok_or_else(|| refused(format))?;
+        return found.trace(options)?.finish(name, options);
     }
     let (head, mut text) = Text::new(name, stream, &start, options.encoding);
     let found = read_text(&start, &head, &mut text, conditions, options);

@@ -55,8 +55,7 @@ pub(super) fn recoded(
         return Ok(None);
     };
     let is_named = |text: &str| {
-        let text_formats = [Format::SdfAscii, Format::SigmaSurf];
-        Format::starting(text.as_bytes()).is_some_and(|format| !text_formats.contains(&format))
+        Format::starting(text.as_bytes()).is_some_and(|format| !format.is_read_by_lines())
     };
     if !is_named(&encoding.text(&start.bytes)) {
         return Ok(None);
@@ -68,9 +67,8 @@ pub(super) fn recoded(
 /// The text format that characteristic lines near the top or the name settle; `None` for a table.
 pub(super) fn of_text(name: &str, head: &Head) -> Option<Format> {
     const LINES_LOOKED_AT: usize = 60;
-    if let Some(format @ (Format::SdfAscii | Format::SigmaSurf)) =
-        Format::starting(head.text.as_bytes())
-    {
+    let settled = Format::starting(head.text.as_bytes());
+    if let Some(format) = settled.filter(|format| format.is_read_by_lines()) {
         return Some(format);
     }
     if head.text.trim_start().starts_with("<?xml") {

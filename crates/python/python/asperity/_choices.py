@@ -64,7 +64,7 @@ ThermalLaw = Literal[
 
 
 FrictionLaw = Literal[
-    "xu", "iso-14179-2", "iso-14179-1", "benedict-kelley", "matsumoto", "doleschel", "eyring", "constant",
+    "xu", "iso-14179-2", "iso-14179-1", "benedict-kelley", "matsumoto", "doleschel", "eyring-arana", "constant",
 ]
 
 

@@ -233,7 +233,7 @@ def friction_coefficient(
 
     Parameters:
         law: ``"xu"``, ``"benedict-kelley"``, ``"iso-14179-1"``, ``"iso-14179-2"``, ``"matsumoto"``, ``"doleschel"``,
-            ``"eyring"`` or ``"constant"``; ``asperity equations`` lists their sources.
+            ``"eyring-arana"`` or ``"constant"``; ``asperity equations`` lists their sources.
         settings: ``constant``, ``fluid_coefficient``, ``limiting_stress`` and ``xu`` as in ``model.friction_settings``.
         load, ..., pitch_line_speed: the inputs of the law, in SI units; the last six are of the whole mesh. An input
             that the law requires and that is missing is refused.

@@ -260,7 +260,7 @@ class ModelInput(TypedDict, total=False):
     ehl: Optional[EhlInput]
     face_coupling: Optional[float]
     film: Optional[Literal["steady", "dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line"]]
-    film_friction: Optional[Union[Literal["eyring", "carreau", "newton", "xu", "benedict-kelley", "iso-14179-1", "iso-14179-2", "matsumoto", "doleschel", "eyring-arana", "constant"], FilmFriction, GearsFilmFriction]]
+    film_friction: Optional[Union[Literal["eyring", "carreau", "newton", "xu", "iso-14179-2", "iso-14179-1", "benedict-kelley", "matsumoto", "doleschel", "eyring-arana", "constant"], FilmFriction, GearsFilmFriction]]
     film_pressure_law: Optional[Literal["barus", "roelands"]]
     flash_feedback: Optional[bool]
     friction_scale: Optional[float]
@@ -808,7 +808,7 @@ CaseKeys = TypedDict(
         "model.ehl.travel": "Optional[float]",
         "model.face_coupling": "Optional[float]",
         "model.film": 'Optional[Literal["steady", "dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line"]]',
-        "model.film_friction": 'Optional[Union[Literal["eyring", "carreau", "newton", "xu", "benedict-kelley", "iso-14179-1", "iso-14179-2", "matsumoto", "doleschel", "eyring-arana", "constant"], FilmFriction, GearsFilmFriction]]',
+        "model.film_friction": 'Optional[Union[Literal["eyring", "carreau", "newton", "xu", "iso-14179-2", "iso-14179-1", "benedict-kelley", "matsumoto", "doleschel", "eyring-arana", "constant"], FilmFriction, GearsFilmFriction]]',
         "model.film_friction.constant": "Optional[float]",
         "model.film_friction.iso-14179-2": "Optional[float]",
         "model.film_friction.xu": "Optional[str]",

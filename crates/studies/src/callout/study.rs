@@ -247,8 +247,8 @@ pub fn callout(
 
 /// Operating point and settings of the runs of `case`, in words.
 fn conditions(case: &Case) -> String {
-    let share = case.model.load_share.name();
-    format!("{}, model.load_share {share}", case.conditions())
+    let share = case.share_law();
+    format!("{}, model.load_share {}", case.conditions(), share.name())
 }
 
 fn of_process(

@@ -2,29 +2,37 @@
 //!
 //! | name | law | local or whole mesh | roughness by |
 //! |---|---|---|---|
-//! | `xu` | [`xu`](crate::xu) | local | S |
+//! | `xu` | [`mod@xu`] | local | S |
 //! | `iso-14179-2` | [`iso_14179_2`], Schlenk | whole mesh | Ra |
 //! | `iso-14179-1` | [`iso_14179_1`] | whole mesh | - |
 //! | `benedict-kelley` | [`benedict_kelley`] | local | Ra |
 //! | `matsumoto` | [`matsumoto`] | local | Rz |
 //! | `doleschel` | [`doleschel`] | local | Ra |
-//! | `eyring` | [`eyring`], full film | local | - |
+//! | `eyring-arana` | [`eyring`], full film | local | - |
 //! | `constant` | the setting `constant` | whole mesh | - |
 //!
 //! A whole-mesh law gives the same coefficient at every position. `matsumoto` and `doleschel`
 //! share the load between the boundary coefficient and a fluid one: the setting
 //! `fluid_coefficient`, or Eyring's coefficient without it.
 
+pub mod benedict_kelley;
+pub mod doleschel;
+pub mod eyring;
+pub mod iso_14179_1;
+pub mod iso_14179_2;
+pub mod matsumoto;
+pub mod xu;
+
 use asperity_core::{Checked, DomainError};
 use serde::{Deserialize, Serialize};
 
-use crate::benedict_kelley::{self, BenedictKelleyConditions};
 use crate::conditions::FrictionConditions;
 use crate::error::FrictionError;
-use crate::eyring::{self, EyringConditions};
 use crate::published_law::{Asperities, PublishedLaw};
-use crate::xu::{XuConditions, XuLaw};
-use crate::{doleschel, iso_14179_1, iso_14179_2, matsumoto};
+use benedict_kelley::BenedictKelleyConditions;
+use eyring::EyringConditions;
+use xu::XuConditions;
+pub use xu::{RoughnessReading, XuCalibration, XuCoefficients, XuLaw};
 
 /// Coefficient at one mesh position.
 type Coefficient =
@@ -88,7 +96,7 @@ friction_laws! {
         excludes_rolling: true, is_whole: false, celsius: Some([40.0, 120.0]), gigapascals: Some([0.3, 2.0])
     } = shared_by_film_ratio;
     /// Eyring with a limiting shear stress: fluid friction of a full film.
-    Eyring "eyring" "Eyring (Arana)" {
+    Eyring "eyring-arana" "Eyring (Arana)" {
         asperities: Asperities::Excluded, fitted_to: "twin discs, base oils of ISO VG 100",
         excludes_rolling: true, is_whole: false, celsius: Some([40.0, 120.0]), gigapascals: None
     } = full_film;
