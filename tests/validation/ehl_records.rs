@@ -24,10 +24,9 @@ use asperity_ehl_regime::inlet_flow::inlet_factor;
 use asperity_ehl_regime::{Attenuation, FilmLaw, GapLaw, PairSpectrum, TraceSpectrum};
 
 use asperity::core::task::par_map;
-use asperity::oil::{BaseOil, TractionConstants};
+use asperity::oil::TractionConstants;
 
 use crate::gate::Estimate;
-use mixed_ehl_records::EYRING_STRESS;
 
 #[path = "../../crates/asperity/examples/mixed_ehl_records.rs"]
 #[allow(
@@ -172,6 +171,7 @@ pub struct Windows {
     contact: ReferenceContact,
     windows: Vec<ComparedWindow>,
     spectra: [TraceSpectrum; 2],
+    eyring_stress: Pressure,
 }
 
 impl Windows {
@@ -201,6 +201,7 @@ impl Windows {
             contact,
             windows,
             spectra,
+            eyring_stress: condition.eyring_stress(),
         }
     }
 
@@ -297,10 +298,7 @@ impl Windows {
         let line = (self.contact.position).line_contact(case.modulus, case.materials);
         let rheology = self.loaded.rheology().unwrap().clone();
         let constants = TractionConstants {
-            eyring_stress: match case.lubricant.base_oil() {
-                Some(BaseOil::Pao) => EYRING_STRESS[0],
-                _ => EYRING_STRESS[1],
-            },
+            eyring_stress: self.eyring_stress,
             ..*rheology.constants()
         };
         let rheology = rheology.with_constants(constants).unwrap();

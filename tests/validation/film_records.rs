@@ -18,8 +18,9 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::{FilmLaw, GapLaw};
 
 use crate::ehl_records::mixed_ehl_records::{
-    Condition, blind_conditions, chosen_conditions, conditions, flooded_second_blind_conditions,
-    part_load_conditions, second_blind_conditions, short_wave_conditions, unseen_conditions,
+    Condition, blind_conditions, chosen_conditions, close_conditions, conditions,
+    flooded_second_blind_conditions, part_load_conditions, second_blind_conditions,
+    short_wave_conditions, unseen_conditions,
 };
 use crate::ehl_records::{Record, Windows, mean_and_rms, records};
 
@@ -194,9 +195,9 @@ impl Windowed {
 
 /// A table of records: its name, and its conditions.
 type Table = (&'static str, fn() -> Vec<Condition>);
-const GEAR_MESHES: &str = "gear_meshes";
-const BLIND: &str = "blind";
-const SECOND_BLIND: &str = "second_blind";
+pub const GEAR_MESHES: &str = "gear_meshes";
+pub const BLIND: &str = "blind";
+pub const SECOND_BLIND: &str = "second_blind";
 const PART_LOAD: &str = "part_load";
 const SHORT_WAVES: &str = "short_waves";
 /// Other finishes at part load: those that the error of the model is fitted on, and those that were not looked at before.
@@ -204,7 +205,9 @@ const CHOSEN: &str = "part_load_chosen";
 const UNSEEN: &str = "part_load_unseen";
 /// The second blind test's eight at part load, with a flooded inlet.
 const SECOND_PART: &str = "part_load_second";
-const TABLES: [Table; 8] = [
+/// Conditions that are close to each other.
+pub const CLOSE: &str = "close";
+const TABLES: [Table; 9] = [
     (GEAR_MESHES, conditions),
     (BLIND, blind_conditions),
     (SECOND_BLIND, second_blind_conditions),
@@ -213,6 +216,7 @@ const TABLES: [Table; 8] = [
     (CHOSEN, chosen_conditions),
     (UNSEEN, unseen_conditions),
     (SECOND_PART, second_part_load_conditions),
+    (CLOSE, close_conditions),
 ];
 /// Conditions of the second blind test at full load, before those at part load.
 const FULL_LOAD: usize = 16;
@@ -275,8 +279,8 @@ fn stored() -> &'static (String, Stored) {
 }
 
 /// A record beside the fast model.
-struct Row {
-    name: String,
+pub struct Row {
+    pub name: String,
     /// Travel of the record \[half-widths\].
     travel: f64,
     record: Record,
@@ -290,6 +294,14 @@ impl Row {
 
     fn fast(&self) -> &Windowed {
         self.by(DEFAULT)
+    }
+
+    /// Film, roughness, pressure and friction of the fast model.
+    pub fn conditions(&self) -> [f64; 4] {
+        let fast = self.fast();
+        let roughness = fast.roughness_over_film * fast.smooth_film_um;
+        let [film, pressure] = [fast.smooth_film_um, fast.hertz_pressure_gpa];
+        [film, roughness, pressure, fast.friction]
     }
 
     /// ln of the fast model's friction over the record's.
@@ -307,11 +319,11 @@ impl Row {
     }
 
     /// ln of the fast model's friction over the record's, in the windows that the record passes.
-    fn passed_error(&self) -> f64 {
+    pub fn passed_error(&self) -> f64 {
         self.error_by(PASSED)
     }
 
-    fn is_within_reference(&self) -> bool {
+    pub fn is_within_reference(&self) -> bool {
         self.fast().roughness_over_film < LARGEST_ROUGHNESS
     }
 
@@ -324,7 +336,7 @@ impl Row {
     }
 
     /// Standard deviation of the error as a run draws it, or with the sampling of record and windows.
-    fn deviation(&self, with_sampling: bool) -> f64 {
+    pub fn deviation(&self, with_sampling: bool) -> f64 {
         let fast = self.fast();
         let [_, model] = model_deviation(
             GapLaw::Inlet,
@@ -355,7 +367,7 @@ impl Row {
 const NINETY_PERCENT: f64 = 1.645;
 
 /// The records of a table in the order of its conditions.
-fn rows(table: &str) -> Vec<Row> {
+pub fn rows(table: &str) -> Vec<Row> {
     let (_, conditions) = TABLES.iter().find(|(name, _)| *name == table).unwrap();
     let mut records = records(table);
     let solved = conditions().into_iter().filter_map(|condition| {

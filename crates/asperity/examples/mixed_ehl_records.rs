@@ -8,12 +8,13 @@
 //! cargo run --release -p asperity --example mixed_ehl_records -- chosen > fixtures/records/part_load_chosen.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- unseen > fixtures/records/part_load_unseen.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- short > fixtures/records/short_waves.csv
+//! cargo run --release -p asperity --example mixed_ehl_records -- close > fixtures/records/close.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- fzg_8.3 hb=2
 //! ```
 //!
 //! Prints the conditions whose names begin with a word, or all, as many at a time as there are threads: of the gear meshes, of
 //! the `blind` test or of the `second` one, at `part` load of scaled flanks or of other finishes (`chosen`, on which the model may
-//! be chosen, and `unseen`), or ten gear meshes with `short` waves. A row is printed as soon as it is
+//! be chosen, and `unseen`), ten gear meshes with `short` waves, or conditions that are `close` to each other. A row is printed as soon as it is
 //! solved; one that is not solved has no numbers.
 //! `list` prints slide-to-roll ratio, Hertz pressure in GPa and roughness over the film without a record. Keys: `hb` (contact film
 //! in nm), `cells`, `start` and `length` (travel in half-widths). Run it in the folder of the workspace.
@@ -43,7 +44,7 @@ const FZG: &str = "fixtures/cases/fzg-c.toml";
 /// Speed of the FZG pinion over the speed of the pitch line \[s/(min m)\].
 const FZG_TURNS: f64 = 2166.0 / 8.3;
 /// Eyring stress of the records: polyalphaolefin, mineral oil.
-pub const EYRING_STRESS: [Pressure; 2] = [Pressure::from_si(4e6), Pressure::from_si(5e6)];
+const EYRING_STRESS: [Pressure; 2] = [Pressure::from_si(4e6), Pressure::from_si(5e6)];
 /// Boundary friction of the records.
 pub const BOUNDARY_FRICTION: f64 = 0.08;
 /// Travel of the records \[half-widths\].
@@ -229,6 +230,10 @@ pub struct Condition {
     pub position: f64,
     case: &'static str,
     flanks: Flanks,
+    /// Factor on the heights of generated flanks.
+    heights: f64,
+    /// Factor on the Eyring stress of the records.
+    eyring: f64,
     keys: Vec<(&'static str, String)>,
     /// Shortest wave in its traces, if another than that of the other records.
     pub shortest_wave: Option<Length>,
@@ -247,6 +252,8 @@ impl Condition {
             case: E_DRIVE,
             flanks: Flanks::OfCase,
             position,
+            heights: 1.0,
+            eyring: 1.0,
             keys: vec![("operation.bulk_temperature", format!("{temperature} °C"))],
             shortest_wave: None,
             least_cells: 0,
@@ -293,6 +300,8 @@ impl Condition {
             position: place,
             case,
             flanks: Flanks::Generated(finish, seeds),
+            heights: 1.0,
+            eyring: 1.0,
             keys: vec![
                 ("operation.bulk_temperature", format!("{celsius} °C")),
                 ("operation.speed", format!("{speed} 1/min")),
@@ -319,6 +328,8 @@ impl Condition {
             case: FZG,
             flanks: Flanks::OfCase,
             position,
+            heights: 1.0,
+            eyring: 1.0,
             keys: vec![(
                 "operation.speed",
                 format!("{} 1/min", pitch_line * FZG_TURNS),
@@ -330,6 +341,12 @@ impl Condition {
         }
     }
 
+    /// Eyring stress of its record.
+    pub fn eyring_stress(&self) -> Pressure {
+        let of_oil = EYRING_STRESS[usize::from(self.case == FZG)];
+        Pressure::from_si(self.eyring * of_oil.si())
+    }
+
     /// The settings of its record, with heat.
     pub fn settings(&self, record: &RecordSettings) -> ReferenceSettings {
         ReferenceSettings {
@@ -338,7 +355,7 @@ impl Condition {
                 length: self.travel,
                 ..record.clone()
             },
-            eyring_stress: Some(EYRING_STRESS[usize::from(self.case == FZG)]),
+            eyring_stress: Some(self.eyring_stress()),
             with_heat: true,
             beginning: 0,
             shortest_wave: self.shortest_wave,
@@ -395,9 +412,10 @@ impl Condition {
             }
             Flanks::Generated(finish, seeds) => {
                 let names = ["pinion", "wheel"].map(|flank| format!("generated {flank}"));
+                let [pinion, wheel] = seeds.map(|seed| times(self.heights, &finish.trace(seed)?));
                 let held = [
-                    (PathBuf::from(&names[0]), finish.trace(seeds[0])?),
-                    (PathBuf::from(&names[1]), finish.trace(seeds[1])?),
+                    (PathBuf::from(&names[0]), pinion?),
+                    (PathBuf::from(&names[1]), wheel?),
                 ];
                 loaded = loaded.holding(&held);
                 names
@@ -817,6 +835,129 @@ pub fn short_wave_conditions() -> Vec<Condition> {
     finer.into_iter().flat_map(of).collect()
 }
 
+/// Travel of the records of close conditions \[half-widths\].
+const CLOSE_TRAVEL: f64 = 28.0;
+
+/// A change of a condition.
+#[derive(Clone, Copy)]
+enum Change {
+    None,
+    /// Factor on the speed.
+    Speed(f64),
+    /// Degrees more.
+    Warmer(u32),
+    /// Factor on the torque.
+    Torque(f64),
+    /// Factor on the heights of both traces.
+    Heights(f64),
+    /// Factor on the Eyring stress.
+    Eyring(f64),
+    /// Pressure-viscosity coefficient \[1/GPa\].
+    PressureViscosity(f64),
+    /// Further along the path.
+    Place(f64),
+}
+
+/// Conditions that are close to each other: six pairs of flanks on seeds of their own at full load, each with changes of speed,
+/// temperature, torque, heights, oil and place.
+pub fn close_conditions() -> Vec<Condition> {
+    use Change::{Eyring, Heights, Place, PressureViscosity, Speed, Torque, Warmer};
+    use Drive::{FirstStage, FzgA};
+    use Finish::{Crossed, Ground, Plateaus, RunIn, Superfinished};
+    let changes = [
+        Change::None,
+        Speed(1.01),
+        Speed(1.1),
+        Speed(1.4),
+        Warmer(1),
+        Warmer(15),
+        Torque(0.997),
+        Torque(0.97),
+        Torque(0.85),
+        Heights(0.97),
+        Heights(0.9),
+        Heights(0.7),
+        Heights(1.2),
+        Eyring(1.3),
+        PressureViscosity(14.0),
+        PressureViscosity(16.0),
+        Place(0.05),
+        Place(0.3),
+    ];
+    let bases = [
+        (FirstStage, Ground, [3001, 3002], 90, 0.2, 9000, 145.0),
+        (FirstStage, Crossed, [3011, 3012], 110, 0.6, 6000, 145.0),
+        (FirstStage, RunIn, [3021, 3022], 75, 0.06, 5000, 120.0),
+        (FirstStage, Ground, [3031, 3032], 125, 0.12, 7000, 145.0),
+        (
+            FirstStage,
+            Superfinished,
+            [3041, 3042],
+            115,
+            0.6,
+            4000,
+            145.0,
+        ),
+        (FzgA, Plateaus, [3061, 3062], 90, 0.55, 2166, 183.4),
+    ];
+    let close = |base: Generated| {
+        changes.map(|change| {
+            let condition = Condition::generated(changed(base, change));
+            let (finish, seeds) = (base.1.name(), base.2);
+            let condition = Condition {
+                name: format!("close-{finish}-{}_{}", seeds[0], change.name()),
+                travel: CLOSE_TRAVEL,
+                ..condition
+            };
+            match change {
+                Heights(factor) => Condition {
+                    heights: factor,
+                    ..condition
+                },
+                Eyring(factor) => Condition {
+                    eyring: factor,
+                    ..condition
+                },
+                PressureViscosity(value) => {
+                    condition.with("lubricant.pressure_viscosity", &format!("{value} 1/GPa"))
+                }
+                _ => condition,
+            }
+        })
+    };
+    bases.into_iter().flat_map(close).collect()
+}
+
+impl Change {
+    fn name(self) -> String {
+        match self {
+            Self::None => "base".to_owned(),
+            Self::Speed(factor) => format!("speed_{factor}"),
+            Self::Warmer(kelvin) => format!("warmer_{kelvin}"),
+            Self::Torque(factor) => format!("torque_{factor}"),
+            Self::Heights(factor) => format!("heights_{factor}"),
+            Self::Eyring(factor) => format!("eyring_{factor}"),
+            Self::PressureViscosity(value) => format!("alpha_{value}"),
+            Self::Place(step) => format!("place_{step}"),
+        }
+    }
+}
+
+/// A condition with a change of its operation or place.
+fn changed(base: Generated, change: Change) -> Generated {
+    let (drive, finish, seeds, celsius, place, speed, torque) = base;
+    match change {
+        Change::Speed(factor) => {
+            let speed = (factor * f64::from(speed)).round() as u32;
+            (drive, finish, seeds, celsius, place, speed, torque)
+        }
+        Change::Warmer(kelvin) => (drive, finish, seeds, celsius + kelvin, place, speed, torque),
+        Change::Torque(factor) => (drive, finish, seeds, celsius, place, speed, factor * torque),
+        Change::Place(step) => (drive, finish, seeds, celsius, place + step, speed, torque),
+        _ => base,
+    }
+}
+
 /// Settings of the records of a table, whose travel their conditions state: every step is a frame.
 pub fn record_settings() -> RecordSettings {
     RecordSettings {
@@ -957,6 +1098,7 @@ pub fn main() -> Outcome<()> {
             None if word == "chosen" => table = chosen_conditions,
             None if word == "unseen" => table = unseen_conditions,
             None if word == "short" => table = short_wave_conditions,
+            None if word == "close" => table = close_conditions,
             None if word == "list" => is_list = true,
             None => prefix = word,
         }
