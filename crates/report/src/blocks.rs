@@ -308,7 +308,7 @@ impl<'a> Report<'a> {
     }
 
     /// The first screen in a terminal, of at most `lines` lines, and what it leaves out: the verdict, a short warning, then the
-    /// first table with its heading as far as there is room, then texts and other warnings.
+    /// first table with its heading as far as there is room, or all of it if it is the answer, then texts and other warnings.
     #[must_use]
     pub fn brief(&self, lines: usize) -> (String, LeftOut) {
         let title = self.title_line();
@@ -316,20 +316,23 @@ impl<'a> Report<'a> {
         let count = |part: &str| part.lines().count();
         let mut shown: Vec<usize> = vec![0; parts.len()];
         let mut room = lines.saturating_sub(count(&title));
-        // Shows whole parts, and of the last of them as many lines as there is room for, but `least`.
-        let mut show = |of: &[usize], least: usize| {
+        // Shows whole parts, and of the last of them as many lines as there is room for, but `least`; `None` shows all of it.
+        let mut show = |of: &[usize], least: Option<usize>| {
             let Some((last, before)) = of.split_last() else {
                 return;
             };
             let above: usize = before.iter().map(|k| count(&parts[*k].1)).sum();
             let all = count(&parts[*last].1);
-            let fits = all.min(room.saturating_sub(above));
-            if fits >= least.min(all) {
+            let fits = match least {
+                Some(_) => all.min(room.saturating_sub(above)),
+                None => all,
+            };
+            if fits >= least.unwrap_or(all).min(all) {
                 for k in before {
                     shown[*k] = count(&parts[*k].1);
                 }
                 shown[*last] = fits;
-                room -= above + fits;
+                room = room.saturating_sub(above + fits);
             }
         };
         let of = |is_wanted: fn(&Block<'_>) -> bool| {
@@ -341,7 +344,7 @@ impl<'a> Report<'a> {
         let verdicts = of(|block| matches!(block, Block::Verdict(_)));
         let below = lines.saturating_sub(count(&title) + height(&verdicts));
         for k in verdicts {
-            show(&[k], 1);
+            show(&[k], Some(1));
         }
         let table = of(|block| matches!(block, Block::Table(table) if !table.is_empty()));
         let table: Vec<usize> = table.first().map_or(Vec::new(), |k| {
@@ -358,20 +361,20 @@ impl<'a> Report<'a> {
             own <= 3 && !cuts(own)
         });
         if let Some(k) = first {
-            show(&[*k], usize::MAX);
+            show(&[*k], Some(usize::MAX));
         }
         if let Some(k) = table.last() {
             // Of a table there are its headings and a row at least.
-            let heading = match parts[*k].0 {
-                Block::Table(table) => table.heading_height(),
-                _ => 0,
+            let (heading, is_answer) = match parts[*k].0 {
+                Block::Table(table) => (table.heading_height(), table.is_answer()),
+                _ => (0, false),
             };
-            show(&table, heading + 1);
+            show(&table, (!is_answer).then_some(heading + 1));
         }
         let texts = of(|block| matches!(block, Block::Text(_)));
         let others = warnings.iter().skip(usize::from(first.is_some()));
         for k in texts.iter().chain(others) {
-            show(&[*k], usize::MAX);
+            show(&[*k], Some(usize::MAX));
         }
         let all: usize = parts.iter().map(|(_, part)| count(part)).sum();
         let left_out = LeftOut {

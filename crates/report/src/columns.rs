@@ -396,6 +396,8 @@ pub struct Table {
     file: &'static str,
     /// Whether the table is this file; otherwise the rows of the result are.
     is_file: bool,
+    /// Whether it is the answer of its report.
+    is_answer: bool,
 }
 
 impl Table {
@@ -407,6 +409,7 @@ impl Table {
             class: "",
             file: "",
             is_file: false,
+            is_answer: false,
         }
     }
 
@@ -480,6 +483,17 @@ impl Table {
     pub fn with(mut self, columns: impl IntoIterator<Item = Column>) -> Self {
         self.columns.extend(columns);
         self
+    }
+
+    /// The table as the answer of its report, of which a first screen shows every row.
+    #[must_use]
+    pub fn answer(mut self) -> Self {
+        self.is_answer = true;
+        self
+    }
+
+    pub(crate) fn is_answer(&self) -> bool {
+        self.is_answer
     }
 
     /// The table without the columns `headings` in the terminal, which has no room for them.

@@ -28,6 +28,7 @@ pub(super) fn table(comparison: &Comparison) -> Table {
         interval loss_w "loss" "W" = losses.loss();
         file loss_at_medians_w = Cell::optional(finish.loss_at_medians_w);
         interval difference_w "minus the first" "W" = losses.difference();
+        text verdict "sign" "" = finish.difference.as_ref().map_or("", |found| sign(&found.verdict));
         interval change_percent "of the first" "%" = losses.change();
         number mixed_share_percent "mixed" "%" "{:.0}" = finish.mixed_share.map(|share| 100.0 * share);
         text regime "regime" "" = regime(finish);
@@ -41,6 +42,11 @@ pub(super) fn table(comparison: &Comparison) -> Table {
         Some(_) => table.brief(&["mixed", "regime"]),
         None => table.unshown_of(&["mixed", "regime"]),
     };
+    // The verdict on a single difference is a sentence above the table.
+    let table = match comparison.finishes.len() {
+        ..=2 => table.brief(&["sign"]),
+        _ => table,
+    };
     let table = match comparison.has_equal_oils() {
         true => table.unshown_of(&OIL),
         false => table.brief(&OIL),
@@ -48,6 +54,17 @@ pub(super) fn table(comparison: &Comparison) -> Table {
     table
         .renamed("finish", comparison.noun())
         .in_file("compare.csv")
+        .answer()
+}
+
+/// Whether the sign of a difference holds, in a word or two.
+const fn sign(verdict: &Verdict) -> &'static str {
+    match verdict {
+        Verdict::Equal => "no change",
+        Verdict::Holds => "holds",
+        Verdict::Except(_) => "exceptions",
+        _ => "undecided",
+    }
 }
 
 /// Columns of variants with other oils.
@@ -292,7 +309,10 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
             true => [-range[1], -range[0]],
             false => range,
         };
-        format!(" ({} W)", digits.range(turned))
+        match count {
+            1 => format!(" ({} W)", digits.rounded(turned[0])),
+            _ => format!(" ({} W)", digits.range(turned)),
+        }
     });
     match &difference.verdict {
         Verdict::Equal => format!("With {other} the loss is exactly as with {first}"),
