@@ -601,6 +601,6 @@ fn every_face_of_reference_solutions_states_one_loss_at_its_lay() {
     let changes = ["sensitivity", "case.toml", "--json"];
     let changes = bench.run(&[&changes[..], &few].concat()).well().json();
     let rows = changes["rows"].as_array().unwrap().iter();
-    let mut intervals = rows.map(|row| &row["effect"]["sampling_quantiles_w"]);
+    let mut intervals = rows.map(|row| &row["effect"]["quantiles_w"]);
     assert!(intervals.all(serde_json::Value::is_null));
 }

@@ -8,6 +8,7 @@
 
 mod band;
 mod britton;
+mod close_records;
 mod comparison;
 mod document;
 mod ehl_records;

@@ -37,6 +37,7 @@ fn plain() -> Predictive {
         max_pressure_pa: None,
         film_m: 0.3e-6,
         sampling: SamplingError::NONE,
+        by_offset_w: Vec::new(),
     }
 }
 

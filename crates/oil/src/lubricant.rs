@@ -384,6 +384,21 @@ impl Lubricant {
         self.viscosity == other.viscosity && self.base_oil == other.base_oil
     }
 
+    /// Largest |ln| of the ratio of both kinematic viscosities at 40 and at 100 °C; infinite if a law has no viscosity there.
+    #[must_use]
+    pub fn viscosity_distance(&self, other: &Self) -> f64 {
+        let viscosity = |of: &Self, celsius: f64| {
+            let found = of.viscosity(Temperature::from_celsius(celsius), &mut Vec::new());
+            found.map_or(f64::NAN, |(density, eta, _)| eta.si() / density.si())
+        };
+        let distance = |celsius: f64| (viscosity(self, celsius) / viscosity(other, celsius)).ln();
+        let distances = [40.0, 100.0].map(|celsius| distance(celsius).abs());
+        match distances.iter().all(|one| one.is_finite()) {
+            true => distances[0].max(distances[1]),
+            false => f64::INFINITY,
+        }
+    }
+
     /// Whether its viscosity is known over temperature, and not only at one.
     #[must_use]
     pub fn has_viscosity_law(&self) -> bool {

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use asperity_core::cite;
-use asperity_core::numerics::standard_normal_quantile;
+use asperity_core::numerics::{standard_normal_below, standard_normal_quantile};
 use serde::{Deserialize, Serialize};
 
 use crate::hypercube::permutation;
@@ -147,27 +147,29 @@ fn draws(seed: u64) -> Vec<Draw> {
     (0..DRAWS).map(draw).collect()
 }
 
-/// Draws of a mesh in the comparison with another one: shared where a constant belongs to the same thing, of a second set where it
-/// belongs to another.
+/// Draws of a mesh in the comparison with another one: shared as far as a constant belongs to the same thing, of a second set for the
+/// rest.
 ///
 /// ```text
-/// z = ρ z₀ + √(1 − ρ²) z₁                                                     [Common-draw]
+/// z = ρ z₀ + √(1 − ρ²) z₁;  of a constant that the other run states: z = √(1 − ρ²) z₀             [Common-draw]
 /// ```
 ///
-/// z₀, z₁: standard normal draws of the first and the second set; ρ: 1 of the same thing, 0 of another, between them of two oils of
-/// one family and of the error of the model on the same flanks under other conditions.
+/// z₀, z₁: standard normal draws of the first and the second set; ρ: 1 of the same thing, 0 of another. A place u between 0 and 1
+/// has z = Φ⁻¹(u).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Common {
-    /// Number of the flanks, which have the error of the model.
+    /// Number of the flanks, which have the error of the model and the sampling.
     pub flanks: usize,
-    /// Number of their windows, which have the sampling.
-    pub windows: usize,
     /// ρ of each constant.
     pub constants: [f64; UncertainParameter::ALL.len()],
-    /// ρ of the error of the model.
+    /// Whether the other run states the constant: what both have in common of it is known.
+    pub stated: [bool; UncertainParameter::ALL.len()],
+    /// ρ of the error of the model on the same flanks.
     pub model: f64,
-    /// Whether the unknown tip relief belongs to the same gears.
-    pub relief: bool,
+    /// ρ of the sampling of the same flanks.
+    pub sampling: f64,
+    /// ρ of the unknown tip relief.
+    pub relief: f64,
     /// Whether the error of the film law belongs to the same traction curves.
     pub curves: bool,
 }
@@ -177,10 +179,11 @@ impl From<usize> for Common {
     fn from(flanks: usize) -> Self {
         Self {
             flanks,
-            windows: flanks,
             constants: [1.0; UncertainParameter::ALL.len()],
+            stated: [false; UncertainParameter::ALL.len()],
             model: 1.0,
-            relief: true,
+            sampling: 1.0,
+            relief: 1.0,
             curves: true,
         }
     }
@@ -189,25 +192,9 @@ impl From<usize> for Common {
 impl Common {
     /// All draws of a mesh.
     pub fn draws(self) -> impl Iterator<Item = Draw> {
-        let of_windows = (self.windows != self.flanks).then(|| flank_draws(self.windows));
-        let mut of_windows = of_windows.into_iter().flatten();
-        let other = (self
-            != Self {
-                windows: self.windows,
-                ..self.flanks.into()
-            })
-        .then(second_set);
+        let other = (self != self.flanks.into()).then(second_set);
         let all = shared_draws().zip(flank_draws(self.flanks)).enumerate();
-        all.map(move |(j, (draw, mut of_flanks))| {
-            if let Some(FlankDraw {
-                model: _,
-                sampling,
-                place,
-                form,
-            }) = of_windows.next()
-            {
-                (of_flanks.sampling, of_flanks.place, of_flanks.form) = (sampling, place, form);
-            }
+        all.map(move |(j, (draw, of_flanks))| {
             let draw = Draw { of_flanks, ..draw };
             match other {
                 Some(other) => self.mixed(draw, &other[j]),
@@ -219,19 +206,30 @@ impl Common {
     /// A draw of the first set, with the draw of the second set where things differ.
     fn mixed(&self, mut draw: Draw, other: &Draw) -> Draw {
         cite!("Common-draw");
+        let own = |rho: f64| (1.0 - rho * rho).sqrt();
         let mix = |rho: f64, of: &mut f64, other: f64| {
             if rho < 1.0 {
-                *of = rho * *of + (1.0 - rho * rho).sqrt() * other;
+                *of = rho * *of + own(rho) * other;
             }
         };
-        let constants = draw.constants.iter_mut().zip(other.constants);
-        for (rho, (of, other)) in self.constants.into_iter().zip(constants) {
-            mix(rho, of, other);
+        let mix_places = |rho: f64, of: &mut f64, other: f64| {
+            if rho < 1.0 {
+                let mut z = standard_normal_quantile(*of);
+                mix(rho, &mut z, standard_normal_quantile(other));
+                *of = standard_normal_below(z);
+            }
+        };
+        for (k, (of, other)) in draw.constants.iter_mut().zip(other.constants).enumerate() {
+            match self.stated[k] {
+                true => *of *= own(self.constants[k]),
+                false => mix(self.constants[k], of, other),
+            }
         }
-        mix(self.model, &mut draw.of_flanks.model, other.of_flanks.model);
-        if !self.relief {
-            (draw.relief, draw.length) = (other.relief, other.length);
-        }
+        let (flanks, of_others) = (&mut draw.of_flanks, &other.of_flanks);
+        mix(self.model, &mut flanks.model, of_others.model);
+        mix(self.sampling, &mut flanks.sampling, of_others.sampling);
+        mix_places(self.relief, &mut draw.relief, other.relief);
+        mix_places(self.relief, &mut draw.length, other.length);
         if !self.curves {
             (draw.film_law, draw.pressure_law) = (other.film_law, other.pressure_law);
         }

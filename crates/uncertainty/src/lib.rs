@@ -27,10 +27,10 @@ pub use asperity_case::case::{Measured, UncertainParameter};
 pub use draw::{Common, Draw, FlankDraw, flank_draws};
 pub use expected::{Expected, Measurement, MeshDraws};
 pub use hypercube::{StudentOfNormal, latin_hypercube, permutation};
-pub use parameters::{Ranged, deviation_of_curves, parameters, range};
+pub use parameters::{Ranged, deviation_of_curves, is_stated, parameters, range};
 pub use predictive::{
-    COMPARED, Component, DrawnLoss, FilmLaw, InnerBoundary, OtherLaw, PATCH_GAP_ERROR,
-    PatchFlowError, Predictive, RecordedRule, model_deviation,
+    COMPARED, Component, DrawnLoss, FilmLaw, InnerBoundary, MODEL_LENGTHS, OtherLaw,
+    PATCH_GAP_ERROR, PatchFlowError, Predictive, RecordedRule, model_correlation, model_deviation,
 };
 pub use quantiles::{ENDS, PROBABILITIES, Quantiles, Watts, median_with_ends, sorted_quantiles};
 pub use relief::ReliefFactors;

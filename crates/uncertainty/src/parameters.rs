@@ -32,7 +32,7 @@ use asperity_oil::{
 };
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_BAND};
 
-use asperity_case::case::{Measured, OperatingCase, UncertainParameter};
+use asperity_case::case::{LoadedCase, Measured, OperatingCase, UncertainParameter};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::flank_lay::{FlankLay, mean_at};
 use asperity_mixed_film::InletSupply;
@@ -84,7 +84,8 @@ pub fn deviation_of_curves(
 }
 
 /// Whether the case states it.
-fn is_stated(kind: UncertainParameter, loaded: &OperatingCase) -> bool {
+#[must_use]
+pub fn is_stated(kind: UncertainParameter, loaded: &LoadedCase) -> bool {
     let model = &loaded.case.input.model;
     match kind {
         UncertainParameter::BoundaryFriction => model.boundary_friction.is_some(),

@@ -1,34 +1,54 @@
-//! The rule by which two runs have draws in common: a constant is common where the thing that it belongs to is the same.
+//! The rule by which two runs have draws in common: a constant is common as far as the thing that it belongs to is the same.
 //!
 //! | constants | belong to | ρ of another thing |
 //! |---|---|---|
-//! | boundary friction, boundary layer | oil and steels | 0 |
-//! | limiting shear, Eyring stress, pressure-viscosity of a family | oil | ½ of two oils of one family, else 0 |
+//! | boundary friction, boundary layer | oil and steels | falls to 0 with viscosity and modulus (`Oil-likeness`) |
+//! | limiting shear, Eyring stress, pressure-viscosity of a family | oil | falls to ½ of two oils of one family, else to 0 |
 //! | constants and law that traction curves state | curves | 0 |
 //! | constants that a rig states | its calibration | 0 |
 //! | lay | surfaces that show it; an assumed one to all flanks | 0 |
-//! | error of the temperature | its stated deviation | 0 |
-//! | tip relief that is not stated | teeth | 0 |
-//! | sampling of the flanks | traces on the same teeth | 0; of one place before and after a test as their windows lose alike |
-//! | error of the model | traces | 0; 1 − 0.03²/s² of the same traces under other conditions; of one place before and after a test the concordance of their heights |
+//! | error of the temperature | the thermometer | the smaller deviation over the larger |
+//! | tip relief that is not stated | teeth | falls to 0 with their dimensions |
+//! | sampling of the flanks | teeth that were measured | correlation of the losses at the offsets; 0 of other teeth |
+//! | error of the model | teeth that were measured | falls with the distance of the conditions (`Model-common`); 0 of other teeth |
 //! | inner spots, rolling loss, other rules of the model | the model | - |
+//!
+//! A constant that one run states and the other leaves drawn is known in both as far as it belongs to the same thing: the difference
+//! counts the shift of its median.
 
-use asperity_case::case::LoadedCase;
-use asperity_uncertainty::{Common, Measured, Predictive, UncertainParameter};
+use asperity_case::case::{BodyInput, LoadedCase};
+use asperity_core::numerics::correlation;
+use asperity_gear::GearPair;
+use asperity_uncertainty::{
+    Common, MODEL_LENGTHS, Measured, Predictive, UncertainParameter, is_stated, model_correlation,
+};
 use serde::{Deserialize, Serialize};
 
 /// Correlation of a constant of two oils of one family. The sources state a range over the family, and not which part of it two
 /// oils share: half of the variance (judgement).
 const OF_FAMILY: f64 = 0.5;
-/// Standard deviation of ln friction by which the error of the model differs from one condition to another on the same flanks: in
-/// 85 records on 27 pairs of traces it is 0.026, at most 0.039 (95 %); 0.044 belongs to the traces.
-pub(super) const OF_CONDITION: f64 = 0.03;
+/// |ln| of the ratio of two viscosities within a grade of ISO 3448, whose limits are 10 % from its middle, and of the middles of two
+/// grades.
+const OF_GRADE: [f64; 2] = [0.2, 0.4];
+/// The same of two Young's moduli: the moduli of steels, and another material (judgement).
+const OF_STEEL: [f64; 2] = [0.03, 0.2];
+/// Distance of the dimensions of two pairs of gears of equal numbers of teeth with common unknown relief, and without (judgement).
+const OF_TEETH: [f64; 2] = [0.0, 0.2];
 
 /// Name of the component of the sampling.
 pub(super) const SAMPLING: &str = "sampling of the flanks";
 
 /// A mesh of a run with its draws.
 pub type DrawnCase<'a> = (&'a LoadedCase, &'a Predictive);
+
+/// Relation of the traces of two runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Traces {
+    /// As the cases state them.
+    AsStated,
+    /// Of one place before and after a test, with the concordance of their heights.
+    OfOnePlace(f64),
+}
 
 /// A constant of two runs, and how far its draws are common.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -42,39 +62,95 @@ pub struct CommonConstant {
     pub correlation: f64,
 }
 
-/// The draws of the meshes of another run in common with the first run, whose flanks have the numbers `flanks`.
+/// The draws of the meshes of two runs in common, of the first with the numbers `flanks` of its flanks.
 #[must_use]
 pub fn common_draws(
     first: &[DrawnCase<'_>],
     flanks: &[usize],
     other: &[DrawnCase<'_>],
-) -> Vec<Common> {
-    let mut found: Vec<Common> = Vec::with_capacity(other.len());
+) -> [Vec<Common>; 2] {
+    common_by(first, flanks, other, Traces::AsStated)
+}
+
+/// The same with a relation of their traces.
+pub(super) fn common_by(
+    first: &[DrawnCase<'_>],
+    flanks: &[usize],
+    other: &[DrawnCase<'_>],
+    traces: Traces,
+) -> [Vec<Common>; 2] {
+    let is_same = |known: &DrawnCase<'_>, own: &DrawnCase<'_>| match traces {
+        Traces::AsStated => known.0.has_teeth_of(own.0),
+        Traces::OfOnePlace(_) => true,
+    };
+    let mut of_other: Vec<Common> = Vec::with_capacity(other.len());
     for (k, own) in other.iter().enumerate() {
-        let most = |of: &dyn Fn(&DrawnCase<'_>) -> f64| first.iter().map(of).fold(0.0, f64::max);
-        let is_any = |of: &dyn Fn(&DrawnCase<'_>) -> bool| first.iter().any(of);
-        let number = |is_same: &dyn Fn(&DrawnCase<'_>) -> bool, of: fn(&Common) -> usize| {
-            let of_first = first.iter().position(is_same).map(|same| flanks[same]);
-            let of_own = || Some(of(&found[other[..k].iter().position(is_same)?]));
-            of_first.or_else(of_own).unwrap_or(first.len() + k)
+        let same: Vec<&DrawnCase<'_>> = first.iter().filter(|known| is_same(known, own)).collect();
+        let place = first.iter().position(|known| is_same(known, own));
+        let earlier = other[..k].iter().position(|known| is_same(known, own));
+        let number = place.map(|place| flanks[place]);
+        let number = number.or_else(|| Some(of_other[earlier?].flanks));
+        let most = |of: &dyn Fn(&DrawnCase<'_>) -> f64, all: &[&DrawnCase<'_>]| {
+            all.iter().map(|known| of(known)).fold(0.0, f64::max)
         };
-        let same_traces = |known: &DrawnCase<'_>| has_traces_of(known.0, own.0);
-        let on_teeth = |known: &DrawnCase<'_>| same_traces(known) && has_teeth_of(known.0, own.0);
-        let common = Common {
-            flanks: number(&same_traces, |common| common.flanks),
-            windows: number(&on_teeth, |common| common.windows),
-            constants: UncertainParameter::ALL
-                .map(|kind| most(&|known| correlation(kind, *known, *own))),
-            model: match is_any(&same_traces) {
-                true => most(&|known| of_model(*known, *own)),
-                false => 1.0,
-            },
-            relief: is_any(&|known| has_teeth_of(known.0, own.0)),
-            curves: is_any(&|known| known.0.case.oil_file == own.0.case.oil_file),
+        let of_flanks = |of: &dyn Fn(&DrawnCase<'_>) -> f64| match same.is_empty() {
+            true => 1.0,
+            false => most(of, &same),
         };
-        found.push(common);
+        let all: Vec<&DrawnCase<'_>> = first.iter().collect();
+        of_other.push(Common {
+            flanks: number.unwrap_or(first.len() + k),
+            model: of_flanks(&|known| of_model(known.1, own.1, traces)),
+            sampling: of_flanks(&|known| of_sampling(known.1, own.1)),
+            relief: most(&|known| of_teeth(known.0, own.0), &all),
+            curves: all
+                .iter()
+                .any(|known| known.0.case.oil_file == own.0.case.oil_file),
+            ..of_constants(*own, first, traces)
+        });
     }
-    found
+    let of_first = first.iter().zip(flanks);
+    let of_first = of_first.map(|(own, flanks)| {
+        let mut common = Common::from(*flanks);
+        let beside = of_constants(*own, other, traces);
+        for (k, stated) in beside
+            .stated
+            .into_iter()
+            .enumerate()
+            .filter(|(_, stated)| *stated)
+        {
+            (common.stated[k], common.constants[k]) = (stated, beside.constants[k]);
+        }
+        common
+    });
+    [of_first.collect(), of_other]
+}
+
+/// The draws of the constants of a mesh in common with the meshes of the other run.
+fn of_constants(own: DrawnCase<'_>, others: &[DrawnCase<'_>], traces: Traces) -> Common {
+    let mut common = Common::from(0);
+    for kind in UncertainParameter::ALL {
+        let place = kind as usize;
+        let most = |others: &mut dyn Iterator<Item = &DrawnCase<'_>>| {
+            others
+                .map(|other| likeness(kind, own, *other, traces))
+                .fold(0.0, f64::max)
+        };
+        let is_stated_in = |case: &DrawnCase<'_>| is_stated(kind, case.0);
+        let is_known = is_stated_in(&own) || others.iter().any(is_stated_in);
+        common.stated[place] = is_known && draws(own.1, kind);
+        common.constants[place] = match (is_stated_in(&own), common.stated[place]) {
+            // Drawn of a changed case by the draws of the case before the change.
+            (true, _) => 1.0,
+            (false, true) => most(&mut others.iter().filter(|other| is_stated_in(other))),
+            (false, false) => most(&mut others.iter()),
+        };
+    }
+    common
+}
+
+fn draws(of: &Predictive, kind: UncertainParameter) -> bool {
+    of.constants.iter().any(|one| one.kind == kind)
 }
 
 /// The record of the rule for two meshes with these draws in common.
@@ -87,28 +163,33 @@ pub(crate) fn common_constants(
     // One of the two runs has the first set of draws throughout.
     let least = |of: &dyn Fn(&Common) -> f64| commons.map(of).into_iter().fold(1.0, f64::min);
     let [own, theirs] = commons;
-    let row = |name: &str, belongs_to: &str, correlation: f64| CommonConstant {
+    let row = |name: &str, belongs_to: String, correlation: f64| CommonConstant {
         name: name.to_owned(),
-        belongs_to: belongs_to.to_owned(),
+        belongs_to,
         correlation,
     };
     let both = |is_drawn: &dyn Fn(&Predictive) -> bool| is_drawn(first.1) && is_drawn(other.1);
     let one = |is_same: bool| f64::from(u8::from(is_same));
-    let is_drawn = |kind| both(&|of: &Predictive| of.constants.iter().any(|one| one.kind == kind));
+    let is_known = |kind: UncertainParameter| commons.iter().any(|of| of.stated[kind as usize]);
+    let is_drawn = |kind| is_known(kind) || both(&|of: &Predictive| draws(of, kind));
     let constants = UncertainParameter::ALL
         .into_iter()
         .filter(|kind| is_drawn(*kind));
     let mut rows: Vec<CommonConstant> = constants
         .map(|kind| {
+            let belongs_to = match is_known(kind) {
+                true => format!("{}; stated in one run", thing_of(kind, other.1)),
+                false => thing_of(kind, other.1).to_owned(),
+            };
             row(
                 kind.name(),
-                thing_of(kind, other.1),
+                belongs_to,
                 least(&|of| of.constants[kind as usize]),
             )
         })
         .collect();
-    let model = match theirs.flanks == own.flanks {
-        true => least(&|of| of.model),
+    let of_flanks = |of: &dyn Fn(&Common) -> f64| match theirs.flanks == own.flanks {
+        true => least(of),
         false => 0.0,
     };
     let further = [
@@ -116,7 +197,7 @@ pub(crate) fn common_constants(
             both(&|of| of.relief.is_some()),
             "tip relief not stated",
             "the teeth",
-            one(own.relief && theirs.relief),
+            least(&|of| of.relief),
         ),
         (
             both(&|of| of.film_law.is_some()),
@@ -127,14 +208,14 @@ pub(crate) fn common_constants(
         (
             true,
             "error of the fast model",
-            "the traces and their conditions",
-            model,
+            "the measured teeth and their conditions",
+            of_flanks(&|of| of.model),
         ),
         (
             both(&|of| of.sampling.standard_error > 0.0),
             SAMPLING,
-            "the traces on their teeth",
-            one(theirs.windows == own.windows),
+            "the measured teeth",
+            of_flanks(&|of| of.sampling),
         ),
         (
             both(&|of| of.inner_boundary.is_some() || of.recorded.is_some()),
@@ -145,7 +226,7 @@ pub(crate) fn common_constants(
         (true, "rolling loss", "the model", 1.0),
     ];
     let further = further.into_iter().filter(|(is_drawn, ..)| *is_drawn);
-    rows.extend(further.map(|(_, name, belongs_to, rho)| row(name, belongs_to, rho)));
+    rows.extend(further.map(|(_, name, belongs_to, rho)| row(name, belongs_to.to_owned(), rho)));
     rows
 }
 
@@ -169,7 +250,7 @@ fn thing_of(kind: UncertainParameter, of: &Predictive) -> &'static str {
 }
 
 /// ρ of a constant of two meshes.
-fn correlation(kind: UncertainParameter, a: DrawnCase<'_>, b: DrawnCase<'_>) -> f64 {
+fn likeness(kind: UncertainParameter, a: DrawnCase<'_>, b: DrawnCase<'_>, traces: Traces) -> f64 {
     use UncertainParameter as P;
     let (own, theirs) = (&a.0.case, &b.0.case);
     let is_same = match (measured(kind, a.1), measured(kind, b.1)) {
@@ -177,78 +258,142 @@ fn correlation(kind: UncertainParameter, a: DrawnCase<'_>, b: DrawnCase<'_>) -> 
             own.input.calibration == theirs.input.calibration
         }
         (Some(Measured::OilFile), Some(Measured::OilFile)) => own.oil_file == theirs.oil_file,
-        (Some(Measured::Surfaces), Some(Measured::Surfaces)) => has_traces_of(a.0, b.0),
+        (Some(Measured::Surfaces), Some(Measured::Surfaces)) => {
+            traces != Traces::AsStated || a.0.has_teeth_of(b.0)
+        }
         (None, None) => match kind {
             P::BoundaryFriction | P::BoundaryLayer => {
-                has_oil_of(a.0, b.0) && own.materials == theirs.materials
+                return of_oils(a.0, b.0, 0.0) * of_steels(a.0, b.0);
             }
-            P::Lay => a.0.flank_lays() == b.0.flank_lays(),
+            P::Lay => {
+                let is_one = || traces != Traces::AsStated || a.0.has_teeth_of(b.0);
+                a.0.flank_lays() == b.0.flank_lays() || is_one()
+            }
             P::TemperatureError => {
                 let deviation = |of: &LoadedCase| of.case.input.operation.temperature_deviation;
-                deviation(a.0) == deviation(b.0)
+                return deviation(a.0).zip(deviation(b.0)).map_or(0.0, |(a, b)| {
+                    let [a, b] = [a.si(), b.si()];
+                    if a == b { 1.0 } else { a.min(b) / a.max(b) }
+                });
             }
-            _ if has_oil_of(a.0, b.0) => true,
-            _ => {
-                let family = |of: &LoadedCase| of.case.lubricant.base_oil();
-                return match family(a.0).is_some() && family(a.0) == family(b.0) {
-                    true => OF_FAMILY,
-                    false => 0.0,
-                };
-            }
+            _ => return of_oils(a.0, b.0, OF_FAMILY),
         },
         _ => false,
     };
     f64::from(u8::from(is_same))
 }
 
-/// ρ of the error of the model on the same traces.
+/// 1 up to the first of two distances and 0 from the second; between them the deviation of a difference rises linearly.
+fn falling([from, to]: [f64; 2], distance: f64) -> f64 {
+    1.0 - ((distance - from) / (to - from)).clamp(0.0, 1.0).powi(2)
+}
+
+/// ρ of what belongs to an oil.
 ///
 /// ```text
-/// ρ = 1 − r²/s²,  r = 0.03                                                     [Model-common]
+/// ρ = k + (1 − k) ρ_f,  k = 1 − t²,  t = (|ln ν₁/ν₂| − 0.2)/(0.4 − 0.2), 0 ≤ t ≤ 1           [Oil-likeness]
 /// ```
 ///
-/// s: standard deviation of the error; r: the part of it that differs from condition to condition.
-fn of_model(a: DrawnCase<'_>, b: DrawnCase<'_>) -> f64 {
-    let operation = |of: &LoadedCase| of.case.input.operation;
-    let teeth = has_teeth_of(a.0, b.0) && a.0.case.gears.face_width == b.0.case.gears.face_width;
-    if !has_traces_of(a.0, b.0) {
+/// ν: kinematic viscosity at 40 or 100 °C, the larger ratio of both; ρ_f: ρ of two oils of one family. Batches within a grade of ISO
+/// 3448 are one oil, the middles of two grades are two. Oils with other names, and of another base oil, have k = 0.
+fn of_oils(a: &LoadedCase, b: &LoadedCase, of_family: f64) -> f64 {
+    asperity_core::cite!("Oil-likeness");
+    let (own, theirs) = (&a.case, &b.case);
+    let family = own.lubricant.base_oil();
+    if family != theirs.lubricant.base_oil() {
         return 0.0;
     }
-    if teeth && has_oil_of(a.0, b.0) && operation(a.0) == operation(b.0) {
-        return 1.0;
+    let of_family = if family.is_some() { of_family } else { 0.0 };
+    let name = |of: &LoadedCase| of.case.input.lubricant.oil.clone();
+    let is_named_same = name(a) == name(b) || own.lubricant.is_oil_of(&theirs.lubricant);
+    let k = match is_named_same && own.oil_file == theirs.oil_file {
+        true => falling(
+            OF_GRADE,
+            own.lubricant.viscosity_distance(&theirs.lubricant),
+        ),
+        false => 0.0,
+    };
+    k + (1.0 - k) * of_family
+}
+
+/// ρ of what belongs to the steels: by their names and their moduli.
+fn of_steels(a: &LoadedCase, b: &LoadedCase) -> f64 {
+    let names = |of: &LoadedCase| {
+        let stated = &of.case.input.material;
+        let name = |body: Option<&BodyInput>| body.and_then(|body| body.steel.clone());
+        let pinion = name(Some(&stated.pinion));
+        let wheel = stated
+            .wheel
+            .as_ref()
+            .map_or(pinion.clone(), |wheel| name(Some(wheel)));
+        [pinion, wheel]
+    };
+    if names(a) != names(b) {
+        return 0.0;
     }
-    asperity_core::cite!("Model-common");
-    let error = a.1.model_error().max(b.1.model_error());
-    1.0 - (OF_CONDITION / error).powi(2).min(1.0)
+    let bodies = a.case.materials.iter().zip(&b.case.materials);
+    let distances = bodies.map(|(own, other)| (own.young.si() / other.young.si()).ln().abs());
+    falling(OF_STEEL, distances.fold(0.0, f64::max))
 }
 
-fn has_traces_of(a: &LoadedCase, b: &LoadedCase) -> bool {
-    a.surfaces.has_flanks_of(&b.surfaces)
-}
-
-fn has_oil_of(a: &LoadedCase, b: &LoadedCase) -> bool {
-    a.case.lubricant.is_oil_of(&b.case.lubricant)
-}
-
-/// Whether both have the same teeth, of any width.
-fn has_teeth_of(a: &LoadedCase, b: &LoadedCase) -> bool {
+/// ρ of the unknown tip relief of two pairs of gears: 0 of other numbers of teeth, and falling with the difference of the dimensions in
+/// which one drawing may vary.
+fn of_teeth(a: &LoadedCase, b: &LoadedCase) -> f64 {
     let [a, b] = [a, b].map(|of| &of.case.gears);
-    a.teeth == b.teeth
-        && a.internal == b.internal
-        && a.normal_module == b.normal_module
-        && a.normal_pressure_angle == b.normal_pressure_angle
-        && a.helix == b.helix
-        && a.profile_shift == b.profile_shift
-        && a.centre_distance == b.centre_distance
-        && a.tip_radius == b.tip_radius
+    if a.teeth != b.teeth || a.internal != b.internal {
+        return 0.0;
+    }
+    let dimensions = |of: &GearPair| {
+        let module = of.normal_module.si();
+        let shift = |body: usize| of.profile_shift.map_or(0.0, |shifts| shifts[body]);
+        [
+            module.ln(),
+            of.normal_pressure_angle.si(),
+            of.helix.si(),
+            of.centre_distance.si() / module,
+            shift(0),
+            shift(1),
+            of.tip_radius[0].si() / module,
+            of.tip_radius[1].si() / module,
+        ]
+    };
+    let differences = dimensions(a).into_iter().zip(dimensions(b));
+    falling(OF_TEETH, differences.map(|(a, b)| (a - b).abs()).sum())
+}
+
+/// ρ of the error of the model on the same teeth, at most the concordance of heights before and after a test.
+fn of_model(a: &Predictive, b: &Predictive, traces: Traces) -> f64 {
+    let conditions = |of: &Predictive| {
+        let film = of.film_m;
+        let roughness = of
+            .roughness_over_film
+            .map_or(f64::NAN, |ratio| ratio * film);
+        let pressure = of.max_pressure_pa.unwrap_or(f64::NAN);
+        [film, roughness, pressure, of.parts_w[0] / of.power_in_w]
+    };
+    let by_conditions = model_correlation(MODEL_LENGTHS, conditions(a), conditions(b));
+    match traces {
+        Traces::AsStated => by_conditions,
+        Traces::OfOnePlace(concordance) => by_conditions.min(concordance.max(0.0)),
+    }
+}
+
+/// ρ of the sampling of the same teeth: the correlation of the losses at the offsets that both have; 1 if they leave none.
+fn of_sampling(a: &Predictive, b: &Predictive) -> f64 {
+    let (own, theirs): (Vec<f64>, Vec<f64>) = a.by_offset_w.iter().zip(&b.by_offset_w).unzip();
+    match own.len() > 2 {
+        true => correlation(&own, &theirs).map_or(1.0, |rho| rho.max(0.0)),
+        false => 1.0,
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use asperity_core::Profile;
     use asperity_core::numerics::standard_normal_quantile;
     use asperity_uncertainty::{Draw, latin_hypercube};
 
-    use super::super::{Likeness, PairedDifference, Uncertainty, difference, difference_of_places};
+    use super::super::{PairedDifference, Uncertainty, difference, difference_of_places};
     use super::*;
     use crate::Run;
     use crate::pipeline::Kept;
@@ -268,7 +413,10 @@ mod tests {
                 (input.model.positions, input.model.offsets) = (Some(4), Some(4));
                 change(input);
             });
-            let loaded = loaded.unwrap();
+            Self::run(loaded.unwrap())
+        }
+
+        fn run(loaded: LoadedCase) -> Self {
             let run = Run::new(&loaded).pictures(Kept::Highest);
             let (outcome, drawn) = run
                 .interval(true)
@@ -296,129 +444,228 @@ mod tests {
         }
     }
 
-    /// Shares of the variance that a thing has in common with another: of the oil, of the family, of nothing.
-    const SAME: f64 = 1.0;
-    const HALF: f64 = 0.5;
-    const OWN: f64 = 0.0;
-
-    /// Share of truths of a difference within its interval. `oil` is the shared variance of the constants of two oils, `layer` of the
-    /// boundary layer, `windows` of the sampling and `traces` of the error of the model. `of_difference` is the standard error of a
-    /// difference whose windows are paired \[W\].
-    fn coverage(
-        [first, other]: [&Drawn; 2],
-        interval: asperity_core::Estimate,
-        ([oil, layer, windows, traces], of_difference): ([f64; 4], f64),
-    ) -> f64 {
-        use UncertainParameter as P;
+    /// Share of truths of a difference within its interval: of each component both have a part in common, with the correlations that
+    /// `interval` states.
+    fn coverage([first, other]: [&Drawn; 2], interval: &PairedDifference) -> f64 {
         const TRUTHS: usize = 400;
         const AXES_OF_ONE: usize = 40;
-        let [laws, errors] = [[first, other], [first, other]];
-        let errors = errors.map(|of| of.predictive.model_error());
-        let laws = laws.map(|of| of.predictive.law());
+        let laws = [first, other].map(|of| of.predictive.law());
+        let of_row = |name: &str| {
+            let mut rows = interval.common.iter();
+            rows.find(|row| row.name == name)
+                .map_or(1.0, |row| row.correlation)
+        };
         let truths = latin_hypercube(TRUTHS, AXES_OF_ONE, 77);
         let within = truths.iter().filter(|u| {
             let z = |k: usize| standard_normal_quantile(u[k]);
-            // A thing that both have, and those that each has.
             let of = |side: usize, share: f64, k: usize| {
                 share.sqrt() * z(k) + (1.0 - share).sqrt() * z(k + 10 + 10 * side)
             };
             let draw = |side: usize| {
                 let mut draw = Draw::medians();
                 for (k, kind) in UncertainParameter::ALL.into_iter().enumerate() {
-                    draw.constants[k] = match kind {
-                        P::BoundaryFriction | P::BoundaryLayer => of(side, layer, k),
-                        P::Lay | P::TemperatureError => z(k),
-                        _ => of(side, oil, k),
-                    };
+                    draw.constants[k] = of(side, of_row(kind.name()), k);
                 }
                 (draw.inner_boundary, draw.rolling, draw.power) = (u[30], z(31), z(32));
                 let of_flanks = |share: f64, k: usize| {
                     share.sqrt() * z(k) + (1.0 - share).sqrt() * z(k + 1 + side)
                 };
-                // The error on the same traces has a part of the condition.
-                let condition = OF_CONDITION / errors[side];
-                draw.of_flanks.sampling = match of_difference > 0.0 {
-                    true => 0.0,
-                    false => of_flanks(windows, 33),
-                };
-                draw.of_flanks.model = of_flanks(traces.min(1.0 - condition * condition), 36);
+                draw.of_flanks.sampling = of_flanks(of_row(SAMPLING), 33);
+                draw.of_flanks.model = of_flanks(of_row("error of the fast model"), 36);
                 draw
             };
             let [a, b] = [0, 1].map(|side| laws[side].loss(&draw(side)));
-            (interval.low..=interval.high).contains(&(b - a + of_difference * z(39)))
+            (interval.watts.low..=interval.watts.high).contains(&(b - a))
         });
         within.count() as f64 / TRUTHS as f64
     }
+
+    const VISCOUS: [(&str, &str); 1] = [(
+        "lubricant.viscosity",
+        "{ law = \"astm-d341\", at_40 = \"46 mm2/s\", at_100 = \"8 mm2/s\" }",
+    )];
 
     #[test]
     fn truths_drawn_by_the_rule_lie_in_the_interval_of_their_difference() {
         let as_is = Drawn::of(FILE, &|_| {});
         let with = |keys: &'static [(&str, &str)]| Drawn::of(FILE, &|input| set(input, keys));
         let warm = with(&[("operation.bulk_temperature", "110 °C")]);
-        let viscous = with(&[(
-            "lubricant.viscosity",
-            "{ law = \"astm-d341\", at_40 = \"46 mm2/s\", at_100 = \"8 mm2/s\" }",
-        )]);
+        let viscous = with(&VISCOUS);
         let mineral = Drawn::of(FILE, &|input| {
             input.lubricant = Default::default();
             set(input, &[("lubricant.oil", "m100")]);
         });
         let gears = with(&[("gears.teeth", "[30, 89]"), ("gears.module", "1.4 mm")]);
         let finish = Drawn::of("../../fixtures/cases/e-drive-superfinished.toml", &|_| {});
-        let beside = |other: &Drawn| other.against(&as_is).watts;
-        const OF_DIFFERENCE: f64 = 15.0;
-        let worn = Likeness {
-            heights: 0.9,
-            windows: 0.8,
-            standard_error_w: OF_DIFFERENCE,
-            freedom: 1e6,
-        };
+        let beside = |other: &Drawn| other.against(&as_is);
         let [before, after] =
             [&as_is, &finish].map(|of| (&of.loaded, &of.predictive, &of.uncertainty));
-        let worn = difference_of_places(before, after, worn).watts;
-        for (name, other, interval, shares) in [
-            (
-                "another temperature",
-                &warm,
-                beside(&warm),
-                [SAME, SAME, SAME, SAME],
-            ),
+        let worn = difference_of_places(before, after, 0.9);
+        // ρ of boundary friction, of the limiting shear stress; whether flanks are those of the first.
+        for (name, other, found, [boundary, oil, flanks]) in [
+            ("another temperature", &warm, beside(&warm), [1.0, 1.0, 1.0]),
             (
                 "an oil of the family",
                 &viscous,
                 beside(&viscous),
-                [HALF, OWN, SAME, SAME],
+                [0.0, 0.5, 1.0],
             ),
             (
                 "an oil of another family",
                 &mineral,
                 beside(&mineral),
-                [OWN, OWN, SAME, SAME],
+                [0.0, 0.0, 1.0],
             ),
-            (
-                "other gears",
-                &gears,
-                beside(&gears),
-                [SAME, SAME, OWN, SAME],
-            ),
-            (
-                "another finish",
-                &finish,
-                beside(&finish),
-                [SAME, SAME, OWN, OWN],
-            ),
-            (
-                "flanks after a test",
-                &finish,
-                worn,
-                [SAME, SAME, SAME, 0.9],
-            ),
+            ("other gears", &gears, beside(&gears), [1.0, 1.0, 1.0]),
+            ("another finish", &finish, beside(&finish), [1.0, 1.0, 0.0]),
+            ("flanks after a test", &finish, worn, [1.0, 1.0, 1.0]),
         ] {
-            let paired = if interval == worn { OF_DIFFERENCE } else { 0.0 };
-            let share = coverage([&as_is, other], interval, (shares, paired));
+            let of_row = |kind: &str| {
+                let row = found.common.iter().find(|row| row.name == kind);
+                row.unwrap().correlation
+            };
+            let [friction, shear] = [
+                UncertainParameter::BoundaryFriction,
+                UncertainParameter::LimitingShear,
+            ]
+            .map(|kind| of_row(kind.name()));
+            assert_eq!([friction, shear], [boundary, oil], "{name}");
+            assert_eq!(of_row(SAMPLING) > 0.0, flanks > 0.0, "{name}");
+            assert!(of_row("error of the fast model") <= flanks, "{name}");
+            let share = coverage([&as_is, other], &found);
             println!("{name}: {share}");
             assert!((0.85..=0.95).contains(&share), "{name}: {share}");
         }
+    }
+
+    #[test]
+    fn batches_of_a_grade_are_one_oil_and_two_grades_are_two() {
+        let as_is = Drawn::of(FILE, &|_| {});
+        let of_oil = |viscosities: [f64; 2]| {
+            let [at_40, at_100] = viscosities;
+            let law = format!(
+                "{{ law = \"astm-d341\", at_40 = \"{at_40} mm2/s\", at_100 = \"{at_100} mm2/s\" }}"
+            );
+            let changed = as_is.loaded.with_key("lubricant.viscosity", &law).unwrap();
+            of_oils(&as_is.loaded, &changed, OF_FAMILY)
+        };
+        // Of the shipped oil, 30.8 and 5.9 mm²/s.
+        assert_eq!(of_oil([30.8, 5.9]), 1.0);
+        assert_eq!(of_oil([30.8 * 1.2, 5.9 * 1.2]), 1.0);
+        let between = of_oil([30.8 * 0.3_f64.exp(), 5.9 * 0.3_f64.exp()]);
+        assert!((between - 0.875).abs() < 1e-9, "{between}");
+        assert_eq!(of_oil([46.0, 8.9]), 0.5);
+        let named = as_is.loaded.with_key("lubricant.oil", "m100").unwrap();
+        assert_eq!(of_oils(&as_is.loaded, &named, OF_FAMILY), 0.0);
+    }
+
+    /// A key with its value at a place from 0 to 1 on the path from one case to another.
+    type Path = (&'static str, fn(f64) -> String);
+
+    const PATHS: [Path; 11] = [
+        ("operation.torque", |t| format!("{} N m", 145.0 + 55.0 * t)),
+        ("operation.speed", |t| {
+            format!("{} 1/min", 9000.0 + 3000.0 * t)
+        }),
+        ("operation.bulk_temperature", |t| {
+            format!("{} °C", 90.0 + 30.0 * t)
+        }),
+        ("lubricant.density", |t| {
+            format!("{} kg/m3", 845.0 + 55.0 * t)
+        }),
+        ("lubricant.viscosity", |t| {
+            let times = 1.0 + 0.5 * t;
+            let [at_40, at_100] = [30.8 * times, 5.9 * times];
+            format!(
+                "{{ law = \"astm-d341\", at_40 = \"{at_40} mm2/s\", at_100 = \"{at_100} mm2/s\" }}"
+            )
+        }),
+        ("model.lay", |t| format!("{}", 0.05 + 0.1 * t)),
+        ("model.boundary_friction", |t| {
+            format!("{}", 0.08 + 0.03 * t)
+        }),
+        ("surface.cutoff", |t| format!("{} mm", 0.25 + 0.55 * t)),
+        ("gears.module", |t| format!("{} mm", 1.8 + 0.2 * t)),
+        ("gears.pinion.tip_relief", |t| {
+            format!("{{ amount = \"{} um\", length = \"1 mm\" }}", 2.0 + 6.0 * t)
+        }),
+        ("material.pinion.elastic_limit", |t| {
+            format!("{} MPa", 1500.0 + 300.0 * t)
+        }),
+    ];
+
+    /// The width of the difference of a run from the first along a path grows from 0 without a jump, and stays below the width of runs
+    /// that have nothing in common.
+    fn check_widths(name: &str, along: &dyn Fn(f64) -> Drawn) {
+        /// Width that a ten-thousandth of the path may have, and the largest rise from 5 to 10 % of the path \[W\].
+        const MOST_W: [f64; 2] = [2.0, 20.0];
+        let first = along(0.0);
+        let width = |of: asperity_core::Estimate| of.high - of.low;
+        let at = |t: f64| {
+            let other = along(t);
+            let found = other.against(&first).watts;
+            let mesh = |of: &'_ Drawn, common: Common| -> Vec<f64> { of.predictive.losses(common) };
+            let strangers = Common {
+                flanks: 1,
+                constants: [0.0; UncertainParameter::ALL.len()],
+                relief: 0.0,
+                ..1.into()
+            };
+            let (own, theirs) = (mesh(&first, 0.into()), mesh(&other, strangers));
+            let apart = own
+                .iter()
+                .zip(&theirs)
+                .map(|(a, b)| b - a)
+                .collect::<Vec<_>>();
+            let apart = width(asperity_uncertainty::median_with_ends(&apart));
+            assert!(
+                width(found) <= 1.05 * apart,
+                "{name} at {t}: {found:?}, strangers {apart}"
+            );
+            width(found)
+        };
+        assert_eq!(at(0.0), 0.0, "{name}");
+        let [least, before, after] = [1e-4, 0.05, 0.1].map(at);
+        assert!(least < MOST_W[0], "{name}: {least} W");
+        assert!(
+            (after - before).abs() < MOST_W[1],
+            "{name}: {before} to {after} W"
+        );
+    }
+
+    #[test]
+    fn the_width_of_a_difference_grows_steadily_with_each_key() {
+        for (key, value) in PATHS {
+            check_widths(key, &|t| {
+                Drawn::of(FILE, &|input| set(input, &[(key, &value(t))]))
+            });
+        }
+        let face_width = |t: f64| format!("{} mm", 32.0 + 8.0 * t);
+        check_widths("gears.face_width", &|t| {
+            Drawn::of(FILE, &|input| {
+                set(input, &[("gears.face_width", &face_width(t))])
+            })
+        });
+        // Heights of both traces.
+        let as_is = Drawn::of(FILE, &|_| {});
+        let flanks = ["surface.pinion.file", "surface.wheel.file"];
+        check_widths("heights", &|t| {
+            let traces = as_is.loaded.all_traces();
+            let scaled = traces
+                .iter()
+                .zip(["pinion", "wheel"])
+                .map(|(report, name)| {
+                    let trace = report.trace.as_ref().unwrap();
+                    let heights = trace.heights().iter().map(|z| (1.0 - 0.4 * t) * z);
+                    let scaled = Profile::new(trace.spacing(), heights.collect()).unwrap();
+                    (std::path::PathBuf::from(name), scaled)
+                });
+            let held: Vec<_> = scaled.collect();
+            let loaded = as_is.loaded.holding(&held);
+            let loaded =
+                loaded.with(|input| set(input, &[(flanks[0], "pinion"), (flanks[1], "wheel")]));
+            Drawn::run(loaded.unwrap())
+        });
     }
 
     #[test]

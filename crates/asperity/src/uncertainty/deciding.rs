@@ -1,10 +1,10 @@
 //! Measurements that would decide a difference: what of its interval is left if their quantity is known.
 
 use asperity_core::numerics::add_times;
-use asperity_uncertainty::{Component, Predictive, median_with_ends};
+use asperity_uncertainty::{Common, Component, Predictive, median_with_ends};
 use serde::{Deserialize, Serialize};
 
-use super::difference::DrawnMesh;
+use super::difference::{DrawnMesh, differences};
 
 /// A measurement with what it leaves of the interval of a difference at best: if it were exact.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -24,6 +24,8 @@ pub struct DecidingMeasurement {
 
 /// Least gain that is worth a row, in widths.
 const LEAST: f64 = 0.98;
+/// ρ above which a quantity of two runs is one quantity for a measurement.
+const OF_ONE_THING: f64 = 0.5;
 
 /// Measurements that narrow the difference of two runs with their draws in common, the one that leaves the narrowest interval first.
 ///
@@ -44,22 +46,20 @@ pub fn deciding(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) -> Vec<Decidin
         total
     };
     let drawn = sides.map(|meshes| total(meshes, &|_| Vec::new()));
-    let differences = |[own, theirs]: [&[f64]; 2]| -> Vec<f64> {
-        own.iter().zip(theirs).map(|(a, b)| b - a).collect()
-    };
     let now = median_with_ends(&differences([&drawn[0], &drawn[1]]));
     let width = now.high - now.low;
+    let has_flanks = own.common.flanks == theirs.common.flanks;
+    // One measurement states what both have in common for the most part.
+    let is_shared =
+        |rho: &dyn Fn(&Common) -> f64| rho(&own.common).min(rho(&theirs.common)) > OF_ONE_THING;
     let is_common = |component: Component, of: &Predictive| match component {
         Component::Constant(k) => {
             let axis = of.constants[k].kind as usize;
-            own.common.constants[axis].min(theirs.common.constants[axis]) >= 1.0
+            is_shared(&|common| common.constants[axis])
         }
-        Component::Sampling => own.common.windows == theirs.common.windows,
-        Component::Model => {
-            own.common.flanks == theirs.common.flanks
-                && own.common.model.min(theirs.common.model) >= 1.0
-        }
-        Component::Relief => own.common.relief && theirs.common.relief,
+        Component::Sampling => has_flanks && is_shared(&|common| common.sampling),
+        Component::Model => has_flanks && is_shared(&|common| common.model),
+        Component::Relief => is_shared(&|common| common.relief),
         Component::FilmLaw | Component::PressureLaw => own.common.curves && theirs.common.curves,
         _ => true,
     };

@@ -2,15 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::result::{AlternativeRow, Uncertainty};
+use crate::result::{AlternativeRow, Losses, Uncertainty};
 use asperity_case::case::LoadedCase;
+use asperity_case::error::Error;
 use asperity_core::{Estimate, EstimateKeys, estimate_keys};
-use asperity_uncertainty::{
-    Common, Predictive, SamplingError, StudentOfNormal, UncertainParameter, Watts, flank_draws,
-    median_with_ends,
-};
+use asperity_uncertainty::{Common, Predictive, Watts, median_with_ends};
 
-use super::common_draws::{CommonConstant, DrawnCase, SAMPLING, common_constants, common_draws};
+use super::common_draws::{CommonConstant, DrawnCase, Traces, common_by, common_constants};
+use super::evaluations::at_losses;
 
 /// Probability from which the sign of a difference holds.
 const SURE: f64 = 0.95;
@@ -126,24 +125,35 @@ pub fn losses_of_meshes(meshes: &[DrawnMesh<'_>]) -> Vec<f64> {
 /// draws, so that the order of the two changes the sign of their difference only.
 #[must_use]
 pub fn beside<'a>(first: Vec<DrawnMesh<'a>>, other: Vec<DrawnMesh<'a>>) -> [Vec<DrawnMesh<'a>>; 2] {
+    beside_by(first, other, Traces::AsStated)
+}
+
+fn beside_by<'a>(
+    first: Vec<DrawnMesh<'a>>,
+    other: Vec<DrawnMesh<'a>>,
+    traces: Traces,
+) -> [Vec<DrawnMesh<'a>>; 2] {
     let at_medians =
         |meshes: &[DrawnMesh<'_>]| -> f64 { meshes.iter().map(DrawnMesh::at_medians_w).sum() };
     let is_swapped = at_medians(&other) > at_medians(&first);
-    let (base, mut beside) = match is_swapped {
-        true => (other, first),
-        false => (first, other),
+    let mut both = match is_swapped {
+        true => [other, first],
+        false => [first, other],
     };
-    let cases =
-        |of: &[DrawnMesh<'a>]| -> Vec<DrawnCase<'a>> { of.iter().map(DrawnMesh::drawn).collect() };
-    let flanks: Vec<usize> = base.iter().map(|mesh| mesh.common.flanks).collect();
-    let common = common_draws(&cases(&base), &flanks, &cases(&beside));
-    for (mesh, common) in beside.iter_mut().zip(common) {
-        mesh.common = common;
+    let [base, beside] = both
+        .each_ref()
+        .map(|meshes| -> Vec<DrawnCase<'a>> { meshes.iter().map(DrawnMesh::drawn).collect() });
+    let flanks: Vec<usize> = both[0].iter().map(|mesh| mesh.common.flanks).collect();
+    let common = common_by(&base, &flanks, &beside, traces);
+    for (meshes, common) in both.iter_mut().zip(common) {
+        for (mesh, common) in meshes.iter_mut().zip(common) {
+            mesh.common = common;
+        }
     }
-    match is_swapped {
-        true => [beside, base],
-        false => [base, beside],
+    if is_swapped {
+        both.reverse();
     }
+    both
 }
 
 /// A mesh with its draws and its losses by every model.
@@ -166,66 +176,50 @@ fn single<'a>((loaded, predictive, uncertainty): MeshResult<'a>) -> DrawnMesh<'a
     }
 }
 
-/// How far traces of one place before and after a test are alike.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Likeness {
-    /// Concordance of the heights, which is the correlation of the error of the model.
-    pub heights: f64,
-    /// Correlation of the losses of the windows.
-    pub windows: f64,
-    /// Standard error of the mean difference of the windows \[W\].
-    pub standard_error_w: f64,
-    /// Its degrees of freedom.
-    pub freedom: f64,
-}
-
-/// The loss of a mesh minus the loss of the mesh `first`, whose traces are of the same places, at the same windows.
-///
-/// ```text
-/// δ_j = P_other,j − P_first,j + SE t_ν,j                                              [Place-difference]
-/// ```
-///
-/// SE is the standard error of the mean difference of the windows, ν its degrees of freedom; P are losses without sampling.
+/// The loss of a mesh minus the loss of the mesh `first`, whose traces are of the same places before a test; `concordance` is that of
+/// their heights.
 #[must_use]
 pub fn difference_of_places(
     first: MeshResult<'_>,
     other: MeshResult<'_>,
-    alike: Likeness,
+    concordance: f64,
 ) -> PairedDifference {
-    asperity_core::cite!("Place-difference");
-    let without_sampling = |(_, predictive, _): MeshResult<'_>| Predictive {
-        sampling: SamplingError::NONE,
-        ..predictive.clone()
+    let traces = Traces::OfOnePlace(concordance);
+    let [first, other] = beside_by(vec![single(first)], vec![single(other)], traces);
+    difference_of_meshes(&first, &other)
+}
+
+/// Change of the loss of a mesh from a case with its draws to a changed case with its losses: median with 5 % and 95 % quantiles \[W\].
+/// The draws of the changed case have its losses, conditions and sampling, and over the constants they change as before.
+///
+/// # Errors
+/// As [`Run::losses`](crate::Run::losses).
+pub fn change_of(
+    first: DrawnCase<'_>,
+    (changed, losses): (&LoadedCase, &Losses),
+) -> Result<Estimate, Error> {
+    asperity_core::cite!("Paired-difference");
+    let drawn = at_losses(&changed.at_stated()?, losses, first.1)?;
+    let [own, theirs] = common_by(&[first], &[0], &[(changed, &drawn)], Traces::AsStated);
+    let of = |drawn: &Predictive, common: &[Common]| {
+        let mut total = vec![0.0; Predictive::count()];
+        for common in common {
+            drawn.add_draws(&mut total, 1.0, *common);
+        }
+        total
     };
-    let drawn = [first, other].map(without_sampling);
-    let [mut own, mut theirs] = beside(
-        vec![single((first.0, &drawn[0], first.2))],
-        vec![single((other.0, &drawn[1], other.2))],
-    );
-    // Equal traces have the draws of the first set throughout.
-    let both = own.iter_mut().chain(&mut theirs);
-    for mesh in both.filter(|mesh| mesh.common.flanks != 0) {
-        mesh.common.constants[UncertainParameter::Lay as usize] = 1.0;
-        mesh.common = Common {
-            flanks: 0,
-            windows: 0,
-            model: alike.heights.max(0.0),
-            ..mesh.common
-        };
-    }
-    let table = StudentOfNormal::new(alike.freedom);
-    let sampling = flank_draws(0).map(|draw| match alike.standard_error_w > 0.0 {
-        true => alike.standard_error_w * table.at(draw.sampling),
-        false => 0.0,
-    });
-    let mut found = paired(&own, &theirs, sampling);
-    let common = [&own[0].common, &theirs[0].common];
-    found.common = common_constants((first.0, first.1), (other.0, other.1), common);
-    let rows = found.common.iter_mut();
-    for row in rows.filter(|row| row.name == SAMPLING) {
-        row.correlation = alike.windows;
-    }
-    found
+    let (own, theirs) = (of(first.1, &own), of(&drawn, &theirs));
+    Ok(median_with_ends(&differences([&own, &theirs])))
+}
+
+/// The losses of a run minus the losses of the first, draw by draw.
+#[must_use]
+pub fn differences([first, own]: [&[f64]; 2]) -> Vec<f64> {
+    first
+        .iter()
+        .zip(own)
+        .map(|(first, own)| own - first)
+        .collect()
 }
 
 /// The loss of all meshes of `other` minus the loss of all meshes of `first`, draw by draw. Cases that differ in nothing
@@ -239,18 +233,8 @@ pub fn difference_of_places(
 #[must_use]
 pub fn difference_of_meshes(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) -> PairedDifference {
     asperity_core::cite!("Paired-difference");
-    paired(first, other, std::iter::repeat(0.0))
-}
-
-/// A paired difference with an error in each draw \[W\].
-fn paired(
-    first: &[DrawnMesh<'_>],
-    other: &[DrawnMesh<'_>],
-    errors: impl Iterator<Item = f64>,
-) -> PairedDifference {
     let [own, theirs] = [first, other].map(losses_of_meshes);
-    let deltas = own.iter().zip(&theirs).zip(errors);
-    let deltas: Vec<f64> = deltas.map(|((a, b), error)| b - a + error).collect();
+    let deltas = differences([&own, &theirs]);
     let shares: Vec<f64> = deltas.iter().zip(&own).map(|(d, a)| d / a).collect();
     let watts = median_with_ends(&deltas);
     let agreeing = deltas.iter().filter(|d| **d * watts.value > 0.0).count();

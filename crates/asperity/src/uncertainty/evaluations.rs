@@ -237,7 +237,30 @@ fn at_medians(
         max_pressure_pa: path.max_pressure_pa,
         film_m: path.film_m,
         sampling: sampling_error(loaded, nominal, path.asperity_share)?,
+        by_offset_w: nominal.offsets.iter().map(|row| row.loss_w).collect(),
         constants,
+    })
+}
+
+/// The draws of a changed case with the losses `losses`, which change over the constants as in `before`.
+pub(super) fn at_losses(
+    changed: &OperatingCase,
+    losses: &Losses,
+    before: &Predictive,
+) -> Result<Predictive, Error> {
+    let found = at_medians(changed, &Nominal::of(losses), before.constants.clone())?;
+    Ok(Predictive {
+        power_in_w: found.power_in_w,
+        at_medians_w: found.at_medians_w,
+        parts_w: found.parts_w,
+        asperity_share: found.asperity_share,
+        relief: found.relief,
+        roughness_over_film: found.roughness_over_film,
+        max_pressure_pa: found.max_pressure_pa,
+        film_m: found.film_m,
+        sampling: found.sampling,
+        by_offset_w: found.by_offset_w,
+        ..before.clone()
     })
 }
 

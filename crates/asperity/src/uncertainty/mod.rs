@@ -53,15 +53,16 @@ use asperity_uncertainty::{
 
 pub use crate::sampling::{Independent, independent_windows, pair_sampling, window_sampling};
 pub use asperity_uncertainty::{
-    Common, ENDS, Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter,
-    deviation_of_curves, median_with_ends, model_deviation, range, sorted_quantiles,
+    Common, ENDS, Expected, MODEL_LENGTHS, Measurement, MeshDraws, Predictive, Quantiles,
+    UncertainParameter, deviation_of_curves, median_with_ends, model_correlation, model_deviation,
+    range, sorted_quantiles,
 };
 pub use change::{ChangeDraws, few_offsets_of, sampling_error_of_changes, sampling_interval};
 pub use common_draws::{CommonConstant, DrawnCase, common_draws};
 pub use deciding::{DecidingMeasurement, deciding};
 pub use difference::{
-    DrawnMesh, Likeness, PairedDifference, Verdict, beside, difference, difference_of_meshes,
-    difference_of_places, losses_of_meshes,
+    DrawnMesh, PairedDifference, Verdict, beside, change_of, difference, difference_of_meshes,
+    difference_of_places, differences, losses_of_meshes,
 };
 pub use evaluations::has_band;
 pub use recorded::predictive;

@@ -158,7 +158,6 @@ mod tests {
     use std::collections::BTreeMap;
     use std::path::Path;
 
-    use super::super::common_draws::OF_CONDITION;
     use super::*;
     use crate::pipeline::losses;
     use asperity_case::case::load;
@@ -268,54 +267,6 @@ mod tests {
             over(1.0)
         );
         assert_eq!(HALVED, expected);
-    }
-
-    #[test]
-    fn the_error_of_the_model_belongs_to_the_traces() {
-        let (records, windows) = (records(), rows("film_64_windows.csv"));
-        let mut of_traces: BTreeMap<String, Vec<f64>> = BTreeMap::new();
-        let mut errors = Vec::new();
-        for (name, row) in &records {
-            let fast = windows.get(&[name.clone(), "default".to_owned()]);
-            let Some(fast) = fast.filter(|row| row["roughness_over_film"] < 3.0) else {
-                continue;
-            };
-            // The words that begin with a letter name the flanks.
-            let is_word = |part: &&str| part.starts_with(|sign: char| sign.is_ascii_alphabetic());
-            let traces: Vec<&str> = name.split('_').take_while(is_word).collect();
-            let ln = (fast["friction"] / row["hot_friction"]).ln();
-            of_traces.entry(traces.join("_")).or_default().push(ln);
-            errors.push((row["hot_friction_error"] / row["hot_friction"]).powi(2));
-        }
-        let (count, groups) = (errors.len() as f64, of_traces.len() as f64);
-        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
-        let squares = |values: &[f64], about: f64| -> f64 {
-            values.iter().map(|value| (value - about).powi(2)).sum()
-        };
-        let within: f64 = of_traces.values().map(|one| squares(one, mean(one))).sum();
-        let within = within / (count - groups);
-        let all: Vec<f64> = of_traces.values().flatten().copied().collect();
-        let between: f64 = of_traces
-            .values()
-            .map(|one| one.len() as f64 * (mean(one) - mean(&all)).powi(2))
-            .sum();
-        let sizes: f64 = of_traces
-            .values()
-            .map(|one| (one.len() as f64).powi(2))
-            .sum();
-        let each = (count - sizes / count) / (groups - 1.0);
-        let of_flanks = ((between / (groups - 1.0) - within) / each).sqrt();
-        // The errors of the records themselves are no error of the model.
-        let of_records = mean(&errors);
-        let of_condition = (within - of_records).max(0.0).sqrt();
-        // The variance within has a χ² distribution of 58 degrees of freedom, whose 5 % quantile is 41.5.
-        assert_eq!((count, groups), (85.0, 27.0));
-        let most = (within * 58.0 / 41.5 - of_records).sqrt();
-        assert_eq!(
-            [of_flanks, of_condition, most].map(|sd| format!("{sd:.3}")),
-            ["0.044", "0.026", "0.039"]
-        );
-        assert!((of_condition..most).contains(&OF_CONDITION));
     }
 
     #[test]

@@ -4,10 +4,10 @@ use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use asperity_core::Code;
 use asperity_core::derived::Derived;
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Temperature;
+use asperity_core::{Code, Profile};
 use asperity_tribo_friction::XuCalibration;
 
 use super::flank_inputs::FlankInputs;
@@ -77,6 +77,23 @@ impl Deref for Loaded {
     }
 }
 
+/// Whether the steps between the points of both traces are in proportion.
+fn is_in_proportion(own: &Profile, other: &Profile) -> bool {
+    /// Rounding of the heights in files.
+    const ROUNDING: f64 = 1e-3;
+    let steps = |of: &Profile| -> Vec<f64> {
+        let heights = of.heights().windows(2);
+        heights.map(|pair| pair[1] - pair[0]).collect()
+    };
+    if own.heights().len() != other.heights().len() {
+        return false;
+    }
+    let (own, other) = (steps(own), steps(other));
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let product = dot(&own, &other);
+    product > 0.0 && product * product > (1.0 - ROUNDING) * dot(&own, &own) * dot(&other, &other)
+}
+
 /// The values of a [`LoadedCase`].
 #[derive(Debug, Clone)]
 #[non_exhaustive]
@@ -138,6 +155,22 @@ impl LoadedCase {
             Some(sampled) => sampled.reports().collect(),
             None => self.flanks.iter().collect(),
         }
+    }
+
+    /// Whether the flanks of both are the same teeth: each trace as it was measured is that of the other, whatever is filtered from it,
+    /// or in proportion to it. Flanks of roughness values are the same if neither has a trace.
+    pub fn has_teeth_of(&self, other: &Self) -> bool {
+        let (own, theirs) = (self.all_traces(), other.all_traces());
+        let of_pair = |(own, theirs): (&&FlankReport, &&FlankReport)| {
+            own.mirrored == theirs.mirrored
+                && match (&own.trace, &theirs.trace) {
+                    (Some(own), Some(theirs)) => is_in_proportion(own, theirs),
+                    (None, None) => true,
+                    _ => false,
+                }
+        };
+        self.surfaces.has_flanks_of(&other.surfaces)
+            || own.len() == theirs.len() && own.iter().zip(&theirs).all(of_pair)
     }
 
     /// Distributions of the lay of both flanks.

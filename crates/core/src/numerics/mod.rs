@@ -27,7 +27,7 @@ pub use interpolation::{NodeInterval, interpolate, interpolate_between};
 pub use lanes::Lanes;
 pub use normal::{Z_75, Z_95, Z_975, standard_normal_below, standard_normal_quantile};
 pub use root::{Root, RootError, find_root};
-pub use statistics::{deviation, distinct, mean, median, median_in_place};
+pub use statistics::{correlation, deviation, distinct, mean, median, median_in_place};
 pub use student_t::{student_t_below, student_t_quantile, student_t_within};
 pub use sums::{add_times, dot, extreme_places, extremes, range, sum};
 pub use vectors::{VECTOR_WIDTH, vectorised};

@@ -40,6 +40,22 @@ pub fn deviation(values: &[f64]) -> Option<f64> {
     Some((squares / (n - 1) as f64).sqrt())
 }
 
+/// Pearson's correlation of lists of equal length; `None` if one of them is constant.
+///
+/// ```
+/// use asperity_core::numerics::correlation;
+/// assert_eq!(correlation(&[1.0, 2.0, 3.0], &[-2.0, -4.0, -6.0]), Some(-1.0));
+/// assert_eq!(correlation(&[1.0, 2.0], &[3.0, 3.0]), None);
+/// ```
+pub fn correlation(a: &[f64], b: &[f64]) -> Option<f64> {
+    let [of_a, of_b] = [a, b].map(|values| mean(values.iter().copied()));
+    let sum = |x: &[f64], y: &[f64], (of_x, of_y): (f64, f64)| -> f64 {
+        x.iter().zip(y).map(|(x, y)| (x - of_x) * (y - of_y)).sum()
+    };
+    let squares = sum(a, a, (of_a, of_a)) * sum(b, b, (of_b, of_b));
+    (squares > 0.0).then(|| (sum(a, b, (of_a, of_b)) / squares.sqrt()).clamp(-1.0, 1.0))
+}
+
 /// The values in ascending order, without repetitions.
 ///
 /// ```

@@ -12,9 +12,7 @@ use asperity::mesh::Mesh;
 use asperity::message::Warning;
 use asperity::pipeline::Kept;
 use asperity::result::MeshOutcome;
-use asperity::uncertainty::{
-    Likeness, PairedDifference, Predictive, difference_of_places, sampling_error_of_changes,
-};
+use asperity::uncertainty::{PairedDifference, Predictive, difference_of_places};
 use asperity_core::numerics::mean;
 use asperity_core::quantity::Length;
 use asperity_core::{Code, Estimate, EstimateKeys, Fault, Profile, cite, estimate_keys};
@@ -228,14 +226,12 @@ pub(super) fn in_case(
         (Some(own), Some(other), [Some(of_first), Some(of_second)]) => {
             let changed = |flank: &WornFlank| pairs.iter().any(|pair| pair.flank == *flank);
             let changed = WornFlank::BOTH.into_iter().filter(changed);
-            let alike = likeness([&before, &after], [&first, &second], changed)?;
-            alike.map(|alike| {
-                difference_of_places(
-                    (&before, &own, of_first),
-                    (&after, &other, of_second),
-                    alike,
-                )
-            })
+            let concordance = concordance_of([&before, &after], changed)?;
+            Some(difference_of_places(
+                (&before, &own, of_first),
+                (&after, &other, of_second),
+                concordance,
+            ))
         }
         _ => None,
     };
@@ -479,33 +475,17 @@ fn with_traces(
     })
 }
 
-/// How far the flanks before and after are alike; `None` if the windows leave no standard error.
-fn likeness(
+/// Least concordance of the heights of the `changed` flanks.
+fn concordance_of(
     cases: [&LoadedCase; 2],
-    runs: [&MeshOutcome; 2],
     changed: impl Iterator<Item = WornFlank>,
-) -> Result<Option<Likeness>, Fault> {
+) -> Result<f64, Fault> {
     let mut least = 1.0_f64;
     for flank in changed {
         let [before, after] = cases.map(|case| heights_about_means(case, flank));
         least = least.min(concordance(&before?, &after?));
     }
-    // With the constants at their medians, as the draws vary them for both.
-    let windows = runs.map(|run| {
-        let summary = &run.result.summary;
-        let from_median = summary.at_medians_w() / summary.loss_w;
-        let losses = run.offsets.iter().map(|row| from_median * row.loss_w);
-        losses.collect::<Vec<f64>>()
-    });
-    let both = windows[0].iter().zip(&windows[1]);
-    let differences: Vec<f64> = both.map(|(before, after)| after - before).collect();
-    let error = sampling_error_of_changes(cases[0], &runs[0].result.path, &differences);
-    Ok(error.map(|[standard_error_w, freedom]| Likeness {
-        heights: least,
-        windows: correlation(&windows),
-        standard_error_w,
-        freedom,
-    }))
+    Ok(least)
 }
 
 /// Heights of the prepared traces of a flank, each about its mean \[m\].
@@ -535,19 +515,6 @@ fn concordance(before: &[f64], after: &[f64]) -> f64 {
         both if both > 0.0 && before.len() == after.len() => 1.0 - square(&change) / both,
         both if both > 0.0 => 0.0,
         _ => 1.0,
-    }
-}
-
-/// Pearson's correlation of lists of equal length; 1 if one of them is constant.
-fn correlation([a, b]: &[Vec<f64>; 2]) -> f64 {
-    let [of_a, of_b] = [a, b].map(|values| mean(values.iter().copied()));
-    let sum = |x: &[f64], y: &[f64], (of_x, of_y): (f64, f64)| -> f64 {
-        x.iter().zip(y).map(|(x, y)| (x - of_x) * (y - of_y)).sum()
-    };
-    let both = sum(a, a, (of_a, of_a)) * sum(b, b, (of_b, of_b));
-    match both > 0.0 {
-        true => sum(a, b, (of_a, of_b)) / both.sqrt(),
-        false => 1.0,
     }
 }
 

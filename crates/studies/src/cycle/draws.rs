@@ -14,7 +14,7 @@ use asperity::uncertainty::Predictive;
 use asperity_core::numerics::add_times;
 
 use super::trace::Cycle;
-use crate::map::{FinishMap, Place};
+use crate::map::{Beside, FinishMap, Place};
 
 /// Standard error of an energy by the sampling of the flanks over the sum of the errors of its points: the points lie at other
 /// places of the same traces. 0.74 measured over six points; independent points would have 0.45.
@@ -41,7 +41,7 @@ impl<'a> Draws<'a> {
         cycle: &'a Cycle,
         loss_w: &[f64],
     ) -> Option<Self> {
-        let drawn = finish.drawn(false, 1.0)?;
+        let drawn = finish.drawn(Beside::Nothing, 1.0)?;
         let mut ratios = BTreeMap::new();
         let points = cycle.points.iter().zip(loss_w).map(|(point, loss)| {
             let place = drawn.place(point.torque_nm, point.speed_rpm, celsius);
@@ -62,9 +62,9 @@ impl<'a> Draws<'a> {
         self.hours().map(|((_, loss), hours)| loss * hours).sum()
     }
 
-    /// Energies of all draws \[Wh\], for a difference with those in common with the first finish; `None` on a map without draws.
-    pub(crate) fn energies_wh(&self, is_beside_first: bool) -> Option<Vec<f64>> {
-        let drawn = self.finish.drawn(is_beside_first, OF_ENERGY)?;
+    /// Energies of all draws \[Wh\], in common with those of another finish; `None` on a map without draws.
+    pub(crate) fn energies_wh(&self, beside: Beside<'_>) -> Option<Vec<f64>> {
+        let drawn = self.finish.drawn(beside, OF_ENERGY)?;
         let mut of_places: BTreeMap<Place, f64> = BTreeMap::new();
         for ((place, loss), hours) in self.hours() {
             *of_places.entry(*place).or_default() += loss * hours;

@@ -6,13 +6,13 @@ use std::sync::Arc;
 
 use asperity::balance::{efficiency, sum};
 use asperity::message::Warning;
-use asperity::uncertainty::median_with_ends;
+use asperity::uncertainty::{differences, median_with_ends};
 use serde::Serialize;
 
 use super::coverage::{Coverage, moving_time, share};
 use super::draws::{Draws, WATT_HOUR};
 use super::trace::{Cycle, CyclePoint};
-use crate::map::{FinishMap, Map, Surface};
+use crate::map::{Beside, FinishMap, Map, Surface};
 
 /// Energies of a cycle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -168,21 +168,20 @@ pub fn evaluate(
         coverage.check()?;
     }
     let celsius = map.axes.temperature_c[temperature];
-    let mut drawn_of_first = None;
+    let mut of_first: Option<Draws<'_>> = None;
     for (finish, surface) in map.finishes.iter().zip(&surfaces) {
         let mut result = of_finish(finish, surface, cycle);
         let draws = Draws::new((finish, celsius), cycle, &result.loss_w);
-        let own = || draws.as_ref()?.energies_wh(true);
-        let deltas = drawn_of_first.as_ref().and_then(|first: &Vec<f64>| {
-            let pairs = own()?.into_iter().zip(first);
-            Some(pairs.map(|(own, first)| own - first).collect::<Vec<f64>>())
+        let deltas = of_first.as_ref().and_then(|first| {
+            let own = draws.as_ref()?.energies_wh(Beside::First)?;
+            let first = first.energies_wh(Beside::Other(&finish.draws))?;
+            Some(differences([&first, &own]))
         });
-        if let Some((draws, energies)) = draws
-            .as_ref()
-            .and_then(|of| Some((of, of.energies_wh(false)?)))
+        if let Some(draws) = draws
+            && let Some(energies) = draws.energies_wh(Beside::Nothing)
         {
-            result.put_draws(draws, &energies);
-            drawn_of_first.get_or_insert(energies);
+            result.put_draws(&draws, &energies);
+            of_first.get_or_insert(draws);
         }
         result.share_of_drive = (drive_wh > 0.0).then(|| result.lost_wh / drive_wh);
         result.drive_efficiency = (drive_wh > 0.0).then(|| 1.0 - result.lost_drive_wh / drive_wh);

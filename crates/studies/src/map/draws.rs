@@ -51,15 +51,30 @@ pub struct DrawnNodes {
     /// Number of the flanks within a gear train: equal flanks have the same errors of model and sampling.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub flanks: usize,
-    /// Draws in common with the first finish; `None` of the first itself.
+    /// Draws in common with the first finish, of the first and of this one; `None` of the first itself.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub common: Option<Common>,
+    pub common: Option<[Common; 2]>,
+}
+
+/// Finish that the draws of a finish are put in common with.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Beside<'a> {
+    /// None.
+    Nothing,
+    /// The first finish.
+    First,
+    /// Another finish, of the first one.
+    Other(&'a [DrawnNodes]),
 }
 
 impl DrawnNodes {
-    /// Draws in common with the first finish if `is_beside_first`, else those of its own flanks.
-    fn common(&self, is_beside_first: bool) -> Common {
-        let common = self.common.filter(|_| is_beside_first);
+    /// The draws of the mesh number `k` of all sides.
+    fn common(&self, k: usize, beside: Beside<'_>) -> Common {
+        let common = match beside {
+            Beside::Nothing => None,
+            Beside::First => self.common.map(|[_, own]| own),
+            Beside::Other(nodes) => nodes.get(k).and_then(|other| Some(other.common?[0])),
+        };
         common.unwrap_or_else(|| self.flanks.into())
     }
 }
@@ -143,23 +158,22 @@ pub(crate) type Place = [u32; 4];
 
 impl<'a> Drawn<'a> {
     /// The draws at the nodes of each side with this number of `meshes`, see [`FinishMap::drawn`](super::FinishMap::drawn).
-    /// For a difference from the first finish (`is_beside_first`) the draws are put in common.
     pub(super) fn of(
         sides: &'a [DrawnNodes],
         meshes: usize,
-        is_beside_first: bool,
+        beside: Beside<'_>,
         sampling: f64,
     ) -> Option<Self> {
-        let of_side = |of_meshes: &'a [DrawnNodes]| {
+        let of_side = |(side, of_meshes): (usize, &'a [DrawnNodes])| {
             let nodes = of_meshes.first()?;
             let at_node = |node: usize| {
                 let mut drawn = vec![0.0; Predictive::count()];
                 let mut at_medians = 0.0;
-                for mesh in of_meshes {
+                for (k, mesh) in of_meshes.iter().enumerate() {
                     let predictive = mesh.predictive.get(node)?;
                     let count = f64::from(mesh.count);
                     at_medians += count * predictive.at_medians_w;
-                    let common = mesh.common(is_beside_first);
+                    let common = mesh.common(side * meshes + k, beside);
                     let of_mesh = predictive.draws_of_sum_w(common, sampling);
                     add_times(&mut drawn, count, &of_mesh);
                 }
@@ -172,7 +186,7 @@ impl<'a> Drawn<'a> {
                 logs: at_nodes.into_iter().collect::<Option<_>>()?,
             })
         };
-        let sides: Option<Vec<Side<'a>>> = sides.chunks(meshes).map(of_side).collect();
+        let sides: Option<Vec<Side<'a>>> = sides.chunks(meshes).enumerate().map(of_side).collect();
         sides
             .filter(|sides| !sides.is_empty())
             .map(|sides| Self { sides })

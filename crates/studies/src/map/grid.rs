@@ -11,7 +11,7 @@ use asperity::fingerprint::Fingerprint;
 use asperity::pipeline::Progress;
 use asperity::result::OffsetRow;
 use asperity::result::SCHEMA_VERSION;
-use asperity::uncertainty::{DrawnCase, Predictive, common_draws, median_with_ends};
+use asperity::uncertainty::{DrawnCase, Predictive, common_draws, differences, median_with_ends};
 use asperity::{Error, PositionError, Run};
 use asperity_core::numerics::{deviation, distinct};
 use asperity_core::quantity::{AngularSpeed, Power};
@@ -20,7 +20,7 @@ use asperity_core::unique;
 use asperity_core::{Code, Estimate, Fault, PROGRAM};
 
 use super::axes::Axes;
-use super::draws::{Drawn, DrawnNodes, MapBand, Nodes};
+use super::draws::{Beside, Drawn, DrawnNodes, MapBand, Nodes};
 use super::evaluation::{
     Evaluated, EvaluatedMesh, at_torque, computed_speed, computed_speeds, evaluate, gearbox_of,
     resolved_from, torque_of,
@@ -125,10 +125,10 @@ fn put_common(finish: &mut FinishMap, case: &Train, (first, of_first): (&FinishM
     fn both(of: &(Vec<LoadedCase>, Vec<Predictive>)) -> Vec<DrawnCase<'_>> {
         of.0.iter().zip(&of.1).collect()
     }
-    let common = common_draws(&both(&first), &of_first.first_with_flanks(), &both(&own));
-    let meshes = common.len();
+    let flanks = of_first.first_with_flanks();
+    let [first, own] = common_draws(&both(&first), &flanks, &both(&own));
     for (k, mesh) in finish.draws.iter_mut().enumerate() {
-        mesh.common = Some(common[k % meshes]);
+        mesh.common = Some([first[k % first.len()], own[k % own.len()]]);
     }
 }
 
@@ -137,7 +137,7 @@ pub(super) fn difference(
     first: (&FinishMap, &Point),
     finish: (&FinishMap, &Point),
 ) -> Option<Estimate> {
-    let drawn = |(of, point): (&FinishMap, &Point), is_beside_first: bool| {
+    let drawn = |(of, point): (&FinishMap, &Point), beside: Beside<'_>| {
         let Point {
             torque_nm,
             speed_rpm,
@@ -146,15 +146,14 @@ pub(super) fn difference(
             ..
         } = point;
         let loss = numbers.as_ref()?.at_medians_w();
-        let drawn = of.drawn(is_beside_first, 1.0)?;
+        let drawn = of.drawn(beside, 1.0)?;
         let ratios = drawn.ratios(drawn.place(*torque_nm, *speed_rpm, *temperature_c));
-        Some(ratios.into_iter().map(move |ratio| loss * ratio))
+        let losses = ratios.into_iter().map(|ratio| loss * ratio);
+        Some(losses.collect::<Vec<f64>>())
     };
-    let own = drawn(finish, true)?;
-    let differences = own
-        .zip(drawn(first, false)?)
-        .map(|(own, first)| own - first);
-    Some(median_with_ends(&differences.collect::<Vec<f64>>()))
+    let own = drawn(finish, Beside::First)?;
+    let of_first = drawn(first, Beside::Other(&finish.0.draws))?;
+    Some(median_with_ends(&differences([&of_first, &own])))
 }
 
 /// Torque at the pinion of `mesh` over the torque of the input shaft, in the sign of the flanks.
@@ -238,7 +237,7 @@ fn of_finish(
     }
     let draws = draws(train, &computed, drawn, sides.differ, (axes, speeds));
     let meshes = train.counts().len();
-    let drawn = Drawn::of(&draws, meshes, false, 1.0);
+    let drawn = Drawn::of(&draws, meshes, Beside::Nothing, 1.0);
     let nodes = axes.temperature_c.iter().enumerate().flat_map(|(row, t)| {
         let of_torque = move |torque: &f64| {
             let torque = *torque;

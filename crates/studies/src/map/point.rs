@@ -8,7 +8,7 @@ use asperity_core::{Code, Estimate, number};
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;
-use super::draws::{Drawn, DrawnNodes};
+use super::draws::{Beside, Drawn, DrawnNodes};
 use super::surface::Surface;
 use crate::compare::noun;
 
@@ -382,7 +382,7 @@ impl FinishMap {
         // As in a cycle, the loss torque is linear between the points.
         numbers.loss_w = numbers.loss_torque_nm * speed_rpm * std::f64::consts::PI / 30.0;
         let temperature_c = *axes.temperature_c.get(temperature)?;
-        if let Some(drawn) = self.drawn(false, 1.0) {
+        if let Some(drawn) = self.drawn(Beside::Nothing, 1.0) {
             let ratios = drawn.quantiles(drawn.place(torque_nm, speed_rpm, temperature_c));
             let at_medians = numbers.loss_w / ratios.value;
             numbers.loss_at_medians_w = Some(at_medians);
@@ -408,16 +408,11 @@ impl FinishMap {
         numbers.max_by(|a, b| a.1.loss_w.total_cmp(&b.1.loss_w))
     }
 
-    /// The draws, for a difference with those that it has in common with the first finish, and the standard error of the sampling
-    /// multiplied by `sampling`. `None` for a map without draws.
+    /// The draws, in common with those of the finish `beside`, and the standard error of the sampling multiplied by `sampling`. `None`
+    /// for a map without draws.
     #[must_use]
-    pub fn drawn(&self, is_beside_first: bool, sampling: f64) -> Option<Drawn<'_>> {
-        Drawn::of(
-            &self.draws,
-            self.meshes.len().max(1),
-            is_beside_first,
-            sampling,
-        )
+    pub(crate) fn drawn(&self, beside: Beside<'_>, sampling: f64) -> Option<Drawn<'_>> {
+        Drawn::of(&self.draws, self.meshes.len().max(1), beside, sampling)
     }
 }
 

@@ -14,7 +14,7 @@ use asperity_report::StudySettings as _;
 const TABLE: &str = "sensitivity.csv";
 
 /// Explanation of the numbers.
-const NOTE: &str = "In brackets: 5 to 95 % by the sampling of the flanks. Other cut-offs leave other lengths of the traces, hence \
+const NOTE: &str = "In brackets: 5 to 95 % of the change, of what differs between both cases. Other cut-offs leave other lengths of the traces, hence \
     other windows. Tip relief takes load off the ends of the path. The contact of unrelieved tip edges, of which a run warns, is \
     not in these losses. These are answers of the model, not measurements.";
 
@@ -43,11 +43,8 @@ impl StudyResult for Sensitivity {
     }
 }
 
-/// Content of the interval of a change.
-const OF_SAMPLING: &str = ". The interval is of the sampling of the flanks only";
-
 /// Sentence on the change of an oil.
-const OF_OIL: &str = " Its viscosity is the same. The constants of another oil are as uncertain as the constants of this one: asperity compare has the interval with them.";
+const OF_OIL: &str = " Its viscosity is the same.";
 
 /// Constants without a change.
 const OTHER_CONSTANTS: &str =
@@ -79,10 +76,9 @@ fn verdicts(study: &Sensitivity) -> impl Iterator<Item = String> {
         let is_of = |(_, effect): &&Changed<'_>| (effect.difference_w < 0.0) == is_saving;
         let (row, effect) = changes.find(is_of)?;
         let what = if is_saving { "saving" } else { "rise" };
-        let content = effect.sampling_quantiles_w.map_or("", |_| OF_SAMPLING);
         let of_oil = if row.group == "oil" { OF_OIL } else { "" };
         Some(format!(
-            "The largest {what} among these changes: {}, {} W, {} % of the loss{content}.{of_oil}",
+            "The largest {what} among these changes: {}, {} W, {} % of the loss.{of_oil}",
             named(row),
             difference(effect),
             share(effect)
@@ -110,16 +106,14 @@ fn chart(study: &Sensitivity, is_changeable: bool) -> Option<Drawing> {
         .map(|(row, effect)| Bar {
             name: unbroken(&named(row)),
             value: Some(effect.difference_w),
-            spread: effect.sampling_quantiles_w,
+            spread: effect.quantiles_w,
             text: format!("{} W, {} %", change(effect), share(effect)),
         });
     let bars: Vec<Bar> = bars.collect();
     (!bars.is_empty()).then(|| {
         Drawing::Bars(BarChart {
             id: id.to_owned(),
-            title: format!(
-                "Change of the loss by {of}, with 5 to 95 % by the sampling of the flanks"
-            ),
+            title: format!("Change of the loss by {of}, with 5 to 95 %"),
             source: TABLE.to_owned(),
             axis: Axis::new("change of the loss", "W"),
             bars,
@@ -150,7 +144,7 @@ fn table(study: &Sensitivity) -> Table {
         interval difference_w "change of the loss" "W" = Cell::with_ends(
             effect.map_or("-".to_owned(), difference),
             effect.map(|effect| effect.difference_w),
-            effect.and_then(|effect| effect.sampling_quantiles_w),
+            effect.and_then(|effect| effect.quantiles_w),
         );
         number change_percent "of the loss" "%" = Cell::optional(effect.map(share));
         number film_w "film" "W" = part(effect, 0);
@@ -228,7 +222,7 @@ fn headline(study: &Sensitivity) -> String {
 
 /// The change \[W\] with its interval.
 fn difference(effect: &Effect) -> String {
-    match effect.sampling_quantiles_w {
+    match effect.quantiles_w {
         Some([low, high]) if low < high => {
             digits(effect).signed_interval(Estimate::new(effect.difference_w, [low, high]))
         }
@@ -263,12 +257,12 @@ fn digits(effect: &Effect) -> Digits {
     Digits::of_uncertainty(half_width(effect))
 }
 
-/// Uncertainty that determines the digits of a change \[W\]: its sampling error, or a fiftieth of the change.
+/// Uncertainty that determines the digits of a change \[W\]: half of its interval, or a fiftieth of the change.
 fn half_width(effect: &Effect) -> f64 {
     const LEAST_W: f64 = 0.1;
     let least = 0.02 * effect.difference_w.abs();
-    let sampling = effect
-        .sampling_quantiles_w
+    let half = effect
+        .quantiles_w
         .map_or(0.0, |[low, high]| 0.5 * (high - low));
-    sampling.max(least).max(LEAST_W)
+    half.max(least).max(LEAST_W)
 }

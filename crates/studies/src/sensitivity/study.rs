@@ -1,15 +1,15 @@
 //! Computation of a sensitivity study.
 
-use asperity::case::LoadedCase;
 use asperity::case::train::Train;
+use asperity::case::{LoadedCase, ShareLaw};
 use asperity::core::cancel::checkpoint;
 use asperity::pipeline::Progress;
 use asperity::result::{Losses, Summary};
 use asperity::train::total_of;
-use asperity::uncertainty::{Predictive, predictive, sampling_interval};
+use asperity::uncertainty::{Predictive, change_of, predictive};
 use asperity::{Contacts, Error, PositionError, Run};
 use asperity_core::quantity::Power;
-use asperity_core::{Code, Fault};
+use asperity_core::{Code, Estimate, Fault};
 use asperity_report::{StudySettings, Watch, Work, settings};
 use serde::Serialize;
 
@@ -80,8 +80,9 @@ pub struct Effect {
     pub difference_w: f64,
     /// Change relative to the loss.
     pub change: f64,
-    /// 5 % and 95 % quantiles by the sampling of the flanks; `None` without traces.
-    pub sampling_quantiles_w: Option<[f64; 2]>,
+    /// 5 % and 95 % quantiles of the change, of what differs between both cases; `None` without draws, and where the contact of the
+    /// flanks is another.
+    pub quantiles_w: Option<[f64; 2]>,
     /// Change of the friction in the film.
     pub film_w: f64,
     /// Change of the friction of lubricated asperities.
@@ -93,13 +94,12 @@ pub struct Effect {
 }
 
 impl Effect {
-    /// The same of losses that are `factor` times as large.
+    /// The same of losses that are `factor` times as large, with the quantiles of the draws.
     fn times(self, factor: f64) -> Self {
-        let ends = self.sampling_quantiles_w;
         Self {
             difference_w: factor * self.difference_w,
             change: self.change,
-            sampling_quantiles_w: ends.map(|ends| ends.map(|end| factor * end)),
+            quantiles_w: self.quantiles_w,
             film_w: factor * self.film_w,
             lubricated_asperity_w: factor * self.lubricated_asperity_w,
             boundary_w: factor * self.boundary_w,
@@ -139,17 +139,22 @@ fn of_mesh(case: &LoadedCase, progress: Progress<'_>) -> Result<OfMesh, Error> {
     let case = &mesh;
     let changes = changes(case);
     let runs = 1 + changes.len();
-    let base = run(case, &tables)?;
+    let losses = run(case, &tables)?;
+    let base = Base {
+        drawn: predictive(case, &losses, tables.first())?,
+        case,
+        losses,
+    };
     progress(1, runs);
     let mut rows = Vec::new();
     for change in changes {
-        rows.push(row(change, (case, &base), &tables));
+        rows.push(row(change, &base, &tables));
         checkpoint()?;
         progress(1 + rows.len(), runs);
     }
     Ok(OfMesh {
-        loss_w: base.summary.loss_w,
-        drawn: predictive(case, &base, tables.first())?,
+        loss_w: base.losses.summary.loss_w,
+        drawn: base.drawn,
         rows,
     })
 }
@@ -181,7 +186,7 @@ impl StudySettings for SensitivitySettings {
 }
 
 /// Runs every mesh of a case and all its changes; `progress` is called with the number of completed runs. A change that all meshes have is made in all of them, another one
-/// has the name of its mesh. Oil temperature and torques are held where they follow from the losses. The intervals by the sampling of the flanks add up, as for equal flanks.
+/// has the name of its mesh. Oil temperature and torques are held where they follow from the losses. The intervals of equal changes of several meshes add up, as for equal flanks.
 ///
 /// # Errors
 /// When a mesh has no result, or a shaft no speed or torque. The row of a change without a result holds its error.
@@ -268,11 +273,11 @@ fn together<'a>(
         sum.boundary_w += count * effect.boundary_w;
         sum.rolling_w += count * effect.rolling_w;
         intervals = intervals
-            .zip(effect.sampling_quantiles_w)
+            .zip(effect.quantiles_w)
             .map(|(sum, own)| std::array::from_fn(|k| sum[k] + count * own[k]));
     }
     sum.change = sum.difference_w / loss_w;
-    sum.sampling_quantiles_w = intervals;
+    sum.quantiles_w = intervals;
     SensitivityRow {
         effect: refused.is_none().then_some(sum),
         refused,
@@ -285,20 +290,25 @@ fn run(case: &LoadedCase, tables: &[Contacts]) -> Result<Losses, Error> {
     Run::new(case).known(tables).losses()?.into_only()
 }
 
-fn row(
-    change: Change,
-    (case, base): (&LoadedCase, &Losses),
-    tables: &[Contacts],
-) -> SensitivityRow {
-    let losses = change.case.and_then(|changed| run(&changed, tables));
-    let (effect, refused) = match losses {
-        Ok(changed) => {
-            let mut effect = effect(case, base, &changed);
-            if change.group == SCANS {
-                effect.sampling_quantiles_w = None;
-            }
-            (Some(effect), None)
-        }
+/// A case with its losses, and its draws if it has an uncertainty.
+struct Base<'a> {
+    case: &'a LoadedCase,
+    losses: Losses,
+    drawn: Option<Predictive>,
+}
+
+fn row(change: Change, base: &Base<'_>, tables: &[Contacts]) -> SensitivityRow {
+    // Reference solutions have other windows than the offsets.
+    let is_by_records = matches!(base.case.case.share_law(), ShareLaw::Reference);
+    let has_other_contact = change.group == SCANS || is_by_records;
+    let found = change.case.and_then(|case| {
+        let losses = run(&case, tables)?;
+        let drawn = base.drawn.as_ref().filter(|_| !has_other_contact);
+        let quantiles = drawn.map(|drawn| change_of((base.case, drawn), (&case, &losses)));
+        Ok(effect(base, &losses, quantiles.transpose()?))
+    });
+    let (effect, refused) = match found {
+        Ok(effect) => (Some(effect), None),
         Err(error) => {
             let refused = Refused {
                 code: error.code().to_owned(),
@@ -316,16 +326,14 @@ fn row(
     }
 }
 
-fn effect(case: &LoadedCase, base: &Losses, changed: &Losses) -> Effect {
-    let difference = |of: fn(&Summary) -> f64| of(&changed.summary) - of(&base.summary);
+fn effect(base: &Base<'_>, changed: &Losses, drawn: Option<Estimate>) -> Effect {
+    let before = &base.losses.summary;
+    let difference = |of: fn(&Summary) -> f64| of(&changed.summary) - of(before);
     let difference_w = difference(|summary| summary.loss_w);
-    // The windows are the same, so the sampling error is that of the differences.
-    let pairs = base.offsets.iter().zip(&changed.offsets);
-    let by_window: Vec<f64> = pairs.map(|(a, b)| b.loss_w - a.loss_w).collect();
     Effect {
         difference_w,
-        change: difference_w / base.summary.loss_w,
-        sampling_quantiles_w: sampling_interval(case, base, &by_window),
+        change: difference_w / before.loss_w,
+        quantiles_w: drawn.map(Estimate::ends),
         film_w: difference(|summary| summary.film_w),
         lubricated_asperity_w: difference(|summary| summary.lubricated_asperity_w),
         boundary_w: difference(|summary| summary.boundary_w),
