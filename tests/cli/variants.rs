@@ -48,7 +48,8 @@ fn two_oils_differ_by_the_draws_of_each_and_their_order_changes_the_sign_only() 
     assert_eq!(of("Eyring stress"), Some(0.0));
     assert_eq!(of("boundary friction"), Some(0.0));
     assert_eq!(of("lay"), Some(1.0));
-    assert_eq!(of("sampling of the flanks"), Some(1.0));
+    // Of the same windows: their losses by both oils are nearly in proportion.
+    assert!(of("sampling of the flanks") > Some(0.8), "{common}");
     let all = ["compare", "case.toml", "--no-output", "--variant", oils[0]];
     let more = [
         "a: operation.speed=8000 1/min",
@@ -296,4 +297,103 @@ fn maps_and_cycles_take_variants_with_the_same_draws_in_common() {
     assert_eq!(names, ["pao", "mineral"]);
     let text = cycle["finishes"][1].to_string();
     assert!(text.contains("difference"), "{text}");
+}
+
+#[test]
+fn every_variant_has_its_row_and_its_verdict_on_the_first_screen() {
+    let bench = bench();
+    let torques = ["a", "b", "c", "d", "e", "f", "g"].into_iter().zip(146..);
+    let variants: Vec<String> = torques
+        .map(|(name, torque)| format!("{name}: operation.torque={torque} N m"))
+        .collect();
+    let named = variants.iter().flat_map(|text| ["--variant", text]);
+    let first = ["compare", "case.toml", "--no-output", "--variant", "as is"];
+    let all: Vec<&str> = first.into_iter().chain(FEW).chain(named).collect();
+    let screen = bench.run(&all).well().out;
+    for (name, _) in variants.iter().map(|text| text.split_at(1)) {
+        let mut rows = screen.lines();
+        let row = rows.find(|line| line.starts_with(&format!("{name}  ")));
+        let row = row.unwrap_or_else(|| panic!("{name}: {screen}"));
+        let verdicts = ["holds", "undecided", "exceptions", "no change"];
+        assert!(
+            verdicts.iter().any(|verdict| row.contains(verdict)),
+            "{screen}"
+        );
+    }
+}
+
+#[test]
+fn small_changes_have_small_intervals_and_a_stated_constant_shifts_its_median() {
+    let bench = bench();
+    let law = |at_40: &str| {
+        format!(
+            "lubricant.viscosity={{ law = \"astm-d341\", at_40 = \"{at_40} mm2/s\", at_100 = \"5.9 mm2/s\" }}"
+        )
+    };
+    let viscous = format!("viscosity: {}", law("30.8001"));
+    let found = compared(
+        &bench,
+        &[
+            "as is",
+            "torque: operation.torque=145.001 N m",
+            "limit: material.pinion.elastic_limit=1501 MPa",
+            "cut-off: surface.cutoff=0.2501 mm",
+            &viscous,
+            "friction: model.boundary_friction=0.09",
+            "more: model.boundary_friction=0.1",
+        ],
+    );
+    for number in 1..=4 {
+        let [low, _, high] = ends(&found, number);
+        assert!(low > -2.0 && high < 2.0, "{number}: {low} {high}");
+    }
+    // Known in one run and drawn in the other: the shift of the median, and both keep their own intervals.
+    let width = |number: usize| {
+        let drawn = &found["finishes"][number]["uncertainty"]["loss"]["quantiles_w"];
+        drawn[1].as_f64().unwrap() - drawn[0].as_f64().unwrap()
+    };
+    let [low, median, high] = ends(&found, 5);
+    assert!(
+        median.abs() < 5.0 && high - low < 0.2 * width(0),
+        "{low} {median} {high}"
+    );
+    assert!(width(5) < 0.9 * width(0));
+    let [low, _, high] = ends(&found, 6);
+    assert!(low > 0.0, "{low} {high}");
+    let common = found["finishes"][5]["difference"]["common"]
+        .as_array()
+        .unwrap();
+    let row = common.iter().find(|row| row["name"] == "boundary friction");
+    let thing = row.unwrap()["belongs_to"].as_str().unwrap();
+    assert!(thing.contains("stated in one run"), "{thing}");
+}
+
+#[test]
+fn sensitivity_and_comparison_agree_on_cut_offs() {
+    let bench = bench();
+    let study = ["sensitivity", "case.toml", "--no-output", "--json"];
+    let study = bench.run(&[&study[..], &FEW].concat()).well().json();
+    let rows = study["rows"].as_array().unwrap();
+    let found = compared(
+        &bench,
+        &[
+            "as is",
+            "s: surface.noise_cutoff=8 um",
+            "c: surface.cutoff=0.08 mm",
+        ],
+    );
+    for (number, to) in [(1, "8 um"), (2, "0.08 mm")] {
+        let mut of_filters = rows.iter().filter(|row| row["group"] == "filters");
+        let row = of_filters.find(|row| row["to"] == to).unwrap();
+        let effect = &row["effect"];
+        let own = [
+            &effect["quantiles_w"][0],
+            &effect["difference_w"],
+            &effect["quantiles_w"][1],
+        ];
+        for (own, other) in own.into_iter().zip(ends(&found, number)) {
+            let own = own.as_f64().unwrap();
+            assert!((own - other).abs() < 5.0, "{to}: {effect} {other}");
+        }
+    }
 }

@@ -189,18 +189,11 @@ pub fn difference_of_places(
     difference_of_meshes(&first, &other)
 }
 
-/// Change of the loss of a mesh from a case with its draws to a changed case with its losses: median with 5 % and 95 % quantiles \[W\].
-/// The draws of the changed case have its losses, conditions and sampling, and over the constants they change as before.
-///
-/// # Errors
-/// As [`Run::losses`](crate::Run::losses).
-pub fn change_of(
-    first: DrawnCase<'_>,
-    (changed, losses): (&LoadedCase, &Losses),
-) -> Result<Estimate, Error> {
+/// Change of the loss of a mesh from a case with its draws to a changed case with its own: median with 5 % and 95 % quantiles \[W\].
+#[must_use]
+pub fn change_between(first: DrawnCase<'_>, changed: DrawnCase<'_>) -> Estimate {
     asperity_core::cite!("Paired-difference");
-    let drawn = at_losses(&changed.at_stated()?, losses, first.1)?;
-    let [own, theirs] = common_by(&[first], &[0], &[(changed, &drawn)], Traces::AsStated);
+    let common = common_by(&[first], &[0], &[changed], Traces::AsStated);
     let of = |drawn: &Predictive, common: &[Common]| {
         let mut total = vec![0.0; Predictive::count()];
         for common in common {
@@ -208,8 +201,21 @@ pub fn change_of(
         }
         total
     };
-    let (own, theirs) = (of(first.1, &own), of(&drawn, &theirs));
-    Ok(median_with_ends(&differences([&own, &theirs])))
+    let (own, theirs) = (of(first.1, &common[0]), of(changed.1, &common[1]));
+    median_with_ends(&differences([&own, &theirs]))
+}
+
+/// The same of a changed case with its losses. Its draws have its losses, conditions and sampling, and over the constants they change
+/// as before: no evaluation is needed.
+///
+/// # Errors
+/// As [`Run::losses`](crate::Run::losses).
+pub fn change_of(
+    first: DrawnCase<'_>,
+    (changed, losses): (&LoadedCase, &Losses),
+) -> Result<Estimate, Error> {
+    let drawn = at_losses(&changed.at_stated()?, losses, first.1)?;
+    Ok(change_between(first, (changed, &drawn)))
 }
 
 /// The losses of a run minus the losses of the first, draw by draw.

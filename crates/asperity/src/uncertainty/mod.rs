@@ -61,8 +61,8 @@ pub use change::{ChangeDraws, few_offsets_of, sampling_error_of_changes, samplin
 pub use common_draws::{CommonConstant, DrawnCase, common_draws};
 pub use deciding::{DecidingMeasurement, deciding};
 pub use difference::{
-    DrawnMesh, PairedDifference, Verdict, beside, change_of, difference, difference_of_meshes,
-    difference_of_places, differences, losses_of_meshes,
+    DrawnMesh, PairedDifference, Verdict, beside, change_between, change_of, difference,
+    difference_of_meshes, difference_of_places, differences, losses_of_meshes,
 };
 pub use evaluations::has_band;
 pub use recorded::predictive;

@@ -36,6 +36,9 @@ const BASE_OILS: [BaseOil; 4] = [
 /// Group of the use of scans, whose change has other windows.
 pub(super) const SCANS: &str = "scans";
 
+/// Group of the filters, which change how the loss depends on the constants.
+pub(super) const FILTERS: &str = "filters";
+
 /// Approximate number of changes of a case.
 pub(super) const CHANGES: usize = 24;
 
@@ -107,7 +110,7 @@ fn cutoffs(loaded: &LoadedCase) -> Vec<Change> {
     if range(loaded).is_none() {
         return Vec::new();
     }
-    let change = Change::of("filters");
+    let change = Change::of(FILTERS);
     let recipe = &loaded.case.preparation;
     let mut changes = Vec::new();
     if let Some(present) = recipe.lambda_c {

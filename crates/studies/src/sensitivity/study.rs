@@ -6,14 +6,14 @@ use asperity::core::cancel::checkpoint;
 use asperity::pipeline::Progress;
 use asperity::result::{Losses, Summary};
 use asperity::train::total_of;
-use asperity::uncertainty::{Predictive, change_of, predictive};
+use asperity::uncertainty::{Predictive, change_between, change_of, predictive};
 use asperity::{Contacts, Error, PositionError, Run};
 use asperity_core::quantity::Power;
 use asperity_core::{Code, Estimate, Fault};
 use asperity_report::{StudySettings, Watch, Work, settings};
 use serde::Serialize;
 
-use super::changes::{CHANGES, Change, SCANS, changes};
+use super::changes::{CHANGES, Change, FILTERS, SCANS, changes};
 
 /// Sensitivity of the loss of a case to single changes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -301,11 +301,20 @@ fn row(change: Change, base: &Base<'_>, tables: &[Contacts]) -> SensitivityRow {
     // Reference solutions have other windows than the offsets.
     let is_by_records = matches!(base.case.case.share_law(), ShareLaw::Reference);
     let has_other_contact = change.group == SCANS || is_by_records;
-    let found = change.case.and_then(|case| {
-        let losses = run(&case, tables)?;
-        let drawn = base.drawn.as_ref().filter(|_| !has_other_contact);
-        let quantiles = drawn.map(|drawn| change_of((base.case, drawn), (&case, &losses)));
-        Ok(effect(base, &losses, quantiles.transpose()?))
+    let first = base.drawn.as_ref().filter(|_| !has_other_contact);
+    let found = change.case.and_then(|case| match (first, change.group) {
+        (Some(drawn), FILTERS) => {
+            let tables = Run::new(&case).contacts()?;
+            let losses = run(&case, &tables)?;
+            let own = predictive(&case, &losses, tables.first())?;
+            let change = own.map(|own| change_between((base.case, drawn), (&case, &own)));
+            Ok(effect(base, &losses, change))
+        }
+        _ => {
+            let losses = run(&case, tables)?;
+            let change = first.map(|drawn| change_of((base.case, drawn), (&case, &losses)));
+            Ok(effect(base, &losses, change.transpose()?))
+        }
     });
     let (effect, refused) = match found {
         Ok(effect) => (Some(effect), None),
