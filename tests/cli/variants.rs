@@ -364,8 +364,20 @@ fn small_changes_have_small_intervals_and_a_stated_constant_shifts_its_median() 
         .as_array()
         .unwrap();
     let row = common.iter().find(|row| row["name"] == "boundary friction");
-    let thing = row.unwrap()["belongs_to"].as_str().unwrap();
-    assert!(thing.contains("stated in one run"), "{thing}");
+    assert_eq!(row.unwrap()["stated_in_one"], true);
+    let variants = [
+        "--variant",
+        "as is",
+        "--variant",
+        "friction: model.boundary_friction=0.09",
+    ];
+    let compare = ["compare", "case.toml", "--no-output"];
+    let said = bench.run(&[&compare[..], &FEW, &variants].concat()).well();
+    let said = said.unwrapped();
+    assert!(
+        said.contains("friction: one case states boundary friction"),
+        "{said}"
+    );
 }
 
 #[test]

@@ -60,6 +60,14 @@ pub struct CommonConstant {
     pub belongs_to: String,
     /// Correlation of its draws: 1 where the thing is the same, 0 where each run has a thing of its own.
     pub correlation: f64,
+    /// Whether one run states it: the difference counts the shift of its median.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub stated_in_one: bool,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "called by serde")]
+fn is_false(stated: &bool) -> bool {
+    !*stated
 }
 
 /// The draws of the meshes of two runs in common, of the first with the numbers `flanks` of its flanks.
@@ -138,13 +146,14 @@ fn of_constants(own: DrawnCase<'_>, others: &[DrawnCase<'_>], traces: Traces) ->
         };
         let is_stated_in = |case: &DrawnCase<'_>| is_stated(kind, case.0);
         let is_known = is_stated_in(&own) || others.iter().any(is_stated_in);
-        common.stated[place] = is_known && draws(own.1, kind);
-        common.constants[place] = match (is_stated_in(&own), common.stated[place]) {
+        let is_known = is_known && draws(own.1, kind);
+        let rho = match (is_stated_in(&own), is_known) {
             // Drawn of a changed case by the draws of the case before the change.
             (true, _) => 1.0,
             (false, true) => most(&mut others.iter().filter(|other| is_stated_in(other))),
             (false, false) => most(&mut others.iter()),
         };
+        (common.stated[place], common.constants[place]) = (is_known && rho > 0.0, rho);
     }
     common
 }
@@ -163,10 +172,11 @@ pub(crate) fn common_constants(
     // One of the two runs has the first set of draws throughout.
     let least = |of: &dyn Fn(&Common) -> f64| commons.map(of).into_iter().fold(1.0, f64::min);
     let [own, theirs] = commons;
-    let row = |name: &str, belongs_to: String, correlation: f64| CommonConstant {
+    let row = |name: &str, belongs_to: &str, correlation: f64| CommonConstant {
         name: name.to_owned(),
-        belongs_to,
+        belongs_to: belongs_to.to_owned(),
         correlation,
+        stated_in_one: false,
     };
     let both = |is_drawn: &dyn Fn(&Predictive) -> bool| is_drawn(first.1) && is_drawn(other.1);
     let one = |is_same: bool| f64::from(u8::from(is_same));
@@ -176,14 +186,11 @@ pub(crate) fn common_constants(
         .into_iter()
         .filter(|kind| is_drawn(*kind));
     let mut rows: Vec<CommonConstant> = constants
-        .map(|kind| {
-            let belongs_to = match is_known(kind) {
-                true => format!("{}; stated in one run", thing_of(kind, other.1)),
-                false => thing_of(kind, other.1).to_owned(),
-            };
-            row(
+        .map(|kind| CommonConstant {
+            stated_in_one: is_known(kind),
+            ..row(
                 kind.name(),
-                belongs_to,
+                thing_of(kind, other.1),
                 least(&|of| of.constants[kind as usize]),
             )
         })
@@ -226,7 +233,7 @@ pub(crate) fn common_constants(
         (true, "rolling loss", "the model", 1.0),
     ];
     let further = further.into_iter().filter(|(is_drawn, ..)| *is_drawn);
-    rows.extend(further.map(|(_, name, belongs_to, rho)| row(name, belongs_to.to_owned(), rho)));
+    rows.extend(further.map(|(_, name, belongs_to, rho)| row(name, belongs_to, rho)));
     rows
 }
 

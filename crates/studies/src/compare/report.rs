@@ -15,7 +15,7 @@ use super::comparison::{Comparison, FinishResult, PairOfFinish};
 use super::tables;
 use super::windows::PARAMETERS;
 use super::words::{
-    loss, measured, meshes, narrowed_by, note, oils, run_in, scope, surest, table, warnings,
+    known, loss, measured, meshes, narrowed_by, note, oils, run_in, scope, surest, table, warnings,
 };
 
 impl StudyResult for Comparison {
@@ -41,6 +41,7 @@ impl StudyResult for Comparison {
             .text(narrowed_by(self))
             .on_page()
             .table(table(self))
+            .text(known(self))
             .text(oils(self))
             .in_terminal()
             .text(narrowed_by(self))
@@ -150,7 +151,7 @@ const DECIDING: &str = "Each line is the interval of the difference, from 5 to 9
 
 /// Text above the common draws.
 const COMMON: &str = "A component has the same draws in both where the thing that it belongs to is the same: its correlation is 1. Where \
-    each has a thing of its own it is 0.";
+    each has a thing of its own it is 0, and it falls from 1 with the distance of the two.";
 
 /// Content of a comparison of a gear train.
 const OF_MESHES: &str = "Losses of one mesh of each kind. A comparison of a single mesh shows its flanks, its spectra and the \

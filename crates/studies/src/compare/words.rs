@@ -398,6 +398,23 @@ pub(super) fn narrowed_by(comparison: &Comparison) -> Option<String> {
     (!is_open).then(|| format!("The difference of {name} {words}."))
 }
 
+/// Constants that one run of a difference states and the other leaves drawn, in words.
+pub(super) fn known(comparison: &Comparison) -> Vec<String> {
+    let of = |finish: &FinishResult| {
+        let common = &finish.difference.as_ref()?.common;
+        let stated = common.iter().filter(|row| row.stated_in_one);
+        let names: Vec<&str> = stated.map(|row| &*row.name).collect();
+        (!names.is_empty()).then(|| {
+            format!(
+                "{}: one case states {}, the other has its range. The difference counts the shift of the median only.",
+                finish.name,
+                names.join(", ")
+            )
+        })
+    };
+    comparison.finishes.iter().filter_map(of).collect()
+}
+
 /// A measurement in words, with the names of the variants that it is made for.
 pub(super) fn measured(row: &DecidingMeasurement, names: [&str; 2]) -> String {
     match (row.is_common, row.of) {
