@@ -138,7 +138,7 @@ fn pairs_that_cannot_be_compared_are_refused() {
     refused(
         &[],
         "E143",
-        "pinion.csv, wheel.csv: not the same place: the dales of both traces correlate by ",
+        "pinion.csv, wheel.csv: not the same place: the valleys of both traces correlate by ",
     );
     refused(
         &["pinion.csv"],
@@ -241,7 +241,7 @@ fn with_a_case_the_loss_of_height_has_a_wear_coefficient_and_a_paired_difference
         number(&rows.iter().find(|row| row["name"] == name).unwrap()["correlation"])
     };
     assert!(
-        (0.5..1.0).contains(&rho("error of the fast model")),
+        (0.5..1.0).contains(&rho("error of the model")),
         "{difference}"
     );
     assert!(

@@ -124,7 +124,7 @@ fn traces_are_said_to_narrow_the_interval_only_where_they_do() {
     );
     // Nor are traces named as what narrows the largest parts.
     let advice = |said: &str| {
-        let (_, after) = said.split_once("narrower with ").unwrap_or_default();
+        let (_, after) = said.split_once("to narrow it ").unwrap_or_default();
         after.split(" trust ").next().unwrap_or_default().to_owned()
     };
     assert!(advice(&ground).contains("traces of the flanks"), "{ground}");

@@ -478,7 +478,7 @@ const FILMS: [f64; 7] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.3, f64::INFINITY];
 /// The film and the boundary layer apart.
 pub fn part_table() -> String {
     let all = chosen_on();
-    let mut text = String::from("| part | records | fast model and record |\n|---|---|---|\n");
+    let mut text = String::from("| part | records | model and record |\n|---|---|---|\n");
     for (model, name) in [
         ("film only hertz", "film at Hertz's pressure"),
         ("film only own", "film at its own pressure"),
@@ -554,7 +554,7 @@ pub fn coverage_table() -> String {
     let second = rows(SECOND_BLIND);
     let (full, part) = second.split_at(FULL_LOAD.min(second.len()));
     let mut text = String::from(
-        "| records | ln μ: mean, root mean square | within 90 % with the errors of sampling | by the error of the fast model only | ln μ in the windows of the record: mean, root mean square | within 90 % by the error of the fast model only |\n|---|---|---|---|---|---|\n",
+        "| records | ln μ: mean, root mean square | within 90 % with the errors of sampling | by the error of the model only | ln μ in the windows of the record: mean, root mean square | within 90 % by the error of the model only |\n|---|---|---|---|---|---|\n",
     );
     for (name, rows) in [
         ("65 gear meshes", &*rows(GEAR_MESHES)),
@@ -652,7 +652,7 @@ fn listed(rows: &[Row]) -> String {
 pub fn short_wave_table() -> String {
     let (long, short) = (rows(GEAR_MESHES), rows(SHORT_WAVES));
     let mut text = String::from(
-        "| condition | shortest wave µm | μ of the record | load below 20 nm | gap | μ of the fast model |\n|---|---|---|---|---|---|\n",
+        "| condition | shortest wave µm | μ of the record | load below 20 nm | gap | μ of the model |\n|---|---|---|---|---|---|\n",
     );
     for row in &short {
         let (name, wave) = row.name.rsplit_once('_').unwrap();

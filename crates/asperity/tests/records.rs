@@ -125,7 +125,7 @@ fn a_loss_by_records_has_an_interval_and_no_draw_solves_a_record() {
     ] {
         assert!(names.contains(&name), "{names:?}");
     }
-    assert!(!names.contains(&"error of the fast model") && !names.contains(&"lay"));
+    assert!(!names.contains(&"error of the model") && !names.contains(&"lay"));
     // Ridges that leave the direction across the face leak, as the fast model says.
     let usual = run(&[]);
     assert_eq!(files(cache.path()), 3);

@@ -121,7 +121,7 @@ impl LoadShareSettings {
         let inner = self.inner_boundary;
         let rule = "must lie between 0 and 1";
         let fits = (0.0..=1.0).contains(&inner);
-        DomainError::require(fits, "boundary share of inner spots", inner, "-", rule)?;
+        DomainError::require(fits, "boundary share of inner contacts", inner, "-", rule)?;
         Ok(())
     }
 }

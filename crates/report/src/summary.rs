@@ -119,7 +119,7 @@ const SUBJECTS: &[(Code, Subject)] = &[
 ];
 
 /// Beginning of the worth of a warning.
-const WORTH: &str = " (worth ";
+const WORTH: &str = " (changes the loss by ";
 
 /// A warning with its worth in words, if that is known and not printed as 0.
 pub(crate) fn priced(warning: &Warning, result: &RunResult) -> Warning {
@@ -539,7 +539,7 @@ fn composition(uncertainty: &Uncertainty, columns: usize) -> Vec<(Part, String)>
 
 /// The measurements that narrow the largest part, and the others as long as they fit into the line.
 fn remedies(parts: &[&UncertaintyPart], columns: usize) -> String {
-    let mut text = String::from("narrower with  ");
+    let mut text = String::from("to narrow it  ");
     let mut named: Vec<&str> = Vec::new();
     for part in parts {
         let between = if named.is_empty() { "" } else { "; " };
@@ -560,9 +560,9 @@ fn shift(result: &RunResult) -> Option<String> {
     let shift = result.summary.loss_w / at_medians - 1.0;
     (shift.abs() > NOTED_SHIFT).then(|| {
         format!(
-            "the run with every constant at its median loses {} W, the median of the draws is {:.0} % {}: some components change \
-            the loss more in one direction than in the other. These are a tip relief or lay that is not stated, the flow \
-            through areal windows, errors of more than a fifth, and the bias of the gap law `power` and of records",
+            "with every constant at its median the loss is {} W; the median of the draws is {:.0} % {}. Inputs that are not stated \
+            (tip relief, lay), flow through areal windows, errors above a fifth, and a mean error of the model \
+            (gap law `power`, reference solutions) change the loss more in one direction",
             uncertainty.digits().rounded(at_medians),
             100.0 * shift.abs(),
             if shift > 0.0 { "higher" } else { "lower" },

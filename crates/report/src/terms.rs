@@ -144,9 +144,9 @@ pub const TERMS: &[Term] = &[
         "part of the loss that draws the oil into the contact, also without sliding",
     ),
     term(
-        "inner spot",
-        &["inner spots"],
-        "touching spot that formed inside the contact, where no oil flows in; its least boundary share is β_i",
+        "inner contact",
+        &["inner contacts"],
+        "asperity contact that formed inside the Hertz zone, where no oil flows in; its least boundary share is β_i",
     ),
     term(
         "film parameter",
@@ -245,14 +245,14 @@ pub const TERMS: &[Term] = &[
         "error of the loss because the traces show a small part of few teeth",
     ),
     term(
-        "error of the fast model",
+        "error of the model",
         &[],
         "error of the contact model of a run against records of mixed lubrication",
     ),
     term(
         "record",
         &["records of mixed lubrication"],
-        "transient solution of the mixed contact at one place, the reference of the fast model",
+        "transient solution of the mixed contact at one place, the reference of the model of a run",
     ),
     term(
         "second set of gears",

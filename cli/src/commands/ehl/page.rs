@@ -79,8 +79,8 @@ fn number(name: &str, value: String) -> (String, String) {
 /// Next step after a smooth film.
 const NEXT_OF_SMOOTH: &str = "Without --smooth the command solves the flanks of a case with their traces; asperity run computes the loss.";
 /// Next step after a record.
-const NEXT: &str = "The command asperity run computes the loss of a case with a fast model of this contact. For a case, --compare prints the load \
-    share of the fast model next to this solution.";
+const NEXT: &str = "The command asperity run computes the loss of a case with a faster model of this contact. For a case, --compare prints the \
+    load share of that model next to this solution.";
 
 /// The inlet of a record, which makes its smooth film thinner, in words.
 fn inlet_of(window: Window) -> String {

@@ -102,7 +102,7 @@ fn source(made: &MadeSurface, surfaces: usize, has_long_waves: bool) -> String {
                 false => "",
             };
             format!(
-                "{} pieces of {surfaces}: waves up to {LONG_WAVES:.1} and rare dales are those of the surfaces given{long}",
+                "{} pieces of {surfaces}: waves up to {LONG_WAVES:.1} and rare valleys are those of the surfaces given{long}",
                 made.pieces.len()
             )
         }

@@ -58,7 +58,7 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
     let a = made.generated.achieved;
     let meaning = (made.method == Method::Pieces).then(|| {
         format!(
-            "{source}: waves up to {LONG_WAVES:.1} and rare dales are those of the traces given; longer waves are random, with their spectrum"
+            "{source}: waves up to {LONG_WAVES:.1} and rare valleys are those of the traces given; longer waves are random, with their spectrum"
         )
     });
     let json = || {

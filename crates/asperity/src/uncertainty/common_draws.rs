@@ -214,7 +214,7 @@ pub(crate) fn common_constants(
         ),
         (
             true,
-            "error of the fast model",
+            "error of the model",
             "the measured teeth and their conditions",
             of_flanks(&|of| of.model),
         ),
@@ -226,7 +226,7 @@ pub(crate) fn common_constants(
         ),
         (
             both(&|of| of.inner_boundary.is_some() || of.recorded.is_some()),
-            "boundary share of inner spots",
+            "boundary share of inner contacts",
             "the model",
             1.0,
         ),
@@ -478,7 +478,7 @@ mod tests {
                     share.sqrt() * z(k) + (1.0 - share).sqrt() * z(k + 1 + side)
                 };
                 draw.of_flanks.sampling = of_flanks(of_row(SAMPLING), 33);
-                draw.of_flanks.model = of_flanks(of_row("error of the fast model"), 36);
+                draw.of_flanks.model = of_flanks(of_row("error of the model"), 36);
                 draw
             };
             let [a, b] = [0, 1].map(|side| laws[side].loss(&draw(side)));
@@ -538,7 +538,7 @@ mod tests {
             .map(|kind| of_row(kind.name()));
             assert_eq!([friction, shear], [boundary, oil], "{name}");
             assert_eq!(of_row(SAMPLING) > 0.0, flanks > 0.0, "{name}");
-            assert!(of_row("error of the fast model") <= flanks, "{name}");
+            assert!(of_row("error of the model") <= flanks, "{name}");
             let share = coverage([&as_is, other], &found);
             println!("{name}: {share}");
             assert!((0.85..=0.95).contains(&share), "{name}: {share}");

@@ -236,7 +236,7 @@ fn uncertainty(
                 Some(_) if *place > 0.5 => "whole boundary friction below 20 nm".to_owned(),
                 Some(_) => "boundary friction that falls with the film".to_owned(),
                 None => format!(
-                    "boundary share of inner spots {}",
+                    "boundary share of inner contacts {}",
                     InnerBoundary::value(*place)
                 ),
             },

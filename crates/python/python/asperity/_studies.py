@@ -336,11 +336,11 @@ def profile_change(
 ) -> ProfileChange:
     """Height that a test removed from traces of the same places, and the change of their parameters.
 
-    The second trace is placed on the first by the dales, which wear spares: shift, stretch, height and tilt, and a
+    The second trace is placed on the first by the valleys, which wear spares: shift, stretch, height and tilt, and a
     bow with form = poly2. All places are compared at which half of the shorter trace overlaps, also those beyond the
-    bound of the shift. Heights are relative to the dales, so that a loss of dales and peaks alike does not show.
-    Intervals are from 5 to 95 %. They contain the noise of the match and the choice of the dales. Where parts of the
-    trace rose, other dales may have risen as well: the height gained is then also a standard deviation of the height
+    bound of the shift. Heights are relative to the valleys, so that a loss of valleys and peaks alike does not show.
+    Intervals are from 5 to 95 %. They contain the noise of the match and the choice of the valleys. Where parts of the
+    trace rose, other valleys may have risen as well: the height gained is then also a standard deviation of the height
     removed. Parameters follow ISO 4287 with sections of 0.25 mm over the common length. A noise floor is the change
     that noise makes in one of twenty comparisons. With a case, its flanks are the traces over the common length,
     before and after the test. Each pair is a tooth. Both runs share all draws but two. The errors of the model are

@@ -19,7 +19,7 @@ pub(super) fn remedies(uncertainty: &Uncertainty) -> Markup {
                 head name "component" "";
                 number low "5 %" "W" = digits.rounded(part.quantiles_w[0]);
                 number high "95 %" "W" = digits.rounded(part.quantiles_w[1]);
-                text remedy "narrower with" "";
+                text remedy "to narrow it" "";
             })
         }
     }

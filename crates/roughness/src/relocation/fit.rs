@@ -1,4 +1,4 @@
-//! Shift, stretch, height and tilt of the second trace by robust least squares over the dales.
+//! Shift, stretch, height and tilt of the second trace by robust least squares over the valleys.
 
 use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::{Cholesky, Z_75};
@@ -16,7 +16,7 @@ const TUKEY: f64 = 4.685;
 const NOISE: f64 = 3.0;
 /// Least standard deviation \[m\]: rounding errors of equal traces are not noise.
 const LEAST_DEVIATION: f64 = 1e-12;
-/// Share of the points in a slice of the dales, and number of slices that are matched at most.
+/// Share of the points in a slice of the valleys, and number of slices that are matched at most.
 const SLICE: f64 = 0.05;
 const MOST_SLICES: usize = 10;
 /// A slice is spared if its height differs by at most this number of standard errors: noise exceeds it in one of eight slices, the
@@ -24,7 +24,7 @@ const MOST_SLICES: usize = 10;
 const SPARED: f64 = 2.73;
 /// The lowest two slices are worn if they differ by more than this number of standard errors.
 const WORN: f64 = 4.0;
-const WORN_DALES: &str = "too few dales are left for a match: the lowest twentieth of the points lost another height than the next one";
+const WORN_VALLEYS: &str = "too few valleys are left for a match: the lowest twentieth of the points lost another height than the next one";
 /// Numbers of a place, of which those from the height on are linear.
 pub(super) const MIDDLE: usize = 0;
 pub(super) const STRETCH: usize = 1;
@@ -75,32 +75,32 @@ pub(super) struct Fit {
     pub before: Vec<f64>,
     /// Mean slope of both traces.
     slopes: Vec<f64>,
-    /// Mean height of both above their mean lines \[m\], by which dales are known.
+    /// Mean height of both above their mean lines \[m\], by which valleys are known.
     pub level: Vec<f64>,
     /// Residuals: height lost by the second trace \[m\].
     pub lost: Vec<f64>,
-    /// Weights in the dales, zero elsewhere.
+    /// Weights in the valleys, zero elsewhere.
     pub weights: Vec<f64>,
     /// Normal matrix with products of the slopes of both traces: noise, which would enlarge the squares of one, has none in the mean.
     normal: Cholesky,
-    /// Share of the points that are spared dales.
+    /// Share of the points that are spared valleys.
     share: f64,
     /// Numbers of the place that were fitted.
     free: usize,
     /// Noise.
     pub noise: Noise,
-    /// Difference of the upper from the lower dales, at least its standard error \[m\].
+    /// Difference of the upper from the lower valleys, at least its standard error \[m\].
     pub uneven: f64,
 }
 
 impl Fit {
     /// ```text
-    /// min over s, e, h, t, b of Σ_dales ρ(z_b(s + (1 + e) x) − z_a(x) − h − t x − b x²)           [Relocation-2]
+    /// min over s, e, h, t, b of Σ_valleys ρ(z_b(s + (1 + e) x) − z_a(x) − h − t x − b x²)           [Relocation-2]
     /// ```
     ///
     /// b is 0 unless the form may have changed by a parabola.
     ///
-    /// ρ is Tukey's biweight with the scale of the shortest half. The dales are the lowest points, from a tenth of all
+    /// ρ is Tukey's biweight with the scale of the shortest half. The valleys are the lowest points, from a tenth of all
     /// upwards as long as the next twentieth has the same height, at most half.
     pub(super) fn of(
         [before, after]: [&Trace; 2],
@@ -127,12 +127,12 @@ impl Fit {
         let spared = fit.spared();
         fit.uneven = spared.uneven;
         match spared.is_worn {
-            true => Err(Fault::new(Code::E143, WORN_DALES)),
+            true => Err(Fault::new(Code::E143, WORN_VALLEYS)),
             false => Ok(fit),
         }
     }
 
-    /// The fit of the first `free` numbers of the place to the dales of a share of the points.
+    /// The fit of the first `free` numbers of the place to the valleys of a share of the points.
     fn settled(
         [before, after]: [&Trace; 2],
         mut place: Place,
@@ -143,25 +143,25 @@ impl Fit {
         for step in 0..MAX_STEPS {
             checkpoint()?;
             let mut points = Points::at(before, after, place)?;
-            // Dales and a scale that follow every change of the place would change it in turn.
+            // Valleys and a scale that follow every change of the place would change it in turn.
             if step < FREE_STEPS {
-                let is_dale = points.dales(share);
-                let (middle, scale) = points.scale(&is_dale);
+                let is_valley = points.valleys(share);
+                let (middle, scale) = points.scale(&is_valley);
                 points.moved(&mut place, [0.0, 0.0, middle, 0.0, 0.0]);
                 let mut of_trace = vec![false; after.heights.len()];
-                of_trace[points.first..points.first + is_dale.len()].copy_from_slice(&is_dale);
+                of_trace[points.first..points.first + is_valley.len()].copy_from_slice(&is_valley);
                 chosen = Some((of_trace, scale));
             }
-            let Some((is_dale, scale)) = &chosen else {
+            let Some((is_valley, scale)) = &chosen else {
                 break;
             };
-            let is_dale = &is_dale[points.first..points.first + points.lost.len()];
+            let is_valley = &is_valley[points.first..points.first + points.lost.len()];
             // Height, tilt and bow are linear, and settle first.
             for _ in 0..LINEAR_STEPS {
-                let weights = points.weights(is_dale, *scale);
+                let weights = points.weights(is_valley, *scale);
                 points.moved(&mut place, points.step(&weights, HEIGHT..free)?);
             }
-            let weights = points.weights(is_dale, *scale);
+            let weights = points.weights(is_valley, *scale);
             let moved = points.step(&weights, 0..free)?;
             points.moved(&mut place, moved);
             change = (moved[0].abs() + moved[1].abs()) / before.dx;
@@ -213,19 +213,19 @@ impl Fit {
         self.noise.variance(&a).sqrt()
     }
 
-    /// Share of the points in the dales that were matched.
+    /// Share of the points in the valleys that were matched.
     pub(super) fn matched(&self) -> f64 {
         self.share
     }
 
-    /// Standard deviation of the height by the choice of the dales: noise of the trace that chooses them is below zero in them \[m\].
+    /// Standard deviation of the height by the choice of the valleys: noise of the trace that chooses them is below zero in them \[m\].
     ///
     /// ```text
     /// s = σ² f/(2 q √3)                                                                          [Relocation-6]
     /// ```
     ///
-    /// σ² is the variance of the difference of both traces, f the density of the heights at the highest of the dales, and q the share
-    /// of the dales. Both traces choose with equal weights. If all noise is in one of them, the mean difference in the dales is off by
+    /// σ² is the variance of the difference of both traces, f the density of the heights at the highest of the valleys, and q the share
+    /// of the valleys. Both traces choose with equal weights. If all noise is in one of them, the mean difference in the valleys is off by
     /// √3 s, to either side.
     pub(super) fn choice(&self) -> f64 {
         cite!("Relocation-6");
@@ -245,8 +245,8 @@ impl Fit {
         move |share| sorted[(share * (sorted.len() - 1) as f64) as usize]
     }
 
-    /// Height of the highest of the dales \[m\].
-    pub(super) fn highest_dale(&self) -> f64 {
+    /// Height of the highest of the valleys \[m\].
+    pub(super) fn highest_valley(&self) -> f64 {
         self.levels()(self.share)
     }
 
@@ -257,7 +257,7 @@ impl Fit {
         row
     }
 
-    /// The dales from the lowest slice upwards, as long as the next has the same height.
+    /// The valleys from the lowest slice upwards, as long as the next has the same height.
     fn spared(&self) -> Spared {
         let n = self.lost.len();
         let mut order: Vec<usize> = (0..n).collect();
@@ -297,11 +297,11 @@ impl Fit {
     }
 }
 
-/// Dales that wear spared.
+/// Valleys that wear spared.
 struct Spared {
     /// Share of all points.
     share: f64,
-    /// Difference of the upper from the lower dales, at least its standard error \[m\].
+    /// Difference of the upper from the lower valleys, at least its standard error \[m\].
     uneven: f64,
     /// Whether the lowest two slices differ, so that even these are worn.
     is_worn: bool,
@@ -429,7 +429,7 @@ impl Points {
     }
 
     /// Whether each point is among the lowest `share`.
-    fn dales(&self, share: f64) -> Vec<bool> {
+    fn valleys(&self, share: f64) -> Vec<bool> {
         let mut sorted = self.level.clone();
         let last = ((share * sorted.len() as f64) as usize).min(sorted.len() - 1);
         let (_, level, _) = sorted.select_nth_unstable_by(last, f64::total_cmp);
@@ -437,22 +437,22 @@ impl Points {
         self.level.iter().map(|z| *z < level).collect()
     }
 
-    /// Middle and standard deviation of the residuals in the dales.
-    fn scale(&self, is_dale: &[bool]) -> (f64, f64) {
-        let dales = self
+    /// Middle and standard deviation of the residuals in the valleys.
+    fn scale(&self, is_valley: &[bool]) -> (f64, f64) {
+        let valleys = self
             .lost
             .iter()
-            .zip(is_dale)
-            .filter(|(_, is_dale)| **is_dale);
-        shortest_half(&dales.map(|(lost, _)| *lost).collect::<Vec<f64>>())
+            .zip(is_valley)
+            .filter(|(_, is_valley)| **is_valley);
+        shortest_half(&valleys.map(|(lost, _)| *lost).collect::<Vec<f64>>())
     }
 
-    fn weights(&self, is_dale: &[bool], deviation: f64) -> Vec<f64> {
-        let weight = |(lost, is_dale): (&f64, &bool)| match is_dale {
+    fn weights(&self, is_valley: &[bool], deviation: f64) -> Vec<f64> {
+        let weight = |(lost, is_valley): (&f64, &bool)| match is_valley {
             true => biweight(*lost, deviation),
             false => 0.0,
         };
-        self.lost.iter().zip(is_dale).map(weight).collect()
+        self.lost.iter().zip(is_valley).map(weight).collect()
     }
 
     /// Change of the place by weighted least squares, of its free numbers only.

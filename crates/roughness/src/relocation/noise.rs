@@ -1,4 +1,4 @@
-//! Noise of the match: its autocovariance in the dales, its effect on a sum, and made noise of this kind.
+//! Noise of the match: its autocovariance in the valleys, its effect on a sum, and made noise of this kind.
 
 use asperity_core::cite;
 use asperity_core::numerics::{good_fft_length, real_transforms};
@@ -25,7 +25,7 @@ impl Noise {
     /// γ_k = (1 − k/K) ⟨r_i r_i+k⟩                                                                [Relocation-3]
     /// ```
     ///
-    /// Over the pairs of residuals r of the match that count, which are in the dales and no outliers, `dx` apart.
+    /// Over the pairs of residuals r of the match that count, which are in the valleys and no outliers, `dx` apart.
     pub(super) fn of(residuals: &[f64], counts: &[bool], dx: f64) -> Self {
         cite!("Relocation-3");
         let n = residuals.len();

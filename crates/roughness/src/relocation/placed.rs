@@ -1,4 +1,4 @@
-//! The place of the second trace among those at which the dales match.
+//! The place of the second trace among those at which the valleys match.
 
 use asperity_core::cancel::checkpoint;
 use asperity_core::quantity::Length;
@@ -11,7 +11,7 @@ use super::traces::Trace;
 use crate::error::RoughnessError;
 use crate::form::Form;
 
-/// Least correlation of the dales.
+/// Least correlation of the valleys.
 const LEAST_CORRELATION: f64 = 0.7;
 /// The place is certain if its noise is below this part of the noise at every other place. Places that are all wrong differ less: the
 /// noise of thirty of them, each from about fifty independent points, scatters by a tenth.
@@ -25,7 +25,7 @@ const MOST_LISTED: usize = 40;
 /// Factor from the shift found to the bound that a message proposes.
 const WIDER: f64 = 1.2;
 
-/// The fit at the place of the second trace, with the correlation of its dales.
+/// The fit at the place of the second trace, with the correlation of its valleys.
 pub(super) fn placed(
     traces: [&Trace; 2],
     found: &Matches,
@@ -35,7 +35,7 @@ pub(super) fn placed(
     let best = found.alike.first();
     let Some(best) = best.filter(|best| best.correlation >= LEAST_CORRELATION) else {
         let message = format!(
-            "not the same place: the dales of both traces correlate by {:.2} at best",
+            "not the same place: the valleys of both traces correlate by {:.2} at best",
             best.map_or(0.0, |best| best.correlation)
         );
         return Err(Fault::new(Code::E143, message));
@@ -78,7 +78,7 @@ fn alike(places: &[Match]) -> Fault {
     };
     let least = places.iter().map(|place| place.correlation);
     let message = format!(
-        "several places alike: the traces match as well at each of these shifts: {}{more} um; their dales correlate by {:.3} or more there",
+        "several places alike: the traces match as well at each of these shifts: {}{more} um; their valleys correlate by {:.3} or more there",
         listed.join(", "),
         least.fold(f64::INFINITY, f64::min),
     );
@@ -92,7 +92,7 @@ fn alike(places: &[Match]) -> Fault {
 fn beyond(place: Match, most_shift: f64) -> Fault {
     let [shift, most] = [place.shift, most_shift].map(Length::from_si);
     let message = format!(
-        "the traces match at a shift of {shift:.4}, beyond the bound of {most:.4}; their dales correlate by {:.3} there",
+        "the traces match at a shift of {shift:.4}, beyond the bound of {most:.4}; their valleys correlate by {:.3} there",
         place.correlation
     );
     let wider = format!("{:.2} mm", (WIDER * 1e5 * place.shift.abs()).ceil() / 1e2);

@@ -17,7 +17,7 @@ use super::rise::{self, MOVED};
 use super::search::search;
 use super::traces::{Trace, height_at, noise_cutoff};
 
-/// Standard deviation of the height over the gain of the dales: where some rose, others that were matched may have risen as well.
+/// Standard deviation of the height over the gain of the valleys: where some rose, others that were matched may have risen as well.
 const RISEN: f64 = 1.0;
 /// Height below which traces on each other differ by the rounding of their match \[m\].
 const LEAST_CHANGE: f64 = 1e-11;
@@ -77,13 +77,13 @@ pub struct Relocation {
     pub tilt: Estimate,
     /// Height to add to the second trace at the ends of its whole length, as a parabola; `None` with [`Form::Level`].
     pub bow: Option<Estimate<Length>>,
-    /// Correlation of the dales.
+    /// Correlation of the valleys.
     pub correlation: f64,
-    /// Best correlation of the dales at another place.
+    /// Best correlation of the valleys at another place.
     pub elsewhere: f64,
-    /// Share of the points in the dales that were matched.
+    /// Share of the points in the valleys that were matched.
     pub matched: f64,
-    /// Standard deviation of the difference of both traces in the dales.
+    /// Standard deviation of the difference of both traces in the valleys.
     pub noise: Length,
     /// Noise cut-off of both traces.
     pub noise_cutoff: Length,
@@ -204,11 +204,11 @@ fn relocation(
     let risen = rise::square(fit, spacing)?
         .sqrt()
         .max(RISEN * gain.max(0.0));
-    let of_dales = risen.hypot(of_choice);
-    let of_height = fit.deviation_of_place(HEIGHT).hypot(of_dales);
+    let of_valleys = risen.hypot(of_choice);
+    let of_height = fit.deviation_of_place(HEIGHT).hypot(of_valleys);
     let removed = fit.lost.iter().sum::<f64>() * part;
     let of_removed = fit.noise.variance(&fit.influence(&vec![part; n])).sqrt();
-    let of_removed = of_removed.hypot(of_dales);
+    let of_removed = of_removed.hypot(of_valleys);
     Ok(Relocation {
         shift: length(place.middle - half, fit.deviation_of_place(MIDDLE)),
         stretch: within(stretch, fit.deviation_of_place(STRETCH) / half),

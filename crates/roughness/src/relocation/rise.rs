@@ -1,4 +1,4 @@
-//! Rise of the dales that were matched, by the height lost near them.
+//! Rise of the valleys that were matched, by the height lost near them.
 
 use asperity_core::quantity::Length;
 use asperity_core::{Profile, cite};
@@ -10,17 +10,17 @@ use crate::gaussian_filter::{Ends, mean_line};
 /// Material moves by about a grain, to either side \[m\].
 pub(super) const MOVED: f64 = 20e-6;
 
-/// Mean square of the rise of the matched dales: the square of its mean and its variance \[m²\].
+/// Mean square of the rise of the matched valleys: the square of its mean and its variance \[m²\].
 ///
 /// ```text
-/// min over c, h, t of Σ_dales w (z_b − z_a − h − t x + c m)²,   rise = c ⟨m⟩                   [Relocation-7]
+/// min over c, h, t of Σ_valleys w (z_b − z_a − h − t x + c m)²,   rise = c ⟨m⟩                   [Relocation-7]
 /// ```
 ///
-/// m is the height lost above the dales, as a Gaussian mean that reaches as far as material moves. Where dales near a loss are
-/// higher than dales far from it, material moved, and the mean dale rose.
+/// m is the height lost above the valleys, as a Gaussian mean that reaches as far as material moves. Where valleys near a loss are
+/// higher than valleys far from it, material moved, and the mean valley rose.
 pub(super) fn square(fit: &Fit, spacing: Length) -> Result<f64, RoughnessError> {
     cite!("Relocation-7");
-    let level = fit.highest_dale();
+    let level = fit.highest_valley();
     let above = fit.lost.iter().zip(&fit.level);
     let above = above.map(|(lost, z)| if *z > level { *lost } else { 0.0 });
     let reach = Length::from_si((2.0 * MOVED).max(2.0 * spacing.si()));

@@ -1,4 +1,4 @@
-//! The place of the second trace on the first by the correlation of their dales, over all shifts and stretches.
+//! The place of the second trace on the first by the correlation of their valleys, over all shifts and stretches.
 
 use asperity_core::cancel::{Cancelled, checkpoint};
 use asperity_core::cite;
@@ -21,7 +21,7 @@ const RESAMPLED: f64 = 1e-6;
 /// A place of the second trace on the first.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Match {
-    /// Correlation of the dales.
+    /// Correlation of the valleys.
     pub correlation: f64,
     /// Shift of the middle \[m\].
     pub shift: f64,
@@ -50,8 +50,8 @@ pub(super) fn search(
 ) -> Result<Matches, Cancelled> {
     cite!("Relocation-1");
     let dx = before.dx;
-    let (first, first_begin) = before.dales();
-    let (second, second_begin) = after.dales();
+    let (first, first_begin) = before.valleys();
+    let (second, second_begin) = after.valleys();
     let steps = (most_stretch * after.length() / (2.0 * STEP * dx)).ceil() as i64;
     let mut table = Vec::new();
     for k in -steps..=steps {

@@ -92,16 +92,16 @@ impl Trace {
         Some([sum(&value, z), sum(&slope, z) / self.dx, sum(&value, rough)])
     }
 
-    /// Heights above the mean line, but at most their median, as a match of dales reads them, and the place of the first \[m\]: at the
+    /// Heights above the mean line, but at most their median, as a match of valleys reads them, and the place of the first \[m\]: at the
     /// ends the mean line follows long waves, which are not alike at the ends of two traces of one place.
-    pub(super) fn dales(&self) -> (Vec<f64>, f64) {
+    pub(super) fn valleys(&self) -> (Vec<f64>, f64) {
         let end = (0.5 * LAMBDA_C.si()).min(LONGEST_END * self.length());
         let left_out = (end / self.dx) as usize;
         let rough = &self.rough[left_out..self.rough.len() - left_out];
         let mut sorted = rough.to_vec();
         let middle = sorted.len() / 2;
         let (_, level, _) = sorted.select_nth_unstable_by(middle, f64::total_cmp);
-        let dales = rough.iter().map(|z| z.min(*level)).collect();
-        (dales, left_out as f64 * self.dx)
+        let valleys = rough.iter().map(|z| z.min(*level)).collect();
+        (valleys, left_out as f64 * self.dx)
     }
 }

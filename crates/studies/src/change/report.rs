@@ -104,7 +104,7 @@ fn verdict(study: &TraceChange) -> [String; 1] {
         format!("The test removed {height} of height, as mean over the trace.")
     } else if removed.high < 0.0 {
         format!(
-            "Nothing was removed: the trace is higher by {}, relative to its dales.",
+            "Nothing was removed: the trace is higher by {}, relative to its valleys.",
             nanometres(removed.map(|nm| -nm))
         )
     } else if is_undecided(&study.mean, &study.parameters) {
@@ -214,7 +214,7 @@ fn place(pair: &PairRow) -> String {
         .bow_um
         .map(|bow| format!(" and bowed by {} µm", interval(bow, LEAST_UM)));
     format!(
-        "{} lies {} µm along {}, stretched by {} %{}; their dales correlate by {:.3}, elsewhere by {:.3}.",
+        "{} lies {} µm along {}, stretched by {} %{}; their valleys correlate by {:.3}, elsewhere by {:.3}.",
         pair.after,
         interval(pair.shift_um, LEAST_SHIFT),
         pair.before,
@@ -268,7 +268,7 @@ fn pairs(study: &TraceChange) -> Table {
         interval bow_um "bow" "µm" = pair.bow_um.map_or(Cell::estimate("-", None), |bow| shown(bow, LEAST_UM));
         number correlation "correlation" "" "{:.3}";
         number elsewhere "elsewhere" "" "{:.3}";
-        number matched_percent "dales matched" "%" "{:.0}";
+        number matched_percent "valleys matched" "%" "{:.0}";
         number noise_nm "noise" "nm" "{:.1}";
         number overlap_mm "common length" "mm" "{:.3}";
         number removed_um2 "section removed" "µm²" "{:.1}";

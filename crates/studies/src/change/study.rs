@@ -89,13 +89,13 @@ pub struct PairRow {
     /// Height added to the ends of the second trace, as a parabola; `None` without one.
     #[serde(flatten, with = "BowKeys")]
     pub bow_um: Option<Estimate>,
-    /// Correlation of the dales.
+    /// Correlation of the valleys.
     pub correlation: f64,
-    /// Best correlation of the dales at another place.
+    /// Best correlation of the valleys at another place.
     pub elsewhere: f64,
-    /// Share of the points in the dales that were matched.
+    /// Share of the points in the valleys that were matched.
     pub matched_percent: f64,
-    /// Standard deviation of the difference of both traces in the dales.
+    /// Standard deviation of the difference of both traces in the valleys.
     pub noise_nm: f64,
     /// Length that both traces have in common.
     pub overlap_mm: f64,
@@ -193,10 +193,10 @@ impl StudySettings for ChangeSettings {
             ("flank", "pinion"),
         ],
     ];
-    const METHOD: &'static str = "The second trace is placed on the first by the dales, which wear spares: shift, stretch, height and tilt, and a bow \
+    const METHOD: &'static str = "The second trace is placed on the first by the valleys, which wear spares: shift, stretch, height and tilt, and a bow \
         with form = poly2. All places are compared at which half of the shorter trace overlaps, also those beyond the bound of the shift. \
-        Heights are relative to the dales, so that a loss of dales and peaks alike does not show. Intervals are from 5 to 95 %. They \
-        contain the noise of the match and the choice of the dales. Where parts of the trace rose, other dales may have risen as well: the \
+        Heights are relative to the valleys, so that a loss of valleys and peaks alike does not show. Intervals are from 5 to 95 %. They \
+        contain the noise of the match and the choice of the valleys. Where parts of the trace rose, other valleys may have risen as well: the \
         height gained is then also a standard deviation of the height removed. Parameters follow ISO 4287 with sections of 0.25 mm over the \
         common length. A noise floor is the change that noise makes in one of twenty comparisons. With a case, its flanks are the traces over \
         the common length, before and after the test. Each pair is a tooth. Both runs share all draws but two. The errors of the \
@@ -377,7 +377,7 @@ fn along(found: &Relocation) -> Result<Vec<PointRow>, asperity_roughness::Roughn
     Ok(heights.zip(line).enumerate().map(point).collect())
 }
 
-/// Mean of the pairs. The dales of all are chosen by one rule, so their errors are taken as common, and more pairs do not narrow it.
+/// Mean of the pairs. The valleys of all are chosen by one rule, so their errors are taken as common, and more pairs do not narrow it.
 fn mean_of(pairs: &[Estimate]) -> Estimate {
     let of = |end: fn(&Estimate) -> f64| mean(pairs.iter().map(end));
     Estimate::new(of(|one| one.value), [of(|one| one.low), of(|one| one.high)])
