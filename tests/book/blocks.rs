@@ -145,9 +145,6 @@ fn wrong_commands_and_keys_are_found() {
     }
 }
 
-/// Losses measured once, by runs that no test repeats.
-const MEASURED_ONCE: [(&str, &str); 1] = [("docs/howto/what-matters.md", "4.7")];
-
 /// Numbers with the unit W in prose; tables are written by tests, and code is not said.
 fn watts(text: &str) -> Vec<String> {
     let mut found = Vec::new();
@@ -186,7 +183,7 @@ fn losses_in_the_prose_of_a_page_are_in_its_transcripts() {
         for number in watts(&text) {
             count += 1;
             assert!(
-                shown.contains(&&*number) || MEASURED_ONCE.contains(&(&page, &number)),
+                shown.contains(&&*number),
                 "{page}: {number} W is in no transcript of this page"
             );
         }

@@ -9,7 +9,7 @@ use crate::chapters::chapters;
 use crate::generated::{documents, generated};
 
 /// A path without `.` and `..`.
-fn normal(path: &Path) -> PathBuf {
+pub fn normal(path: &Path) -> PathBuf {
     let mut parts = PathBuf::new();
     for part in path.components() {
         match part {

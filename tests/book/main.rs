@@ -11,6 +11,7 @@ mod chapters;
 mod generated;
 mod how_it_works;
 mod links;
+mod numbers;
 mod pictures;
 mod spelling;
 mod units;

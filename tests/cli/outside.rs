@@ -57,7 +57,10 @@ fn a_lay_beyond_the_records_is_named_by_check_and_by_a_run_with_its_worth() {
     assert!(checked.well().unwrapped().contains(says));
     let run = ["run", "case.toml", "--no-output"];
     let said = bench.run(&[&run[..], &far].concat()).well().unwrapped();
-    assert!(said.contains(says) && said.contains("(changes the loss by "), "{said}");
+    assert!(
+        said.contains(says) && said.contains("(changes the loss by "),
+        "{said}"
+    );
     let notes = [&run[..], &far, &["--notes"]].concat();
     let said = bench.run(&notes).well().unwrapped();
     assert!(said.contains("at a lay of 1/6 the loss is "), "{said}");

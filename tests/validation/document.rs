@@ -34,7 +34,8 @@ fn tables() -> Vec<(&'static str, String)> {
         .map(|table| (table.name, table.markdown()))
         .collect();
     tables.push(("petry-johnson-measured", petry_johnson::beside_measured()));
-    tables.push(("gates", gates::gate_table()));
+    tables.push(("gates-that-count", gates::gate_table()));
+    tables.push(("gates", gates::all_gates()));
     tables.push(("ehl-laws", ehl_records::law_table()));
     tables.push(("ehl-classes", film_records::class_table()));
     tables.push(("ehl-blind", film_records::blind_table()));

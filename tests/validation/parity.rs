@@ -26,7 +26,7 @@ fn x(ratio: f64) -> f64 {
 /// Colour of a verdict and its name in the legend.
 const VERDICTS: [(Verdict, &str, &str); 4] = [
     (Verdict::Pass, "c2", "passes"),
-    (Verdict::Undecided, "c4", "undecided"),
+    (Verdict::Undecided, "c4", "inconclusive"),
     (Verdict::Fail, "c1", "fails"),
     (Verdict::Printed, "c3", "no rule"),
 ];
@@ -110,7 +110,7 @@ fn picture(gates: &[Gate]) -> String {
     for (_, class, name) in VERDICTS {
         dot(&mut text, class, at, 42.0);
         label(&mut text, "letter", [at + 8.0, 46.0], "start", name);
-        at += 76.0;
+        at += 88.0;
     }
     for (class, name, height, y) in [
         ("area c0", "measured range", 5.0, 42.0),
@@ -168,21 +168,26 @@ fn picture(gates: &[Gate]) -> String {
     document("curve-chart", title, [WIDTH, bottom + 46.0], &text)
 }
 
-/// The measured gates by verdict in words, and one line for the rows at an unknown temperature.
+/// The measured gates by verdict in words, and those at an unknown temperature, which are one measurement.
 pub fn count() -> String {
     let number = |class, verdict| {
         let of_class = gates().iter().filter(|gate| gate.class == class);
         of_class.filter(|gate| gate.verdict() == verdict).count()
     };
     let verdicts = [Verdict::Pass, Verdict::Undecided, Verdict::Fail];
-    let of = |class| verdicts.map(|verdict| number(class, verdict));
-    let [pass, undecided, fail] = of(Class::Measured);
-    let [t3_pass, t3_undecided, t3_fail] = of(Class::UnknownTemperature);
+    let [pass, undecided, fail] = verdicts.map(|verdict| number(Class::Measured, verdict));
+    let words = ["agrees", "is inconclusive", "misses"];
+    let at_temperatures = verdicts.map(|verdict| number(Class::UnknownTemperature, verdict));
+    let temperatures: usize = at_temperatures.iter().sum();
+    let of_unknown = words.iter().zip(at_temperatures);
+    let of_unknown = of_unknown.filter(|(_, count)| *count > 0);
+    let of_unknown = of_unknown
+        .map(|(word, count)| format!("{word} at {count} of {temperatures} plausible temperatures"));
     format!(
-        "Of {} measured results the model agrees with {pass} and misses {fail}; {undecided} are undecided within the sampling of the flanks. \
-         One more (T3) was measured at an unknown temperature: of {} temperatures {t3_pass} agree, {t3_undecided} are undecided, {t3_fail} miss.\n",
+        "Of {} measured results the model agrees with {pass} and misses {fail}; {undecided} are inconclusive within the sampling error of the flanks. \
+         One more (T3), at an unknown temperature, {}.\n",
         pass + undecided + fail,
-        t3_pass + t3_undecided + t3_fail
+        of_unknown.collect::<Vec<_>>().join(", ")
     )
 }
 
