@@ -26,15 +26,15 @@ use crate::share_laws::erf;
 const NOT_PASSED: [(&str, Verdict); 14] = [
     ("T1 FZG C-mod, mean μ at 0.5 m/s", Verdict::Fail),
     (
-        "T1 loss over the source's law, coded anew, 0.5 m/s",
+        "T1 loss over the source's law, coded again, 0.5 m/s",
         Verdict::Undecided,
     ),
     (
-        "T1 loss over the source's law, coded anew, 1.25 m/s",
+        "T1 loss over the source's law, coded again, 1.25 m/s",
         Verdict::Undecided,
     ),
     (
-        "T1 loss over the source's law, coded anew, 8.3 m/s",
+        "T1 loss over the source's law, coded again, 8.3 m/s",
         Verdict::Undecided,
     ),
     (
@@ -134,7 +134,7 @@ fn fzg_gates() -> Vec<Gate> {
         let found = kept.at(&[&[("operation.speed", &*slow)], keys].concat());
         found.friction()
     };
-    let friction = "at most 0.065 on ground flanks of Ra 0.2 um (here surrogates); μ_b was judged with it in view";
+    let friction = "at most 0.065 on ground flanks of Ra 0.2 um (here surrogates); μ_b was chosen with it known";
     let nominal = kept.at(&[("operation.speed", &turns(8.3))]);
     let factor = Estimate::exact(nominal.losses.summary.loss_factor_local / 0.1680 - 1.0);
     let mut rows = vec![
@@ -189,12 +189,12 @@ fn fzg_gates() -> Vec<Gate> {
         let arana = Estimate::exact(losses(&arana).summary.loss_w);
         let change = ours.mean(&|row| row.loss_w).change_to(arana);
         let measured = match speed {
-            0.5 => "law within 5 % of the measured loss; μ_b was judged with it in view",
+            0.5 => "law within 5 % of the measured loss; μ_b was chosen with it known",
             _ => "law within 5 % of the measured loss",
         };
         Gate::new(
             Class::Measured,
-            format!("T1 loss over the source's law, coded anew, {speed} m/s"),
+            format!("T1 loss over the source's law, coded again, {speed} m/s"),
             measured,
             change.times(100.0),
             Some([-15.0, 15.0]),
