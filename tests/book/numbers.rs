@@ -22,7 +22,7 @@ const PREPARATION: &str = "crates/roughness/src/preparation.rs";
 const LAMBDA_S: &str = "LAMBDA_S: Length = Length::from_si(2.5e-6)";
 const LAY: &str = "crates/ehl-regime/src/inlet_flow.rs";
 const RECORDED_LAY: &str = "pub const RECORDED: Self = Self(1.0 / 3.0)";
-const POINTS: &str = "pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0";
+const POINTS: &str = "pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;";
 const WINDOWS: &str = "crates/flanks/src/window_pair.rs";
 
 /// Page, its words with the number, the file that decides it, and the words of that file.
@@ -76,7 +76,7 @@ const SOURCES: &[[&str; 4]] = &[
         TRUST,
         "coefficient is 0.09",
         BOUNDARY,
-        "BOUNDARY_FRICTION: f64 = 0.09",
+        "BOUNDARY_FRICTION: f64 = 0.09;",
     ],
     [
         TRUST,
@@ -95,7 +95,7 @@ const SOURCES: &[[&str; 4]] = &[
         TRUST,
         "boundary part of 0.75",
         BOUNDARY,
-        "INNER_BOUNDARY: f64 = 0.75",
+        "INNER_BOUNDARY: f64 = 0.75;",
     ],
     [
         TRUST,
@@ -157,7 +157,7 @@ const SOURCES: &[[&str; 4]] = &[
         SCANS,
         "at most 1/6",
         "crates/flanks/src/flank_lay.rs",
-        "const MOST_LAY: f64 = 1.0 / 6.0",
+        "const MOST_LAY: f64 = 1.0 / 6.0;",
     ],
     [
         SCANS,
@@ -170,13 +170,13 @@ const SOURCES: &[[&str; 4]] = &[
         SCANS,
         "twelve pairs",
         "crates/flanks/src/surrogates.rs",
-        "const PAIRS: usize = 12",
+        "const PAIRS: usize = 12;",
     ],
     [
         OIL,
         "1.5 % and 0.0003",
         "crates/calibration/src/oil/studies.rs",
-        "point_floor: f64 = 0.0003",
+        "point_floor: f64 = 0.0003,",
     ],
     [PROFILE, "0.25 mm and 2.5 µm", PREPARATION, LAMBDA_S],
     [PROFILE, "20 points", WINDOWS, POINTS],
@@ -185,6 +185,30 @@ const SOURCES: &[[&str; 4]] = &[
         "eight hours",
         "crates/calibration/src/settings.rs",
         "hours: f64 = 8,",
+    ],
+    [
+        "docs/howto/rig.md",
+        "random errors of 3 %",
+        "crates/calibration/src/settings.rs",
+        "sigma: Ratio = \"3 %\"",
+    ],
+    [
+        "docs/howto/rig.md",
+        "Above 3 the model",
+        "crates/calibration/src/birge.rs",
+        "LARGEST_RATIO: f64 = 3.0;",
+    ],
+    [
+        "docs/howto/what-matters.md",
+        "16 pairs of its flanks",
+        "crates/studies/src/callout/lots.rs",
+        "const PAIRS: usize = 16;",
+    ],
+    [
+        "docs/TUTORIAL.md",
+        "16384 draws",
+        "crates/uncertainty/src/draw.rs",
+        "const DRAWS: usize = 16_384;",
     ],
 ];
 

@@ -284,7 +284,7 @@ fn outliers_and_points_that_the_model_does_not_explain_are_named() {
     let ratio = bench.calibrated("s")["birge_ratio"].as_f64().unwrap();
     assert!((1.5..2.5).contains(&ratio), "{ratio}");
     let words =
-        format!("the residuals are {ratio:.2} times the stated errors, and widen the bands by");
+        format!("the residuals are {ratio:.2} times the stated errors, and widen the intervals by");
     assert!(said.unwrapped().contains(&words), "{}", said.out);
     assert!(
         said.out

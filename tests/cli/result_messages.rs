@@ -115,11 +115,11 @@ fn traces_are_said_to_narrow_the_interval_only_where_they_do() {
     let ground = trust(r#"finish = "ground", ra = "0.3 um""#);
     let polished = trust(r#"finish = "superfinished", ra = "0.1 um""#);
     assert!(
-        ground.contains("; traces would narrow the band to "),
+        ground.contains("; traces would narrow the interval to "),
         "{ground}"
     );
     assert!(
-        polished.contains("; traces would hardly narrow the band"),
+        polished.contains("; traces would hardly narrow the interval"),
         "{polished}"
     );
     // Nor are traces named as what narrows the largest parts.

@@ -111,7 +111,7 @@ impl StudyResult for Design {
         .on_page()
         .text(self.with_settings())
         .on_page()
-        .section("Expected bands")
+        .section("Expected intervals")
         .heading(format!(
             "Expected with {:.1} % per point",
             100.0 * limits.sigma
@@ -147,7 +147,7 @@ const LOSSES: &str = "Losses by the model with the constants of the case, to cho
 /// Note on simulated losses.
 const REHEARSAL: &str = "SIMULATED losses: a rehearsal of a rig, not a measurement.";
 /// Content of the bands.
-const BANDS: &str = "The bands include scatter and nuisance terms, but not the structure of the model: alternative models are \
+const BANDS: &str = "The intervals include scatter and nuisance terms, but not the structure of the model: alternative models are \
     listed with a run.";
 
 impl Design {
@@ -156,7 +156,7 @@ impl Design {
         let mut parameters = self.parameters.iter().map(|one| &one.identified);
         let is_any = parameters.any(|one| one.verdict == Verdict::NotIdentified);
         is_any.then_some(
-            "The expected bands are by the points alone. A parameter that they do not identify keeps the range that it had before.",
+            "The expected intervals are by the points alone. A parameter that they do not identify keeps the range that it had before.",
         )
     }
 

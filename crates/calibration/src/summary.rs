@@ -57,7 +57,7 @@ pub(crate) fn scatter(calibration: &Calibration) -> String {
     let ratio = calibration.birge_ratio;
     let widened = match ratio > 1.0 {
         true => format!(
-            "the residuals are {ratio:.2} times the stated errors, and widen the bands by this Birge ratio"
+            "the residuals are {ratio:.2} times the stated errors, and widen the intervals by this Birge ratio"
         ),
         false => {
             format!("the stated errors explain the residuals, which are {ratio:.2} times as large")

@@ -351,7 +351,7 @@ pub fn besides_the_mesh(gearbox: &GearboxReport) -> String {
     let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));
     let parts: Vec<String> = parts.collect();
     format!(
-        "besides the mesh {}, from the input and without a band: {}",
+        "besides the mesh {}, from the input and without an interval: {}",
         stated(gearbox.parts_w),
         parts.join(", ")
     )

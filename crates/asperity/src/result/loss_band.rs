@@ -350,11 +350,11 @@ impl Uncertainty {
         let digits = self.digits();
         match self.with_traces_w {
             Some(_) if !self.traces_narrow() => {
-                format!("{text}; traces would hardly narrow the band")
+                format!("{text}; traces would hardly narrow the interval")
             }
             Some(ends) => {
                 format!(
-                    "{text}; traces would narrow the band to {} W",
+                    "{text}; traces would narrow the interval to {} W",
                     digits.range(ends)
                 )
             }

@@ -174,7 +174,7 @@ pub(crate) fn too_steep(band: [f64; 2]) -> Fault {
     Fault::new(
         Code::E319,
         format!(
-            "the 95 % band of the fall of the limiting shear stress, {:.4} to {:.4} 1/K, leaves {} to {STEEPEST_FALL} 1/K, where a film has a single temperature: no case takes it",
+            "the 95 % interval of the fall of the limiting shear stress, {:.4} to {:.4} 1/K, leaves {} to {STEEPEST_FALL} 1/K, where a film has a single temperature: no case takes it",
             band[0], band[1], -STEEPEST_FALL
         ),
     )

@@ -257,7 +257,7 @@ impl StudySettings for OilFitSettings {
     const FUNCTION: &'static str = "oil_fit";
     const FOLDER: &'static str = "oil";
     const ABOUT: &'static str =
-        "Constants of an oil from measured traction curves of ball and disc, with their bands";
+        "Constants of an oil from measured traction curves of ball and disc, with their intervals";
     const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[
         &[("curves", "curves.csv"), ("oil", "m100")],
         &[
@@ -341,7 +341,7 @@ impl StudySettings for StribeckSettings {
     const FUNCTION: &'static str = "stribeck";
     const FOLDER: &'static str = "stribeck";
     const ABOUT: &'static str =
-        "Boundary friction from Stribeck curves of ball and disc, with its band";
+        "Boundary friction from Stribeck curves of ball and disc, with its interval";
     const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] = &[
         &[("curves", "stribeck.csv"), ("oil", "m100")],
         &[

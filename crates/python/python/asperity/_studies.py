@@ -689,7 +689,7 @@ def oil_fit(
     point_floor: float = 0.0003,
     threads: Optional[int] = None,
 ) -> OilFit:
-    """Constants of an oil from measured traction curves of ball and disc, with their bands.
+    """Constants of an oil from measured traction curves of ball and disc, with their intervals.
 
     A table has the columns load_n, mean_speed_m_s, slide_roll_percent (200 is pure sliding), temperature_c and
     traction, and where known sigma, group, set_temperature_c, film_nm and the specimens; a text export of a PCS
@@ -803,7 +803,7 @@ def stribeck(
     second_radius: Optional[Quantity] = None,
     threads: Optional[int] = None,
 ) -> Stribeck:
-    """Boundary friction from Stribeck curves of ball and disc, with its band.
+    """Boundary friction from Stribeck curves of ball and disc, with its interval.
 
     The files have the columns of a traction curve, and rubbing_s, the time for which the specimens have rubbed
     before. Points with a film of at most a fifth of the roughness count. How much of the load of gears the layer

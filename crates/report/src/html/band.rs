@@ -135,7 +135,7 @@ pub(super) fn tornado(uncertainty: &Uncertainty) -> Drawing {
     let parts = parts.map(|part| interval(&part.name, part.quantiles_w));
     Drawing::Tornado(Tornado {
         id: "band".to_owned(),
-        title: "Band of the loss, 5 to 95 %, and of its largest components".to_owned(),
+        title: "Interval of the loss, 5 to 95 %, and of its largest components".to_owned(),
         source: "result.json".to_owned(),
         axis: Axis::new("loss", "W"),
         middle: Some(uncertainty.loss.drawn().value),

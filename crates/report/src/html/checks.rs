@@ -250,7 +250,7 @@ fn oil(result: &RunResult) -> Markup {
         (columns! { row in state.chain(constants);
             head name "quantity" "" = &row[0];
             number value "value" "" = &row[1];
-            number band "band" "" = &row[2];
+            number band "interval" "" = &row[2];
             text source "source" "" = &row[3];
         })
     }

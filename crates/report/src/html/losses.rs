@@ -32,7 +32,7 @@ pub(super) fn along_the_path(result: &RunResult) -> Drawing {
     };
     let band = result.path_loss_quantiles();
     let title = match band {
-        Some(_) => "Loss per length of contact line, with its band",
+        Some(_) => "Loss per length of contact line, with its interval",
         None => "Loss per length of contact line",
     };
     let y = Axis::new("loss", "kW/m").from_zero();

@@ -484,7 +484,7 @@ pub(super) fn scope(comparison: &Comparison) -> String {
     let parts = first.parts.iter().zip(stated_parts(&losses));
     let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));
     format!(
-        "Scope gearbox: the values above are of the {}; with {} from the input and without a band ({}), the efficiency of the gearbox is {}.",
+        "Scope gearbox: the values above are of the {}; with {} from the input and without an interval ({}), the efficiency of the gearbox is {}.",
         if comparison
             .finishes
             .iter()
