@@ -13,6 +13,7 @@ use asperity_core::quantity::{Length, LineLoad, Pressure};
 use asperity_roughness::generate::{Finish, Surrogate};
 
 use crate::gate::{Class, Estimate, Gate};
+use crate::gates::WEAR;
 
 /// Hertz pressure of the test, and the reduced modulus of steel on steel.
 const PRESSURE: Pressure = Pressure::from_si(1.5e9);
@@ -27,8 +28,6 @@ const RADIUS: f64 = 5e-3;
 const RQ: [f64; 2] = [0.5e-6, 0.05e-6];
 const SLIP: f64 = 0.02;
 const CYCLES: f64 = 7.2e5;
-/// Usual wear coefficient \[1/Pa\].
-const WEAR: f64 = 3e-19;
 /// Packages of wear.
 const PACKAGES: usize = 4;
 /// Made surfaces, points of each, which their mirror image closes along the lead, and their distance \[m\].
@@ -168,14 +167,14 @@ pub fn gate() -> Gate {
     };
     let gate = Gate::new(
         Class::Measured,
-        "T15 Rq of a disc of 0.5 um with ridges along rolling after 7.2e5 cycles, 1.5 GPa",
-        "0.24 to 0.36",
+        "T15 Rq of a disc of 0.5 um, ridges along rolling, 1.5 GPa",
+        "0.24 to 0.36 after 7.2e5 cycles",
         value,
         Some([0.24, 0.36]),
         ("um", 3),
     );
     gate.against([0.24, 0.36]).noted(format!(
-        " ({:.3} by flow alone, {low:.3} to {high:.3} over the range of its limit)",
+        " ({:.3} by flow alone; {low:.3} to {high:.3} by its limits)",
         mean(&after_flow)
     ))
 }
