@@ -565,7 +565,7 @@ fn worn_end() -> Gate {
     );
     let of_k = [0.5, 4.0].map(|reached| reached / depth);
     gate.noted(format!(
-        " (reached with {:.0} to {:.0} k)",
+        " (reached with {:.0} to {:.0} times k)",
         of_k[0], of_k[1]
     ))
 }
