@@ -698,7 +698,13 @@ mod tests {
         let places: (&[f64], &[f64]) = (&[3000.0], &[90.0]);
         let torque = torque_of(40.0);
         let train = Train::from(case.unwrap());
-        let mut found = evaluate(&train, torque, places, &|_, _| false, &|| ());
+        let mut found = evaluate(
+            &train,
+            (torque, &mut RunInFlanks::new()),
+            places,
+            &|_, _| false,
+            &|| (),
+        );
         let whole = found.remove(0).unwrap();
         // As computed, with the wheel driving, and below the smallest torque that the traces resolve.
         for torque_nm in [40.0, -40.0, 10.0] {
