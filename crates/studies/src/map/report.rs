@@ -32,12 +32,10 @@ impl Map {
         );
         let report = Report::new(&self.title, format!("map of {}", names.join(", ")))
             .section("Loss")
-            .verdict(verdicts(self));
+            .verdict(verdicts(self).chain(self.run_in_at()));
         let [shaft, _] = self.shafts();
         let report = page::fields(report, self, visited)
             .text([points])
-            .text(self.run_in_at())
-            .in_terminal()
             .table(extremes(self))
             .text([format!(
                 "The loss torque is the loss over the speed of the {shaft}."
