@@ -293,7 +293,7 @@ pub fn whole_table(gates: &[Gate]) -> String {
 }
 
 /// What is to be known of gates that do not count, by the beginnings of their names.
-const REMARKS: [(&str, &str); 4] = [
+const REMARKS: [(&str, &str); 5] = [
     (
         "T2 ",
         "the Eyring stress of polyalphaolefin was fitted to these losses, with flanks at the 110 °C of the oil; bulk temperatures of the \
@@ -302,6 +302,10 @@ const REMARKS: [(&str, &str); 4] = [
     (
         "T5 ",
         "cannot fail: the limiting shear stress bounds the friction of a film",
+    ),
+    (
+        "T14 ",
+        "bounds the wear coefficient; ISO does not state the engagements, and teeth that meet early are not in the model",
     ),
     (
         "T6 ",

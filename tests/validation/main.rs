@@ -10,6 +10,7 @@ mod band;
 mod britton;
 mod close_records;
 mod comparison;
+mod disc;
 mod document;
 mod ehl_records;
 mod evidence;

@@ -48,6 +48,7 @@ fn summary_run_in(name: &str, keys: &[(&str, &str)]) -> (f64, RunInFlanks) {
     (losses.summary.loss_w, losses.run_in.unwrap())
 }
 
+/// Fails on windows that fit side by side into a trace, as flanks ran in before.
 #[test]
 fn more_load_and_more_engagements_remove_more() {
     let case = with("fzg-c", &[]);
@@ -64,6 +65,7 @@ fn more_load_and_more_engagements_remove_more() {
     }
 }
 
+/// Fails on windows that fit side by side into a trace, as flanks ran in before.
 #[test]
 fn rq_after_48_engagements_is_that_of_an_independent_program_but_for_the_engagements_of_the_wheel()
 {
@@ -94,6 +96,7 @@ fn rq_after_48_engagements_is_that_of_an_independent_program_but_for_the_engagem
     }
 }
 
+/// Fails on flanks as they ran in before by the mean line; a guard for the valleys.
 #[test]
 fn valleys_that_nothing_touches_stay_and_the_mean_line_goes_down() {
     let case = with("fzg-c", &[]);
@@ -119,6 +122,7 @@ fn valleys_that_nothing_touches_stay_and_the_mean_line_goes_down() {
     }
 }
 
+/// Fails on windows that fit side by side into a trace, as flanks ran in before.
 #[test]
 fn a_trace_appended_to_itself_or_turned_round_runs_in_alike() {
     let case = with("fzg-c", &[]);
@@ -146,6 +150,7 @@ fn a_trace_appended_to_itself_or_turned_round_runs_in_alike() {
     }
 }
 
+/// A guard: it held of windows side by side, too.
 #[test]
 fn flanks_that_do_not_flow_do_not_run_in() {
     for (name, keys) in [
@@ -193,6 +198,7 @@ fn the_softer_flank_runs_in_more() {
     assert!(of(&soft) > 1.3 * of(&[]), "{} {}", of(&soft), of(&[]));
 }
 
+/// A guard: it held of windows side by side, too.
 #[test]
 fn running_in_is_the_same_on_one_and_two_threads_and_for_kept_contacts() {
     let keys = [

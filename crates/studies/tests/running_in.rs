@@ -6,6 +6,8 @@ use std::path::Path;
 
 use asperity::case::{self, LoadedCase};
 use asperity_report::{Settings, StudyResult, StudySettings, Watch};
+use asperity_studies::compare::Finish;
+use asperity_studies::map::{Axes, MapBand, map};
 use asperity_studies::running_in::{RunningInFound, RunningInSettings};
 
 fn case() -> LoadedCase {
@@ -91,6 +93,45 @@ fn the_flanks_written_lose_what_the_history_says() {
 }
 
 #[test]
+fn a_map_is_of_flanks_run_in_once_at_the_torque_that_the_case_states() {
+    // Before, a map was of the flanks as measured.
+    let case = case();
+    let key = "operation.running_in";
+    let of = |stated: &str| {
+        let finish = Finish {
+            name: "ground".to_owned(),
+            case: case.with_key(key, stated).unwrap(),
+        };
+        let axes = Axes::new(&[100.0, 302.0], &[2166.0], &[90.0]).unwrap();
+        map(&[finish], &axes, MapBand::None, &|_, _| {}).unwrap()
+    };
+    let (run_in, fresh) = (of("{ engagements = 16 }"), of("false"));
+    let loss = |map: &asperity_studies::map::Map, torque: f64| {
+        let mut points = map.finishes[0].points.iter();
+        let point = points.find(|point| [point.torque_nm, point.speed_rpm] == [torque, 2166.0]);
+        point.unwrap().numbers.unwrap().loss_w
+    };
+    for (torque, stated) in [(100.0, "100 N m"), (302.0, "302 N m")] {
+        let run = case.with_key("operation.torque", stated).unwrap();
+        let run = run
+            .with_key(key, "{ torque = \"302 N m\", engagements = 16 }")
+            .unwrap();
+        let run = asperity::Run::new(&run).losses().unwrap();
+        let run = run.into_only().unwrap();
+        let expected = run.run_in.unwrap().summary.loss_w;
+        for (map, of_run) in [(&run_in, expected), (&fresh, run.summary.loss_w)] {
+            let ratio = loss(map, torque) / of_run;
+            assert!((ratio - 1.0).abs() < 1e-9, "{torque}: {ratio}");
+        }
+        assert!(loss(&run_in, torque) < loss(&fresh, torque));
+    }
+    let said = "The flanks have run in by plastic flow at 302 N m";
+    assert!(run_in.summary().contains(said), "{}", run_in.summary());
+    assert!(!fresh.summary().contains("run in"));
+    assert!(run_in.finishes[0].fingerprint != fresh.finishes[0].fingerprint);
+}
+
+#[test]
 fn superfinished_flanks_gain_nothing_by_flow() {
     let file = Path::new("../../fixtures/cases/e-drive-superfinished.toml");
     let case = case::load_with(file, &|input| {
@@ -145,11 +186,10 @@ fn scans_that_a_run_takes_as_patches_run_in_by_their_rows_from_the_loss_of_the_r
     let case = case::from_text("case.toml", text, &scan).unwrap();
     assert!(case.surfaces.sheets().is_some());
     let study = found(&case, serde_json::json!({ "engagements": 4 })).unwrap();
-    let rows = asperity::pipeline::less_of_scans(&case)
-        .unwrap()
-        .case
-        .unwrap();
+    // The rows of a run with operation.running_in: 8 x 8 here, where a comparison beside patches takes 4 x 4.
+    let rows = case.with_key("operation.running_in", "true").unwrap();
     assert!(rows.surfaces.sheets().is_none());
+    let rows = rows.overridden(|over| over.as_measured = true).unwrap();
     let run = asperity::Run::new(&rows).interval(true).execute().unwrap();
     let loss = run.into_only().unwrap().result.summary.loss_w;
     assert!(

@@ -77,6 +77,24 @@ fn run(case: &Train, band: bool) -> Whole {
 }
 
 #[test]
+fn the_meshes_of_a_map_run_in_at_their_parts_of_the_torque_of_the_input_shaft() {
+    let keys = [
+        ("operation.running_in.torque", "90 N m"),
+        ("operation.running_in.engagements", "4"),
+    ];
+    let case = train(TWO_STAGES, &keys);
+    let found = map_of(case.clone(), &[60.0], MapBand::None);
+    let run = Run::new(&case)
+        .pictures(Kept::NoPictures)
+        .execute()
+        .unwrap();
+    let meshes = run.meshes.iter();
+    let of_meshes = meshes.map(|mesh| mesh.result.run_in.as_ref().unwrap().summary.loss_w);
+    let ratio = at(&found, 60.0).numbers.unwrap().loss_w / of_meshes.sum::<f64>();
+    assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
+}
+
+#[test]
 fn a_point_of_the_map_of_a_train_is_its_run_with_loss_parts_efficiency_and_band() {
     let case = train(TWO_STAGES, &[]);
     let found = map_of(case.clone(), &[60.0], MapBand::Nodes);

@@ -95,7 +95,7 @@ impl Draw {
 /// The draws that all flanks share, with the flanks of the run.
 pub fn shared_draws() -> impl Iterator<Item = Draw> {
     static SHARED: OnceLock<Vec<Draw>> = OnceLock::new();
-    SHARED.get_or_init(|| draws(SEED)).iter().copied()
+    once(&SHARED, || draws(SEED)).iter().copied()
 }
 
 /// The draws of a seed, each axis in the strata of the stream of its name: another axis moves none of the others.
@@ -242,7 +242,7 @@ fn second_set() -> &'static [Draw] {
     /// Beyond the seeds of all flanks.
     const SECOND_SEED: u64 = 1 << 32;
     static SECOND_SET: OnceLock<Vec<Draw>> = OnceLock::new();
-    SECOND_SET.get_or_init(|| {
+    once(&SECOND_SET, || {
         let of_flanks = flank_draws((SECOND_SEED + 1) as usize);
         let both = draws(SECOND_SEED).into_iter().zip(of_flanks);
         both.map(|(draw, of_flanks)| Draw { of_flanks, ..draw })
@@ -267,10 +267,16 @@ pub fn flank_draws(flanks: usize) -> impl Iterator<Item = FlankDraw> {
     };
     // A run takes the draws of its own flanks for every component of its uncertainty.
     let drawn = match flanks {
-        0 => Cow::Borrowed(&FIRST_FLANKS.get_or_init(drawn)[..]),
+        0 => Cow::Borrowed(once(&FIRST_FLANKS, drawn)),
         _ => Cow::Owned(drawn()),
     };
     (0..DRAWS).map(move |j| drawn[j])
+}
+
+/// Draws that are made once; who takes them cites their equation, whether they were made before or not.
+fn once<T>(stored: &'static OnceLock<Vec<T>>, make: impl FnOnce() -> Vec<T>) -> &'static [T] {
+    cite!("Latin-hypercube");
+    stored.get_or_init(make)
 }
 
 /// The middle of a stratum.

@@ -1,16 +1,18 @@
 //! Losses of one torque at every speed and temperature of a map.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use asperity::Reversed;
 use asperity::case::train::Train;
-use asperity::case::{LoadedCase, MeshLoad};
+use asperity::case::{LoadedCase, MeshLoad, RunningInEntry, RunningInInput, RunningInPlan};
 use asperity::flanks::LEAST_POINTS_PER_HALF_WIDTH;
-use asperity::flanks::Texture;
+use asperity::flanks::{Surfaces, Texture};
 use asperity::gearbox;
 use asperity::mesh::Mesh;
 use asperity::mesh::Resolution;
 use asperity::result::Losses;
+use asperity::running_in::run_in;
 use asperity::uncertainty::{Predictive, predictive};
 use asperity::{Contacts, Error, PositionError, Run};
 use asperity_core::Code;
@@ -67,26 +69,63 @@ pub(super) fn computed_speed(speed: f64) -> f64 {
     if speed == 0.0 { CRAWL } else { speed }
 }
 
-/// The case at `torque`, reduced to its mesh losses.
+/// The case at `torque`, reduced to its mesh losses, on its flanks as measured.
 pub(super) fn at_torque(case: &LoadedCase, torque: Torque) -> Result<LoadedCase, Error> {
-    case.with(|input| {
+    let plan = case.case.running_in;
+    let stated = |plan: RunningInPlan| {
+        RunningInEntry::Stated(RunningInInput {
+            torque: Some(plan.torque),
+            engagements: plan.engagements,
+        })
+    };
+    let other = case.with(|input| {
         input.operation.torque = torque;
-        input.operation.running_in = None;
+        // Flanks that run in are rows of scans at every torque, and run in at the one that is stated.
+        input.operation.running_in = plan.map(stated);
         // The gearbox is the same for every finish and is added to the map once.
         input.gearbox = None;
-    })
+    })?;
+    match plan {
+        Some(_) => other.overridden(|over| over.as_measured = true),
+        None => Ok(other),
+    }
+}
+
+/// Flanks run in, by the number of their mesh and whether its torque is negative.
+pub(super) type RunInFlanks = BTreeMap<(usize, bool), Surfaces>;
+
+/// The case on its flanks run in, once for all torques of one sign.
+fn on_run_in(
+    case: LoadedCase,
+    (plan, mesh): (Option<RunningInPlan>, usize),
+    known: &mut RunInFlanks,
+) -> Result<LoadedCase, Error> {
+    let Some(plan) = plan else {
+        return Ok(case);
+    };
+    let torque = case.case.torque.si();
+    let surfaces = match known.entry((mesh, torque < 0.0)) {
+        Entry::Occupied(known) => known.into_mut(),
+        Entry::Vacant(place) => {
+            let torque = Torque::from_si(plan.torque.si().copysign(torque));
+            let plan = RunningInPlan { torque, ..plan };
+            let found = run_in(&case.case, &case.surfaces, &plan, &|_| {}).map_err(Box::new)?;
+            place.insert(found.surfaces)
+        }
+    };
+    Ok(case.with_surfaces(surfaces.clone()))
 }
 
 /// Evaluates all speeds and temperatures at one torque of the input shaft, by temperature, with draws at the nodes.
 pub(super) fn evaluate(
     train: &Train,
-    torque: Torque,
+    (torque, run_in): (Torque, &mut RunInFlanks),
     (speeds, temperatures): (&[f64], &[f64]),
     is_node: &(dyn Fn(f64, f64) -> bool + Sync),
     progress: &(dyn Fn() + Sync),
 ) -> Vec<Result<Evaluated, Code>> {
     let code = |error: &Error| error.code().to_owned();
-    let prepared = Prepared::of(train, torque, speeds);
+    let prepared = Prepared::of(train, (torque, run_in), speeds);
     let nodes = temperatures.iter().flat_map(|temperature| {
         let at = |(column, speed): (usize, &f64)| (column, *speed, *temperature);
         speeds.iter().enumerate().map(at)
@@ -117,7 +156,11 @@ struct Prepared {
 }
 
 impl Prepared {
-    fn of(train: &Train, torque: Torque, speeds: &[f64]) -> Result<Self, Error> {
+    fn of(
+        train: &Train,
+        (torque, run_in): (Torque, &mut RunInFlanks),
+        speeds: &[f64],
+    ) -> Result<Self, Error> {
         let loads = speeds.iter().map(|speed| {
             let speed = speed_of(*speed);
             loads(train, MeshLoad { torque, speed }, &[])
@@ -133,6 +176,7 @@ impl Prepared {
                     continue;
                 }
                 let case = at_torque(&mesh.case, torque)?;
+                let case = on_run_in(case, (mesh.case.case.running_in, k), run_in)?;
                 let tables = match case.case.formulation.pressures() {
                     None => Run::new(&case).known(&known).contacts()?,
                     Some(_) => Vec::new(),
@@ -482,7 +526,12 @@ mod tests {
         let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
         let folder = Path::new("../../fixtures/profiles");
         let train = Train::load_set(source, folder, &[], &|_| {}).unwrap();
-        let prepared = Prepared::of(&train, Torque::from_si(80.0), &[1500.0]).unwrap();
+        let prepared = Prepared::of(
+            &train,
+            (Torque::from_si(80.0), &mut RunInFlanks::new()),
+            &[1500.0],
+        )
+        .unwrap();
         prepared.at((0, 1500.0), 90.0, false).unwrap();
         let meshes = prepared.meshes.iter().flat_map(BTreeMap::values);
         let contacts = meshes.flat_map(|(_, contacts)| contacts);

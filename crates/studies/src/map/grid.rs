@@ -22,8 +22,8 @@ use asperity_core::{Code, Estimate, Fault, PROGRAM};
 use super::axes::Axes;
 use super::draws::{Beside, Drawn, DrawnNodes, MapBand, Nodes};
 use super::evaluation::{
-    Evaluated, EvaluatedMesh, at_torque, computed_speed, computed_speeds, evaluate, gearbox_of,
-    resolved_from, torque_of,
+    Evaluated, EvaluatedMesh, RunInFlanks, at_torque, computed_speed, computed_speeds, evaluate,
+    gearbox_of, resolved_from, torque_of,
 };
 use super::point::{EXTENDED, FinishMap, Map, MapWarning, MeshPart, Numbers, Point, ranges};
 use crate::compare::{Finish, differs_by_flanks, files};
@@ -227,11 +227,13 @@ fn of_finish(
         .each_ref()
         .map(|torques| Nodes::of(band, torques, axes));
     let mut computed = Computed::new();
+    let mut run_in = RunInFlanks::new();
     for (side, torque) in sides.torques() {
         let sign = if side == 1 { -1.0 } else { 1.0 };
         let nodes = (speeds, axes.temperature_c.as_slice());
         let is_node = |speed, temperature| drawn[side].has(torque, speed, temperature);
-        let evaluated = evaluate(train, torque_of(sign * torque), nodes, &is_node, progress);
+        let at = (torque_of(sign * torque), &mut run_in);
+        let evaluated = evaluate(train, at, nodes, &is_node, progress);
         checkpoint()?;
         computed.insert((side, torque.to_bits()), evaluated);
     }
@@ -696,7 +698,13 @@ mod tests {
         let places: (&[f64], &[f64]) = (&[3000.0], &[90.0]);
         let torque = torque_of(40.0);
         let train = Train::from(case.unwrap());
-        let mut found = evaluate(&train, torque, places, &|_, _| false, &|| ());
+        let mut found = evaluate(
+            &train,
+            (torque, &mut RunInFlanks::new()),
+            places,
+            &|_, _| false,
+            &|| (),
+        );
         let whole = found.remove(0).unwrap();
         // As computed, with the wheel driving, and below the smallest torque that the traces resolve.
         for torque_nm in [40.0, -40.0, 10.0] {

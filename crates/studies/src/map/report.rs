@@ -1,10 +1,11 @@
 //! Report of a map, and its folder: `map.json`, `map.csv`, `efficiency.csv`, `map.html`.
 
+use asperity_core::number;
 use asperity_report::{Report, StudyResult};
 
 use super::page;
 use super::point::Map;
-use super::summary::{bands, extremes, left_aside, notes, of_meshes, verdicts};
+use super::summary::{bands, extremes, in_words, left_aside, notes, of_meshes, verdicts};
 use super::table;
 
 impl StudyResult for Map {
@@ -31,7 +32,7 @@ impl Map {
         );
         let report = Report::new(&self.title, format!("map of {}", names.join(", ")))
             .section("Loss")
-            .verdict(verdicts(self));
+            .verdict(verdicts(self).chain(self.run_in_at()));
         let [shaft, _] = self.shafts();
         let report = page::fields(report, self, visited)
             .text([points])
@@ -49,6 +50,23 @@ impl Map {
         page::sections(report, self, visited)
             .file(|folder| table::write(self, &folder.join("map.csv")))
             .rows(page::EFFICIENCIES, || page::drawn_efficiencies(self))
+    }
+}
+
+impl Map {
+    /// Torque at which the flanks have run in, in words; `None` of flanks as measured.
+    fn run_in_at(&self) -> Option<String> {
+        let operation = &self.input.operation;
+        let stated = operation.running_in?.stated()?;
+        let torque = stated.torque.unwrap_or(operation.torque).si().abs();
+        let of = match self.finishes.first() {
+            Some(finish) if self.are_variants => format!(" of {}", in_words(&finish.name)),
+            _ => String::new(),
+        };
+        Some(format!(
+            "The flanks{of} have run in by plastic flow at {} N m, of which the interval has no part.",
+            number(torque)
+        ))
     }
 }
 

@@ -13,6 +13,7 @@ use serde::Serialize;
 
 use super::axes::Axes;
 use super::draws::MapBand;
+use super::evaluation::at_torque;
 use super::grid::map;
 use super::point::Map;
 use crate::compare::Finishes;
@@ -218,7 +219,7 @@ impl StudySettings for MapSettings {
     ];
     const METHOD: &'static str = "The losses are of the mesh only, without bearings, seals and churning. Every point is the run at this \
         torque, speed and temperature; the median of its loss and the quantiles (loss_p05_w, loss_p95_w) are from draws at three torques \
-        and three speeds.";
+        and three speeds. Flanks with operation.running_in run in once, at its torque, and the whole map is theirs.";
     const STEPS: &'static str = "points";
 
     fn work(&self, CaseOrFinishes(given): &CaseOrFinishes) -> Result<Option<Work>, Fault> {
@@ -228,7 +229,9 @@ impl StudySettings for MapSettings {
             true => 2 * torques,
             false => torques.div_ceil(2),
         };
-        let meshes = first.cases().cloned().collect();
+        // Flanks run in once, not at every torque.
+        let meshes = first.cases().map(|case| at_torque(case, case.case.torque));
+        let meshes = meshes.collect::<Result<_, _>>()?;
         Ok(Some(Work::new(meshes, torques * given.0.len())))
     }
 

@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity::case::{LoadedCase, OperatingCase, RunningInPlan};
+use asperity::case::{ContactName, LoadedCase, OperatingCase, RunningInPlan};
 use asperity::core::cancel::checkpoint;
 use asperity::gear::{FlankPoint, Gear};
 use asperity::message::Warning;
-use asperity::pipeline::{History, HistorySettings, Kept, history, less_of_scans};
+use asperity::pipeline::{History, HistorySettings, Kept, history};
 use asperity::profile_io::read::{ReadOptions, read};
 use asperity::running_in::{limits, run_in};
 use asperity::{PositionError, Run};
@@ -196,14 +196,13 @@ impl StudySettings for RunningInSettings {
     }
 }
 
-/// The case with rows of its scans in place of the patches that their lay asks for, which do not run in.
+/// The case with the rows of its scans that a run with `operation.running_in` takes in place of the patches that their lay asks for,
+/// which do not run in.
 fn by_rows(case: LoadedCase) -> Result<LoadedCase, Fault> {
-    if case.case.input.surface.contact.is_some() {
-        return Ok(case);
-    }
-    match less_of_scans(&case) {
-        Some(scans) if scans.are_patches => Ok(scans.case?),
-        _ => Ok(case),
+    let is_by_lay = case.case.input.surface.contact.is_none() && case.surfaces.sheets().is_some();
+    match is_by_lay {
+        true => Ok(case.with(|input| input.surface.contact = Some(ContactName::Lines))?),
+        false => Ok(case),
     }
 }
 

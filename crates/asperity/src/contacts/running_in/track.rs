@@ -488,6 +488,7 @@ mod tests {
         Surfaces::new(heights.map(texture), None, false)
     }
 
+    /// Fails on windows that fit side by side into a trace, as flanks ran in before.
     #[test]
     fn each_tooth_is_in_contact_as_often_as_its_gear_engages() {
         let case = case();
@@ -529,6 +530,7 @@ mod tests {
         }
     }
 
+    /// A guard: it held of windows side by side, too.
     #[test]
     fn the_same_load_at_the_same_place_flows_once_and_more_load_flows_more() {
         let case = case();
