@@ -258,6 +258,22 @@ fn column(bench: &Bench, file: &str, name: &str) -> Vec<Option<f64>> {
         .collect()
 }
 
+/// Checks that a page contains what a run prints.
+fn shows(bench: &Bench, page: &str, printed: &str) {
+    let text = fs::read_to_string(bench.path(page)).unwrap();
+    assert!(text.contains(printed), "{printed} is not on {page}");
+}
+
+/// The loss that a run prints.
+fn printed_loss(bench: &Bench, case: &str, more: &[&str]) -> String {
+    let text = bench
+        .run(&[&["run", case, "--no-output"][..], more].concat())
+        .well()
+        .unwrapped();
+    let printed = text.split("loss ").nth(1).unwrap();
+    printed.lines().next().unwrap().trim().to_owned()
+}
+
 /// Checks that every face of a case states one loss, and one loss at the medians where it is drawn.
 fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
     let is = |found: f64, expected: f64, face: &str| {
@@ -351,16 +367,10 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
         is(friction, 1.0 - of(summary, "efficiency"), "mu_equivalent");
     }
     // What is printed, by terminal and page.
-    let text = bench
-        .run(&[&["run", case, "--no-output"][..], more].concat())
-        .well()
-        .unwrapped();
-    let printed = text.split("loss ").nth(1).unwrap();
-    let printed = printed.lines().next().unwrap().trim();
+    let printed = &*printed_loss(bench, case, more);
     let number: f64 = printed.split(' ').next().unwrap().parse().unwrap();
     assert!((number / loss - 1.0).abs() < 0.06, "{printed} {loss}");
-    let page = fs::read_to_string(bench.path("run/report.html")).unwrap();
-    assert!(page.contains(printed), "{printed} is not on the page");
+    shows(bench, "run/report.html", printed);
 
     // Other commands on the same case, which state it as a run does.
     let faces = more.iter().filter(|option| **option != "--no-band");
@@ -379,6 +389,7 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
         );
         let rows = column(bench, "compared/compare.csv", "loss_w");
         is(rows[0].unwrap(), loss, "compare.csv");
+        shows(bench, "compared/compare.html", printed);
         let changes = ["sensitivity", case, "--json", "-o", "sensitivity"];
         let changes = bench.run(&[&changes[..], &faces].concat()).well().json();
         is(of(&changes, "loss_w"), loss, "sensitivity");
@@ -386,6 +397,12 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
             of(&changes, "loss_at_medians_w"),
             at_medians,
             "sensitivity at the medians",
+        );
+        let median = printed.split(' ').next().unwrap();
+        shows(
+            bench,
+            "sensitivity/sensitivity.html",
+            &format!("Loss {median} W"),
         );
     }
     let columns = match is_drawn {
@@ -493,8 +510,11 @@ fn one_loss_of_a_map(bench: &Bench, case: &str, [torque, speed]: [f64; 2], more:
         loss,
         "extremes.csv",
     );
-    let exported = column(bench, "map/export/case.csv", "loss_torque_nm")[at];
+    let name = case.strip_suffix(".toml").unwrap();
+    let exported = format!("map/export/{name}.csv");
+    let exported = column(bench, &exported, "loss_torque_nm")[at];
     is(exported, loss / omega, "export");
+    shows(bench, "map/map.html", &printed_loss(bench, case, more));
     bench.write(
         "cycle.csv",
         format!("time_s,torque_nm,speed_rpm\n0,{torque},{speed}\n3600,{torque},{speed}\n"),
@@ -531,14 +551,13 @@ fn every_face_of_a_pair_states_one_loss() {
     let [pinion, wheel] = flanks("superfinished");
     let [pinion, wheel] = [("pinion", pinion), ("wheel", wheel)]
         .map(|(gear, file)| format!("surface.{gear}.file={file}"));
-    one_loss(
-        &bench,
-        "case.toml",
-        &[&FEW[..], &["--set", &pinion, "--set", &wheel]].concat(),
-    );
+    let superfinished = [&FEW[..], &["--set", &pinion, "--set", &wheel]].concat();
+    one_loss(&bench, "case.toml", &superfinished);
+    one_loss_of_a_map(&bench, "case.toml", [145.0, 9000.0], &superfinished);
     // The median of a relief that is not stated is far from the run at the medians.
     bench.write("unstated.toml", E_DRIVE.replace(NO_RELIEF, ""));
     one_loss(&bench, "unstated.toml", &FEW);
+    one_loss_of_a_map(&bench, "unstated.toml", [145.0, 9000.0], &FEW);
 }
 
 #[test]
@@ -560,8 +579,9 @@ fn every_face_of_areal_windows_states_one_loss() {
         "cutoff = \"0.08 mm\"\ncontact = \"patch\"",
     );
     bench.write("case.toml", case.replace("145 N m", "30 N m"));
-    let lay = ["--set", "model.lay=0.18"];
-    one_loss(&bench, "case.toml", &[&FEW[..], &lay].concat());
+    let lay = [&FEW[..], &["--set", "model.lay=0.18"]].concat();
+    one_loss(&bench, "case.toml", &lay);
+    one_loss_of_a_map(&bench, "case.toml", [30.0, 9000.0], &lay);
 }
 
 #[test]

@@ -858,8 +858,8 @@ enum Change {
     Place(f64),
 }
 
-/// Conditions that are close to each other: six pairs of flanks on seeds of their own at full load, each with changes of speed,
-/// temperature, torque, heights, oil and place.
+/// Conditions that are close to each other: pairs of flanks on seeds of their own, six at full load and two at part load with flooded
+/// inlets, each with changes of speed, temperature, torque, heights, oil and place.
 pub fn close_conditions() -> Vec<Condition> {
     use Change::{Eyring, Heights, Place, PressureViscosity, Speed, Torque, Warmer};
     use Drive::{FirstStage, FzgA};
@@ -900,6 +900,10 @@ pub fn close_conditions() -> Vec<Condition> {
         ),
         (FzgA, Plateaus, [3061, 3062], 90, 0.55, 2166, 183.4),
     ];
+    let light = [
+        (FirstStage, Ground, [3071, 3072], 70, 0.65, 5000, 25.0),
+        (FzgA, Plateaus, [3081, 3082], 80, 0.3, 2000, 35.0),
+    ];
     let close = |base: Generated| {
         changes.map(|change| {
             let condition = Condition::generated(changed(base, change));
@@ -925,7 +929,8 @@ pub fn close_conditions() -> Vec<Condition> {
             }
         })
     };
-    bases.into_iter().flat_map(close).collect()
+    let light = flooded(light.into_iter().flat_map(close).collect(), LIGHT_TRAVEL);
+    bases.into_iter().flat_map(close).chain(light).collect()
 }
 
 impl Change {
