@@ -236,7 +236,7 @@ pub(crate) fn relief(loaded: &OperatingCase, at_ends: Option<[f64; 2]>) -> Optio
     };
     let edges = match loaded.case.gears.internal {
         true => "",
-        false => ", with contact of the tip edges",
+        false => ", with tip edge contact",
     };
     let most = 1e6 * assumed.approach.si();
     let worth = at_ends.map_or(String::new(), |ratios| {
