@@ -58,7 +58,7 @@ fn a_lay_beyond_the_records_is_named_by_check_and_by_a_run_with_its_worth() {
     let run = ["run", "case.toml", "--no-output"];
     let said = bench.run(&[&run[..], &far].concat()).well().unwrapped();
     assert!(
-        said.contains(says) && said.contains("(changes the loss by "),
+        said.contains(says) && said.contains("(effect on loss: "),
         "{said}"
     );
     let notes = [&run[..], &far, &["--notes"]].concat();

@@ -274,6 +274,11 @@ fn printed_loss(bench: &Bench, case: &str, more: &[&str]) -> String {
     printed.lines().next().unwrap().trim().to_owned()
 }
 
+/// "700 (530..920) W" of "700 W (530..920)".
+fn unit_last(printed: &str) -> String {
+    format!("{} W", printed.replacen(" W", "", 1))
+}
+
 /// Checks that every face of a case states one loss, and one loss at the medians where it is drawn.
 fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
     let is = |found: f64, expected: f64, face: &str| {
@@ -389,7 +394,7 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
         );
         let rows = column(bench, "compared/compare.csv", "loss_w");
         is(rows[0].unwrap(), loss, "compare.csv");
-        shows(bench, "compared/compare.html", printed);
+        shows(bench, "compared/compare.html", &unit_last(printed));
         let changes = ["sensitivity", case, "--json", "-o", "sensitivity"];
         let changes = bench.run(&[&changes[..], &faces].concat()).well().json();
         is(of(&changes, "loss_w"), loss, "sensitivity");
@@ -398,11 +403,13 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
             at_medians,
             "sensitivity at the medians",
         );
-        let median = printed.split(' ').next().unwrap();
-        shows(
-            bench,
-            "sensitivity/sensitivity.html",
-            &format!("Loss {median} W"),
+        // Three digits, as the interval is that of a change.
+        let page = fs::read_to_string(bench.path("sensitivity/sensitivity.html")).unwrap();
+        let (_, stated) = page.split_once(">Loss ").unwrap();
+        let stated: f64 = stated.split(' ').next().unwrap().parse().unwrap();
+        assert!(
+            (stated / loss - 1.0).abs() < 0.005,
+            "page of the sensitivity: {stated} {loss}"
         );
     }
     let columns = match is_drawn {
@@ -514,7 +521,8 @@ fn one_loss_of_a_map(bench: &Bench, case: &str, [torque, speed]: [f64; 2], more:
     let exported = format!("map/export/{name}.csv");
     let exported = column(bench, &exported, "loss_torque_nm")[at];
     is(exported, loss / omega, "export");
-    shows(bench, "map/map.html", &printed_loss(bench, case, more));
+    let printed = printed_loss(bench, case, more);
+    shows(bench, "map/map.html", &unit_last(&printed));
     bench.write(
         "cycle.csv",
         format!("time_s,torque_nm,speed_rpm\n0,{torque},{speed}\n3600,{torque},{speed}\n"),

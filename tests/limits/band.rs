@@ -216,7 +216,7 @@ fn a_lay_beyond_the_records_is_named_and_reaches_down_to_a_confirmed_lay() {
     let result = found(&far);
     let shown = asperity_report::brief(&result, 80, 10);
     assert!(
-        shown.contains("W452") && shown.contains("(changes the loss by "),
+        shown.contains("W452") && shown.contains("(effect on loss: "),
         "{shown}"
     );
     let confirmed = asperity_tests::losses(&with("0.166666666666667")).unwrap();

@@ -208,7 +208,7 @@ fn with_error(groups: &[[f64; 2]]) -> [f64; 2] {
 fn the_error_of_the_model_belongs_to_the_traces() {
     let close = groups(&[CLOSE]);
     let count: usize = close.values().map(Vec::len).sum();
-    assert_eq!((count, close.len()), (107, 6));
+    assert_eq!((count, close.len()), (143, 8));
     let start = [&[0.05][..], &MODEL_LENGTHS].concat().try_into().unwrap();
     let best = most_likely(&close, start, None);
     println!(

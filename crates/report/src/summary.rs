@@ -119,7 +119,7 @@ const SUBJECTS: &[(Code, Subject)] = &[
 ];
 
 /// Beginning of the worth of a warning.
-const WORTH: &str = " (changes the loss by ";
+const WORTH: &str = " (effect on loss: ";
 
 /// A warning with its worth in words, if that is known and not printed as 0.
 pub(crate) fn priced(warning: &Warning, result: &RunResult) -> Warning {
