@@ -403,12 +403,12 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
             at_medians,
             "sensitivity at the medians",
         );
-        // Three digits, as the interval is that of a change.
+        // The page states no interval of it, so two or three digits.
         let page = fs::read_to_string(bench.path("sensitivity/sensitivity.html")).unwrap();
         let (_, stated) = page.split_once(">Loss ").unwrap();
         let stated: f64 = stated.split(' ').next().unwrap().parse().unwrap();
         assert!(
-            (stated / loss - 1.0).abs() < 0.005,
+            (stated / loss - 1.0).abs() < 0.01,
             "page of the sensitivity: {stated} {loss}"
         );
     }
